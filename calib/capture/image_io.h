@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include "calib/capture/image.h"
+
+namespace lumi {
+
+/// The raster of a JPEG, PNG or TIFF file as 8-bit sRGB, as stored: the EXIF orientation is not
+/// applied. Throws Error: E-IMAGE-FORMAT (not one of these formats, by content), E-IMAGE-TRUNCATED
+/// (the file ends early or its decoder warns), E-IMAGE-TOOBIG (more than `max_pixels`, checked
+/// before decoding), E-FILE-READ.
+[[nodiscard]] ColorImage read_color_image(const std::filesystem::path& path,
+                                          std::size_t max_pixels = std::size_t{1} << 28);
+
+/// Width and height from the header alone; the same errors.
+struct ImageSize {
+    int width_px = 0;
+    int height_px = 0;
+};
+[[nodiscard]] ImageSize read_image_size(const std::filesystem::path& path);
+
+/// Lossless 8-bit PNG, the same bytes for the same pixels; written whole or not at all.
+void write_png(const std::filesystem::path& path, const ColorImage& image);
+void write_png(const std::filesystem::path& path, const GrayImage& image);
+/// 16-bit grey PNG.
+void write_png(const std::filesystem::path& path, const Image<std::uint16_t>& image);
+
+[[nodiscard]] GrayImage read_gray_png(const std::filesystem::path& path);
+[[nodiscard]] Image<std::uint16_t> read_gray16_png(const std::filesystem::path& path);
+
+/// JPEG of the stated quality (1 to 100), without chroma subsampling.
+void write_jpeg(const std::filesystem::path& path, const ColorImage& image, int quality);
+
+/// 32-bit float, one channel: TIFF. Values are kept to the bit.
+void write_float_tiff(const std::filesystem::path& path, const FloatImage& image);
+[[nodiscard]] FloatImage read_float_tiff(const std::filesystem::path& path);
+
+/// Area-averaging when smaller, bicubic when larger.
+[[nodiscard]] ColorImage resized(const ColorImage& image, int width_px, int height_px);
+
+}  // namespace lumi

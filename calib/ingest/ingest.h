@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calib/capture/posed_photographs.h"
+#include "calib/work/config_section.h"
+#include "calib/work/progress.h"
+
+namespace lumi {
+
+/// What is accepted as a photograph, and how large the working copies are.
+struct IngestOptions {
+    int max_width_px = 1600;  ///< Longer sides are scaled down to this. 0: as they are.
+    int min_width_px = 64;    ///< Shorter sides below this are "tiny". > 0.
+    int min_photographs = 2;  ///< Fewer than this left over: E-INGEST-TOOFEW.
+    double video_fps = 2.0;   ///< Frames taken from each second of a video. > 0.
+};
+
+void validate(const IngestOptions& options);
+[[nodiscard]] IngestOptions read_ingest_options(const ConfigSection& section);
+
+/// A photograph as the rest of the line sees it.
+///
+/// The raster is as stored (the EXIF orientation is kept here and applied by nobody but a display).
+struct Photograph {
+    std::string name;                    ///< Below the photographs' folder, '/' between folders.
+    std::filesystem::path picture_path;  ///< The working copy: 8-bit sRGB PNG.
+    int width_px = 0;                    ///< Of the working copy.
+    int height_px = 0;
+    int original_width_px = 0;
+    int original_height_px = 0;
+    int exif_orientation = 1;               ///< 1 to 8.
+    std::optional<double> focal_length_px;  ///< From EXIF, for the working copy.
+    std::string camera_key;  ///< Photographs of one camera and zoom have equal keys (size, make,
+                             ///< model, focal length).
+};
+
+struct IngestResult {
+    std::vector<Photograph> photographs;  ///< Sorted by name.
+    std::vector<LeftOut> left_out;
+};
+
+/// Reads a folder of photographs (JPEG, PNG, TIFF by content; sub-folders too) or one video file,
+/// and writes canonical working copies `000001.png ...` into `copies_folder`. What is unreadable,
+/// truncated, tiny or an exact duplicate is left out with a reason, and the work goes on. Throws
+/// Error: E-INGEST-NOFOLDER, E-INGEST-TOOFEW.
+[[nodiscard]] IngestResult ingest(const std::filesystem::path& photographs_or_video,
+                                  const IngestOptions& options,
+                                  const std::filesystem::path& copies_folder, int threads,
+                                  Progress& progress);
+
+}  // namespace lumi

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calib/capture/posed_photographs.h"
+#include "calib/ingest/ingest.h"
+#include "calib/work/config_section.h"
+#include "calib/work/progress.h"
+
+namespace lumi {
+
+/// How poses are found.
+struct PoseOptions {
+    std::string lens_model = "SIMPLE_RADIAL";  ///< What is estimated when no lens is given.
+    bool shared_lens = true;                   ///< One lens for photographs of one camera and zoom.
+    bool refine_lens = true;                   ///< Also refine a lens that was given.
+    int max_features = 4096;                   ///< Per photograph. > 0.
+    double max_reprojection_error_px = 2.0;    ///< Observations beyond this are outliers. > 0.
+    int min_track_length = 2;                  ///< Points seen by fewer views are dropped. >= 2.
+    double min_registered_share = 0.4;         ///< Below this share the stage refuses. (0, 1].
+    double time_limit_s = 3600;                ///< For each external program. > 0.
+    std::string colmap = "colmap";             ///< The program to run.
+};
+
+void validate(const PoseOptions& options);
+[[nodiscard]] PoseOptions read_pose_options(const ConfigSection& section);
+
+/// One run of COLMAP, as it was.
+struct ColmapCall {
+    std::string command_line;
+    double wall_s = 0.0;
+    double cpu_s = 0.0;
+};
+
+/// What speaks for the poses.
+struct PoseEvidence {
+    int photographs_total = 0;
+    int photographs_registered = 0;
+    int points = 0;
+    int observations = 0;
+    double mean_reprojection_error_px = 0.0;
+    double median_triangulation_angle_deg = 0.0;
+    int models_found = 0;  ///< Separate models that COLMAP ended with.
+    std::string start;     ///< The rung of the retry ladder that succeeded.
+    int pairs_verified = 0;
+    double planar_or_rotation_share = 0.0;  ///< Verified pairs that a homography explains.
+    std::vector<ColmapCall> calls;
+};
+
+struct PoseResult {
+    Capture capture;  ///< With lens distortion, in the pixels of the working copies.
+    std::vector<LeftOut> not_registered;
+    PoseEvidence evidence;
+};
+
+/// Where the photographs stood, estimated by COLMAP as a child process with every result verified
+/// and by a robust bundle adjustment of our own. `given_lens`, when present, is the lens of all
+/// photographs (for the size it names; it is rescaled). `scratch_folder` is emptied and used.
+///
+/// Throws Error: E-POSES-ROTATION (the camera only turned), E-POSES-PLANAR, E-POSES-NOPAIR,
+/// E-POSES-FEW (below the share), E-COLMAP-... when the program itself failed.
+[[nodiscard]] PoseResult estimate_poses(const std::vector<Photograph>& photographs,
+                                        const std::optional<Camera>& given_lens,
+                                        const PoseOptions& options,
+                                        const std::filesystem::path& scratch_folder, int threads,
+                                        Progress& progress);
+
+/// Poses from elsewhere instead: a COLMAP model folder, `transforms.json`, `poses_bounds.npy`, a
+/// Middlebury `*_par.txt` or a folder of Strecha `.camera` files, by content. Photographs are
+/// matched by name (or by stem where the format has none), lenses are rescaled to the working
+/// copies, and points without a track are kept. Throws Error (E-IMPORT-...) naming file and line;
+/// E-IMPORT-SIZE when the lens describes pictures of another shape than those on disk.
+[[nodiscard]] PoseResult import_poses(const std::vector<Photograph>& photographs,
+                                      const std::filesystem::path& poses);
+
+}  // namespace lumi

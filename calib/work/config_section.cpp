@@ -1,0 +1,278 @@
+#include "calib/work/config_section.h"
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+
+namespace lumi {
+
+struct ConfigSection::Document {
+    toml::table root;
+    std::string name;
+    std::filesystem::path folder;
+    std::shared_ptr<Table> top;
+};
+
+/// A table of the document and what has been asked of it so far.
+struct ConfigSection::Table {
+    std::string path;                   ///< Dotted, "" for the document itself.
+    const toml::table* toml = nullptr;  ///< nullptr when the file does not have it.
+    toml::table answers;
+    std::set<std::string> asked;
+    std::map<std::string, std::shared_ptr<Table>> tables;
+    std::map<std::string, std::vector<std::shared_ptr<Table>>> table_arrays;
+};
+
+namespace {
+
+std::string joined(const std::string& path, const std::string& key) {
+    return path.empty() ? key : path + "." + key;
+}
+
+std::string place(const std::string& name, const toml::node* node) {
+    if (node == nullptr) return name;
+    std::ostringstream text;
+    text << name << ":" << node->source().begin.line;
+    return text.str();
+}
+
+/// Levenshtein distance.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i);
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+        }
+    }
+    return row.back();
+}
+
+std::string suggestion_for(const std::string& key, const std::set<std::string>& known) {
+    const auto nearest =
+        std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
+            return edit_distance(key, a) < edit_distance(key, b);
+        });
+    if (nearest == known.end()) return "remove the key";
+    if (edit_distance(key, *nearest) <= 1 + key.size() / 2) {
+        return "did you mean `" + *nearest + "`?";
+    }
+    std::string list;
+    for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
+    return "known here: " + list;
+}
+
+toml::table parse(std::string_view text, const std::string& name) {
+    try {
+        return toml::parse(text, name);
+    } catch (const toml::parse_error& error) {
+        std::ostringstream where;
+        where << name << ":" << error.source().begin.line << ":" << error.source().begin.column
+              << ": " << error.description();
+        throw Error(ErrorKind::kUsage, "E-CONFIG-SYNTAX", where.str(),
+                    "mend the TOML syntax there");
+    }
+}
+
+}  // namespace
+
+ConfigSection::ConfigSection(std::shared_ptr<Document> document, std::shared_ptr<Table> table)
+    : document_(std::move(document)), table_(std::move(table)) {}
+
+ConfigSection ConfigSection::from_text(std::string_view toml, std::string name) {
+    auto document = std::make_shared<Document>();
+    document->root = parse(toml, name);
+    document->name = std::move(name);
+    document->folder = std::filesystem::current_path();
+    document->top = std::make_shared<Table>();
+    document->top->toml = &document->root;
+    return {document, document->top};
+}
+
+ConfigSection ConfigSection::from_file(const std::filesystem::path& path) {
+    ConfigSection section = from_text(read_whole_text(path, std::size_t{1} << 24), path.string());
+    section.document_->folder = std::filesystem::absolute(path).parent_path();
+    return section;
+}
+
+bool ConfigSection::has(const std::string& key) const {
+    return table_->toml != nullptr && table_->toml->contains(key);
+}
+
+ConfigSection ConfigSection::section(const std::string& key) const {
+    table_->asked.insert(key);
+    std::shared_ptr<Table>& child = table_->tables[key];
+    if (!child) {
+        child = std::make_shared<Table>();
+        child->path = joined(table_->path, key);
+        if (has(key)) {
+            child->toml = table_->toml->get(key)->as_table();
+            if (child->toml == nullptr) refuse(key, "a table");
+        }
+    }
+    return {document_, child};
+}
+
+std::vector<ConfigSection> ConfigSection::sections(const std::string& key) const {
+    table_->asked.insert(key);
+    std::vector<std::shared_ptr<Table>>& children = table_->table_arrays[key];
+    if (children.empty() && has(key)) {
+        const toml::array* array = table_->toml->get(key)->as_array();
+        if (array == nullptr || !array->is_array_of_tables()) refuse(key, "an array of tables");
+        for (std::size_t index = 0; index < array->size(); ++index) {
+            auto child = std::make_shared<Table>();
+            child->path = joined(table_->path, key) + "[" + std::to_string(index) + "]";
+            child->toml = array->get(index)->as_table();
+            children.push_back(child);
+        }
+    }
+    std::vector<ConfigSection> result;
+    for (const auto& child : children) result.push_back({document_, child});
+    return result;
+}
+
+void ConfigSection::refuse(const std::string& key, const std::string& expected) const {
+    const toml::node* node = has(key) ? table_->toml->get(key) : nullptr;
+    throw Error(ErrorKind::kUsage, "E-CONFIG-VALUE",
+                place(document_->name, node) + ": `" + joined(table_->path, key) + "`: expected " +
+                    expected,
+                "correct this key, or remove it to use the default");
+}
+
+double ConfigSection::number(const std::string& key, double fallback) const {
+    table_->asked.insert(key);
+    std::optional<double> value = fallback;
+    if (has(key)) value = table_->toml->get(key)->value<double>();
+    if (!value || !std::isfinite(*value)) refuse(key, "a finite number");
+    table_->answers.insert_or_assign(key, *value);
+    return *value;
+}
+
+int ConfigSection::integer(const std::string& key, int fallback) const {
+    table_->asked.insert(key);
+    std::optional<int> value = fallback;
+    if (has(key)) {
+        const toml::node* node = table_->toml->get(key);
+        value = node->is_integer() ? node->value<int>() : std::nullopt;
+    }
+    if (!value) refuse(key, "a whole number");
+    table_->answers.insert_or_assign(key, *value);
+    return *value;
+}
+
+bool ConfigSection::boolean(const std::string& key, bool fallback) const {
+    table_->asked.insert(key);
+    std::optional<bool> value = fallback;
+    if (has(key)) {
+        const toml::node* node = table_->toml->get(key);
+        value = node->is_boolean() ? node->value<bool>() : std::nullopt;
+    }
+    if (!value) refuse(key, "true or false");
+    table_->answers.insert_or_assign(key, *value);
+    return *value;
+}
+
+std::string ConfigSection::text(const std::string& key, const std::string& fallback) const {
+    table_->asked.insert(key);
+    std::optional<std::string> value = fallback;
+    if (has(key)) value = table_->toml->get(key)->value_exact<std::string>();
+    if (!value) refuse(key, "a text in quotes");
+    table_->answers.insert_or_assign(key, *value);
+    return *value;
+}
+
+std::vector<std::string> ConfigSection::texts(const std::string& key,
+                                              std::vector<std::string> fallback) const {
+    table_->asked.insert(key);
+    std::vector<std::string> values = std::move(fallback);
+    if (has(key)) {
+        values.clear();
+        const toml::array* array = table_->toml->get(key)->as_array();
+        if (array == nullptr) refuse(key, "a list of texts");
+        for (const toml::node& node : *array) {
+            const auto value = node.value_exact<std::string>();
+            if (!value) refuse(key, "a list of texts");
+            values.push_back(*value);
+        }
+    }
+    toml::array answer;
+    for (const std::string& value : values) answer.push_back(value);
+    table_->answers.insert_or_assign(key, std::move(answer));
+    return values;
+}
+
+std::vector<double> ConfigSection::numbers(const std::string& key,
+                                           std::vector<double> fallback) const {
+    table_->asked.insert(key);
+    std::vector<double> values = std::move(fallback);
+    if (has(key)) {
+        values.clear();
+        const toml::array* array = table_->toml->get(key)->as_array();
+        if (array == nullptr) refuse(key, "a list of numbers");
+        for (const toml::node& node : *array) {
+            const auto value = node.value<double>();
+            if (!value || !std::isfinite(*value)) refuse(key, "a list of finite numbers");
+            values.push_back(*value);
+        }
+    }
+    toml::array answer;
+    for (const double value : values) answer.push_back(value);
+    table_->answers.insert_or_assign(key, std::move(answer));
+    return values;
+}
+
+std::filesystem::path ConfigSection::path(const std::string& key) const {
+    const std::string value = text(key, "");
+    if (value.empty()) return {};
+    return (document_->folder / value).lexically_normal();
+}
+
+void ConfigSection::expect_all_keys_known() const {
+    const auto check = [this](const auto& self, const Table& table) -> void {
+        if (table.toml != nullptr) {
+            for (const auto& [key, node] : *table.toml) {
+                const std::string name(key.str());
+                if (table.asked.contains(name)) continue;
+                throw Error(ErrorKind::kUsage, "E-CONFIG-KEY",
+                            place(document_->name, &node) + ": unknown key `" +
+                                joined(table.path, name) + "`",
+                            suggestion_for(name, table.asked));
+            }
+        }
+        for (const auto& [key, child] : table.tables) self(self, *child);
+        for (const auto& [key, children] : table.table_arrays) {
+            for (const auto& child : children) self(self, *child);
+        }
+    };
+    check(check, *document_->top);
+}
+
+std::string ConfigSection::resolved() const {
+    const auto collect = [](const auto& self, const Table& table) -> toml::table {
+        toml::table result = table.answers;
+        for (const auto& [key, child] : table.tables) {
+            result.insert_or_assign(key, self(self, *child));
+        }
+        for (const auto& [key, children] : table.table_arrays) {
+            toml::array array;
+            for (const auto& child : children) array.push_back(self(self, *child));
+            result.insert_or_assign(key, std::move(array));
+        }
+        return result;
+    };
+    std::ostringstream text;
+    text << collect(collect, *document_->top) << "\n";
+    return text.str();
+}
+
+}  // namespace lumi

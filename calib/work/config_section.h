@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lumi {
+
+/// One table of a TOML file, read strictly.
+///
+/// Each stage reads its own section with defaults at hand; what nobody asked for is an error with a
+/// suggestion. The section remembers every answer it gave, so that the resolved configuration can
+/// be written out with its defaults filled in. Copies share one document.
+///
+/// All getters throw Error (kUsage, E-CONFIG-TYPE) with file, line and key when the value has
+/// another type.
+class ConfigSection {
+ public:
+    /// Throws Error (E-CONFIG-SYNTAX) with line and column, or E-FILE-READ.
+    [[nodiscard]] static ConfigSection from_file(const std::filesystem::path& path);
+    [[nodiscard]] static ConfigSection from_text(std::string_view toml, std::string name);
+
+    [[nodiscard]] bool has(const std::string& key) const;
+    /// The table below `key`; an empty one when it is absent.
+    [[nodiscard]] ConfigSection section(const std::string& key) const;
+    /// The tables of the array of tables `[[key]]`; none when it is absent.
+    [[nodiscard]] std::vector<ConfigSection> sections(const std::string& key) const;
+
+    [[nodiscard]] double number(const std::string& key, double fallback) const;
+    [[nodiscard]] int integer(const std::string& key, int fallback) const;
+    [[nodiscard]] bool boolean(const std::string& key, bool fallback) const;
+    [[nodiscard]] std::string text(const std::string& key, const std::string& fallback) const;
+    [[nodiscard]] std::vector<std::string> texts(const std::string& key,
+                                                 std::vector<std::string> fallback) const;
+    [[nodiscard]] std::vector<double> numbers(const std::string& key,
+                                              std::vector<double> fallback) const;
+
+    /// A path relative to the configuration file, made absolute; empty when absent.
+    [[nodiscard]] std::filesystem::path path(const std::string& key) const;
+
+    /// An Error (kUsage, E-CONFIG-VALUE) that names file, line and key; for range checks.
+    [[noreturn]] void refuse(const std::string& key, const std::string& expected) const;
+
+    /// Throws Error (E-CONFIG-KEY) for the first key of this whole document that no getter asked
+    /// for, with the nearest known key as a suggestion.
+    void expect_all_keys_known() const;
+
+    /// The document as asked: every key that was read, with the value that was answered, as TOML.
+    [[nodiscard]] std::string resolved() const;
+
+ private:
+    struct Document;
+    struct Table;
+    ConfigSection(std::shared_ptr<Document> document, std::shared_ptr<Table> table);
+    std::shared_ptr<Document> document_;
+    std::shared_ptr<Table> table_;
+};
+
+}  // namespace lumi

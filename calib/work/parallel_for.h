@@ -1,0 +1,16 @@
+#pragma once
+
+#include <functional>
+
+namespace lumi {
+
+/// Calls `body(0) ... body(count - 1)`, each once, on at most `threads` threads (0: all cores).
+///
+/// Each index must write only what belongs to it, so that the result is the same for any number of
+/// threads. The first exception thrown by a body ends the remaining work and is rethrown here.
+void parallel_for(int count, int threads, const std::function<void(int)>& body);
+
+/// The number of threads that `threads` stands for: itself, or all cores when it is 0.
+[[nodiscard]] int resolve_threads(int threads);
+
+}  // namespace lumi

@@ -1,0 +1,123 @@
+#include "calib/work/whole_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse_read(const fs::path& path, const std::string& reason) {
+    throw Error(ErrorKind::kBadInput, "E-FILE-READ", path.string() + ": " + reason,
+                "check that the file exists and that you may read it");
+}
+
+[[noreturn]] void refuse_write(const fs::path& path, int error_number) {
+    const bool full = error_number == ENOSPC || error_number == EDQUOT;
+    throw Error(full ? ErrorKind::kResources : ErrorKind::kBadInput, "E-FILE-WRITE",
+                path.string() + ": cannot write: " + std::strerror(error_number),
+                full ? "free some disk space and run the same command again"
+                     : "check that the folder exists and that you may write there");
+}
+
+/// A temporary file beside its target that vanishes unless it is renamed into place.
+class TemporarySibling {
+ public:
+    explicit TemporarySibling(const fs::path& target)
+        : target_(target), pattern_(target.string() + ".XXXXXX") {
+        descriptor_ = ::mkostemp(pattern_.data(), O_CLOEXEC);
+        if (descriptor_ < 0) refuse_write(target_, errno);
+        ::fchmod(descriptor_, 0644);
+    }
+    ~TemporarySibling() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+        if (!renamed_) ::unlink(pattern_.c_str());
+    }
+    TemporarySibling(const TemporarySibling&) = delete;
+    TemporarySibling& operator=(const TemporarySibling&) = delete;
+
+    void write(std::span<const std::uint8_t> bytes) const {
+        while (!bytes.empty()) {
+            const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+            if (written < 0 && errno == EINTR) continue;
+            if (written < 0) refuse_write(target_, errno);
+            bytes = bytes.subspan(static_cast<std::size_t>(written));
+        }
+    }
+
+    void rename_into_place() {
+        if (::fsync(descriptor_) != 0) refuse_write(target_, errno);
+        const int closed = ::close(descriptor_);
+        descriptor_ = -1;
+        if (closed != 0) refuse_write(target_, errno);
+        if (::rename(pattern_.c_str(), target_.c_str()) != 0) refuse_write(target_, errno);
+        renamed_ = true;
+    }
+
+ private:
+    fs::path target_;
+    std::string pattern_;
+    int descriptor_ = -1;
+    bool renamed_ = false;
+};
+
+void flush_folder(const fs::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    ::fsync(descriptor);  // Not every file system can; the rename itself is done either way.
+    ::close(descriptor);
+}
+
+}  // namespace
+
+Bytes read_whole_file(const fs::path& path, std::size_t max_bytes) {
+    std::error_code status;
+    if (!fs::is_regular_file(path, status)) refuse_read(path, "not a file");
+    const std::uintmax_t size = fs::file_size(path, status);
+    if (status) refuse_read(path, status.message());
+    if (size > max_bytes) {
+        throw Error(ErrorKind::kBadInput, "E-FILE-TOOBIG",
+                    path.string() + ": " + std::to_string(size) + " bytes, expected at most " +
+                        std::to_string(max_bytes),
+                    "this does not look like the file that was meant");
+    }
+    std::ifstream stream(path, std::ios::binary);
+    Bytes bytes(static_cast<std::size_t>(size));
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (!stream || static_cast<std::uintmax_t>(stream.gcount()) != size) {
+        refuse_read(path, "cannot be read to its end");
+    }
+    return bytes;
+}
+
+std::string read_whole_text(const fs::path& path, std::size_t max_bytes) {
+    const Bytes bytes = read_whole_file(path, max_bytes);
+    return {bytes.begin(), bytes.end()};
+}
+
+void write_whole_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::error_code status;
+    fs::create_directories(folder, status);
+    if (status) refuse_write(path, status.value());
+
+    TemporarySibling temporary(path);
+    temporary.write(bytes);
+    temporary.rename_into_place();
+    flush_folder(folder);
+}
+
+void write_whole_text(const fs::path& path, std::string_view text) {
+    write_whole_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+}  // namespace lumi

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lumi {
+
+/// How the camera mesh was made; each arrangement of cameras has its own construction.
+enum class MeshConstruction {
+    kClosed,  ///< All around: the spherical hull of the directions from the scene centre.
+    kOpen,    ///< A patch (hemisphere, wall): the hull without its far side, with a skirt.
+    kLine,    ///< A row, arc or ring: a strip of quadrilaterals stretched along its normal.
+    kPair,    ///< Two cameras: a strip.
+    kSingle,  ///< One camera: it alone is drawn from.
+};
+
+[[nodiscard]] std::string name_of(MeshConstruction construction);
+[[nodiscard]] std::optional<MeshConstruction> mesh_construction_named(const std::string& name);
+
+/// The static surface that says which cameras a ray is blended from (the paper, section 3).
+///
+/// A vertex names a view; several vertices may name the same one, which is how strips and skirts
+/// stay one structure with the rest. Faces wind counter-clockwise seen from outside, that is, from
+/// the side that the eye looks in from.
+struct CameraMesh {
+    struct Vertex {
+        Eigen::Vector3d position_in_world = Eigen::Vector3d::Zero();
+        int view_index = 0;
+    };
+    using Face = std::array<int, 3>;  ///< Indices into `vertices`.
+
+    MeshConstruction construction = MeshConstruction::kSingle;
+    Eigen::Vector3d scene_centre_in_world = Eigen::Vector3d::Zero();
+    std::vector<Vertex> vertices;
+    std::vector<Face> faces;
+};
+
+/// Which views a ray is blended from, and how much of each; the weights sum to 1.
+struct RayWeights {
+    int face_index = -1;
+    std::array<int, 3> view_indices{};
+    std::array<double, 3> weights{};
+};
+
+/// The side products of the line through `point` along `direction` with the edges of a face: the
+/// numerators of its barycentric coordinates, and the same for every point on the line
+/// (lambda_i = det[direction, p_j, p_k] with p = vertex - point). For a line that crosses the face
+/// from outside to inside all three are >= 0.
+[[nodiscard]] Eigen::Vector3d side_products(const CameraMesh& mesh, const CameraMesh::Face& face,
+                                            const Eigen::Vector3d& point_in_world,
+                                            const Eigen::Vector3d& direction);
+
+/// Weights of the line through `eye_in_world` along `direction` (from the eye to the scene): the
+/// first face it enters through, behind the eye included. The same for any eye on the line. Empty
+/// when no face is crossed from outside. Lines through a vertex give that vertex weight 1.
+[[nodiscard]] std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
+                                                       const Eigen::Vector3d& eye_in_world,
+                                                       const Eigen::Vector3d& direction);
+
+/// Throws Error (E-MESH-INVALID) unless indices are in range and every number is finite.
+void validate(const CameraMesh& mesh, int view_count, const std::string& where);
+
+}  // namespace lumi

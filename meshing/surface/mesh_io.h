@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+#include "calib/capture/capture.h"
+#include "meshing/surface/camera_mesh.h"
+
+namespace lumi {
+
+/// Binary little-endian PLY: vertices (x y z, int view), faces (vertex_indices), construction and
+/// scene centre in comments. The reader checks counts against the file's size before it allocates
+/// and throws Error (E-PLY-READ) with what was expected.
+void write_camera_mesh_ply(const std::filesystem::path& path, const CameraMesh& mesh);
+[[nodiscard]] CameraMesh read_camera_mesh_ply(const std::filesystem::path& path);
+
+/// Scene points with colours, without their tracks.
+void write_points_ply(const std::filesystem::path& path, const std::vector<ScenePoint>& points);
+
+}  // namespace lumi

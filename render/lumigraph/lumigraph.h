@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calib/capture/camera.h"
+#include "calib/capture/image.h"
+#include "calib/capture/rigid3.h"
+#include "meshing/surface/camera_mesh.h"
+#include "meshing/surface/depth_map.h"
+
+namespace lumi {
+
+/// One photograph of the Lumigraph: an undistorted picture, where it was taken, and its depth.
+struct LumigraphView {
+    std::string name;
+    Camera camera;  ///< LensModel::kPinhole, the size of `photograph`.
+    Rigid3 cam_from_world;
+    int exif_orientation = 1;  ///< For display only; 1 to 8.
+    ColorImage photograph;
+    DepthMap depth;  ///< Empty images when the package has no depth.
+};
+
+/// The free-form Lumigraph as it is drawn: what a package holds once it is in memory.
+/// The camera mesh's view indices point into `views`.
+struct Lumigraph {
+    std::string name;
+    std::vector<LumigraphView> views;
+    CameraMesh mesh;
+    double near_depth = 0.0;  ///< Scene depths seen by the views: 1st and 99th percentile, world
+    double far_depth = 0.0;   ///< units.
+};
+
+/// The eye that a frame is drawn for. Pinhole, any size.
+struct Eye {
+    Camera camera;
+    Rigid3 cam_from_world;
+};
+
+}  // namespace lumi

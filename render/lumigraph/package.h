@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "calib/capture/capture.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// What else goes into a package, as it is.
+struct PackageExtras {
+    std::string resolved_config_toml;
+    std::string evidence_json = "{}";  ///< A JSON object: what speaks for each stage.
+    std::vector<ScenePoint> points;    ///< Written as points.ply.
+};
+
+/// Writes `NAME.lumi/` whole or not at all: a temporary sibling folder, every file flushed, then
+/// one rename; an existing package is replaced at that moment and not before. The same bytes for
+/// the same input: no times, no machine paths. Throws Error (E-PACKAGE-WRITE, E-FILE-WRITE).
+void write_package(const std::filesystem::path& folder, const Lumigraph& lumigraph,
+                   const PackageExtras& extras);
+
+/// Limits that a reader keeps to, whatever the package claims.
+struct PackageLimits {
+    std::uint64_t max_decoded_bytes = std::uint64_t{8} << 30;
+    std::size_t max_views = 10'000;
+    std::size_t max_manifest_bytes = std::size_t{16} << 20;
+    int max_json_depth = 32;
+};
+
+/// Reads a package and trusts nothing in it (design: paths stay beneath the package, formats are
+/// whitelisted, sizes are checked in 64 bits before decoding, checksums, finite numbers, indices in
+/// range). Throws Error (E-PACKAGE-...) that names the file and what was expected.
+[[nodiscard]] Lumigraph read_package(const std::filesystem::path& folder,
+                                     const PackageLimits& limits = {});
+
+}  // namespace lumi
