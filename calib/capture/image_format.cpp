@@ -1,0 +1,76 @@
+#include "calib/capture/image_format.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+bool begins_with(std::span<const std::uint8_t> bytes, std::string_view magic) {
+    return bytes.size() >= magic.size() &&
+           std::equal(magic.begin(), magic.end(), bytes.begin(),
+                      [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
+}
+
+constexpr std::string_view kPngMagic("\x89PNG\r\n\x1a\n", 8);
+
+std::uint32_t big_endian(std::span<const std::uint8_t> bytes, std::size_t offset) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | bytes[offset + i];
+    return value;
+}
+
+}  // namespace
+
+std::optional<ImageFormat> image_format_of(std::span<const std::uint8_t> bytes) {
+    if (begins_with(bytes, "\xff\xd8\xff")) return ImageFormat::kJpeg;
+    if (begins_with(bytes, kPngMagic)) return ImageFormat::kPng;
+    if (begins_with(bytes, std::string_view("II*\0", 4)) ||
+        begins_with(bytes, std::string_view("MM\0*", 4))) {
+        return ImageFormat::kTiff;
+    }
+    return std::nullopt;
+}
+
+ImageSize check_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
+    constexpr std::size_t kChunkOverhead = 12;  // Length, type and checksum.
+    std::size_t offset = kPngMagic.size();
+    ImageSize size;
+    while (offset + kChunkOverhead <= bytes.size()) {
+        const std::uint32_t length = big_endian(bytes, offset);
+        if (length > bytes.size() - offset - kChunkOverhead) break;
+        const std::string_view type(reinterpret_cast<const char*>(&bytes[offset + 4]), 4);
+        if (type == "IHDR" && length >= 8) {
+            size.width_px = static_cast<int>(big_endian(bytes, offset + 8) & 0x7fffffff);
+            size.height_px = static_cast<int>(big_endian(bytes, offset + 12) & 0x7fffffff);
+        }
+        if (type == "IEND") return size;
+        offset += kChunkOverhead + length;
+    }
+    refuse_truncated_image(path, "the PNG ends before its last chunk");
+}
+
+void check_image_size(ImageSize size, std::size_t max_pixels, const std::filesystem::path& path) {
+    if (size.width_px <= 0 || size.height_px <= 0) {
+        refuse_truncated_image(path, "the header has no picture size");
+    }
+    const auto pixels =
+        static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px);
+    if (pixels > max_pixels) {
+        throw Error(ErrorKind::kBadInput, "E-IMAGE-TOOBIG",
+                    path.string() + ": " + std::to_string(size.width_px) + "x" +
+                        std::to_string(size.height_px) + " pixels, expected at most " +
+                        std::to_string(max_pixels),
+                    "scale the picture down first");
+    }
+}
+
+void refuse_truncated_image(const std::filesystem::path& path, const std::string& reason) {
+    throw Error(ErrorKind::kBadInput, "E-IMAGE-TRUNCATED", path.string() + ": " + reason,
+                "copy the picture again from the camera; this file is damaged");
+}
+
+}  // namespace lumi

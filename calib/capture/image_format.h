@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+
+#include "calib/capture/image_io.h"
+
+namespace lumi {
+
+/// The picture formats that lumi reads; nothing else reaches a decoder.
+enum class ImageFormat { kJpeg, kPng, kTiff };
+
+/// By the first bytes, whatever the file is called.
+[[nodiscard]] std::optional<ImageFormat> image_format_of(std::span<const std::uint8_t> bytes);
+
+/// Size from the PNG header and proof that the file reaches its IEND chunk. Throws Error
+/// (E-IMAGE-TRUNCATED).
+[[nodiscard]] ImageSize check_png(std::span<const std::uint8_t> bytes,
+                                  const std::filesystem::path& path);
+
+/// Throws Error (E-IMAGE-TOOBIG, E-IMAGE-TRUNCATED) unless the size is positive and within budget.
+void check_image_size(ImageSize size, std::size_t max_pixels, const std::filesystem::path& path);
+
+[[noreturn]] void refuse_truncated_image(const std::filesystem::path& path,
+                                         const std::string& reason);
+
+}  // namespace lumi

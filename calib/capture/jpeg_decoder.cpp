@@ -1,0 +1,95 @@
+#include "calib/capture/jpeg_decoder.h"
+
+#include <turbojpeg.h>
+
+#include <memory>
+
+#include "calib/capture/image_format.h"
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+struct CloseTurboJpeg {
+    void operator()(void* handle) const { tjDestroy(handle); }
+};
+using TurboJpeg = std::unique_ptr<void, CloseTurboJpeg>;
+
+struct JpegHeader {
+    ImageSize size;
+    int color_space = 0;
+};
+
+JpegHeader read_header(void* decoder, std::span<const std::uint8_t> bytes,
+                       const std::filesystem::path& path) {
+    JpegHeader header;
+    int subsampling = 0;
+    const int failed =
+        tjDecompressHeader3(decoder, bytes.data(), bytes.size(), &header.size.width_px,
+                            &header.size.height_px, &subsampling, &header.color_space);
+    if (failed != 0) refuse_truncated_image(path, tjGetErrorStr2(decoder));
+    return header;
+}
+
+void decode_or_refuse(void* decoder, std::span<const std::uint8_t> bytes, const JpegHeader& header,
+                      TJPF pixel_format, std::uint8_t* pixels, const std::filesystem::path& path) {
+    const int failed =
+        tjDecompress2(decoder, bytes.data(), bytes.size(), pixels, header.size.width_px, 0,
+                      header.size.height_px, pixel_format, TJFLAG_ACCURATEDCT);
+    if (failed != 0) refuse_truncated_image(path, tjGetErrorStr2(decoder));
+}
+
+/// Adobe stores CMYK inverted, so that a plain product gives RGB.
+ColorImage rgb_from_inverted_cmyk(const std::vector<std::uint8_t>& cmyk, ImageSize size) {
+    ColorImage image(size.width_px, size.height_px);
+    const auto product = [](int a, int b) {
+        return static_cast<std::uint8_t>((a * b + 127) / 255);
+    };
+    for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+        const std::uint8_t* ink = &cmyk[4 * i];
+        image.pixels()[i] = {product(ink[0], ink[3]), product(ink[1], ink[3]),
+                             product(ink[2], ink[3])};
+    }
+    return image;
+}
+
+}  // namespace
+
+ImageSize jpeg_size(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
+    const TurboJpeg decoder(tjInitDecompress());
+    return read_header(decoder.get(), bytes, path).size;
+}
+
+ColorImage decode_jpeg(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
+                       const std::filesystem::path& path) {
+    static_assert(sizeof(Rgb8) == 3);
+    const TurboJpeg decoder(tjInitDecompress());
+    const JpegHeader header = read_header(decoder.get(), bytes, path);
+    check_image_size(header.size, max_pixels, path);
+    if (header.color_space == TJCS_CMYK || header.color_space == TJCS_YCCK) {
+        std::vector<std::uint8_t> cmyk(4 * static_cast<std::size_t>(header.size.width_px) *
+                                       static_cast<std::size_t>(header.size.height_px));
+        decode_or_refuse(decoder.get(), bytes, header, TJPF_CMYK, cmyk.data(), path);
+        return rgb_from_inverted_cmyk(cmyk, header.size);
+    }
+    ColorImage image(header.size.width_px, header.size.height_px);
+    decode_or_refuse(decoder.get(), bytes, header, TJPF_RGB, &image.pixels()[0].r, path);
+    return image;
+}
+
+std::vector<std::uint8_t> encode_jpeg(const ColorImage& image, int quality) {
+    const TurboJpeg encoder(tjInitCompress());
+    unsigned char* buffer = nullptr;
+    unsigned long size = 0;
+    const int failed =
+        tjCompress2(encoder.get(), &image.pixels()[0].r, image.width(), 0, image.height(), TJPF_RGB,
+                    &buffer, &size, TJSAMP_444, quality, TJFLAG_ACCURATEDCT);
+    const std::unique_ptr<unsigned char, void (*)(unsigned char*)> owner(buffer, tjFree);
+    if (failed != 0) {
+        throw Error(ErrorKind::kResources, "E-IMAGE-ENCODE", tjGetErrorStr2(encoder.get()),
+                    "free some memory and try again");
+    }
+    return {buffer, buffer + size};
+}
+
+}  // namespace lumi

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "calib/capture/image_io.h"
+
+namespace lumi {
+
+/// Size from the JPEG header. Throws Error (E-IMAGE-TRUNCATED).
+[[nodiscard]] ImageSize jpeg_size(std::span<const std::uint8_t> bytes,
+                                  const std::filesystem::path& path);
+
+/// The raster of a JPEG. A warning of the decoder (missing scan lines, corrupt data) is an Error:
+/// common readers return half-grey pictures without a word.
+[[nodiscard]] ColorImage decode_jpeg(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
+                                     const std::filesystem::path& path);
+
+/// The bytes of a JPEG without chroma subsampling, quality 1 to 100.
+[[nodiscard]] std::vector<std::uint8_t> encode_jpeg(const ColorImage& image, int quality);
+
+}  // namespace lumi
