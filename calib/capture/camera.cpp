@@ -108,6 +108,12 @@ std::optional<LensModel> lens_model_named(std::string_view name) {
     return std::nullopt;
 }
 
+bool is_lens_model(int id) {
+    return std::any_of(kModels.begin(), kModels.end(), [&](const ModelEntry& entry) {
+        return static_cast<int>(entry.model) == id;
+    });
+}
+
 std::size_t parameter_count(LensModel model) { return entry_of(model).parameters; }
 
 Camera pinhole_camera(int width_px, int height_px, double focal_length_px) {

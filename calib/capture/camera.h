@@ -21,6 +21,7 @@ enum class LensModel : int {
 
 [[nodiscard]] std::string_view name_of(LensModel model);
 [[nodiscard]] std::optional<LensModel> lens_model_named(std::string_view name);
+[[nodiscard]] bool is_lens_model(int id);
 [[nodiscard]] std::size_t parameter_count(LensModel model);
 
 /// A lens and its sensor. Pixels are continuous: (0.5, 0.5) is the centre of the top-left pixel.
