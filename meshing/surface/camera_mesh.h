@@ -47,7 +47,7 @@ struct RayWeights {
 
 /// The side products of the line through `point` along `direction` with the edges of a face: the
 /// numerators of its barycentric coordinates, and the same for every point on the line
-/// (lambda_i = det[direction, p_j, p_k] with p = vertex - point). For a line that crosses the face
+/// (lambda_i = det[-direction, p_j, p_k] with p = vertex - point). For a line that crosses the face
 /// from outside to inside all three are >= 0.
 [[nodiscard]] Eigen::Vector3d side_products(const CameraMesh& mesh, const CameraMesh::Face& face,
                                             const Eigen::Vector3d& point_in_world,

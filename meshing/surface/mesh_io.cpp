@@ -1,0 +1,175 @@
+#include "meshing/surface/mesh_io.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <sstream>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+
+namespace lumi {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "PLY is written little-endian");
+
+constexpr const char* kVertexAndFaceLayout[] = {
+    "property double x",
+    "property double y",
+    "property double z",
+    "property int view",
+};
+constexpr std::size_t kVertexBytes = 3 * sizeof(double) + sizeof(std::int32_t);
+constexpr std::size_t kFaceBytes = 1 + 3 * sizeof(std::int32_t);
+
+template <class Value>
+void put(Bytes& bytes, Value value) {
+    const auto* begin = reinterpret_cast<const std::uint8_t*>(&value);
+    bytes.insert(bytes.end(), begin, begin + sizeof(Value));
+}
+
+template <class Value>
+Value take(const Bytes& bytes, std::size_t& offset) {
+    Value value;
+    std::memcpy(&value, &bytes[offset], sizeof(Value));
+    offset += sizeof(Value);
+    return value;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& what) {
+    throw Error(ErrorKind::kBadInput, "E-PLY-READ", path.string() + ": " + what,
+                "this is not a camera mesh that lumi wrote; make it again with `lumi mesh`");
+}
+
+Bytes header_bytes(const std::string& header) { return {header.begin(), header.end()}; }
+
+std::string camera_mesh_header(const CameraMesh& mesh) {
+    std::ostringstream header;
+    header.precision(17);
+    header
+        << "ply\nformat binary_little_endian 1.0\ncomment lumi camera mesh\ncomment construction "
+        << name_of(mesh.construction) << "\ncomment scene_centre " << mesh.scene_centre_in_world.x()
+        << " " << mesh.scene_centre_in_world.y() << " " << mesh.scene_centre_in_world.z()
+        << "\nelement vertex " << mesh.vertices.size() << "\n";
+    for (const char* line : kVertexAndFaceLayout) header << line << "\n";
+    header << "element face " << mesh.faces.size()
+           << "\nproperty list uchar int vertex_indices\nend_header\n";
+    return header.str();
+}
+
+/// The header's lines up to and including end_header; `offset` is set behind them.
+std::vector<std::string> header_lines(const Bytes& bytes, std::size_t& offset,
+                                      const std::filesystem::path& path) {
+    constexpr std::size_t kMaxLines = 64;
+    std::vector<std::string> lines;
+    while (lines.size() < kMaxLines) {
+        const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(offset);
+        const auto end = std::find(begin, bytes.end(), std::uint8_t{'\n'});
+        if (end == bytes.end()) break;
+        lines.emplace_back(begin, end);
+        offset = static_cast<std::size_t>(end - bytes.begin()) + 1;
+        if (lines.back() == "end_header") return lines;
+    }
+    refuse(path, "expected a PLY header");
+}
+
+struct ParsedHeader {
+    std::size_t vertices = 0;
+    std::size_t faces = 0;
+};
+
+ParsedHeader parse_header(const std::vector<std::string>& lines, CameraMesh& mesh,
+                          const std::filesystem::path& path) {
+    ParsedHeader header;
+    std::string layout;
+    for (const std::string& line : lines) {
+        std::istringstream words(line);
+        std::string first;
+        std::string second;
+        words >> first >> second;
+        bool read = true;
+        if (first == "comment" && second == "construction") {
+            std::string name;
+            words >> name;
+            const auto construction = mesh_construction_named(name);
+            if (!construction) refuse(path, "unknown construction '" + name + "'");
+            mesh.construction = *construction;
+        } else if (first == "comment" && second == "scene_centre") {
+            Eigen::Vector3d& centre = mesh.scene_centre_in_world;
+            read = static_cast<bool>(words >> centre.x() >> centre.y() >> centre.z());
+        } else if (first == "element" && second == "vertex") {
+            read = static_cast<bool>(words >> header.vertices);
+        } else if (first == "element" && second == "face") {
+            read = static_cast<bool>(words >> header.faces);
+        } else if (first != "comment") {
+            layout += line + "\n";
+        }
+        if (!read) refuse(path, "cannot read '" + line + "'");
+    }
+    std::string expected = "ply\nformat binary_little_endian 1.0\n";
+    for (const char* line : kVertexAndFaceLayout) expected += std::string(line) + "\n";
+    expected += "property list uchar int vertex_indices\nend_header\n";
+    if (layout != expected) refuse(path, "expected vertices x y z view and triangular faces");
+    return header;
+}
+
+}  // namespace
+
+void write_camera_mesh_ply(const std::filesystem::path& path, const CameraMesh& mesh) {
+    Bytes bytes = header_bytes(camera_mesh_header(mesh));
+    for (const CameraMesh::Vertex& vertex : mesh.vertices) {
+        for (int axis = 0; axis < 3; ++axis) put(bytes, vertex.position_in_world[axis]);
+        put(bytes, static_cast<std::int32_t>(vertex.view_index));
+    }
+    for (const CameraMesh::Face& face : mesh.faces) {
+        put(bytes, std::uint8_t{3});
+        for (const int index : face) put(bytes, static_cast<std::int32_t>(index));
+    }
+    write_whole_file(path, bytes);
+}
+
+CameraMesh read_camera_mesh_ply(const std::filesystem::path& path) {
+    const Bytes bytes = read_whole_file(path);
+    CameraMesh mesh;
+    std::size_t offset = 0;
+    const ParsedHeader header = parse_header(header_lines(bytes, offset, path), mesh, path);
+    const std::size_t body = bytes.size() - offset;
+    const bool fits = header.vertices <= body / kVertexBytes && header.faces <= body / kFaceBytes &&
+                      header.vertices * kVertexBytes + header.faces * kFaceBytes == body;
+    if (!fits) refuse(path, "the file's size does not match its counts");
+    for (std::size_t i = 0; i < header.vertices; ++i) {
+        CameraMesh::Vertex vertex;
+        for (int axis = 0; axis < 3; ++axis) {
+            vertex.position_in_world[axis] = take<double>(bytes, offset);
+        }
+        vertex.view_index = take<std::int32_t>(bytes, offset);
+        mesh.vertices.push_back(vertex);
+    }
+    for (std::size_t i = 0; i < header.faces; ++i) {
+        if (take<std::uint8_t>(bytes, offset) != 3) refuse(path, "a face is not a triangle");
+        CameraMesh::Face face{};
+        for (int& index : face) index = take<std::int32_t>(bytes, offset);
+        mesh.faces.push_back(face);
+    }
+    return mesh;
+}
+
+void write_points_ply(const std::filesystem::path& path, const std::vector<ScenePoint>& points) {
+    std::ostringstream header;
+    header << "ply\nformat binary_little_endian 1.0\ncomment lumi scene points\nelement vertex "
+           << points.size()
+           << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+              "property uchar green\nproperty uchar blue\nend_header\n";
+    Bytes bytes = header_bytes(header.str());
+    for (const ScenePoint& point : points) {
+        for (int axis = 0; axis < 3; ++axis) {
+            put(bytes, static_cast<float>(point.position_in_world[axis]));
+        }
+        put(bytes, point.color.r);
+        put(bytes, point.color.g);
+        put(bytes, point.color.b);
+    }
+    write_whole_file(path, bytes);
+}
+
+}  // namespace lumi
