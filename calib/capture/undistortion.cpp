@@ -1,0 +1,145 @@
+#include "calib/capture/undistortion.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/error.h"
+#include "calib/work/parallel_for.h"
+
+namespace lumi {
+namespace {
+
+/// Where the border of the sensor lands at depth 1, as the half-widths that are filled with picture
+/// on every side of the optical axis.
+struct FilledExtent {
+    double left = 0.0;
+    double right = 0.0;
+    double top = 0.0;
+    double bottom = 0.0;
+};
+
+FilledExtent filled_extent(const Camera& camera) {
+    constexpr int kSteps = 64;
+    const double infinity = std::numeric_limits<double>::infinity();
+    FilledExtent extent{infinity, infinity, infinity, infinity};
+    for (int step = 0; step <= kSteps; ++step) {
+        const double share = static_cast<double>(step) / kSteps;
+        const double x = share * camera.width_px;
+        const double y = share * camera.height_px;
+        extent.left = std::min(extent.left, -unproject(camera, {0, y}).x());
+        extent.right = std::min(extent.right, unproject(camera, {camera.width_px, y}).x());
+        extent.top = std::min(extent.top, -unproject(camera, {x, 0}).y());
+        extent.bottom = std::min(extent.bottom, unproject(camera, {x, camera.height_px}).y());
+    }
+    return extent;
+}
+
+/// The pinhole camera of the same size and principal point whose frame the picture just fills. One
+/// zoom for both axes, so that pixels keep their shape.
+Camera filled_pinhole(const Camera& camera) {
+    const Eigen::Vector2d focal = focal_length_px(camera);
+    const Eigen::Vector2d centre = principal_point_px(camera);
+    Camera pinhole{camera.width_px,
+                   camera.height_px,
+                   LensModel::kPinhole,
+                   {focal.x(), focal.y(), centre.x(), centre.y()}};
+    if (is_pinhole(camera)) return pinhole;
+
+    const FilledExtent extent = filled_extent(camera);
+    const double zoom = std::max({centre.x() / (focal.x() * extent.left),
+                                  (camera.width_px - centre.x()) / (focal.x() * extent.right),
+                                  centre.y() / (focal.y() * extent.top),
+                                  (camera.height_px - centre.y()) / (focal.y() * extent.bottom)});
+    constexpr double kMaxZoom = 10.0;
+    if (!(zoom > 0) || zoom > kMaxZoom) {
+        throw Error(ErrorKind::kDegenerateCapture, "E-LENS-FOLDS",
+                    "the lens bends the picture so far that no straight picture is left (" +
+                        std::string(name_of(camera.model)) + ")",
+                    "use a simpler lens model, or calibrate the lens with a board");
+    }
+    pinhole.parameters[0] *= zoom;
+    pinhole.parameters[1] *= zoom;
+    return pinhole;
+}
+
+/// For each pixel of the pinhole camera, where the photograph has it (OpenCV's pixels: the centre
+/// of the top-left one is at 0).
+struct ResamplingMap {
+    cv::Mat x;
+    cv::Mat y;
+};
+
+ResamplingMap resampling_map(const Camera& lens, const Camera& pinhole) {
+    ResamplingMap map{cv::Mat(pinhole.height_px, pinhole.width_px, CV_32FC1),
+                      cv::Mat(pinhole.height_px, pinhole.width_px, CV_32FC1)};
+    for (int y = 0; y < pinhole.height_px; ++y) {
+        for (int x = 0; x < pinhole.width_px; ++x) {
+            const auto pixel = project(lens, unproject(pinhole, {x + 0.5, y + 0.5}));
+            map.x.at<float>(y, x) = static_cast<float>(pixel->x() - 0.5);
+            map.y.at<float>(y, x) = static_cast<float>(pixel->y() - 0.5);
+        }
+    }
+    return map;
+}
+
+ColorImage resampled(const ColorImage& photograph, const ResamplingMap& map) {
+    const cv::Mat source(photograph.height(), photograph.width(), CV_8UC3,
+                         const_cast<Rgb8*>(photograph.row(0)));
+    ColorImage picture(map.x.cols, map.x.rows);
+    cv::Mat target(picture.height(), picture.width(), CV_8UC3, picture.row(0));
+    cv::remap(source, target, map.x, map.y, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+    return picture;
+}
+
+void move_tracks(const Capture& from, Capture& to) {
+    for (ScenePoint& point : to.points) {
+        for (Observation& observation : point.track) {
+            const View& view = from.views[static_cast<std::size_t>(observation.view_index)];
+            const auto ray = unproject(camera_of(from, view), observation.pixel);
+            const auto pixel = project(camera_of(to, view), ray);
+            if (pixel) observation.pixel = *pixel;
+        }
+    }
+}
+
+std::filesystem::path numbered_png(const std::filesystem::path& folder, std::size_t index) {
+    char name[32];
+    std::snprintf(name, sizeof(name), "%06zu.png", index + 1);
+    return folder / name;
+}
+
+}  // namespace
+
+PosedPhotographs undistort(const Capture& capture,
+                           const std::vector<std::filesystem::path>& picture_paths,
+                           const std::filesystem::path& folder, int threads, Progress& progress) {
+    PosedPhotographs result{capture, picture_paths};
+    std::vector<std::optional<ResamplingMap>> maps(capture.cameras.size());
+    parallel_for(static_cast<int>(capture.cameras.size()), threads, [&](int index) {
+        const auto i = static_cast<std::size_t>(index);
+        const Camera& lens = capture.cameras[i];
+        result.capture.cameras[i] = filled_pinhole(lens);
+        if (!is_pinhole(lens)) maps[i] = resampling_map(lens, result.capture.cameras[i]);
+    });
+    move_tracks(capture, result.capture);
+
+    progress.begin("straightening photographs", capture.views.size());
+    parallel_for(static_cast<int>(capture.views.size()), threads, [&](int index) {
+        progress.throw_if_interrupted();
+        const auto i = static_cast<std::size_t>(index);
+        const auto& map = maps[static_cast<std::size_t>(capture.views[i].camera_index)];
+        if (map) {
+            result.picture_paths[i] = numbered_png(folder, i);
+            write_png(result.picture_paths[i], resampled(read_color_image(picture_paths[i]), *map));
+        }
+        progress.advance();
+    });
+    return result;
+}
+
+}  // namespace lumi

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "calib/capture/rigid3.h"
+
+namespace lumi {
+
+/// Poses by photograph name, wherever they come from.
+using NamedPoses = std::map<std::string, Rigid3>;
+
+/// Reads a COLMAP model folder, or a folder of Strecha `NAME.camera` files. Throws Error.
+[[nodiscard]] NamedPoses read_named_poses(const std::filesystem::path& folder);
+
+/// `b = scale * (rotation * a) + translation`.
+struct Similarity3 {
+    double scale = 1.0;
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+    Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+};
+
+struct PoseDifference {
+    std::string name;
+    double position = 0.0;  ///< In the units of B.
+    double rotation_deg = 0.0;
+};
+
+struct PoseComparison {
+    Similarity3 b_from_a;
+    std::vector<PoseDifference> views;  ///< Those that both have, sorted by name.
+    double median_position = 0.0;
+    double mean_position = 0.0;
+    double max_position = 0.0;
+    double median_rotation_deg = 0.0;
+    double max_rotation_deg = 0.0;
+};
+
+/// How far poses A are from poses B after the similarity that fits A's centres onto B's in the
+/// least squares sense (Umeyama 1991). Views are matched by name, and by stem where names differ
+/// only in their endings or folders. Throws Error (E-COMPARE-FEW) when fewer than three views
+/// match.
+[[nodiscard]] PoseComparison compare_poses(const NamedPoses& a, const NamedPoses& b);
+
+}  // namespace lumi
