@@ -1,0 +1,121 @@
+#include "calib/ingest/exif.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace lumi {
+namespace {
+
+const char* reader_for(ImageFormat format) {
+    switch (format) {
+        case ImageFormat::kJpeg:
+            return "jpeg";
+        case ImageFormat::kPng:
+            return "png";
+        case ImageFormat::kTiff:
+            return "tiff";
+    }
+    return "";
+}
+
+std::optional<double> positive(double value) {
+    if (!std::isfinite(value) || value <= 0) return std::nullopt;
+    return value;
+}
+
+/// Cameras pad these fields with blanks or zeros.
+std::string trimmed(std::string text) {
+    text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string::npos) return "";
+    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::optional<double> pixels_per_mm(const OIIO::ImageSpec& spec) {
+    constexpr int kCentimetres = 3;
+    constexpr int kInches = 2;
+    const int unit = spec.get_int_attribute("Exif:FocalPlaneResolutionUnit", kInches);
+    const auto per_unit =
+        positive(double{spec.get_float_attribute("Exif:FocalPlaneXResolution", 0.0F)});
+    if (!per_unit || (unit != kInches && unit != kCentimetres)) return std::nullopt;
+    return *per_unit / (unit == kInches ? 25.4 : 10.0);
+}
+
+double diagonal(ImageSize size) {
+    return std::hypot(static_cast<double>(size.width_px), static_cast<double>(size.height_px));
+}
+
+double aspect_ratio(ImageSize size) {
+    return static_cast<double>(std::max(size.width_px, size.height_px)) /
+           std::min(size.width_px, size.height_px);
+}
+
+/// How much smaller the raster is than it was shot; none when it was cropped in between.
+std::optional<double> scale_since_shot(const ExifFacts& exif, ImageSize size) {
+    if (exif.size_as_shot.width_px <= 0 || exif.size_as_shot.height_px <= 0) return 1.0;
+    constexpr double kAspectTolerance = 0.01;
+    if (std::abs(aspect_ratio(size) / aspect_ratio(exif.size_as_shot) - 1) > kAspectTolerance) {
+        return std::nullopt;
+    }
+    return diagonal(size) / diagonal(exif.size_as_shot);
+}
+
+}  // namespace
+
+ExifFacts read_exif(const std::filesystem::path& path, ImageFormat format) {
+    ExifFacts exif;
+    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(reader_for(format));
+    OIIO::ImageSpec spec;
+    if (!input || !input->open(path.string(), spec)) {
+        if (input) static_cast<void>(input->geterror());  // An unread error is printed at exit.
+        return exif;
+    }
+    const int orientation = spec.get_int_attribute("Orientation", 1);
+    if (orientation >= 1 && orientation <= 8) exif.orientation = orientation;
+    exif.make = trimmed(spec.get_string_attribute("Make"));
+    exif.model = trimmed(spec.get_string_attribute("Model"));
+    exif.focal_length_mm = positive(double{spec.get_float_attribute("Exif:FocalLength", 0.0F)});
+    exif.focal_length_35mm_equivalent_mm =
+        positive(spec.get_int_attribute("Exif:FocalLengthIn35mmFilm", 0));
+    exif.focal_plane_pixels_per_mm = pixels_per_mm(spec);
+    exif.size_as_shot = {spec.get_int_attribute("Exif:PixelXDimension", 0),
+                         spec.get_int_attribute("Exif:PixelYDimension", 0)};
+    return exif;
+}
+
+std::optional<double> focal_length_px_of(const ExifFacts& exif, ImageSize size) {
+    const std::optional<double> scale = scale_since_shot(exif, size);
+    if (!scale) return std::nullopt;
+    std::optional<double> focal_length_px;
+    if (exif.focal_length_35mm_equivalent_mm) {
+        constexpr double kFilmDiagonalMm = 43.2666153056;  // Of 36 mm x 24 mm.
+        focal_length_px = *exif.focal_length_35mm_equivalent_mm * diagonal(size) / kFilmDiagonalMm;
+    } else if (exif.focal_length_mm && exif.focal_plane_pixels_per_mm) {
+        focal_length_px = *exif.focal_length_mm * *exif.focal_plane_pixels_per_mm * *scale;
+    }
+    // From an 8 mm fisheye to an 800 mm telephoto lens on 35 mm film, and some room.
+    constexpr double kMinDiagonals = 0.15;
+    constexpr double kMaxDiagonals = 25.0;
+    if (!focal_length_px || *focal_length_px < kMinDiagonals * diagonal(size) ||
+        *focal_length_px > kMaxDiagonals * diagonal(size)) {
+        return std::nullopt;
+    }
+    return focal_length_px;
+}
+
+std::string camera_key_of(const ExifFacts& exif, ImageSize size) {
+    std::string key = std::to_string(size.width_px) + "x" + std::to_string(size.height_px);
+    if (!exif.make.empty()) key += " " + exif.make;
+    if (!exif.model.empty()) key += " " + exif.model;
+    if (exif.focal_length_mm) {
+        char text[32];
+        std::snprintf(text, sizeof(text), " %.4g mm", *exif.focal_length_mm);
+        key += text;
+    }
+    return key;
+}
+
+}  // namespace lumi

@@ -1,0 +1,149 @@
+#include "calib/ingest/ingest.h"
+
+#include <algorithm>
+
+#include "calib/capture/image_io.h"
+#include "calib/ingest/duplicates.h"
+#include "calib/ingest/exif.h"
+#include "calib/ingest/photograph_folder.h"
+#include "calib/ingest/video.h"
+#include "calib/ingest/working_copies.h"
+#include "calib/work/error.h"
+#include "calib/work/parallel_for.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Why a picture could not be read, in the words of a photographer.
+LeftOut left_out_because_of(const Error& error, const PhotographFile& file) {
+    std::string detail = error.what();
+    if (const std::string prefix = file.path.string() + ": "; detail.starts_with(prefix)) {
+        detail.erase(0, prefix.size());
+    }
+    if (error.code() == "E-IMAGE-TRUNCATED") {
+        return {file.name, "E-INGEST-TRUNCATED",
+                "the file is damaged or was copied only in part (" + detail + ")"};
+    }
+    if (error.code() == "E-IMAGE-TOOBIG") return {file.name, "E-INGEST-TOOBIG", detail};
+    if (error.code() == "E-IMAGE-FORMAT") return {file.name, "E-INGEST-FORMAT", detail};
+    return {file.name, "E-INGEST-UNREADABLE", detail};
+}
+
+Candidate left_out(LeftOut reason) {
+    Candidate candidate;
+    candidate.left_out = std::move(reason);
+    return candidate;
+}
+
+void add_exif(const PhotographFile& file, Photograph& photograph) {
+    const ExifFacts exif = read_exif(file.path, file.format);
+    const ImageSize original{photograph.original_width_px, photograph.original_height_px};
+    photograph.exif_orientation = exif.orientation;
+    photograph.camera_key = camera_key_of(exif, original);
+    if (const auto focal_length_px = focal_length_px_of(exif, original)) {
+        photograph.focal_length_px =
+            *focal_length_px * photograph.width_px / photograph.original_width_px;
+    }
+}
+
+Candidate ingest_file(const PhotographFile& file, const IngestOptions& options,
+                      const fs::path& copies_folder, std::size_t number) {
+    ColorImage raster;
+    try {
+        raster = read_color_image(file.path);
+    } catch (const Error& error) {
+        return left_out(left_out_because_of(error, file));
+    }
+    if (std::min(raster.width(), raster.height()) < options.min_width_px) {
+        return left_out({file.name, "E-INGEST-TINY",
+                         std::to_string(raster.width()) + "x" + std::to_string(raster.height()) +
+                             " pixels; the shorter side needs at least " +
+                             std::to_string(options.min_width_px)});
+    }
+    Candidate candidate = make_working_copy(raster, file.name, options, copies_folder, number);
+    add_exif(file, candidate.photograph);
+    return candidate;
+}
+
+/// As many threads as hold their pictures in 2 GiB: the file, the raster and its copies.
+int threads_within_memory(const std::vector<PhotographFile>& files, int threads) {
+    constexpr std::size_t kBudgetBytes = std::size_t{2} << 30;
+    constexpr std::size_t kBytesPerPixel = 12;
+    std::vector<std::size_t> bytes(files.size(), 1);
+    parallel_for(static_cast<int>(files.size()), threads, [&](int i) {
+        const auto index = static_cast<std::size_t>(i);
+        try {
+            const ImageSize size = read_image_size(files[index].path);
+            bytes[index] = kBytesPerPixel * static_cast<std::size_t>(std::max(size.width_px, 1)) *
+                           static_cast<std::size_t>(std::max(size.height_px, 1));
+        } catch (const Error&) {
+            // Found again, and reported, when the picture is decoded.
+        }
+    });
+    const std::size_t largest = bytes.empty() ? 1 : *std::max_element(bytes.begin(), bytes.end());
+    const std::size_t affordable = std::max<std::size_t>(1, kBudgetBytes / largest);
+    return static_cast<int>(
+        std::min(static_cast<std::size_t>(resolve_threads(threads)), affordable));
+}
+
+std::vector<Candidate> ingest_folder(const PhotographFolder& folder, const IngestOptions& options,
+                                     const fs::path& copies_folder, int threads,
+                                     Progress& progress) {
+    progress.begin("ingest photographs", folder.files.size());
+    std::vector<Candidate> candidates(folder.files.size());
+    parallel_for(static_cast<int>(folder.files.size()),
+                 threads_within_memory(folder.files, threads), [&](int i) {
+                     progress.throw_if_interrupted();
+                     const auto index = static_cast<std::size_t>(i);
+                     candidates[index] =
+                         ingest_file(folder.files[index], options, copies_folder, index + 1);
+                     progress.advance();
+                 });
+    return candidates;
+}
+
+void refuse_too_few(const IngestResult& result, const IngestOptions& options,
+                    const fs::path& source) {
+    if (static_cast<int>(result.photographs.size()) >= options.min_photographs) return;
+    std::string what = source.string() + ": " + std::to_string(result.photographs.size()) +
+                       " usable photographs, expected at least " +
+                       std::to_string(options.min_photographs);
+    constexpr std::size_t kMaxNamed = 5;
+    for (std::size_t i = 0; i < std::min(kMaxNamed, result.left_out.size()); ++i) {
+        what += "; " + result.left_out[i].name + ": " + result.left_out[i].reason;
+    }
+    throw Error(ErrorKind::kBadInput, "E-INGEST-TOOFEW", what,
+                "give a folder with more JPEG, PNG or TIFF photographs of the scene");
+}
+
+}  // namespace
+
+IngestResult ingest(const fs::path& photographs_or_video, const IngestOptions& options,
+                    const fs::path& copies_folder, int threads, Progress& progress) {
+    validate(options);
+    IngestResult result;
+    std::vector<Candidate> candidates;
+    std::error_code status;
+    if (fs::is_regular_file(photographs_or_video, status)) {
+        clear_working_copies(copies_folder);
+        candidates = ingest_video(photographs_or_video, options, copies_folder, progress);
+    } else {
+        PhotographFolder folder = list_photographs(photographs_or_video, copies_folder);
+        result.left_out = std::move(folder.left_out);
+        clear_working_copies(copies_folder);
+        candidates = ingest_folder(folder, options, copies_folder, threads, progress);
+    }
+    leave_out_duplicates(candidates);
+    for (const Candidate& candidate : candidates) {
+        if (candidate.left_out) result.left_out.push_back(*candidate.left_out);
+    }
+    std::stable_sort(result.left_out.begin(), result.left_out.end(),
+                     [](const LeftOut& a, const LeftOut& b) { return a.name < b.name; });
+    result.photographs = number_working_copies(candidates, copies_folder);
+    refuse_too_few(result, options, photographs_or_video);
+    return result;
+}
+
+}  // namespace lumi

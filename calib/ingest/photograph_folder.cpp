@@ -1,0 +1,151 @@
+#include "calib/ingest/photograph_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string_view>
+
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 7> kReadExtensions{".jpg", ".jpeg", ".jpe", ".jfif",
+                                                          ".png", ".tif",  ".tiff"};
+constexpr std::array<std::string_view, 12> kOtherPictureExtensions{
+    ".heic", ".heif", ".webp", ".gif", ".bmp", ".avif",
+    ".exr",  ".jxl",  ".jp2",  ".hdr", ".psd", ".ppm"};
+// Most of these begin like a TIFF, and what a TIFF reader finds first in them is a thumbnail.
+constexpr std::array<std::string_view, 11> kRawExtensions{
+    ".nef", ".cr2", ".cr3", ".arw", ".dng", ".orf", ".rw2", ".raf", ".pef", ".srw", ".nrw"};
+
+template <std::size_t kCount>
+bool is_one_of(const std::string& extension,
+               const std::array<std::string_view, kCount>& extensions) {
+    return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+std::string lower_extension(const fs::path& path) {
+    std::string extension = path.extension().string();
+    for (char& letter : extension) {
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    }
+    return extension;
+}
+
+/// Reports and manifests are UTF-8; a name in another encoding could not stand in them.
+bool is_utf8(std::string_view text) {
+    std::size_t i = 0;
+    while (i < text.size()) {
+        const auto lead = static_cast<unsigned char>(text[i++]);
+        const std::size_t following = lead < 0x80                   ? 0
+                                      : lead >= 0xc2 && lead < 0xe0 ? 1
+                                      : lead >= 0xe0 && lead < 0xf0 ? 2
+                                      : lead >= 0xf0 && lead < 0xf5 ? 3
+                                                                    : text.size();
+        if (following > text.size() - i) return false;
+        for (const std::size_t end = i + following; i < end; ++i) {
+            if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) return false;
+        }
+    }
+    return true;
+}
+
+std::vector<std::uint8_t> first_bytes(const fs::path& path) {
+    constexpr std::size_t kMagicBytes = 16;
+    std::vector<std::uint8_t> bytes(kMagicBytes);
+    std::ifstream stream(path, std::ios::binary);
+    stream.read(reinterpret_cast<char*>(bytes.data()), kMagicBytes);
+    bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
+    return bytes;
+}
+
+class FolderWalk {
+ public:
+    FolderWalk(const fs::path& root, const fs::path& working_folder) {
+        // Only the first step of the way there is needed: everything below it is lumi's own.
+        const fs::path way =
+            fs::weakly_canonical(working_folder).lexically_relative(fs::weakly_canonical(root));
+        if (!way.empty() && *way.begin() != "..") working_branch_ = *way.begin();
+        if (working_branch_ == ".") working_branch_.clear();
+        walk(root, "");
+    }
+
+    PhotographFolder take() {
+        const auto by_name = [](const auto& a, const auto& b) { return a.name < b.name; };
+        std::sort(found_.files.begin(), found_.files.end(), by_name);
+        std::sort(found_.left_out.begin(), found_.left_out.end(), by_name);
+        return std::move(found_);
+    }
+
+ private:
+    void walk(const fs::path& folder, const std::string& prefix) {
+        std::error_code status;
+        fs::directory_iterator entry(folder, status);
+        if (status) leave_out(prefix, "E-INGEST-UNREADABLE", "this folder may not be read");
+        for (; !status && entry != fs::directory_iterator(); entry.increment(status)) {
+            const std::string file_name = entry->path().filename().string();
+            if (file_name.starts_with('.')) continue;
+            std::error_code ignored;
+            if (!entry->is_directory(ignored)) {
+                classify(entry->path(), prefix + file_name);
+            } else if (!entry->is_symlink(ignored) &&
+                       !(prefix.empty() && file_name == working_branch_)) {
+                walk(entry->path(), prefix + file_name + "/");
+            }
+        }
+    }
+
+    void classify(const fs::path& path, const std::string& name) {
+        const std::string extension = lower_extension(path);
+        const bool claims_to_be_read = is_one_of(extension, kReadExtensions);
+        std::error_code ignored;
+        if (!fs::is_regular_file(path, ignored)) {
+            if (claims_to_be_read) {
+                leave_out(name, "E-INGEST-UNREADABLE", "not a file, or a link that leads nowhere");
+            }
+            return;
+        }
+        if (is_one_of(extension, kRawExtensions)) {
+            leave_out(name, "E-INGEST-FORMAT",
+                      "a raw photograph: develop it into JPEG, PNG or TIFF");
+            return;
+        }
+        const std::vector<std::uint8_t> bytes = first_bytes(path);
+        const auto format = image_format_of(bytes);
+        if (format && !is_utf8(name)) {
+            leave_out("(a name that is not UTF-8)", "E-INGEST-NAME",
+                      "its name is not UTF-8: rename the file");
+        } else if (format) {
+            found_.files.push_back({name, path, *format});
+        } else if (claims_to_be_read) {
+            leave_out(name, "E-INGEST-UNREADABLE",
+                      bytes.empty() ? "the file is empty or may not be read"
+                                    : "not a JPEG, PNG or TIFF, whatever its name says");
+        } else if (is_one_of(extension, kOtherPictureExtensions)) {
+            leave_out(name, "E-INGEST-FORMAT", "export it as JPEG, PNG or TIFF");
+        }
+    }
+
+    void leave_out(const std::string& name, const std::string& code, const std::string& reason) {
+        found_.left_out.push_back({name, code, reason});
+    }
+
+    PhotographFolder found_;
+    std::string working_branch_;
+};
+
+}  // namespace
+
+PhotographFolder list_photographs(const fs::path& folder, const fs::path& working_folder) {
+    std::error_code status;
+    if (!fs::is_directory(folder, status)) {
+        throw Error(ErrorKind::kBadInput, "E-INGEST-NOFOLDER", folder.string() + ": no such folder",
+                    "give the folder that holds the photographs, or a video file");
+    }
+    return FolderWalk(folder, working_folder).take();
+}
+
+}  // namespace lumi

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "calib/capture/image_format.h"
+#include "calib/capture/posed_photographs.h"
+
+namespace lumi {
+
+/// A file that holds a JPEG, PNG or TIFF by its first bytes.
+struct PhotographFile {
+    std::string name;  ///< Below the folder, '/' between folders.
+    std::filesystem::path path;
+    ImageFormat format = ImageFormat::kJpeg;
+};
+
+struct PhotographFolder {
+    std::vector<PhotographFile> files;  ///< Sorted by name.
+    std::vector<LeftOut> left_out;      ///< Pictures by their name that are none of the formats.
+};
+
+/// The photographs in `folder` and below. Links to files are followed, links to folders are not;
+/// hidden files and whatever neither is nor claims to be a picture are passed over in silence. The
+/// branch that leads to `working_folder` is passed over too, should it lie inside. Throws Error
+/// (E-INGEST-NOFOLDER).
+[[nodiscard]] PhotographFolder list_photographs(const std::filesystem::path& folder,
+                                                const std::filesystem::path& working_folder);
+
+}  // namespace lumi

@@ -1,0 +1,102 @@
+#include "calib/ingest/working_copies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "calib/capture/image_io.h"
+#include "calib/ingest/duplicates.h"
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kDigits = 6;
+
+fs::path copy_path(const fs::path& folder, std::size_t number) {
+    char name[32];
+    std::snprintf(name, sizeof(name), "%06zu.png", number);
+    return folder / name;
+}
+
+/// 000001.png, and 000001.png.aBcDeF that an interrupted run left behind.
+bool is_working_copy(const std::string& file_name) {
+    const std::size_t digits = std::min(file_name.find_first_not_of("0123456789"), kDigits + 1);
+    return digits == kDigits && file_name.compare(kDigits, 4, ".png") == 0;
+}
+
+[[noreturn]] void refuse_folder(const fs::path& folder, const std::error_code& status) {
+    throw Error(ErrorKind::kBadInput, "E-FILE-WRITE",
+                folder.string() + ": cannot write: " + status.message(),
+                "check that you may write there");
+}
+
+std::pair<int, int> working_size(const ColorImage& raster, int max_width_px) {
+    const int longer = std::max(raster.width(), raster.height());
+    if (max_width_px == 0 || longer <= max_width_px) return {raster.width(), raster.height()};
+    const double scale = static_cast<double>(max_width_px) / longer;
+    const auto scaled = [&](int side) {
+        return std::max(1, static_cast<int>(std::lround(scale * side)));
+    };
+    return {scaled(raster.width()), scaled(raster.height())};
+}
+
+}  // namespace
+
+void clear_working_copies(const fs::path& folder) {
+    std::error_code status;
+    fs::create_directories(folder, status);
+    if (status) refuse_folder(folder, status);
+    std::vector<fs::path> stale;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        if (is_working_copy(entry.path().filename().string())) stale.push_back(entry.path());
+    }
+    for (const fs::path& path : stale) {
+        fs::remove(path, status);
+        if (status) refuse_folder(folder, status);
+    }
+}
+
+Candidate make_working_copy(const ColorImage& raster, const std::string& name,
+                            const IngestOptions& options, const fs::path& folder,
+                            std::size_t number) {
+    Candidate candidate;
+    const auto [width_px, height_px] = working_size(raster, options.max_width_px);
+    Photograph& photograph = candidate.photograph;
+    photograph.name = name;
+    photograph.picture_path = copy_path(folder, number);
+    photograph.width_px = width_px;
+    photograph.height_px = height_px;
+    photograph.original_width_px = raster.width();
+    photograph.original_height_px = raster.height();
+    candidate.pixels_sha256 = pixels_sha256(raster);
+    const bool as_it_is = width_px == raster.width() && height_px == raster.height();
+    const ColorImage scaled = as_it_is ? ColorImage() : resized(raster, width_px, height_px);
+    const ColorImage& copy = as_it_is ? raster : scaled;
+    candidate.thumbnail = thumbnail_of(copy);
+    write_png(photograph.picture_path, copy);
+    return candidate;
+}
+
+std::vector<Photograph> number_working_copies(const std::vector<Candidate>& candidates,
+                                              const fs::path& folder) {
+    std::vector<Photograph> photographs;
+    std::error_code status;
+    for (const Candidate& candidate : candidates) {
+        const fs::path& provisional = candidate.photograph.picture_path;
+        if (candidate.left_out) {
+            if (!provisional.empty()) fs::remove(provisional, status);
+            continue;
+        }
+        // Numbers only become smaller, so no copy lands on one that is still to be renamed.
+        photographs.push_back(candidate.photograph);
+        photographs.back().picture_path = copy_path(folder, photographs.size());
+        fs::rename(provisional, photographs.back().picture_path, status);
+        if (status) refuse_folder(folder, status);
+    }
+    return photographs;
+}
+
+}  // namespace lumi

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calib/capture/image.h"
+#include "calib/ingest/ingest.h"
+
+namespace lumi {
+
+/// A photograph on its way in: its working copy is written, and others are still to be compared.
+struct Candidate {
+    Photograph photograph;
+    std::string pixels_sha256;  ///< Of the raster as stored, with its size.
+    ColorImage thumbnail;
+    std::optional<LeftOut> left_out;  ///< Then nothing else counts.
+};
+
+/// Removes the working copies of an earlier run and makes the folder.
+void clear_working_copies(const std::filesystem::path& folder);
+
+/// Scales `raster` down as the options ask and writes it as copy `number` (from 1).
+[[nodiscard]] Candidate make_working_copy(const ColorImage& raster, const std::string& name,
+                                          const IngestOptions& options,
+                                          const std::filesystem::path& folder, std::size_t number);
+
+/// Renames the copies of those that were not left out to 000001.png, 000002.png ... without a gap,
+/// in the order given, and removes the others.
+[[nodiscard]] std::vector<Photograph> number_working_copies(
+    const std::vector<Candidate>& candidates, const std::filesystem::path& folder);
+
+}  // namespace lumi

@@ -1,0 +1,67 @@
+#include <gmock/gmock.h>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "calib/capture/image_io.h"
+#include "calib/ingest/ingest.h"
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "tests/calib/scratch_folder.h"
+#include "tests/calib/test_pictures.h"
+
+namespace lumi {
+namespace {
+
+/// Two seconds at 10 frames a second; every frame is blurred but numbers 4 and 13.
+void write_video(const std::filesystem::path& path) {
+    constexpr int kWidth = 320;
+    constexpr int kHeight = 240;
+    cv::VideoWriter writer(path.string(), cv::CAP_OPENCV_MJPEG,
+                           cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10.0, {kWidth, kHeight});
+    ASSERT_TRUE(writer.isOpened());
+    for (int number = 1; number <= 20; ++number) {
+        ColorImage picture = wavy_picture(kWidth, kHeight, 3.0 * number);
+        cv::Mat frame(kHeight, kWidth, CV_8UC3, picture.row(0));
+        cv::cvtColor(frame, frame, cv::COLOR_RGB2BGR);
+        if (number != 4 && number != 13) cv::GaussianBlur(frame, frame, {}, 3.0);
+        writer.write(frame);
+    }
+}
+
+TEST(Video, GivesTheSharpestFrameOfEachInterval) {
+    const ScratchFolder scratch;
+    write_video(scratch / "walk.avi");
+    SilentProgress progress;
+    const IngestResult result =
+        ingest(scratch / "walk.avi", {.video_fps = 1.0}, scratch / "copies", 1, progress);
+    ASSERT_EQ(result.photographs.size(), 2U);
+    EXPECT_EQ(result.photographs[0].name, "frame-000004.png");
+    EXPECT_EQ(result.photographs[1].name, "frame-000013.png");
+    EXPECT_EQ(result.photographs[0].camera_key, result.photographs[1].camera_key);
+    const ColorImage copy = read_color_image(result.photographs[1].picture_path);
+    EXPECT_EQ(copy.width(), 320);
+    // MJPEG at its default quality differs from what was written by a few levels.
+    const ColorImage written = wavy_picture(320, 240, 3.0 * 13);
+    double difference = 0;
+    for (std::size_t i = 0; i < copy.pixels().size(); ++i) {
+        difference += std::abs(copy.pixels()[i].g - written.pixels()[i].g);
+    }
+    EXPECT_LT(difference / static_cast<double>(copy.pixels().size()), 3.0);
+}
+
+TEST(Video, RefusesAFileThatIsNone) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "notes.txt", "not a video");
+    SilentProgress progress;
+    try {
+        static_cast<void>(ingest(scratch / "notes.txt", {}, scratch / "copies", 1, progress));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-INGEST-NOVIDEO");
+    }
+}
+
+}  // namespace
+}  // namespace lumi
