@@ -1,0 +1,101 @@
+#include "tests/house/include_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <optional>
+#include <regex>
+#include <string_view>
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 4> kRooms{"calib", "meshing", "render", "pipeline"};
+constexpr std::array<std::string_view, 3> kHandedOn{"calib/capture/", "meshing/surface/",
+                                                    "render/lumigraph/"};
+constexpr std::array<std::string_view, 7> kHeavy{"opencv2/", "CGAL/",        "ceres/", "colmap/",
+                                                 "nlohmann", "OpenImageIO/", "toml++"};
+
+/// Where a path's first part stands in the order of the rooms; empty for anything else.
+std::optional<std::size_t> room_of(const std::string& path) {
+    const std::string first = path.substr(0, path.find('/'));
+    const auto* room = std::find(kRooms.begin(), kRooms.end(), first);
+    if (room == kRooms.end()) return std::nullopt;
+    return static_cast<std::size_t>(room - kRooms.begin());
+}
+
+std::string offence(const IncludeLine& include, const std::string& why) {
+    return include.file.generic_string() + ":" + std::to_string(include.line) + ": includes \"" +
+           include.target + "\": " + why;
+}
+
+bool is_source(const fs::path& path) {
+    const fs::path extension = path.extension();
+    return extension == ".h" || extension == ".cpp" || extension == ".inc" || extension == ".in";
+}
+
+void append_includes(const fs::path& repository, const fs::path& file,
+                     std::vector<IncludeLine>& includes) {
+    static const std::regex kInclude(R"(^\s*#\s*include\s*["<]([^">]+)[">])");
+    std::ifstream stream(file);
+    std::string text;
+    for (int line = 1; std::getline(stream, text); ++line) {
+        std::smatch match;
+        if (!std::regex_search(text, match, kInclude)) continue;
+        includes.push_back({fs::relative(file, repository), line, match[1]});
+    }
+}
+
+}  // namespace
+
+std::vector<IncludeLine> include_lines_of_rooms(const fs::path& repository) {
+    std::vector<fs::path> files;
+    for (const std::string_view room : kRooms) {
+        if (!fs::exists(repository / room)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(repository / room)) {
+            if (entry.is_regular_file() && is_source(entry.path())) files.push_back(entry.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    std::vector<IncludeLine> includes;
+    for (const fs::path& file : files) append_includes(repository, file, includes);
+    return includes;
+}
+
+Offences wrong_directions(const std::vector<IncludeLine>& includes) {
+    Offences offences;
+    for (const IncludeLine& include : includes) {
+        const auto from = room_of(include.file.generic_string());
+        const auto to = room_of(include.target);
+        if (from && to && *to > *from) {
+            offences.push_back(offence(include, std::string(kRooms[*from]) + " does not know " +
+                                                    std::string(kRooms[*to])));
+        }
+        if (include.target.starts_with("tests/")) {
+            offences.push_back(offence(include, "no room knows its tests"));
+        }
+    }
+    return offences;
+}
+
+Offences heavy_headers_handed_on(const std::vector<IncludeLine>& includes) {
+    Offences offences;
+    for (const IncludeLine& include : includes) {
+        const std::string file = include.file.generic_string();
+        const bool is_handed_on =
+            include.file.extension() == ".h" &&
+            std::any_of(kHandedOn.begin(), kHandedOn.end(),
+                        [&](std::string_view folder) { return file.starts_with(folder); });
+        const bool is_heavy = std::any_of(
+            kHeavy.begin(), kHeavy.end(),
+            [&](std::string_view prefix) { return include.target.starts_with(prefix); });
+        if (is_handed_on && is_heavy) {
+            offences.push_back(offence(include, "other rooms would have to compile it too"));
+        }
+    }
+    return offences;
+}
+
+}  // namespace lumi

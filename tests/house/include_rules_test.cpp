@@ -1,0 +1,77 @@
+#include "tests/house/include_rules.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+/// A repository of made-up files, gone at the end of its test.
+class MadeUpRepository {
+ public:
+    MadeUpRepository() {
+        std::string name = (fs::temp_directory_path() / "lumi-house-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+        root_ = name;
+    }
+    ~MadeUpRepository() { fs::remove_all(root_); }
+    MadeUpRepository(const MadeUpRepository&) = delete;
+    MadeUpRepository& operator=(const MadeUpRepository&) = delete;
+
+    void write(const fs::path& file, const std::string& text) const {
+        fs::create_directories((root_ / file).parent_path());
+        std::ofstream(root_ / file) << text;
+    }
+    [[nodiscard]] const fs::path& root() const { return root_; }
+
+ private:
+    fs::path root_;
+};
+
+TEST(House, RoomsIncludeOnlyTheRoomsBeforeThem) {
+    const auto includes = include_lines_of_rooms(LUMI_SOURCE_DIR);
+    ASSERT_GT(includes.size(), 50u) << "the rooms were not found in " << LUMI_SOURCE_DIR;
+    EXPECT_THAT(wrong_directions(includes), IsEmpty());
+}
+
+TEST(House, HandedOnHeadersKeepHeavyLibrariesToThemselves) {
+    EXPECT_THAT(heavy_headers_handed_on(include_lines_of_rooms(LUMI_SOURCE_DIR)), IsEmpty());
+}
+
+TEST(House, FindsAnIncludeThatPointsTheWrongWay) {
+    const MadeUpRepository repository;
+    repository.write("calib/work/wrong.h", "#pragma once\n\n#include \"render/modes/frame.h\"\n");
+    repository.write("meshing/surface/right.h", "#include \"calib/capture/camera.h\"\n");
+    repository.write("render/gl/odd.cpp", "#  include <pipeline/line/line.h>\n");
+    repository.write("pipeline/line/tested.cpp", "#include \"tests/truth/box.h\"\n");
+    EXPECT_THAT(
+        wrong_directions(include_lines_of_rooms(repository.root())),
+        ElementsAre("calib/work/wrong.h:3: includes \"render/modes/frame.h\": calib does "
+                    "not know render",
+                    HasSubstr("pipeline/line/tested.cpp:1: "), HasSubstr("render/gl/odd.cpp:1: ")));
+}
+
+TEST(House, FindsAHeavyLibraryInAHandedOnHeader) {
+    const MadeUpRepository repository;
+    repository.write("calib/capture/heavy.h", "#include <opencv2/core.hpp>\n");
+    repository.write("calib/capture/heavy.cpp", "#include <opencv2/core.hpp>\n");
+    repository.write("calib/poses/own.h", "#include <ceres/ceres.h>\n");
+    repository.write("meshing/surface/heavy.h", "#include <CGAL/Surface_mesh.h>\n");
+    const Offences offences = heavy_headers_handed_on(include_lines_of_rooms(repository.root()));
+    ASSERT_THAT(offences, SizeIs(2));
+    EXPECT_THAT(offences[0], HasSubstr("calib/capture/heavy.h:1"));
+    EXPECT_THAT(offences[1], HasSubstr("meshing/surface/heavy.h:1"));
+}
+
+}  // namespace
+}  // namespace lumi
