@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+#include "calib/capture/image.h"
+#include "calib/work/config_section.h"
+#include "pipeline/synth/material.h"
+
+namespace lumi {
+
+/// What a real camera spoils; by default nothing.
+struct SensorOptions {
+    double noise_sigma = 0.0;           ///< Standard deviation in 8-bit sRGB steps. >= 0.
+    double exposure_drift_stops = 0.0;  ///< Largest error of a photograph's exposure. >= 0.
+    double blur_sigma_px = 0.0;         ///< Gaussian blur, standard deviation. >= 0.
+};
+
+[[nodiscard]] SensorOptions read_sensor_options(const ConfigSection& section);
+
+/// The photograph that a camera makes of the light: blurred, exposed, encoded as sRGB, noisy, and
+/// rounded, in this order. `photograph_seed` decides exposure and noise.
+[[nodiscard]] ColorImage develop(const Image<LinearColor>& light, const SensorOptions& options,
+                                 std::uint64_t photograph_seed);
+
+}  // namespace lumi

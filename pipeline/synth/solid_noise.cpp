@@ -1,0 +1,90 @@
+#include "pipeline/synth/solid_noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumi {
+namespace {
+
+/// The hash of a lattice point is made axis by axis, so that neighbours share their first stages.
+std::uint32_t stirred(std::uint32_t hash, std::int32_t coordinate) {
+    hash += 0x9E3779B9u * static_cast<std::uint32_t>(coordinate);
+    hash = (hash ^ (hash >> 16)) * 0x85EBCA6Bu;
+    return hash ^ (hash >> 13);
+}
+
+/// The product of an offset with one of the directions to the edges of a cube.
+double along_gradient(std::uint32_t hash, double x, double y, double z) {
+    const std::uint32_t edge = hash & 15u;
+    const double u = edge < 8 ? x : y;
+    const double v = edge < 4 ? y : (edge == 12 || edge == 14 ? x : z);
+    return ((edge & 1u) != 0 ? -u : u) + ((edge & 2u) != 0 ? -v : v);
+}
+
+double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
+
+double mix(double a, double b, double t) { return a + t * (b - a); }
+
+}  // namespace
+
+double gradient_noise(const Eigen::Vector3d& point, std::uint32_t seed) {
+    const double fx = std::floor(point.x());
+    const double fy = std::floor(point.y());
+    const double fz = std::floor(point.z());
+    const auto ix = static_cast<std::int32_t>(fx);
+    const auto iy = static_cast<std::int32_t>(fy);
+    const auto iz = static_cast<std::int32_t>(fz);
+    const double x = point.x() - fx;
+    const double y = point.y() - fy;
+    const double z = point.z() - fz;
+    const double u = fade(x);
+    const double v = fade(y);
+    const auto along_z = [&](std::uint32_t column, double dx, double dy) {
+        return mix(along_gradient(stirred(column, iz), x - dx, y - dy, z),
+                   along_gradient(stirred(column, iz + 1), x - dx, y - dy, z - 1.0), fade(z));
+    };
+    const auto along_y = [&](std::uint32_t plane, double dx) {
+        return mix(along_z(stirred(plane, iy), dx, 0.0), along_z(stirred(plane, iy + 1), dx, 1.0),
+                   v);
+    };
+    return mix(along_y(stirred(seed, ix), 0.0), along_y(stirred(seed, ix + 1), 1.0), u);
+}
+
+double cell_value(int u, int v, std::uint32_t seed) {
+    return stirred(stirred(stirred(seed, u), v), 0) * 0x1p-32;
+}
+
+double surviving_contrast(double frequency, double footprint) {
+    const double cycles = frequency * footprint;
+    return cycles > 1.8 ? 0.0 : std::exp(-2.0 * cycles * cycles);
+}
+
+double fractal_noise(const Eigen::Vector3d& point, double footprint, const NoiseOctaves& octaves,
+                     std::uint32_t seed) {
+    double sum = 0.0;
+    double total = 0.0;
+    double amplitude = 1.0;
+    double frequency = octaves.frequency;
+    for (int octave = 0; octave < octaves.count; ++octave) {
+        const double contrast = surviving_contrast(frequency, footprint);
+        if (contrast > 0.0) {
+            // The shift keeps the lattices, on which every octave is zero, from coinciding.
+            const Eigen::Vector3d shift = Eigen::Vector3d::Constant(0.37 * octave);
+            sum += amplitude * contrast *
+                   gradient_noise(frequency * point + shift,
+                                  seed + static_cast<std::uint32_t>(octave));
+        }
+        total += amplitude;
+        amplitude *= octaves.persistence;
+        frequency *= 2.0;
+    }
+    return sum / total;
+}
+
+double soft_step(double edge, double value, double softness, double footprint) {
+    const double width = std::max(softness, footprint);
+    const double t = std::clamp((value - edge) / width + 0.5, 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+}  // namespace lumi

@@ -1,0 +1,115 @@
+#include "pipeline/synth/synthesize.h"
+
+#include <array>
+#include <cstdio>
+
+#include "calib/capture/colmap_model.h"
+#include "calib/capture/image_io.h"
+#include "calib/work/error.h"
+#include "calib/work/parallel_for.h"
+#include "calib/work/whole_file.h"
+#include "pipeline/synth/exact_points.h"
+#include "pipeline/synth/hashed_random.h"
+
+namespace lumi {
+namespace {
+
+/// Each use of chance has a stream of its own, so that none depends on how much another draws.
+enum class Chance : std::uint64_t { kPath, kPoints, kSensor };
+
+std::uint64_t seed_for(const SceneDescription& description, Chance use) {
+    return HashedRandom(description.seed, static_cast<std::uint64_t>(use)).word();
+}
+
+std::string photograph_name(int index) {
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "IMG_%04d.png", index + 1);
+    return name.data();
+}
+
+struct Developed {
+    ColorImage photograph;
+    FloatImage depth;
+};
+
+Developed take(const SceneDescription& description, const Capture& capture, int view_index) {
+    const View& view = capture.views[static_cast<std::size_t>(view_index)];
+    ExactPicture exact = photograph(description.scene, camera_of(capture, view),
+                                    view.cam_from_world, description.sampling);
+    const std::uint64_t seed = seed_for(description, Chance::kSensor);
+    return {develop(exact.light, description.sensor,
+                    mixed(seed ^ static_cast<std::uint64_t>(view_index))),
+            std::move(exact.depth)};
+}
+
+/// Points take the colour that the first view of their track shows.
+void color_points_of(int view_index, const ColorImage& photograph,
+                     std::vector<ScenePoint>& points) {
+    for (ScenePoint& point : points) {
+        const Observation& first = point.track.front();
+        if (first.view_index != view_index) continue;
+        point.color =
+            photograph(static_cast<int>(first.pixel.x()), static_cast<int>(first.pixel.y()));
+    }
+}
+
+/// Takes every photograph, on several threads, and hands each to `keep` with its view's index.
+template <class Keep>
+void take_all(const SceneDescription& description, Capture& capture, int threads,
+              Progress& progress, const Keep& keep) {
+    const int count = static_cast<int>(capture.views.size());
+    progress.begin("photographing", static_cast<std::size_t>(count));
+    parallel_for(count, threads, [&](int index) {
+        progress.throw_if_interrupted();
+        Developed developed = take(description, capture, index);
+        color_points_of(index, developed.photograph, capture.points);
+        keep(index, std::move(developed));
+        progress.advance();
+    });
+}
+
+}  // namespace
+
+Capture exact_capture(const SceneDescription& description) {
+    Capture capture;
+    capture.cameras = {description.camera};
+    for (const Rigid3& cam_from_world :
+         poses_along(description.path, seed_for(description, Chance::kPath))) {
+        const std::string name = photograph_name(static_cast<int>(capture.views.size()));
+        if (signed_distance(description.scene, centre_in_world(cam_from_world)) <= 0.0) {
+            throw Error(ErrorKind::kUsage, "E-SYNTH-INSIDE",
+                        name + ": the camera stands inside a body of the scene",
+                        "move the path away from the bodies, or lower its jitter");
+        }
+        capture.views.push_back({name, 0, cam_from_world});
+    }
+    capture.points = exact_scene_points(description.scene, capture, description.truth_points,
+                                        seed_for(description, Chance::kPoints));
+    return capture;
+}
+
+SyntheticCapture synthesize(const SceneDescription& description, int threads, Progress& progress) {
+    SyntheticCapture result;
+    result.capture = exact_capture(description);
+    result.photographs.resize(result.capture.views.size());
+    result.depths.resize(result.capture.views.size());
+    take_all(description, result.capture, threads, progress, [&](int index, Developed developed) {
+        result.photographs[static_cast<std::size_t>(index)] = std::move(developed.photograph);
+        result.depths[static_cast<std::size_t>(index)] = std::move(developed.depth);
+    });
+    return result;
+}
+
+void synthesize_into(const std::filesystem::path& folder, const SceneDescription& description,
+                     int threads, Progress& progress) {
+    Capture capture = exact_capture(description);
+    take_all(description, capture, threads, progress, [&](int index, const Developed& developed) {
+        const std::filesystem::path name = capture.views[static_cast<std::size_t>(index)].name;
+        write_png(folder / "photos" / name, developed.photograph);
+        write_float_tiff(folder / "truth" / "depth" / name.stem().concat(".tiff"), developed.depth);
+    });
+    write_colmap_model_text(capture, folder / "truth" / "sparse");
+    write_whole_text(folder / "truth" / "scene.toml", description.resolved_toml);
+}
+
+}  // namespace lumi
