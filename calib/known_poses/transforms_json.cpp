@@ -1,0 +1,203 @@
+#include "calib/known_poses/transforms_json.h"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "calib/known_poses/camera_axes.h"
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::json;
+
+[[noreturn]] void refuse_json(const std::string& where, const std::string& what) {
+    throw Error(ErrorKind::kBadInput, "E-IMPORT-JSON", where + ": " + what,
+                "write transforms.json again with the program it comes from");
+}
+
+[[noreturn]] void refuse_lens(const std::string& where, const std::string& what) {
+    throw Error(ErrorKind::kBadInput, "E-IMPORT-LENS", where + ": " + what,
+                "undistort the photographs first, or let lumi estimate the poses");
+}
+
+Json parse(const std::filesystem::path& path) {
+    constexpr int kMaxDepth = 32;
+    constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
+    const auto bounded = [&](int depth, Json::parse_event_t, Json&) {
+        if (depth > kMaxDepth) refuse_json(path.string(), "nested deeper than 32 levels");
+        return true;
+    };
+    try {
+        return Json::parse(read_whole_text(path, kMaxBytes), bounded);
+    } catch (const Json::exception& exception) {
+        refuse_json(path.string(), exception.what());
+    }
+}
+
+double finite_number(const Json& value, const std::string& where) {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) {
+        refuse_json(where, "expected a finite number");
+    }
+    return value.get<double>();
+}
+
+/// What a frame says of its lens, or else what the file says of all.
+class LensFields {
+ public:
+    LensFields(const Json& frame, const Json& file, std::string where)
+        : frame_(frame), file_(file), where_(std::move(where)) {}
+
+    [[nodiscard]] const Json* find(const char* key) const {
+        for (const Json* object : {&frame_, &file_}) {
+            const auto value = object->find(key);
+            if (value != object->end() && !value->is_null()) return &*value;
+        }
+        return nullptr;
+    }
+    [[nodiscard]] std::optional<double> number(const char* key) const {
+        const Json* value = find(key);
+        if (value == nullptr) return std::nullopt;
+        return finite_number(*value, where_ + "." + key);
+    }
+    [[nodiscard]] int side(const char* key) const {
+        constexpr double kMaxSide = 1 << 20;
+        const double value = number(key).value_or(0);
+        if (value < 0 || value > kMaxSide || value != std::floor(value)) {
+            refuse_json(where_ + "." + key, "expected a picture size");
+        }
+        return static_cast<int>(value);
+    }
+    [[nodiscard]] const std::string& where() const { return where_; }
+
+ private:
+    const Json& frame_;
+    const Json& file_;
+    std::string where_;
+};
+
+bool is_fisheye(const LensFields& fields) {
+    const Json* flag = fields.find("is_fisheye");
+    if (flag != nullptr && flag->is_boolean() && flag->get<bool>()) return true;
+    const Json* model = fields.find("camera_model");
+    if (model == nullptr) return false;
+    if (!model->is_string()) refuse_json(fields.where() + ".camera_model", "expected a text");
+    const auto& name = model->get_ref<const std::string&>();
+    if (name == "OPENCV_FISHEYE") return true;
+    constexpr std::array<const char*, 5> kPerspective{"PINHOLE", "SIMPLE_PINHOLE", "OPENCV",
+                                                      "SIMPLE_RADIAL", "RADIAL"};
+    if (std::find(kPerspective.begin(), kPerspective.end(), name) == kPerspective.end()) {
+        refuse_lens(fields.where(), "camera model '" + name + "' is not known to lumi");
+    }
+    return false;
+}
+
+/// Chooses the simplest of COLMAP's models that holds the distortion.
+void add_distortion(const LensFields& fields, Camera& camera) {
+    const auto k = [&](const char* key) { return fields.number(key).value_or(0.0); };
+    std::vector<double> distortion;
+    if (is_fisheye(fields)) {
+        camera.model = LensModel::kOpenCvFisheye;
+        distortion = {k("k1"), k("k2"), k("k3"), k("k4")};
+    } else {
+        if (k("k4") != 0) refuse_lens(fields.where(), "a lens with k4 is not known to lumi");
+        if (k("k3") != 0) {
+            camera.model = LensModel::kFullOpenCv;
+            distortion = {k("k1"), k("k2"), k("p1"), k("p2"), k("k3"), 0, 0, 0};
+        } else if (k("k1") != 0 || k("k2") != 0 || k("p1") != 0 || k("p2") != 0) {
+            camera.model = LensModel::kOpenCv;
+            distortion = {k("k1"), k("k2"), k("p1"), k("p2")};
+        }
+    }
+    camera.parameters.insert(camera.parameters.end(), distortion.begin(), distortion.end());
+}
+
+double focal_length_from_angle(double angle_rad, double side_px, const std::string& where) {
+    if (!(angle_rad > 0) || !(angle_rad < 3.14)) refuse_json(where, "expected an angle of view");
+    return 0.5 * side_px / std::tan(0.5 * angle_rad);
+}
+
+KnownLens lens_of(const LensFields& fields) {
+    KnownLens lens;
+    Camera& camera = lens.camera;
+    camera.width_px = fields.side("w");
+    camera.height_px = fields.side("h");
+    lens.size_is_stated = camera.width_px > 0 && camera.height_px > 0;
+    const auto angle_x = fields.number("camera_angle_x");
+    const auto angle_y = fields.number("camera_angle_y");
+    std::optional<double> focal_x = fields.number("fl_x");
+    std::optional<double> focal_y = fields.number("fl_y");
+    if (!lens.size_is_stated && !focal_x && angle_x) {
+        static_cast<void>(focal_length_from_angle(*angle_x, 1.0, fields.where()));
+        lens.camera = {};
+        lens.angle_of_view_x_rad = angle_x;
+        return lens;
+    }
+    if (!focal_x && angle_x) {
+        focal_x = focal_length_from_angle(*angle_x, camera.width_px, fields.where());
+    }
+    if (!focal_y && angle_y && lens.size_is_stated) {
+        focal_y = focal_length_from_angle(*angle_y, camera.height_px, fields.where());
+    }
+    if (!focal_x) focal_x = focal_y;
+    if (!focal_x) refuse_json(fields.where(), "no fl_x and no camera_angle_x");
+    const auto centre_x = fields.number("cx");
+    const auto centre_y = fields.number("cy");
+    if (!lens.size_is_stated && (!centre_x || !centre_y)) {
+        refuse_json(fields.where(), "neither w and h nor cx and cy");
+    }
+    camera.parameters = {*focal_x, focal_y.value_or(*focal_x),
+                         centre_x.value_or(0.5 * camera.width_px),
+                         centre_y.value_or(0.5 * camera.height_px)};
+    add_distortion(fields, camera);
+    return lens;
+}
+
+Rigid3 pose_of(const Json& frame, const std::string& where) {
+    const auto matrix = frame.find("transform_matrix");
+    if (matrix == frame.end() || !matrix->is_array() || matrix->size() < 3) {
+        refuse_json(where + ".transform_matrix", "expected four rows of four numbers");
+    }
+    Eigen::Matrix<double, 3, 4> world_from_gl;
+    for (std::size_t row = 0; row < 3; ++row) {
+        const Json& numbers = (*matrix)[row];
+        if (!numbers.is_array() || numbers.size() != 4) {
+            refuse_json(where + ".transform_matrix", "expected four rows of four numbers");
+        }
+        for (std::size_t column = 0; column < 4; ++column) {
+            world_from_gl(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+                finite_number(numbers[column], where + ".transform_matrix");
+        }
+    }
+    // OpenGL's camera looks along -z and has +y up.
+    const Eigen::Matrix3d world_from_cam =
+        world_from_gl.leftCols<3>() * Eigen::Vector3d(1, -1, -1).asDiagonal();
+    return pose_from_axes(world_from_cam, world_from_gl.col(3), where);
+}
+
+}  // namespace
+
+KnownPoses read_transforms_json(const std::filesystem::path& path) {
+    const Json file = parse(path);
+    const auto frames = file.is_object() ? file.find("frames") : file.end();
+    if (!file.is_object() || frames == file.end() || !frames->is_array()) {
+        refuse_json(path.string(), "expected a list of frames");
+    }
+    KnownPoses known;
+    known.format = "transforms.json";
+    for (std::size_t i = 0; i < frames->size(); ++i) {
+        const Json& frame = (*frames)[i];
+        const std::string where = path.string() + ": frames[" + std::to_string(i) + "]";
+        if (!frame.is_object()) refuse_json(where, "expected an object");
+        const auto name = frame.find("file_path");
+        if (name == frame.end() || !name->is_string()) refuse_json(where, "expected a file_path");
+        const KnownLens lens = lens_of(LensFields(frame, file, where));
+        known.views.push_back(
+            {name->get<std::string>(), index_of_lens(known.lenses, lens), pose_of(frame, where)});
+    }
+    return known;
+}
+
+}  // namespace lumi
