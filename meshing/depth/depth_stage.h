@@ -16,6 +16,8 @@ struct DepthOptions {
     std::string model = "sweep";  ///< "sparse" or "sweep".
     int max_width_px = 800;       ///< Depth maps are at most this wide.
     int max_neighbours = 4;       ///< Views that one view is compared with.
+    /// Depth maps made elsewhere (float TIFF, see imported_depth.h) take the place of `model`.
+    std::filesystem::path import_folder;
 };
 
 void validate(const DepthOptions& options);
@@ -24,8 +26,9 @@ void validate(const DepthOptions& options);
 /// What speaks for one view's depth.
 struct DepthEvidence {
     std::string view_name;
-    std::string model;             ///< What was used; "sparse" also where the sweep was impossible.
-    double confident_share = 0.0;  ///< Pixels that other views agreed on.
+    /// What was used: "sparse" also where the sweep was impossible, "imported" for a folder.
+    std::string model;
+    double confident_share = 0.0;     ///< Pixels that other views agreed on.
     double sparse_residual_px = 0.0;  ///< Median distance to the sparse points, as disparity.
     double cpu_s = 0.0;
 };

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "meshing/depth/depth_scene.h"
+#include "meshing/surface/depth_map.h"
+
+namespace lumi {
+
+/// Depth of one view by plane sweep and semi-global matching against its neighbours, from coarse
+/// to fine: the coarsest picture searches the whole range, each finer one what the coarser one
+/// found in and around a tile (SURE, Rothermel et al. 2012). Planes stand one pixel of disparity
+/// apart in the fastest-moving neighbour, half a pixel on the finest level.
+///
+/// Confidence is 255 where the photographs tell one depth from another and 0 where any would do;
+/// whether other views agree is not asked here. Memory: at most 3 bytes for each of 96 million
+/// cells; a range that needs more is searched in coarser steps.
+[[nodiscard]] DepthMap multi_view_sweep(const DepthScene& scene, int view_index);
+
+}  // namespace lumi

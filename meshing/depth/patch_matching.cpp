@@ -1,0 +1,189 @@
+#include "meshing/depth/patch_matching.h"
+
+#include <algorithm>
+
+#include "meshing/depth/vectorised.h"
+
+namespace lumi {
+namespace {
+
+constexpr int kCensusThreshold = 1;
+constexpr int kSubpixelBits = 6;
+constexpr int kInnerBegin = kCensusRadius * kPatchSide + kCensusRadius;
+constexpr int kInnerEnd = kPatchPixels - kInnerBegin;
+
+constexpr std::array<int, kCensusBits> census_offsets() {
+    std::array<int, kCensusBits> offsets{};
+    std::size_t next = 0;
+    for (int dy = -kCensusRadius; dy <= kCensusRadius; ++dy) {
+        for (int dx = -kCensusRadius; dx <= kCensusRadius; ++dx) {
+            if (dx != 0 || dy != 0) offsets[next++] = dy * kPatchSide + dx;
+        }
+    }
+    return offsets;
+}
+constexpr std::array<int, kCensusBits> kCensusOffsets = census_offsets();
+
+}  // namespace
+
+// The kernels work on plain pointers: the vectoriser then knows what aliases and what does not.
+
+/// Where each pixel is sampled: its top-left neighbour's index, and 6 bits each of the fractions to
+/// the right and down.
+LUMI_VECTORISED
+void locate_pixels(int width, int height, const float* __restrict ray_x,
+                   const float* __restrict ray_y, const float* __restrict ray_z, float shift_x,
+                   float shift_y, float shift_z, int* __restrict index, int* __restrict right,
+                   int* __restrict down, int* __restrict hidden) {
+    const float max_u = static_cast<float>((width - 1) << kSubpixelBits);
+    const float max_v = static_cast<float>((height - 1) << kSubpixelBits);
+    constexpr float kSubpixels = 1 << kSubpixelBits;
+    constexpr int kFraction = (1 << kSubpixelBits) - 1;
+    for (int i = 0; i < kPatchPixels; ++i) {
+        const float z = ray_z[i] + shift_z;
+        const float u = (ray_x[i] + shift_x) / z * kSubpixels - 0.5F * kSubpixels;
+        const float v = (ray_y[i] + shift_y) / z * kSubpixels - 0.5F * kSubpixels;
+        const int inside = (z > 1e-6F) & (u >= 0) & (u <= max_u) & (v >= 0) & (v <= max_v);
+        // A pixel that is not inside reads the corner: in bounds, and never used.
+        const int fixed_u = static_cast<int>(inside != 0 ? u : 0.0F);
+        const int fixed_v = static_cast<int>(inside != 0 ? v : 0.0F);
+        index[i] = (fixed_v >> kSubpixelBits) * width + (fixed_u >> kSubpixelBits);
+        right[i] = fixed_u & kFraction;
+        down[i] = fixed_v & kFraction;
+        hidden[i] = inside != 0 ? 0 : kNotSeen;
+    }
+}
+
+LUMI_VECTORISED
+void blend_pixels(const std::uint32_t* __restrict quads, const int* __restrict right,
+                  const int* __restrict down, const int* __restrict is_hidden,
+                  std::uint8_t* __restrict gray, std::uint8_t* __restrict hidden) {
+    constexpr int kOne = 1 << kSubpixelBits;
+    for (int i = 0; i < kPatchPixels; ++i) {
+        const int quad = static_cast<int>(quads[i]);
+        const int upper = (quad & 255) * (kOne - right[i]) + ((quad >> 8) & 255) * right[i];
+        const int lower =
+            ((quad >> 16) & 255) * (kOne - right[i]) + ((quad >> 24) & 255) * right[i];
+        const int value = upper * (kOne - down[i]) + lower * down[i];
+        gray[i] = static_cast<std::uint8_t>((value + kOne * kOne / 2) >> (2 * kSubpixelBits));
+        hidden[i] = static_cast<std::uint8_t>(is_hidden[i]);
+    }
+}
+
+LUMI_VECTORISED
+void census_pixels(const std::uint8_t* __restrict gray, int offset, std::uint8_t* __restrict bits) {
+    for (int i = kInnerBegin; i < kInnerEnd; ++i) {
+        bits[i] = static_cast<std::uint8_t>(gray[i + offset] > gray[i] + kCensusThreshold);
+    }
+}
+
+LUMI_VECTORISED
+void mismatch_pixels(const std::uint8_t* __restrict gray, const std::uint8_t* __restrict brightest,
+                     const std::uint8_t* __restrict reference_bits, int offset,
+                     std::uint8_t* __restrict mismatches) {
+    for (int i = kInnerBegin; i < kInnerEnd; ++i) {
+        const std::uint8_t bit = gray[i + offset] > brightest[i] ? 1 : 0;
+        mismatches[i] = static_cast<std::uint8_t>(mismatches[i] + (bit ^ reference_bits[i]));
+    }
+}
+
+LUMI_VECTORISED
+void two_best_pixels(const std::uint8_t* __restrict mismatches,
+                     const std::uint8_t* __restrict hidden, std::uint8_t* __restrict best,
+                     std::uint8_t* __restrict second) {
+    for (int i = kInnerBegin; i < kInnerEnd; ++i) {
+        const auto cost = static_cast<std::uint8_t>(mismatches[i] | hidden[i]);
+        const std::uint8_t worse = std::max(best[i], cost);
+        best[i] = std::min(best[i], cost);
+        second[i] = std::min(second[i], worse);
+    }
+}
+
+LUMI_VECTORISED
+void combined_pixels(const std::uint8_t* __restrict best, const std::uint8_t* __restrict second,
+                     std::uint8_t* __restrict cost) {
+    for (int i = kInnerBegin; i < kInnerEnd; ++i) {
+        const std::uint8_t other = second[i] == kNotSeen ? best[i] : second[i];
+        const auto sum = static_cast<std::uint8_t>(best[i] + other);
+        cost[i] = best[i] == kNotSeen ? kUnseenCost : sum;
+    }
+}
+
+PackedPicture packed(const GrayImage& picture) {
+    PackedPicture result{picture.width(), picture.height(), {}};
+    result.quads.resize(picture.pixels().size());
+    std::size_t next = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+        const std::uint8_t* upper = picture.row(y);
+        const std::uint8_t* lower = picture.row(std::min(y + 1, picture.height() - 1));
+        for (int x = 0; x < picture.width(); ++x) {
+            const int right = std::min(x + 1, picture.width() - 1);
+            result.quads[next++] = std::uint32_t{upper[x]} | std::uint32_t{upper[right]} << 8 |
+                                   std::uint32_t{lower[x]} << 16 |
+                                   std::uint32_t{lower[right]} << 24;
+        }
+    }
+    return result;
+}
+
+PatchRays patch_rays(const InverseDepthWarp& warp, int left, int top) {
+    PatchRays rays;
+    std::size_t next = 0;
+    for (int y = 0; y < kPatchSide; ++y) {
+        for (int x = 0; x < kPatchSide; ++x, ++next) {
+            const Eigen::Vector3d ray =
+                warp.infinite_homography *
+                Eigen::Vector3d(left + x - kCensusRadius + 0.5, top + y - kCensusRadius + 0.5, 1.0);
+            rays.x[next] = static_cast<float>(ray.x());
+            rays.y[next] = static_cast<float>(ray.y());
+            rays.z[next] = static_cast<float>(ray.z());
+        }
+    }
+    return rays;
+}
+
+void warp_patch(const PackedPicture& picture, const PatchRays& rays, const float shift[3],
+                WarpedPatch& warped) {
+    PatchArray<int> index, right, down, hidden;
+    locate_pixels(picture.width, picture.height, rays.x.data(), rays.y.data(), rays.z.data(),
+                  shift[0], shift[1], shift[2], index.data(), right.data(), down.data(),
+                  hidden.data());
+    PatchArray<std::uint32_t> quads;
+    for (std::size_t i = 0; i < quads.size(); ++i) {
+        quads[i] = picture.quads[static_cast<std::size_t>(index[i])];
+    }
+    blend_pixels(quads.data(), right.data(), down.data(), hidden.data(), warped.gray.data(),
+                 warped.hidden.data());
+}
+
+void take_census(const PatchArray<std::uint8_t>& gray, CensusPatch& census) {
+    for (std::size_t bit = 0; bit < kCensusOffsets.size(); ++bit) {
+        census_pixels(gray.data(), kCensusOffsets[bit], census.is_brighter[bit].data());
+    }
+}
+
+void count_mismatches(const PatchArray<std::uint8_t>& gray, const CensusPatch& reference,
+                      PatchArray<std::uint8_t>& mismatches) {
+    PatchArray<std::uint8_t> brightest;
+    std::transform(gray.begin(), gray.end(), brightest.begin(), [](std::uint8_t value) {
+        return static_cast<std::uint8_t>(std::min(value + kCensusThreshold, 255));
+    });
+    mismatches.fill(0);
+    for (std::size_t bit = 0; bit < kCensusOffsets.size(); ++bit) {
+        mismatch_pixels(gray.data(), brightest.data(), reference.is_brighter[bit].data(),
+                        kCensusOffsets[bit], mismatches.data());
+    }
+}
+
+void keep_two_best(const PatchArray<std::uint8_t>& mismatches,
+                   const PatchArray<std::uint8_t>& hidden, PatchArray<std::uint8_t>& best,
+                   PatchArray<std::uint8_t>& second) {
+    two_best_pixels(mismatches.data(), hidden.data(), best.data(), second.data());
+}
+
+void combine_best(const PatchArray<std::uint8_t>& best, const PatchArray<std::uint8_t>& second,
+                  PatchArray<std::uint8_t>& cost) {
+    combined_pixels(best.data(), second.data(), cost.data());
+}
+
+}  // namespace lumi

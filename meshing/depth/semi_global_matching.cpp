@@ -1,0 +1,168 @@
+#include "meshing/depth/semi_global_matching.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+
+#include "meshing/depth/path_cost.h"
+
+namespace lumi {
+namespace {
+
+using PenaltyTable = std::array<std::uint8_t, 256>;
+
+/// P2 for each grey difference.
+PenaltyTable jump_penalties(const SmoothnessPenalty& penalty) {
+    PenaltyTable table{};
+    for (std::size_t difference = 0; difference < table.size(); ++difference) {
+        const double share = std::exp(-static_cast<double>(difference) / penalty.edge_gray);
+        table[difference] = static_cast<std::uint8_t>(
+            std::lround(penalty.jump_at_edge + share * (penalty.jump - penalty.jump_at_edge)));
+    }
+    return table;
+}
+
+/// Path costs of one row of pixels along one direction.
+class PathRow {
+ public:
+    PathRow(int width, int max_count)
+        : stride_(static_cast<std::size_t>(max_count) + 2),
+          values_(static_cast<std::size_t>(width) * stride_, kUnreachable),
+          minima_(static_cast<std::size_t>(width), 0) {}
+
+    [[nodiscard]] std::uint8_t* at(int x) {
+        return values_.data() + static_cast<std::size_t>(x) * stride_ + 1;
+    }
+    [[nodiscard]] std::uint8_t& minimum(int x) { return minima_[static_cast<std::size_t>(x)]; }
+
+ private:
+    std::size_t stride_;
+    std::vector<std::uint8_t> values_;
+    std::vector<std::uint8_t> minima_;
+};
+
+/// One sweep over the picture, forwards or backwards: four of the eight directions.
+class PathSweep {
+ public:
+    PathSweep(const CostVolume& volume, const GrayImage& gray, const SmoothnessPenalty& penalty,
+              std::vector<std::uint16_t>& sums)
+        : volume_(volume),
+          gray_(gray),
+          p1_(static_cast<std::uint8_t>(penalty.one_plane)),
+          p2_(jump_penalties(penalty)),
+          sums_(sums),
+          start_(static_cast<std::size_t>(volume.max_count()) + 2, 0),
+          aligned_(static_cast<std::size_t>(volume.max_count()) + 2, kUnreachable) {}
+
+    /// `step` is +1 from the top-left corner, -1 from the bottom-right one.
+    void run(int step) {
+        const int width = volume_.width();
+        const int height = volume_.height();
+        PathRow along(width, volume_.max_count());
+        std::vector<PathRow> previous(3, along);
+        std::vector<PathRow> current(3, along);
+        const int x_begin = step > 0 ? 0 : width - 1;
+        for (int row = 0; row < height; ++row) {
+            const int y = step > 0 ? row : height - 1 - row;
+            for (int column = 0; column < width; ++column) {
+                const int x = x_begin + step * column;
+                advance(along, along, x, y, x - step, y);
+                for (int d = 0; d < 3; ++d) {
+                    const auto direction = static_cast<std::size_t>(d);
+                    advance(previous[direction], current[direction], x, y, x + d - 1, y - step);
+                }
+            }
+            std::swap(previous, current);
+        }
+    }
+
+ private:
+    /// Extends the path that comes from (from_x, from_y) to (x, y).
+    void advance(PathRow& from, PathRow& to, int x, int y, int from_x, int from_y) {
+        const PlaneRange range = volume_.range(x, y);
+        const std::size_t offset = volume_.offset(x, y);
+        const std::uint8_t* previous = start_.data() + 1;
+        std::uint8_t previous_min = 0;
+        std::uint8_t p2 = p1_;
+        if (gray_.contains(from_x, from_y)) {
+            previous = aligned(from.at(from_x), volume_.range(from_x, from_y), range);
+            previous_min = from.minimum(from_x);
+            p2 = p2_[static_cast<std::size_t>(std::abs(gray_(x, y) - gray_(from_x, from_y)))];
+        }
+        std::uint8_t* current = to.at(x);
+        current[range.count] = kUnreachable;
+        to.minimum(x) = advance_path(volume_.costs().data() + offset, previous, previous_min, p1_,
+                                     p2, range.count, current, sums_.data() + offset);
+    }
+
+    /// The previous pixel's path costs by the planes of `to`.
+    const std::uint8_t* aligned(const std::uint8_t* costs, PlaneRange from, PlaneRange to) {
+        if (from == to) return costs;
+        std::fill(aligned_.begin(), aligned_.end(), kUnreachable);
+        const int begin = std::max(from.first, to.first - 1);
+        const int end = std::min(from.first + from.count, to.first + to.count + 1);
+        for (int plane = begin; plane < end; ++plane) {
+            aligned_[static_cast<std::size_t>(plane - to.first + 1)] = costs[plane - from.first];
+        }
+        return aligned_.data() + 1;
+    }
+
+    const CostVolume& volume_;
+    const GrayImage& gray_;
+    std::uint8_t p1_;
+    PenaltyTable p2_;
+    std::vector<std::uint16_t>& sums_;
+    std::vector<std::uint8_t> start_;  ///< A path begins as if the pixel before it cost nothing.
+    std::vector<std::uint8_t> aligned_;
+};
+
+/// Vertex of the parabola through three neighbouring sums, within half a plane.
+float parabola_offset(int below, int best, int above) {
+    const int curvature = below - 2 * best + above;
+    if (curvature <= 0) return 0.0F;
+    return std::clamp(static_cast<float>(below - above) / static_cast<float>(2 * curvature), -0.5F,
+                      0.5F);
+}
+
+}  // namespace
+
+std::vector<std::uint16_t> aggregate_paths(const CostVolume& volume, const GrayImage& gray,
+                                           const SmoothnessPenalty& penalty) {
+    assert(penalty.one_plane <= penalty.jump_at_edge && penalty.jump_at_edge <= penalty.jump);
+    assert(kMaxMatchingCost + penalty.one_plane + penalty.jump < kUnreachable);
+    assert(kUnreachable + penalty.one_plane <= 255);
+    std::vector<std::uint16_t> sums(volume.costs().size(), 0);
+    PathSweep sweep(volume, gray, penalty, sums);
+    sweep.run(+1);
+    sweep.run(-1);
+    return sums;
+}
+
+MatchedPlanes semi_global_matching(const CostVolume& volume, const GrayImage& gray,
+                                   const SmoothnessPenalty& penalty) {
+    const std::vector<std::uint16_t> sums = aggregate_paths(volume, gray, penalty);
+    MatchedPlanes result{FloatImage(volume.width(), volume.height()),
+                         GrayImage(volume.width(), volume.height())};
+    for (int y = 0; y < volume.height(); ++y) {
+        for (int x = 0; x < volume.width(); ++x) {
+            const PlaneRange range = volume.range(x, y);
+            const std::uint16_t* sum = sums.data() + volume.offset(x, y);
+            const std::uint8_t* cost = volume.costs().data() + volume.offset(x, y);
+            const auto best = static_cast<int>(std::min_element(sum, sum + range.count) - sum);
+            float fraction = 0.0F;
+            if (best > 0 && best + 1 < range.count) {
+                fraction = parabola_offset(sum[best - 1], sum[best], sum[best + 1]);
+            }
+            result.plane(x, y) = static_cast<float>(range.first + best) + fraction;
+            int total = 0;
+            for (int k = 0; k < range.count; ++k) total += cost[k];
+            result.contrast(x, y) =
+                static_cast<std::uint8_t>(std::max(0, total / range.count - cost[best]));
+        }
+    }
+    return result;
+}
+
+}  // namespace lumi
