@@ -4,16 +4,9 @@
 
 #include "render/lumigraph/lumigraph.h"
 #include "render/modes/frame.h"
+#include "render/modes/viewport.h"
 
 namespace lumi {
-
-/// A rectangle of the bound framebuffer in window coordinates: the origin is at its bottom left.
-struct Viewport {
-    int x_px = 0;
-    int y_px = 0;
-    int width_px = 0;
-    int height_px = 0;
-};
 
 /// Draws a Lumigraph with OpenGL 3.3 core or OpenGL ES 3.0 into whatever framebuffer is bound, so
 /// that a window and a file hold the same picture.

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "render/gl/headless_context.h"
 #include "render/lumigraph/lumigraph.h"
 #include "render/modes/frame.h"
 
@@ -14,7 +15,7 @@ namespace lumi {
 /// found.
 class OffscreenRenderer {
  public:
-    explicit OffscreenRenderer(const Lumigraph& lumigraph);
+    explicit OffscreenRenderer(const Lumigraph& lumigraph, GlApi api = GlApi::kAny);
     ~OffscreenRenderer();
     OffscreenRenderer(const OffscreenRenderer&) = delete;
     OffscreenRenderer& operator=(const OffscreenRenderer&) = delete;

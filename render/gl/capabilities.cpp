@@ -1,0 +1,42 @@
+#include "render/gl/capabilities.h"
+
+#include <epoxy/gl.h>
+
+#include "calib/work/error.h"
+
+namespace lumi {
+
+namespace {
+
+std::string text(GLenum name) {
+    const GLubyte* value = glGetString(name);
+    if (value == nullptr) return "unknown";
+    return {reinterpret_cast<const char*>(value)};
+}
+
+int integer(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+}  // namespace
+
+Capabilities query_capabilities() {
+    Capabilities found;
+    found.is_es = !epoxy_is_desktop_gl();
+    found.version = epoxy_gl_version();
+    found.description = text(GL_RENDERER) + ", " + text(GL_VERSION);
+    if (found.version < (found.is_es ? 30 : 33))
+        throw Error(ErrorKind::kResources, "E-GL-CONTEXT",
+                    "expected OpenGL 3.3 or OpenGL ES 3.0, found " + found.description,
+                    "update the graphics driver, or use Mesa's software renderer "
+                    "(LIBGL_ALWAYS_SOFTWARE=1)");
+    found.max_texture_size_px = integer(GL_MAX_TEXTURE_SIZE);
+    found.max_array_layers = integer(GL_MAX_ARRAY_TEXTURE_LAYERS);
+    found.filters_float_textures =
+        !found.is_es || epoxy_has_gl_extension("GL_OES_texture_float_linear");
+    return found;
+}
+
+}  // namespace lumi

@@ -1,0 +1,80 @@
+#include "render/gl/framebuffer.h"
+
+#include <epoxy/gl.h>
+
+#include <string>
+
+#include "calib/work/error.h"
+
+namespace lumi {
+
+namespace {
+
+unsigned new_framebuffer() {
+    GLuint name = 0;
+    glGenFramebuffers(1, &name);
+    return name;
+}
+
+unsigned new_renderbuffer() {
+    GLuint name = 0;
+    glGenRenderbuffers(1, &name);
+    return name;
+}
+
+}  // namespace
+
+void delete_framebuffer(unsigned name) { glDeleteFramebuffers(1, &name); }
+void delete_renderbuffer(unsigned name) { glDeleteRenderbuffers(1, &name); }
+
+Framebuffer::Framebuffer() : name_(new_framebuffer()) {}
+
+void Framebuffer::bind() const { glBindFramebuffer(GL_FRAMEBUFFER, name_.get()); }
+
+void Framebuffer::attach_depth_layer(const TextureArray& depth, int layer) {
+    bind();
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.name(), 0, layer);
+    const GLenum none = GL_NONE;
+    glDrawBuffers(1, &none);
+    glReadBuffer(GL_NONE);
+    require_complete();
+}
+
+void Framebuffer::attach_color(int width_px, int height_px) {
+    bind();
+    color_ = ObjectName<delete_renderbuffer>(new_renderbuffer());
+    glBindRenderbuffer(GL_RENDERBUFFER, color_.get());
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width_px, height_px);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.get());
+    require_complete();
+}
+
+std::vector<unsigned char> Framebuffer::read_rgba_bottom_up(int width_px, int height_px) const {
+    std::vector<unsigned char> rgba(4 * static_cast<std::size_t>(width_px) *
+                                    static_cast<std::size_t>(height_px));
+    bind();
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width_px, height_px, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    return rgba;
+}
+
+void Framebuffer::require_complete() const {
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status == GL_FRAMEBUFFER_COMPLETE) return;
+    throw Error(ErrorKind::kResources, "E-GL-LIMIT",
+                "this GL cannot draw into a framebuffer of the size or format asked for (status " +
+                    std::to_string(status) + ")",
+                "draw a smaller frame");
+}
+
+FramebufferBindingKeeper::FramebufferBindingKeeper() {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_name_);
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_name_);
+}
+
+FramebufferBindingKeeper::~FramebufferBindingKeeper() {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(draw_name_));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_name_));
+}
+
+}  // namespace lumi

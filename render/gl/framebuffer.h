@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+#include "render/gl/object_name.h"
+#include "render/gl/texture.h"
+
+namespace lumi {
+
+void delete_framebuffer(unsigned name);
+void delete_renderbuffer(unsigned name);
+
+/// Somewhere to draw to that is not a window: one layer of a depth array, or an RGBA8 picture.
+class Framebuffer {
+ public:
+    Framebuffer();
+
+    /// Draws go to this depth layer, with no colour. Binds the framebuffer.
+    void attach_depth_layer(const TextureArray& depth, int layer);
+    /// Draws go to an own RGBA8 raster of this size. Binds the framebuffer.
+    void attach_color(int width_px, int height_px);
+    void bind() const;
+
+    /// The colour raster as rows from the bottom, four bytes a pixel. Throws nothing.
+    [[nodiscard]] std::vector<unsigned char> read_rgba_bottom_up(int width_px, int height_px) const;
+
+ private:
+    void require_complete() const;  ///< Throws Error (E-GL-LIMIT).
+
+    ObjectName<delete_framebuffer> name_;
+    ObjectName<delete_renderbuffer> color_;
+};
+
+/// Binds the framebuffer that was bound before, when it goes.
+class FramebufferBindingKeeper {
+ public:
+    FramebufferBindingKeeper();
+    ~FramebufferBindingKeeper();
+    FramebufferBindingKeeper(const FramebufferBindingKeeper&) = delete;
+    FramebufferBindingKeeper& operator=(const FramebufferBindingKeeper&) = delete;
+
+ private:
+    int draw_name_ = 0;
+    int read_name_ = 0;
+};
+
+}  // namespace lumi

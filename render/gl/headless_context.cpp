@@ -1,0 +1,139 @@
+#include "render/gl/headless_context.h"
+
+#include <epoxy/egl.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "calib/work/error.h"
+
+namespace lumi {
+
+namespace {
+
+struct Platform {
+    const char* name;
+    EGLDisplay display;
+};
+
+std::string egl_error_text() {
+    constexpr std::array<std::pair<EGLint, const char*>, 6> kNames{
+        {{EGL_NOT_INITIALIZED, "not initialised"},
+         {EGL_BAD_ALLOC, "out of resources"},
+         {EGL_BAD_MATCH, "version or profile not offered"},
+         {EGL_BAD_CONFIG, "no such configuration"},
+         {EGL_BAD_ATTRIBUTE, "attribute not known"},
+         {EGL_BAD_DISPLAY, "no such display"}}};
+    const EGLint error = eglGetError();
+    for (const auto& [value, name] : kNames)
+        if (value == error) return name;
+    return "EGL error " + std::to_string(error);
+}
+
+EGLDisplay first_device_display() {
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") ||
+        !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration"))
+        return EGL_NO_DISPLAY;
+    EGLDeviceEXT device = nullptr;
+    EGLint count = 0;
+    if (eglQueryDevicesEXT(1, &device, &count) == EGL_FALSE || count < 1) return EGL_NO_DISPLAY;
+    return eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+}
+
+std::vector<Platform> platforms() {
+    std::vector<Platform> found;
+    if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
+        found.push_back({"surfaceless", eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA,
+                                                                 nullptr, nullptr)});
+    found.push_back({"device", first_device_display()});
+    found.push_back({"default display", eglGetDisplay(EGL_DEFAULT_DISPLAY)});
+    return found;
+}
+
+/// A context of exactly this API, or EGL_NO_CONTEXT with eglGetError() telling why.
+EGLContext create_context(EGLDisplay display, GlApi api) {
+    const bool is_es = api == GlApi::kEs;
+    if (eglBindAPI(is_es ? EGL_OPENGL_ES_API : EGL_OPENGL_API) == EGL_FALSE) return EGL_NO_CONTEXT;
+    const std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE,
+                                       is_es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (eglChooseConfig(display, wanted.data(), &config, 1, &count) == EGL_FALSE || count < 1)
+        return EGL_NO_CONTEXT;
+    const std::array<EGLint, 7> core{EGL_CONTEXT_MAJOR_VERSION,
+                                     3,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     3,
+                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_NONE};
+    const std::array<EGLint, 5> es{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0,
+                                   EGL_NONE};
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, is_es ? es.data() : core.data());
+}
+
+std::vector<GlApi> apis_to_try(GlApi api) {
+    if (api == GlApi::kAny) return {GlApi::kCore, GlApi::kEs};
+    return {api};
+}
+
+const char* name_of(GlApi api) { return api == GlApi::kEs ? "OpenGL ES 3.0" : "OpenGL 3.3 core"; }
+
+Error no_context(const std::string& attempts) {
+    return {ErrorKind::kResources, "E-GL-CONTEXT",
+            "no OpenGL 3.3 core or OpenGL ES 3.0 context without a window; tried" + attempts,
+            "install Mesa's software renderer (Debian: libegl-mesa0 libgl1-mesa-dri), or unset "
+            "MESA_GL_VERSION_OVERRIDE and LIBGL_DRIVERS_PATH if they are set"};
+}
+
+}  // namespace
+
+HeadlessContext::HeadlessContext(GlApi api) {
+    std::string attempts;
+    for (const Platform& platform : platforms()) {
+        if (platform.display == EGL_NO_DISPLAY ||
+            eglInitialize(platform.display, nullptr, nullptr) == EGL_FALSE) {
+            attempts += std::string("; ") + platform.name + ": no display";
+            continue;
+        }
+        for (const GlApi wanted : apis_to_try(api)) {
+            const EGLContext context = create_context(platform.display, wanted);
+            if (context == EGL_NO_CONTEXT) {
+                attempts += std::string("; ") + platform.name + ", " + name_of(wanted) + ": " +
+                            egl_error_text();
+                continue;
+            }
+            display_ = platform.display;
+            context_ = context;
+            make_current();
+            return;
+        }
+    }
+    throw no_context(attempts);
+}
+
+// The display is never terminated: EGL gives every caller the same one, so that ending it would
+// pull it from under the other contexts of the process.
+HeadlessContext::~HeadlessContext() {
+    if (context_ == nullptr) return;
+    if (eglGetCurrentContext() == context_)
+        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(display_, context_);
+}
+
+HeadlessContext::HeadlessContext(HeadlessContext&& other) noexcept
+    : display_(other.display_), context_(std::exchange(other.context_, nullptr)) {}
+
+HeadlessContext& HeadlessContext::operator=(HeadlessContext&& other) noexcept {
+    std::swap(display_, other.display_);
+    std::swap(context_, other.context_);
+    return *this;
+}
+
+void HeadlessContext::make_current() const {
+    if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
+        throw no_context("; making the context current: " + egl_error_text());
+}
+
+}  // namespace lumi

@@ -1,0 +1,80 @@
+#include "render/gl/texture.h"
+
+#include <epoxy/gl.h>
+
+#include <cassert>
+#include <vector>
+
+namespace lumi {
+
+namespace {
+
+struct GlFormat {
+    GLenum internal;
+    GLenum external;
+    GLenum type;
+};
+
+GlFormat gl_format(TexelFormat format) {
+    switch (format) {
+        case TexelFormat::kColor:
+            return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+        case TexelFormat::kFloat:
+            return {GL_R32F, GL_RED, GL_FLOAT};
+        case TexelFormat::kDepth:
+            return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
+    }
+    return {};
+}
+
+unsigned new_texture() {
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    return name;
+}
+
+}  // namespace
+
+void delete_texture(unsigned name) { glDeleteTextures(1, &name); }
+
+TextureArray::TextureArray(TexelFormat format, TexelFilter filter, int width_px, int height_px,
+                           int layers)
+    : name_(new_texture()), width_px_(width_px), height_px_(height_px), layers_(layers) {
+    glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());
+    const GLint mode = filter == TexelFilter::kLinear ? GL_LINEAR : GL_NEAREST;
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, mode);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, mode);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    const GlFormat gl = gl_format(format);
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(gl.internal), width_px, height_px,
+                 layers, 0, gl.external, gl.type, nullptr);
+}
+
+void TextureArray::upload(int layer, const ColorImage& image) {
+    assert(image.width() <= width_px_ && image.height() <= height_px_ && layer < layers_);
+    std::vector<GLubyte> rgba;
+    rgba.reserve(4 * image.pixels().size());
+    for (const Rgb8& pixel : image.pixels())
+        rgba.insert(rgba.end(), {pixel.r, pixel.g, pixel.b, GLubyte{255}});
+    glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, image.width(), image.height(), 1, GL_RGBA,
+                    GL_UNSIGNED_BYTE, rgba.data());
+}
+
+void TextureArray::upload(int layer, const FloatImage& image) {
+    assert(image.width() <= width_px_ && image.height() <= height_px_ && layer < layers_);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, image.width(), image.height(), 1, GL_RED,
+                    GL_FLOAT, image.pixels().data());
+}
+
+void TextureArray::bind(unsigned unit) const {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());
+}
+
+}  // namespace lumi

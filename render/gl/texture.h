@@ -1,0 +1,42 @@
+#pragma once
+
+#include "calib/capture/image.h"
+#include "render/gl/object_name.h"
+
+namespace lumi {
+
+void delete_texture(unsigned name);
+
+/// What a texel of a texture array holds.
+enum class TexelFormat {
+    kColor,  ///< RGBA8, as it is stored: no sRGB decoding.
+    kFloat,  ///< One 32-bit float, for sampling only.
+    kDepth,  ///< 32-bit float depth, to draw into and to read back in a shader.
+};
+
+enum class TexelFilter { kNearest, kLinear };
+
+/// A stack of rasters of one size; smaller ones lie at the top left of their layer.
+class TextureArray {
+ public:
+    TextureArray() = default;
+    TextureArray(TexelFormat format, TexelFilter filter, int width_px, int height_px, int layers);
+
+    /// Row 0 of the image is row 0 of the layer. The image must fit.
+    void upload(int layer, const ColorImage& image);
+    void upload(int layer, const FloatImage& image);
+    void bind(unsigned unit) const;
+
+    [[nodiscard]] unsigned name() const { return name_.get(); }
+    [[nodiscard]] int width_px() const { return width_px_; }
+    [[nodiscard]] int height_px() const { return height_px_; }
+    [[nodiscard]] int layers() const { return layers_; }
+
+ private:
+    ObjectName<delete_texture> name_;
+    int width_px_ = 0;
+    int height_px_ = 0;
+    int layers_ = 0;
+};
+
+}  // namespace lumi

@@ -1,0 +1,107 @@
+#include "render/modes/depth_layers.h"
+
+#include <epoxy/gl.h>
+
+#include "calib/work/parallel_for.h"
+#include "render/gl/to_glm.h"
+#include "render/modes/pixel_transfer.h"
+#include "render/shaders/shader_sources.h"
+
+namespace lumi {
+namespace {
+
+/// The scene's near end lies this many times beyond the nearest that an eye can look at.
+constexpr double kNearMargin = 100.0;
+
+struct DepthRange {
+    float begin;
+    float end;
+};
+/// As in shaders/per_pixel.glsl; 1 is nothing.
+constexpr std::array<DepthRange, kDepthKinds> kRangeOfKind{
+    {{0.0F, 0.49F}, {0.5F, 0.74F}, {0.75F, 0.99F}}};
+
+std::vector<float> vertex_floats(const DepthMesh& mesh) {
+    std::vector<float> floats;
+    floats.reserve(3 * mesh.vertices.size());
+    for (const Eigen::Vector3f& vertex : mesh.vertices)
+        floats.insert(floats.end(), {vertex.x(), vertex.y(), vertex.z()});
+    return floats;
+}
+
+std::vector<DepthMesh> triangulate_all(const Lumigraph& lumigraph,
+                                       const std::vector<ViewGeometry>& geometries) {
+    std::vector<DepthMesh> meshes(lumigraph.views.size());
+    parallel_for(static_cast<int>(meshes.size()), 0, [&](int i) {
+        const auto index = static_cast<std::size_t>(i);
+        const LumigraphView& view = lumigraph.views[index];
+        meshes[index] = triangulate(view.depth, view.camera, max_disparity_px(geometries[index]));
+    });
+    return meshes;
+}
+
+}  // namespace
+
+DepthLayers::DepthLayers(const UploadedLumigraph& uploaded, const Lumigraph& lumigraph, int layers)
+    : uploaded_(uploaded),
+      layer_count_(layers),
+      max_inverse_depth_(kNearMargin * inverse_depth_range(lumigraph).y()),
+      program_("depth_layer", {shader_source("depth_layer")}) {
+    for (const DepthMesh& mesh : triangulate_all(lumigraph, uploaded.geometries)) {
+        ViewMesh& view = meshes_.emplace_back();
+        view.triangles = VertexBuffer({{0, 3}});
+        view.triangles.upload(vertex_floats(mesh), mesh.indices);
+        view.kind_begin = mesh.kind_begin;
+    }
+}
+
+void DepthLayers::resize(int width_px, int height_px) {
+    if (layers_.width_px() == width_px && layers_.height_px() == height_px) return;
+    layers_ =
+        TextureArray(TexelFormat::kDepth, TexelFilter::kNearest, width_px, height_px, layer_count_);
+}
+
+void DepthLayers::draw(const Eye& eye, const std::vector<int>& view_indices) {
+    resize(eye.camera.width_px, eye.camera.height_px);
+    glViewport(0, 0, eye.camera.width_px, eye.camera.height_px);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glClearDepthf(1.0F);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glFrontFace(GL_CCW);
+    program_.use();
+    for (int layer = 0; layer < layer_count_; ++layer) {
+        framebuffer_.attach_depth_layer(layers_, layer);
+        glDepthRangef(0.0F, 1.0F);
+        glClear(GL_DEPTH_BUFFER_BIT);
+        if (static_cast<std::size_t>(layer) < view_indices.size())
+            draw_view(eye, view_indices[static_cast<std::size_t>(layer)]);
+    }
+    glDepthRangef(0.0F, 1.0F);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void DepthLayers::draw_view(const Eye& eye, int view_index) const {
+    const auto index = static_cast<std::size_t>(view_index);
+    const LumigraphView& view = uploaded_.layout.views[index];
+    const PixelTransfer eye_from_view =
+        pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
+    // (x, y, 1, q) of the view to (X, Y, W, q) of the eye.
+    Eigen::Matrix4d transfer = Eigen::Matrix4d::Identity();
+    transfer.topLeftCorner<3, 3>() = eye_from_view.at_infinity;
+    transfer.topRightCorner<3, 1>() = eye_from_view.per_inverse_depth;
+    const Eigen::Matrix4d clip =
+        clip_from_pixel(eye.camera.width_px, eye.camera.height_px, max_inverse_depth_);
+    program_.set("clip_from_view_pixel", to_glm(Eigen::Matrix4d(clip * transfer)));
+    const ViewMesh& mesh = meshes_[index];
+    for (std::size_t kind = 0; kind < kRangeOfKind.size(); ++kind) {
+        glDepthRangef(kRangeOfKind[kind].begin, kRangeOfKind[kind].end);
+        mesh.triangles.draw(mesh.kind_begin[kind],
+                            mesh.kind_begin[kind + 1] - mesh.kind_begin[kind]);
+    }
+}
+
+}  // namespace lumi

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "render/lumigraph/lumigraph.h"
+#include "render/modes/frame.h"
+#include "render/modes/viewport.h"
+
+namespace lumi {
+
+/// One way of drawing a Lumigraph into the bound framebuffer.
+class DrawingMode {
+ public:
+    virtual ~DrawingMode() = default;
+    /// The eye has the viewport's size; the viewport is set and cleared.
+    virtual void draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport) = 0;
+};
+
+}  // namespace lumi

@@ -1,0 +1,118 @@
+#include "render/modes/face_painter.h"
+
+#include <array>
+#include <cstdint>
+
+#include "render/gl/to_glm.h"
+#include "render/modes/face_polygons.h"
+#include "render/modes/pixel_transfer.h"
+#include "render/modes/scene_plane.h"
+
+namespace lumi {
+namespace {
+
+/// The attributes of shaders/face.glsl.
+const std::vector<VertexAttribute> kFaceVertex{{0, 2}, {1, 4}, {2, 3}, {3, 3}, {4, 3},  {5, 4},
+                                               {6, 4}, {7, 4}, {8, 4}, {9, 4}, {10, 4}, {11, 4}};
+
+/// What one corner of a face needs to know of its view, for one eye.
+struct ViewForEye {
+    PixelTransfer view_from_eye;
+    double disparity_px = 0.0;
+};
+
+void append(std::vector<float>& vertices, double value) {
+    vertices.push_back(static_cast<float>(value));
+}
+
+template <class Vector>
+void append_all(std::vector<float>& vertices, const Vector& vector) {
+    for (Eigen::Index i = 0; i < vector.size(); ++i) append(vertices, vector[i]);
+}
+
+std::vector<ViewForEye> views_for_eye(const UploadedLumigraph& uploaded, const Eye& eye) {
+    const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
+    std::vector<ViewForEye> views;
+    for (std::size_t i = 0; i < uploaded.layout.views.size(); ++i) {
+        const LumigraphView& view = uploaded.layout.views[i];
+        views.push_back(
+            {pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world),
+             disparity_px_per_inverse_depth(uploaded.geometries[i], eye_in_world)});
+    }
+    return views;
+}
+
+/// Writes vertices in the order of kFaceVertex.
+class VertexWriter {
+ public:
+    VertexWriter(const UploadedLumigraph& uploaded, const Eye& eye)
+        : uploaded_(uploaded),
+          views_(views_for_eye(uploaded, eye)),
+          plane_(scene_plane_inverse_depth(uploaded.layout, eye)) {}
+
+    void append_vertex(std::vector<float>& vertices, const FacePolygon& polygon,
+                       const Eigen::Vector2d& pixel) const {
+        const Eigen::Vector3d homogeneous = pixel.homogeneous();
+        append_all(vertices, pixel);
+        for (const Eigen::Vector3d& line : polygon.side_lines)
+            append(vertices, line.dot(homogeneous));
+        append(vertices, plane_.dot(homogeneous));
+        for (const int view : polygon.view_indices)
+            append_all(vertices, (of(view).view_from_eye.at_infinity * homogeneous).eval());
+        for (const int view : polygon.view_indices) {
+            append_all(vertices, of(view).view_from_eye.per_inverse_depth);
+            append(vertices, view);
+        }
+        for (const int view : polygon.view_indices) append_sizes(vertices, view);
+        for (const int view : polygon.view_indices) append(vertices, of(view).disparity_px);
+        append(vertices, polygon.face_index);
+    }
+
+ private:
+    [[nodiscard]] const ViewForEye& of(int view) const {
+        return views_[static_cast<std::size_t>(view)];
+    }
+
+    void append_sizes(std::vector<float>& vertices, int view) const {
+        const auto index = static_cast<std::size_t>(view);
+        append(vertices, uploaded_.layout.views[index].camera.width_px);
+        append(vertices, uploaded_.layout.views[index].camera.height_px);
+        append(vertices, uploaded_.depth_sizes_px[index].x());
+        append(vertices, uploaded_.depth_sizes_px[index].y());
+    }
+
+    const UploadedLumigraph& uploaded_;
+    std::vector<ViewForEye> views_;
+    Eigen::Vector3d plane_;
+};
+
+}  // namespace
+
+FacePainter::FacePainter(const UploadedLumigraph& uploaded)
+    : uploaded_(uploaded), polygons_(kFaceVertex) {}
+
+void FacePainter::draw(const Eye& eye, const RenderOptions& options, const Program& program) {
+    const VertexWriter writer(uploaded_, eye);
+    std::vector<float> vertices;
+    std::vector<std::uint32_t> indices;
+    std::uint32_t count = 0;
+    for (const FacePolygon& polygon : face_polygons(uploaded_.layout.mesh, eye)) {
+        const auto corners = static_cast<std::uint32_t>(polygon.corners_px.size());
+        for (const Eigen::Vector2d& corner : polygon.corners_px)
+            writer.append_vertex(vertices, polygon, corner);
+        for (std::uint32_t i = 1; i + 1 < corners; ++i)
+            indices.insert(indices.end(), {count, count + i, count + i + 1});
+        count += corners;
+    }
+    polygons_.upload(vertices, indices);
+
+    uploaded_.photographs.bind(0);
+    program.set("photographs", 0);
+    program.set("debug_picture", static_cast<int>(options.debug_picture));
+    program.set("inverse_depth_range", to_glm(inverse_depth_range(uploaded_.layout)));
+    program.set("clip_from_eye_pixel",
+                to_glm(clip_from_pixel(eye.camera.width_px, eye.camera.height_px, 1.0)));
+    polygons_.draw(0, indices.size());
+}
+
+}  // namespace lumi

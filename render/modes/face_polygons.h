@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "meshing/surface/camera_mesh.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// The part of the picture in which one face of the camera mesh is looked through.
+///
+/// The side products of a face (camera_mesh.h) are linear in the ray's direction, and a pinhole's
+/// direction is affine in the pixel. So the pixels whose rays enter through the face form a convex
+/// polygon, wherever the eye stands: outside the mesh, inside, on a face, or at a camera.
+struct FacePolygon {
+    int face_index = -1;  ///< -1: no face; the whole picture comes from one view.
+    std::array<int, 3> view_indices{};
+    /// Side product i at pixel (x, y) is `side_lines[i]` . (x, y, 1); its largest value on the
+    /// polygon is about 1. Their ratios are the blending weights.
+    std::array<Eigen::Vector3d, 3> side_lines;
+    /// Along the eye's ray through (x, y), in units of its depth, the face is crossed at
+    /// `crossing_numerator` / (sum of side products).
+    double crossing_numerator = 0.0;
+    std::vector<Eigen::Vector2d> corners_px;  ///< Convex, without a fixed sense of rotation.
+};
+
+/// The polygons of all faces that are seen in the picture, in the order in which they must be
+/// painted: where several faces cover a pixel the last one painted is the one that weights_of_ray
+/// chooses. Neighbours overlap by about a hundredth of a pixel, so that no crack opens.
+[[nodiscard]] std::vector<FacePolygon> face_polygons(const CameraMesh& mesh, const Eye& eye);
+
+/// Blending weights at a pixel of the polygon: side products, clamped at zero, over their sum.
+[[nodiscard]] std::array<double, 3> weights_at(const FacePolygon& polygon,
+                                               const Eigen::Vector2d& pixel);
+
+}  // namespace lumi

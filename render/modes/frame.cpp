@@ -1,0 +1,48 @@
+#include "render/modes/frame.h"
+
+#include <array>
+#include <utility>
+
+namespace lumi {
+namespace {
+
+constexpr std::array<std::pair<RenderMode, const char*>, 2> kModeNames{
+    {{RenderMode::kLightField, "lightfield"}, {RenderMode::kPerPixel, "perpixel"}}};
+
+constexpr std::array<std::pair<DebugPicture, const char*>, 5> kDebugPictureNames{
+    {{DebugPicture::kNone, "none"},
+     {DebugPicture::kWeights, "weights"},
+     {DebugPicture::kFaces, "faces"},
+     {DebugPicture::kDepth, "depth"},
+     {DebugPicture::kConfidence, "confidence"}}};
+
+template <class Names, class Value>
+std::string name_in(const Names& names, Value value) {
+    for (const auto& [known, name] : names)
+        if (known == value) return name;
+    return {};
+}
+
+template <class Value, std::size_t count>
+std::optional<Value> value_in(const std::array<std::pair<Value, const char*>, count>& names,
+                              const std::string& wanted) {
+    for (const auto& [known, name] : names)
+        if (wanted == name) return known;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string name_of(RenderMode mode) { return name_in(kModeNames, mode); }
+
+std::optional<RenderMode> render_mode_named(const std::string& name) {
+    return value_in(kModeNames, name);
+}
+
+std::string name_of(DebugPicture picture) { return name_in(kDebugPictureNames, picture); }
+
+std::optional<DebugPicture> debug_picture_named(const std::string& name) {
+    return value_in(kDebugPictureNames, name);
+}
+
+}  // namespace lumi

@@ -1,0 +1,71 @@
+#include "render/modes/per_pixel.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+#include "render/gl/to_glm.h"
+#include "render/modes/depth_view_choice.h"
+#include "render/modes/pixel_transfer.h"
+#include "render/shaders/shader_sources.h"
+
+namespace lumi {
+namespace {
+
+std::vector<std::string> definitions(const UploadedLumigraph& uploaded, int layers) {
+    std::vector<std::string> lines{"LAYERS " + std::to_string(layers)};
+    if (uploaded.capabilities.filters_float_textures) lines.emplace_back("LINEAR_DEPTH");
+    return lines;
+}
+
+}  // namespace
+
+PerPixel::PerPixel(const UploadedLumigraph& uploaded, const Lumigraph& lumigraph)
+    : uploaded_(uploaded),
+      layer_count_(std::min(kMaxDepthViews, static_cast<int>(lumigraph.views.size()))),
+      depth_(uploaded, lumigraph, layer_count_),
+      faces_(uploaded),
+      program_("per_pixel", {shader_source("face"), shader_source("per_pixel")},
+               definitions(uploaded, layer_count_)) {}
+
+void PerPixel::draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport) {
+    const std::vector<int> views = choose_depth_views(uploaded_.layout, eye, layer_count_);
+    {
+        const FramebufferBindingKeeper keeper;
+        depth_.draw(eye, views);
+    }
+    glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
+    program_.use();
+    uploaded_.depth_maps.bind(1);
+    depth_.texture().bind(2);
+    program_.set("depth_maps", 1);
+    program_.set("depth_layers", 2);
+    program_.set("viewport_origin", glm::vec2(viewport.x_px, viewport.y_px));
+    program_.set("max_inverse_depth", static_cast<float>(depth_.max_inverse_depth()));
+    program_.set("agreement_px",
+                 static_cast<float>(agreement_px_per_inverse_depth(uploaded_.geometries, views)));
+    program_.set("tolerance_px", static_cast<float>(options.occlusion_tolerance_px));
+    program_.set("correct_occlusion", options.correct_occlusion ? 1 : 0);
+    set_layer_views(eye, views);
+    faces_.draw(eye, options, program_);
+}
+
+/// Four vectors a layer, as shaders/per_pixel.glsl expects them.
+void PerPixel::set_layer_views(const Eye& eye, const std::vector<int>& view_indices) const {
+    std::vector<glm::vec4> rows;
+    for (const int view_index : view_indices) {
+        const LumigraphView& view = uploaded_.layout.views[static_cast<std::size_t>(view_index)];
+        const PixelTransfer view_from_eye =
+            pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world);
+        const Eigen::Matrix3d view_from_window =
+            view_from_eye.at_infinity * pixel_from_window(eye.camera.height_px);
+        for (Eigen::Index row = 0; row < 3; ++row)
+            rows.push_back(to_glm(
+                Eigen::Vector4d(view_from_window(row, 0), view_from_window(row, 1),
+                                view_from_window(row, 2), view_from_eye.per_inverse_depth[row])));
+        rows.emplace_back(view_index, view.camera.width_px, view.camera.height_px, 1.0F);
+    }
+    program_.set("layer_views", rows);
+}
+
+}  // namespace lumi

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "render/gl/program.h"
+#include "render/modes/depth_layers.h"
+#include "render/modes/drawing_mode.h"
+#include "render/modes/face_painter.h"
+
+namespace lumi {
+
+/// Depth, weights and visibility at each pixel: first the depth maps of the views nearest to the
+/// eye are drawn, each into a layer; then each face blends its three photographs at the depth that
+/// the layers agree on, with the paper's occlusion correction (section 4). The cost does not depend
+/// on the scene.
+class PerPixel : public DrawingMode {
+ public:
+    PerPixel(const UploadedLumigraph& uploaded, const Lumigraph& lumigraph);
+    void draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport) override;
+
+ private:
+    void set_layer_views(const Eye& eye, const std::vector<int>& view_indices) const;
+
+    const UploadedLumigraph& uploaded_;
+    int layer_count_;
+    DepthLayers depth_;
+    FacePainter faces_;
+    Program program_;
+};
+
+}  // namespace lumi

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// The plane that stands for the scene when no depth is used: through the scene's centre and facing
+/// the eye's position, so that turning the eye turns the picture and nothing swims. As a line: the
+/// eye's inverse depth at pixel (x, y) is max(0, line . (x, y, 1)); away from the plane it is
+/// infinitely far.
+[[nodiscard]] Eigen::Vector3d scene_plane_inverse_depth(const Lumigraph& lumigraph, const Eye& eye);
+
+}  // namespace lumi

@@ -1,0 +1,86 @@
+#include "render/modes/uploaded_lumigraph.h"
+
+#include <algorithm>
+#include <string>
+
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+Lumigraph without_pictures(const Lumigraph& lumigraph) {
+    Lumigraph layout;
+    layout.name = lumigraph.name;
+    layout.mesh = lumigraph.mesh;
+    layout.near_depth = lumigraph.near_depth;
+    layout.far_depth = lumigraph.far_depth;
+    for (const LumigraphView& view : lumigraph.views)
+        layout.views.push_back(
+            {view.name, view.camera, view.cam_from_world, view.exif_orientation, {}, {}});
+    return layout;
+}
+
+void require_fits(const Capabilities& capabilities, const Lumigraph& lumigraph) {
+    if (lumigraph.views.size() > static_cast<std::size_t>(capabilities.max_array_layers))
+        throw Error(ErrorKind::kResources, "E-GL-LIMIT",
+                    std::to_string(lumigraph.views.size()) + " photographs, but " +
+                        capabilities.description + " holds " +
+                        std::to_string(capabilities.max_array_layers),
+                    "make the package with [package] max_views, or use another GL driver");
+    for (const LumigraphView& view : lumigraph.views) {
+        const int size_px = std::max(view.photograph.width(), view.photograph.height());
+        if (size_px > capabilities.max_texture_size_px)
+            throw Error(ErrorKind::kResources, "E-GL-LIMIT",
+                        view.name + " is " + std::to_string(size_px) + " pixels long, but " +
+                            capabilities.description + " holds " +
+                            std::to_string(capabilities.max_texture_size_px),
+                        "make the package with a smaller [capture] max_width_px");
+    }
+}
+
+TextureArray upload_photographs(const std::vector<LumigraphView>& views) {
+    int width = 1;
+    int height = 1;
+    for (const LumigraphView& view : views) {
+        width = std::max(width, view.photograph.width());
+        height = std::max(height, view.photograph.height());
+    }
+    TextureArray array(TexelFormat::kColor, TexelFilter::kLinear, width, height,
+                       static_cast<int>(views.size()));
+    for (std::size_t i = 0; i < views.size(); ++i)
+        array.upload(static_cast<int>(i), views[i].photograph);
+    return array;
+}
+
+TextureArray upload_depth_maps(const std::vector<LumigraphView>& views, TexelFilter filter) {
+    int width = 0;
+    int height = 0;
+    for (const LumigraphView& view : views) {
+        width = std::max(width, view.depth.inverse_depth.width());
+        height = std::max(height, view.depth.inverse_depth.height());
+    }
+    if (width == 0) return {};
+    TextureArray array(TexelFormat::kFloat, filter, width, height, static_cast<int>(views.size()));
+    for (std::size_t i = 0; i < views.size(); ++i)
+        if (!views[i].depth.inverse_depth.empty())
+            array.upload(static_cast<int>(i), views[i].depth.inverse_depth);
+    return array;
+}
+
+}  // namespace
+
+UploadedLumigraph::UploadedLumigraph(const Lumigraph& lumigraph)
+    : capabilities(query_capabilities()),
+      layout(without_pictures(lumigraph)),
+      geometries(view_geometries(lumigraph)) {
+    require_fits(capabilities, lumigraph);
+    photographs = upload_photographs(lumigraph.views);
+    depth_maps = upload_depth_maps(lumigraph.views, capabilities.filters_float_textures
+                                                        ? TexelFilter::kLinear
+                                                        : TexelFilter::kNearest);
+    for (const LumigraphView& view : lumigraph.views)
+        depth_sizes_px.emplace_back(view.depth.inverse_depth.width(),
+                                    view.depth.inverse_depth.height());
+}
+
+}  // namespace lumi

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "render/gl/capabilities.h"
+#include "render/gl/texture.h"
+#include "render/lumigraph/lumigraph.h"
+#include "render/modes/view_geometry.h"
+
+namespace lumi {
+
+/// A Lumigraph whose pictures lie in GL textures: what every mode draws from.
+struct UploadedLumigraph {
+    /// Throws Error (E-GL-CONTEXT, E-GL-LIMIT).
+    explicit UploadedLumigraph(const Lumigraph& lumigraph);
+
+    Capabilities capabilities;
+    /// The Lumigraph without its pictures: cameras, poses, the camera mesh.
+    Lumigraph layout;
+    std::vector<ViewGeometry> geometries;
+    TextureArray photographs;  ///< One layer a view, at its top left.
+    TextureArray depth_maps;   ///< The same for inverse depth; empty when no view has depth.
+    /// Sizes of the depth maps, (0, 0) without.
+    std::vector<Eigen::Vector2i> depth_sizes_px;
+
+    [[nodiscard]] bool has_depth() const { return depth_maps.layers() > 0; }
+};
+
+}  // namespace lumi

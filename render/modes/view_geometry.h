@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// Inverse depths of the scene's far and near end, as the views see them; from the distance of the
+/// scene's centre when the Lumigraph does not say.
+[[nodiscard]] Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph);
+
+/// What turns differences of inverse depth into pixels, the same for every eye.
+struct ViewGeometry {
+    Eigen::Vector3d centre_in_world = Eigen::Vector3d::Zero();
+    double focal_px = 0.0;
+    /// Median distance to the views it shares a face with; a tenth of the scene's depth without
+    /// any.
+    double baseline = 0.0;
+};
+
+[[nodiscard]] std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph);
+
+/// Pixels by which a view's picture is misplaced, as seen from the eye, for each unit that its
+/// inverse depth is wrong: focal length times the distance between eye and view, but no more than
+/// the view's own baseline, over which its depth was estimated (methods: 1.C, 1.D).
+[[nodiscard]] double disparity_px_per_inverse_depth(const ViewGeometry& view,
+                                                    const Eigen::Vector3d& eye_in_world);
+
+/// The largest that this can be, for any eye.
+[[nodiscard]] double max_disparity_px(const ViewGeometry& view);
+
+/// The same for comparing the depths of several views: their median.
+[[nodiscard]] double agreement_px_per_inverse_depth(const std::vector<ViewGeometry>& views,
+                                                    const std::vector<int>& view_indices);
+
+}  // namespace lumi

@@ -1,0 +1,103 @@
+// What both modes share: a face of the camera mesh as a polygon of the picture, and the three views
+// that it is blended from. Everything that is affine in the pixel is interpolated by the rasteriser.
+
+#ifdef LUMI_VERTEX
+#define LUMI_VARYING out
+#else
+#define LUMI_VARYING in
+#endif
+
+// Side products of the ray with the face's edges; their ratios are the blending weights. In w the
+// inverse depth of the scene plane.
+LUMI_VARYING vec4 side_products_and_plane;
+// Homogeneous pixel in view k at infinity; `view_parallaxk`.xyz is added for each unit of inverse
+// depth, .w is the view's layer.
+LUMI_VARYING vec3 view_pixel0;
+LUMI_VARYING vec3 view_pixel1;
+LUMI_VARYING vec3 view_pixel2;
+flat LUMI_VARYING vec4 view_parallax0;
+flat LUMI_VARYING vec4 view_parallax1;
+flat LUMI_VARYING vec4 view_parallax2;
+// Size of the photograph (xy) and of the depth map (zw).
+flat LUMI_VARYING vec4 view_size0;
+flat LUMI_VARYING vec4 view_size1;
+flat LUMI_VARYING vec4 view_size2;
+// Pixels of disparity for each unit of inverse depth in the three views, and the face's index.
+flat LUMI_VARYING vec4 disparity_and_face;
+
+#ifdef LUMI_VERTEX
+uniform mat4 clip_from_eye_pixel;
+layout(location = 0) in vec2 in_pixel;
+layout(location = 1) in vec4 in_side_products_and_plane;
+layout(location = 2) in vec3 in_view_pixel0;
+layout(location = 3) in vec3 in_view_pixel1;
+layout(location = 4) in vec3 in_view_pixel2;
+layout(location = 5) in vec4 in_view_parallax0;
+layout(location = 6) in vec4 in_view_parallax1;
+layout(location = 7) in vec4 in_view_parallax2;
+layout(location = 8) in vec4 in_view_size0;
+layout(location = 9) in vec4 in_view_size1;
+layout(location = 10) in vec4 in_view_size2;
+layout(location = 11) in vec4 in_disparity_and_face;
+
+void main() {
+    side_products_and_plane = in_side_products_and_plane;
+    view_pixel0 = in_view_pixel0;
+    view_pixel1 = in_view_pixel1;
+    view_pixel2 = in_view_pixel2;
+    view_parallax0 = in_view_parallax0;
+    view_parallax1 = in_view_parallax1;
+    view_parallax2 = in_view_parallax2;
+    view_size0 = in_view_size0;
+    view_size1 = in_view_size1;
+    view_size2 = in_view_size2;
+    disparity_and_face = in_disparity_and_face;
+    gl_Position = clip_from_eye_pixel * vec4(in_pixel, 1.0, 0.5);
+}
+#endif
+
+#ifdef LUMI_FRAGMENT
+uniform sampler2DArray photographs;
+uniform int debug_picture;           // DebugPicture in frame.h
+uniform vec2 inverse_depth_range;    // far, near: black and white in the depth picture
+out vec4 drawn;
+
+// A view fades in over this many pixels from the border of its photograph.
+const float kFeather_px = 8.0;
+
+// How much a view counts at a homogeneous pixel: 0 outside of its photograph.
+float feather(vec3 pixel, vec2 size) {
+    if (pixel.z <= 0.0) return 0.0;
+    vec2 to_border = min(pixel.xy / pixel.z, size - pixel.xy / pixel.z);
+    return clamp(min(to_border.x, to_border.y) / kFeather_px, 0.0, 1.0);
+}
+
+// The photograph's colour; blending is done in these encoded sRGB values.
+vec3 photograph(vec3 pixel, vec2 size, float layer) {
+    vec2 on_layer = clamp(pixel.xy / max(pixel.z, 1e-20), vec2(0.5), size - 0.5);
+    vec2 layer_size = vec2(textureSize(photographs, 0).xy);
+    return textureLod(photographs, vec3(on_layer / layer_size, layer), 0.0).rgb;
+}
+
+vec3 blending_weights() {
+    vec3 weights = max(side_products_and_plane.xyz, 0.0);
+    return weights / (weights.x + weights.y + weights.z);
+}
+
+// A colour for an index; neighbours differ (golden ratio).
+vec3 index_color(float index) {
+    return 0.5 + 0.5 * cos(6.2831853 * (fract(0.618034 * index) + vec3(0.0, 0.3333333, 0.6666667)));
+}
+
+vec3 debug_color(vec3 weights, float inverse_depth, float confidence) {
+    if (debug_picture == 1)
+        return weights.x * index_color(view_parallax0.w) +
+               weights.y * index_color(view_parallax1.w) + weights.z * index_color(view_parallax2.w);
+    if (debug_picture == 2) return index_color(disparity_and_face.w);
+    if (debug_picture == 3)
+        return vec3(clamp((inverse_depth - inverse_depth_range.x) /
+                              (inverse_depth_range.y - inverse_depth_range.x),
+                          0.0, 1.0));
+    return vec3(confidence);
+}
+#endif
