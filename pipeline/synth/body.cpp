@@ -159,7 +159,7 @@ double Body::uncovered_share(const Ray& to_lamp, double softness) const {
         const double distance = blended_distance(to_lamp.at(place), near.subset());
         uncovered = std::min(uncovered, 0.5 + 0.5 * distance / (softness * place));
         if (uncovered <= 0.0) return 0.0;
-        place += std::clamp(0.7 * std::abs(distance), 0.02 * bounds_.radius, bounds_.radius);
+        place += std::clamp(0.9 * std::abs(distance), 0.02 * bounds_.radius, bounds_.radius);
     }
     return uncovered * uncovered * (3.0 - 2.0 * uncovered);
 }

@@ -17,7 +17,7 @@ double fraction(double value) { return value - std::floor(value); }
 
 LinearColor stone(const Material& material, const Eigen::Vector3d& point, double footprint) {
     const double frequency = 1.0 / material.feature_size;
-    const double clouds = fractal_noise(point, footprint, {frequency, 4, 0.6}, material.seed);
+    const double clouds = fractal_noise(point, footprint, {frequency, 3, 0.6}, material.seed);
     const double speckle_frequency = 6.0 * frequency;
     const double speckles =
         fractal_noise(point, footprint, {speckle_frequency, 2, 0.5}, material.seed + 50);
@@ -30,10 +30,12 @@ LinearColor stone(const Material& material, const Eigen::Vector3d& point, double
 /// Bright lines where a warped wave crosses zero.
 double veins(const Eigen::Vector3d& point, const Eigen::Vector3d& across, double frequency,
              double footprint, std::uint32_t seed) {
-    const double warp = fractal_noise(point, footprint, {0.8 * frequency, 5, 0.55}, seed);
+    const double warp = fractal_noise(point, footprint, {0.8 * frequency, 4, 0.55}, seed);
     const double wave =
         std::abs(std::sin(std::numbers::pi * (frequency * across.dot(point) + 2.4 * warp)));
-    const double thin = std::pow(1.0 - wave, 5.0);
+    const double near_crossing = 1.0 - wave;
+    const double thin =
+        near_crossing * near_crossing * near_crossing * near_crossing * near_crossing;
     constexpr double kMean = 0.1;
     return kMean + surviving_contrast(3.0 * frequency, footprint) * (thin - kMean);
 }
@@ -41,7 +43,7 @@ double veins(const Eigen::Vector3d& point, const Eigen::Vector3d& across, double
 LinearColor marble(const Material& material, const Eigen::Vector3d& point, double footprint) {
     const double frequency = 1.0 / material.feature_size;
     const double clouds =
-        fractal_noise(point, footprint, {0.7 * frequency, 4, 0.55}, material.seed);
+        fractal_noise(point, footprint, {0.7 * frequency, 3, 0.55}, material.seed);
     const double coarse =
         veins(point, Eigen::Vector3d(0.6, 0.5, 0.62), frequency, footprint, material.seed + 100);
     const double fine = veins(point, Eigen::Vector3d(-0.7, 0.4, 0.6), 2.7 * frequency, footprint,
@@ -58,7 +60,7 @@ LinearColor wood(const Material& material, const Eigen::Vector3d& point,
     const Eigen::Vector3d stretched(0.12 * point.x(), point.y(), point.z());
     const Eigen::Vector3d from_heart = stretched + heart;
     const double warp =
-        fractal_noise(from_heart, footprint, {0.25 * ring_frequency, 4, 0.5}, material.seed + 10);
+        fractal_noise(from_heart, footprint, {0.25 * ring_frequency, 3, 0.5}, material.seed + 10);
     const double rings = ring_frequency * std::hypot(from_heart.y(), from_heart.z()) + 1.6 * warp;
     const double late_wood = std::pow(0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * rings), 2.0);
     constexpr double kMean = 0.375;
@@ -107,11 +109,11 @@ LinearColor bricks(const Material& material, const Eigen::Vector3d& point,
     const double u = facing.x() > facing.y() ? point.y() : point.x();
     const double v = facing.z() > std::max(facing.x(), facing.y()) ? point.y() : point.z();
     const double wobble =
-        0.03 * length * fractal_noise(point, footprint, {2.0 / length, 3, 0.5}, material.seed + 30);
+        0.03 * length * fractal_noise(point, footprint, {2.0 / length, 2, 0.5}, material.seed + 30);
     const Course brick = course_at(u + wobble, v + wobble, length, height, 0.5);
     const double tone = cell_value(brick.column, brick.row, material.seed);
     const double clouds =
-        fractal_noise(point, footprint, {3.0 / length, 4, 0.6}, material.seed + 40);
+        fractal_noise(point, footprint, {3.0 / length, 3, 0.6}, material.seed + 40);
     const LinearColor body =
         mixed_color(material.colors[0], material.colors[1], tone + 0.8 * clouds) *
         static_cast<float>(0.8 + 0.4 * cell_value(brick.row, brick.column, material.seed + 1));

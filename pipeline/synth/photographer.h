@@ -13,7 +13,7 @@ struct SamplingOptions {
     /// A pixel that shows one surface is the mean of this many samples squared of its texture. > 0.
     int samples_per_texture = 2;
     /// A pixel that borders on another surface is the mean of this many rays squared. > 0.
-    int samples_per_edge = 4;
+    int samples_per_edge = 3;
 };
 
 [[nodiscard]] SamplingOptions read_sampling_options(const ConfigSection& section);
