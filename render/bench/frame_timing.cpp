@@ -1,0 +1,94 @@
+#include "render/bench/frame_timing.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cassert>
+#include <functional>
+
+#include "calib/work/stopwatch.h"
+#include "render/bench/three_texture_blend.h"
+#include "render/gl/capabilities.h"
+#include "render/gl/framebuffer.h"
+#include "render/gl/headless_context.h"
+#include "render/modes/lumigraph_renderer.h"
+
+namespace lumi {
+namespace {
+
+constexpr int kWarmUpRounds = 2;
+
+/// Wall and CPU times of one drawing, frame by frame.
+struct Times {
+    std::vector<double> wall_ms;
+    std::vector<double> cpu_ms;
+};
+
+double at_share(std::vector<double> values, double share) {
+    const auto nth = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + nth, values.end());
+    return values[static_cast<std::size_t>(nth)];
+}
+
+FrameCost cost_of(const Times& times) {
+    return {at_share(times.wall_ms, 0.5), at_share(times.wall_ms, 0.95),
+            at_share(times.cpu_ms, 0.5)};
+}
+
+void time_one(const std::function<void()>& draw, bool counted, Times& times) {
+    glFinish();
+    const Stopwatch stopwatch;
+    draw();
+    glFinish();
+    const Cost cost = stopwatch.elapsed();
+    if (!counted) return;
+    times.wall_ms.push_back(1000 * cost.wall_s);
+    times.cpu_ms.push_back(1000 * cost.cpu_s);
+}
+
+}  // namespace
+
+FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>& path,
+                              const std::vector<RenderMode>& modes, Progress& progress) {
+    assert(!path.empty());
+    const HeadlessContext context;
+    FrameTimingReport report;
+    report.gl_description = query_capabilities().description;
+    report.width_px = path.front().camera.width_px;
+    report.height_px = path.front().camera.height_px;
+    report.frames = static_cast<int>(path.size());
+
+    LumigraphRenderer renderer(lumigraph);
+    const ThreeTextureBlend blend(lumigraph);
+    Framebuffer framebuffer;
+    framebuffer.attach_color(report.width_px, report.height_px);
+    const Viewport viewport{0, 0, report.width_px, report.height_px};
+
+    Times base_times;
+    std::vector<Times> mode_times(modes.size());
+    const int rounds = kWarmUpRounds + report.frames;
+    progress.begin("drawing", static_cast<std::size_t>(rounds));
+    for (int round = 0; round < rounds; ++round) {
+        progress.throw_if_interrupted();
+        const bool counted = round >= kWarmUpRounds;
+        const Eye& eye = path[static_cast<std::size_t>(counted ? round - kWarmUpRounds : 0)];
+        framebuffer.bind();
+        time_one([&] { blend.draw(viewport); }, counted, base_times);
+        for (std::size_t i = 0; i < modes.size(); ++i) {
+            const RenderOptions options{.mode = modes[i]};
+            framebuffer.bind();
+            time_one([&] { renderer.draw(eye, options, viewport); }, counted, mode_times[i]);
+        }
+        progress.advance();
+    }
+
+    report.base = cost_of(base_times);
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+        const FrameCost cost = cost_of(mode_times[i]);
+        report.modes.push_back({modes[i], cost, cost.median_ms / report.base.median_ms,
+                                cost.cpu_ms / report.base.cpu_ms});
+    }
+    return report;
+}
+
+}  // namespace lumi

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calib/work/progress.h"
+#include "render/lumigraph/lumigraph.h"
+#include "render/modes/frame.h"
+
+namespace lumi {
+
+/// What frames cost: wall and process CPU time of drawing and waiting until it is done.
+struct FrameCost {
+    double median_ms = 0.0;
+    double p95_ms = 0.0;
+    double cpu_ms = 0.0;  ///< Median over all threads of the process.
+};
+
+struct ModeCost {
+    RenderMode mode = RenderMode::kPerPixel;
+    FrameCost cost;
+    double ratio = 0.0;      ///< Of the median wall times, to the three-texture blend.
+    double cpu_ratio = 0.0;  ///< The same of CPU times.
+};
+
+struct FrameTimingReport {
+    std::string gl_description;
+    int width_px = 0;
+    int height_px = 0;
+    int frames = 0;
+    FrameCost base;  ///< The full-screen blend of three textures.
+    std::vector<ModeCost> modes;
+};
+
+/// Draws the path in every mode and the three-texture blend in turn (A B C, A B C ...), in one
+/// context and one size, so that a machine whose speed drifts slows all of them alike. Two rounds
+/// of warming up are not counted. Throws Error (E-GL-...).
+[[nodiscard]] FrameTimingReport time_frames(const Lumigraph& lumigraph,
+                                            const std::vector<Eye>& path,
+                                            const std::vector<RenderMode>& modes,
+                                            Progress& progress);
+
+}  // namespace lumi

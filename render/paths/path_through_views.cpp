@@ -1,0 +1,42 @@
+#include "render/paths/path_through_views.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumi {
+namespace {
+
+Camera fitting_camera(const Camera& camera, int width_px, int height_px) {
+    const double scale = std::min(static_cast<double>(width_px) / camera.width_px,
+                                  static_cast<double>(height_px) / camera.height_px);
+    return pinhole_camera(width_px, height_px, scale * focal_length_px(camera).mean());
+}
+
+Rigid3 between(const Rigid3& from, const Rigid3& to, double share) {
+    Rigid3 cam_from_world;
+    cam_from_world.rotation = from.rotation.slerp(share, to.rotation);
+    const Eigen::Vector3d centre =
+        (1 - share) * centre_in_world(from) + share * centre_in_world(to);
+    cam_from_world.translation = -(cam_from_world.rotation * centre);
+    return cam_from_world;
+}
+
+}  // namespace
+
+std::vector<Eye> path_through_views(const Lumigraph& lumigraph, int count, int width_px,
+                                    int height_px) {
+    const std::vector<LumigraphView>& views = lumigraph.views;
+    const Camera camera = fitting_camera(views.front().camera, width_px, height_px);
+    std::vector<Eye> path;
+    for (int i = 0; i < count; ++i) {
+        const double along = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
+        const double place = along * static_cast<double>(views.size() - 1);
+        const auto from = static_cast<std::size_t>(std::floor(place));
+        const std::size_t to = std::min(from + 1, views.size() - 1);
+        path.push_back({camera, between(views[from].cam_from_world, views[to].cam_from_world,
+                                        place - std::floor(place))});
+    }
+    return path;
+}
+
+}  // namespace lumi

@@ -1,0 +1,35 @@
+// The measure of all frame times: the full screen, three photographs, weights that vary. No method
+// that blends three views can be faster.
+
+#ifdef LUMI_VERTEX
+#define LUMI_VARYING out
+#else
+#define LUMI_VARYING in
+#endif
+
+LUMI_VARYING vec2 position;  // 0 to 1 over the screen
+
+#ifdef LUMI_VERTEX
+layout(location = 0) in vec2 in_position;
+
+void main() {
+    position = in_position;
+    gl_Position = vec4(2.0 * in_position - 1.0, 0.0, 1.0);
+}
+#endif
+
+#ifdef LUMI_FRAGMENT
+uniform sampler2DArray photographs;
+uniform vec2 photograph_share;  // of a layer that the photograph fills
+out vec4 drawn;
+
+void main() {
+    vec3 weights = vec3(position.x, position.y, 1.0);
+    weights /= weights.x + weights.y + weights.z;
+    vec2 on_layer = position * photograph_share;
+    drawn = vec4(weights.x * texture(photographs, vec3(on_layer, 0.0)).rgb +
+                     weights.y * texture(photographs, vec3(on_layer, 1.0)).rgb +
+                     weights.z * texture(photographs, vec3(on_layer, 2.0)).rgb,
+                 1.0);
+}
+#endif
