@@ -29,18 +29,21 @@ double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
 
 double mix(double a, double b, double t) { return a + t * (b - a); }
 
+/// std::floor is a call where the processor's instruction for it cannot be taken for granted.
+std::int32_t floor_of(double value) {
+    const auto truncated = static_cast<std::int32_t>(value);
+    return truncated - (value < truncated ? 1 : 0);
+}
+
 }  // namespace
 
 double gradient_noise(const Eigen::Vector3d& point, std::uint32_t seed) {
-    const double fx = std::floor(point.x());
-    const double fy = std::floor(point.y());
-    const double fz = std::floor(point.z());
-    const auto ix = static_cast<std::int32_t>(fx);
-    const auto iy = static_cast<std::int32_t>(fy);
-    const auto iz = static_cast<std::int32_t>(fz);
-    const double x = point.x() - fx;
-    const double y = point.y() - fy;
-    const double z = point.z() - fz;
+    const std::int32_t ix = floor_of(point.x());
+    const std::int32_t iy = floor_of(point.y());
+    const std::int32_t iz = floor_of(point.z());
+    const double x = point.x() - ix;
+    const double y = point.y() - iy;
+    const double z = point.z() - iz;
     const double u = fade(x);
     const double v = fade(y);
     const auto along_z = [&](std::uint32_t column, double dx, double dy) {

@@ -1,7 +1,10 @@
 #include "pipeline/synth/synthesize.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "calib/capture/colmap_model.h"
 #include "calib/capture/image_io.h"
@@ -68,6 +71,18 @@ void take_all(const SceneDescription& description, Capture& capture, int threads
     });
 }
 
+/// Photographs of another scene would be taken for photographs of this one.
+void expect_only(const std::vector<std::string>& names, const std::filesystem::path& folder) {
+    if (!std::filesystem::exists(folder)) return;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+        throw Error(ErrorKind::kUsage, "E-SYNTH-FOLDER",
+                    entry.path().string() + ": is not a file of this scene",
+                    "name an empty folder, or remove what an earlier scene left there");
+    }
+}
+
 }  // namespace
 
 Capture exact_capture(const SceneDescription& description) {
@@ -102,11 +117,21 @@ SyntheticCapture synthesize(const SceneDescription& description, int threads, Pr
 
 void synthesize_into(const std::filesystem::path& folder, const SceneDescription& description,
                      int threads, Progress& progress) {
+    const std::filesystem::path photos = folder / "photos";
+    const std::filesystem::path depths = folder / "truth" / "depth";
     Capture capture = exact_capture(description);
+    std::vector<std::string> photo_names;
+    std::vector<std::string> depth_names;
+    for (const View& view : capture.views) {
+        photo_names.push_back(view.name);
+        depth_names.push_back(std::filesystem::path(view.name).replace_extension(".tiff").string());
+    }
+    expect_only(photo_names, photos);
+    expect_only(depth_names, depths);
     take_all(description, capture, threads, progress, [&](int index, const Developed& developed) {
-        const std::filesystem::path name = capture.views[static_cast<std::size_t>(index)].name;
-        write_png(folder / "photos" / name, developed.photograph);
-        write_float_tiff(folder / "truth" / "depth" / name.stem().concat(".tiff"), developed.depth);
+        const auto i = static_cast<std::size_t>(index);
+        write_png(photos / photo_names[i], developed.photograph);
+        write_float_tiff(depths / depth_names[i], developed.depth);
     });
     write_colmap_model_text(capture, folder / "truth" / "sparse");
     write_whole_text(folder / "truth" / "scene.toml", description.resolved_toml);

@@ -27,7 +27,8 @@ struct SyntheticCapture {
 
 /// The same into files, one photograph in memory for each thread: FOLDER/photos/NAME.png, and in
 /// FOLDER/truth `sparse/` (a COLMAP text model), `depth/NAME.tiff` (float z; 0: nothing there) and
-/// `scene.toml`. Throws Error (E-FILE-WRITE, E-SYNTH-INSIDE).
+/// `scene.toml`. Throws Error (E-FILE-WRITE, E-SYNTH-INSIDE; E-SYNTH-FOLDER when photographs that
+/// are not of this scene lie there).
 void synthesize_into(const std::filesystem::path& folder, const SceneDescription& description,
                      int threads, Progress& progress);
 

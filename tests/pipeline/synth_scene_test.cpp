@@ -200,6 +200,21 @@ TEST(Synthesize, FilesHoldWhatMemoryHolds) {
     EXPECT_EQ(read_whole_text(folder.path() / "truth/scene.toml"), description.resolved_toml);
 }
 
+TEST(Synthesize, RefusesAFolderWithPhotographsOfAnotherScene) {
+    const TemporaryFolder folder;
+    SilentProgress progress;
+    synthesize_into(folder.path(), description_of(kBall), 1, progress);
+    synthesize_into(folder.path(), description_of(kBall), 1, progress);
+    const SceneDescription fewer = description_of(with(kBall, "count = 3", "count = 2"));
+    try {
+        synthesize_into(folder.path(), fewer, 1, progress);
+        FAIL() << "left a photograph of another scene among its own";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-SYNTH-FOLDER");
+        EXPECT_THAT(error.what(), HasSubstr("IMG_0003.png"));
+    }
+}
+
 TEST(Synthesize, WhereNothingIsSeenDepthIsZero) {
     SilentProgress progress;
     const SyntheticCapture ball = synthesize(description_of(kBall), 1, progress);
