@@ -21,14 +21,6 @@ namespace fs = std::filesystem;
                 "check that the file exists and that you may read it");
 }
 
-[[noreturn]] void refuse_write(const fs::path& path, int error_number) {
-    const bool full = error_number == ENOSPC || error_number == EDQUOT;
-    throw Error(full ? ErrorKind::kResources : ErrorKind::kBadInput, "E-FILE-WRITE",
-                path.string() + ": cannot write: " + std::strerror(error_number),
-                full ? "free some disk space and run the same command again"
-                     : "check that the folder exists and that you may write there");
-}
-
 /// A temporary file beside its target that vanishes unless it is renamed into place.
 class TemporarySibling {
  public:
@@ -70,14 +62,22 @@ class TemporarySibling {
     bool renamed_ = false;
 };
 
+}  // namespace
+
+void refuse_write(const fs::path& path, int error_number) {
+    const bool full = error_number == ENOSPC || error_number == EDQUOT;
+    throw Error(full ? ErrorKind::kResources : ErrorKind::kBadInput, "E-FILE-WRITE",
+                path.string() + ": cannot write: " + std::strerror(error_number),
+                full ? "free some disk space and run the same command again"
+                     : "check that the folder exists and that you may write there");
+}
+
 void flush_folder(const fs::path& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) return;
     ::fsync(descriptor);  // Not every file system can; the rename itself is done either way.
     ::close(descriptor);
 }
-
-}  // namespace
 
 Bytes read_whole_file(const fs::path& path, std::size_t max_bytes) {
     std::error_code status;

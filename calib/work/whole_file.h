@@ -24,4 +24,10 @@ using Bytes = std::vector<std::uint8_t>;
 void write_whole_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_whole_text(const std::filesystem::path& path, std::string_view text);
 
+/// Flushes a folder's list of names to the disk, where the file system can.
+void flush_folder(const std::filesystem::path& folder);
+
+/// Throws Error (E-FILE-WRITE; kind kResources when the disk is full) for a value of errno.
+[[noreturn]] void refuse_write(const std::filesystem::path& path, int error_number);
+
 }  // namespace lumi

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "calib/capture/image.h"
+#include "calib/work/whole_file.h"
+
+namespace lumi {
+
+/// Lossless PNG, the same bytes for the same pixels: 8-bit colour, 8-bit grey, 16-bit grey.
+[[nodiscard]] Bytes encode_png(const ColorImage& image, const std::filesystem::path& path);
+[[nodiscard]] Bytes encode_png(const GrayImage& image, const std::filesystem::path& path);
+[[nodiscard]] Bytes encode_png(const Image<std::uint16_t>& image,
+                               const std::filesystem::path& path);
+
+/// The raster of a PNG in memory; `path` is for messages. Colour accepts any PNG, the grey ones
+/// only a single channel of their depth. Throws Error: E-IMAGE-FORMAT (not such a PNG),
+/// E-IMAGE-TRUNCATED, E-IMAGE-TOOBIG (more than `max_pixels`, checked before decoding).
+[[nodiscard]] ColorImage decode_color_png(std::span<const std::uint8_t> bytes,
+                                          std::size_t max_pixels,
+                                          const std::filesystem::path& path);
+[[nodiscard]] GrayImage decode_gray_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
+                                        const std::filesystem::path& path);
+[[nodiscard]] Image<std::uint16_t> decode_gray16_png(std::span<const std::uint8_t> bytes,
+                                                     std::size_t max_pixels,
+                                                     const std::filesystem::path& path);
+
+}  // namespace lumi

@@ -1,0 +1,141 @@
+#include "calib/work/whole_folder.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include "calib/work/whole_file.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The target without a trailing slash and with links resolved, so that its sibling is on the same
+/// file system.
+fs::path settled(const fs::path& target) {
+    fs::path path = fs::weakly_canonical(fs::absolute(target).lexically_normal());
+    if (!path.has_filename()) path = path.parent_path();
+    return path;
+}
+
+std::string staging_prefix(const fs::path& target) {
+    return "." + target.filename().string() + ".new-";
+}
+
+fs::path aside(const fs::path& target) {
+    return target.parent_path() / ("." + target.filename().string() + ".old");
+}
+
+int open_folder(const fs::path& path) {
+    return ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+}
+
+bool is_still_there(const fs::path& path, int descriptor) {
+    struct stat opened {};
+    struct stat named {};
+    return ::fstat(descriptor, &opened) == 0 && ::lstat(path.c_str(), &named) == 0 &&
+           opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+/// A staging folder that nobody holds belonged to a run that died.
+void remove_if_abandoned(const fs::path& staging) {
+    const int descriptor = open_folder(staging);
+    if (descriptor < 0) return;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
+        std::error_code ignored;
+        fs::remove_all(staging, ignored);
+    }
+    ::close(descriptor);
+}
+
+void clean_up_after_killed_runs(const fs::path& target) {
+    std::error_code ignored;
+    if (fs::exists(aside(target), ignored)) {
+        if (!fs::exists(target, ignored)) fs::rename(aside(target), target, ignored);
+        fs::remove_all(aside(target), ignored);
+    }
+    const std::string prefix = staging_prefix(target);
+    for (const fs::directory_entry& entry : fs::directory_iterator(target.parent_path(), ignored)) {
+        if (entry.path().filename().string().starts_with(prefix)) remove_if_abandoned(entry.path());
+    }
+}
+
+bool cannot_exchange(int error_number) {
+    return error_number == EINVAL || error_number == ENOSYS || error_number == EOPNOTSUPP;
+}
+
+void move_into_place(const fs::path& fresh, const fs::path& target) {
+    std::error_code ignored;
+    if (fs::exists(target, ignored)) return replace_folder_in_two_steps(fresh, target);
+    if (::rename(fresh.c_str(), target.c_str()) != 0) refuse_write(target, errno);
+}
+
+}  // namespace
+
+void replace_folder_in_two_steps(const fs::path& fresh, const fs::path& target) {
+    const fs::path old = aside(target);
+    if (::rename(target.c_str(), old.c_str()) != 0) refuse_write(target, errno);
+    if (::rename(fresh.c_str(), target.c_str()) != 0) {
+        const int reason = errno;
+        if (::rename(old.c_str(), target.c_str()) != 0) refuse_write(old, errno);
+        refuse_write(target, reason);
+    }
+    std::error_code ignored;
+    fs::remove_all(old, ignored);
+}
+
+WholeFolder::WholeFolder(const fs::path& target) : target_(settled(target)) {
+    std::error_code status;
+    fs::create_directories(target_.parent_path(), status);
+    if (status) refuse_write(target_, status.value());
+    clean_up_after_killed_runs(target_);
+    make_staging();
+}
+
+void WholeFolder::make_staging() {
+    const std::string pattern =
+        (target_.parent_path() / (staging_prefix(target_) + "XXXXXX")).string();
+    // Another run may take a folder that is not locked yet for an abandoned one: then try again.
+    while (lock_ < 0) {
+        std::string name = pattern;
+        if (::mkdtemp(name.data()) == nullptr) refuse_write(target_, errno);
+        staging_ = name;
+        const int descriptor = open_folder(staging_);
+        if (descriptor < 0 && errno != ENOENT) refuse_write(staging_, errno);
+        if (descriptor < 0) continue;
+        ::flock(descriptor, LOCK_EX);  // Not every file system can; then nothing is cleaned either.
+        if (is_still_there(staging_, descriptor)) {
+            ::fchmod(descriptor, 0755);
+            lock_ = descriptor;
+        } else {
+            ::close(descriptor);
+        }
+    }
+}
+
+WholeFolder::~WholeFolder() {
+    std::error_code ignored;
+    fs::remove_all(staging_, ignored);
+    ::close(lock_);
+}
+
+void WholeFolder::put_in_place() {
+    flush_folder(staging_);
+    if (::renameat2(AT_FDCWD, staging_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) != 0) {
+        const int reason = errno;
+        // ENOENT: there is no old folder to exchange with.
+        if (reason != ENOENT && !cannot_exchange(reason)) refuse_write(target_, reason);
+        move_into_place(staging_, target_);
+    }
+    flush_folder(target_.parent_path());
+}
+
+}  // namespace lumi

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+
+namespace lumi {
+
+/// A folder that is written whole or not at all.
+///
+/// Files are written into `staging()`, a hidden sibling of the target; `put_in_place` then flushes
+/// it and exchanges it with the target in one step, so that at every moment either the old folder
+/// or the new one stands there whole. What a killed run left behind is cleaned up by the next
+/// WholeFolder of the same target; folders of runs that are still alive are left alone.
+class WholeFolder {
+ public:
+    /// Missing parents are made. Throws Error (E-FILE-WRITE).
+    explicit WholeFolder(const std::filesystem::path& target);
+    /// Removes the staging folder, and with it the old one after an exchange.
+    ~WholeFolder();
+    WholeFolder(const WholeFolder&) = delete;
+    WholeFolder& operator=(const WholeFolder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& staging() const { return staging_; }
+    /// Throws Error (E-FILE-WRITE) and leaves the old folder where it is.
+    void put_in_place();
+
+ private:
+    void make_staging();
+
+    std::filesystem::path target_;
+    std::filesystem::path staging_;
+    int lock_ = -1;  ///< The open staging folder, locked: this run is alive.
+};
+
+/// Exchange for file systems that have no atomic one: the old folder steps aside under a name from
+/// which the next WholeFolder brings it back should the process die between the two renames.
+/// Throws Error (E-FILE-WRITE).
+void replace_folder_in_two_steps(const std::filesystem::path& fresh,
+                                 const std::filesystem::path& target);
+
+}  // namespace lumi

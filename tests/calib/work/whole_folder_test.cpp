@@ -1,0 +1,85 @@
+#include "calib/work/whole_folder.h"
+
+#include <gtest/gtest.h>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "tests/calib/scratch_folder.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t entries_in(const fs::path& folder) {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(WholeFolder, AppearsOnlyWhenItIsPutInPlace) {
+    const ScratchFolder scratch;
+    {
+        WholeFolder folder(scratch / "deep/result");
+        write_whole_text(folder.staging() / "a.txt", "new");
+        EXPECT_FALSE(fs::exists(scratch / "deep/result"));
+        folder.put_in_place();
+        EXPECT_EQ(read_whole_text(scratch / "deep/result/a.txt"), "new");
+    }
+    EXPECT_EQ(entries_in(scratch / "deep"), 1U);
+}
+
+TEST(WholeFolder, VanishesWhenItIsNotPutInPlace) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "result/a.txt", "old");
+    { write_whole_text(WholeFolder(scratch / "result").staging() / "a.txt", "new"); }
+    EXPECT_EQ(read_whole_text(scratch / "result/a.txt"), "old");
+    EXPECT_EQ(entries_in(scratch.path()), 1U);
+}
+
+TEST(WholeFolder, RunsThatAreAliveDoNotDisturbEachOther) {
+    const ScratchFolder scratch;
+    WholeFolder first(scratch / "result");
+    write_whole_text(first.staging() / "a.txt", "first");
+    WholeFolder second(scratch / "result");
+    write_whole_text(second.staging() / "a.txt", "second");
+    second.put_in_place();
+    EXPECT_EQ(read_whole_text(scratch / "result/a.txt"), "second");
+    first.put_in_place();
+    EXPECT_EQ(read_whole_text(scratch / "result/a.txt"), "first");
+}
+
+TEST(WholeFolder, CleansUpAfterKilledRunsOfTheSameTargetOnly) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / ".result.new-abcdef/a.txt", "remains");
+    write_whole_text(scratch / ".other.new-abcdef/a.txt", "another's");
+    const WholeFolder folder(scratch / "result");
+    EXPECT_FALSE(fs::exists(scratch / ".result.new-abcdef"));
+    EXPECT_TRUE(fs::exists(scratch / ".other.new-abcdef"));
+}
+
+TEST(WholeFolder, ReplacesInTwoStepsWhereThereIsNoExchange) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "result/a.txt", "old");
+    write_whole_text(scratch / "fresh/a.txt", "new");
+    replace_folder_in_two_steps(scratch / "fresh", scratch / "result");
+    EXPECT_EQ(read_whole_text(scratch / "result/a.txt"), "new");
+    EXPECT_EQ(entries_in(scratch.path()), 1U);
+}
+
+TEST(WholeFolder, AFailedSecondStepBringsTheOldFolderBack) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "result/a.txt", "old");
+    EXPECT_THROW(replace_folder_in_two_steps(scratch / "missing", scratch / "result"), Error);
+    EXPECT_EQ(read_whole_text(scratch / "result/a.txt"), "old");
+}
+
+TEST(WholeFolder, BringsBackTheFolderOfARunThatDiedBetweenTheSteps) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / ".result.old/a.txt", "old");
+    const WholeFolder folder(scratch / "result");
+    EXPECT_EQ(read_whole_text(scratch / "result/a.txt"), "old");
+    EXPECT_FALSE(fs::exists(scratch / ".result.old"));
+}
+
+}  // namespace
+}  // namespace lumi
