@@ -115,7 +115,7 @@ ParsedHeader parse_header(const std::vector<std::string>& lines, CameraMesh& mes
 
 }  // namespace
 
-void write_camera_mesh_ply(const std::filesystem::path& path, const CameraMesh& mesh) {
+Bytes camera_mesh_ply(const CameraMesh& mesh) {
     Bytes bytes = header_bytes(camera_mesh_header(mesh));
     for (const CameraMesh::Vertex& vertex : mesh.vertices) {
         for (int axis = 0; axis < 3; ++axis) put(bytes, vertex.position_in_world[axis]);
@@ -125,11 +125,18 @@ void write_camera_mesh_ply(const std::filesystem::path& path, const CameraMesh& 
         put(bytes, std::uint8_t{3});
         for (const int index : face) put(bytes, static_cast<std::int32_t>(index));
     }
-    write_whole_file(path, bytes);
+    return bytes;
+}
+
+void write_camera_mesh_ply(const std::filesystem::path& path, const CameraMesh& mesh) {
+    write_whole_file(path, camera_mesh_ply(mesh));
 }
 
 CameraMesh read_camera_mesh_ply(const std::filesystem::path& path) {
-    const Bytes bytes = read_whole_file(path);
+    return parse_camera_mesh_ply(read_whole_file(path), path);
+}
+
+CameraMesh parse_camera_mesh_ply(const Bytes& bytes, const std::filesystem::path& path) {
     CameraMesh mesh;
     std::size_t offset = 0;
     const ParsedHeader header = parse_header(header_lines(bytes, offset, path), mesh, path);
@@ -154,7 +161,7 @@ CameraMesh read_camera_mesh_ply(const std::filesystem::path& path) {
     return mesh;
 }
 
-void write_points_ply(const std::filesystem::path& path, const std::vector<ScenePoint>& points) {
+Bytes points_ply(const std::vector<ScenePoint>& points) {
     std::ostringstream header;
     header << "ply\nformat binary_little_endian 1.0\ncomment lumi scene points\nelement vertex "
            << points.size()
@@ -169,7 +176,11 @@ void write_points_ply(const std::filesystem::path& path, const std::vector<Scene
         put(bytes, point.color.g);
         put(bytes, point.color.b);
     }
-    write_whole_file(path, bytes);
+    return bytes;
+}
+
+void write_points_ply(const std::filesystem::path& path, const std::vector<ScenePoint>& points) {
+    write_whole_file(path, points_ply(points));
 }
 
 }  // namespace lumi

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "calib/capture/capture.h"
+#include "calib/work/whole_file.h"
 #include "meshing/surface/camera_mesh.h"
 
 namespace lumi {
@@ -13,7 +14,13 @@ namespace lumi {
 void write_camera_mesh_ply(const std::filesystem::path& path, const CameraMesh& mesh);
 [[nodiscard]] CameraMesh read_camera_mesh_ply(const std::filesystem::path& path);
 
+/// The same file in memory; `path` is for messages.
+[[nodiscard]] Bytes camera_mesh_ply(const CameraMesh& mesh);
+[[nodiscard]] CameraMesh parse_camera_mesh_ply(const Bytes& bytes,
+                                               const std::filesystem::path& path);
+
 /// Scene points with colours, without their tracks.
 void write_points_ply(const std::filesystem::path& path, const std::vector<ScenePoint>& points);
+[[nodiscard]] Bytes points_ply(const std::vector<ScenePoint>& points);
 
 }  // namespace lumi
