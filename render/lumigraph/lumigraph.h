@@ -31,6 +31,11 @@ struct Lumigraph {
     double far_depth = 0.0;   ///< units.
 };
 
+/// Throws Error (E-LUMIGRAPH-INVALID, E-CAMERA-INVALID, E-MESH-INVALID) unless there is a view, the
+/// names are unique, each camera is a pinhole of its photograph's size, poses and depths are finite
+/// and the mesh names views that exist; `where` begins the message.
+void validate(const Lumigraph& lumigraph, const std::string& where);
+
 /// The eye that a frame is drawn for. Pinhole, any size.
 struct Eye {
     Camera camera;

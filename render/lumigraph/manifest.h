@@ -2,23 +2,39 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "calib/capture/camera.h"
 #include "calib/capture/rigid3.h"
+#include "render/lumigraph/package.h"
 
 namespace lumi {
 
 /// The version of the package's layout; a reader refuses any other.
-inline constexpr int kPackageVersion = 1;
+inline constexpr int kPackageSchemaVersion = 1;
+
+/// The manifest's name in the package.
+inline constexpr const char* kManifestName = "lumigraph.json";
 
 /// A file of the package: its path below the package, its length and its SHA-256.
 struct PackageFile {
     std::string path;
     std::uint64_t bytes = 0;
     std::string sha256;
+};
+
+/// Where one view's depth is stored, and how: q = min + step / 65535 * (max - min) for the `step`
+/// of each pixel of the 16-bit picture.
+struct ManifestDepth {
+    int width_px = 0;
+    int height_px = 0;
+    double min_inverse_depth = 0.0;
+    double max_inverse_depth = 0.0;
+    PackageFile inverse_depth;  ///< 16-bit grey PNG.
+    PackageFile confidence;     ///< 8-bit grey PNG of the same size.
 };
 
 /// What the manifest says of one view.
@@ -28,14 +44,7 @@ struct ManifestView {
     Rigid3 cam_from_world;
     int exif_orientation = 1;
     PackageFile photograph;
-
-    bool has_depth = false;
-    PackageFile inverse_depth;  ///< 16-bit PNG: q = min + value / 65535 * (max - min).
-    PackageFile confidence;     ///< 8-bit PNG of the same size.
-    int depth_width_px = 0;
-    int depth_height_px = 0;
-    double min_inverse_depth = 0.0;
-    double max_inverse_depth = 0.0;
+    std::optional<ManifestDepth> depth;
 };
 
 /// `lumigraph.json`: what is in a package, and how to read it.
@@ -50,17 +59,23 @@ struct Manifest {
     std::string evidence_json = "{}";
 };
 
-/// The manifest as JSON text: sorted keys, doubles that read back to the bit.
+/// The manifest as JSON text that names its own checksum; doubles read back to the bit. Throws
+/// Error: E-PACKAGE-NAME (a name is not UTF-8), E-PACKAGE-MANIFEST (the evidence is not a JSON
+/// object of bounded depth).
 [[nodiscard]] std::string manifest_text(const Manifest& manifest);
 
-/// Reads a manifest and trusts nothing in it: bounded depth, the version, finite numbers, positive
-/// sizes, rotations of unit length, safe paths. Throws Error (E-PACKAGE-MANIFEST,
-/// E-PACKAGE-VERSION, E-PACKAGE-PATH).
-[[nodiscard]] Manifest parse_manifest(std::string_view text, int max_json_depth,
-                                      std::size_t max_views);
+/// Reads a manifest and trusts nothing in it: its checksum, bounded depth, the version, finite
+/// numbers, positive sizes, rotations of unit length, safe paths. `where` begins each message.
+/// Throws Error (E-PACKAGE-MANIFEST, -VERSION, -CHECKSUM, -PATH).
+[[nodiscard]] Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
+                                      const std::string& where = kManifestName);
 
-/// Whether `path` names a file below the package and nothing else: plain ASCII names between single
-/// slashes, no dots at a name's start, and one of the endings png, ply, toml.
-[[nodiscard]] bool is_safe_package_path(std::string_view path);
+/// The manifest of the package in `folder`; also throws E-PACKAGE-MISSING and E-PACKAGE-SIZE.
+[[nodiscard]] Manifest read_manifest(const std::filesystem::path& folder,
+                                     const PackageLimits& limits = {});
+
+/// The text with its `manifest_sha256` set: the SHA-256 of the whole text with 64 zeros in the
+/// place of that checksum. Empty when the text has no such field.
+[[nodiscard]] std::optional<std::string> with_manifest_checksum(std::string text);
 
 }  // namespace lumi

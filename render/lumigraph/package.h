@@ -18,14 +18,16 @@ struct PackageExtras {
 };
 
 /// Writes `NAME.lumi/` whole or not at all: a temporary sibling folder, every file flushed, then
-/// one rename; an existing package is replaced at that moment and not before. The same bytes for
-/// the same input: no times, no machine paths. Throws Error (E-PACKAGE-WRITE, E-FILE-WRITE).
+/// one exchange with what is there; an existing package is replaced at that moment and not before.
+/// The same bytes for the same input: no times, no machine paths, unless the extras hold any.
+/// Throws Error: E-PACKAGE-WRITE (something else stands there), E-PACKAGE-NAME (not UTF-8),
+/// E-PACKAGE-MANIFEST (the evidence is no JSON object), E-FILE-WRITE, and those of `validate`.
 void write_package(const std::filesystem::path& folder, const Lumigraph& lumigraph,
                    const PackageExtras& extras);
 
 /// Limits that a reader keeps to, whatever the package claims.
 struct PackageLimits {
-    std::uint64_t max_decoded_bytes = std::uint64_t{8} << 30;
+    std::uint64_t max_decoded_bytes = std::uint64_t{8} << 30;  ///< Files and decoded pictures.
     std::size_t max_views = 10'000;
     std::size_t max_manifest_bytes = std::size_t{16} << 20;
     int max_json_depth = 32;

@@ -1,12 +1,13 @@
-#include <filesystem>
+#include <new>
 
-#include "calib/capture/image_io.h"
-#include "calib/work/content_hash.h"
+#include "calib/capture/image_format.h"
+#include "calib/capture/png_codec.h"
 #include "calib/work/error.h"
-#include "calib/work/whole_file.h"
+#include "calib/work/parallel_for.h"
 #include "meshing/surface/mesh_io.h"
 #include "render/lumigraph/manifest.h"
 #include "render/lumigraph/package.h"
+#include "render/lumigraph/package_folder.h"
 #include "render/lumigraph/quantised_depth.h"
 
 namespace lumi {
@@ -14,121 +15,137 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& code, const fs::path& path, const std::string& what) {
-    throw Error(ErrorKind::kBadInput, code, path.string() + ": " + what,
-                "the package is damaged; copy or build it again");
-}
+constexpr std::uint64_t kMaxPixelsPerPicture = std::uint64_t{1} << 28;
 
-/// The file's place on disk, after making sure that it is a plain file reached without a link and
-/// that its length and checksum are those of the manifest.
-fs::path checked_file(const fs::path& root, const PackageFile& file) {
-    fs::path path = root;
-    for (const fs::path& part : fs::path(file.path)) {
-        path /= part;
-        if (fs::is_symlink(fs::symlink_status(path))) {
-            refuse("E-PACKAGE-PATH", path, "is a link; packages hold plain files");
-        }
-    }
-    if (!fs::is_regular_file(path)) refuse("E-PACKAGE-FILE", path, "is missing");
-    if (fs::file_size(path) != file.bytes) {
-        refuse("E-PACKAGE-FILE", path,
-               "is " + std::to_string(fs::file_size(path)) + " bytes long, expected " +
-                   std::to_string(file.bytes));
-    }
-    if (sha256_hex_of_file(path) != file.sha256) {
-        refuse("E-PACKAGE-CHECKSUM", path, "is not the file that was written");
-    }
-    return path;
-}
-
-/// Counts decoded bytes before anything is decoded.
-class DecodingBudget {
+/// Counts the bytes that the manifest announces before any of them is read.
+class ReadingBudget {
  public:
-    explicit DecodingBudget(std::uint64_t bytes) : left_(bytes) {}
+    explicit ReadingBudget(std::uint64_t bytes) : left_(bytes) {}
 
-    void spend(int width_px, int height_px, std::uint64_t bytes_per_pixel, const fs::path& path) {
-        const std::uint64_t bytes = static_cast<std::uint64_t>(width_px) *
-                                    static_cast<std::uint64_t>(height_px) * bytes_per_pixel;
+    void spend(std::uint64_t bytes, const fs::path& path) {
         if (bytes > left_) {
             throw Error(ErrorKind::kResources, "E-PACKAGE-BUDGET",
-                        path.string() + ": decoding it would exceed the memory that is allowed",
+                        path.string() + ": reading it would exceed the memory that is allowed",
                         "use a smaller package, or raise the limit");
         }
         left_ -= bytes;
+    }
+    void spend_on_picture(int width_px, int height_px, std::uint64_t bytes_per_pixel,
+                          const fs::path& path) {
+        std::uint64_t pixels = 0;
+        std::uint64_t bytes = 0;
+        const bool overflows = __builtin_mul_overflow(width_px, height_px, &pixels) ||
+                               __builtin_mul_overflow(pixels, bytes_per_pixel, &bytes);
+        spend(overflows || pixels > kMaxPixelsPerPicture ? UINT64_MAX : bytes, path);
     }
 
  private:
     std::uint64_t left_;
 };
 
-/// The picture's header must state the size that the manifest states, before it is decoded.
-void expect_size(const fs::path& path, int width_px, int height_px) {
-    const ImageSize size = read_image_size(path);
-    if (size.width_px == width_px && size.height_px == height_px) return;
-    refuse("E-PACKAGE-SIZE", path,
-           "is " + std::to_string(size.width_px) + "x" + std::to_string(size.height_px) +
-               ", expected " + std::to_string(width_px) + "x" + std::to_string(height_px));
+void expect_within_budget(const Manifest& manifest, const PackageFolder& package,
+                          std::uint64_t max_bytes) {
+    ReadingBudget budget(max_bytes);
+    for (const PackageFile* file : {&manifest.camera_mesh, &manifest.points, &manifest.config}) {
+        budget.spend(file->bytes, package.path_of(*file));
+    }
+    for (const ManifestView& view : manifest.views) {
+        const fs::path photograph = package.path_of(view.photograph);
+        budget.spend(view.photograph.bytes, photograph);
+        budget.spend_on_picture(view.camera.width_px, view.camera.height_px, sizeof(Rgb8),
+                                photograph);
+        if (!view.depth) continue;
+        const fs::path depth = package.path_of(view.depth->inverse_depth);
+        budget.spend(view.depth->inverse_depth.bytes, depth);
+        budget.spend(view.depth->confidence.bytes, package.path_of(view.depth->confidence));
+        budget.spend_on_picture(view.depth->width_px, view.depth->height_px,
+                                sizeof(float) + sizeof(std::uint8_t), depth);
+    }
 }
 
-DepthMap read_depth(const fs::path& root, const ManifestView& entry) {
-    const fs::path steps = checked_file(root, entry.inverse_depth);
-    const fs::path confidence = checked_file(root, entry.confidence);
-    expect_size(steps, entry.depth_width_px, entry.depth_height_px);
-    expect_size(confidence, entry.depth_width_px, entry.depth_height_px);
-    DepthMap depth;
-    depth.inverse_depth =
-        dequantise({read_gray16_png(steps), entry.min_inverse_depth, entry.max_inverse_depth});
-    depth.confidence = read_gray_png(confidence);
-    return depth;
+/// The bytes of a PNG whose header states the size that the manifest states.
+Bytes read_png_bytes(const PackageFolder& package, const PackageFile& file, int width_px,
+                     int height_px) {
+    const fs::path path = package.path_of(file);
+    Bytes bytes = package.read(file);
+    if (image_format_of(bytes) != ImageFormat::kPng) {
+        throw Error(ErrorKind::kBadInput, "E-PACKAGE-FORMAT", path.string() + ": expected a PNG",
+                    "packages hold PNG pictures only: build it again with `lumi build`");
+    }
+    const ImageSize size = check_png(bytes, path);
+    if (size.width_px != width_px || size.height_px != height_px) {
+        throw Error(ErrorKind::kBadInput, "E-PACKAGE-SIZE",
+                    path.string() + ": " + std::to_string(size.width_px) + "x" +
+                        std::to_string(size.height_px) + " pixels, expected " +
+                        std::to_string(width_px) + "x" + std::to_string(height_px),
+                    "the package is damaged: build it again with `lumi build`");
+    }
+    return bytes;
 }
 
-LumigraphView read_view(const fs::path& root, const ManifestView& entry) {
+DepthMap read_depth(const PackageFolder& package, const ManifestDepth& entry) {
+    const int width_px = entry.width_px;
+    const int height_px = entry.height_px;
+    const Bytes steps = read_png_bytes(package, entry.inverse_depth, width_px, height_px);
+    const Bytes confidence = read_png_bytes(package, entry.confidence, width_px, height_px);
+    return {dequantise({decode_gray16_png(steps, kMaxPixelsPerPicture,
+                                          package.path_of(entry.inverse_depth)),
+                        entry.min_inverse_depth, entry.max_inverse_depth}),
+            decode_gray_png(confidence, kMaxPixelsPerPicture, package.path_of(entry.confidence))};
+}
+
+LumigraphView read_view(const PackageFolder& package, const ManifestView& entry) {
+    const Bytes png =
+        read_png_bytes(package, entry.photograph, entry.camera.width_px, entry.camera.height_px);
     LumigraphView view;
     view.name = entry.name;
     view.camera = entry.camera;
     view.cam_from_world = entry.cam_from_world;
     view.exif_orientation = entry.exif_orientation;
-    const fs::path photograph = checked_file(root, entry.photograph);
-    expect_size(photograph, entry.camera.width_px, entry.camera.height_px);
-    view.photograph = read_color_image(photograph);
-    if (entry.has_depth) view.depth = read_depth(root, entry);
+    view.photograph =
+        decode_color_png(png, kMaxPixelsPerPicture, package.path_of(entry.photograph));
+    if (entry.depth) view.depth = read_depth(package, *entry.depth);
     return view;
 }
 
-void spend_on_all_views(const Manifest& manifest, const fs::path& root, DecodingBudget& budget) {
-    constexpr std::uint64_t kColorBytes = sizeof(Rgb8);
-    constexpr std::uint64_t kDepthBytes = sizeof(float) + 1;
-    for (const ManifestView& view : manifest.views) {
-        budget.spend(view.camera.width_px, view.camera.height_px, kColorBytes,
-                     root / view.photograph.path);
-        budget.spend(view.depth_width_px, view.depth_height_px, kDepthBytes,
-                     root / view.inverse_depth.path);
-    }
-}
-
-}  // namespace
-
-Lumigraph read_package(const fs::path& folder, const PackageLimits& limits) {
-    const fs::path manifest_path = folder / "lumigraph.json";
-    if (!fs::is_regular_file(fs::symlink_status(manifest_path))) {
-        refuse("E-PACKAGE-MANIFEST", manifest_path, "is missing: this folder is not a package");
-    }
-    const Manifest manifest =
-        parse_manifest(read_whole_text(manifest_path, limits.max_manifest_bytes),
-                       limits.max_json_depth, limits.max_views);
-    DecodingBudget budget(limits.max_decoded_bytes);
-    spend_on_all_views(manifest, folder, budget);
+Lumigraph read_contents(const fs::path& folder, const PackageLimits& limits) {
+    const PackageFolder package(folder);
+    const Manifest manifest = read_manifest(package, limits);
+    expect_within_budget(manifest, package, limits.max_decoded_bytes);
 
     Lumigraph lumigraph;
     lumigraph.name = manifest.name;
     lumigraph.near_depth = manifest.near_depth;
     lumigraph.far_depth = manifest.far_depth;
-    lumigraph.mesh = read_camera_mesh_ply(checked_file(folder, manifest.camera_mesh));
-    validate(lumigraph.mesh, static_cast<int>(manifest.views.size()), folder.string());
-    for (const ManifestView& entry : manifest.views) {
-        lumigraph.views.push_back(read_view(folder, entry));
-    }
+    lumigraph.mesh = parse_camera_mesh_ply(package.read(manifest.camera_mesh),
+                                           package.path_of(manifest.camera_mesh));
+    // Not part of the Lumigraph, but a package with a damaged file is a damaged package.
+    static_cast<void>(package.read(manifest.points));
+    static_cast<void>(package.read(manifest.config));
+
+    lumigraph.views.resize(manifest.views.size());
+    parallel_for(static_cast<int>(manifest.views.size()), 0, [&](int i) {
+        const auto index = static_cast<std::size_t>(i);
+        lumigraph.views[index] = read_view(package, manifest.views[index]);
+    });
+    validate(lumigraph, folder.string());
     return lumigraph;
+}
+
+}  // namespace
+
+Lumigraph read_package(const fs::path& folder, const PackageLimits& limits) {
+    try {
+        return read_contents(folder, limits);
+    } catch (const Error& error) {
+        if (error.code().starts_with("E-PACKAGE-")) throw;
+        throw Error(error.kind(), "E-PACKAGE-CONTENT", error.what(),
+                    "the package is damaged: copy it again, or build it again with `lumi build`");
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorKind::kResources, "E-PACKAGE-MEMORY",
+                    folder.string() + ": not enough memory to read it",
+                    "close other programs, or build the package from smaller photographs");
+    }
 }
 
 }  // namespace lumi

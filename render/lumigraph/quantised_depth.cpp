@@ -29,10 +29,10 @@ QuantisedDepth quantise(const FloatImage& inverse_depth) {
 
 FloatImage dequantise(const QuantisedDepth& quantised) {
     FloatImage inverse_depth(quantised.steps.width(), quantised.steps.height());
-    const double step = (quantised.max_inverse_depth - quantised.min_inverse_depth) / kSteps;
     for (std::size_t i = 0; i < inverse_depth.pixels().size(); ++i) {
         inverse_depth.pixels()[i] =
-            static_cast<float>(quantised.min_inverse_depth + step * quantised.steps.pixels()[i]);
+            static_cast<float>(std::lerp(quantised.min_inverse_depth, quantised.max_inverse_depth,
+                                         quantised.steps.pixels()[i] / kSteps));
     }
     return inverse_depth;
 }

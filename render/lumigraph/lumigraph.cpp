@@ -1,0 +1,67 @@
+#include "render/lumigraph/lumigraph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "calib/work/error.h"
+#include "calib/work/printable.h"
+
+namespace lumi {
+namespace {
+
+constexpr double kUnitTolerance = 1e-6;
+
+[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+    throw Error(ErrorKind::kBadInput, "E-LUMIGRAPH-INVALID", where + ": " + what,
+                "build the package again with `lumi build`");
+}
+
+void validate_depth(const DepthMap& depth, const std::string& where) {
+    const FloatImage& inverse_depth = depth.inverse_depth;
+    if (inverse_depth.width() != depth.confidence.width() ||
+        inverse_depth.height() != depth.confidence.height()) {
+        refuse(where, "expected inverse depth and confidence of one size");
+    }
+    const bool in_range = std::all_of(inverse_depth.pixels().begin(), inverse_depth.pixels().end(),
+                                      [](float q) { return std::isfinite(q) && q >= 0.0F; });
+    if (!in_range) refuse(where, "expected finite inverse depths >= 0");
+}
+
+void validate_view(const LumigraphView& view, const std::string& where) {
+    validate(view.camera, where);
+    if (view.camera.model != LensModel::kPinhole) refuse(where, "expected a PINHOLE camera");
+    if (view.photograph.width() != view.camera.width_px ||
+        view.photograph.height() != view.camera.height_px) {
+        refuse(where, "expected a photograph of its camera's size");
+    }
+    const Rigid3& pose = view.cam_from_world;
+    if (!pose.translation.allFinite() || !(std::abs(pose.rotation.norm() - 1) <= kUnitTolerance)) {
+        refuse(where, "expected a finite rotation and translation");
+    }
+    if (view.exif_orientation < 1 || view.exif_orientation > 8) {
+        refuse(where, "expected an EXIF orientation from 1 to 8");
+    }
+    validate_depth(view.depth, where);
+}
+
+}  // namespace
+
+void validate(const Lumigraph& lumigraph, const std::string& where) {
+    if (lumigraph.views.empty()) refuse(where, "expected at least one view");
+    std::set<std::string> names;
+    for (const LumigraphView& view : lumigraph.views) {
+        validate_view(view, where + ": " + printable(view.name));
+        if (view.name.empty()) refuse(where, "a view has no name");
+        if (!names.insert(view.name).second) {
+            refuse(where, "two views are named " + printable(view.name));
+        }
+    }
+    validate(lumigraph.mesh, static_cast<int>(lumigraph.views.size()), where);
+    const bool in_range = lumigraph.near_depth >= 0 &&
+                          lumigraph.near_depth <= lumigraph.far_depth &&
+                          std::isfinite(lumigraph.far_depth);
+    if (!in_range) refuse(where, "expected 0 <= near_depth <= far_depth");
+}
+
+}  // namespace lumi

@@ -1,0 +1,100 @@
+#include <nlohmann/json.hpp>
+
+#include "calib/work/content_hash.h"
+#include "calib/work/error.h"
+#include "calib/work/printable.h"
+#include "render/lumigraph/manifest.h"
+#include "render/lumigraph/manifest_words.h"
+#include "render/lumigraph/strict_json.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const PackageFile& file) {
+    return {{"path", file.path}, {"bytes", file.bytes}, {"sha256", file.sha256}};
+}
+
+Json json_of(const Camera& camera) {
+    return {{"model", name_of(camera.model)},
+            {"width_px", camera.width_px},
+            {"height_px", camera.height_px},
+            {"parameters", camera.parameters}};
+}
+
+Json json_of(const Rigid3& pose) {
+    const Eigen::Quaterniond& q = pose.rotation;
+    const Eigen::Vector3d& t = pose.translation;
+    return {{"rotation_wxyz", {q.w(), q.x(), q.y(), q.z()}},
+            {"translation", {t.x(), t.y(), t.z()}}};
+}
+
+Json json_of(const ManifestDepth& depth) {
+    return {{"width_px", depth.width_px},
+            {"height_px", depth.height_px},
+            {"min_inverse_depth", depth.min_inverse_depth},
+            {"max_inverse_depth", depth.max_inverse_depth},
+            {"inverse_depth", json_of(depth.inverse_depth)},
+            {"confidence", json_of(depth.confidence)}};
+}
+
+Json json_of(const ManifestView& view) {
+    Json result = {{"name", view.name},
+                   {"photograph", json_of(view.photograph)},
+                   {"exif_orientation", view.exif_orientation},
+                   {"camera", json_of(view.camera)},
+                   {"cam_from_world", json_of(view.cam_from_world)}};
+    if (view.depth) result["depth"] = json_of(*view.depth);
+    return result;
+}
+
+Json evidence_of(const Manifest& manifest) {
+    // The evidence stands one level below the document.
+    Json evidence =
+        parse_strict_json(manifest.evidence_json, PackageLimits{}.max_json_depth - 1, "evidence");
+    if (!evidence.is_object()) {
+        throw Error(ErrorKind::kBadInput, "E-PACKAGE-MANIFEST", "evidence: expected a JSON object",
+                    "this is a defect of lumi: report it");
+    }
+    return evidence;
+}
+
+}  // namespace
+
+std::string manifest_text(const Manifest& manifest) {
+    Json views = Json::array();
+    for (const ManifestView& view : manifest.views) views.push_back(json_of(view));
+    const Json document = {{"format", kPackageFormat},
+                           {"schema_version", kPackageSchemaVersion},
+                           {kManifestChecksumKey, std::string(kChecksumDigits, '0')},
+                           {"name", manifest.name},
+                           {"blending_space", kBlendingSpace},
+                           {"near_depth", manifest.near_depth},
+                           {"far_depth", manifest.far_depth},
+                           {"camera_mesh", json_of(manifest.camera_mesh)},
+                           {"points", json_of(manifest.points)},
+                           {"config", json_of(manifest.config)},
+                           {"views", views},
+                           {"evidence", evidence_of(manifest)}};
+    try {
+        return with_manifest_checksum(document.dump(1) + "\n").value();
+    } catch (const Json::exception&) {
+        throw Error(ErrorKind::kBadInput, "E-PACKAGE-NAME",
+                    printable(manifest.name) + ": the name of a photograph is not UTF-8",
+                    "rename the photographs with letters that UTF-8 knows");
+    }
+}
+
+std::optional<std::string> with_manifest_checksum(std::string text) {
+    const std::string field = "\"" + std::string(kManifestChecksumKey) + "\": \"";
+    const std::size_t found = text.find(field);
+    if (found == std::string::npos) return std::nullopt;
+    const std::size_t begin = found + field.size();
+    if (text.size() < begin + kChecksumDigits) return std::nullopt;
+    text.replace(begin, kChecksumDigits, kChecksumDigits, '0');
+    text.replace(begin, kChecksumDigits, sha256_hex(text));
+    return text;
+}
+
+}  // namespace lumi
