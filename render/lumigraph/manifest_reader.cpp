@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "calib/work/error.h"
@@ -113,8 +112,7 @@ void expect_unique_names(const std::vector<ManifestView>& views, const StrictJso
 
 Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
                         const std::string& where) {
-    const nlohmann::ordered_json json = parse_strict_json(text, limits.max_json_depth, where);
-    const StrictJsonObject document(json, where);
+    const auto document = StrictJsonObject::parse(text, limits.max_json_depth, where);
     check_header(document, text, where);
     Manifest manifest;
     manifest.name = document.text("name");

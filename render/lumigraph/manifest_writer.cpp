@@ -51,13 +51,9 @@ Json json_of(const ManifestView& view) {
 
 Json evidence_of(const Manifest& manifest) {
     // The evidence stands one level below the document.
-    Json evidence =
-        parse_strict_json(manifest.evidence_json, PackageLimits{}.max_json_depth - 1, "evidence");
-    if (!evidence.is_object()) {
-        throw Error(ErrorKind::kBadInput, "E-PACKAGE-MANIFEST", "evidence: expected a JSON object",
-                    "this is a defect of lumi: report it");
-    }
-    return evidence;
+    const int max_depth = PackageLimits{}.max_json_depth - 1;
+    return Json::parse(
+        StrictJsonObject::parse(manifest.evidence_json, max_depth, "evidence").json_text());
 }
 
 }  // namespace

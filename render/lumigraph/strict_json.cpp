@@ -24,9 +24,7 @@ double finite_number(const Json& value, const StrictJsonObject& object, const st
     return number;
 }
 
-}  // namespace
-
-Json parse_strict_json(std::string_view text, int max_depth, const std::string& where) {
+Json parse_bounded(std::string_view text, int max_depth, const std::string& where) {
     std::vector<std::set<std::string>> keys_of_open_objects;
     const auto check = [&](int depth, Json::parse_event_t event, Json& parsed) {
         if (depth >= max_depth && (event == Json::parse_event_t::object_start ||
@@ -51,46 +49,62 @@ Json parse_strict_json(std::string_view text, int max_depth, const std::string& 
     }
 }
 
-StrictJsonObject::StrictJsonObject(const Json& value, std::string where)
-    : value_(&value), where_(std::move(where)) {
-    if (!value.is_object()) refuse_manifest(where_, "expected an object");
+}  // namespace
+
+struct StrictJsonObject::Node {
+    std::shared_ptr<const Json> document;  ///< Keeps `value` alive.
+    const Json* value;
+};
+
+StrictJsonObject StrictJsonObject::parse(std::string_view text, int max_depth,
+                                         const std::string& where) {
+    auto document = std::make_shared<const Json>(parse_bounded(text, max_depth, where));
+    const Json* value = document.get();
+    return {std::make_shared<const Node>(Node{std::move(document), value}), where};
+}
+
+StrictJsonObject::StrictJsonObject(std::shared_ptr<const Node> node, std::string where)
+    : node_(std::move(node)), where_(std::move(where)) {
+    if (!node_->value->is_object()) refuse_manifest(where_, "expected an object");
 }
 
 void StrictJsonObject::refuse(const std::string& key, const std::string& expected) const {
     refuse_manifest(where_ + "." + key, "expected " + expected);
 }
 
-const Json& StrictJsonObject::field(const std::string& key) const {
-    const auto found = value_->find(key);
-    if (found == value_->end()) refuse_manifest(where_, "expected a field '" + key + "'");
-    return *found;
+StrictJsonObject::Node StrictJsonObject::field(const std::string& key) const {
+    const auto found = node_->value->find(key);
+    if (found == node_->value->end()) refuse_manifest(where_, "expected a field '" + key + "'");
+    return {node_->document, &*found};
 }
 
-bool StrictJsonObject::has(const std::string& key) const { return value_->contains(key); }
+bool StrictJsonObject::has(const std::string& key) const { return node_->value->contains(key); }
 
 StrictJsonObject StrictJsonObject::object(const std::string& key) const {
-    return {field(key), where_ + "." + key};
+    return {std::make_shared<const Node>(field(key)), where_ + "." + key};
 }
 
 std::vector<StrictJsonObject> StrictJsonObject::objects(const std::string& key,
                                                         std::size_t max_count) const {
-    const Json& array = field(key);
+    const Node node = field(key);
+    const Json& array = *node.value;
     if (!array.is_array() || array.empty() || array.size() > max_count) {
         refuse(key, "a list of 1 to " + std::to_string(max_count));
     }
     std::vector<StrictJsonObject> result;
     for (std::size_t i = 0; i < array.size(); ++i) {
-        result.emplace_back(array[i], where_ + "." + key + "[" + std::to_string(i) + "]");
+        result.push_back({std::make_shared<const Node>(Node{node.document, &array[i]}),
+                          where_ + "." + key + "[" + std::to_string(i) + "]"});
     }
     return result;
 }
 
 double StrictJsonObject::number(const std::string& key) const {
-    return finite_number(field(key), *this, key);
+    return finite_number(*field(key).value, *this, key);
 }
 
 std::vector<double> StrictJsonObject::numbers(const std::string& key, std::size_t count) const {
-    const Json& array = field(key);
+    const Json& array = *field(key).value;
     if (!array.is_array() || array.size() != count) {
         refuse(key, "a list of " + std::to_string(count) + " numbers");
     }
@@ -100,7 +114,7 @@ std::vector<double> StrictJsonObject::numbers(const std::string& key, std::size_
 }
 
 int StrictJsonObject::integer(const std::string& key, int min, int max) const {
-    const Json& value = field(key);
+    const Json& value = *field(key).value;
     const bool in_range = value.is_number_unsigned()
                               ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(max) &&
                                     static_cast<int>(value.get<std::uint64_t>()) >= min
@@ -113,17 +127,17 @@ int StrictJsonObject::integer(const std::string& key, int min, int max) const {
 }
 
 std::uint64_t StrictJsonObject::byte_count(const std::string& key) const {
-    const Json& value = field(key);
+    const Json& value = *field(key).value;
     if (!value.is_number_unsigned()) refuse(key, "a count of bytes");
     return value.get<std::uint64_t>();
 }
 
 std::string StrictJsonObject::text(const std::string& key) const {
-    const Json& value = field(key);
+    const Json& value = *field(key).value;
     if (!value.is_string()) refuse(key, "a text");
     return value.get<std::string>();
 }
 
-std::string StrictJsonObject::json_text() const { return value_->dump(); }
+std::string StrictJsonObject::json_text() const { return node_->value->dump(); }
 
 }  // namespace lumi

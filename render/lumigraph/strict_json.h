@@ -2,25 +2,22 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace lumi {
 
-/// Parses JSON that may come from anyone: at most `max_depth` levels of nesting (the parser itself
-/// overflows the stack at 1e5) and no key twice in one object. Throws Error (E-PACKAGE-MANIFEST);
-/// `where` begins the message.
-[[nodiscard]] nlohmann::ordered_json parse_strict_json(std::string_view text, int max_depth,
-                                                       const std::string& where);
-
-/// One object of a JSON document, read field by field. Every getter throws Error
-/// (E-PACKAGE-MANIFEST) that names the field and what was expected. Refers to the document, which
-/// must outlive it.
+/// One object of a JSON document that may come from anyone, read field by field. Every member
+/// throws Error (E-PACKAGE-MANIFEST) that names the field and what was expected. Copies share one
+/// document.
 class StrictJsonObject {
  public:
-    StrictJsonObject(const nlohmann::ordered_json& value, std::string where);
+    /// The document's outermost object: at most `max_depth` levels of nesting (the parser itself
+    /// overflows the stack at 1e5) and no key twice in one object; `where` begins each message.
+    [[nodiscard]] static StrictJsonObject parse(std::string_view text, int max_depth,
+                                                const std::string& where);
 
     [[nodiscard]] bool has(const std::string& key) const;
     [[nodiscard]] StrictJsonObject object(const std::string& key) const;
@@ -40,9 +37,11 @@ class StrictJsonObject {
     [[noreturn]] void refuse(const std::string& key, const std::string& expected) const;
 
  private:
-    [[nodiscard]] const nlohmann::ordered_json& field(const std::string& key) const;
+    struct Node;  ///< A place in the parsed document.
+    StrictJsonObject(std::shared_ptr<const Node> node, std::string where);
+    [[nodiscard]] Node field(const std::string& key) const;
 
-    const nlohmann::ordered_json* value_;
+    std::shared_ptr<const Node> node_;
     std::string where_;
 };
 
