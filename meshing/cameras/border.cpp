@@ -2,111 +2,145 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
+
+#include "meshing/cameras/spherical_triangulation.h"
 
 namespace lumi {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+/// Stereographic picture of the unit sphere from `pole`, which goes to infinity. Conformal, and
+/// circles through the pole become straight lines.
+class StereographicPicture {
+ public:
+    explicit StereographicPicture(const Eigen::Vector3d& pole)
+        : pole_(pole), first_(pole.unitOrthogonal()), second_(pole.cross(first_)) {}
 
-/// Edges that only one face has, in the direction in which that face runs through them.
-std::vector<std::pair<int, int>> border_edges(const CameraMesh& mesh) {
-    std::set<std::pair<int, int>> directed;
-    for (const CameraMesh::Face& face : mesh.faces) {
-        for (std::size_t i = 0; i < 3; ++i) directed.emplace(face[i], face[(i + 1) % 3]);
+    [[nodiscard]] Eigen::Vector2d of(const Eigen::Vector3d& direction) const {
+        return Eigen::Vector2d(direction.dot(first_), direction.dot(second_)) /
+               (1.0 - direction.dot(pole_));
     }
-    std::vector<std::pair<int, int>> border;
-    for (const auto& [from, to] : directed) {
-        if (!directed.contains({to, from})) border.emplace_back(from, to);
+
+    /// The tangent of the sphere, of length one, that a step in the picture stands for.
+    [[nodiscard]] Eigen::Vector3d tangent(const Eigen::Vector2d& at,
+                                          const Eigen::Vector2d& step) const {
+        const double q = 1.0 + at.squaredNorm();
+        const double q_step = 2.0 * at.dot(step);
+        const Eigen::Vector3d place = 2.0 * in_space(at) + (q - 2.0) * pole_;
+        const Eigen::Vector3d place_step = 2.0 * in_space(step) + q_step * pole_;
+        return (place_step * q - place * q_step).normalized();
     }
-    return border;
+
+ private:
+    [[nodiscard]] Eigen::Vector3d in_space(const Eigen::Vector2d& p) const {
+        return p.x() * first_ + p.y() * second_;
+    }
+
+    Eigen::Vector3d pole_;
+    Eigen::Vector3d first_;
+    Eigen::Vector3d second_;
+};
+
+/// The mesh is to the left of a border edge seen from outside the sphere, and also in the picture,
+/// which looks at the sphere's outside from beyond the pole's antipode: outward is to the right.
+Eigen::Vector2d outward_normal(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                               double handedness) {
+    const Eigen::Vector2d along = (to - from).normalized();
+    return handedness * Eigen::Vector2d(along.y(), -along.x());
 }
 
-Eigen::Vector3d mean_direction(const std::vector<CameraDirection>& cameras) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const CameraDirection& camera : cameras) sum += camera.direction;
-    return sum.norm() > 1e-9 ? Eigen::Vector3d(sum.normalized()) : cameras.front().direction;
+/// Twice the signed area of the border polygon; its sign is the picture's handedness.
+double signed_area(const std::vector<std::array<int, 2>>& edges,
+                   const std::vector<Eigen::Vector2d>& picture) {
+    double area = 0;
+    for (const auto& [from, to] : edges) {
+        const Eigen::Vector2d& p = picture[static_cast<std::size_t>(from)];
+        const Eigen::Vector2d& q = picture[static_cast<std::size_t>(to)];
+        area += p.x() * q.y() - p.y() * q.x();
+    }
+    return area;
 }
 
-/// Directions in which a border camera is repeated: further and further away from the middle of the
-/// capture, almost to the opposite side.
-std::vector<Eigen::Vector3d> skirt_directions(const Eigen::Vector3d& middle,
-                                              const Eigen::Vector3d& direction, int rings) {
-    constexpr double kFarthestRad = 170 * kDegree;
-    const Eigen::Vector3d across = middle.cross(direction);
-    const double polar = std::atan2(across.norm(), middle.dot(direction));
-    const Eigen::Vector3d axis =
-        across.norm() > 1e-9 ? Eigen::Vector3d(across.normalized()) : orthogonal_unit(middle);
-    std::vector<Eigen::Vector3d> result;
-    for (int ring = 1; ring <= rings; ++ring) {
-        const double turned =
-            polar + (std::max(kFarthestRad, polar) - polar) * ring / static_cast<double>(rings);
-        result.push_back(Eigen::AngleAxisd(turned, axis) * middle);
+/// Where the skirt goes from a camera: along the border's bisector, but never towards the axis of
+/// the gap, where the skirts of opposite cameras would meet.
+Eigen::Vector3d skirt_direction(const Eigen::Vector3d& camera_direction,
+                                const Eigen::Vector3d& bisector, const Eigen::Vector3d& gap) {
+    const Eigen::Vector3d from_axis =
+        (camera_direction - camera_direction.dot(gap) * gap).normalized();
+    const double approach = std::min(0.0, bisector.dot(from_axis));
+    return (bisector - approach * from_axis).normalized();
+}
+
+/// The bisector of the outward normals at each border camera, as a tangent of the sphere.
+std::map<int, Eigen::Vector3d> border_bisectors(const CameraStar& star,
+                                                const std::vector<std::array<int, 2>>& edges,
+                                                const Eigen::Vector3d& gap_direction) {
+    const StereographicPicture stereographic(gap_direction);
+    std::vector<Eigen::Vector2d> picture;
+    for (const Eigen::Vector3d& direction : star.directions) {
+        picture.push_back(stereographic.of(direction));
     }
-    return result;
+    const double handedness = signed_area(edges, picture) > 0 ? 1.0 : -1.0;
+    std::map<int, Eigen::Vector2d> normals;
+    for (const auto& [from, to] : edges) {
+        const Eigen::Vector2d normal =
+            outward_normal(picture[static_cast<std::size_t>(from)],
+                           picture[static_cast<std::size_t>(to)], handedness);
+        for (const int end : {from, to}) {
+            normals.try_emplace(end, Eigen::Vector2d::Zero()).first->second += normal;
+        }
+    }
+    std::map<int, Eigen::Vector3d> bisectors;
+    for (const auto& [camera, normal] : normals) {
+        bisectors[camera] =
+            stereographic.tangent(picture[static_cast<std::size_t>(camera)], normal);
+    }
+    return bisectors;
 }
 
 }  // namespace
 
-std::vector<SphericalFace> without_far_side(const std::vector<SphericalFace>& faces,
-                                            std::size_t camera_count) {
-    std::vector<double> angles;
-    for (const SphericalFace& face : faces) angles.push_back(face.cap_angle_rad);
-    const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
-    std::nth_element(angles.begin(), middle, angles.end());
-    const double limit = std::clamp(3 * *middle, 60 * kDegree, 85 * kDegree);
-
-    std::vector<const SphericalFace*> smallest_at(camera_count, nullptr);
-    for (const SphericalFace& face : faces) {
-        for (const int corner : face.corners) {
-            const SphericalFace*& smallest = smallest_at[static_cast<std::size_t>(corner)];
-            if (smallest == nullptr || face.cap_angle_rad < smallest->cap_angle_rad) {
-                smallest = &face;
-            }
-        }
-    }
-    const std::set<const SphericalFace*> needed(smallest_at.begin(), smallest_at.end());
-    std::vector<SphericalFace> kept;
-    for (const SphericalFace& face : faces) {
-        if (face.cap_angle_rad <= limit || needed.contains(&face)) kept.push_back(face);
-    }
-    return kept;
+std::vector<std::array<int, 3>> open_triangulation(const std::vector<Eigen::Vector3d>& directions,
+                                                   const Eigen::Vector3d& gap_direction) {
+    std::vector<Eigen::Vector3d> with_gap = directions;
+    with_gap.push_back(gap_direction);
+    auto faces = spherical_triangulation(with_gap);
+    const auto gap = static_cast<int>(directions.size());
+    std::erase_if(faces, [gap](const std::array<int, 3>& face) {
+        return std::find(face.begin(), face.end(), gap) != face.end();
+    });
+    return faces;
 }
 
-void add_skirt(CameraMesh& mesh, const std::vector<CameraDirection>& cameras) {
-    constexpr int kRings = 5;
-    constexpr double kRadiusGrowth = 1.15;  // Keeps the chords of the skirt away from the scene.
-    const Eigen::Vector3d middle = mean_direction(cameras);
-    const std::vector<std::pair<int, int>> border = border_edges(mesh);
-
-    // First virtual vertex of each border vertex; its rings follow one another.
-    std::map<int, int> first_virtual;
-    for (const auto& [from, to] : border) {
-        if (first_virtual.contains(from)) continue;
-        first_virtual[from] = static_cast<int>(mesh.vertices.size());
-        const CameraDirection& camera = cameras[static_cast<std::size_t>(from)];
-        double radius = camera.radius;
-        for (const Eigen::Vector3d& direction :
-             skirt_directions(middle, camera.direction, kRings)) {
-            radius *= kRadiusGrowth;
-            mesh.vertices.push_back(
-                {mesh.scene_centre_in_world + radius * direction, camera.view_index});
+std::vector<std::array<int, 2>> border_edges(const std::vector<std::array<int, 3>>& faces) {
+    std::set<std::array<int, 2>> edges;
+    for (const auto& face : faces) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            edges.insert({face[corner], face[(corner + 1) % 3]});
         }
     }
-    for (const auto& [from, to] : border) {
-        int inner_from = from;
-        int inner_to = to;
-        for (int ring = 0; ring < kRings; ++ring) {
-            const int outer_from = first_virtual.at(from) + ring;
-            const int outer_to = first_virtual.at(to) + ring;
-            mesh.faces.push_back({inner_to, inner_from, outer_from});
-            mesh.faces.push_back({inner_to, outer_from, outer_to});
-            inner_from = outer_from;
-            inner_to = outer_to;
-        }
+    std::vector<std::array<int, 2>> border;
+    for (const auto& [from, to] : edges) {
+        if (!edges.contains({to, from})) border.push_back({from, to});
+    }
+    return border;
+}
+
+void append_skirt(const CameraStar& star, const Eigen::Vector3d& gap_direction, double length,
+                  CameraMesh& mesh) {
+    const auto edges = border_edges(mesh.faces);
+    std::map<int, int> virtual_of;
+    for (const auto& [camera, bisector] : border_bisectors(star, edges, gap_direction)) {
+        const Eigen::Vector3d direction = skirt_direction(
+            star.directions[static_cast<std::size_t>(camera)], bisector, gap_direction);
+        const CameraMesh::Vertex& vertex = mesh.vertices[static_cast<std::size_t>(camera)];
+        virtual_of[camera] = static_cast<int>(mesh.vertices.size());
+        mesh.vertices.push_back({vertex.position_in_world + length * direction, vertex.view_index});
+    }
+    for (const auto& [from, to] : edges) {
+        mesh.faces.push_back({to, from, virtual_of.at(from)});
+        mesh.faces.push_back({to, virtual_of.at(from), virtual_of.at(to)});
     }
 }
 

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <set>
+#include <utility>
 
 #include "calib/work/error.h"
+#include "meshing/cameras/arrangement.h"
 #include "meshing/cameras/border.h"
-#include "meshing/cameras/camera_directions.h"
+#include "meshing/cameras/camera_star.h"
 #include "meshing/cameras/kernel.h"
 #include "meshing/cameras/line_strip.h"
 #include "meshing/cameras/scene_centre.h"
@@ -15,146 +19,213 @@
 namespace lumi {
 namespace {
 
-CameraMesh single_camera(const CameraDirection& camera, const Eigen::Vector3d& centre) {
+/// How far skirts and strips reach, in largest camera distances from the scene centre: a ray to the
+/// scene misses them only within atan(1/8), 7 degrees, of their direction.
+constexpr double kReach = 8.0;
+/// Outliers of the sparse points must not decide.
+constexpr double kSceneShare = 0.95;
+constexpr std::size_t kMaxScenePoints = 2000;
+/// Cameras closer together than this share of their depth show no parallax in any photograph.
+constexpr double kOneSpot = 1e-6;
+/// Clearance of the scene in the kernel, as a share of the camera distance, that needs no search.
+constexpr double kEnoughClearance = 0.25;
+constexpr double kLeastGain = 1e-3;
+/// Open meshes may leave the scene all the room there is; reports want a finite figure.
+constexpr double kMostRoom = 100.0;
+
+/// The points nearer to the centre than the usual camera: what the cameras stand around. What lies
+/// beyond is background, which no camera mesh can contain.
+std::vector<Eigen::Vector3d> foreground(const std::vector<Eigen::Vector3d>& points,
+                                        const Eigen::Vector3d& centre, double camera_distance) {
+    std::vector<Eigen::Vector3d> nearer;
+    std::copy_if(
+        points.begin(), points.end(), std::back_inserter(nearer),
+        [&](const Eigen::Vector3d& point) { return (point - centre).norm() < camera_distance; });
+    return nearer;
+}
+
+bool on_one_spot(const std::vector<OpticalAxis>& axes) {
+    double extent = 0;
+    double depth = 0;
+    for (const OpticalAxis& axis : axes) {
+        extent = std::max(extent, (axis.centre_in_world - axes.front().centre_in_world).norm());
+        depth = std::max(depth, axis.depth);
+    }
+    return extent <= kOneSpot * depth || extent == 0;
+}
+
+CameraMesh surface_mesh(const CameraStar& star, const Arrangement& arrangement) {
     CameraMesh mesh;
-    mesh.construction = MeshConstruction::kSingle;
-    mesh.scene_centre_in_world = centre;
-    mesh.vertices.push_back({centre + camera.radius * camera.direction, camera.view_index});
-    return mesh;
-}
-
-std::vector<Eigen::Vector3d> directions_of(const std::vector<CameraDirection>& cameras) {
-    std::vector<Eigen::Vector3d> directions;
-    for (const CameraDirection& camera : cameras) directions.push_back(camera.direction);
-    return directions;
-}
-
-/// The mesh over the sphere of directions; empty when they do not span a volume.
-CameraMesh surface_mesh(const Capture& capture, const std::vector<CameraDirection>& cameras,
-                        const Eigen::Vector3d& centre, bool keep_far_side) {
-    CameraMesh mesh;
-    mesh.scene_centre_in_world = centre;
-    const std::vector<SphericalFace> hull = triangulate_sphere(directions_of(cameras));
-    if (hull.empty()) return mesh;
-
-    for (const CameraDirection& camera : cameras) {
-        const View& view = capture.views[static_cast<std::size_t>(camera.view_index)];
-        mesh.vertices.push_back({centre_in_world(view.cam_from_world), camera.view_index});
+    mesh.scene_centre_in_world = star.centre_in_world;
+    for (const OpticalAxis& axis : star.axes) {
+        mesh.vertices.push_back({axis.centre_in_world, axis.view_index});
     }
-    const std::vector<SphericalFace> kept =
-        keep_far_side ? hull : without_far_side(hull, cameras.size());
-    for (const SphericalFace& face : kept) mesh.faces.push_back(face.corners);
-    mesh.construction =
-        kept.size() == hull.size() ? MeshConstruction::kClosed : MeshConstruction::kOpen;
-    if (mesh.construction == MeshConstruction::kOpen) add_skirt(mesh, cameras);
-    return mesh;
-}
-
-CameraMesh row_mesh(const CameraRow& row, const std::vector<CameraDirection>& cameras,
-                    const Eigen::Vector3d& centre) {
-    CameraMesh mesh = strip_of_row(row, cameras, centre);
-    if (cameras.size() == 2) mesh.construction = MeshConstruction::kPair;
-    return mesh;
-}
-
-CameraMesh mesh_of(const Capture& capture, const std::vector<CameraDirection>& cameras,
-                   const Eigen::Vector3d& centre, const std::string& construction) {
-    if (cameras.size() == 1) return single_camera(cameras.front(), centre);
-    const std::optional<CameraRow> row = find_row(cameras, construction == "line");
-    if (row && (cameras.size() == 2 || construction == "auto" || construction == "line")) {
-        return row_mesh(*row, cameras, centre);
+    if (arrangement.construction == MeshConstruction::kClosed) {
+        mesh.faces = spherical_triangulation(star.directions);
+    } else if (arrangement.construction == MeshConstruction::kOpen) {
+        mesh.faces = open_triangulation(star.directions, arrangement.gap_direction);
+        append_skirt(star, arrangement.gap_direction, kReach * largest_distance(star), mesh);
     }
-    CameraMesh mesh = surface_mesh(capture, cameras, centre, construction == "closed");
-    if (mesh.faces.empty()) mesh = row_mesh(*find_row(cameras, true), cameras, centre);
     return mesh;
 }
 
-/// Seen from inside, the other side of each face is the outer one.
-void turn_inside_out(CameraMesh& mesh) {
-    for (CameraMesh::Face& face : mesh.faces) std::swap(face[1], face[2]);
+/// The mesh of the stated construction over the cameras, star-shaped about `centre`.
+CameraMesh construct(const std::vector<OpticalAxis>& axes, const Eigen::Vector3d& centre,
+                     const Arrangement& arrangement) {
+    const CameraStar star = camera_star(axes, centre);
+    const bool strip = arrangement.construction == MeshConstruction::kLine ||
+                       arrangement.construction == MeshConstruction::kPair;
+    CameraMesh mesh =
+        strip
+            ? build_line_strip(star, arrangement.strip_normal, kReach * largest_distance(star)).mesh
+            : surface_mesh(star, arrangement);
+    mesh.construction = arrangement.construction;
+    return mesh;
 }
 
-std::string explain(const CameraMesh& mesh, std::size_t cameras, bool inside_out) {
-    const std::string count = std::to_string(cameras) + " cameras ";
-    std::string text;
-    switch (mesh.construction) {
-        case MeshConstruction::kClosed:
-            text = count + "stand all around the scene: a closed mesh";
-            break;
-        case MeshConstruction::kOpen:
-            text = count +
-                   "cover a part of the directions: an open mesh, continued past its border "
-                   "by the border's cameras";
-            break;
-        case MeshConstruction::kLine:
-            text = count +
-                   "stand in a row, their heights differ less than their spacing: a strip "
-                   "along the row";
-            break;
-        case MeshConstruction::kPair:
-            text = "two cameras: a strip between them";
-            break;
-        case MeshConstruction::kSingle:
-            text = "one camera: every ray is taken from it";
-            break;
+/// The clearance that all but the outermost points have in the kernel, as a share of the usual
+/// camera distance; enough is enough.
+double scene_clearance(const CameraMesh& mesh, const std::vector<Eigen::Vector3d>& points,
+                       double camera_distance) {
+    const std::vector<FacePlane> planes = face_planes(mesh);
+    std::vector<double> clearances;
+    for (const Eigen::Vector3d& point : points) {
+        clearances.push_back(kernel_clearance(planes, point - mesh.scene_centre_in_world));
     }
-    if (inside_out) text += "; the cameras look outwards from their middle";
-    return text;
+    const double trimmed = percentile(std::move(clearances), 1 - kSceneShare);
+    return std::min(trimmed / camera_distance, kEnoughClearance);
 }
 
-int views_named_by(const CameraMesh& mesh) {
+int distinct_views(const CameraMesh& mesh) {
     std::set<int> views;
     for (const CameraMesh::Vertex& vertex : mesh.vertices) views.insert(vertex.view_index);
     return static_cast<int>(views.size());
 }
 
-CameraMeshEvidence evidence_of(const CameraMesh& mesh, const SceneExtent& scene,
-                               std::size_t cameras) {
-    constexpr double kToleratedShare = 0.01;
-    CameraMeshEvidence evidence;
-    evidence.cameras_total = static_cast<int>(cameras);
-    evidence.cameras_kept = views_named_by(mesh);
-    if (scene.radius > 0) {
-        evidence.kernel_radius_over_scene_radius = kernel_radius(mesh) / scene.radius;
+/// The mesh about the centre near `start` that gives the scene the most room in its kernel without
+/// losing a camera.
+CameraMesh construct_with_room(const std::vector<OpticalAxis>& axes, const Eigen::Vector3d& start,
+                               const Arrangement& arrangement,
+                               const std::vector<Eigen::Vector3d>& scene) {
+    const CameraMesh first = construct(axes, start, arrangement);
+    const double camera_distance = median_distance(axes, start);
+    if (scene.empty() || scene_clearance(first, scene, camera_distance) >= kEnoughClearance) {
+        return first;
     }
-    evidence.faces_with_scene_outside =
-        faces_with_scene_outside(mesh, scene.points_in_world, kToleratedShare);
-    evidence.explanation = explain(mesh, cameras, scene.inside_out);
-    return evidence;
+    const int views = distinct_views(first);
+    const auto room = [&](const Eigen::Vector3d& centre) {
+        const CameraMesh mesh = construct(axes, centre, arrangement);
+        return distinct_views(mesh) < views ? -std::numeric_limits<double>::infinity()
+                                            : scene_clearance(mesh, scene, camera_distance);
+    };
+    const double first_step = 0.2 * camera_distance;
+    return construct(axes, improve_scene_centre(start, first_step, kLeastGain, room), arrangement);
+}
+
+/// One camera for all, when none can be told from another by where it stands.
+CameraMesh single_camera_mesh(const OpticalAxis& axis) {
+    CameraMesh mesh;
+    mesh.construction = MeshConstruction::kSingle;
+    mesh.scene_centre_in_world =
+        axis.centre_in_world + (axis.depth > 0 ? axis.depth : 1.0) * axis.direction_in_world;
+    mesh.vertices.push_back({axis.centre_in_world, axis.view_index});
+    return mesh;
+}
+
+Arrangement chosen_arrangement(const std::vector<OpticalAxis>& axes, const Eigen::Vector3d& centre,
+                               const CameraMeshOptions& options) {
+    const CameraStar star = camera_star(axes, centre);
+    const auto demanded = mesh_construction_named(options.construction);
+    return demanded ? arrange_as(star, *demanded) : arrange(star);
+}
+
+/// How the kernel of the mesh and the scene lie to each other.
+struct KernelJudgement {
+    double scale = 0.0;  ///< The kernel over the trimmed scene; 0 when not known.
+    double share = 0.0;  ///< Of the scene's points that lie in the kernel.
+    int faces_with_scene_outside = 0;
+};
+
+KernelJudgement judge_kernel(const CameraMesh& mesh, const std::vector<Eigen::Vector3d>& scene) {
+    KernelJudgement judgement;
+    if (scene.empty() || mesh.faces.empty()) return judgement;
+    const std::vector<FacePlane> planes = face_planes(mesh);
+    std::vector<double> gauges;
+    for (const Eigen::Vector3d& point : scene) {
+        gauges.push_back(kernel_gauge(planes, point - mesh.scene_centre_in_world));
+    }
+    const auto count = static_cast<double>(scene.size());
+    const auto inside =
+        std::count_if(gauges.begin(), gauges.end(), [](double gauge) { return gauge <= 1; });
+    judgement.share = static_cast<double>(inside) / count;
+    judgement.scale = std::min(1 / percentile(std::move(gauges), kSceneShare), kMostRoom);
+    for (const FacePlane& plane : planes) {
+        const auto outside =
+            std::count_if(scene.begin(), scene.end(), [&](const Eigen::Vector3d& point) {
+                return plane.outward_normal.dot(point - mesh.scene_centre_in_world) >
+                       plane.distance;
+            });
+        if (static_cast<double>(outside) > (1 - kSceneShare) * count) {
+            ++judgement.faces_with_scene_outside;
+        }
+    }
+    return judgement;
+}
+
+/// "closed: the cameras surround the scene ...; 48 of 48 cameras are vertices of the mesh; ..."
+std::string explain(const CameraMesh& mesh, const Arrangement& arrangement,
+                    const CameraMeshEvidence& evidence, const KernelJudgement& kernel) {
+    std::string text = name_of(mesh.construction);
+    if (arrangement.inside_out) text += ", inside out (the cameras look away from their middle)";
+    text += ": " + arrangement.reason + "; " + std::to_string(evidence.cameras_kept) + " of " +
+            std::to_string(evidence.cameras_total) + " cameras are vertices of the mesh";
+    if (evidence.cameras_kept < evidence.cameras_total) {
+        text += ", the others stand behind or before one of them as seen from the scene";
+    }
+    if (kernel.scale > 0) {
+        text += "; " + std::to_string(std::lround(std::floor(100 * kernel.share))) +
+                " % of the scene's points lie in its kernel, where no ray crosses two faces";
+    }
+    return text + ".";
 }
 
 }  // namespace
-
-void validate(const CameraMeshOptions& options) {
-    for (const char* known : {"auto", "closed", "open", "line"}) {
-        if (options.construction == known) return;
-    }
-    throw Error(ErrorKind::kUsage, "E-CONFIG-VALUE",
-                "[mesh] construction = \"" + options.construction + "\"",
-                "use \"auto\", \"closed\", \"open\" or \"line\"");
-}
-
-CameraMeshOptions read_camera_mesh_options(const ConfigSection& section) {
-    CameraMeshOptions options;
-    options.construction = section.text("construction", options.construction);
-    validate(options);
-    return options;
-}
 
 BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>& view_indices,
                                   const CameraMeshOptions& options) {
     validate(options);
     if (view_indices.empty()) {
         throw Error(ErrorKind::kDegenerateCapture, "E-MESH-NOVIEW",
-                    "there is no camera to make a mesh of", "hold out fewer photographs");
+                    "no view is left to build the camera mesh from",
+                    "register more photographs, or hold fewer of them out");
     }
-    const SceneExtent scene = find_scene(capture, view_indices);
-    const std::vector<CameraDirection> cameras =
-        camera_directions(capture, view_indices, scene.centre_in_world);
+    const std::vector<OpticalAxis> axes = optical_axes(capture, view_indices);
     BuiltCameraMesh built;
-    built.mesh = mesh_of(capture, cameras, scene.centre_in_world, options.construction);
-    built.evidence = evidence_of(built.mesh, scene, cameras.size());
-    if (scene.inside_out) turn_inside_out(built.mesh);
+    Arrangement arrangement;
+    std::vector<Eigen::Vector3d> scene;
+    if (on_one_spot(axes)) {
+        arrangement.reason = axes.size() == 1 ? "there is one camera"
+                                              : "the camera turned on one spot and did not move";
+        built.mesh = single_camera_mesh(axes.front());
+    } else {
+        const Eigen::Vector3d centre = estimate_scene_centre(axes);
+        arrangement = chosen_arrangement(axes, centre, options);
+        if (!arrangement.inside_out) {
+            scene = foreground(visible_points(capture, view_indices, kMaxScenePoints), centre,
+                               median_distance(axes, centre));
+        }
+        built.mesh = construct_with_room(axes, centre, arrangement, scene);
+    }
+    built.evidence.cameras_total = static_cast<int>(view_indices.size());
+    built.evidence.cameras_kept = distinct_views(built.mesh);
+    const KernelJudgement kernel = judge_kernel(built.mesh, scene);
+    built.evidence.kernel_radius_over_scene_radius = kernel.scale;
+    built.evidence.faces_with_scene_outside = kernel.faces_with_scene_outside;
+    built.evidence.explanation = explain(built.mesh, arrangement, built.evidence, kernel);
+    // Seen from within, a ray is blended from the cameras it leaves through: inside is outside.
+    if (arrangement.inside_out) {
+        for (CameraMesh::Face& face : built.mesh.faces) std::swap(face[1], face[2]);
+    }
     return built;
 }
 

@@ -2,52 +2,60 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <limits>
 
 namespace lumi {
-namespace {
 
-struct FacePlane {
-    Eigen::Vector3d normal;  ///< Outwards, length one.
-    double offset = 0.0;
-
-    [[nodiscard]] double height(const Eigen::Vector3d& point) const {
-        return normal.dot(point) - offset;
-    }
-};
-
-FacePlane plane_of(const CameraMesh& mesh, const CameraMesh::Face& face) {
-    const auto at = [&](std::size_t corner) -> const Eigen::Vector3d& {
-        return mesh.vertices[static_cast<std::size_t>(face[corner])].position_in_world;
-    };
-    FacePlane plane;
-    plane.normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
-    plane.offset = plane.normal.dot(at(0));
-    return plane;
-}
-
-}  // namespace
-
-double kernel_radius(const CameraMesh& mesh) {
-    double radius = std::numeric_limits<double>::infinity();
+std::vector<FacePlane> face_planes(const CameraMesh& mesh) {
+    std::vector<FacePlane> planes;
     for (const CameraMesh::Face& face : mesh.faces) {
-        radius = std::min(radius, -plane_of(mesh, face).height(mesh.scene_centre_in_world));
+        std::array<Eigen::Vector3d, 3> corners;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            corners[corner] =
+                mesh.vertices[static_cast<std::size_t>(face[corner])].position_in_world -
+                mesh.scene_centre_in_world;
+        }
+        const Eigen::Vector3d normal =
+            (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+        planes.push_back({normal, normal.dot(corners[0])});
     }
-    return mesh.faces.empty() ? 0.0 : radius;
+    return planes;
 }
 
-int faces_with_scene_outside(const CameraMesh& mesh,
-                             const std::vector<Eigen::Vector3d>& points_in_world,
-                             double tolerated_share) {
-    const double tolerated = tolerated_share * static_cast<double>(points_in_world.size());
-    const auto cuts_the_scene = [&](const CameraMesh::Face& face) {
-        const FacePlane plane = plane_of(mesh, face);
-        const auto outside =
-            std::count_if(points_in_world.begin(), points_in_world.end(),
-                          [&](const auto& point) { return plane.height(point) > 0; });
-        return static_cast<double>(outside) > tolerated;
-    };
-    return static_cast<int>(std::count_if(mesh.faces.begin(), mesh.faces.end(), cuts_the_scene));
+double kernel_radius(const std::vector<FacePlane>& planes) {
+    double radius = std::numeric_limits<double>::infinity();
+    for (const FacePlane& plane : planes) radius = std::min(radius, plane.distance);
+    return std::max(radius, 0.0);
+}
+
+double kernel_gauge(const std::vector<FacePlane>& planes,
+                    const Eigen::Vector3d& point_from_centre) {
+    double gauge = 0;
+    for (const FacePlane& plane : planes) {
+        if (!(plane.distance > 0)) return std::numeric_limits<double>::infinity();
+        gauge = std::max(gauge, plane.outward_normal.dot(point_from_centre) / plane.distance);
+    }
+    return gauge;
+}
+
+double kernel_clearance(const std::vector<FacePlane>& planes,
+                        const Eigen::Vector3d& point_from_centre) {
+    double clearance = std::numeric_limits<double>::infinity();
+    for (const FacePlane& plane : planes) {
+        clearance =
+            std::min(clearance, plane.distance - plane.outward_normal.dot(point_from_centre));
+    }
+    return clearance;
+}
+
+double percentile(std::vector<double> values, double share) {
+    assert(!values.empty());
+    const auto rank =
+        static_cast<std::ptrdiff_t>(std::floor(share * static_cast<double>(values.size() - 1)));
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    return values[static_cast<std::size_t>(rank)];
 }
 
 }  // namespace lumi

@@ -1,163 +1,150 @@
 #include "meshing/cameras/line_strip.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <vector>
 
 namespace lumi {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kSameAzimuth_rad = 1e-6;
+constexpr double kFullTurn = 2 * std::numbers::pi;
+constexpr double kDegree = std::numbers::pi / 180;
 
-/// How far above and below the plane a camera is repeated, in units of its distance: rays up to
-/// about 80 degrees off the plane find the strip.
-constexpr double kHeightOverRadius = 6.0;
-constexpr double kEndStepRad = kPi / 6;
-/// What stays open of a full turn behind an open row.
-constexpr double kOpeningRad = kPi / 9;
+/// The star's cameras in the order of their azimuth about the normal.
+struct Chain {
+    std::vector<std::size_t> cameras;
+    std::vector<double> azimuths_rad;  ///< Ascending within a turn, starting behind the widest gap.
+    double widest_gap_rad = kFullTurn;
+    double usual_gap_rad = 0.0;
+};
 
-/// Normal of the plane through the scene centre that the directions lie closest to. One direction,
-/// or two opposite ones, leave it free: any plane through them will do.
-Eigen::Vector3d plane_normal(const std::vector<CameraDirection>& cameras) {
-    Eigen::Matrix3Xd directions(3, cameras.size());
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-        directions.col(static_cast<Eigen::Index>(i)) = cameras[i].direction;
-    }
-    const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(directions, Eigen::ComputeFullU);
-    if (svd.singularValues().size() < 2 || svd.singularValues()(1) < 1e-9) {
-        return orthogonal_unit(cameras.front().direction);
-    }
-    return svd.matrixU().col(2);
-}
-
-double azimuth_rad(const Eigen::Vector3d& direction, const Eigen::Vector3d& forward,
-                   const Eigen::Vector3d& normal) {
-    return std::atan2(direction.dot(normal.cross(forward)), direction.dot(forward));
-}
-
-/// Orders the cameras by azimuth, beginning behind the widest gap, and returns that gap.
-double order_by_azimuth(const std::vector<CameraDirection>& cameras, CameraRow& row) {
-    const Eigen::Vector3d& first = cameras.front().direction;
-    Eigen::Vector3d forward = first - first.dot(row.normal) * row.normal;
-    forward =
-        forward.norm() > 1e-9 ? Eigen::Vector3d(forward.normalized()) : orthogonal_unit(row.normal);
-    std::vector<double> azimuths;
-    for (const CameraDirection& camera : cameras) {
-        azimuths.push_back(azimuth_rad(camera.direction, forward, row.normal));
-    }
-    row.order.resize(cameras.size());
-    std::iota(row.order.begin(), row.order.end(), std::size_t{0});
-    std::stable_sort(row.order.begin(), row.order.end(),
-                     [&](std::size_t a, std::size_t b) { return azimuths[a] < azimuths[b]; });
-
-    const std::size_t count = row.order.size();
-    std::size_t behind_gap = 0;
-    double widest_gap = 0;
+/// Rotates an ascending chain so that it begins behind its widest gap.
+void begin_behind_widest_gap(Chain& chain) {
+    const std::size_t count = chain.cameras.size();
+    std::vector<double> gaps(count);  // gaps[i] is the one before camera i
     for (std::size_t i = 0; i < count; ++i) {
-        const double here = azimuths[row.order[i]];
-        const double before = azimuths[row.order[(i + count - 1) % count]];
-        const double gap = i == 0 ? here - before + 2 * kPi : here - before;
-        if (gap > widest_gap) {
-            widest_gap = gap;
-            behind_gap = i;
+        gaps[i] = i == 0 ? chain.azimuths_rad.front() + kFullTurn - chain.azimuths_rad.back()
+                         : chain.azimuths_rad[i] - chain.azimuths_rad[i - 1];
+    }
+    const auto widest = std::max_element(gaps.begin(), gaps.end()) - gaps.begin();
+    for (std::ptrdiff_t i = 0; i < widest; ++i) {
+        chain.azimuths_rad[static_cast<std::size_t>(i)] += kFullTurn;
+    }
+    chain.widest_gap_rad = gaps[static_cast<std::size_t>(widest)];
+    std::rotate(chain.cameras.begin(), chain.cameras.begin() + widest, chain.cameras.end());
+    std::rotate(chain.azimuths_rad.begin(), chain.azimuths_rad.begin() + widest,
+                chain.azimuths_rad.end());
+    std::nth_element(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(count / 2),
+                     gaps.end());
+    chain.usual_gap_rad = gaps[count / 2];
+}
+
+Chain chain_by_azimuth(const CameraStar& star, const Eigen::Vector3d& normal) {
+    const Eigen::Vector3d first = normal.unitOrthogonal();
+    const Eigen::Vector3d second = normal.cross(first);
+    std::vector<double> azimuths_rad;
+    for (const Eigen::Vector3d& direction : star.directions) {
+        azimuths_rad.push_back(std::atan2(direction.dot(second), direction.dot(first)));
+    }
+    std::vector<std::size_t> order(azimuths_rad.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return azimuths_rad[a] < azimuths_rad[b];
+    });
+
+    const double usual_distance = median_distance(star.axes, star.centre_in_world);
+    const auto off_usual = [&](std::size_t camera) {
+        return std::abs(star.distances[camera] - usual_distance);
+    };
+    Chain chain;
+    for (const std::size_t camera : order) {
+        const bool hidden = !chain.cameras.empty() &&
+                            azimuths_rad[camera] - chain.azimuths_rad.back() <= kSameAzimuth_rad;
+        if (!hidden) {
+            chain.cameras.push_back(camera);
+            chain.azimuths_rad.push_back(azimuths_rad[camera]);
+        } else if (off_usual(camera) < off_usual(chain.cameras.back())) {
+            chain.cameras.back() = camera;
         }
     }
-    std::rotate(row.order.begin(), row.order.begin() + static_cast<std::ptrdiff_t>(behind_gap),
-                row.order.end());
-    for (const std::size_t camera : row.order) {
-        double azimuth = azimuths[camera];
-        if (!row.azimuths_rad.empty() && azimuth < row.azimuths_rad.front()) azimuth += 2 * kPi;
-        row.azimuths_rad.push_back(azimuth);
-    }
-    return widest_gap;
+    begin_behind_widest_gap(chain);
+    return chain;
 }
 
-double rms_height_rad(const std::vector<CameraDirection>& cameras, const Eigen::Vector3d& normal) {
-    double sum = 0;
-    for (const CameraDirection& camera : cameras) {
-        const double height = std::asin(std::clamp(camera.direction.dot(normal), -1.0, 1.0));
-        sum += height * height;
-    }
-    return std::sqrt(sum / static_cast<double>(cameras.size()));
+bool is_ring(const Chain& chain) {
+    const double limit_rad = std::clamp(3 * chain.usual_gap_rad, 60.0 * kDegree, 150.0 * kDegree);
+    return chain.cameras.size() >= 3 && chain.widest_gap_rad <= limit_rad;
 }
 
-/// A strip under construction: pairs of vertices, joined to the pair before.
-class StripBuilder {
- public:
-    StripBuilder(CameraMesh& mesh, const Eigen::Vector3d& normal) : mesh_(mesh), normal_(normal) {}
+/// Where the strip goes beyond an end camera: along the tangent of the circle about the centre, but
+/// never towards the middle of the gap, where both ends would meet.
+Eigen::Vector3d end_direction(const Eigen::Vector3d& camera_direction,
+                              const Eigen::Vector3d& normal, const Eigen::Vector3d& gap,
+                              double turn) {
+    const Eigen::Vector3d tangent = turn * normal.cross(camera_direction).normalized();
+    const Eigen::Vector3d across_gap = normal.cross(gap);
+    const double side = camera_direction.dot(across_gap) > 0 ? 1.0 : -1.0;
+    const double approach = std::min(0.0, side * tangent.dot(across_gap));
+    const Eigen::Vector3d direction = tangent - approach * side * across_gap;
+    return direction.norm() > 1e-6 ? direction.normalized() : gap;
+}
 
-    void add_pair(const Eigen::Vector3d& position, double height, int view_index) {
-        mesh_.vertices.push_back({position + height * normal_, view_index});
-        mesh_.vertices.push_back({position - height * normal_, view_index});
-        if (pairs_ > 0) join(pairs_ - 1, pairs_);
-        ++pairs_;
-    }
-    void close() { join(pairs_ - 1, 0); }
+/// The direction in the plane of the strip that lies in the middle of the widest gap.
+Eigen::Vector3d gap_middle(const Chain& chain, const Eigen::Vector3d& normal) {
+    const Eigen::Vector3d first = normal.unitOrthogonal();
+    const double azimuth_rad = chain.azimuths_rad.back() + chain.widest_gap_rad / 2;
+    return std::cos(azimuth_rad) * first + std::sin(azimuth_rad) * normal.cross(first);
+}
 
- private:
-    /// With azimuth growing counter-clockwise about the normal, these wind counter-clockwise seen
-    /// from outside.
-    void join(int from, int to) {
-        const int upper_from = 2 * from;
-        const int lower_from = upper_from + 1;
-        const int upper_to = 2 * to;
-        const int lower_to = upper_to + 1;
-        mesh_.faces.push_back({upper_from, lower_from, upper_to});
-        mesh_.faces.push_back({upper_to, lower_from, lower_to});
-    }
+/// Appends centre + length * normal and centre - length * normal, both of one view.
+void append_pair(CameraMesh& mesh, const Eigen::Vector3d& centre, int view_index,
+                 const Eigen::Vector3d& stretch) {
+    mesh.vertices.push_back({centre + stretch, view_index});
+    mesh.vertices.push_back({centre - stretch, view_index});
+}
 
-    CameraMesh& mesh_;
-    Eigen::Vector3d normal_;
-    int pairs_ = 0;
-};
+/// The quadrilateral between the pairs `from` and `to`, which follow each other counter-clockwise
+/// about the normal; its outside looks away from the centre.
+void append_quadrilateral(CameraMesh& mesh, int from, int to) {
+    const int from_above = 2 * from;
+    const int from_below = 2 * from + 1;
+    const int to_above = 2 * to;
+    const int to_below = 2 * to + 1;
+    mesh.faces.push_back({from_above, from_below, to_above});
+    mesh.faces.push_back({to_above, from_below, to_below});
+}
 
 }  // namespace
 
-std::optional<CameraRow> find_row(const std::vector<CameraDirection>& cameras, bool forced) {
-    CameraRow row;
-    row.normal = plane_normal(cameras);
-    const double widest_gap = order_by_azimuth(cameras, row);
-    const std::size_t count = cameras.size();
-    if (count <= 2) return row;
+LineStrip build_line_strip(const CameraStar& star, const Eigen::Vector3d& normal, double length) {
+    const Chain chain = chain_by_azimuth(star, normal);
+    LineStrip strip;
+    strip.closed_ring = is_ring(chain);
+    strip.hidden_cameras = static_cast<int>(star.axes.size() - chain.cameras.size());
+    strip.mesh.scene_centre_in_world = star.centre_in_world;
 
-    const double extent_rad = row.azimuths_rad.back() - row.azimuths_rad.front();
-    const double spacing_rad = extent_rad / static_cast<double>(count - 1);
-    constexpr double kMaxHeightOverSpacing = 0.5;
-    if (!forced && rms_height_rad(cameras, row.normal) > kMaxHeightOverSpacing * spacing_rad) {
-        return std::nullopt;
-    }
-    constexpr double kMaxRingGapRad = 2 * kPi / 3;
-    row.ring = widest_gap < kMaxRingGapRad;
-    return row;
-}
-
-CameraMesh strip_of_row(const CameraRow& row, const std::vector<CameraDirection>& cameras,
-                        const Eigen::Vector3d& scene_centre_in_world) {
-    CameraMesh mesh;
-    mesh.construction = MeshConstruction::kLine;
-    mesh.scene_centre_in_world = scene_centre_in_world;
-    StripBuilder strip(mesh, row.normal);
-
-    const auto add_turned = [&](const CameraDirection& camera, double turn_rad) {
-        const Eigen::Vector3d turned =
-            Eigen::AngleAxisd(turn_rad, row.normal) * (camera.radius * camera.direction);
-        strip.add_pair(scene_centre_in_world + turned, kHeightOverRadius * camera.radius,
-                       camera.view_index);
+    const Eigen::Vector3d stretch = length * normal;
+    const Eigen::Vector3d gap = gap_middle(chain, normal);
+    const auto append_end = [&](std::size_t camera, double turn) {
+        const Eigen::Vector3d direction = end_direction(star.directions[camera], normal, gap, turn);
+        append_pair(strip.mesh, star.axes[camera].centre_in_world + length * direction,
+                    star.axes[camera].view_index, stretch);
     };
-    const double extent_rad = row.azimuths_rad.back() - row.azimuths_rad.front();
-    const double free_rad = row.ring ? 0 : std::max(0.0, 2 * kPi - kOpeningRad - extent_rad);
-    const int end_steps = static_cast<int>(std::ceil(0.5 * free_rad / kEndStepRad));
-    const double end_step_rad = end_steps > 0 ? 0.5 * free_rad / end_steps : 0;
+    if (!strip.closed_ring) append_end(chain.cameras.front(), -1.0);
+    for (const std::size_t camera : chain.cameras) {
+        append_pair(strip.mesh, star.axes[camera].centre_in_world, star.axes[camera].view_index,
+                    stretch);
+    }
+    if (!strip.closed_ring) append_end(chain.cameras.back(), 1.0);
 
-    const CameraDirection& first = cameras[row.order.front()];
-    const CameraDirection& last = cameras[row.order.back()];
-    for (int step = end_steps; step > 0; --step) add_turned(first, -step * end_step_rad);
-    for (const std::size_t index : row.order) add_turned(cameras[index], 0);
-    for (int step = 1; step <= end_steps; ++step) add_turned(last, step * end_step_rad);
-    if (row.ring) strip.close();
-    return mesh;
+    const int pairs = static_cast<int>(strip.mesh.vertices.size() / 2);
+    for (int pair = 0; pair + 1 < pairs; ++pair) append_quadrilateral(strip.mesh, pair, pair + 1);
+    if (strip.closed_ring) append_quadrilateral(strip.mesh, pairs - 1, 0);
+    return strip;
 }
 
 }  // namespace lumi

@@ -1,32 +1,27 @@
 #pragma once
 
-#include <optional>
-#include <vector>
+#include <Eigen/Core>
 
-#include "meshing/cameras/camera_directions.h"
+#include "meshing/cameras/camera_star.h"
 #include "meshing/surface/camera_mesh.h"
 
 namespace lumi {
 
-/// Cameras that stand in a row: on a line, an arc or a ring about the scene.
-struct CameraRow {
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Of the plane of the row.
-    std::vector<std::size_t> order;                     ///< Cameras by azimuth about the normal.
-    std::vector<double> azimuths_rad;                   ///< Increasing, in the same order.
-    bool ring = false;                                  ///< The row closes around the scene.
+/// What a strip could hold.
+struct LineStrip {
+    CameraMesh mesh;
+    bool closed_ring = false;
+    int hidden_cameras = 0;  ///< Left out: another camera stands at the same azimuth.
 };
 
-/// The row, when the cameras' heights above its plane are smaller than half their spacing along it:
-/// then which of two neighbours is higher is chance, and a triangulation would be made of slivers.
-/// Whatever their heights when `forced`.
-[[nodiscard]] std::optional<CameraRow> find_row(const std::vector<CameraDirection>& cameras,
-                                                bool forced);
-
-/// Each camera stands twice, far above and far below the row's plane, and neighbours are joined by
-/// two triangles: the limit in which weights change along the row only. An open row is continued
-/// past both ends by their last cameras.
-[[nodiscard]] CameraMesh strip_of_row(const CameraRow& row,
-                                      const std::vector<CameraDirection>& cameras,
-                                      const Eigen::Vector3d& scene_centre_in_world);
+/// The camera mesh of a row, arc or ring: each camera is doubled to its centre +- `length` times
+/// `normal` (length one), neighbours in azimuth about the normal span quadrilaterals. Weights then
+/// change along the row only, as the limit of triangles stretched to infinity, and are 1 on the
+/// whole line through a camera along the normal. A row or arc goes on beyond both ends by virtual
+/// vertices of the end cameras; a ring, whose widest gap in azimuth is at most 60 degrees or three
+/// usual ones (never 150), is closed. Of cameras at the same azimuth (within 1e-6 radians) the one
+/// nearest to the median distance is kept.
+[[nodiscard]] LineStrip build_line_strip(const CameraStar& star, const Eigen::Vector3d& normal,
+                                         double length);
 
 }  // namespace lumi

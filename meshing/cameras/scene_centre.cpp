@@ -1,142 +1,173 @@
 #include "meshing/cameras/scene_centre.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <set>
+#include <utility>
 
 namespace lumi {
 namespace {
 
-struct OpticalAxis {
-    Eigen::Vector3d centre;
-    Eigen::Vector3d direction;
-};
+/// How much the seen depth weighs against the optical axes: small enough that axes which converge
+/// by a few degrees decide by themselves.
+constexpr double kDepthWeight = 0.02;
 
-std::vector<OpticalAxis> optical_axes(const Capture& capture,
-                                      const std::vector<int>& view_indices) {
-    std::vector<OpticalAxis> axes;
-    for (const int index : view_indices) {
-        const Rigid3& pose = capture.views[static_cast<std::size_t>(index)].cam_from_world;
-        axes.push_back({centre_in_world(pose), optical_axis_in_world(pose)});
-    }
-    return axes;
+/// The upper median; 0 when there are no values.
+double median(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
 }
 
-Eigen::Vector3d mean_centre(const std::vector<OpticalAxis>& axes) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const OpticalAxis& axis : axes) sum += axis.centre;
-    return sum / static_cast<double>(axes.size());
+/// Depth that is assumed where no camera sees any point: a few times the extent of the cameras.
+double assumed_depth(const std::vector<OpticalAxis>& axes) {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const OpticalAxis& axis : axes) mean += axis.centre_in_world;
+    mean /= static_cast<double>(axes.size());
+    const double extent = median_distance(axes, mean);
+    return extent > 0 ? 3.0 * extent : 1.0;
 }
 
-/// The least-squares point of the axes; empty when they are too parallel to tell, or when the point
-/// lies behind a fifth of the cameras.
-std::optional<Eigen::Vector3d> convergence_of(const std::vector<OpticalAxis>& axes) {
+/// The normal equations of one iteration, relative to `origin` for the sake of precision.
+Eigen::Vector3d weighted_centre(const std::vector<OpticalAxis>& axes,
+                                const std::vector<double>& depths,
+                                const std::vector<double>& weights, const Eigen::Vector3d& origin) {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    for (const OpticalAxis& axis : axes) {
-        const Eigen::Matrix3d across =
-            Eigen::Matrix3d::Identity() - axis.direction * axis.direction.transpose();
-        normal += across;
-        right += across * axis.centre;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const Eigen::Vector3d& direction = axes[i].direction_in_world;
+        const Eigen::Matrix3d along = direction * direction.transpose();
+        const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - along;
+        const Eigen::Vector3d centre = axes[i].centre_in_world - origin;
+        normal += weights[i] * (across + kDepthWeight * along);
+        right += weights[i] *
+                 (across * centre + kDepthWeight * (along * centre + depths[i] * direction));
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(normal);
-    constexpr double kMinSineSquared = 0.01;  // Axes within about six degrees of each other.
-    if (eigen.eigenvalues()(0) < kMinSineSquared * static_cast<double>(axes.size())) {
-        return std::nullopt;
-    }
-    const Eigen::Vector3d point = normal.ldlt().solve(right);
-    const auto behind = std::count_if(axes.begin(), axes.end(), [&](const OpticalAxis& axis) {
-        return (point - axis.centre).dot(axis.direction) <= 0;
-    });
-    if (5 * static_cast<std::size_t>(behind) > axes.size()) return std::nullopt;
-    return point;
+    return origin + normal.ldlt().solve(right);
 }
 
-std::vector<Eigen::Vector3d> shared_points(const Capture& capture,
-                                           const std::vector<int>& view_indices) {
-    const std::set<int> listed(view_indices.begin(), view_indices.end());
-    std::vector<Eigen::Vector3d> points;
-    for (const ScenePoint& point : capture.points) {
-        const auto seen = std::count_if(point.track.begin(), point.track.end(),
-                                        [&](const Observation& observation) {
-                                            return listed.contains(observation.view_index);
-                                        });
-        if (seen >= 2) points.push_back(point.position_in_world);
-    }
-    return points;
+/// Distance of the point from where camera i would want it, in the metric of `weighted_centre`.
+double residual(const OpticalAxis& axis, double depth, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d offset = point - axis.centre_in_world;
+    const double along = offset.dot(axis.direction_in_world);
+    const double across_squared = std::max(0.0, offset.squaredNorm() - along * along);
+    return std::sqrt(across_squared + kDepthWeight * (along - depth) * (along - depth));
 }
 
-double percentile(std::vector<double> values, double share) {
-    const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + rank, values.end());
-    return values[static_cast<std::size_t>(rank)];
-}
-
-Eigen::Vector3d median_point(const std::vector<Eigen::Vector3d>& points) {
-    Eigen::Vector3d median;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        std::vector<double> values;
-        for (const Eigen::Vector3d& point : points) values.push_back(point[axis]);
-        median[axis] = percentile(values, 0.5);
-    }
-    return median;
-}
-
-Eigen::Vector3d point_ahead(const std::vector<OpticalAxis>& axes) {
-    const Eigen::Vector3d middle = mean_centre(axes);
-    Eigen::Vector3d forward = Eigen::Vector3d::Zero();
-    double spread = 0;
-    for (const OpticalAxis& axis : axes) {
-        forward += axis.direction;
-        spread = std::max(spread, (axis.centre - middle).norm());
-    }
-    if (forward.norm() < 1e-9) forward = axes.front().direction;
-    return middle + forward.normalized() * (spread > 0 ? 2 * spread : 1.0);
-}
-
-/// Every camera looks away from where the cameras are, and the scene lies around them.
-bool looks_outwards(const std::vector<OpticalAxis>& axes) {
-    constexpr std::size_t kMinCameras = 4;
-    if (axes.size() < kMinCameras) return false;
-    const Eigen::Vector3d middle = mean_centre(axes);
-    Eigen::Vector3d mean_direction = Eigen::Vector3d::Zero();
-    std::size_t outwards = 0;
-    for (const OpticalAxis& axis : axes) {
-        mean_direction += axis.direction / static_cast<double>(axes.size());
-        if ((axis.centre - middle).dot(axis.direction) > 0) ++outwards;
-    }
-    constexpr double kAllAround = 0.5;  // Shorter than this, the axes point to all sides.
-    return 10 * outwards >= 9 * axes.size() && mean_direction.norm() < kAllAround;
+std::vector<char> listed_views(const Capture& capture, const std::vector<int>& view_indices) {
+    std::vector<char> listed(capture.views.size(), 0);
+    for (const int index : view_indices) listed[static_cast<std::size_t>(index)] = 1;
+    return listed;
 }
 
 }  // namespace
 
-SceneExtent find_scene(const Capture& capture, const std::vector<int>& view_indices) {
-    const std::vector<OpticalAxis> axes = optical_axes(capture, view_indices);
-    SceneExtent scene;
-    scene.points_in_world = shared_points(capture, view_indices);
-    scene.inside_out = looks_outwards(axes);
-
-    constexpr std::size_t kEnoughPoints = 10;
-    if (scene.inside_out) {
-        scene.centre_in_world = mean_centre(axes);
-    } else if (const auto convergence = convergence_of(axes)) {
-        scene.centre_in_world = *convergence;
-    } else if (scene.points_in_world.size() >= kEnoughPoints) {
-        scene.centre_in_world = median_point(scene.points_in_world);
-    } else {
-        scene.centre_in_world = point_ahead(axes);
-    }
-    if (!scene.points_in_world.empty()) {
-        std::vector<double> distances;
-        for (const Eigen::Vector3d& point : scene.points_in_world) {
-            distances.push_back((point - scene.centre_in_world).norm());
+std::vector<OpticalAxis> optical_axes(const Capture& capture,
+                                      const std::vector<int>& view_indices) {
+    std::vector<std::vector<double>> depths(capture.views.size());
+    for (const ScenePoint& point : capture.points) {
+        for (const Observation& seen : point.track) {
+            const auto view = static_cast<std::size_t>(seen.view_index);
+            const double z = (capture.views[view].cam_from_world * point.position_in_world).z();
+            if (z > 0) depths[view].push_back(z);
         }
-        scene.radius = percentile(distances, 0.9);
     }
-    return scene;
+    std::vector<OpticalAxis> axes;
+    for (const int index : view_indices) {
+        const auto view = static_cast<std::size_t>(index);
+        const Rigid3& cam_from_world = capture.views[view].cam_from_world;
+        axes.push_back({index, centre_in_world(cam_from_world),
+                        optical_axis_in_world(cam_from_world), median(std::move(depths[view]))});
+    }
+    return axes;
+}
+
+std::vector<Eigen::Vector3d> visible_points(const Capture& capture,
+                                            const std::vector<int>& view_indices,
+                                            std::size_t max_points) {
+    const std::vector<char> listed = listed_views(capture, view_indices);
+    const bool any_track =
+        std::any_of(capture.points.begin(), capture.points.end(),
+                    [](const ScenePoint& point) { return !point.track.empty(); });
+    std::vector<Eigen::Vector3d> all;
+    for (const ScenePoint& point : capture.points) {
+        const bool visible =
+            !any_track ||
+            std::any_of(point.track.begin(), point.track.end(), [&listed](const Observation& seen) {
+                return listed[static_cast<std::size_t>(seen.view_index)];
+            });
+        if (visible) all.push_back(point.position_in_world);
+    }
+    if (all.size() <= max_points) return all;
+    std::vector<Eigen::Vector3d> thinned;
+    for (std::size_t i = 0; i < max_points; ++i) {
+        thinned.push_back(all[i * all.size() / max_points]);
+    }
+    return thinned;
+}
+
+Eigen::Vector3d estimate_scene_centre(const std::vector<OpticalAxis>& axes) {
+    std::vector<double> seen;
+    for (const OpticalAxis& axis : axes) {
+        if (axis.depth > 0) seen.push_back(axis.depth);
+    }
+    const double usual_depth = seen.empty() ? assumed_depth(axes) : median(std::move(seen));
+    std::vector<double> depths;
+    for (const OpticalAxis& axis : axes) {
+        depths.push_back(axis.depth > 0 ? axis.depth : usual_depth);
+    }
+
+    std::vector<double> weights(axes.size(), 1.0);
+    Eigen::Vector3d centre = axes.front().centre_in_world;
+    constexpr int kIterations = 20;
+    for (int iteration = 0; iteration < kIterations; ++iteration) {
+        centre = weighted_centre(axes, depths, weights, axes.front().centre_in_world);
+        std::vector<double> residuals;
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            residuals.push_back(residual(axes[i], depths[i], centre));
+        }
+        // Below a thousandth of the depth the axes agree, and weights would only follow rounding.
+        const double scale = std::max(2.0 * median(residuals), 1e-3 * usual_depth);
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            weights[i] = 1.0 / (1.0 + std::pow(residuals[i] / scale, 2));
+        }
+    }
+    return centre;
+}
+
+double median_distance(const std::vector<OpticalAxis>& axes,
+                       const Eigen::Vector3d& point_in_world) {
+    std::vector<double> distances;
+    for (const OpticalAxis& axis : axes) {
+        distances.push_back((axis.centre_in_world - point_in_world).norm());
+    }
+    return median(std::move(distances));
+}
+
+Eigen::Vector3d improve_scene_centre(const Eigen::Vector3d& start, double first_step,
+                                     double least_gain,
+                                     const std::function<double(const Eigen::Vector3d&)>& value) {
+    Eigen::Vector3d best = start;
+    double best_value = value(best);
+    for (double step = first_step; step >= first_step / 32; step /= 2) {
+        constexpr int kMaxMoves = 4;
+        bool moved = true;
+        for (int moves = 0; moved && moves < kMaxMoves; ++moves) {
+            moved = false;
+            for (int direction = 0; direction < 6; ++direction) {
+                Eigen::Vector3d candidate = best;
+                candidate[direction / 2] += direction % 2 == 0 ? step : -step;
+                const double candidate_value = value(candidate);
+                if (!(candidate_value > best_value + least_gain)) continue;
+                best = candidate;
+                best_value = candidate_value;
+                moved = true;
+            }
+        }
+    }
+    return best;
 }
 
 }  // namespace lumi

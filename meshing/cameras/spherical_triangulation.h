@@ -6,16 +6,11 @@
 
 namespace lumi {
 
-/// A face of the convex hull of directions; that hull is the Delaunay triangulation of the sphere.
-struct SphericalFace {
-    std::array<int, 3> corners{};  ///< Indices of directions, counter-clockwise seen from outside.
-    double cap_angle_rad = 0.0;    ///< Radius of the empty circle through the corners; beyond a
-                                   ///< quarter turn the centre lies outside the hull.
-};
-
-/// Triangulates unit directions on their sphere (CGAL, exact predicates). Empty when fewer than
-/// four directions span a volume.
-[[nodiscard]] std::vector<SphericalFace> triangulate_sphere(
+/// The convex hull of unit directions, which is their Delaunay triangulation on the sphere: the
+/// circumscribed cap of each triangle contains no other direction, and every direction is a vertex.
+/// Triangles index `directions` and wind counter-clockwise seen from outside the sphere. Empty when
+/// the directions lie in one plane. No two may be closer than 1e-7 radians.
+[[nodiscard]] std::vector<std::array<int, 3>> spherical_triangulation(
     const std::vector<Eigen::Vector3d>& directions);
 
 }  // namespace lumi

@@ -150,12 +150,19 @@ CameraMesh parse_camera_mesh_ply(const Bytes& bytes, const std::filesystem::path
             vertex.position_in_world[axis] = take<double>(bytes, offset);
         }
         vertex.view_index = take<std::int32_t>(bytes, offset);
+        if (!vertex.position_in_world.allFinite()) refuse(path, "a vertex is not finite");
+        if (vertex.view_index < 0) refuse(path, "a vertex names a negative view");
         mesh.vertices.push_back(vertex);
     }
     for (std::size_t i = 0; i < header.faces; ++i) {
         if (take<std::uint8_t>(bytes, offset) != 3) refuse(path, "a face is not a triangle");
         CameraMesh::Face face{};
-        for (int& index : face) index = take<std::int32_t>(bytes, offset);
+        for (int& index : face) {
+            index = take<std::int32_t>(bytes, offset);
+            if (index < 0 || static_cast<std::size_t>(index) >= header.vertices) {
+                refuse(path, "a face names a vertex that does not exist");
+            }
+        }
         mesh.faces.push_back(face);
     }
     return mesh;

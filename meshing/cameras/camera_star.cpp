@@ -1,0 +1,64 @@
+#include "meshing/cameras/camera_star.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumi {
+namespace {
+
+constexpr double kSameDirection_rad = 1e-6;
+
+/// Whether camera `a` rather than `b` stands for the direction that both share.
+bool stands_before(const CameraStar& star, std::size_t a, std::size_t b, double usual_distance) {
+    const double off_a = std::abs(star.distances[a] - usual_distance);
+    const double off_b = std::abs(star.distances[b] - usual_distance);
+    return off_a != off_b ? off_a < off_b : a < b;
+}
+
+}  // namespace
+
+CameraStar camera_star(const std::vector<OpticalAxis>& axes,
+                       const Eigen::Vector3d& centre_in_world) {
+    CameraStar all;
+    all.centre_in_world = centre_in_world;
+    all.axes = axes;
+    for (const OpticalAxis& axis : axes) {
+        const Eigen::Vector3d offset = axis.centre_in_world - centre_in_world;
+        const double distance = offset.norm();
+        all.distances.push_back(distance);
+        all.directions.push_back(distance > 0 ? Eigen::Vector3d(offset / distance)
+                                              : Eigen::Vector3d(-axis.direction_in_world));
+    }
+
+    const double usual_distance = median_distance(axes, centre_in_world);
+    std::vector<char> keep(axes.size(), 1);
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+        for (std::size_t b = a + 1; b < axes.size(); ++b) {
+            if ((all.directions[a] - all.directions[b]).norm() > kSameDirection_rad) continue;
+            keep[stands_before(all, a, b, usual_distance) ? b : a] = 0;
+        }
+    }
+    return kept_cameras(all, keep);
+}
+
+double largest_distance(const CameraStar& star) {
+    return *std::max_element(star.distances.begin(), star.distances.end());
+}
+
+CameraStar kept_cameras(const CameraStar& star, const std::vector<char>& keep) {
+    CameraStar kept;
+    kept.centre_in_world = star.centre_in_world;
+    kept.hidden_cameras = star.hidden_cameras;
+    for (std::size_t i = 0; i < star.axes.size(); ++i) {
+        if (!keep[i]) {
+            ++kept.hidden_cameras;
+            continue;
+        }
+        kept.axes.push_back(star.axes[i]);
+        kept.directions.push_back(star.directions[i]);
+        kept.distances.push_back(star.distances[i]);
+    }
+    return kept;
+}
+
+}  // namespace lumi

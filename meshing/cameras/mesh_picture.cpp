@@ -1,0 +1,273 @@
+#include "meshing/cameras/mesh_picture.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "meshing/cameras/kernel.h"
+
+namespace lumi {
+namespace {
+
+constexpr double kPanelWidth = 560;
+constexpr double kPanelHeight = 480;
+constexpr double kGap = 20;
+constexpr double kHeadline = 30;
+constexpr double kFootline = 26;
+/// Above this many cameras, only every other, third ... name is written.
+constexpr std::size_t kMaxNames = 14;
+constexpr std::size_t kMaxPoints = 2500;
+constexpr const char* kFaceStroke = "#2f6fb0";
+constexpr const char* kCameraStroke = "#c0392b";
+constexpr const char* kLeftOutStroke = "#999999";
+
+template <class... Values>
+void append(std::string& text, const char* format, Values... values) {
+    std::array<char, 400> line{};
+    std::snprintf(line.data(), line.size(), format, values...);
+    text += line.data();
+}
+
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '&') {
+            result += "&amp;";
+        } else if (c == '<') {
+            result += "&lt;";
+        } else if (c == '>') {
+            result += "&gt;";
+        } else if (static_cast<unsigned char>(c) >= ' ') {
+            result += c;
+        }
+    }
+    return result;
+}
+
+/// A parallel projection of the world into a frame of the drawing.
+struct Panel {
+    Eigen::Vector3d origin_in_world;
+    Eigen::Vector3d rightward;
+    Eigen::Vector3d downward;
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< Of what is shown, in world units.
+    double scale = 1;                                  ///< Drawing units per world unit.
+    double left = 0;                                   ///< Of the frame.
+
+    [[nodiscard]] Eigen::Vector2d flat(const Eigen::Vector3d& point) const {
+        const Eigen::Vector3d offset = point - origin_in_world;
+        return {offset.dot(rightward), offset.dot(downward)};
+    }
+    [[nodiscard]] Eigen::Vector2d at(const Eigen::Vector3d& point) const {
+        const Eigen::Vector2d frame_middle(left + kPanelWidth / 2, kHeadline + kPanelHeight / 2);
+        return frame_middle + scale * (flat(point) - middle);
+    }
+};
+
+/// What is drawn, in the world.
+struct Drawing {
+    const Capture& capture;
+    const std::vector<int>& view_indices;
+    const CameraMesh& mesh;
+    double camera_size = 1;  ///< Length of a frustum, world units.
+    std::vector<const ScenePoint*> points;
+};
+
+const View& view_of(const Drawing& drawing, int view_index) {
+    return drawing.capture.views[static_cast<std::size_t>(view_index)];
+}
+
+std::vector<const ScenePoint*> thinned_points(const Capture& capture) {
+    std::vector<const ScenePoint*> points;
+    const std::size_t count = std::min(capture.points.size(), kMaxPoints);
+    for (std::size_t i = 0; i < count; ++i) {
+        points.push_back(&capture.points[i * capture.points.size() / count]);
+    }
+    return points;
+}
+
+Eigen::Vector3d mean_up(const Drawing& drawing) {
+    Eigen::Vector3d up = Eigen::Vector3d::Zero();
+    for (const int index : drawing.view_indices) {
+        up -=
+            view_of(drawing, index).cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitY();
+    }
+    return up.norm() > 1e-9 ? up.normalized() : Eigen::Vector3d::UnitZ();
+}
+
+/// Scales the panel so that the cameras, the centre and all but the outermost points fit.
+void fit(Panel& panel, const Drawing& drawing) {
+    std::array<std::vector<double>, 2> point_extent;
+    for (const ScenePoint* point : drawing.points) {
+        const Eigen::Vector2d flat = panel.flat(point->position_in_world);
+        point_extent[0].push_back(flat.x());
+        point_extent[1].push_back(flat.y());
+    }
+    Eigen::Vector2d least = panel.flat(drawing.mesh.scene_centre_in_world);
+    Eigen::Vector2d most = least;
+    for (const int index : drawing.view_indices) {
+        const Eigen::Vector2d flat =
+            panel.flat(centre_in_world(view_of(drawing, index).cam_from_world));
+        least = least.cwiseMin(flat);
+        most = most.cwiseMax(flat);
+    }
+    for (int axis = 0; axis < 2 && !drawing.points.empty(); ++axis) {
+        const auto& values = point_extent[static_cast<std::size_t>(axis)];
+        least[axis] = std::min(least[axis], percentile(values, 0.03));
+        most[axis] = std::max(most[axis], percentile(values, 0.97));
+    }
+    const Eigen::Vector2d extent = (most - least).cwiseMax(2 * drawing.camera_size) * 1.15;
+    panel.middle = (least + most) / 2;
+    panel.scale = std::min(kPanelWidth / extent.x(), kPanelHeight / extent.y());
+}
+
+void draw_points(std::string& svg, const Panel& panel, const Drawing& drawing) {
+    for (const ScenePoint* point : drawing.points) {
+        const Eigen::Vector2d at = panel.at(point->position_in_world);
+        append(svg, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1\" fill=\"#%02x%02x%02x\"/>\n", at.x(),
+               at.y(), unsigned{point->color.r}, unsigned{point->color.g},
+               unsigned{point->color.b});
+    }
+}
+
+/// Whether each vertex stands where its camera stands.
+std::vector<char> camera_vertices(const Drawing& drawing) {
+    std::vector<char> at_camera;
+    for (const CameraMesh::Vertex& vertex : drawing.mesh.vertices) {
+        const Eigen::Vector3d centre =
+            centre_in_world(view_of(drawing, vertex.view_index).cam_from_world);
+        at_camera.push_back((vertex.position_in_world - centre).norm() <
+                            1e-6 * drawing.camera_size);
+    }
+    return at_camera;
+}
+
+void draw_faces(std::string& svg, const Panel& panel, const Drawing& drawing) {
+    const std::vector<char> at_camera = camera_vertices(drawing);
+    for (const CameraMesh::Face& face : drawing.mesh.faces) {
+        const bool real = std::all_of(face.begin(), face.end(), [&](int vertex) {
+            return at_camera[static_cast<std::size_t>(vertex)] != 0;
+        });
+        append(svg,
+               "<path fill=\"%s\" fill-opacity=\"%s\" stroke=\"%s\" stroke-opacity=\"%s\" d=\"",
+               kFaceStroke, real ? "0.06" : "0.02", kFaceStroke, real ? "0.7" : "0.18");
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const Eigen::Vector2d at = panel.at(
+                drawing.mesh.vertices[static_cast<std::size_t>(face[corner])].position_in_world);
+            append(svg, "%s%.1f %.1f", corner == 0 ? "M" : "L", at.x(), at.y());
+        }
+        svg += "Z\"/>\n";
+    }
+}
+
+void draw_frustum(std::string& svg, const Panel& panel, const Drawing& drawing, const View& view,
+                  const char* stroke) {
+    const Camera& camera = camera_of(drawing.capture, view);
+    const Rigid3 world_from_cam = inverse(view.cam_from_world);
+    const Eigen::Vector2d apex = panel.at(world_from_cam.translation);
+    const double width = camera.width_px;
+    const double height = camera.height_px;
+    std::string base;
+    std::string sides;
+    for (const Eigen::Vector2d& pixel :
+         {Eigen::Vector2d(0, 0), Eigen::Vector2d(width, 0), Eigen::Vector2d(width, height),
+          Eigen::Vector2d(0, height)}) {
+        const Eigen::Vector3d in_cam = drawing.camera_size * unproject(camera, pixel);
+        const Eigen::Vector2d at = panel.at(world_from_cam * in_cam);
+        append(base, "%s%.1f %.1f", base.empty() ? "M" : "L", at.x(), at.y());
+        append(sides, "M%.1f %.1fL%.1f %.1f", apex.x(), apex.y(), at.x(), at.y());
+    }
+    svg += "<path fill=\"none\" stroke=\"" + std::string(stroke) + "\" d=\"" + base + "Z" + sides +
+           "\"/>\n";
+    append(svg, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.2\" fill=\"%s\"/>\n", apex.x(), apex.y(),
+           stroke);
+}
+
+void draw_cameras(std::string& svg, const Panel& panel, const Drawing& drawing) {
+    std::set<int> kept;
+    for (const CameraMesh::Vertex& vertex : drawing.mesh.vertices) kept.insert(vertex.view_index);
+    const std::size_t name_every = 1 + (drawing.view_indices.size() - 1) / kMaxNames;
+    for (std::size_t i = 0; i < drawing.view_indices.size(); ++i) {
+        const int index = drawing.view_indices[i];
+        const View& view = view_of(drawing, index);
+        draw_frustum(svg, panel, drawing, view,
+                     kept.contains(index) ? kCameraStroke : kLeftOutStroke);
+        if (i % name_every != 0) continue;
+        const Eigen::Vector2d at = panel.at(centre_in_world(view.cam_from_world));
+        append(svg, "<text x=\"%.1f\" y=\"%.1f\">", at.x() + 4, at.y() - 4);
+        svg += escaped(view.name) + "</text>\n";
+    }
+}
+
+std::string panel_svg(const Panel& panel, const Drawing& drawing, const char* title,
+                      const char* id) {
+    std::string svg;
+    append(svg, "<text x=\"%.0f\" y=\"20\" font-size=\"14\" fill=\"#222222\">%s</text>\n",
+           panel.left, title);
+    append(svg,
+           "<clipPath id=\"%s\"><rect x=\"%.0f\" y=\"%.0f\" width=\"%.0f\" height=\"%.0f\"/>"
+           "</clipPath>\n<g clip-path=\"url(#%s)\">\n",
+           id, panel.left, kHeadline, kPanelWidth, kPanelHeight, id);
+    draw_points(svg, panel, drawing);
+    draw_faces(svg, panel, drawing);
+    draw_cameras(svg, panel, drawing);
+    const Eigen::Vector2d centre = panel.at(drawing.mesh.scene_centre_in_world);
+    append(svg,
+           "<path stroke=\"#111111\" stroke-width=\"1.5\" d=\"M%.1f %.1fh12m-6 -6v12\"/>\n</g>\n",
+           centre.x() - 6, centre.y());
+    append(svg,
+           "<rect x=\"%.0f\" y=\"%.0f\" width=\"%.0f\" height=\"%.0f\" fill=\"none\" "
+           "stroke=\"#bbbbbb\"/>\n",
+           panel.left, kHeadline, kPanelWidth, kPanelHeight);
+    return svg;
+}
+
+/// World units that the camera mesh and the scene span.
+double usual_camera_distance(const Drawing& drawing) {
+    std::vector<double> distances;
+    for (const int index : drawing.view_indices) {
+        distances.push_back((centre_in_world(view_of(drawing, index).cam_from_world) -
+                             drawing.mesh.scene_centre_in_world)
+                                .norm());
+    }
+    return percentile(std::move(distances), 0.5);
+}
+
+}  // namespace
+
+std::string camera_mesh_svg(const Capture& capture, const std::vector<int>& view_indices,
+                            const CameraMesh& mesh) {
+    Drawing drawing{capture, view_indices, mesh, 1.0, thinned_points(capture)};
+    drawing.camera_size = std::max(0.06 * usual_camera_distance(drawing), 1e-300);
+    const Eigen::Vector3d up = mean_up(drawing);
+    Eigen::Vector3d inward = Eigen::Vector3d::Zero();
+    for (const int index : view_indices) {
+        inward += optical_axis_in_world(view_of(drawing, index).cam_from_world);
+    }
+    inward -= inward.dot(up) * up;
+    const Eigen::Vector3d forward =
+        inward.norm() > 1e-6 ? Eigen::Vector3d(inward.normalized()) : up.unitOrthogonal();
+    const Eigen::Vector3d rightward = forward.cross(up);
+
+    Panel above{mesh.scene_centre_in_world, rightward, -forward};
+    Panel beside{mesh.scene_centre_in_world, forward, -up};
+    beside.left = kPanelWidth + kGap;
+    fit(above, drawing);
+    fit(beside, drawing);
+    std::string svg;
+    append(svg,
+           "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-10 0 %.0f %.0f\" "
+           "font-family=\"sans-serif\" font-size=\"9\" fill=\"#444444\" stroke-width=\"0.8\">\n",
+           2 * kPanelWidth + kGap + 20, kHeadline + kPanelHeight + kFootline);
+    svg += panel_svg(above, drawing, "Camera mesh from above", "above");
+    svg += panel_svg(beside, drawing, "from the side (photographs look to the right)", "beside");
+    append(svg, "<text x=\"0\" y=\"%.0f\" font-size=\"11\">", kHeadline + kPanelHeight + 17);
+    svg +=
+        "blue: faces, pale where they go on beyond the cameras; red: cameras; grey: cameras "
+        "that are no vertex; +: scene centre</text>\n</svg>\n";
+    return svg;
+}
+
+}  // namespace lumi

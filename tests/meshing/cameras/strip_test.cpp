@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <numbers>
+
+#include "meshing/cameras/camera_mesh_builder.h"
+#include "tests/meshing/cameras/synthetic_cameras.h"
+
+namespace lumi {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+struct Row {
+    const char* name;
+    Points centres;  ///< In the order along the row; a ring's last is the first's neighbour.
+    bool ring;
+};
+
+Points arc(int count, double from_deg, double to_deg, double height) {
+    Points centres;
+    for (int i = 0; i < count; ++i) {
+        const double azimuth = (from_deg + (to_deg - from_deg) * i / (count - 1)) * kDegree;
+        centres.emplace_back(4 * std::cos(azimuth), 4 * std::sin(azimuth), height);
+    }
+    return centres;
+}
+
+std::vector<Row> rows() {
+    Points line;
+    for (int i = 0; i < 7; ++i) line.emplace_back(4, 0.5 * (i - 3), 0);
+    return {{"line", line, false},
+            {"arc", arc(9, -60, 60, 0), false},
+            {"long arc", arc(20, -140, 140, 0), false},
+            {"ring", arc(16, 0, 337.5, 0), true},
+            {"raised ring", arc(16, 0, 337.5, 2), true},
+            {"pair", {{4, -1, 0}, {4, 1, 0}}, false}};
+}
+
+BuiltCameraMesh build_row(const Row& row) {
+    std::mt19937 random(1);
+    const Capture capture = capture_of(row.centres, Eigen::Vector3d::Zero(),
+                                       points_in_ball(300, Eigen::Vector3d::Zero(), 1, random));
+    return build_camera_mesh(capture, all_views(capture), {});
+}
+
+TEST(Strip, IsWhatRowsArcsAndRingsGet) {
+    for (const Row& row : rows()) {
+        const BuiltCameraMesh built = build_row(row);
+        EXPECT_EQ(built.mesh.construction,
+                  row.centres.size() == 2 ? MeshConstruction::kPair : MeshConstruction::kLine)
+            << row.name << ": " << built.evidence.explanation;
+        EXPECT_EQ(built.evidence.cameras_kept, static_cast<int>(row.centres.size())) << row.name;
+        const std::size_t ends = row.ring ? 0 : 2;
+        EXPECT_EQ(built.mesh.vertices.size(), 2 * (row.centres.size() + ends)) << row.name;
+        EXPECT_GE(built.evidence.kernel_radius_over_scene_radius, 1.0) << row.name;
+    }
+}
+
+/// s_i = det[C_i - X, v, n]; between neighbours with different signs w_i = |s_i+1| / (|s_i| +
+/// |s_i+1|). Rays that meet the row from its cameras' side of the scene.
+TEST(Strip, HasTheWeightsOfTheClosedForm) {
+    for (const Row& row : rows()) {
+        const BuiltCameraMesh built = build_row(row);
+        std::mt19937 random(2);
+        std::uniform_real_distribution<double> share(0, 1);
+        std::uniform_real_distribution<double> height(-2, 2);
+        const std::size_t count = row.centres.size();
+        for (const Eigen::Vector3d& point :
+             points_in_ball(2000, Eigen::Vector3d::Zero(), 0.9, random)) {
+            const std::size_t first = random() % (row.ring ? count : count - 1);
+            const Eigen::Vector3d& a = row.centres[first];
+            const Eigen::Vector3d& b = row.centres[(first + 1) % count];
+            const double t = share(random);
+            const Eigen::Vector3d crossing =
+                (1 - t) * a + t * b + height(random) * Eigen::Vector3d::UnitZ();
+            const Eigen::Vector3d v = crossing - point;
+            const double s_a = (a - point).dot(v.cross(Eigen::Vector3d::UnitZ()));
+            const double s_b = (b - point).dot(v.cross(Eigen::Vector3d::UnitZ()));
+            const double expected = std::abs(s_b) / (std::abs(s_a) + std::abs(s_b));
+
+            const auto weights = weights_of_ray(built.mesh, point + 1.5 * v, -v);
+            ASSERT_TRUE(weights.has_value()) << row.name;
+            const auto by_view = weights_by_view(*weights, count);
+            // The raised ring's plane normal is found to rounding, hence not exactly z.
+            EXPECT_NEAR(by_view[first], expected, 1e-9) << row.name;
+            EXPECT_NEAR(by_view[(first + 1) % count], 1 - expected, 1e-9) << row.name;
+        }
+    }
+}
+
+TEST(Strip, IsEnteredOnceByRaysThroughTheScene) {
+    for (const Row& row : rows()) {
+        const BuiltCameraMesh built = build_row(row);
+        std::mt19937 random(3);
+        int tried = 0;
+        for (const Eigen::Vector3d& point :
+             points_in_ball(3000, Eigen::Vector3d::Zero(), 0.9, random)) {
+            const Eigen::Vector3d to_eye = random_direction(random);
+            // Along the normal the strip is finite; open rows do not see the scene's far side.
+            if (std::abs(to_eye.z()) > 0.95) continue;
+            if (!row.ring && to_eye.x() < 0.2) continue;
+            ++tried;
+            EXPECT_EQ(entering_faces(built.mesh, point, -to_eye), 1) << row.name;
+        }
+        EXPECT_GT(tried, 500);
+    }
+}
+
+TEST(Strip, BeyondItsEndsUsesTheEndCamera) {
+    const BuiltCameraMesh built = build_row(rows().front());
+    const Eigen::Vector3d eye(4, 9, 0.3);
+    const auto weights = weights_of_ray(built.mesh, eye, -eye);
+    ASSERT_TRUE(weights.has_value());
+    EXPECT_NEAR(weights_by_view(*weights, 7)[6], 1.0, 1e-12);
+}
+
+TEST(Strip, GivesACameraItsOwnRays) {
+    for (const Row& row : rows()) {
+        const BuiltCameraMesh built = build_row(row);
+        std::mt19937 random(4);
+        for (std::size_t camera = 0; camera < row.centres.size(); ++camera) {
+            for (const Eigen::Vector3d& point :
+                 points_in_ball(30, Eigen::Vector3d::Zero(), 0.9, random)) {
+                const auto weights =
+                    weights_of_ray(built.mesh, row.centres[camera], point - row.centres[camera]);
+                ASSERT_TRUE(weights.has_value()) << row.name;
+                EXPECT_NEAR(weights_by_view(*weights, row.centres.size())[camera], 1.0, 1e-9)
+                    << row.name;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,83 @@
+#include "meshing/surface/mesh_io.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+
+namespace lumi {
+namespace {
+
+/// A folder of its own for each test, removed at its end.
+class CameraMeshFile : public testing::Test {
+ protected:
+    CameraMeshFile()
+        : folder_(std::filesystem::path(testing::TempDir()) /
+                  (std::string("lumi_mesh_io_") +
+                   testing::UnitTest::GetInstance()->current_test_info()->name())) {
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+    }
+    ~CameraMeshFile() override { std::filesystem::remove_all(folder_); }
+    CameraMeshFile(const CameraMeshFile&) = delete;
+    CameraMeshFile& operator=(const CameraMeshFile&) = delete;
+
+    [[nodiscard]] std::filesystem::path path() const { return folder_ / "camera_mesh.ply"; }
+
+ private:
+    std::filesystem::path folder_;
+};
+
+CameraMesh tiny_mesh() {
+    CameraMesh mesh;
+    mesh.construction = MeshConstruction::kOpen;
+    mesh.scene_centre_in_world = {1.0 / 3, -2e-7, 12345.678901234567};
+    mesh.vertices = {{{0.1, 0.2, 0.3}, 4}, {{1e-9, 1e9, -7}, 0}, {{5, 6, 7}, 4}, {{8, 9, 1}, 2}};
+    mesh.faces = {{0, 1, 2}, {2, 1, 3}};
+    return mesh;
+}
+
+TEST_F(CameraMeshFile, KeepsEveryBit) {
+    const CameraMesh mesh = tiny_mesh();
+    write_camera_mesh_ply(path(), mesh);
+    const CameraMesh again = read_camera_mesh_ply(path());
+    EXPECT_EQ(again.construction, mesh.construction);
+    EXPECT_EQ(again.scene_centre_in_world, mesh.scene_centre_in_world);
+    EXPECT_EQ(again.faces, mesh.faces);
+    ASSERT_EQ(again.vertices.size(), mesh.vertices.size());
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        EXPECT_EQ(again.vertices[i].position_in_world, mesh.vertices[i].position_in_world);
+        EXPECT_EQ(again.vertices[i].view_index, mesh.vertices[i].view_index);
+    }
+}
+
+TEST_F(CameraMeshFile, RefusesEveryTruncation) {
+    write_camera_mesh_ply(path(), tiny_mesh());
+    const Bytes bytes = read_whole_file(path());
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+        write_whole_file(path(), std::span(bytes).first(length));
+        EXPECT_THROW((void)read_camera_mesh_ply(path()), Error) << "length " << length;
+    }
+}
+
+TEST_F(CameraMeshFile, RefusesCountsBeyondItsSizeAndIndicesBeyondItsCounts) {
+    write_camera_mesh_ply(path(), tiny_mesh());
+    const std::string whole = read_whole_text(path());
+    const auto refused_with = [&](const std::string& from, const std::string& to) {
+        std::string damaged = whole;
+        damaged.replace(damaged.find(from), from.size(), to);
+        write_whole_text(path(), damaged);
+        EXPECT_THROW((void)read_camera_mesh_ply(path()), Error) << from << " -> " << to;
+    };
+    refused_with("element vertex 4", "element vertex 4611686018427387904");
+    refused_with("element vertex 4", "element vertex -1");
+    refused_with("element face 2", "element face 3");
+    refused_with("property double x", "property float x");
+    refused_with("construction open", "construction round");
+    refused_with(std::string("\x03\x02\x00\x00\x00", 5), std::string("\x03\x04\x00\x00\x00", 5));
+}
+
+}  // namespace
+}  // namespace lumi
