@@ -177,7 +177,7 @@ LinearColor albedo_at(const Material& material, const Eigen::Vector3d& point_in_
                       const Eigen::Vector3d& normal, double footprint) {
     const LinearColor color = pattern_at(material, point_in_world, normal, footprint);
     const double detail = fractal_noise(point_in_world, footprint,
-                                        {1.0 / material.detail_size, 4, 0.7}, material.seed + 7);
+                                        {1.0 / material.detail_size, 4, 0.6}, material.seed + 7);
     const double factor = std::max(1.0 + 2.0 * material.detail_contrast * detail, 0.05);
     return (color * static_cast<float>(factor)).cwiseMax(0.0f).cwiseMin(1.0f);
 }
