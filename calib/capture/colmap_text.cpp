@@ -229,8 +229,10 @@ std::string points_text(const Capture& capture, const ColmapKeypoints& keypoints
 
 void refuse_names_that_text_cannot_carry(const Capture& capture) {
     for (const View& view : capture.views) {
-        const bool carried = view.name.find_first_of("\n\r") == std::string::npos &&
-                             view.name.front() != ' ' && view.name.back() != ' ';
+        const auto is_blank = [](char letter) { return letter == ' ' || letter == '\t'; };
+        const bool carried = !view.name.empty() &&
+                             view.name.find_first_of("\n\r") == std::string::npos &&
+                             !is_blank(view.name.front()) && !is_blank(view.name.back());
         if (carried) continue;
         throw Error(ErrorKind::kBadInput, "E-COLMAP-NAME",
                     view.name + ": a text model cannot carry this name",

@@ -23,6 +23,25 @@ std::uint32_t big_endian(std::span<const std::uint8_t> bytes, std::size_t offset
     return value;
 }
 
+constexpr std::array<std::uint32_t, 256> crc_table() {
+    std::array<std::uint32_t, 256> table{};
+    for (std::uint32_t byte = 0; byte < 256; ++byte) {
+        std::uint32_t value = byte;
+        for (int bit = 0; bit < 8; ++bit)
+            value = (value & 1) ? 0xedb88320U ^ value >> 1 : value >> 1;
+        table[byte] = value;
+    }
+    return table;
+}
+
+/// The checksum of PNG chunks (PNG specification, annex D).
+std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
+    static constexpr std::array<std::uint32_t, 256> kTable = crc_table();
+    std::uint32_t crc = 0xffffffffU;
+    for (const std::uint8_t byte : bytes) crc = kTable[(crc ^ byte) & 0xff] ^ crc >> 8;
+    return ~crc;
+}
+
 }  // namespace
 
 std::optional<ImageFormat> image_format_of(std::span<const std::uint8_t> bytes) {
@@ -42,6 +61,11 @@ ImageSize check_png(std::span<const std::uint8_t> bytes, const std::filesystem::
     while (offset + kChunkOverhead <= bytes.size()) {
         const std::uint32_t length = big_endian(bytes, offset);
         if (length > bytes.size() - offset - kChunkOverhead) break;
+        // Checked here because libpng prints what it finds and some readers show the rest.
+        if (crc32(bytes.subspan(offset + 4, 4 + std::size_t{length})) !=
+            big_endian(bytes, offset + 8 + length)) {
+            refuse_truncated_image(path, "a checksum of the PNG is wrong");
+        }
         const std::string_view type(reinterpret_cast<const char*>(&bytes[offset + 4]), 4);
         if (type == "IHDR" && length >= 8) {
             size.width_px = static_cast<int>(big_endian(bytes, offset + 8) & 0x7fffffff);

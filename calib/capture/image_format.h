@@ -15,8 +15,8 @@ enum class ImageFormat { kJpeg, kPng, kTiff };
 /// By the first bytes, whatever the file is called.
 [[nodiscard]] std::optional<ImageFormat> image_format_of(std::span<const std::uint8_t> bytes);
 
-/// Size from the PNG header and proof that the file reaches its IEND chunk. Throws Error
-/// (E-IMAGE-TRUNCATED).
+/// Size from the PNG header and proof that the file reaches its IEND chunk with every checksum
+/// right. Throws Error (E-IMAGE-TRUNCATED).
 [[nodiscard]] ImageSize check_png(std::span<const std::uint8_t> bytes,
                                   const std::filesystem::path& path);
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-#include <optional>
 
 #include "calib/capture/image_io.h"
 #include "calib/work/error.h"
@@ -87,12 +88,64 @@ ResamplingMap resampling_map(const Camera& lens, const Camera& pinhole) {
     return map;
 }
 
+/// The map of each camera from its first view to its last. Photographs of many cameras need no more
+/// memory at a time than there are threads; those of one camera share its map.
+class ResamplingMaps {
+ public:
+    ResamplingMaps(const Capture& lenses, const Capture& pinholes)
+        : lenses_(lenses), pinholes_(pinholes), entries_(lenses.cameras.size()) {
+        for (const View& view : lenses.views) ++entry_of(view).views_left;
+    }
+
+    std::shared_ptr<const ResamplingMap> for_view(const View& view) {
+        Entry& entry = entry_of(view);
+        const std::scoped_lock lock(entry.mutex);
+        if (!entry.map) {
+            entry.map = std::make_shared<ResamplingMap>(
+                resampling_map(camera_of(lenses_, view), camera_of(pinholes_, view)));
+        }
+        return entry.map;
+    }
+
+    void release(const View& view) {
+        Entry& entry = entry_of(view);
+        const std::scoped_lock lock(entry.mutex);
+        if (--entry.views_left == 0) entry.map.reset();
+    }
+
+ private:
+    struct Entry {
+        std::mutex mutex;
+        std::shared_ptr<const ResamplingMap> map;
+        int views_left = 0;
+    };
+    Entry& entry_of(const View& view) {
+        return entries_[static_cast<std::size_t>(view.camera_index)];
+    }
+
+    const Capture& lenses_;
+    const Capture& pinholes_;
+    std::vector<Entry> entries_;
+};
+
 ColorImage resampled(const ColorImage& photograph, const ResamplingMap& map) {
     const cv::Mat source(photograph.height(), photograph.width(), CV_8UC3,
                          const_cast<Rgb8*>(photograph.row(0)));
     ColorImage picture(map.x.cols, map.x.rows);
     cv::Mat target(picture.height(), picture.width(), CV_8UC3, picture.row(0));
     cv::remap(source, target, map.x, map.y, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+    return picture;
+}
+
+ColorImage read_picture_of(const Camera& camera, const std::filesystem::path& path) {
+    ColorImage picture = read_color_image(path);
+    if (picture.width() != camera.width_px || picture.height() != camera.height_px) {
+        throw Error(ErrorKind::kBadInput, "E-PICTURE-SIZE",
+                    path.string() + ": expected " + std::to_string(camera.width_px) + "x" +
+                        std::to_string(camera.height_px) + " pixels as its camera has, found " +
+                        std::to_string(picture.width()) + "x" + std::to_string(picture.height()),
+                    "take in the photographs again");
+    }
     return picture;
 }
 
@@ -119,23 +172,21 @@ PosedPhotographs undistort(const Capture& capture,
                            const std::vector<std::filesystem::path>& picture_paths,
                            const std::filesystem::path& folder, int threads, Progress& progress) {
     PosedPhotographs result{capture, picture_paths};
-    std::vector<std::optional<ResamplingMap>> maps(capture.cameras.size());
-    parallel_for(static_cast<int>(capture.cameras.size()), threads, [&](int index) {
-        const auto i = static_cast<std::size_t>(index);
-        const Camera& lens = capture.cameras[i];
-        result.capture.cameras[i] = filled_pinhole(lens);
-        if (!is_pinhole(lens)) maps[i] = resampling_map(lens, result.capture.cameras[i]);
-    });
+    for (Camera& camera : result.capture.cameras) camera = filled_pinhole(camera);
     move_tracks(capture, result.capture);
 
+    ResamplingMaps maps(capture, result.capture);
     progress.begin("straightening photographs", capture.views.size());
     parallel_for(static_cast<int>(capture.views.size()), threads, [&](int index) {
         progress.throw_if_interrupted();
         const auto i = static_cast<std::size_t>(index);
-        const auto& map = maps[static_cast<std::size_t>(capture.views[i].camera_index)];
-        if (map) {
+        const Camera& lens = camera_of(capture, capture.views[i]);
+        if (!is_pinhole(lens)) {
+            const ColorImage picture = read_picture_of(lens, picture_paths[i]);
             result.picture_paths[i] = numbered_png(folder, i);
-            write_png(result.picture_paths[i], resampled(read_color_image(picture_paths[i]), *map));
+            write_png(result.picture_paths[i],
+                      resampled(picture, *maps.for_view(capture.views[i])));
+            maps.release(capture.views[i]);
         }
         progress.advance();
     });

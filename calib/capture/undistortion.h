@@ -8,11 +8,12 @@
 
 namespace lumi {
 
-/// Resamples every photograph to a pinhole camera of its own size and focal length (bicubic), and
-/// moves the tracks along. Photographs of a camera without distortion are not resampled: their
-/// picture file is used as it is. Pixels that no photograph pixel maps to are avoided by the
-/// smallest zoom that fills the frame. Files are written into `folder`, named after
-/// `picture_paths`.
+/// Resamples every photograph (bicubic) to a pinhole camera of its own size, principal point and
+/// pixel shape, and moves the tracks along. The focal length is the shortest at which the
+/// photograph fills the whole frame: no black border, and no more of the picture lost than that
+/// takes. Photographs of a camera without distortion are not resampled: their picture file is used
+/// as it is. The others are written into `folder` as 000001.png ..., by view. Throws Error:
+/// E-LENS-FOLDS, E-PICTURE-SIZE when a picture is not of its camera's size.
 [[nodiscard]] PosedPhotographs undistort(const Capture& capture,
                                          const std::vector<std::filesystem::path>& picture_paths,
                                          const std::filesystem::path& folder, int threads,

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "calib/work/error.h"
+#include "calib/work/printable.h"
 
 namespace lumi {
 namespace {
@@ -116,8 +117,7 @@ class FolderWalk {
         const std::vector<std::uint8_t> bytes = first_bytes(path);
         const auto format = image_format_of(bytes);
         if (format && !is_utf8(name)) {
-            leave_out("(a name that is not UTF-8)", "E-INGEST-NAME",
-                      "its name is not UTF-8: rename the file");
+            leave_out(printable(name), "E-INGEST-NAME", "its name is not UTF-8: rename the file");
         } else if (format) {
             found_.files.push_back({name, path, *format});
         } else if (claims_to_be_read) {

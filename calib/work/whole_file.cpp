@@ -65,7 +65,7 @@ class TemporarySibling {
 }  // namespace
 
 void refuse_write(const fs::path& path, int error_number) {
-    const bool full = error_number == ENOSPC || error_number == EDQUOT;
+    const bool full = error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG;
     throw Error(full ? ErrorKind::kResources : ErrorKind::kBadInput, "E-FILE-WRITE",
                 path.string() + ": cannot write: " + std::strerror(error_number),
                 full ? "free some disk space and run the same command again"

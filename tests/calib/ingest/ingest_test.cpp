@@ -72,6 +72,16 @@ TEST(Ingest, KeepsNamesWithBlanksUnicodeShellCharactersAndFolders) {
     EXPECT_THAT(result.left_out, IsEmpty());
 }
 
+TEST(Ingest, NamesFilesWhoseNamesNoReportCouldHold) {
+    const ScratchFolder scratch;
+    write_png(scratch / "photos/1.png", wavy_picture(100, 80));
+    write_png(scratch / "photos/2.png", wavy_picture(100, 80, 11));
+    write_png(scratch / "photos/latin1 \xfc.png", wavy_picture(100, 80, 22));
+    const IngestResult result = ingested(scratch);
+    EXPECT_THAT(names(result), ElementsAre("1.png", "2.png"));
+    EXPECT_EQ(codes(result).at("latin1 \\xfc.png"), "E-INGEST-NAME");
+}
+
 TEST(Ingest, FollowsLinksToFilesAndNamesThoseThatLeadNowhere) {
     const ScratchFolder scratch;
     write_png(scratch / "elsewhere.png", wavy_picture(100, 80));

@@ -134,7 +134,7 @@ TEST(ImportPoses, LensesAndTracksFollowTheWorkingCopies) {
 TEST(ImportPoses, TransformsJsonHasOpenGlAxes) {
     const ScratchFolder scratch;
     const Capture capture = truth();
-    write_whole_text(scratch / "transforms.json", transforms_json(capture, kPinholeJson));
+    scratch.put_text("transforms.json", transforms_json(capture, kPinholeJson));
     const PoseResult result = import_poses(photographs_of(capture), scratch / "transforms.json");
     expect_poses(result.capture, capture, 1e-12);
     expect_lens(result.capture.cameras.at(0), true_camera(), 1e-12);
@@ -144,7 +144,7 @@ TEST(ImportPoses, TransformsJsonWithAnAngleOfViewUsesThePhotographsSize) {
     const ScratchFolder scratch;
     const Capture capture = truth();
     const double angle_rad = 2 * std::atan(0.5 * 1280 / 1100.0);
-    write_whole_text(scratch / "transforms.json",
+    scratch.put_text("transforms.json",
                      transforms_json(capture, "\"camera_angle_x\": " + std::to_string(angle_rad)));
     const PoseResult result =
         import_poses(photographs_of(capture, 1280, 960), scratch / "transforms.json");
@@ -155,8 +155,7 @@ TEST(ImportPoses, TransformsJsonKeepsTheDistortionOfEachModel) {
     const ScratchFolder scratch;
     const Capture capture = truth();
     const auto lens = [&](const std::string& more) {
-        write_whole_text(scratch / "t.json",
-                         transforms_json(capture, std::string(kPinholeJson) + more));
+        scratch.put_text("t.json", transforms_json(capture, std::string(kPinholeJson) + more));
         return import_poses(photographs_of(capture), scratch / "t.json").capture.cameras.at(0);
     };
     const auto distortion = [](const Camera& camera) {
@@ -181,7 +180,7 @@ TEST(ImportPoses, TransformsJsonMayGiveALensForEachFrame) {
     std::string json = transforms_json(capture, kPinholeJson);
     const std::string second = R"("file_path": "./images/view 001.jpg")";
     json.replace(json.find(second), second.size(), second + R"(, "fl_x": 700, "fl_y": 710)");
-    write_whole_text(scratch / "transforms.json", json);
+    scratch.put_text("transforms.json", json);
     const Capture found =
         import_poses(photographs_of(capture), scratch / "transforms.json").capture;
     ASSERT_EQ(found.cameras.size(), 2U);
@@ -196,7 +195,7 @@ TEST(ImportPoses, RefusesDeepJsonInsteadOfExhaustingTheStack) {
         return "{\"frames\": " + std::string(depth, '[') + std::string(depth, ']') + "}";
     };
     for (const std::size_t depth : {40U, 100000U, 5000000U}) {
-        write_whole_text(scratch / "transforms.json", nested(depth));
+        scratch.put_text("transforms.json", nested(depth));
         const Error error = refusal(photographs_of(capture), scratch / "transforms.json");
         EXPECT_EQ(error.code(), "E-IMPORT-JSON");
         EXPECT_THAT(error.what(), HasSubstr("nested")) << depth;
@@ -209,7 +208,7 @@ TEST(ImportPoses, RefusesEveryTruncationOfTransformsJson) {
     const std::string json = transforms_json(capture, kPinholeJson);
     ASSERT_EQ(refusal(photographs_of(capture), scratch.path()).code(), "E-IMPORT-FORMAT");
     for (std::size_t length = 0; length < json.size(); length += 3) {
-        write_whole_text(scratch / "transforms.json", json.substr(0, length));
+        scratch.put_text("transforms.json", json.substr(0, length));
         EXPECT_THAT(refusal(photographs_of(capture), scratch / "transforms.json").code(),
                     ::testing::AnyOf("E-IMPORT-JSON", "E-IMPORT-FORMAT"))
             << "length " << length;
@@ -223,13 +222,12 @@ TEST(ImportPoses, RefusesMatricesThatAreNoRotations) {
         "h": 480, "transform_matrix": [[)";
     for (const std::string rows : {"2,0,0,0],[0,2,0,0],[0,0,2,0", "-1,0,0,0],[0,1,0,0],[0,0,1,0",
                                    "1,1,0,0],[0,1,0,0],[0,0,1,0"}) {
-        write_whole_text(scratch / "transforms.json", matrix + rows + "]]}]}");
+        scratch.put_text("transforms.json", matrix + rows + "]]}]}");
         EXPECT_EQ(refusal(photographs_of(capture), scratch / "transforms.json").code(),
                   "E-IMPORT-POSES")
             << rows;
     }
-    write_whole_text(scratch / "transforms.json",
-                     matrix + "1e999,0,0,0],[0,1,0,0],[0,0,1,0" + "]]}]}");
+    scratch.put_text("transforms.json", matrix + "1e999,0,0,0],[0,1,0,0],[0,0,1,0" + "]]}]}");
     EXPECT_EQ(refusal(photographs_of(capture), scratch / "transforms.json").code(),
               "E-IMPORT-JSON");
 }
@@ -276,8 +274,7 @@ TEST(ImportPoses, PosesBoundsHasDownRightBackAxesAndPairsByOrder) {
     const ScratchFolder scratch;
     const Capture capture = truth(3);
     for (const std::string type : {"<f8", "<f4"}) {
-        write_whole_file(scratch / "poses_bounds.npy",
-                         npy(type, "(3, 17)", llff_values(capture, 500)));
+        scratch.put("poses_bounds.npy", npy(type, "(3, 17)", llff_values(capture, 500)));
         const PoseResult result = import_poses(photographs_of(capture, kWidth, kHeight, 320, 240),
                                                scratch / "poses_bounds.npy");
         expect_poses(result.capture, capture, type == "<f8" ? 1e-12 : 1e-6);
@@ -293,7 +290,7 @@ TEST(ImportPoses, RefusesArraysThatAreNotWhatTheyClaim) {
     const auto photographs = photographs_of(capture);
     const auto values = llff_values(capture, 500);
     const auto code = [&](const Bytes& bytes) {
-        write_whole_file(scratch / "poses_bounds.npy", bytes);
+        scratch.put("poses_bounds.npy", bytes);
         return refusal(photographs, scratch / "poses_bounds.npy").code();
     };
     EXPECT_EQ(code(npy("<f8", "(3, 17)", values)), "none");
@@ -329,14 +326,14 @@ TEST(ImportPoses, MiddleburyIsCalibrationRotationTranslation) {
         for (int k = 0; k < 3; ++k) text << " " << view.cam_from_world.translation[k];
         text << "\n";
     }
-    write_whole_text(scratch / "temple_par.txt", text.str());
+    scratch.put_text("temple_par.txt", text.str());
     const PoseResult result = import_poses(photographs_of(capture), scratch / "temple_par.txt");
     expect_poses(result.capture, capture, 1e-12);
     expect_lens(result.capture.cameras.at(0), true_camera(), 1e-12);
     // The lens is for the photographs' own size: on quarter-size pictures it makes no sense.
     EXPECT_EQ(refusal(photographs_of(capture, 160, 120), scratch / "temple_par.txt").code(),
               "E-IMPORT-SIZE");
-    write_whole_text(scratch / "short_par.txt", "4" + text.str().substr(1));
+    scratch.put_text("short_par.txt", "4" + text.str().substr(1));
     EXPECT_EQ(refusal(photographs_of(capture), scratch / "short_par.txt").code(), "E-IMPORT-POSES");
 }
 
