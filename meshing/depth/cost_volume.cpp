@@ -9,10 +9,8 @@
 namespace lumi {
 namespace {
 
-static_assert(CostVolume::kTile == kPatchTile);
+static_assert(kTileSide == kPatchTile);
 static_assert(kMaxMatchingCost == 2 * kCensusBits);
-
-int tiles_along(int pixels) { return (pixels + CostVolume::kTile - 1) / CostVolume::kTile; }
 
 /// What a neighbour contributes to every tile.
 struct Comparison {
@@ -39,16 +37,18 @@ void sweep_tile(const SweepView& view, const std::vector<Comparison>& comparison
                 const SweepPlanes& planes, int left, int top, CostVolume& volume) {
     CensusPatch census;
     take_census(patch_of(view.gray, left, top), census);
+    const TilePlanes& tile = volume.tile(left, top);
+    const Eigen::Vector2d slope = planes.step * tile.slope;
     std::vector<PatchRays> rays;
     for (const Comparison& comparison : comparisons) {
-        rays.push_back(patch_rays(comparison.warp, left, top));
+        rays.push_back(patch_rays(comparison.warp, left, top, slope));
     }
-    const PlaneRange range = volume.range(left, top);
+
     WarpedPatch warped;
     PatchArray<std::uint8_t> mismatches, best, second, cost;
     std::uint8_t* tile_costs = volume.costs().data() + volume.offset(left, top);
-    for (int plane = 0; plane < range.count; ++plane) {
-        const double inverse_depth = planes.inverse_depth(range.first + plane);
+    for (int plane = 0; plane < tile.count; ++plane) {
+        const double inverse_depth = planes.inverse_depth(tile.first + plane);
         best.fill(kNotSeen);
         second.fill(kNotSeen);
         for (std::size_t n = 0; n < comparisons.size(); ++n) {
@@ -62,43 +62,38 @@ void sweep_tile(const SweepView& view, const std::vector<Comparison>& comparison
         std::uint8_t* out = tile_costs + plane;
         for (int y = 0; y < kPatchTile; ++y) {
             const std::uint8_t* in = cost.data() + (y + kCensusRadius) * kPatchSide + kCensusRadius;
-            for (int x = 0; x < kPatchTile; ++x, out += range.count) *out = in[x];
+            for (int x = 0; x < kPatchTile; ++x, out += tile.count) *out = in[x];
         }
     }
 }
 
 }  // namespace
 
-int tile_count(int width, int height) { return tiles_along(width) * tiles_along(height); }
-
-CostVolume::CostVolume(int width, int height, std::vector<PlaneRange> ranges)
-    : width_(width),
-      height_(height),
-      tiles_across_(tiles_along(width)),
-      tiles_down_(tiles_along(height)),
-      ranges_(std::move(ranges)) {
-    assert(static_cast<int>(ranges_.size()) == tile_count(width, height));
+CostVolume::CostVolume(int width, int height, std::vector<TilePlanes> tiles)
+    : width_(width), height_(height), tiles_(std::move(tiles)) {
+    assert(static_cast<int>(tiles_.size()) == tiles_along(width) * tiles_along(height));
     std::size_t total = 0;
-    for (const PlaneRange& range : ranges_) {
-        assert(range.count > 0);
+    for (const TilePlanes& tile : tiles_) {
+        assert(tile.count > 0);
         offsets_.push_back(total);
-        total += static_cast<std::size_t>(kTile) * kTile * static_cast<std::size_t>(range.count);
-        max_count_ = std::max(max_count_, range.count);
+        total +=
+            static_cast<std::size_t>(kTileSide * kTileSide) * static_cast<std::size_t>(tile.count);
+        max_count_ = std::max(max_count_, tile.count);
     }
     costs_.resize(total);
 }
 
 CostVolume sweep_costs(const SweepView& view, const std::vector<SweepView>& neighbours,
-                       const SweepPlanes& planes, std::vector<PlaneRange> ranges) {
+                       const SweepPlanes& planes, std::vector<TilePlanes> tiles) {
     std::vector<Comparison> comparisons;
     for (const SweepView& other : neighbours) {
         comparisons.push_back(
             {warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world),
              packed(other.gray)});
     }
-    CostVolume volume(view.gray.width(), view.gray.height(), std::move(ranges));
-    for (int top = 0; top < volume.height(); top += CostVolume::kTile) {
-        for (int left = 0; left < volume.width(); left += CostVolume::kTile) {
+    CostVolume volume(view.gray.width(), view.gray.height(), std::move(tiles));
+    for (int top = 0; top < volume.height(); top += kTileSide) {
+        for (int left = 0; left < volume.width(); left += kTileSide) {
             sweep_tile(view, comparisons, planes, left, top, volume);
         }
     }

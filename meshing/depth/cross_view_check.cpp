@@ -10,13 +10,14 @@ namespace lumi {
 namespace {
 
 constexpr double kMaxDisagreementPx = 1.0;
+constexpr double kMaxStepPx = 4.0;  // Disparity between neighbouring pixels of a steep floor.
 
 /// The two directions between a view and its neighbour.
 struct RoundTrip {
     const DepthMap* other;
     InverseDepthWarp there;
     InverseDepthWarp back;
-    double one_pixel_there;  ///< Of disparity, as inverse depth in the neighbour.
+    double max_step_there;  ///< Inverse depth by which pixels of one surface differ at most.
 };
 
 /// Inverse depth at a pixel of a map: bilinear on one surface, the nearest pixel's at a jump. Empty
@@ -49,7 +50,7 @@ std::optional<double> confirmation(const RoundTrip& trip, const Eigen::Vector2d&
     const Eigen::Vector3d there = trip.there(pixel, inverse_depth);
     if (there.z() <= 0) return std::nullopt;
     const Eigen::Vector2d pixel_there = there.hnormalized();
-    const auto found = sample(*trip.other, pixel_there, trip.one_pixel_there);
+    const auto found = sample(*trip.other, pixel_there, trip.max_step_there);
     if (!found) return std::nullopt;
     const Eigen::Vector3d back = trip.back(pixel_there, *found);
     if (back.z() <= 0) return std::nullopt;
@@ -69,7 +70,7 @@ std::vector<RoundTrip> round_trips(const DepthScene& scene,
             {&estimates[index].map,
              warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world),
              warp_b_from_a(other.camera, other.cam_from_world, view.camera, view.cam_from_world),
-             1.0 / other.disparity_px_per_inverse_depth});
+             kMaxStepPx / other.disparity_px_per_inverse_depth});
     }
     return trips;
 }

@@ -50,7 +50,7 @@ DepthMap confirmed(const DepthScene& scene, const std::vector<DepthEstimate>& es
     if (!estimates[index].needs_confirmation) return estimates[index].map;
     DepthMap map = cross_view_check(scene, estimates, i);
     const auto pixels = static_cast<double>(map.confidence.pixels().size());
-    remove_speckles(map, one_pixel_of(scene.views[index]),
+    remove_speckles(map, 2 * one_pixel_of(scene.views[index]),
                     std::max(16, static_cast<int>(kIslandShare * pixels)));
     return map;
 }

@@ -100,8 +100,8 @@ cv::Mat view_of(const ColorImage& photograph) {
 
 /// Smooths what was filled along the photograph's edges; what is known holds its place.
 void smooth_filled(DepthMap& map, const ColorImage& photograph) {
-    constexpr double kLambda = 400.0;
-    constexpr double kSigmaColor = 8.0;
+    constexpr double kLambda = 100.0;
+    constexpr double kSigmaColor = 3.0;  // Grey levels: a faint edge already stops the smoothing.
     constexpr float kFilledWeight = 0.1F;
     const int width = map.inverse_depth.width();
     const int height = map.inverse_depth.height();

@@ -6,6 +6,8 @@
 
 #include "meshing/depth/cost_volume.h"
 #include "meshing/depth/semi_global_matching.h"
+#include "meshing/depth/sparse_depth.h"
+#include "meshing/depth/tile_search.h"
 
 namespace lumi {
 namespace {
@@ -44,85 +46,44 @@ SweepPlanes planes_over(const DepthView& view, double level_scale, double spacin
     return {view.range.far, step, units * kCountUnit};
 }
 
-/// The planes of [low, high], rounded up to whole units within the sweep.
-PlaneRange planes_between(double low, double high, int count) {
-    const int first = std::clamp(static_cast<int>(std::floor(low)), 0, count - 1);
-    const int last = std::clamp(static_cast<int>(std::ceil(high)), first, count - 1);
+/// The planes of a tile, rounded up to whole units within the sweep.
+TilePlanes planes_of(const TileSurface& tile, const SweepPlanes& planes, double margin) {
+    const double low = std::floor(planes.plane_at(tile.at_centre.far) - margin);
+    const double high = std::ceil(planes.plane_at(tile.at_centre.near) + margin);
+    const auto first = static_cast<int>(std::clamp(low, 0.0, planes.count - 1.0));
+    const auto last = static_cast<int>(std::clamp(high, 1.0 * first, planes.count - 1.0));
     const int units = (last - first + kCountUnit) / kCountUnit;
     const int spare = units * kCountUnit - (last - first + 1);
-    const int begin = std::clamp(first - spare / 2, 0, count - units * kCountUnit);
-    return {begin, units * kCountUnit};
+    const int begin = std::clamp(first - spare / 2, 0, planes.count - units * kCountUnit);
+    return {begin, units * kCountUnit, tile.slope / planes.step};
 }
 
-/// Smallest and largest inverse depth that the coarser level found in and around each tile.
-std::vector<InverseDepthRange> ranges_found(const FloatImage& coarse, int width, int height) {
-    constexpr int kAround = 4;  // Coarse pixels.
-    std::vector<InverseDepthRange> ranges;
-    for (int top = 0; top < height; top += CostVolume::kTile) {
-        for (int left = 0; left < width; left += CostVolume::kTile) {
-            const int x_begin = std::clamp(left / 2 - kAround, 0, coarse.width() - 1);
-            const int y_begin = std::clamp(top / 2 - kAround, 0, coarse.height() - 1);
-            const int x_end = std::min((left + CostVolume::kTile) / 2 + kAround, coarse.width());
-            const int y_end = std::min((top + CostVolume::kTile) / 2 + kAround, coarse.height());
-            float low = coarse(x_begin, y_begin);
-            float high = low;
-            for (int y = y_begin; y < y_end; ++y) {
-                const auto [least, most] =
-                    std::minmax_element(coarse.row(y) + x_begin, coarse.row(y) + x_end);
-                low = std::min(low, *least);
-                high = std::max(high, *most);
-            }
-            ranges.push_back({static_cast<double>(low), static_cast<double>(high)});
-        }
-    }
-    return ranges;
-}
-
-/// A tile's range takes in the scene points that fall into it.
-void include_points(const DepthView& view, double level_scale, int width,
-                    std::vector<InverseDepthRange>& ranges) {
-    const int across = (width + CostVolume::kTile - 1) / CostVolume::kTile;
-    for (const SparsePoint& point : view.points) {
-        const int column = static_cast<int>(point.pixel.x() * level_scale) / CostVolume::kTile;
-        const int row = static_cast<int>(point.pixel.y() * level_scale) / CostVolume::kTile;
-        const int tile = row * across + std::min(column, across - 1);
-        if (tile >= static_cast<int>(ranges.size())) continue;
-        InverseDepthRange& range = ranges[static_cast<std::size_t>(tile)];
-        const double inverse_depth =
-            std::clamp(point.inverse_depth, view.range.far, view.range.near);
-        range.far = std::min(range.far, inverse_depth);
-        range.near = std::max(range.near, inverse_depth);
-    }
-}
-
-std::size_t cells_of(const std::vector<PlaneRange>& ranges) {
+std::size_t cells_of(const std::vector<TilePlanes>& tiles) {
     std::size_t cells = 0;
-    for (const PlaneRange& range : ranges) {
-        cells += static_cast<std::size_t>(range.count) * CostVolume::kTile * CostVolume::kTile;
+    for (const TilePlanes& tile : tiles) {
+        cells += static_cast<std::size_t>(tile.count) * kTileSide * kTileSide;
     }
     return cells;
 }
 
 struct Search {
     SweepPlanes planes;
-    std::vector<PlaneRange> ranges;
+    std::vector<TilePlanes> tiles;
 };
 
 /// Where one level looks, in as fine steps as the memory allows.
 Search search_of(const DepthView& view, double level_scale, double spacing_px,
-                 const std::vector<InverseDepthRange>& tile_ranges) {
+                 const std::vector<TileSurface>& surfaces) {
     constexpr double kMarginPx = 3.0;
     constexpr double kCoarser = 1.25;
     for (;; spacing_px *= kCoarser) {
         Search search{planes_over(view, level_scale, spacing_px), {}};
         const double margin = std::max(2.0, kMarginPx / spacing_px);
-        for (const InverseDepthRange& range : tile_ranges) {
-            search.ranges.push_back(planes_between(search.planes.plane_at(range.far) - margin,
-                                                   search.planes.plane_at(range.near) + margin,
-                                                   search.planes.count));
+        for (const TileSurface& surface : surfaces) {
+            search.tiles.push_back(planes_of(surface, search.planes, margin));
         }
         const bool is_coarsest = search.planes.count == kCountUnit;
-        if (is_coarsest || cells_of(search.ranges) <= kMaxCells) return search;
+        if (is_coarsest || cells_of(search.tiles) <= kMaxCells) return search;
     }
 }
 
@@ -142,18 +103,19 @@ GrayImage told_apart(GrayImage contrast) {
 }
 
 DepthMap match_level(const DepthScene& scene, const DepthView& view, int level,
-                     const std::vector<InverseDepthRange>& tile_ranges) {
+                     const std::vector<TileSurface>& surfaces) {
     const SweepView own = at_level(view, level);
     std::vector<SweepView> others;
     for (const int j : view.neighbours) {
         others.push_back(at_level(scene.views[static_cast<std::size_t>(j)], level));
     }
     const double level_scale = static_cast<double>(own.camera.width_px) / view.camera.width_px;
-    Search search = search_of(view, level_scale, level == 0 ? 0.5 : 1.0, tile_ranges);
-    const CostVolume volume = sweep_costs(own, others, search.planes, std::move(search.ranges));
+    Search search = search_of(view, level_scale, level == 0 ? 0.5 : 1.0, surfaces);
+    const CostVolume volume = sweep_costs(own, others, search.planes, std::move(search.tiles));
     MatchedPlanes matched = semi_global_matching(volume, own.gray, SmoothnessPenalty{});
     for (float& plane : matched.plane.pixels()) {
-        plane = static_cast<float>(search.planes.inverse_depth(static_cast<double>(plane)));
+        const double inverse_depth = search.planes.inverse_depth(static_cast<double>(plane));
+        plane = static_cast<float>(std::max(0.0, inverse_depth));
     }
     return {std::move(matched.plane), told_apart(std::move(matched.contrast))};
 }
@@ -169,23 +131,33 @@ void add_coarser(GrayImage& told, const GrayImage& coarse) {
     }
 }
 
+/// What the coarsest level takes the slopes of its planes from; empty without enough points.
+FloatImage slope_guide(const DepthView& view) {
+    constexpr std::size_t kMinPoints = 50;
+    if (view.points.size() < kMinPoints) return {};
+    return sparse_depth(view).inverse_depth;
+}
+
 }  // namespace
 
 DepthMap multi_view_sweep(const DepthScene& scene, int view_index) {
     const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
-    int level = level_count(view.camera) - 1;
-    std::vector<InverseDepthRange> tile_ranges(
-        static_cast<std::size_t>(
-            tile_count(view.camera.width_px >> level, view.camera.height_px >> level)),
-        view.range);
-    DepthMap result = match_level(scene, view, level, tile_ranges);
-    while (level > 0) {
-        --level;
+    const int coarsest = level_count(view.camera) - 1;
+    DepthMap result;
+    for (int level = coarsest; level >= 0; --level) {
         const int width = view.camera.width_px >> level;
         const int height = view.camera.height_px >> level;
-        tile_ranges = ranges_found(result.inverse_depth, width, height);
-        include_points(view, static_cast<double>(width) / view.camera.width_px, width, tile_ranges);
-        DepthMap finer = match_level(scene, view, level, tile_ranges);
+        const double scale = static_cast<double>(width) / view.camera.width_px;
+        if (level == coarsest) {
+            result = match_level(scene, view, level,
+                                 search_whole_range(view.range, width, height, slope_guide(view)));
+            continue;
+        }
+        const double one_pixel = 1.0 / (view.disparity_px_per_inverse_depth * scale);
+        std::vector<TileSurface> surfaces =
+            search_around(result.inverse_depth, width, height, one_pixel);
+        include_points(view, scale, width, surfaces);
+        DepthMap finer = match_level(scene, view, level, surfaces);
         add_coarser(finer.confidence, result.confidence);
         result = std::move(finer);
     }

@@ -13,7 +13,7 @@ double angle_weight(const Eigen::Vector3d& point, const Eigen::Vector3d& centre_
                     const Eigen::Vector3d& centre_b) {
     constexpr double kBestDeg = 6.0;
     constexpr double kNarrowDeg = 2.5;
-    constexpr double kWideDeg = 10.0;
+    constexpr double kWideDeg = 12.0;
     const Eigen::Vector3d to_a = centre_a - point;
     const Eigen::Vector3d to_b = centre_b - point;
     const double angle_deg =

@@ -126,14 +126,16 @@ PackedPicture packed(const GrayImage& picture) {
     return result;
 }
 
-PatchRays patch_rays(const InverseDepthWarp& warp, int left, int top) {
+PatchRays patch_rays(const InverseDepthWarp& warp, int left, int top,
+                     const Eigen::Vector2d& slope) {
     PatchRays rays;
+    const Eigen::Vector2d centre(left + 0.5 * kPatchTile, top + 0.5 * kPatchTile);
     std::size_t next = 0;
     for (int y = 0; y < kPatchSide; ++y) {
         for (int x = 0; x < kPatchSide; ++x, ++next) {
-            const Eigen::Vector3d ray =
-                warp.infinite_homography *
-                Eigen::Vector3d(left + x - kCensusRadius + 0.5, top + y - kCensusRadius + 0.5, 1.0);
+            const Eigen::Vector2d pixel(left + x - kCensusRadius + 0.5,
+                                        top + y - kCensusRadius + 0.5);
+            const Eigen::Vector3d ray = warp(pixel, slope.dot(pixel - centre));
             rays.x[next] = static_cast<float>(ray.x());
             rays.y[next] = static_cast<float>(ray.y());
             rays.z[next] = static_cast<float>(ray.z());

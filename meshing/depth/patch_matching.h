@@ -31,11 +31,13 @@ struct PackedPicture {
 };
 [[nodiscard]] PackedPicture packed(const GrayImage& picture);
 
-/// The part of a warp that does not depend on the inverse depth, for each pixel of a patch.
+/// Where each pixel of a patch appears, but for the inverse depth at the centre of its tile: the
+/// rest of the warp and what a sloping plane adds to it.
 struct PatchRays {
     PatchArray<float> x, y, z;
 };
-[[nodiscard]] PatchRays patch_rays(const InverseDepthWarp& warp, int left, int top);
+[[nodiscard]] PatchRays patch_rays(const InverseDepthWarp& warp, int left, int top,
+                                   const Eigen::Vector2d& slope);
 
 constexpr std::uint8_t kNotSeen = 255;
 

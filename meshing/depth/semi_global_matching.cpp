@@ -81,30 +81,38 @@ class PathSweep {
  private:
     /// Extends the path that comes from (from_x, from_y) to (x, y).
     void advance(PathRow& from, PathRow& to, int x, int y, int from_x, int from_y) {
-        const PlaneRange range = volume_.range(x, y);
+        const int count = volume_.tile(x, y).count;
         const std::size_t offset = volume_.offset(x, y);
         const std::uint8_t* previous = start_.data() + 1;
         std::uint8_t previous_min = 0;
         std::uint8_t p2 = p1_;
         if (gray_.contains(from_x, from_y)) {
-            previous = aligned(from.at(from_x), volume_.range(from_x, from_y), range);
+            previous = aligned(from.at(from_x), from_x, from_y, x, y);
             previous_min = from.minimum(from_x);
             p2 = p2_[static_cast<std::size_t>(std::abs(gray_(x, y) - gray_(from_x, from_y)))];
         }
         std::uint8_t* current = to.at(x);
-        current[range.count] = kUnreachable;
+        current[count] = kUnreachable;
         to.minimum(x) = advance_path(volume_.costs().data() + offset, previous, previous_min, p1_,
-                                     p2, range.count, current, sums_.data() + offset);
+                                     p2, count, current, sums_.data() + offset);
     }
 
-    /// The previous pixel's path costs by the planes of `to`.
-    const std::uint8_t* aligned(const std::uint8_t* costs, PlaneRange from, PlaneRange to) {
-        if (from == to) return costs;
+    /// The previous pixel's path costs by the planes of (x, y): index for index within a tile,
+    /// whose planes slope with it, and shifted across the border of two tiles.
+    const std::uint8_t* aligned(const std::uint8_t* costs, int from_x, int from_y, int x, int y) {
+        const TilePlanes& from = volume_.tile(from_x, from_y);
+        const TilePlanes& to = volume_.tile(x, y);
+        if (&from == &to) return costs;
+        const Eigen::Vector2d slope = 0.5 * (from.slope + to.slope);
+        const double continued = volume_.first_plane(from_x, from_y) +
+                                 slope.dot(Eigen::Vector2d(x - from_x, y - from_y));
+        const int shift = static_cast<int>(std::lround(volume_.first_plane(x, y) - continued));
+        if (shift == 0 && from.count == to.count) return costs;
         std::fill(aligned_.begin(), aligned_.end(), kUnreachable);
-        const int begin = std::max(from.first, to.first - 1);
-        const int end = std::min(from.first + from.count, to.first + to.count + 1);
-        for (int plane = begin; plane < end; ++plane) {
-            aligned_[static_cast<std::size_t>(plane - to.first + 1)] = costs[plane - from.first];
+        const int begin = std::max(-1, -shift);
+        const int end = std::min(to.count + 1, from.count - shift);
+        for (int k = begin; k < end; ++k) {
+            aligned_[static_cast<std::size_t>(k + 1)] = costs[k + shift];
         }
         return aligned_.data() + 1;
     }
@@ -147,19 +155,19 @@ MatchedPlanes semi_global_matching(const CostVolume& volume, const GrayImage& gr
                          GrayImage(volume.width(), volume.height())};
     for (int y = 0; y < volume.height(); ++y) {
         for (int x = 0; x < volume.width(); ++x) {
-            const PlaneRange range = volume.range(x, y);
+            const int count = volume.tile(x, y).count;
             const std::uint16_t* sum = sums.data() + volume.offset(x, y);
             const std::uint8_t* cost = volume.costs().data() + volume.offset(x, y);
-            const auto best = static_cast<int>(std::min_element(sum, sum + range.count) - sum);
+            const auto best = static_cast<int>(std::min_element(sum, sum + count) - sum);
             float fraction = 0.0F;
-            if (best > 0 && best + 1 < range.count) {
+            if (best > 0 && best + 1 < count) {
                 fraction = parabola_offset(sum[best - 1], sum[best], sum[best + 1]);
             }
-            result.plane(x, y) = static_cast<float>(range.first + best) + fraction;
+            result.plane(x, y) = static_cast<float>(volume.first_plane(x, y) + best) + fraction;
             int total = 0;
-            for (int k = 0; k < range.count; ++k) total += cost[k];
+            for (int k = 0; k < count; ++k) total += cost[k];
             result.contrast(x, y) =
-                static_cast<std::uint8_t>(std::max(0, total / range.count - cost[best]));
+                static_cast<std::uint8_t>(std::max(0, total / count - cost[best]));
         }
     }
     return result;

@@ -1,0 +1,159 @@
+#include "meshing/depth/tile_search.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lumi {
+namespace {
+
+/// A pixel of the guiding map, relative to the centre of a tile.
+struct Sample {
+    Eigen::Vector2d offset_px;
+    double inverse_depth;
+};
+
+Eigen::Vector2d centre_of_tile(int column, int row) {
+    return {kTileSide * (column + 0.5), kTileSide * (row + 0.5)};
+}
+
+/// The map's pixels in the tile and half a tile around it.
+std::vector<Sample> samples_around(const FloatImage& found, int width, int height, int column,
+                                   int row) {
+    const double scale_x = static_cast<double>(found.width()) / width;
+    const double scale_y = static_cast<double>(found.height()) / height;
+    const auto first = [](int tile, double scale, int size) {
+        return std::clamp(static_cast<int>((tile - 0.5) * kTileSide * scale), 0, size - 1);
+    };
+    const auto end = [](int tile, double scale, int size) {
+        return std::clamp(static_cast<int>((tile + 1.5) * kTileSide * scale), 1, size);
+    };
+    std::vector<Sample> samples;
+    for (int y = first(row, scale_y, found.height()); y < end(row, scale_y, found.height()); ++y) {
+        for (int x = first(column, scale_x, found.width()); x < end(column, scale_x, found.width());
+             ++x) {
+            const Eigen::Vector2d pixel((x + 0.5) / scale_x, (y + 0.5) / scale_y);
+            samples.push_back(
+                {pixel - centre_of_tile(column, row), static_cast<double>(found(x, y))});
+        }
+    }
+    return samples;
+}
+
+/// Slope of the plane of least squares.
+Eigen::Vector2d fitted_slope(const std::vector<Sample>& samples) {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
+    for (const Sample& sample : samples) {
+        const Eigen::Vector3d row = sample.offset_px.homogeneous();
+        normal += row * row.transpose();
+        right_side += row * sample.inverse_depth;
+    }
+    // A strip of one pixel tells no slope across it.
+    normal.diagonal().head<2>().array() += 1e-3;
+    return normal.ldlt().solve(right_side).head<2>();
+}
+
+std::vector<double> residuals(const std::vector<Sample>& samples, const Eigen::Vector2d& slope) {
+    std::vector<double> result;
+    result.reserve(samples.size());
+    for (const Sample& sample : samples) {
+        result.push_back(sample.inverse_depth - slope.dot(sample.offset_px));
+    }
+    return result;
+}
+
+/// The samples that lie within one plane of the middle one, once `slope` is taken away.
+std::vector<Sample> followers(const std::vector<Sample>& samples, const Eigen::Vector2d& slope,
+                              double one_plane) {
+    const std::vector<double> values = residuals(samples, slope);
+    std::vector<double> sorted = values;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    std::vector<Sample> result;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (std::abs(values[i] - *middle) <= one_plane) result.push_back(samples[i]);
+    }
+    return result;
+}
+
+/// The samples on one side of the tile's centre, for each of the four sides.
+std::array<std::vector<Sample>, 4> halves(const std::vector<Sample>& samples) {
+    std::array<std::vector<Sample>, 4> result;
+    for (const Sample& sample : samples) {
+        result[sample.offset_px.x() < 0 ? 0 : 1].push_back(sample);
+        result[sample.offset_px.y() < 0 ? 2 : 3].push_back(sample);
+    }
+    return result;
+}
+
+/// The slope that most samples follow: of all of them or of one half, so that a step between two
+/// surfaces does not pass for a slope. Frontal unless clearly more follow the slope.
+Eigen::Vector2d supported_slope(const std::vector<Sample>& samples, double one_plane) {
+    constexpr double kClearly = 1.1;
+    constexpr double kLeastShare = 0.4;
+    std::vector<Sample> best;
+    const auto consider = [&](const std::vector<Sample>& subset) {
+        if (subset.size() < 3) return;
+        std::vector<Sample> following = followers(samples, fitted_slope(subset), one_plane);
+        if (following.size() > best.size()) best = std::move(following);
+    };
+    consider(samples);
+    for (const std::vector<Sample>& half : halves(samples)) consider(half);
+    const std::vector<Sample> frontal = followers(samples, Eigen::Vector2d::Zero(), one_plane);
+    const auto required = std::max(kClearly * static_cast<double>(frontal.size()),
+                                   kLeastShare * static_cast<double>(samples.size()));
+    if (static_cast<double>(best.size()) < required) return Eigen::Vector2d::Zero();
+    return fitted_slope(best);
+}
+
+}  // namespace
+
+std::vector<TileSurface> search_around(const FloatImage& found, int width, int height,
+                                       double one_plane) {
+    std::vector<TileSurface> tiles;
+    for (int row = 0; row < tiles_along(height); ++row) {
+        for (int column = 0; column < tiles_along(width); ++column) {
+            const std::vector<Sample> samples = samples_around(found, width, height, column, row);
+            const Eigen::Vector2d slope = supported_slope(samples, one_plane);
+            const std::vector<double> at_centre = residuals(samples, slope);
+            const auto [far, near] = std::minmax_element(at_centre.begin(), at_centre.end());
+            tiles.push_back({{*far, *near}, slope});
+        }
+    }
+    return tiles;
+}
+
+std::vector<TileSurface> search_whole_range(const InverseDepthRange& range, int width, int height,
+                                            const FloatImage& guide) {
+    const auto count = static_cast<std::size_t>(tiles_along(width) * tiles_along(height));
+    std::vector<TileSurface> tiles(count, TileSurface{range, Eigen::Vector2d::Zero()});
+    if (guide.empty()) return tiles;
+    for (int row = 0; row < tiles_along(height); ++row) {
+        for (int column = 0; column < tiles_along(width); ++column) {
+            tiles[static_cast<std::size_t>(row * tiles_along(width) + column)].slope =
+                fitted_slope(samples_around(guide, width, height, column, row));
+        }
+    }
+    return tiles;
+}
+
+void include_points(const DepthView& view, double scale, int width,
+                    std::vector<TileSurface>& tiles) {
+    const int across = tiles_along(width);
+    for (const SparsePoint& point : view.points) {
+        const Eigen::Vector2d pixel = scale * point.pixel;
+        const int column = std::min(static_cast<int>(pixel.x()) / kTileSide, across - 1);
+        const int row = static_cast<int>(pixel.y()) / kTileSide;
+        const int index = row * across + column;
+        if (index >= static_cast<int>(tiles.size())) continue;
+        TileSurface& tile = tiles[static_cast<std::size_t>(index)];
+        const double at_centre = std::clamp(point.inverse_depth, view.range.far, view.range.near) -
+                                 tile.slope.dot(pixel - centre_of_tile(column, row));
+        tile.at_centre.far = std::min(tile.at_centre.far, at_centre);
+        tile.at_centre.near = std::max(tile.at_centre.near, at_centre);
+    }
+}
+
+}  // namespace lumi
