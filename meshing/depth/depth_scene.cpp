@@ -56,17 +56,18 @@ void take_points(const Capture& capture, const std::vector<int>& view_indices, D
 }
 
 /// Where each view sees its points: projected anew, so that pixel and inverse depth belong
-/// together.
+/// together. An observation that ends up outside the picture is no longer one.
 void place_points_in_views(DepthScene& scene) {
     for (ScenePoint& point : scene.points) {
-        for (Observation& observation : point.track) {
+        std::erase_if(point.track, [&](Observation& observation) {
             DepthView& view = scene.views[static_cast<std::size_t>(observation.view_index)];
             const Eigen::Vector3d in_cam = view.cam_from_world * point.position_in_world;
             const auto pixel = project(view.camera, in_cam);
-            if (!pixel || !is_inside(view.camera, *pixel)) continue;
+            if (!pixel || !is_inside(view.camera, *pixel)) return true;
             observation.pixel = *pixel;
             view.points.push_back({*pixel, 1.0 / in_cam.z()});
-        }
+            return false;
+        });
     }
 }
 

@@ -138,30 +138,54 @@ FloatImage slope_guide(const DepthView& view) {
     return sparse_depth(view).inverse_depth;
 }
 
+double one_pixel_at(const DepthView& view, double level_scale) {
+    return 1.0 / (view.disparity_px_per_inverse_depth * level_scale);
+}
+
+/// The whole range, first along the slopes that the points suggest, then along those it found: a
+/// floor comes out in shreds first, which lie on the floor's plane all the same.
+DepthMap match_coarsest(const DepthScene& scene, const DepthView& view, int level) {
+    constexpr int kRounds = 2;
+    constexpr double kFollowPx = 5.0;
+    const int width = view.camera.width_px >> level;
+    const int height = view.camera.height_px >> level;
+    const double one_pixel = one_pixel_at(view, static_cast<double>(width) / view.camera.width_px);
+    DepthMap found = match_level(scene, view, level,
+                                 search_whole_range(view.range, width, height, slope_guide(view)));
+    for (int round = 0; round < kRounds; ++round) {
+        std::vector<TileSurface> surfaces =
+            search_around(found.inverse_depth, width, height, kFollowPx * one_pixel);
+        for (TileSurface& surface : surfaces) surface.at_centre = view.range;
+        found = match_level(scene, view, level, surfaces);
+    }
+    return found;
+}
+
+/// One level finer, around what the coarser level found.
+DepthMap match_finer(const DepthScene& scene, const DepthView& view, int level,
+                     const DepthMap& coarser) {
+    constexpr double kFollowPx = 2.0;
+    const int width = view.camera.width_px >> level;
+    const int height = view.camera.height_px >> level;
+    const double scale = static_cast<double>(width) / view.camera.width_px;
+    std::vector<TileSurface> surfaces =
+        search_around(coarser.inverse_depth, width, height, kFollowPx * one_pixel_at(view, scale));
+    include_points(view, scale, width, surfaces);
+    DepthMap finer = match_level(scene, view, level, surfaces);
+    add_coarser(finer.confidence, coarser.confidence);
+    return finer;
+}
+
 }  // namespace
 
 DepthMap multi_view_sweep(const DepthScene& scene, int view_index) {
     const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
     const int coarsest = level_count(view.camera) - 1;
-    DepthMap result;
-    for (int level = coarsest; level >= 0; --level) {
-        const int width = view.camera.width_px >> level;
-        const int height = view.camera.height_px >> level;
-        const double scale = static_cast<double>(width) / view.camera.width_px;
-        if (level == coarsest) {
-            result = match_level(scene, view, level,
-                                 search_whole_range(view.range, width, height, slope_guide(view)));
-            continue;
-        }
-        const double one_pixel = 1.0 / (view.disparity_px_per_inverse_depth * scale);
-        std::vector<TileSurface> surfaces =
-            search_around(result.inverse_depth, width, height, one_pixel);
-        include_points(view, scale, width, surfaces);
-        DepthMap finer = match_level(scene, view, level, surfaces);
-        add_coarser(finer.confidence, result.confidence);
-        result = std::move(finer);
+    DepthMap found = match_coarsest(scene, view, coarsest);
+    for (int level = coarsest - 1; level >= 0; --level) {
+        found = match_finer(scene, view, level, found);
     }
-    return result;
+    return found;
 }
 
 }  // namespace lumi

@@ -64,16 +64,16 @@ std::vector<double> residuals(const std::vector<Sample>& samples, const Eigen::V
     return result;
 }
 
-/// The samples that lie within one plane of the middle one, once `slope` is taken away.
+/// The samples that lie within `tolerance` of the middle one, once `slope` is taken away.
 std::vector<Sample> followers(const std::vector<Sample>& samples, const Eigen::Vector2d& slope,
-                              double one_plane) {
+                              double tolerance) {
     const std::vector<double> values = residuals(samples, slope);
     std::vector<double> sorted = values;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());
     std::vector<Sample> result;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (std::abs(values[i] - *middle) <= one_plane) result.push_back(samples[i]);
+        if (std::abs(values[i] - *middle) <= tolerance) result.push_back(samples[i]);
     }
     return result;
 }
@@ -90,18 +90,18 @@ std::array<std::vector<Sample>, 4> halves(const std::vector<Sample>& samples) {
 
 /// The slope that most samples follow: of all of them or of one half, so that a step between two
 /// surfaces does not pass for a slope. Frontal unless clearly more follow the slope.
-Eigen::Vector2d supported_slope(const std::vector<Sample>& samples, double one_plane) {
+Eigen::Vector2d supported_slope(const std::vector<Sample>& samples, double tolerance) {
     constexpr double kClearly = 1.1;
     constexpr double kLeastShare = 0.4;
     std::vector<Sample> best;
     const auto consider = [&](const std::vector<Sample>& subset) {
         if (subset.size() < 3) return;
-        std::vector<Sample> following = followers(samples, fitted_slope(subset), one_plane);
+        std::vector<Sample> following = followers(samples, fitted_slope(subset), tolerance);
         if (following.size() > best.size()) best = std::move(following);
     };
     consider(samples);
     for (const std::vector<Sample>& half : halves(samples)) consider(half);
-    const std::vector<Sample> frontal = followers(samples, Eigen::Vector2d::Zero(), one_plane);
+    const std::vector<Sample> frontal = followers(samples, Eigen::Vector2d::Zero(), tolerance);
     const auto required = std::max(kClearly * static_cast<double>(frontal.size()),
                                    kLeastShare * static_cast<double>(samples.size()));
     if (static_cast<double>(best.size()) < required) return Eigen::Vector2d::Zero();
@@ -111,12 +111,12 @@ Eigen::Vector2d supported_slope(const std::vector<Sample>& samples, double one_p
 }  // namespace
 
 std::vector<TileSurface> search_around(const FloatImage& found, int width, int height,
-                                       double one_plane) {
+                                       double tolerance) {
     std::vector<TileSurface> tiles;
     for (int row = 0; row < tiles_along(height); ++row) {
         for (int column = 0; column < tiles_along(width); ++column) {
             const std::vector<Sample> samples = samples_around(found, width, height, column, row);
-            const Eigen::Vector2d slope = supported_slope(samples, one_plane);
+            const Eigen::Vector2d slope = supported_slope(samples, tolerance);
             const std::vector<double> at_centre = residuals(samples, slope);
             const auto [far, near] = std::minmax_element(at_centre.begin(), at_centre.end());
             tiles.push_back({{*far, *near}, slope});

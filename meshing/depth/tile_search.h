@@ -28,10 +28,10 @@ struct TileSurface {
                                                           int height, const FloatImage& guide);
 
 /// Around each tile, the slope that most of `found` follows and the range that all of it spans.
-/// `found` is a map of the same field of view, of at most this size; `one_plane` is the inverse
+/// `found` is a map of the same field of view, of at most this size; `tolerance` is the inverse
 /// depth within which a pixel follows a surface.
 [[nodiscard]] std::vector<TileSurface> search_around(const FloatImage& found, int width, int height,
-                                                     double one_plane);
+                                                     double tolerance);
 
 /// Widens the range of each tile to take in the scene points that fall into it; `scale` is the
 /// width of the picture as a share of the view's.
