@@ -27,7 +27,8 @@ class DepthLayers {
     void draw(const Eye& eye, const std::vector<int>& view_indices);
 
     [[nodiscard]] const TextureArray& texture() const { return layers_; }
-    /// Inverse depth at the near end of each kind's range; 0 is at its far end.
+    /// 1 / (nearest depth that can be drawn): inverse depth at the near end of each kind's range; 0
+    /// is at its far end.
     [[nodiscard]] double max_inverse_depth() const { return max_inverse_depth_; }
 
  private:

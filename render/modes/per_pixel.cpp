@@ -42,8 +42,9 @@ void PerPixel::draw(const Eye& eye, const RenderOptions& options, const Viewport
     program_.set("depth_layers", 2);
     program_.set("viewport_origin", glm::vec2(viewport.x_px, viewport.y_px));
     program_.set("max_inverse_depth", static_cast<float>(depth_.max_inverse_depth()));
-    program_.set("agreement_px",
-                 static_cast<float>(agreement_px_per_inverse_depth(uploaded_.geometries, views)));
+    program_.set("agreeing_inverse_depth",
+                 static_cast<float>(agreeing_inverse_depth(uploaded_.geometries, views,
+                                                           options.occlusion_tolerance_px)));
     program_.set("tolerance_px", static_cast<float>(options.occlusion_tolerance_px));
     program_.set("correct_occlusion", options.correct_occlusion ? 1 : 0);
     set_layer_views(eye, views);

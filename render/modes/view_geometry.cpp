@@ -65,12 +65,12 @@ double disparity_px_per_inverse_depth(const ViewGeometry& view,
 
 double max_disparity_px(const ViewGeometry& view) { return view.focal_px * view.baseline; }
 
-double agreement_px_per_inverse_depth(const std::vector<ViewGeometry>& views,
-                                      const std::vector<int>& view_indices) {
+double agreeing_inverse_depth(const std::vector<ViewGeometry>& views,
+                              const std::vector<int>& view_indices, double tolerance_px) {
     std::vector<double> disparities;
     for (const int index : view_indices)
         disparities.push_back(max_disparity_px(views[static_cast<std::size_t>(index)]));
-    return median(std::move(disparities));
+    return 2 * tolerance_px / median(std::move(disparities));
 }
 
 }  // namespace lumi

@@ -31,8 +31,10 @@ struct ViewGeometry {
 /// The largest that this can be, for any eye.
 [[nodiscard]] double max_disparity_px(const ViewGeometry& view);
 
-/// The same for comparing the depths of several views: their median.
-[[nodiscard]] double agreement_px_per_inverse_depth(const std::vector<ViewGeometry>& views,
-                                                    const std::vector<int>& view_indices);
+/// Inverse depths of several views that differ by no more than this are of one surface: each may be
+/// wrong by the tolerance, in pixels of the views' median disparity.
+[[nodiscard]] double agreeing_inverse_depth(const std::vector<ViewGeometry>& views,
+                                            const std::vector<int>& view_indices,
+                                            double tolerance_px);
 
 }  // namespace lumi

@@ -11,7 +11,7 @@ void main() {
                                              feather(pixel1, view_size1.xy),
                                              feather(pixel2, view_size2.xy));
     float sum = weights.x + weights.y + weights.z;
-    if (sum < 1e-5) discard;
+    if (sum < 1e-4) discard;
     weights /= sum;
     if (debug_picture != 0) {
         drawn = vec4(debug_color(weights, inverse_depth, 0.0), 1.0);

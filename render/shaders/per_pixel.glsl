@@ -9,7 +9,7 @@ uniform sampler2DArray depth_maps;
 uniform sampler2DArray depth_layers;
 uniform vec2 viewport_origin;
 uniform float max_inverse_depth;
-uniform float agreement_px;              // disparity in pixels for each unit of inverse depth
+uniform float agreeing_inverse_depth;    // depths that differ by no more are of one surface
 uniform float tolerance_px;
 uniform int correct_occlusion;
 // For each layer its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
@@ -31,7 +31,7 @@ struct Depth {
     int support;  // how many agree
 };
 
-bool agree(float a, float b) { return abs(a - b) * agreement_px <= tolerance_px; }
+bool agree(float a, float b) { return abs(a - b) <= agreeing_inverse_depth; }
 
 // The nearest depth that two views agree on, or else the nearest; only the most reliable kind
 // counts. A surface that one view imagines before those that others see is thus left out.

@@ -1,0 +1,44 @@
+#include "render/reference/depth_consensus.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumi {
+
+ConsensusDepth consensus_of(const std::vector<EyeDepth>& layers, double agreeing_inverse_depth) {
+    ConsensusDepth chosen;
+    bool any = false;
+    for (const EyeDepth& depth : layers) {
+        if (!depth.is_known()) continue;
+        chosen.kind = any ? std::min(chosen.kind, depth.kind) : depth.kind;
+        any = true;
+    }
+    const auto agrees = [&](const EyeDepth& depth, double inverse_depth) {
+        return depth.is_known() && depth.kind == chosen.kind &&
+               std::abs(depth.inverse_depth - inverse_depth) <= agreeing_inverse_depth;
+    };
+    for (const EyeDepth& candidate : layers) {
+        if (!candidate.is_known() || candidate.kind != chosen.kind) continue;
+        const auto agreeing = std::count_if(
+            layers.begin(), layers.end(),
+            [&](const EyeDepth& other) { return agrees(other, candidate.inverse_depth); });
+        const int support = std::min(2, static_cast<int>(agreeing));
+        if (support > chosen.support ||
+            (support == chosen.support && candidate.inverse_depth > chosen.inverse_depth)) {
+            chosen.support = support;
+            chosen.inverse_depth = candidate.inverse_depth;
+        }
+    }
+    double sum = 0;
+    int count = 0;
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+        if (!agrees(layers[layer], chosen.inverse_depth)) continue;
+        if (count == 0) chosen.best_layer = static_cast<int>(layer);
+        sum += layers[layer].inverse_depth;
+        ++count;
+    }
+    if (count > 0) chosen.inverse_depth = sum / count;
+    return chosen;
+}
+
+}  // namespace lumi

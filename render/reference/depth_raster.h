@@ -1,0 +1,22 @@
+#pragma once
+
+#include "calib/capture/image.h"
+#include "render/lumigraph/lumigraph.h"
+#include "render/modes/depth_mesh.h"
+
+namespace lumi {
+
+/// What a view's depth says about one pixel of the eye.
+struct EyeDepth {
+    double inverse_depth = -1.0;  ///< Along the eye's optical axis; negative: nothing known.
+    DepthKind kind = DepthKind::kStretched;
+
+    [[nodiscard]] bool is_known() const { return inverse_depth >= 0; }
+};
+
+/// A view's depth mesh as the eye sees it: at each pixel's centre the nearest surface of the most
+/// reliable kind, back faces left out. One triangle after the other, one pixel after the other.
+[[nodiscard]] Image<EyeDepth> rasterise(const DepthMesh& mesh, const LumigraphView& view,
+                                        const Eye& eye);
+
+}  // namespace lumi

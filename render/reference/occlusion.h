@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+namespace lumi {
+
+/// The paper's occlusion correction (section 4): weights times visibility, scaled to sum 1. A view
+/// that sees nothing of the point gets 0, the others keep their ratio: (x, y, z) without z becomes
+/// (x + zx/(x+y), y + zy/(x+y), 0); one that is left alone gets 1. Empty when none sees the point.
+[[nodiscard]] std::optional<std::array<double, 3>> redistributed(
+    const std::array<double, 3>& weights, const std::array<double, 3>& visibility);
+
+/// How much a view that sees something else by `difference_px` of disparity still counts: 1 up to
+/// the tolerance, 0 from twice that on, and a ramp between, so that nothing jumps.
+[[nodiscard]] double visibility_of(double difference_px, double tolerance_px);
+
+/// How much a view counts near the border of its photograph, `distance_px` inside of it: it fades
+/// in, and counts nothing outside.
+[[nodiscard]] double border_fade(double distance_px);
+
+}  // namespace lumi

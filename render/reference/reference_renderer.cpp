@@ -1,0 +1,217 @@
+#include "render/reference/reference_renderer.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "meshing/surface/camera_mesh.h"
+#include "render/modes/depth_mesh.h"
+#include "render/modes/depth_view_choice.h"
+#include "render/modes/scene_plane.h"
+#include "render/modes/view_geometry.h"
+#include "render/reference/depth_consensus.h"
+#include "render/reference/depth_raster.h"
+#include "render/reference/occlusion.h"
+#include "render/reference/sampling.h"
+
+namespace lumi {
+namespace {
+
+/// A scene point on the eye's ray: eye + direction / inverse_depth, perhaps infinitely far.
+struct RayPoint {
+    Eigen::Vector3d direction_in_world;  ///< Of unit depth along the eye's optical axis.
+    double inverse_depth = 0.0;
+};
+
+/// A point as one view sees it.
+struct Sight {
+    Eigen::Vector2d pixel;
+    double inverse_depth = 0.0;
+};
+
+double border_distance_px(const Camera& camera, const Eigen::Vector2d& pixel) {
+    return std::min(
+        {pixel.x(), pixel.y(), camera.width_px - pixel.x(), camera.height_px - pixel.y()});
+}
+
+/// The frame in the making, and what does not change from pixel to pixel.
+class ReferenceFrame {
+ public:
+    ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options);
+    [[nodiscard]] std::optional<Eigen::Vector3d> color_at(int x, int y) const;
+
+ private:
+    void draw_depth_layers();
+    [[nodiscard]] ConsensusDepth depth_at(int x, int y) const;
+    [[nodiscard]] std::optional<Sight> sight_of(int view_index, const RayPoint& point) const;
+    [[nodiscard]] double visibility(int view_index, const RayPoint& point) const;
+    [[nodiscard]] Eigen::Vector3d color_in(int view_index, const RayPoint& point) const;
+    [[nodiscard]] Eigen::Vector3d debug_color(const RayWeights& ray, bool unseen,
+                                              const ConsensusDepth& depth) const;
+
+    [[nodiscard]] const LumigraphView& view(int index) const {
+        return lumigraph_.views[static_cast<std::size_t>(index)];
+    }
+
+    const Lumigraph& lumigraph_;
+    const Eye& eye_;
+    const RenderOptions& options_;
+    bool uses_depth_;
+    Eigen::Vector3d eye_in_world_;
+    Eigen::Vector3d plane_;
+    std::vector<ViewGeometry> geometries_;
+    std::vector<int> depth_views_;
+    double agreeing_inverse_depth_ = 0.0;
+    std::vector<Image<EyeDepth>> layers_;
+};
+
+bool has_depth(const Lumigraph& lumigraph) {
+    return std::any_of(lumigraph.views.begin(), lumigraph.views.end(),
+                       [](const auto& view) { return !view.depth.inverse_depth.empty(); });
+}
+
+ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
+                               const RenderOptions& options)
+    : lumigraph_(lumigraph),
+      eye_(eye),
+      options_(options),
+      uses_depth_(options.mode == RenderMode::kPerPixel && has_depth(lumigraph)),
+      eye_in_world_(centre_in_world(eye.cam_from_world)),
+      plane_(scene_plane_inverse_depth(lumigraph, eye)),
+      geometries_(view_geometries(lumigraph)) {
+    if (uses_depth_) draw_depth_layers();
+}
+
+void ReferenceFrame::draw_depth_layers() {
+    depth_views_ = choose_depth_views(lumigraph_, eye_, kMaxDepthViews);
+    agreeing_inverse_depth_ =
+        agreeing_inverse_depth(geometries_, depth_views_, options_.occlusion_tolerance_px);
+    for (const int index : depth_views_) {
+        const ViewGeometry& geometry = geometries_[static_cast<std::size_t>(index)];
+        const DepthMesh mesh =
+            triangulate(view(index).depth, view(index).camera, max_disparity_px(geometry));
+        layers_.push_back(rasterise(mesh, view(index), eye_));
+    }
+}
+
+ConsensusDepth ReferenceFrame::depth_at(int x, int y) const {
+    if (uses_depth_) {
+        std::vector<EyeDepth> depths;
+        for (const Image<EyeDepth>& layer : layers_) depths.push_back(layer(x, y));
+        return consensus_of(depths, agreeing_inverse_depth_);
+    }
+    ConsensusDepth on_plane;
+    on_plane.inverse_depth = std::max(0.0, plane_.dot(Eigen::Vector3d(x + 0.5, y + 0.5, 1)));
+    return on_plane;
+}
+
+std::optional<Sight> ReferenceFrame::sight_of(int view_index, const RayPoint& point) const {
+    const LumigraphView& seen_by = view(view_index);
+    // Scaled by the inverse depth, so that a point at infinity is a direction.
+    const Eigen::Vector3d in_view = seen_by.cam_from_world.rotation * point.direction_in_world +
+                                    point.inverse_depth * (seen_by.cam_from_world * eye_in_world_);
+    const auto pixel = project(seen_by.camera, in_view);
+    if (!pixel) return std::nullopt;
+    return Sight{*pixel, point.inverse_depth / in_view.z()};
+}
+
+double ReferenceFrame::visibility(int view_index, const RayPoint& point) const {
+    const std::optional<Sight> sight = sight_of(view_index, point);
+    if (!sight) return 0;
+    const LumigraphView& seen_by = view(view_index);
+    const double inside = border_fade(border_distance_px(seen_by.camera, sight->pixel));
+    if (!uses_depth_ || !options_.correct_occlusion) return inside;
+    const FloatImage& depth = seen_by.depth.inverse_depth;
+    const Eigen::Vector2d in_depth_map(
+        sight->pixel.x() * depth.width() / seen_by.camera.width_px,
+        sight->pixel.y() * depth.height() / seen_by.camera.height_px);
+    const double difference_px =
+        std::abs(sight->inverse_depth - bilinear(depth, in_depth_map)) *
+        disparity_px_per_inverse_depth(geometries_[static_cast<std::size_t>(view_index)],
+                                       eye_in_world_);
+    return inside * visibility_of(difference_px, options_.occlusion_tolerance_px);
+}
+
+Eigen::Vector3d ReferenceFrame::color_in(int view_index, const RayPoint& point) const {
+    const std::optional<Sight> sight = sight_of(view_index, point);
+    return sight ? bilinear(view(view_index).photograph, sight->pixel) : Eigen::Vector3d::Zero();
+}
+
+std::optional<Eigen::Vector3d> ReferenceFrame::color_at(int x, int y) const {
+    const Eigen::Vector3d direction =
+        eye_.cam_from_world.rotation.conjugate() * unproject(eye_.camera, {x + 0.5, y + 0.5});
+    std::optional<RayWeights> ray = weights_of_ray(lumigraph_.mesh, eye_in_world_, direction);
+    const ConsensusDepth depth = depth_at(x, y);
+    if (!ray || (uses_depth_ && depth.support == 0)) return std::nullopt;
+    const RayPoint point{direction, depth.inverse_depth};
+    std::array<double, 3> seen{};
+    for (std::size_t i = 0; i < 3; ++i)
+        if (ray->weights[i] > 0) seen[i] = visibility(ray->view_indices[i], point);
+    const auto weights = redistributed(ray->weights, seen);
+    if (!weights && !uses_depth_) return std::nullopt;
+    ray->weights = weights.value_or(std::array<double, 3>{});
+    if (options_.debug_picture != DebugPicture::kNone) return debug_color(*ray, !weights, depth);
+    if (!weights) return color_in(depth_views_[static_cast<std::size_t>(depth.best_layer)], point);
+    Eigen::Vector3d color = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+        if ((*weights)[i] > 0) color += (*weights)[i] * color_in(ray->view_indices[i], point);
+    return color;
+}
+
+/// A colour for an index; neighbours differ (golden ratio).
+Eigen::Vector3d index_color(int index) {
+    const double turn = 0.618034 * index - std::floor(0.618034 * index);
+    constexpr double kFullTurn = 6.2831853;
+    return 255 * (Eigen::Vector3d::Constant(0.5) +
+                  0.5 * Eigen::Vector3d(std::cos(kFullTurn * turn),
+                                        std::cos(kFullTurn * (turn + 1.0 / 3)),
+                                        std::cos(kFullTurn * (turn + 2.0 / 3))));
+}
+
+double confidence_of(const ConsensusDepth& depth) {
+    if (depth.support == 0) return 0;
+    if (depth.kind == DepthKind::kSeen) return 0.5 * depth.support;
+    return depth.kind == DepthKind::kFilled ? 0.25 : 0.125;
+}
+
+Eigen::Vector3d ReferenceFrame::debug_color(const RayWeights& ray, bool unseen,
+                                            const ConsensusDepth& depth) const {
+    const Eigen::Vector3d white = Eigen::Vector3d::Constant(255);
+    if (options_.debug_picture == DebugPicture::kFaces) return index_color(ray.face_index);
+    if (options_.debug_picture == DebugPicture::kConfidence) return confidence_of(depth) * white;
+    if (options_.debug_picture == DebugPicture::kDepth) {
+        const Eigen::Vector2d range = inverse_depth_range(lumigraph_);
+        const double share = (depth.inverse_depth - range.x()) / (range.y() - range.x());
+        return std::clamp(share, 0.0, 1.0) * white;
+    }
+    if (unseen) return white;
+    Eigen::Vector3d color = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < 3; ++i) color += ray.weights[i] * index_color(ray.view_indices[i]);
+    return color;
+}
+
+std::uint8_t to_byte(double value) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+}
+
+}  // namespace
+
+Frame draw_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
+    const ReferenceFrame reference(lumigraph, eye, options);
+    Frame frame{ColorImage(eye.camera.width_px, eye.camera.height_px),
+                GrayImage(eye.camera.width_px, eye.camera.height_px)};
+    for (int y = 0; y < eye.camera.height_px; ++y) {
+        for (int x = 0; x < eye.camera.width_px; ++x) {
+            const auto color = reference.color_at(x, y);
+            if (!color) continue;
+            frame.color(x, y) = {to_byte(color->x()), to_byte(color->y()), to_byte(color->z())};
+            frame.coverage(x, y) = 255;
+        }
+    }
+    return frame;
+}
+
+}  // namespace lumi

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "calib/capture/image.h"
+
+namespace lumi {
+
+/// Bilinear interpolation between pixel centres, which lie at (x + 0.5, y + 0.5); beyond the
+/// outermost centres the border is continued.
+[[nodiscard]] Eigen::Vector3d bilinear(const ColorImage& image, const Eigen::Vector2d& pixel);
+[[nodiscard]] double bilinear(const FloatImage& image, const Eigen::Vector2d& pixel);
+
+}  // namespace lumi

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// Scenes whose colour and depth along any ray are known in closed form: what the renderer is
+/// tested against.
+enum class AnalyticScene {
+    kCardBeforeWall,  ///< A rectangle at z = 3 before a wall at z = 6.
+    kBallInSky,       ///< A ball of radius 1 around the origin before an infinitely far sky.
+};
+
+/// The Lumigraph with exact depth of a scene photographed by these cameras.
+[[nodiscard]] Lumigraph photographed(AnalyticScene scene, const std::vector<Eye>& cameras);
+
+/// What an ideal camera would photograph.
+[[nodiscard]] ColorImage ideal_photograph(AnalyticScene scene, const Eye& eye);
+
+/// Looks from `position` at `target`, with "down" nearest to +y.
+[[nodiscard]] Eye eye_at(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
+                         const Camera& camera);
+
+/// Nine cameras in a wavy grid before the wall (an open mesh); 64 x 48 pixels.
+[[nodiscard]] Lumigraph card_before_wall();
+
+/// Twelve cameras all around the ball, at uneven distances (a closed mesh that is not convex).
+[[nodiscard]] Lumigraph ball_in_sky();
+
+}  // namespace lumi

@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "render/modes/offscreen_renderer.h"
+#include "render/reference/reference_renderer.h"
+#include "tests/render/analytic_scene.h"
+#include "tests/render/frame_difference.h"
+
+namespace lumi {
+namespace {
+
+struct NamedEye {
+    const char* name;
+    Eye eye;
+};
+
+const Camera kEyeCamera = pinhole_camera(80, 60, 70);
+
+std::vector<NamedEye> eyes_before_wall(const Lumigraph& lumigraph) {
+    const Eigen::Vector3d centre(0, 0, 4);
+    const auto camera_centre = [&](int i) {
+        return centre_in_world(lumigraph.views[static_cast<std::size_t>(i)].cam_from_world);
+    };
+    return {
+        {"between cameras", eye_at({0.21, 0.13, 0.02}, centre, kEyeCamera)},
+        {"at a camera", eye_at(camera_centre(4), {0.3, 0.1, 4}, kEyeCamera)},
+        {"on an edge", eye_at(0.5 * camera_centre(4) + 0.5 * camera_centre(5), centre, kEyeCamera)},
+        {"behind the cameras", eye_at({-0.3, 0.2, -1.5}, centre, kEyeCamera)},
+        {"nearer to the scene", eye_at({0.1, -0.1, 1.2}, centre, kEyeCamera)},
+        {"beyond the border", eye_at({1.2, 0.3, 0.2}, centre, kEyeCamera)}};
+}
+
+std::vector<NamedEye> eyes_around_ball(const Lumigraph& lumigraph) {
+    const Eigen::Vector3d centre(0, 0, 0);
+    const Eigen::Vector3d camera = centre_in_world(lumigraph.views[3].cam_from_world);
+    return {{"far outside", eye_at({1, -2, -7}, centre, kEyeCamera)},
+            {"at a camera", eye_at(camera, {0.2, 0, 0.1}, kEyeCamera)},
+            {"inside the mesh", eye_at({0.5, 0.6, -2}, centre, kEyeCamera)},
+            {"inside, looking away", eye_at({0.3, 0.2, -1.6}, {1, 1, -9}, kEyeCamera)}};
+}
+
+void expect_gl_equals_reference(const Lumigraph& lumigraph, const std::vector<NamedEye>& eyes,
+                                const RenderOptions& options, GlApi api) {
+    OffscreenRenderer renderer(lumigraph, api);
+    for (const auto& [name, eye] : eyes) {
+        const Frame drawn = renderer.draw(eye, options);
+        const Frame expected = draw_reference(lumigraph, eye, options);
+        const FrameDifference difference = difference_between(drawn.color, expected.color);
+        // Pixels on silhouettes fall to one side or the other by rounding.
+        EXPECT_LE(difference.mean, 1.0) << name;
+        EXPECT_LE(difference.share_beyond_two, 0.02) << name;
+        const auto covered = std::count(expected.coverage.pixels().begin(),
+                                        expected.coverage.pixels().end(), std::uint8_t{255});
+        EXPECT_GT(covered, 1000) << name;
+        long uneven = 0;
+        for (std::size_t i = 0; i < drawn.coverage.pixels().size(); ++i)
+            uneven += drawn.coverage.pixels()[i] != expected.coverage.pixels()[i] ? 1 : 0;
+        EXPECT_LE(uneven, 48) << name;  // 1 % of 80 x 60
+    }
+}
+
+TEST(GlAgainstReference, LightFieldBeforeAWall) {
+    const Lumigraph lumigraph = card_before_wall();
+    expect_gl_equals_reference(lumigraph, eyes_before_wall(lumigraph),
+                               {.mode = RenderMode::kLightField}, GlApi::kAny);
+}
+
+TEST(GlAgainstReference, LightFieldAroundABall) {
+    const Lumigraph lumigraph = ball_in_sky();
+    expect_gl_equals_reference(lumigraph, eyes_around_ball(lumigraph),
+                               {.mode = RenderMode::kLightField}, GlApi::kAny);
+}
+
+TEST(GlAgainstReference, PerPixelBeforeAWall) {
+    const Lumigraph lumigraph = card_before_wall();
+    expect_gl_equals_reference(lumigraph, eyes_before_wall(lumigraph),
+                               {.mode = RenderMode::kPerPixel}, GlApi::kAny);
+}
+
+TEST(GlAgainstReference, PerPixelAroundABall) {
+    const Lumigraph lumigraph = ball_in_sky();
+    expect_gl_equals_reference(lumigraph, eyes_around_ball(lumigraph),
+                               {.mode = RenderMode::kPerPixel}, GlApi::kAny);
+}
+
+TEST(GlAgainstReference, PerPixelWithoutOcclusionCorrection) {
+    const Lumigraph lumigraph = card_before_wall();
+    expect_gl_equals_reference(lumigraph, eyes_before_wall(lumigraph),
+                               {.mode = RenderMode::kPerPixel, .correct_occlusion = false},
+                               GlApi::kAny);
+}
+
+TEST(GlAgainstReference, PerPixelOnOpenGlEs) {
+    const Lumigraph lumigraph = card_before_wall();
+    expect_gl_equals_reference(lumigraph, eyes_before_wall(lumigraph),
+                               {.mode = RenderMode::kPerPixel}, GlApi::kEs);
+}
+
+TEST(GlAgainstReference, LightFieldOnOpenGlEs) {
+    const Lumigraph lumigraph = ball_in_sky();
+    expect_gl_equals_reference(lumigraph, eyes_around_ball(lumigraph),
+                               {.mode = RenderMode::kLightField}, GlApi::kEs);
+}
+
+TEST(GlAgainstReference, EveryDebugPicture) {
+    const Lumigraph lumigraph = card_before_wall();
+    const std::vector<NamedEye> eyes{eyes_before_wall(lumigraph).front()};
+    for (const DebugPicture picture : {DebugPicture::kWeights, DebugPicture::kFaces,
+                                       DebugPicture::kDepth, DebugPicture::kConfidence}) {
+        SCOPED_TRACE(name_of(picture));
+        expect_gl_equals_reference(lumigraph, eyes, {.debug_picture = picture}, GlApi::kAny);
+    }
+}
+
+}  // namespace
+}  // namespace lumi

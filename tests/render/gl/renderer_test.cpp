@@ -1,0 +1,157 @@
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "calib/work/error.h"
+#include "render/gl/framebuffer.h"
+#include "render/gl/to_glm.h"
+#include "render/modes/lumigraph_renderer.h"
+#include "render/modes/offscreen_renderer.h"
+#include "tests/render/analytic_scene.h"
+#include "tests/render/frame_difference.h"
+
+namespace lumi {
+namespace {
+
+Eye eye_of(const LumigraphView& view) { return {view.camera, view.cam_from_world}; }
+
+void expect_cameras_return_their_photographs(const Lumigraph& lumigraph) {
+    OffscreenRenderer renderer(lumigraph);
+    for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kPerPixel}) {
+        for (const LumigraphView& view : lumigraph.views) {
+            const Frame drawn = renderer.draw(eye_of(view), {.mode = mode});
+            const FrameDifference difference = difference_between(drawn.color, view.photograph);
+            // Texels are met at their centres; what is left is the rounding of the last bit.
+            EXPECT_LE(difference.largest, 1) << view.name << ' ' << name_of(mode);
+            EXPECT_EQ(drawn.coverage, GrayImage(view.camera.width_px, view.camera.height_px, 255))
+                << view.name << ' ' << name_of(mode);
+        }
+    }
+}
+
+TEST(LumigraphRendererGl, NovelViewAtACameraOfAnOpenMeshIsItsPhotograph) {
+    expect_cameras_return_their_photographs(card_before_wall());
+}
+
+TEST(LumigraphRendererGl, NovelViewAtACameraOfAClosedMeshIsItsPhotograph) {
+    expect_cameras_return_their_photographs(ball_in_sky());
+}
+
+TEST(LumigraphRendererGl, PhotographsMayDifferInSize) {
+    std::vector<Eye> cameras;
+    for (int i = 0; i < 5; ++i)
+        cameras.push_back(eye_at({0.3 * i - 0.6, 0.2 * (i % 2), 0}, {0, 0, 4},
+                                 pinhole_camera(40 + 9 * i, 60 - 7 * i, 50 + 3 * i)));
+    expect_cameras_return_their_photographs(photographed(AnalyticScene::kCardBeforeWall, cameras));
+}
+
+TEST(LumigraphRendererGl, OnePhotographIsDrawnFromAlone) {
+    const Eye camera = eye_at({0, 0, 0}, {0, 0, 4}, pinhole_camera(64, 48, 60));
+    expect_cameras_return_their_photographs(photographed(AnalyticScene::kCardBeforeWall, {camera}));
+}
+
+/// Every ray from within enters through some face, and the cameras see all of the ball and the sky
+/// behind it, so nothing may stay empty.
+TEST(LumigraphRendererGl, LeavesNoHoleWithinAClosedMesh) {
+    OffscreenRenderer renderer(ball_in_sky());
+    int eyes = 0;
+    for (double angle = 0; angle < 6.2; angle += 0.37) {
+        for (const double distance : {1.5, 2.1, 2.7, 3.0}) {
+            const Eigen::Vector3d position =
+                distance *
+                Eigen::Vector3d(std::cos(angle), 0.4 * std::sin(3 * angle), std::sin(angle));
+            const Eye eye = eye_at(position, {0, 0, 0}, pinhole_camera(40, 30, 60));
+            for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kPerPixel}) {
+                const Frame drawn = renderer.draw(eye, {.mode = mode});
+                EXPECT_EQ(drawn.coverage, GrayImage(40, 30, 255))
+                    << name_of(mode) << " at " << position.transpose();
+            }
+            ++eyes;
+        }
+    }
+    EXPECT_EQ(eyes, 68);
+}
+
+TEST(LumigraphRendererGl, DepthTakesTheGhostsAway) {
+    const Lumigraph lumigraph = card_before_wall();
+    OffscreenRenderer renderer(lumigraph);
+    const Eye eye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, pinhole_camera(64, 48, 60));
+    const ColorImage truth = ideal_photograph(AnalyticScene::kCardBeforeWall, eye);
+    const auto with_plane = renderer.draw(eye, {.mode = RenderMode::kLightField});
+    const auto with_depth = renderer.draw(eye, {.mode = RenderMode::kPerPixel});
+    // Silhouettes remain: the card's outline passes through some 120 of 3072 pixels.
+    EXPECT_LT(difference_between(with_depth.color, truth).mean, 1.5);
+    EXPECT_GT(difference_between(with_plane.color, truth).mean, 5.0);
+}
+
+TEST(LumigraphRendererGl, DrawsTheSamePictureIntoACornerOfALargerFramebuffer) {
+    const Lumigraph lumigraph = card_before_wall();
+    const Eye eye = eye_at({0.2, 0.1, 0}, {0, 0, 4}, pinhole_camera(64, 48, 60));
+    const Frame expected = OffscreenRenderer(lumigraph).draw(eye, {});
+    const HeadlessContext context;
+    LumigraphRenderer renderer(lumigraph);
+    Framebuffer framebuffer;
+    framebuffer.attach_color(100, 90);
+    glClearColor(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    renderer.draw(eye, {}, {20, 30, 64, 48});
+    const auto rgba = framebuffer.read_rgba_bottom_up(100, 90);
+    for (int y = 0; y < 48; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            const auto at =
+                4 * static_cast<std::size_t>((30 + framebuffer_row(y, 48)) * 100 + 20 + x);
+            // Interpolation over other window coordinates may round the last bit otherwise.
+            ASSERT_NEAR(rgba[at], expected.color(x, y).r, 1) << x << ' ' << y;
+            ASSERT_NEAR(rgba[at + 1], expected.color(x, y).g, 1) << x << ' ' << y;
+        }
+    }
+    EXPECT_EQ(rgba[4 * 29 * 100], 255) << "outside of the viewport";
+}
+
+TEST(LumigraphRendererGl, RefusesAnEyeWithALens) {
+    OffscreenRenderer renderer(card_before_wall());
+    Eye eye = eye_at({0, 0, 0}, {0, 0, 4}, pinhole_camera(64, 48, 60));
+    eye.camera = {64, 48, LensModel::kSimpleRadial, {60, 32, 24, 0.1}};
+    try {
+        (void)renderer.draw(eye, {});
+        FAIL() << "expected an error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-EYE-LENS");
+    }
+}
+
+TEST(HeadlessContextGl, SeveralLiveSideBySide) {
+    const Lumigraph lumigraph = card_before_wall();
+    const Eye eye = eye_at({0.2, 0.1, 0}, {0, 0, 4}, pinhole_camera(64, 48, 60));
+    OffscreenRenderer first(lumigraph);
+    const Frame before = first.draw(eye, {});
+    {
+        OffscreenRenderer second(lumigraph);
+        EXPECT_EQ(second.draw(eye, {}).color, before.color);
+    }
+    EXPECT_EQ(first.draw(eye, {}).color, before.color);
+}
+
+/// A fresh process, because Mesa reads its environment once.
+int exit_code_with_old_gl() {
+    setenv("MESA_GL_VERSION_OVERRIDE", "3.0", 1);
+    setenv("MESA_GLES_VERSION_OVERRIDE", "2.0", 1);
+    try {
+        const HeadlessContext context;
+        return 0;
+    } catch (const Error& error) {
+        std::fprintf(stderr, "%s: %s", error.code().c_str(), error.what());
+        return error.exit_code();
+    }
+}
+
+TEST(HeadlessContextGlDeathTest, RefusesOldOpenGlPolitely) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    EXPECT_EXIT(std::exit(exit_code_with_old_gl()),
+                testing::ExitedWithCode(static_cast<int>(ErrorKind::kResources)), "E-GL-CONTEXT");
+}
+
+}  // namespace
+}  // namespace lumi
