@@ -1,0 +1,150 @@
+#include "render/modes/depth_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/reference/depth_raster.h"
+
+namespace lumi {
+namespace {
+
+constexpr double kDisparity_px = 100;
+const Camera kCamera = pinhole_camera(61, 47, 50);
+
+template <class InverseDepth>
+DepthMap depth_map(int width, int height, const InverseDepth& inverse_depth) {
+    DepthMap depth{FloatImage(width, height), GrayImage(width, height, 255)};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            depth.inverse_depth(x, y) = static_cast<float>(inverse_depth(x + 0.5, y + 0.5));
+    return depth;
+}
+
+std::size_t triangle_count(const DepthMesh& mesh, DepthKind kind) {
+    const auto index = static_cast<std::size_t>(kind);
+    return (mesh.kind_begin[index + 1] - mesh.kind_begin[index]) / 3;
+}
+
+/// Sum of the triangles' areas in pixels; each must turn the same way.
+double covered_area(const DepthMesh& mesh) {
+    double area = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const Eigen::Vector3f& a = mesh.vertices[mesh.indices[i]];
+        const Eigen::Vector3f& b = mesh.vertices[mesh.indices[i + 1]];
+        const Eigen::Vector3f& c = mesh.vertices[mesh.indices[i + 2]];
+        const Eigen::Vector2f ab = (b - a).head<2>();
+        const Eigen::Vector2f ac = (c - a).head<2>();
+        const float doubled = ab.x() * ac.y() - ab.y() * ac.x();
+        EXPECT_LT(doubled, 0);
+        area -= 0.5 * static_cast<double>(doubled);
+    }
+    return area;
+}
+
+/// The mesh's depth at the samples of a map of the photograph's size, seen from the view itself.
+Image<EyeDepth> at_samples(const DepthMesh& mesh) {
+    LumigraphView view;
+    view.camera = kCamera;
+    return rasterise(mesh, view, {kCamera, {}});
+}
+
+TEST(DepthMesh, APlaneNeedsFewTrianglesAndIsExact) {
+    const auto plane = [](double x, double y) { return 0.2 + 0.003 * x - 0.001 * y; };
+    const DepthMesh mesh = triangulate(depth_map(61, 47, plane), kCamera, kDisparity_px);
+    EXPECT_LT(mesh.indices.size() / 3,
+              700U);  // The border of the lattice is fine, the rest coarse.
+    const Image<EyeDepth> drawn = at_samples(mesh);
+    for (int y = 0; y < 47; ++y) {
+        for (int x = 0; x < 61; ++x) {
+            ASSERT_TRUE(drawn(x, y).is_known()) << x << ' ' << y;
+            EXPECT_EQ(drawn(x, y).kind, DepthKind::kSeen);
+            EXPECT_NEAR(drawn(x, y).inverse_depth, plane(x + 0.5, y + 0.5), 1e-6);
+        }
+    }
+}
+
+TEST(DepthMesh, CoversThePhotographOnceWhateverTheSizeOfTheDepthMap) {
+    for (const auto& [width, height] : {std::pair{61, 47}, {30, 24}, {7, 5}, {1, 1}, {2, 64}}) {
+        const DepthMap depth = depth_map(width, height, [&](double x, double y) {
+            return 0.3 + 0.1 * std::sin(x / width) + (x + y > 0.8 * width ? 0.4 : 0.0);
+        });
+        EXPECT_NEAR(covered_area(triangulate(depth, kCamera, kDisparity_px)), 61 * 47, 0.01)
+            << width << 'x' << height;
+    }
+}
+
+TEST(DepthMesh, StaysWithinItsErrorOnACurvedSurface) {
+    const auto surface = [](double x, double y) {
+        return 0.3 + 0.05 * std::sin(0.2 * x) * std::cos(0.15 * y);
+    };
+    for (const double error_px : {0.05, 0.2, 0.5}) {
+        const DepthMesh mesh = triangulate(depth_map(61, 47, surface), kCamera, kDisparity_px,
+                                           {.max_error_px = error_px, .max_triangles = 100'000});
+        const Image<EyeDepth> drawn = at_samples(mesh);
+        double worst_px = 0;
+        for (int y = 0; y < 47; ++y)
+            for (int x = 0; x < 61; ++x)
+                worst_px = std::max(worst_px, kDisparity_px * std::abs(drawn(x, y).inverse_depth -
+                                                                       surface(x + 0.5, y + 0.5)));
+        // Errors of nested triangles add up, at most as a geometric series.
+        EXPECT_LT(worst_px, 2 * error_px);
+        EXPECT_LT(mesh.indices.size() / 3, error_px < 0.1 ? 5700U : 2500U);
+    }
+}
+
+TEST(DepthMesh, TearsBetweenForegroundAndBackgroundAndOnlyThere) {
+    const DepthMap depth =
+        depth_map(61, 47, [](double x, double y) { return x > 20 && y > 11 ? 0.8 : 0.2; });
+    const DepthMesh mesh = triangulate(depth, kCamera, kDisparity_px);
+    // Two triangles for each lattice cell that the outline passes through: 41 + 36 of them, and
+    // one at the corner where they meet that is counted once.
+    EXPECT_EQ(triangle_count(mesh, DepthKind::kStretched), 2U * (41 + 36) + 1);
+    for (std::size_t i = 0; i < mesh.kind_begin[1]; i += 3) {
+        const float a = mesh.vertices[mesh.indices[i]].z();
+        EXPECT_FLOAT_EQ(mesh.vertices[mesh.indices[i + 1]].z(), a);
+        EXPECT_FLOAT_EQ(mesh.vertices[mesh.indices[i + 2]].z(), a);
+    }
+}
+
+TEST(DepthMesh, DoesNotTearASteepPlaneOrACrease) {
+    const DepthMap steep = depth_map(61, 47, [](double x, double) { return 0.1 + 0.013 * x; });
+    const DepthMap crease =
+        depth_map(61, 47, [](double x, double) { return 0.1 + 0.009 * std::abs(x - 30.2); });
+    for (const DepthMap& depth : {steep, crease})
+        EXPECT_EQ(triangle_count(triangulate(depth, kCamera, kDisparity_px), DepthKind::kStretched),
+                  0U);
+}
+
+TEST(DepthMesh, KeepsFilledSamplesApart) {
+    DepthMap depth = depth_map(61, 47, [](double, double) { return 0.2; });
+    for (int y = 10; y < 20; ++y)
+        for (int x = 30; x < 40; ++x) depth.confidence(x, y) = 0;
+    const Image<EyeDepth> drawn = at_samples(triangulate(depth, kCamera, kDisparity_px));
+    for (int y = 0; y < 47; ++y) {
+        for (int x = 0; x < 61; ++x) {
+            if (depth.confidence(x, y) == 0)
+                EXPECT_EQ(drawn(x, y).kind, DepthKind::kFilled) << x << ' ' << y;
+            else
+                EXPECT_EQ(drawn(x, y).kind, DepthKind::kSeen) << x << ' ' << y;
+        }
+    }
+}
+
+TEST(DepthMesh, TradesErrorForTrianglesWhenThereAreTooMany) {
+    const DepthMap noisy = depth_map(61, 47, [](double x, double y) {
+        return 0.3 + 0.002 * std::sin(12.9898 * x + 78.233 * y);
+    });
+    const std::size_t fine = triangulate(noisy, kCamera, kDisparity_px).indices.size();
+    const std::size_t coarse =
+        triangulate(noisy, kCamera, kDisparity_px, {.max_triangles = 1000}).indices.size();
+    EXPECT_GT(fine, 3 * 4000U);
+    EXPECT_LT(coarse, 3 * 1000U);
+}
+
+TEST(DepthMesh, IsEmptyWithoutDepth) {
+    EXPECT_TRUE(triangulate({}, kCamera, kDisparity_px).indices.empty());
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,50 @@
+#include "render/reference/depth_consensus.h"
+
+#include <gtest/gtest.h>
+
+namespace lumi {
+namespace {
+
+constexpr EyeDepth kNothing{};
+
+EyeDepth seen(double inverse_depth) { return {inverse_depth, DepthKind::kSeen}; }
+EyeDepth filled(double inverse_depth) { return {inverse_depth, DepthKind::kFilled}; }
+
+TEST(DepthConsensus, LeavesOutWhatOneViewImaginesInFront) {
+    const ConsensusDepth depth = consensus_of({seen(0.9), seen(0.30), seen(0.31)}, 0.02);
+    EXPECT_NEAR(depth.inverse_depth, 0.305, 1e-12);
+    EXPECT_EQ(depth.support, 2);
+    EXPECT_EQ(depth.best_layer, 1);
+}
+
+TEST(DepthConsensus, PrefersTheNearerOfTwoSurfacesThatPairsAgreeOn) {
+    const ConsensusDepth depth = consensus_of({seen(0.3), seen(0.8), seen(0.3), seen(0.8)}, 0.02);
+    EXPECT_NEAR(depth.inverse_depth, 0.8, 1e-12);
+    EXPECT_EQ(depth.best_layer, 1);
+}
+
+TEST(DepthConsensus, TakesTheNearestWhenNoTwoAgree) {
+    const ConsensusDepth depth = consensus_of({seen(0.3), kNothing, seen(0.5)}, 0.02);
+    EXPECT_NEAR(depth.inverse_depth, 0.5, 1e-12);
+    EXPECT_EQ(depth.support, 1);
+    EXPECT_EQ(depth.best_layer, 2);
+}
+
+TEST(DepthConsensus, FilledDepthNeverHidesWhatWasSeen) {
+    const ConsensusDepth depth = consensus_of({filled(0.9), filled(0.9), seen(0.2)}, 0.02);
+    EXPECT_NEAR(depth.inverse_depth, 0.2, 1e-12);
+    EXPECT_EQ(depth.kind, DepthKind::kSeen);
+}
+
+TEST(DepthConsensus, KnowsAnInfinitelyFarSky) {
+    const ConsensusDepth depth = consensus_of({seen(0), seen(0)}, 0.02);
+    EXPECT_EQ(depth.inverse_depth, 0);
+    EXPECT_EQ(depth.support, 2);
+}
+
+TEST(DepthConsensus, KnowsNothingFromNothing) {
+    EXPECT_EQ(consensus_of({kNothing, kNothing}, 0.02).support, 0);
+}
+
+}  // namespace
+}  // namespace lumi
