@@ -132,12 +132,12 @@ Eye eye_at(const Eigen::Vector3d& position, const Eigen::Vector3d& target, const
 }
 
 Lumigraph card_before_wall() {
-    std::vector<Eye> cameras;
-    for (int row = -1; row <= 1; ++row)
-        for (int column = -1; column <= 1; ++column)
-            cameras.push_back(eye_at({0.5 * column + 0.07 * row, 0.4 * row - 0.05 * column,
-                                      0.03 * ((row + 2 * column) % 3)},
-                                     {0.1 * column, 0, 4}, pinhole_camera(64, 48, 60)));
+    std::vector<Eye> cameras{eye_at({0.05, -0.04, -0.06}, {0, 0, 4}, pinhole_camera(64, 48, 60))};
+    for (int i = 0; i < 8; ++i) {
+        const double angle = 0.25 * 3.14159265 * i;
+        cameras.push_back(eye_at({0.6 * std::cos(angle), 0.45 * std::sin(angle), 0.02 * (i % 3)},
+                                 {0.1 * std::cos(angle), 0, 4}, pinhole_camera(64, 48, 60)));
+    }
     return photographed(AnalyticScene::kCardBeforeWall, cameras);
 }
 

@@ -23,7 +23,7 @@ enum class AnalyticScene {
 [[nodiscard]] Eye eye_at(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
                          const Camera& camera);
 
-/// Nine cameras in a wavy grid before the wall (an open mesh); 64 x 48 pixels.
+/// A ring of eight cameras around one, before the wall (an open mesh); 64 x 48 pixels.
 [[nodiscard]] Lumigraph card_before_wall();
 
 /// Twelve cameras all around the ball, at uneven distances (a closed mesh that is not convex).

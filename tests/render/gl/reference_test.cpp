@@ -24,8 +24,8 @@ std::vector<NamedEye> eyes_before_wall(const Lumigraph& lumigraph) {
     };
     return {
         {"between cameras", eye_at({0.21, 0.13, 0.02}, centre, kEyeCamera)},
-        {"at a camera", eye_at(camera_centre(4), {0.3, 0.1, 4}, kEyeCamera)},
-        {"on an edge", eye_at(0.5 * camera_centre(4) + 0.5 * camera_centre(5), centre, kEyeCamera)},
+        {"at a camera", eye_at(camera_centre(0), {0.3, 0.1, 4}, kEyeCamera)},
+        {"on an edge", eye_at(0.5 * camera_centre(0) + 0.5 * camera_centre(5), centre, kEyeCamera)},
         {"behind the cameras", eye_at({-0.3, 0.2, -1.5}, centre, kEyeCamera)},
         {"nearer to the scene", eye_at({0.1, -0.1, 1.2}, centre, kEyeCamera)},
         {"beyond the border", eye_at({1.2, 0.3, 0.2}, centre, kEyeCamera)}};
