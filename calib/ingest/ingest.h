@@ -44,9 +44,10 @@ struct IngestResult {
 };
 
 /// Reads a folder of photographs (JPEG, PNG, TIFF by content; sub-folders too) or one video file,
-/// and writes canonical working copies `000001.png ...` into `copies_folder`. What is unreadable,
-/// truncated, tiny or an exact duplicate is left out with a reason, and the work goes on. Throws
-/// Error: E-INGEST-NOFOLDER, E-INGEST-TOOFEW.
+/// and writes canonical working copies `000001.png ...` into `copies_folder`; those of an earlier
+/// run are removed. What is unreadable, truncated, tiny, the same picture as another, or taken from
+/// the very place of the one before is left out with a reason, and the work goes on. Throws Error:
+/// E-INGEST-NOFOLDER, E-INGEST-NOVIDEO, E-INGEST-TOOFEW.
 [[nodiscard]] IngestResult ingest(const std::filesystem::path& photographs_or_video,
                                   const IngestOptions& options,
                                   const std::filesystem::path& copies_folder, int threads,
