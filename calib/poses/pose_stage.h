@@ -48,6 +48,7 @@ struct PoseEvidence {
     int pairs_verified = 0;
     double planar_or_rotation_share = 0.0;  ///< Verified pairs that a homography explains.
     std::vector<ColmapCall> calls;
+    std::vector<std::string> warnings;  ///< What to know before trusting these poses.
 };
 
 struct PoseResult {

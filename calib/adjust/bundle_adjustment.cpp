@@ -1,0 +1,163 @@
+#include "calib/adjust/bundle_adjustment.h"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "calib/adjust/bundle_problem.h"
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+/// Stops Ceres when the user asks.
+class StopOnInterrupt final : public ceres::IterationCallback {
+ public:
+    explicit StopOnInterrupt(Progress& progress) : progress_(progress) {}
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+        progress_.advance();
+        return progress_.interrupted() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+    }
+
+ private:
+    Progress& progress_;
+};
+
+std::size_t count_observations(const Capture& capture) {
+    std::size_t count = 0;
+    for (const ScenePoint& point : capture.points) count += point.track.size();
+    return count;
+}
+
+/// Removes observations that the estimate contradicts, then points that too few views see.
+void remove_outliers(Capture& capture, const BundleAdjustmentOptions& options, double limit_px,
+                     BundleAdjustmentEvidence& evidence) {
+    const std::size_t observations_before = count_observations(capture);
+    const std::size_t points_before = capture.points.size();
+    for (ScenePoint& point : capture.points) {
+        std::erase_if(point.track, [&](const Observation& observation) {
+            return !(reprojection_error_px(capture, point, observation) <= limit_px);
+        });
+    }
+    std::erase_if(capture.points, [&](const ScenePoint& point) {
+        std::set<int> views;
+        for (const Observation& observation : point.track) views.insert(observation.view_index);
+        return static_cast<int>(views.size()) < options.min_track_length;
+    });
+    evidence.removed_observations +=
+        static_cast<int>(observations_before - count_observations(capture));
+    evidence.removed_points += static_cast<int>(points_before - capture.points.size());
+}
+
+double rms_px(const Capture& capture) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (const ScenePoint& point : capture.points) {
+        for (const Observation& observation : point.track) {
+            const double error = reprojection_error_px(capture, point, observation);
+            if (!std::isfinite(error)) continue;
+            sum += error * error;
+            ++count;
+        }
+    }
+    return count == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(count));
+}
+
+ceres::Solver::Summary solve_pass(Capture& capture, const BundleAdjustmentOptions& options,
+                                  bool robust, Progress& progress) {
+    ceres::Problem::Options problem_options;
+    problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    ceres::CauchyLoss cauchy(options.robust_scale_px);
+    ceres::Problem problem(problem_options);
+    LensBlocks lenses(capture);
+    build_bundle_problem(problem, capture, lenses, options, robust ? &cauchy : nullptr);
+
+    constexpr std::size_t kDenseUpToViews = 60;
+    StopOnInterrupt stop(progress);
+    ceres::Solver::Options solver;
+    solver.linear_solver_type =
+        capture.views.size() <= kDenseUpToViews ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
+    solver.linear_solver_ordering = elimination_order(problem, capture);
+    solver.max_num_iterations = options.max_iterations;
+    solver.function_tolerance = robust ? 1e-5 : 1e-8;
+    solver.gradient_tolerance = 1e-10;
+    solver.parameter_tolerance = 1e-10;
+    solver.num_threads = 1;
+    solver.logging_type = ceres::SILENT;
+    solver.callbacks.push_back(&stop);
+    ceres::Solver::Summary summary;
+    ceres::Solve(solver, &problem, &summary);
+    progress.throw_if_interrupted();
+    lenses.copy_to(capture);
+    if (!summary.IsSolutionUsable()) {
+        throw Error(ErrorKind::kDegenerateCapture, "E-ADJUST-FAILED",
+                    "the bundle adjustment found no solution: " + summary.message,
+                    "add photographs between those that are there, or try a simpler lens_model");
+    }
+    return summary;
+}
+
+void expect_shared_points(const Capture& capture) {
+    if (!capture.points.empty()) return;
+    throw Error(ErrorKind::kDegenerateCapture, "E-ADJUST-FEW",
+                "no scene point is left that two photographs agree on",
+                "take photographs that overlap by two thirds, and check that they are sharp");
+}
+
+}  // namespace
+
+double reprojection_error_px(const Capture& capture, const ScenePoint& point,
+                             const Observation& observation) {
+    const View& view = capture.views[static_cast<std::size_t>(observation.view_index)];
+    const auto pixel =
+        project(camera_of(capture, view), view.cam_from_world * point.position_in_world);
+    if (!pixel) return std::numeric_limits<double>::infinity();
+    return (*pixel - observation.pixel).norm();
+}
+
+void update_point_errors(Capture& capture) {
+    for (ScenePoint& point : capture.points) {
+        double sum = 0;
+        for (const Observation& observation : point.track) {
+            sum += reprojection_error_px(capture, point, observation);
+        }
+        point.error_px = point.track.empty() ? 0 : sum / static_cast<double>(point.track.size());
+    }
+}
+
+BundleAdjustmentEvidence adjust_bundle(Capture& capture, const BundleAdjustmentOptions& options,
+                                       Progress& progress) {
+    BundleAdjustmentEvidence evidence;
+    evidence.initial_rms_px = rms_px(capture);
+    progress.begin("adjusting cameras, lens and points together", 0);
+    // Points behind a camera have no derivative, and gross errors hide smaller ones: the limit
+    // comes down in steps, each after the robust loss has had its say.
+    constexpr double kNoLimit = std::numeric_limits<double>::max();
+    remove_outliers(capture, options, kNoLimit, evidence);
+    expect_shared_points(capture);
+    for (const double limit_factor : {4.0, 1.0}) {
+        evidence.iterations +=
+            static_cast<int>(solve_pass(capture, options, true, progress).iterations.size());
+        remove_outliers(capture, options, limit_factor * options.max_reprojection_error_px,
+                        evidence);
+        expect_shared_points(capture);
+    }
+    const ceres::Solver::Summary last = solve_pass(capture, options, false, progress);
+    evidence.iterations += static_cast<int>(last.iterations.size());
+    evidence.initial_cost = last.initial_cost;
+    evidence.final_cost = last.final_cost;
+    evidence.converged = last.termination_type == ceres::CONVERGENCE;
+    // Rotations come back from the manifold with unit length up to rounding.
+    for (View& view : capture.views) view.cam_from_world.rotation.normalize();
+    remove_outliers(capture, options, options.max_reprojection_error_px, evidence);
+    expect_shared_points(capture);
+    evidence.final_rms_px = rms_px(capture);
+    update_point_errors(capture);
+    return evidence;
+}
+
+}  // namespace lumi

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "calib/capture/capture.h"
+#include "calib/work/progress.h"
+
+namespace lumi {
+
+struct BundleAdjustmentOptions {
+    double max_reprojection_error_px = 2.0;  ///< Observations beyond this are outliers. > 0.
+    int min_track_length = 2;                ///< Points seen by fewer views are dropped. >= 2.
+    bool refine_lens = true;
+    bool refine_principal_point = false;
+    double robust_scale_px = 1.0;  ///< Of the Cauchy loss, while outliers may be left. > 0.
+    int max_iterations = 100;      ///< Of each of the passes. > 0.
+};
+
+/// What speaks for an adjustment.
+struct BundleAdjustmentEvidence {
+    double initial_cost = 0.0;  ///< Half the sum of squared pixels, before and after the last pass.
+    double final_cost = 0.0;
+    double initial_rms_px = 0.0;  ///< Over the observations as they came.
+    double final_rms_px = 0.0;    ///< Over the observations that were kept.
+    int iterations = 0;           ///< Of all passes.
+    int removed_observations = 0;
+    int removed_points = 0;
+    bool converged = false;  ///< The last pass.
+};
+
+/// Refines poses, points and, if asked, the lenses that views share, by least squares over pixels.
+///
+/// First passes use a robust (Cauchy) loss and remove what lies beyond
+/// `max_reprojection_error_px`; the last one is plain least squares over the inliers (Triggs et
+/// al., Bundle adjustment: a modern synthesis, 1999). The gauge is fixed by the first view's pose
+/// and one coordinate of the view farthest from it. Views and cameras keep their indices; a view
+/// may end without observations. Runs on one thread, so that the result is the same to the bit.
+/// Throws Error: E-ADJUST-FEW (no two views share a point), E-ADJUST-FAILED, E-INTERRUPTED.
+BundleAdjustmentEvidence adjust_bundle(Capture& capture, const BundleAdjustmentOptions& options,
+                                       Progress& progress);
+
+/// Sets each point's `error_px` to the mean over its track.
+void update_point_errors(Capture& capture);
+
+/// Distance in pixels between where a point is predicted and where it was seen; infinite when the
+/// point is not in front of the camera.
+[[nodiscard]] double reprojection_error_px(const Capture& capture, const ScenePoint& point,
+                                           const Observation& observation);
+
+}  // namespace lumi

@@ -1,0 +1,75 @@
+#include "calib/features/sift.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <opencv2/features2d.hpp>
+#include <tuple>
+
+namespace lumi {
+namespace {
+
+// OpenCV 4.6 doubles the picture with pixel centres aligned, but halves the coordinates as if
+// corners were: a feature is reported a quarter of a pixel too far to the right and below
+// (opencv#23123). OpenCV's (0, 0) is our (0.5, 0.5).
+constexpr float kOurPixelFromOpenCv = 0.5F - 0.25F;
+
+Descriptor root_sift(const float* sift) {
+    const float sum = std::accumulate(sift, sift + kDescriptorSize, 0.0F);
+    Descriptor result{};
+    if (!(sum > 0)) return result;
+    for (std::size_t bin = 0; bin < kDescriptorSize; ++bin) {
+        const float root = std::sqrt(std::max(sift[bin], 0.0F) / sum);
+        result[bin] = static_cast<std::int16_t>(std::min(std::lround(512.0F * root), 255L));
+    }
+    return result;
+}
+
+/// A total order, so that the result does not depend on the order in which threads found them.
+auto order_of(const cv::KeyPoint& point) {
+    return std::tuple(-point.size, point.pt.y, point.pt.x, point.angle, point.response);
+}
+
+}  // namespace
+
+GrayImage gray_of(const ColorImage& image) {
+    GrayImage result(image.width(), image.height());
+    std::transform(image.pixels().begin(), image.pixels().end(), result.pixels().begin(),
+                   [](const Rgb8& pixel) {
+                       const double luma = 0.2126 * pixel.r + 0.7152 * pixel.g + 0.0722 * pixel.b;
+                       return static_cast<std::uint8_t>(std::lround(luma));
+                   });
+    return result;
+}
+
+Features detect_sift(const GrayImage& image, const SiftOptions& options) {
+    Features result;
+    if (image.empty()) return result;
+    // OpenCV takes a non-const pointer but does not write through it.
+    const cv::Mat picture(image.height(), image.width(), CV_8UC1,
+                          const_cast<std::uint8_t*>(image.pixels().data()));
+    constexpr int kLayersPerOctave = 3;
+    const cv::Ptr<cv::SIFT> sift =
+        cv::SIFT::create(options.max_features, kLayersPerOctave, options.contrast_threshold);
+    std::vector<cv::KeyPoint> points;
+    sift->detect(picture, points);
+    std::sort(points.begin(), points.end(),
+              [](const auto& a, const auto& b) { return order_of(a) < order_of(b); });
+    if (points.size() > static_cast<std::size_t>(options.max_features)) {
+        points.resize(static_cast<std::size_t>(options.max_features));
+    }
+    cv::Mat descriptors;
+    sift->compute(picture, points, descriptors);
+    for (std::size_t index = 0; index < points.size(); ++index) {
+        const cv::KeyPoint& point = points[index];
+        result.keypoints.push_back(
+            {{point.pt.x + kOurPixelFromOpenCv, point.pt.y + kOurPixelFromOpenCv},
+             0.5F * point.size,
+             point.angle * std::numbers::pi_v<float> / 180.0F});
+        result.descriptors.push_back(root_sift(descriptors.ptr<float>(static_cast<int>(index))));
+    }
+    return result;
+}
+
+}  // namespace lumi

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "calib/capture/image.h"
+#include "calib/features/features.h"
+
+namespace lumi {
+
+struct SiftOptions {
+    int max_features = 4096;             ///< The strongest are kept. > 0.
+    double contrast_threshold = 0.0133;  ///< Of grey values in [0, 1]; Lowe 2004, section 4.
+};
+
+/// Scale-invariant features (Lowe, IJCV 2004) of a grey picture, the same for any number of
+/// threads. Sorted by falling scale, then by place.
+[[nodiscard]] Features detect_sift(const GrayImage& image, const SiftOptions& options);
+
+/// Rec. 709 luma of an sRGB picture.
+[[nodiscard]] GrayImage gray_of(const ColorImage& image);
+
+}  // namespace lumi

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "calib/colmap/colmap_database.h"
+#include "calib/ingest/ingest.h"
+#include "calib/poses/pose_stage.h"
+
+namespace lumi {
+
+/// Which photographs share a lens, and what is known of each lens beforehand.
+struct CameraGroups {
+    std::vector<ColmapCamera> cameras;
+    std::vector<int> camera_of_photograph;  ///< Index into `cameras`, one per photograph.
+};
+
+/// Groups by Photograph::camera_key and size, in the order of first appearance; without
+/// `shared_lens` each photograph is a group of its own.
+///
+/// A given lens is rescaled to each group's size and refused (E-POSES-LENS) when the photographs
+/// have another shape. Otherwise the focal length is EXIF's (the median of the group) or, unknown,
+/// 1.2 times the longer side, as COLMAP guesses; the latter from the median size of all photographs
+/// whose size is within 10 % of it, because crops of one camera's pictures keep its focal length.
+[[nodiscard]] CameraGroups group_cameras(const std::vector<Photograph>& photographs,
+                                         const std::optional<Camera>& given_lens,
+                                         const PoseOptions& options);
+
+}  // namespace lumi

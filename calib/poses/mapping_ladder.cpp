@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <array>
+
+#include "calib/capture/colmap_model.h"
+#include "calib/poses/mapping.h"
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Rung {
+    const char* name;
+    const char* description;
+    MapperSettings settings;
+    bool more_features = false;
+    double until_share = 1.0;  ///< Tried only while fewer photographs than this are placed.
+};
+
+/// Never below 4 degrees: at 2 the mapper was seen to try starting pairs without end.
+const std::array<Rung, 3> kLadder{{
+    {"default", "COLMAP's own start", {}, false, 1.0},
+    {"gentle",
+     "gentler start (init_min_tri_angle 4, init_min_num_inliers 40)",
+     {4, 40, 30, 0.25},
+     false,
+     0.9},
+    {"gentlest",
+     "more features, gentler start, fewer matches to add a photograph",
+     {4, 40, 15, 0.15},
+     true,
+     0.8},
+}};
+
+std::vector<fs::path> model_folders(const fs::path& models) {
+    std::vector<fs::path> folders;
+    for (int number = 0; fs::is_directory(models / std::to_string(number)); ++number) {
+        folders.push_back(models / std::to_string(number));
+    }
+    return folders;
+}
+
+/// COLMAP writes every camera of its database; those without a view are of no use to anybody.
+void drop_unused_cameras(Capture& capture) {
+    std::vector<int> new_index(capture.cameras.size(), -1);
+    std::vector<Camera> used;
+    for (View& view : capture.views) {
+        int& index = new_index[static_cast<std::size_t>(view.camera_index)];
+        if (index < 0) {
+            index = static_cast<int>(used.size());
+            used.push_back(camera_of(capture, view));
+        }
+        view.camera_index = index;
+    }
+    capture.cameras = std::move(used);
+}
+
+void restore_names(Capture& capture, const std::vector<Photograph>& photographs,
+                   const fs::path& folder) {
+    for (View& view : capture.views) {
+        const std::optional<int> index = photograph_index_of(view.name);
+        if (!index || static_cast<std::size_t>(*index) >= photographs.size()) {
+            throw Error(ErrorKind::kExternalProgram, "E-COLMAP-MODEL",
+                        folder.string() + ": names a photograph that was not given: " + view.name,
+                        "run the same command again");
+        }
+        view.name = photographs[static_cast<std::size_t>(*index)].name;
+    }
+}
+
+bool is_better(const Capture& a, const Capture& b) {
+    if (a.views.size() != b.views.size()) return a.views.size() > b.views.size();
+    return a.points.size() > b.points.size();
+}
+
+/// A run that had to be ended may have finished a model before, and may have left half of another.
+std::optional<BestModel> model_of(const ColmapRun& run, const fs::path& models,
+                                  const std::vector<Photograph>& photographs) {
+    if (run.result.end == ChildEnd::kExited) return read_best_model(models, photographs);
+    try {
+        return read_best_model(models, photographs);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+std::string share_text(std::size_t placed, std::size_t total) {
+    return std::to_string(placed) + " of " + std::to_string(total);
+}
+
+}  // namespace
+
+std::optional<BestModel> read_best_model(const fs::path& models,
+                                         const std::vector<Photograph>& photographs) {
+    std::optional<BestModel> best;
+    int found = 0;
+    for (const fs::path& folder : model_folders(models)) {
+        Capture capture = read_colmap_model(folder);
+        ++found;
+        if (capture.views.size() < 2 || capture.points.empty()) continue;
+        restore_names(capture, photographs, folder);
+        drop_unused_cameras(capture);
+        if (!best || is_better(capture, best->capture)) best = BestModel{std::move(capture), 0};
+    }
+    if (best) best->models_found = found;
+    return best;
+}
+
+std::optional<Capture> map_by_ladder(const MappingJob& job, MatchedPhotographs& matched) {
+    const std::size_t total = job.photographs.size();
+    std::optional<Capture> best;
+    std::string ended;
+    for (const Rung& rung : kLadder) {
+        const std::size_t placed = best ? best->views.size() : 0;
+        if (best && static_cast<double>(placed) >= rung.until_share * static_cast<double>(total)) {
+            break;
+        }
+        if (rung.more_features) {
+            job.progress.note("placed " + share_text(placed, total) + ": trying more features");
+            matched = match_and_verify(
+                job, {2 * job.options.max_features, SiftOptions{}.contrast_threshold / 2},
+                rung.name);
+        }
+        const fs::path models = job.scratch_folder / ("models_" + std::string(rung.name));
+        fs::create_directories(models);
+        MapperSettings settings = rung.settings;
+        settings.refine_lens = job.refine_lens;
+        job.progress.begin(std::string("placing photographs: ") + rung.description, total);
+        const ColmapRun run = map_with_colmap(
+            {job.options.colmap, job.scratch_folder, job.options.time_limit_s}, matched.database,
+            models, settings, "mapper_" + std::string(rung.name),
+            [&](int count) { job.progress.advance(static_cast<std::size_t>(count)); },
+            job.progress);
+        job.evidence.calls.push_back({run.command_line, run.result.wall_s, run.result.cpu_s});
+        if (run.result.end != ChildEnd::kExited) ended = run.ending;
+        std::optional<BestModel> model = model_of(run, models, job.photographs);
+        if (!model || (best && !is_better(model->capture, *best))) continue;
+        best = std::move(model->capture);
+        job.evidence.models_found = model->models_found;
+        job.evidence.start = rung.description;
+    }
+    if (!best && !ended.empty()) {
+        throw Error(ErrorKind::kExternalProgram, "E-COLMAP-TIME",
+                    job.options.colmap + " mapper: " + ended + ", and no model was made",
+                    "raise [poses] time_limit_s, or use fewer or smaller photographs");
+    }
+    return best;
+}
+
+}  // namespace lumi

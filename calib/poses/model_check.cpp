@@ -1,0 +1,184 @@
+#include "calib/poses/model_check.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+constexpr double kRotationShare = 0.7;  ///< So many pairs are rotations: the camera only turned.
+constexpr double kPlanarShare = 0.7;
+constexpr double kMinAngle_deg = 1.0;  ///< Below this depth is a guess.
+constexpr double kWeakAngle_deg = 2.5;
+constexpr double kMinFocalPerSide = 0.3;  ///< 118 degrees across the longer side.
+constexpr double kMaxFocalPerSide = 10.0;
+constexpr double kFlat = 0.005;
+constexpr double kMaxFocalSpread = 2.0;
+
+constexpr const char* kStepSideways =
+    "step sideways between photographs, about a tenth of the distance to the subject";
+
+std::string number(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", value);
+    return text.data();
+}
+
+template <class Value>
+Value median_of(std::vector<Value> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+double largest_angle_rad(const std::vector<Eigen::Vector3d>& centres, const ScenePoint& point) {
+    double largest = 0;
+    for (std::size_t a = 0; a < point.track.size(); ++a) {
+        for (std::size_t b = a + 1; b < point.track.size(); ++b) {
+            const auto ray_from = [&](const Observation& observation) {
+                const auto view = static_cast<std::size_t>(observation.view_index);
+                return Eigen::Vector3d(point.position_in_world - centres[view]);
+            };
+            const Eigen::Vector3d first = ray_from(point.track[a]);
+            const Eigen::Vector3d second = ray_from(point.track[b]);
+            largest = std::max(largest, std::atan2(first.cross(second).norm(), first.dot(second)));
+        }
+    }
+    return largest;
+}
+
+/// The points without the tenth that is farthest from their middle.
+std::vector<Eigen::Vector3d> central_points(const Capture& capture) {
+    Eigen::Vector3d middle;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<double> coordinates;
+        for (const ScenePoint& point : capture.points) {
+            coordinates.push_back(point.position_in_world[axis]);
+        }
+        middle[axis] = median_of(coordinates);
+    }
+    std::vector<Eigen::Vector3d> points;
+    for (const ScenePoint& point : capture.points) points.push_back(point.position_in_world);
+    std::sort(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+        return (a - middle).squaredNorm() < (b - middle).squaredNorm();
+    });
+    points.resize(std::max<std::size_t>(1, points.size() * 9 / 10));
+    return points;
+}
+
+[[noreturn]] void refuse(const char* code, const std::string& what, const std::string& advice) {
+    throw Error(ErrorKind::kDegenerateCapture, code, what, advice);
+}
+
+void check_focal_lengths(const Capture& capture, bool lens_is_known,
+                         std::vector<std::string>& warnings) {
+    double smallest = std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (const Camera& camera : capture.cameras) {
+        const double per_side =
+            focal_length_px(camera).mean() / std::max(camera.width_px, camera.height_px);
+        smallest = std::min(smallest, per_side);
+        largest = std::max(largest, per_side);
+    }
+    if (lens_is_known) return;
+    if (smallest < kMinFocalPerSide || largest > kMaxFocalPerSide) {
+        refuse("E-POSES-FOCAL",
+               "the focal length came out as " +
+                   number(smallest < kMinFocalPerSide ? smallest : largest) +
+                   " times the picture's longer side, which no ordinary lens has",
+               "give the lens ([calibration]), keep EXIF data in the photographs, or photograph "
+               "the subject from more sides");
+    }
+    if (largest > kMaxFocalSpread * smallest) {
+        warnings.push_back("focal lengths differ by a factor of " + number(largest / smallest) +
+                           " between photographs; if one lens and zoom took them all, give it "
+                           "([calibration])");
+    }
+}
+
+}  // namespace
+
+void refuse_turning_camera(const MotionEvidence& motion) {
+    if (motion.pairs == 0 || motion.rotation_share() < kRotationShare) return;
+    refuse("E-POSES-ROTATION",
+           "the camera only turned on the spot: " + std::to_string(motion.rotation_pairs) + " of " +
+               std::to_string(motion.pairs) +
+               " pairs of photographs show the same view without parallax, and no depth can come "
+               "of them",
+           kStepSideways);
+}
+
+void refuse_without_model(const MotionEvidence& motion, int photographs) {
+    if (motion.pairs > 0 && motion.planar_share() >= kPlanarShare) {
+        refuse("E-POSES-PLANAR",
+               "the photographs show a flat surface, or hardly any parallax: one plane explains " +
+                   std::to_string(motion.planar_pairs) + " of " + std::to_string(motion.pairs) +
+                   " pairs",
+               std::string("include something that stands out of the plane, and ") + kStepSideways);
+    }
+    refuse(
+        "E-POSES-NOPAIR",
+        "no two of the " + std::to_string(photographs) + " photographs share enough to start from",
+        "take sharp photographs that overlap by two thirds with the next one");
+}
+
+double median_triangulation_angle_deg(const Capture& capture) {
+    std::vector<Eigen::Vector3d> centres;
+    for (const View& view : capture.views) centres.push_back(centre_in_world(view.cam_from_world));
+    std::vector<double> angles;
+    for (const ScenePoint& point : capture.points) {
+        angles.push_back(largest_angle_rad(centres, point));
+    }
+    return angles.empty() ? 0.0 : median_of(angles) * 180.0 / std::numbers::pi;
+}
+
+double relative_thickness(const Capture& capture) {
+    if (capture.points.size() < 4) return 0.0;
+    const std::vector<Eigen::Vector3d> points = central_points(capture);
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& point : points) mean += point;
+    mean /= static_cast<double>(points.size());
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (const Eigen::Vector3d& point : points) {
+        covariance += (point - mean) * (point - mean).transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+    const Eigen::Vector3d variances = solver.eigenvalues().cwiseMax(0.0);
+    return variances[2] > 0 ? std::sqrt(variances[0] / variances[2]) : 0.0;
+}
+
+std::vector<std::string> check_model(const Capture& capture, bool lens_is_known) {
+    std::vector<std::string> warnings;
+    const double angle_deg = median_triangulation_angle_deg(capture);
+    if (angle_deg < kMinAngle_deg) {
+        refuse("E-POSES-ROTATION",
+               "the camera hardly moved: rays to the same point meet at " + number(angle_deg) +
+                   " degrees only, and depth cannot be told",
+               kStepSideways);
+    }
+    if (angle_deg < kWeakAngle_deg) {
+        warnings.push_back("little parallax: rays to the same point meet at " + number(angle_deg) +
+                           " degrees; depth is uncertain. To improve it, " + kStepSideways);
+    }
+    check_focal_lengths(capture, lens_is_known, warnings);
+    const double thickness = relative_thickness(capture);
+    if (thickness < kFlat) {
+        if (!lens_is_known) {
+            refuse("E-POSES-PLANAR",
+                   "all points lie in one plane, from which an unknown focal length cannot be told",
+                   "include something that stands out of the plane, or give the lens "
+                   "([calibration])");
+        }
+        warnings.push_back("all points lie in one plane");
+    }
+    return warnings;
+}
+
+}  // namespace lumi

@@ -1,0 +1,50 @@
+#include "calib/poses/photograph_matching.h"
+
+#include "calib/capture/image_io.h"
+#include "calib/features/descriptor_matching.h"
+#include "calib/features/pair_selection.h"
+#include "calib/work/parallel_for.h"
+
+namespace lumi {
+namespace {
+
+/// COLMAP takes 15 inliers for a geometry; pairs with fewer matches cannot have them.
+constexpr std::size_t kMinMatches = 15;
+
+}  // namespace
+
+std::vector<Features> detect_features(const std::vector<Photograph>& photographs,
+                                      const SiftOptions& options, int threads, Progress& progress) {
+    progress.begin("finding features", photographs.size());
+    std::vector<Features> features(photographs.size());
+    parallel_for(static_cast<int>(photographs.size()), threads, [&](int index) {
+        progress.throw_if_interrupted();
+        const auto position = static_cast<std::size_t>(index);
+        const ColorImage picture = read_color_image(photographs[position].picture_path);
+        features[position] = detect_sift(gray_of(picture), options);
+        progress.advance();
+    });
+    return features;
+}
+
+std::vector<PairMatches> match_photographs(const std::vector<Features>& photographs, int threads,
+                                           Progress& progress) {
+    const std::vector<std::pair<int, int>> pairs = select_pairs(photographs, {}, threads, progress);
+    progress.begin("comparing photographs", pairs.size());
+    std::vector<PairMatches> matches(pairs.size());
+    parallel_for(static_cast<int>(pairs.size()), threads, [&](int index) {
+        progress.throw_if_interrupted();
+        const auto position = static_cast<std::size_t>(index);
+        const auto [first, second] = pairs[position];
+        matches[position] = {
+            first, second,
+            match_descriptors(photographs[static_cast<std::size_t>(first)].descriptors,
+                              photographs[static_cast<std::size_t>(second)].descriptors, {})};
+        progress.advance();
+    });
+    std::erase_if(matches,
+                  [](const PairMatches& pair) { return pair.matches.size() < kMinMatches; });
+    return matches;
+}
+
+}  // namespace lumi

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "calib/colmap/match_list.h"
+#include "calib/features/features.h"
+#include "calib/features/sift.h"
+#include "calib/ingest/ingest.h"
+#include "calib/work/progress.h"
+
+namespace lumi {
+
+/// The features of every photograph's working copy, in their order.
+[[nodiscard]] std::vector<Features> detect_features(const std::vector<Photograph>& photographs,
+                                                    const SiftOptions& options, int threads,
+                                                    Progress& progress);
+
+/// Matches by look alone between the pairs worth comparing; pairs with too few for a geometry to
+/// be verified are left out. Ascending.
+[[nodiscard]] std::vector<PairMatches> match_photographs(const std::vector<Features>& photographs,
+                                                         int threads, Progress& progress);
+
+}  // namespace lumi

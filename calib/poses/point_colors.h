@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "calib/capture/capture.h"
+
+namespace lumi {
+
+/// Gives each point the mean colour of the pixels it was seen at. `picture_paths` has one picture
+/// per view.
+void color_points(Capture& capture, const std::vector<std::filesystem::path>& picture_paths,
+                  int threads);
+
+}  // namespace lumi

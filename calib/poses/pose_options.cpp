@@ -1,0 +1,49 @@
+#include "calib/poses/pose_stage.h"
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+[[noreturn]] void refuse(const std::string& option, const std::string& expected) {
+    throw Error(ErrorKind::kUsage, "E-CONFIG-VALUE", "[poses] " + option + ": expected " + expected,
+                "correct this key, or remove it to use the default");
+}
+
+}  // namespace
+
+void validate(const PoseOptions& options) {
+    if (!lens_model_named(options.lens_model)) {
+        refuse("lens_model",
+               "SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV, OPENCV_FISHEYE or "
+               "FULL_OPENCV");
+    }
+    if (options.max_features <= 0) refuse("max_features", "more than 0");
+    if (!(options.max_reprojection_error_px > 0)) {
+        refuse("max_reprojection_error_px", "more than 0");
+    }
+    if (options.min_track_length < 2) refuse("min_track_length", "at least 2");
+    if (!(options.min_registered_share > 0 && options.min_registered_share <= 1)) {
+        refuse("min_registered_share", "more than 0 and at most 1");
+    }
+    if (!(options.time_limit_s > 0)) refuse("time_limit_s", "more than 0");
+    if (options.colmap.empty()) refuse("colmap", "the name of a program");
+}
+
+PoseOptions read_pose_options(const ConfigSection& section) {
+    PoseOptions options;
+    options.lens_model = section.text("lens_model", options.lens_model);
+    options.shared_lens = section.boolean("shared_lens", options.shared_lens);
+    options.refine_lens = section.boolean("refine_lens", options.refine_lens);
+    options.max_features = section.integer("max_features", options.max_features);
+    options.max_reprojection_error_px =
+        section.number("max_reprojection_error_px", options.max_reprojection_error_px);
+    options.min_track_length = section.integer("min_track_length", options.min_track_length);
+    options.min_registered_share =
+        section.number("min_registered_share", options.min_registered_share);
+    options.time_limit_s = section.number("time_limit_s", options.time_limit_s);
+    options.colmap = section.text("colmap", options.colmap);
+    validate(options);
+    return options;
+}
+
+}  // namespace lumi

@@ -1,0 +1,129 @@
+#include "calib/poses/pose_stage.h"
+
+#include <algorithm>
+#include <map>
+#include <system_error>
+
+#include "calib/adjust/bundle_adjustment.h"
+#include "calib/poses/mapping.h"
+#include "calib/poses/model_check.h"
+#include "calib/poses/point_colors.h"
+#include "calib/poses/registration.h"
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+void make_empty(const fs::path& folder) {
+    std::error_code status;
+    fs::remove_all(folder, status);
+    fs::create_directories(folder, status);
+    if (status) {
+        throw Error(ErrorKind::kResources, "E-FILE-WRITE",
+                    folder.string() + ": cannot be made: " + status.message(),
+                    "check that you may write there and that the disk has space left");
+    }
+}
+
+void expect_photographs(const std::vector<Photograph>& photographs) {
+    if (photographs.size() >= 2) return;
+    throw Error(ErrorKind::kBadInput, "E-POSES-FEW",
+                "one photograph is not enough: at least two are needed",
+                "add photographs of the same subject from other places");
+}
+
+/// Adjusts, drops what no longer holds, and adjusts again when something was dropped.
+void refine(Capture& capture, const PoseOptions& options, bool refine_lens, Progress& progress) {
+    constexpr std::size_t kMinPointsOfView = 12;  // Twice what a pose needs in unknowns.
+    BundleAdjustmentOptions adjustment;
+    adjustment.max_reprojection_error_px = options.max_reprojection_error_px;
+    adjustment.min_track_length = options.min_track_length;
+    adjustment.refine_lens = refine_lens;
+    adjust_bundle(capture, adjustment, progress);
+    const std::size_t views_before = capture.views.size();
+    drop_weak_views(capture, kMinPointsOfView);
+    if (capture.views.size() != views_before) adjust_bundle(capture, adjustment, progress);
+}
+
+void refuse_too_few(const Capture& capture, const std::vector<Photograph>& photographs,
+                    const std::vector<LeftOut>& not_registered, const PoseOptions& options) {
+    const double total = static_cast<double>(photographs.size());
+    const double placed = static_cast<double>(capture.views.size());
+    if (capture.views.size() >= 2 && placed >= options.min_registered_share * total) return;
+    std::string names;
+    for (std::size_t index = 0; index < std::min<std::size_t>(not_registered.size(), 5); ++index) {
+        names += (index == 0 ? "; " : ", ") + not_registered[index].name;
+    }
+    throw Error(ErrorKind::kDegenerateCapture, "E-POSES-FEW",
+                "only " + std::to_string(capture.views.size()) + " of " +
+                    std::to_string(photographs.size()) + " photographs could be placed" + names +
+                    (not_registered.size() > 5 ? ", ... were not" : ""),
+                "add photographs between those that are far apart, so that each overlaps by two "
+                "thirds with the next; or lower [poses] min_registered_share");
+}
+
+std::vector<fs::path> picture_paths_of(const Capture& capture,
+                                       const std::vector<Photograph>& photographs) {
+    std::map<std::string, fs::path> path_of_name;
+    for (const Photograph& photograph : photographs) {
+        path_of_name.emplace(photograph.name, photograph.picture_path);
+    }
+    std::vector<fs::path> paths;
+    for (const View& view : capture.views) paths.push_back(path_of_name.at(view.name));
+    return paths;
+}
+
+bool lens_is_known(const CameraGroups& groups) {
+    return std::all_of(groups.cameras.begin(), groups.cameras.end(),
+                       [](const ColmapCamera& camera) { return camera.focal_length_is_known; });
+}
+
+void complete(PoseEvidence& evidence, const Capture& capture, const MatchedPhotographs& matched) {
+    evidence.photographs_total = static_cast<int>(matched.photographs.size());
+    evidence.photographs_registered = static_cast<int>(capture.views.size());
+    evidence.points = static_cast<int>(capture.points.size());
+    double error_sum = 0;
+    for (const ScenePoint& point : capture.points) {
+        evidence.observations += static_cast<int>(point.track.size());
+        error_sum += point.error_px * static_cast<double>(point.track.size());
+    }
+    evidence.mean_reprojection_error_px = error_sum / std::max(1, evidence.observations);
+    evidence.median_triangulation_angle_deg = median_triangulation_angle_deg(capture);
+    evidence.pairs_verified = static_cast<int>(matched.pairs.size());
+    evidence.planar_or_rotation_share = matched.motion.planar_share();
+}
+
+}  // namespace
+
+PoseResult estimate_poses(const std::vector<Photograph>& photographs,
+                          const std::optional<Camera>& given_lens, const PoseOptions& options,
+                          const fs::path& scratch_folder, int threads, Progress& progress) {
+    validate(options);
+    expect_photographs(photographs);
+    make_empty(scratch_folder);
+    PoseResult result;
+    const CameraGroups groups = group_cameras(photographs, given_lens, options);
+    const bool refine_lens = !given_lens || options.refine_lens;
+    const MappingJob job{photographs,    groups,  options,  given_lens.has_value(), refine_lens,
+                         scratch_folder, threads, progress, result.evidence};
+
+    MatchedPhotographs matched = match_and_verify(job, {options.max_features}, "default");
+    refuse_turning_camera(matched.motion);
+    std::optional<Capture> mapped = map_by_ladder(job, matched);
+    if (!mapped) refuse_without_model(matched.motion, static_cast<int>(photographs.size()));
+
+    result.capture = std::move(*mapped);
+    refine(result.capture, options, refine_lens, progress);
+    result.not_registered =
+        explain_unregistered(result.capture, photographs, matched.photographs, matched.pairs);
+    refuse_too_few(result.capture, photographs, result.not_registered, options);
+    result.evidence.warnings = check_model(result.capture, lens_is_known(groups));
+    color_points(result.capture, picture_paths_of(result.capture, photographs), threads);
+    complete(result.evidence, result.capture, matched);
+    validate(result.capture, "the estimated poses");
+    return result;
+}
+
+}  // namespace lumi

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "calib/capture/posed_photographs.h"
+#include "calib/colmap/colmap_database.h"
+#include "calib/ingest/ingest.h"
+
+namespace lumi {
+
+/// Drops views that see fewer than `min_points` points: too few to hold a pose.
+void drop_weak_views(Capture& capture, std::size_t min_points);
+
+/// The photographs without a view, each with the reason: E-POSES-NOFEATURES (hardly any
+/// features), E-POSES-NOMATCH (no pair with a placed photograph), E-POSES-WEAK (too few points in
+/// common). In the order of the photographs.
+[[nodiscard]] std::vector<LeftOut> explain_unregistered(
+    const Capture& capture, const std::vector<Photograph>& photographs,
+    const std::vector<ColmapPhotograph>& features, const std::vector<VerifiedPair>& pairs);
+
+}  // namespace lumi

@@ -1,0 +1,143 @@
+#include "calib/poses/rotation_check.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace lumi {
+namespace {
+
+constexpr std::size_t kMinMatches = 20;  ///< Fewer say nothing.
+/// Of the longer side. Leaves room for lens distortion and for the sway of a hand-held panorama;
+/// real panoramas were seen at a third to a half of it, captures with parallax far beyond it.
+constexpr double kToleranceShare = 0.008;
+constexpr double kRotationInlierShare = 0.7;  ///< So many matches must agree.
+
+bool is_homography(PairConfiguration configuration) {
+    return configuration == PairConfiguration::kPlanar ||
+           configuration == PairConfiguration::kPanoramic ||
+           configuration == PairConfiguration::kPlanarOrPanoramic;
+}
+
+double longer_side_px(const Camera& camera) { return std::max(camera.width_px, camera.height_px); }
+
+Camera with_focal_length_scaled(Camera camera, double factor) {
+    const bool one_focal_length = camera.model == LensModel::kSimplePinhole ||
+                                  camera.model == LensModel::kSimpleRadial ||
+                                  camera.model == LensModel::kRadial;
+    camera.parameters[0] *= factor;
+    if (!one_focal_length) camera.parameters[1] *= factor;
+    return camera;
+}
+
+Eigen::Quaterniond least_squares_rotation(const DirectionPairs& directions,
+                                          const std::vector<char>& is_used) {
+    Eigen::Matrix3d correlation = Eigen::Matrix3d::Zero();
+    for (std::size_t index = 0; index < directions.first.size(); ++index) {
+        if (is_used[index] == 0) continue;
+        correlation += directions.second[index].normalized() *
+                       directions.first[index].normalized().transpose();
+    }
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(correlation,
+                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Eigen::Matrix3d proper = Eigen::Matrix3d::Identity();
+    proper(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+    return Eigen::Quaterniond(svd.matrixU() * proper * svd.matrixV().transpose());
+}
+
+std::vector<double> angles_rad(const DirectionPairs& directions,
+                               const Eigen::Quaterniond& second_from_first) {
+    std::vector<double> angles;
+    for (std::size_t index = 0; index < directions.first.size(); ++index) {
+        const Eigen::Vector3d turned = (second_from_first * directions.first[index]).normalized();
+        const Eigen::Vector3d seen = directions.second[index].normalized();
+        angles.push_back(std::atan2(turned.cross(seen).norm(), turned.dot(seen)));
+    }
+    return angles;
+}
+
+bool is_rotation(const VerifiedPair& pair, const Camera& first, const Camera& second,
+                 const std::vector<ColmapPhotograph>& photographs) {
+    DirectionPairs directions;
+    const auto& first_pixels = photographs[static_cast<std::size_t>(pair.first)].keypoints_px;
+    const auto& second_pixels = photographs[static_cast<std::size_t>(pair.second)].keypoints_px;
+    for (const FeatureMatch& match : pair.inliers) {
+        directions.first.push_back(unproject(first, first_pixels[match.first].cast<double>()));
+        directions.second.push_back(unproject(second, second_pixels[match.second].cast<double>()));
+    }
+    const double tolerance_px =
+        kToleranceShare * std::max(longer_side_px(first), longer_side_px(second));
+    const double tolerance_rad = tolerance_px / focal_length_px(first).mean();
+    return fit_rotation(directions, tolerance_rad).inlier_share >= kRotationInlierShare;
+}
+
+/// Focal lengths as multiples of what is believed: EXIF is wrong by a factor of three where a
+/// program resized or cropped the photograph.
+std::vector<double> focal_length_factors(bool lens_is_calibrated) {
+    if (lens_is_calibrated) return {1.0};
+    std::vector<double> factors;
+    for (double factor = 0.25; factor < 4.0; factor *= 1.2) factors.push_back(factor);
+    return factors;
+}
+
+}  // namespace
+
+RotationFit fit_rotation(const DirectionPairs& directions, double tolerance_rad) {
+    RotationFit fit;
+    const std::size_t count = directions.first.size();
+    if (count < 2) return fit;
+    constexpr int kRepetitions = 8;
+    std::vector<char> is_used(count, 1);
+    for (int repetition = 0; repetition < kRepetitions; ++repetition) {
+        fit.second_from_first = least_squares_rotation(directions, is_used);
+        const std::vector<double> angles = angles_rad(directions, fit.second_from_first);
+        // While the fit is still pulled by outliers, the better half leads.
+        std::vector<double> sorted = angles;
+        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(count / 2);
+        std::nth_element(sorted.begin(), middle, sorted.end());
+        const double limit = std::max(tolerance_rad, *middle);
+        std::size_t inliers = 0;
+        for (std::size_t index = 0; index < count; ++index) {
+            is_used[index] = angles[index] <= limit ? 1 : 0;
+            if (angles[index] <= tolerance_rad) ++inliers;
+        }
+        fit.inlier_share = static_cast<double>(inliers) / static_cast<double>(count);
+    }
+    return fit;
+}
+
+MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
+                            const std::vector<ColmapPhotograph>& photographs,
+                            const std::vector<VerifiedPair>& pairs, bool lens_is_calibrated) {
+    MotionEvidence evidence;
+    std::map<std::pair<int, int>, std::vector<const VerifiedPair*>> pairs_of_lenses;
+    const auto lens_index = [&](int photograph) {
+        return photographs[static_cast<std::size_t>(photograph)].camera_index;
+    };
+    for (const VerifiedPair& pair : pairs) {
+        if (pair.inliers.size() < kMinMatches) continue;
+        ++evidence.pairs;
+        if (is_homography(pair.configuration)) ++evidence.planar_pairs;
+        pairs_of_lenses[{lens_index(pair.first), lens_index(pair.second)}].push_back(&pair);
+    }
+    for (const auto& [lenses, group] : pairs_of_lenses) {
+        std::ptrdiff_t most = 0;
+        for (const double factor : focal_length_factors(lens_is_calibrated)) {
+            const auto lens = [&](int index) {
+                const Camera& camera = cameras[static_cast<std::size_t>(index)].camera;
+                return with_focal_length_scaled(camera, factor);
+            };
+            const Camera first = lens(lenses.first);
+            const Camera second = lens(lenses.second);
+            most = std::max(most, std::count_if(group.begin(), group.end(), [&](const auto* pair) {
+                                return is_rotation(*pair, first, second, photographs);
+                            }));
+        }
+        evidence.rotation_pairs += static_cast<int>(most);
+    }
+    return evidence;
+}
+
+}  // namespace lumi

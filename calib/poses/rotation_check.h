@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "calib/colmap/colmap_database.h"
+
+namespace lumi {
+
+/// What the verified pairs say about the motion of the camera.
+struct MotionEvidence {
+    int pairs = 0;           ///< Verified pairs with enough matches to tell.
+    int rotation_pairs = 0;  ///< Of these, explained by a camera that turned on the spot.
+    int planar_pairs = 0;    ///< Of these, explained by a homography, in COLMAP's judgement.
+
+    [[nodiscard]] double rotation_share() const {
+        return pairs == 0 ? 0.0 : static_cast<double>(rotation_pairs) / pairs;
+    }
+    [[nodiscard]] double planar_share() const {
+        return pairs == 0 ? 0.0 : static_cast<double>(planar_pairs) / pairs;
+    }
+};
+
+/// Two lists of directions, (x, y, 1), that the same scene points were seen in.
+struct DirectionPairs {
+    std::vector<Eigen::Vector3d> first;
+    std::vector<Eigen::Vector3d> second;
+};
+
+/// The rotation second_from_first that most directions agree with, by least squares (Kabsch 1976)
+/// over those that agreed before, repeated; and the share of them that it moves to within
+/// `tolerance_rad`.
+struct RotationFit {
+    Eigen::Quaterniond second_from_first = Eigen::Quaterniond::Identity();
+    double inlier_share = 0.0;
+};
+[[nodiscard]] RotationFit fit_rotation(const DirectionPairs& directions, double tolerance_rad);
+
+/// Asks of every pair whether a rotation alone explains its matches: then there is no parallax, and
+/// no depth can come of it (homographies of the form K R K^-1: Hartley and Zisserman, Multiple View
+/// Geometry, 2nd ed., section 13.6). Unless the lens is calibrated, the focal length for
+/// which most pairs of two lenses are rotations speaks for all of them.
+[[nodiscard]] MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
+                                          const std::vector<ColmapPhotograph>& photographs,
+                                          const std::vector<VerifiedPair>& pairs,
+                                          bool lens_is_calibrated);
+
+}  // namespace lumi

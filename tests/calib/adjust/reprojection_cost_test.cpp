@@ -1,0 +1,118 @@
+#include "calib/adjust/reprojection_cost.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "calib/capture/rigid3.h"
+
+namespace lumi {
+namespace {
+
+struct LensCase {
+    LensModel model;
+    std::vector<double> parameters;
+};
+
+class ReprojectionCostOf : public testing::TestWithParam<LensCase> {
+ protected:
+    const Eigen::Quaterniond rotation_ = Eigen::Quaterniond(0.9, 0.1, -0.3, 0.2).normalized();
+    const Eigen::Vector3d translation_{0.2, -0.1, 3.0};
+    const Eigen::Vector3d point_{0.5, 0.4, -0.3};
+    const Eigen::Vector2d seen_at_{300.0, 200.0};
+};
+
+TEST_P(ReprojectionCostOf, EqualsTheProjectionStatedInPlainCode) {
+    const Camera camera{640, 480, GetParam().model, GetParam().parameters};
+    const auto expected = project(camera, Rigid3{rotation_, translation_} * point_);
+    ASSERT_TRUE(expected.has_value());
+    const auto cost = reprojection_cost(camera.model, seen_at_);
+    const std::array<const double*, 4> blocks{camera.parameters.data(), rotation_.coeffs().data(),
+                                              translation_.data(), point_.data()};
+    Eigen::Vector2d residual;
+    ASSERT_TRUE(cost->Evaluate(blocks.data(), residual.data(), nullptr));
+    EXPECT_LT((residual + seen_at_ - *expected).norm(), 1e-9);
+}
+
+TEST_P(ReprojectionCostOf, DerivativesEqualDifferenceQuotients) {
+    const auto cost = reprojection_cost(GetParam().model, seen_at_);
+    std::vector<double> lens = GetParam().parameters;
+    std::array<double, 4> rotation{rotation_.x(), rotation_.y(), rotation_.z(), rotation_.w()};
+    std::array<double, 3> translation{translation_.x(), translation_.y(), translation_.z()};
+    std::array<double, 3> point{point_.x(), point_.y(), point_.z()};
+    const std::array<double*, 4> blocks{lens.data(), rotation.data(), translation.data(),
+                                        point.data()};
+    std::array<std::array<double, 24>, 4> jacobians{};
+    std::array<double*, 4> jacobian_pointers{jacobians[0].data(), jacobians[1].data(),
+                                             jacobians[2].data(), jacobians[3].data()};
+    Eigen::Vector2d residual;
+    ASSERT_TRUE(cost->Evaluate(blocks.data(), residual.data(), jacobian_pointers.data()));
+    const std::array<std::size_t, 4> sizes{lens.size(), 4, 3, 3};
+    for (std::size_t block = 0; block < sizes.size(); ++block) {
+        for (std::size_t column = 0; column < sizes[block]; ++column) {
+            double& value = blocks[block][column];
+            const double kept = value;
+            const double step = 1e-6 * std::max(1.0, std::abs(kept));
+            Eigen::Vector2d above;
+            Eigen::Vector2d below;
+            value = kept + step;
+            ASSERT_TRUE(cost->Evaluate(blocks.data(), above.data(), nullptr));
+            value = kept - step;
+            ASSERT_TRUE(cost->Evaluate(blocks.data(), below.data(), nullptr));
+            value = kept;
+            for (std::size_t row = 0; row < 2; ++row) {
+                const double quotient =
+                    (above - below)[static_cast<Eigen::Index>(row)] / (2 * step);
+                EXPECT_NEAR(jacobians[block][row * sizes[block] + column], quotient,
+                            1e-5 * std::max(1.0, std::abs(quotient)))
+                    << "block " << block << " row " << row << " column " << column;
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EveryLens, ReprojectionCostOf,
+    testing::Values(
+        LensCase{LensModel::kSimplePinhole, {500, 320, 240}},
+        LensCase{LensModel::kPinhole, {500, 510, 320, 240}},
+        LensCase{LensModel::kSimpleRadial, {500, 320, 240, -0.1}},
+        LensCase{LensModel::kRadial, {500, 320, 240, -0.1, 0.03}},
+        LensCase{LensModel::kOpenCv, {500, 510, 320, 240, -0.1, 0.03, 0.01, -0.02}},
+        LensCase{LensModel::kOpenCvFisheye, {500, 510, 320, 240, 0.02, -0.01, 0.003, -0.001}},
+        LensCase{LensModel::kFullOpenCv,
+                 {500, 510, 320, 240, -0.1, 0.03, 0.01, -0.02, 0.005, 0.02, 0.01, 0.002}}),
+    [](const auto& instance) { return std::string(name_of(instance.param.model)); });
+
+TEST(ReprojectionCost, HasNoValueBehindTheCamera) {
+    const Camera camera = pinhole_camera(640, 480, 500);
+    const auto cost = reprojection_cost(camera.model, {300, 200});
+    const std::array<double, 4> rotation{0, 0, 0, 1};
+    const std::array<double, 3> translation{0, 0, 0};
+    const std::array<double, 3> point{0, 0, -1};
+    const std::array<const double*, 4> blocks{camera.parameters.data(), rotation.data(),
+                                              translation.data(), point.data()};
+    Eigen::Vector2d residual;
+    EXPECT_FALSE(cost->Evaluate(blocks.data(), residual.data(), nullptr));
+}
+
+TEST(ReprojectionCost, FisheyeHasADerivativeOnTheOpticalAxis) {
+    const std::vector<double> lens{500, 500, 320, 240, 0.1, 0, 0, 0};
+    const auto cost = reprojection_cost(LensModel::kOpenCvFisheye, {320, 240});
+    const std::array<double, 4> rotation{0, 0, 0, 1};
+    const std::array<double, 3> translation{0, 0, 0};
+    const std::array<double, 3> point{0, 0, 1};
+    const std::array<const double*, 4> blocks{lens.data(), rotation.data(), translation.data(),
+                                              point.data()};
+    std::array<double, 6> by_point{};
+    std::array<double*, 4> jacobians{nullptr, nullptr, nullptr, by_point.data()};
+    Eigen::Vector2d residual;
+    ASSERT_TRUE(cost->Evaluate(blocks.data(), residual.data(), jacobians.data()));
+    EXPECT_NEAR(by_point[0], 500, 1e-9);
+    EXPECT_NEAR(by_point[4], 500, 1e-9);
+}
+
+}  // namespace
+}  // namespace lumi
