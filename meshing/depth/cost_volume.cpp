@@ -32,6 +32,26 @@ PatchArray<std::uint8_t> patch_of(const GrayImage& gray, int left, int top) {
     return patch;
 }
 
+/// Copies the inner pixels of a patch to every `stride`-th byte of `out`.
+void write_plane(const PatchArray<std::uint8_t>& cost, int stride, std::uint8_t* out) {
+    for (int y = 0; y < kPatchTile; ++y) {
+        const std::uint8_t* in = cost.data() + (y + kCensusRadius) * kPatchSide + kCensusRadius;
+        for (int x = 0; x < kPatchTile; ++x, out += stride) *out = in[x];
+    }
+}
+
+void write_means(const PatchArray<std::uint32_t>& sum, const PatchArray<std::uint32_t>& count,
+                 int left, int top, CostVolume& volume) {
+    for (int y = 0; y < kPatchTile && top + y < volume.height(); ++y) {
+        for (int x = 0; x < kPatchTile && left + x < volume.width(); ++x) {
+            const auto i =
+                static_cast<std::size_t>((y + kCensusRadius) * kPatchSide + x + kCensusRadius);
+            const std::uint32_t mean = sum[i] / std::max(1U, count[i]);
+            volume.mean_seen_costs()(left + x, top + y) = static_cast<std::uint8_t>(mean);
+        }
+    }
+}
+
 /// Sweeps one tile and writes its costs, pixel by pixel.
 void sweep_tile(const SweepView& view, const std::vector<Comparison>& comparisons,
                 const SweepPlanes& planes, int left, int top, CostVolume& volume) {
@@ -46,6 +66,7 @@ void sweep_tile(const SweepView& view, const std::vector<Comparison>& comparison
 
     WarpedPatch warped;
     PatchArray<std::uint8_t> mismatches, best, second, cost;
+    PatchArray<std::uint32_t> sum{}, count{};
     std::uint8_t* tile_costs = volume.costs().data() + volume.offset(left, top);
     for (int plane = 0; plane < tile.count; ++plane) {
         const double inverse_depth = planes.inverse_depth(tile.first + plane);
@@ -59,18 +80,16 @@ void sweep_tile(const SweepView& view, const std::vector<Comparison>& comparison
             keep_two_best(mismatches, warped.hidden, best, second);
         }
         combine_best(best, second, cost);
-        std::uint8_t* out = tile_costs + plane;
-        for (int y = 0; y < kPatchTile; ++y) {
-            const std::uint8_t* in = cost.data() + (y + kCensusRadius) * kPatchSide + kCensusRadius;
-            for (int x = 0; x < kPatchTile; ++x, out += tile.count) *out = in[x];
-        }
+        add_seen(best, cost, sum, count);
+        write_plane(cost, tile.count, tile_costs + plane);
     }
+    write_means(sum, count, left, top, volume);
 }
 
 }  // namespace
 
 CostVolume::CostVolume(int width, int height, std::vector<TilePlanes> tiles)
-    : width_(width), height_(height), tiles_(std::move(tiles)) {
+    : width_(width), height_(height), tiles_(std::move(tiles)), mean_seen_costs_(width, height) {
     assert(static_cast<int>(tiles_.size()) == tiles_along(width) * tiles_along(height));
     std::size_t total = 0;
     for (const TilePlanes& tile : tiles_) {

@@ -65,6 +65,9 @@ class CostVolume {
     }
     [[nodiscard]] std::vector<std::uint8_t>& costs() { return costs_; }
     [[nodiscard]] const std::vector<std::uint8_t>& costs() const { return costs_; }
+    /// Mean cost of each pixel over the planes at which some neighbour sees it; 0 without any.
+    [[nodiscard]] GrayImage& mean_seen_costs() { return mean_seen_costs_; }
+    [[nodiscard]] const GrayImage& mean_seen_costs() const { return mean_seen_costs_; }
 
  private:
     [[nodiscard]] std::size_t tile_of(int x, int y) const {
@@ -77,6 +80,7 @@ class CostVolume {
     std::vector<TilePlanes> tiles_;
     std::vector<std::size_t> offsets_;
     std::vector<std::uint8_t> costs_;
+    GrayImage mean_seen_costs_;
 };
 
 constexpr int kMaxMatchingCost = 48;

@@ -17,7 +17,7 @@ struct DepthOptions {
     int max_width_px = 800;       ///< Depth maps are at most this wide.
     int max_neighbours = 4;       ///< Views that one view is compared with.
     /// Depth maps made elsewhere (float TIFF, see imported_depth.h) take the place of `model`.
-    std::filesystem::path import_folder;
+    std::filesystem::path import_folder = {};
 };
 
 void validate(const DepthOptions& options);

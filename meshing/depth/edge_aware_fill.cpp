@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <opencv2/ximgproc/edge_filter.hpp>
 #include <span>
 #include <vector>
+
+#include "meshing/depth/guided_smoothing.h"
 
 namespace lumi {
 namespace {
@@ -93,40 +94,16 @@ void fill_from_background(DepthMap& map, const FloatImage& fallback, float one_p
     }
 }
 
-cv::Mat view_of(const ColorImage& photograph) {
-    return {photograph.height(), photograph.width(), CV_8UC3,
-            const_cast<Rgb8*>(photograph.pixels().data())};
-}
-
 /// Smooths what was filled along the photograph's edges; what is known holds its place.
 void smooth_filled(DepthMap& map, const ColorImage& photograph) {
-    constexpr double kLambda = 100.0;
-    constexpr double kSigmaColor = 3.0;  // Grey levels: a faint edge already stops the smoothing.
     constexpr float kFilledWeight = 0.1F;
-    const int width = map.inverse_depth.width();
-    const int height = map.inverse_depth.height();
-    const auto& values = map.inverse_depth.pixels();
-    const float largest = *std::max_element(values.begin(), values.end());
-    if (largest <= 0) return;
-    cv::Mat weighted(height, width, CV_32F);
-    cv::Mat weight(height, width, CV_32F);
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            const float w = map.confidence(x, y) != 0 ? 1.0F : kFilledWeight;
-            weight.at<float>(y, x) = w;
-            weighted.at<float>(y, x) = w * (map.inverse_depth(x, y) / largest);
-        }
-    }
-    const auto smoother =
-        cv::ximgproc::createFastGlobalSmootherFilter(view_of(photograph), kLambda, kSigmaColor);
-    smoother->filter(weighted, weighted);
-    smoother->filter(weight, weight);
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            if (map.confidence(x, y) != 0) continue;
-            const float smooth = weighted.at<float>(y, x) / weight.at<float>(y, x);
-            map.inverse_depth(x, y) = std::max(0.0F, smooth) * largest;
-        }
+    FloatImage weights(map.confidence.width(), map.confidence.height());
+    std::transform(map.confidence.pixels().begin(), map.confidence.pixels().end(),
+                   weights.pixels().begin(),
+                   [](std::uint8_t confidence) { return confidence != 0 ? 1.0F : kFilledWeight; });
+    const FloatImage smooth = smooth_guided(map.inverse_depth, weights, photograph, {});
+    for (std::size_t i = 0; i < smooth.pixels().size(); ++i) {
+        if (map.confidence.pixels()[i] == 0) map.inverse_depth.pixels()[i] = smooth.pixels()[i];
     }
 }
 

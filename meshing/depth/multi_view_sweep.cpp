@@ -16,8 +16,8 @@ constexpr int kCountUnit = 16;  // The path kernel works on this many planes at 
 constexpr std::size_t kMaxCells = std::size_t{96} << 20;
 
 int level_count(const Camera& camera) {
-    constexpr int kMinWidth = 160;
-    constexpr int kMinHeight = 100;
+    constexpr int kMinWidth = 120;
+    constexpr int kMinHeight = 80;
     int levels = 1;
     while (camera.width_px >> levels >= kMinWidth && camera.height_px >> levels >= kMinHeight) {
         ++levels;
@@ -87,16 +87,21 @@ Search search_of(const DepthView& view, double level_scale, double spacing_px,
     }
 }
 
-/// 255 where the contrast of the matching cost, averaged over a small window, is more than noise.
-GrayImage told_apart(GrayImage contrast) {
+/// 255 where the chosen planes fit better than the others do, on average over a small window, by
+/// more than noise.
+GrayImage told_apart(const GrayImage& mean_costs, const GrayImage& chosen_costs) {
     constexpr int kWindow = 5;
     constexpr std::uint8_t kMinContrast = 3;
-    const cv::Mat source(contrast.height(), contrast.width(), CV_8U, contrast.pixels().data());
-    cv::Mat mean;
-    cv::blur(source, mean, cv::Size(kWindow, kWindow));
-    GrayImage result(contrast.width(), contrast.height());
-    std::transform(mean.begin<std::uint8_t>(), mean.end<std::uint8_t>(), result.pixels().begin(),
-                   [](std::uint8_t value) {
+    cv::Mat contrast(mean_costs.height(), mean_costs.width(), CV_8U);
+    std::transform(mean_costs.pixels().begin(), mean_costs.pixels().end(),
+                   chosen_costs.pixels().begin(), contrast.begin<std::uint8_t>(),
+                   [](std::uint8_t mean, std::uint8_t chosen) {
+                       return static_cast<std::uint8_t>(std::max(0, mean - chosen));
+                   });
+    cv::blur(contrast, contrast, cv::Size(kWindow, kWindow));
+    GrayImage result(mean_costs.width(), mean_costs.height());
+    std::transform(contrast.begin<std::uint8_t>(), contrast.end<std::uint8_t>(),
+                   result.pixels().begin(), [](std::uint8_t value) {
                        return static_cast<std::uint8_t>(value >= kMinContrast ? 255 : 0);
                    });
     return result;
@@ -117,7 +122,7 @@ DepthMap match_level(const DepthScene& scene, const DepthView& view, int level,
         const double inverse_depth = search.planes.inverse_depth(static_cast<double>(plane));
         plane = static_cast<float>(std::max(0.0, inverse_depth));
     }
-    return {std::move(matched.plane), told_apart(std::move(matched.contrast))};
+    return {std::move(matched.plane), told_apart(volume.mean_seen_costs(), matched.cost)};
 }
 
 /// A smooth texture tells little on the finest level, whose ranges are narrow, but much on a

@@ -109,6 +109,16 @@ void combined_pixels(const std::uint8_t* __restrict best, const std::uint8_t* __
     }
 }
 
+LUMI_VECTORISED
+void add_seen_pixels(const std::uint8_t* __restrict best, const std::uint8_t* __restrict cost,
+                     std::uint32_t* __restrict sum, std::uint32_t* __restrict count) {
+    for (int i = kInnerBegin; i < kInnerEnd; ++i) {
+        const std::uint32_t is_seen = best[i] != kNotSeen ? 1 : 0;
+        sum[i] += is_seen * cost[i];
+        count[i] += is_seen;
+    }
+}
+
 PackedPicture packed(const GrayImage& picture) {
     PackedPicture result{picture.width(), picture.height(), {}};
     result.quads.resize(picture.pixels().size());
@@ -186,6 +196,11 @@ void keep_two_best(const PatchArray<std::uint8_t>& mismatches,
 void combine_best(const PatchArray<std::uint8_t>& best, const PatchArray<std::uint8_t>& second,
                   PatchArray<std::uint8_t>& cost) {
     combined_pixels(best.data(), second.data(), cost.data());
+}
+
+void add_seen(const PatchArray<std::uint8_t>& best, const PatchArray<std::uint8_t>& cost,
+              PatchArray<std::uint32_t>& sum, PatchArray<std::uint32_t>& count) {
+    add_seen_pixels(best.data(), cost.data(), sum.data(), count.data());
 }
 
 }  // namespace lumi

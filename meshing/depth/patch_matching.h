@@ -77,4 +77,8 @@ constexpr std::uint8_t kUnseenCost = kCensusBits;
 void combine_best(const PatchArray<std::uint8_t>& best, const PatchArray<std::uint8_t>& second,
                   PatchArray<std::uint8_t>& cost);
 
+/// Adds the costs of the pixels that some neighbour saw to `sum`, and one to `count`.
+void add_seen(const PatchArray<std::uint8_t>& best, const PatchArray<std::uint8_t>& cost,
+              PatchArray<std::uint32_t>& sum, PatchArray<std::uint32_t>& count);
+
 }  // namespace lumi

@@ -164,10 +164,7 @@ MatchedPlanes semi_global_matching(const CostVolume& volume, const GrayImage& gr
                 fraction = parabola_offset(sum[best - 1], sum[best], sum[best + 1]);
             }
             result.plane(x, y) = static_cast<float>(volume.first_plane(x, y) + best) + fraction;
-            int total = 0;
-            for (int k = 0; k < count; ++k) total += cost[k];
-            result.contrast(x, y) =
-                static_cast<std::uint8_t>(std::max(0, total / count - cost[best]));
+            result.cost(x, y) = cost[best];
         }
     }
     return result;

@@ -17,9 +17,8 @@ struct SmoothnessPenalty {
 };
 
 struct MatchedPlanes {
-    FloatImage plane;    ///< In planes of the sweep, with the parabola's fraction.
-    GrayImage contrast;  ///< How much worse than the chosen plane the others are on average, in
-                         ///< units of matching cost; 0 where nothing tells one from another.
+    FloatImage plane;  ///< In planes of the sweep, with the parabola's fraction.
+    GrayImage cost;    ///< Matching cost of the chosen plane.
 };
 
 /// Semi-global matching (Hirschmueller 2008): eight paths, P2 lowered at edges of the photograph,

@@ -1,0 +1,78 @@
+#include "meshing/depth/cross_view_check.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/meshing/depth/raycast_scene.h"
+
+namespace lumi {
+namespace {
+
+KnownDepthScene wall() {
+    return known_depth_scene({{{0, 0, 2},
+                               {0.2, 0, 1},
+                               [](const auto&) { return true; },
+                               [](const auto&) { return 100.0; }}},
+                             cross_of_centres(0.1), {});
+}
+
+std::vector<DepthEstimate> exact_estimates(const KnownDepthScene& known) {
+    std::vector<DepthEstimate> estimates;
+    for (const FloatImage& truth : known.inverse_depths) {
+        estimates.push_back(
+            {{truth, GrayImage(truth.width(), truth.height(), 255)}, "sweep", true});
+    }
+    return estimates;
+}
+
+TEST(CrossViewCheck, ExactViewsAgreeAndKeepTheirDepth) {
+    const KnownDepthScene known = wall();
+    const DepthMap map = cross_view_check(known.scene, exact_estimates(known), 0);
+    for (int y = 30; y < 150; ++y) {
+        for (int x = 30; x < 210; ++x) {
+            ASSERT_EQ(map.confidence(x, y), 255) << x << " " << y;
+            ASSERT_NEAR(map.inverse_depth(x, y), known.inverse_depths[0](x, y), 1e-5F);
+        }
+    }
+}
+
+TEST(CrossViewCheck, AWrongDepthIsNotConfirmed) {
+    const KnownDepthScene known = wall();
+    std::vector<DepthEstimate> estimates = exact_estimates(known);
+    for (float& value : estimates[0].map.inverse_depth.pixels()) value += 5.0F / 22.0F;
+    const DepthMap map = cross_view_check(known.scene, estimates, 0);
+    EXPECT_EQ(map.confidence, GrayImage(240, 180, 0));
+}
+
+TEST(CrossViewCheck, OneOfTwoNeighboursGivesHalfTheConfidence) {
+    const KnownDepthScene known = wall();
+    std::vector<DepthEstimate> estimates = exact_estimates(known);
+    for (const std::size_t j : {2U, 3U, 4U}) estimates[j].map.confidence = GrayImage(240, 180, 0);
+    EXPECT_EQ(cross_view_check(known.scene, estimates, 0).confidence(120, 90), 128);
+}
+
+TEST(CrossViewCheck, AgreeingViewsMeetInTheMiddle) {
+    const KnownDepthScene known = wall();
+    std::vector<DepthEstimate> estimates = exact_estimates(known);
+    const float half_a_pixel = 0.5F / 22.0F;
+    for (float& value : estimates[0].map.inverse_depth.pixels()) value += half_a_pixel;
+    const DepthMap map = cross_view_check(known.scene, estimates, 0);
+    EXPECT_NEAR(map.inverse_depth(120, 90) - known.inverse_depths[0](120, 90), half_a_pixel / 5,
+                2e-4F);
+}
+
+TEST(RemoveSpeckles, TakesIslandsAndLeavesLand) {
+    DepthMap map{FloatImage(40, 30, 0.5F), GrayImage(40, 30, 255)};
+    for (int y = 10; y < 13; ++y) {
+        for (int x = 10; x < 13; ++x) map.inverse_depth(x, y) = 0.9F;
+    }
+    remove_speckles(map, 0.1, 10);
+    for (int y = 0; y < 30; ++y) {
+        for (int x = 0; x < 40; ++x) {
+            const bool island = x >= 10 && x < 13 && y >= 10 && y < 13;
+            ASSERT_EQ(map.confidence(x, y), island ? 0 : 255) << x << " " << y;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lumi

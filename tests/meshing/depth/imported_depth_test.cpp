@@ -1,0 +1,58 @@
+#include "meshing/depth/imported_depth.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/error.h"
+#include "tests/meshing/depth/raycast_scene.h"
+
+namespace lumi {
+namespace {
+
+DepthView view_named(const std::string& name) {
+    DepthView view;
+    view.name = name;
+    view.camera = small_camera();
+    return view;
+}
+
+void expect_refused(const DepthView& view, const std::filesystem::path& folder,
+                    const std::string& code) {
+    try {
+        (void)imported_depth(view, folder);
+        ADD_FAILURE() << "expected " << code;
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), code) << error.what();
+    }
+}
+
+TEST(ImportedDepth, IsTheInverseOfWhatTheFileSays) {
+    const ScratchFolder folder;
+    FloatImage depth(480, 360, 4.0F);  // Twice the size of the map.
+    depth(21, 41) = 0.0F;
+    depth(31, 41) = std::numeric_limits<float>::quiet_NaN();
+    depth(51, 41) = std::numeric_limits<float>::infinity();
+    write_float_tiff(folder.path() / "walk" / "one.tiff", depth);
+    const DepthMap map = imported_depth(view_named("walk/one.jpg"), folder.path());
+    EXPECT_EQ(map.inverse_depth.width(), 240);
+    EXPECT_EQ(map.inverse_depth(0, 0), 0.25F);
+    EXPECT_EQ(map.confidence(0, 0), 255);
+    EXPECT_EQ(map.confidence(10, 20), 0) << "0 is unknown";
+    EXPECT_EQ(map.confidence(15, 20), 0) << "NaN is unknown";
+    EXPECT_EQ(map.confidence(25, 20), 255) << "infinitely far is known";
+    EXPECT_EQ(map.inverse_depth(25, 20), 0.0F);
+}
+
+TEST(ImportedDepth, RefusesWhatIsMissingMisshapenOrNegative) {
+    const ScratchFolder folder;
+    expect_refused(view_named("one.jpg"), folder.path(), "E-DEPTH-MISSING");
+    write_float_tiff(folder.path() / "one.tiff", FloatImage(240, 240, 1.0F));
+    expect_refused(view_named("one.jpg"), folder.path(), "E-DEPTH-SIZE");
+    write_float_tiff(folder.path() / "two.jpg.tif", FloatImage(240, 180, -1.0F));
+    expect_refused(view_named("two.jpg"), folder.path(), "E-DEPTH-VALUE");
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,104 @@
+#include "meshing/depth/neighbour_selection.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "meshing/depth/depth_range.h"
+#include "tests/meshing/depth/raycast_scene.h"
+
+namespace lumi {
+namespace {
+
+/// Views on a circle of this radius around the origin, looking inwards, `apart_deg` apart.
+DepthScene arc(int count, double radius, double apart_deg) {
+    DepthScene scene;
+    for (int i = 0; i < count; ++i) {
+        const double angle = i * apart_deg * std::numbers::pi / 180;
+        DepthView view;
+        view.camera = small_camera();
+        view.cam_from_world.rotation = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY());
+        view.cam_from_world.translation = {0, 0, radius};
+        scene.views.push_back(view);
+    }
+    return scene;
+}
+
+void choose_ranges(DepthScene& scene) {
+    for (std::size_t i = 0; i < scene.views.size(); ++i) {
+        scene.views[i].range = inverse_depth_range(scene, static_cast<int>(i)).value();
+    }
+}
+
+TEST(NeighbourSelection, TakesTheViewsOnEitherSide) {
+    DepthScene scene = arc(9, 5.0, 6.0);
+    choose_ranges(scene);
+    const auto neighbours = select_neighbours(scene, 2);
+    for (int i = 1; i < 8; ++i) {
+        std::vector<int> found = neighbours[static_cast<std::size_t>(i)];
+        std::sort(found.begin(), found.end());
+        EXPECT_EQ(found, (std::vector<int>{i - 1, i + 1}));
+    }
+}
+
+TEST(NeighbourSelection, LeavesOutViewsThatSeeNothingOfIt) {
+    DepthScene scene = arc(4, 5.0, 90.0);
+    choose_ranges(scene);
+    for (const auto& neighbours : select_neighbours(scene, 4)) EXPECT_TRUE(neighbours.empty());
+}
+
+TEST(NeighbourSelection, FollowsTheTracksWhereThereAreSome) {
+    DepthScene scene = arc(5, 5.0, 6.0);
+    // All points were seen by views 0, 3 and 4 only.
+    for (int i = 0; i < 40; ++i) {
+        ScenePoint point;
+        point.position_in_world = {0.02 * i - 0.4, 0.01 * i - 0.2, 0};
+        for (const int view : {0, 3, 4}) {
+            point.track.push_back({view, {0, 0}});
+            scene.views[static_cast<std::size_t>(view)].points.push_back({{100, 80}, 0.2});
+        }
+        scene.points.push_back(point);
+    }
+    choose_ranges(scene);
+    EXPECT_EQ(select_neighbours(scene, 4)[0], (std::vector<int>{3, 4}));
+}
+
+TEST(InverseDepthRange, HoldsTheScenePointsWithRoomToSpare) {
+    DepthScene scene = arc(3, 5.0, 6.0);
+    for (int i = 0; i < 100; ++i) {
+        ScenePoint point;
+        point.position_in_world = scene.views[0].cam_from_world.rotation.conjugate() *
+                                  Eigen::Vector3d(0, 0, -1 + 0.02 * i);  // Depth 4 to 5.98.
+        scene.points.push_back(point);
+    }
+    const auto range = inverse_depth_range(scene, 0);
+    ASSERT_TRUE(range.has_value());
+    EXPECT_LT(range->far, 1 / 8.0);
+    EXPECT_GT(range->near, 1 / 3.0);
+    EXPECT_GT(range->far, 0);
+}
+
+TEST(InverseDepthRange, WithoutPointsHoldsWhatTheCamerasLookAt) {
+    const DepthScene scene = arc(8, 5.0, 10.0);
+    EXPECT_LT((*convergence_point(scene)).norm(), 1e-9);
+    const auto range = inverse_depth_range(scene, 3);
+    ASSERT_TRUE(range.has_value());
+    EXPECT_EQ(range->far, 0);
+    EXPECT_GT(range->near, 1 / 2.5);
+}
+
+TEST(InverseDepthRange, IsTheSameInAnyUnit) {
+    const auto metres = inverse_depth_range(arc(8, 5.0, 10.0), 3);
+    const auto micrometres = inverse_depth_range(arc(8, 5.0e6, 10.0), 3);
+    EXPECT_NEAR(micrometres->near * 1e6, metres->near, 1e-9);
+}
+
+TEST(InverseDepthRange, IsUnknownWhenAllCamerasStandInOnePlace) {
+    DepthScene scene = arc(6, 0.0, 10.0);
+    EXPECT_FALSE(inverse_depth_range(scene, 0).has_value());
+}
+
+}  // namespace
+}  // namespace lumi
