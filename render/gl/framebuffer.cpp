@@ -58,6 +58,16 @@ std::vector<unsigned char> Framebuffer::read_rgba_bottom_up(int width_px, int he
     return rgba;
 }
 
+void Framebuffer::copy_to_window(int width_px, int height_px, int window_width_px,
+                                 int window_height_px) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, name_.get());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    const bool is_whole = width_px == window_width_px && height_px == window_height_px;
+    glBlitFramebuffer(0, 0, width_px, height_px, 0, 0, window_width_px, window_height_px,
+                      GL_COLOR_BUFFER_BIT, is_whole ? GL_NEAREST : GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 void Framebuffer::require_complete() const {
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status == GL_FRAMEBUFFER_COMPLETE) return;
