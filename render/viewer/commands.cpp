@@ -1,0 +1,135 @@
+#include "render/viewer/commands.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+
+#include "render/viewer/photograph_eye.h"
+
+namespace lumi {
+namespace {
+
+constexpr std::array kBindings{
+    KeyBinding{GLFW_KEY_1, false, Command::kLightField, "1", "light field: the scene is a plane"},
+    KeyBinding{GLFW_KEY_2, false, Command::kPerPixel, "2", "depth and visibility at each pixel"},
+    KeyBinding{GLFW_KEY_M, false, Command::kNextMode, "M", "next mode"},
+    KeyBinding{GLFW_KEY_B, false, Command::kShowWeights, "B", "show the blending weights"},
+    KeyBinding{GLFW_KEY_T, false, Command::kShowFaces, "T", "show the faces (triangles)"},
+    KeyBinding{GLFW_KEY_Z, false, Command::kShowDepth, "Z", "show depth"},
+    KeyBinding{GLFW_KEY_D, true, Command::kShowDepth, "Ctrl+D", "show depth"},
+    KeyBinding{GLFW_KEY_C, false, Command::kShowConfidence, "C", "show the depth's confidence"},
+    KeyBinding{GLFW_KEY_O, false, Command::kOcclusion, "O", "occlusion correction on or off"},
+    KeyBinding{GLFW_KEY_LEFT_BRACKET, false, Command::kPreviousPhotograph, "[",
+               "stand at the previous photograph"},
+    KeyBinding{GLFW_KEY_PAGE_UP, false, Command::kPreviousPhotograph, "Page up",
+               "stand at the previous photograph"},
+    KeyBinding{GLFW_KEY_RIGHT_BRACKET, false, Command::kNextPhotograph, "]",
+               "stand at the next photograph"},
+    KeyBinding{GLFW_KEY_PAGE_DOWN, false, Command::kNextPhotograph, "Page down",
+               "stand at the next photograph"},
+    KeyBinding{GLFW_KEY_HOME, false, Command::kNearestPhotograph, "Home",
+               "stand at the nearest photograph"},
+    KeyBinding{GLFW_KEY_F, false, Command::kFrameAll, "F", "frame the whole scene"},
+    KeyBinding{GLFW_KEY_F12, false, Command::kScreenshot, "F12", "screenshot: PNG and pose"},
+    KeyBinding{GLFW_KEY_S, true, Command::kScreenshot, "Ctrl+S", "screenshot: PNG and pose"},
+    KeyBinding{GLFW_KEY_H, false, Command::kHelp, "H", "this help"},
+    KeyBinding{GLFW_KEY_F1, false, Command::kHelp, "F1", "this help"},
+    KeyBinding{GLFW_KEY_TAB, false, Command::kPanel, "Tab", "panel on or off"},
+    KeyBinding{GLFW_KEY_V, false, Command::kVsync, "V", "wait for the display on or off"},
+    KeyBinding{GLFW_KEY_ESCAPE, false, Command::kQuit, "Esc", "quit"},
+    KeyBinding{GLFW_KEY_Q, true, Command::kQuit, "Ctrl+Q", "quit"},
+};
+
+void toggle(DebugPicture picture, RenderOptions& render) {
+    render.debug_picture = render.debug_picture == picture ? DebugPicture::kNone : picture;
+}
+
+RenderMode next(RenderMode mode) {
+    return mode == RenderMode::kLightField ? RenderMode::kPerPixel : RenderMode::kLightField;
+}
+
+}  // namespace
+
+std::span<const KeyBinding> key_bindings() { return kBindings; }
+
+std::optional<Command> command_of(int key, bool with_control) {
+    for (const KeyBinding& binding : kBindings) {
+        if (binding.key == key && binding.with_control == with_control) return binding.command;
+    }
+    return std::nullopt;
+}
+
+ViewerState first_state(const Lumigraph& lumigraph, const RenderOptions& render) {
+    ViewerState state;
+    state.render = render;
+    state.navigation.up_in_world = up_in_world(lumigraph);
+    go_to_photograph(0, lumigraph, state);
+    return state;
+}
+
+void go_to_photograph(int view_index, const Lumigraph& lumigraph, ViewerState& state) {
+    const int count = static_cast<int>(lumigraph.views.size());
+    state.view_index = (view_index % count + count) % count;
+    state.navigation = snap_to(state.navigation, lumigraph, state.view_index);
+}
+
+void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
+    RenderOptions& render = state.render;
+    switch (command) {
+        case Command::kLightField:
+            render.mode = RenderMode::kLightField;
+            break;
+        case Command::kPerPixel:
+            render.mode = RenderMode::kPerPixel;
+            break;
+        case Command::kNextMode:
+            render.mode = next(render.mode);
+            break;
+        case Command::kShowWeights:
+            toggle(DebugPicture::kWeights, render);
+            break;
+        case Command::kShowFaces:
+            toggle(DebugPicture::kFaces, render);
+            break;
+        case Command::kShowDepth:
+            toggle(DebugPicture::kDepth, render);
+            break;
+        case Command::kShowConfidence:
+            toggle(DebugPicture::kConfidence, render);
+            break;
+        case Command::kOcclusion:
+            render.correct_occlusion = !render.correct_occlusion;
+            break;
+        case Command::kPreviousPhotograph:
+            go_to_photograph(state.view_index - 1, lumigraph, state);
+            break;
+        case Command::kNextPhotograph:
+            go_to_photograph(state.view_index + 1, lumigraph, state);
+            break;
+        case Command::kNearestPhotograph:
+            go_to_photograph(nearest_view(lumigraph, state.navigation.eye), lumigraph, state);
+            break;
+        case Command::kFrameAll:
+            state.navigation = frame_all(state.navigation, bounds_of(lumigraph));
+            break;
+        case Command::kScreenshot:
+            state.wants_screenshot = true;
+            break;
+        case Command::kHelp:
+            state.shows_help = !state.shows_help;
+            break;
+        case Command::kPanel:
+            state.shows_panel = !state.shows_panel;
+            break;
+        case Command::kVsync:
+            state.waits_for_vsync = !state.waits_for_vsync;
+            break;
+        case Command::kQuit:
+            state.wants_to_close = true;
+            break;
+    }
+}
+
+}  // namespace lumi

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "render/lumigraph/lumigraph.h"
+#include "render/modes/frame.h"
+#include "render/viewer/controls.h"
+
+namespace lumi {
+
+/// What a key asks for.
+enum class Command {
+    kLightField,
+    kPerPixel,
+    kNextMode,
+    kShowWeights,
+    kShowFaces,
+    kShowDepth,
+    kShowConfidence,
+    kOcclusion,
+    kPreviousPhotograph,
+    kNextPhotograph,
+    kNearestPhotograph,
+    kFrameAll,
+    kScreenshot,
+    kHelp,
+    kPanel,
+    kVsync,
+    kQuit,
+};
+
+/// A key (GLFW's code) and what it does. Letters that fly (W A S D Q E) do so without Ctrl.
+struct KeyBinding {
+    int key;
+    bool with_control;
+    Command command;
+    const char* shown;  ///< "Ctrl+D"
+    const char* help;
+};
+[[nodiscard]] std::span<const KeyBinding> key_bindings();
+[[nodiscard]] std::optional<Command> command_of(int key, bool with_control);
+
+/// All that keys and panels change.
+struct ViewerState {
+    Navigation navigation;
+    RenderOptions render;
+    int view_index = 0;  ///< The photograph that was last stood at.
+    bool shows_help = false;
+    bool shows_panel = true;
+    bool waits_for_vsync = true;
+    bool wants_screenshot = false;
+    bool wants_to_close = false;
+};
+
+/// At the first photograph.
+[[nodiscard]] ViewerState first_state(const Lumigraph& lumigraph, const RenderOptions& render);
+
+/// Carries out a command. A debug picture that is shown already is put away.
+void apply(Command command, const Lumigraph& lumigraph, ViewerState& state);
+
+/// Stands at a photograph; indices wrap around.
+void go_to_photograph(int view_index, const Lumigraph& lumigraph, ViewerState& state);
+
+}  // namespace lumi

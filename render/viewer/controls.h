@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "render/lumigraph/lumigraph.h"
+#include "render/viewer/scene_bounds.h"
+
+namespace lumi {
+
+/// Where the eye is and what it moves about. The controls are functions from one to the next.
+struct Navigation {
+    Eye eye;
+    Eigen::Vector3d pivot_in_world = Eigen::Vector3d::Zero();
+    Eigen::Vector3d up_in_world = -Eigen::Vector3d::UnitY();  ///< Of length one.
+};
+
+/// Turns about the pivot, which keeps its pixel: the scene follows the cursor, half a turn for the
+/// height of the picture; sideways about `up_in_world`, up and down about the eye's x axis. Stops
+/// before it would look along `up_in_world`.
+[[nodiscard]] Navigation orbit(const Navigation& from, const Eigen::Vector2d& drag_px);
+
+/// Turns the eye on the spot; the scene follows the cursor.
+[[nodiscard]] Navigation look(const Navigation& from, const Eigen::Vector2d& drag_px);
+
+/// Moves parallel to the image plane, so that what is as far away as the pivot follows the cursor.
+/// The pivot moves along with the eye.
+[[nodiscard]] Navigation pan(const Navigation& from, const Eigen::Vector2d& drag_px);
+
+/// Moves towards the pivot (steps > 0) or away: a tenth of the distance a step. The pivot keeps its
+/// pixel.
+[[nodiscard]] Navigation zoom(const Navigation& from, double steps);
+
+/// Moves along the eye's own axes (x right, y down, z forward), in units of the distance to the
+/// pivot, which moves along.
+[[nodiscard]] Navigation fly(const Navigation& from, const Eigen::Vector3d& move_in_cam);
+
+/// Stands where a photograph was taken and turns about what its middle shows. Throws
+/// std::out_of_range for a view that does not exist.
+[[nodiscard]] Navigation snap_to(const Navigation& from, const Lumigraph& lumigraph,
+                                 int view_index);
+
+/// Backs away, or comes closer, without turning until the ball just fits into the picture; turns
+/// about its centre from then on.
+[[nodiscard]] Navigation frame_all(const Navigation& from, const SceneBounds& bounds);
+
+/// The view whose photograph was taken nearest to the eye.
+[[nodiscard]] int nearest_view(const Lumigraph& lumigraph, const Eye& eye);
+
+}  // namespace lumi

@@ -1,0 +1,128 @@
+#include "render/viewer/panels.h"
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <array>
+
+#include "calib/work/printable.h"
+
+namespace lumi {
+namespace {
+
+void show_modes(RenderOptions& render) {
+    for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kPerPixel}) {
+        if (ImGui::RadioButton(name_of(mode).c_str(), render.mode == mode)) render.mode = mode;
+    }
+    ImGui::Separator();
+    for (const DebugPicture picture :
+         {DebugPicture::kNone, DebugPicture::kWeights, DebugPicture::kFaces, DebugPicture::kDepth,
+          DebugPicture::kConfidence}) {
+        const std::string label =
+            picture == DebugPicture::kNone ? "picture" : "show " + name_of(picture);
+        if (ImGui::RadioButton(label.c_str(), render.debug_picture == picture)) {
+            render.debug_picture = picture;
+        }
+    }
+    ImGui::Separator();
+    ImGui::Checkbox("occlusion correction", &render.correct_occlusion);
+}
+
+void show_photographs(const Lumigraph& lumigraph, ViewerState& state) {
+    const auto index = static_cast<std::size_t>(state.view_index);
+    if (!ImGui::BeginCombo("##photograph", printable(lumigraph.views[index].name).c_str())) return;
+    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Selectable(printable(lumigraph.views[i].name).c_str(), i == index)) {
+            go_to_photograph(static_cast<int>(i), lumigraph, state);
+        }
+        ImGui::PopID();
+    }
+    ImGui::EndCombo();
+}
+
+void show_statistics(const Lumigraph& lumigraph, const FrameStatistics& statistics) {
+    ImGui::Text("%.1f ms a frame", statistics.frame_ms);
+    ImGui::Text("%d x %d pixels", statistics.width_px, statistics.height_px);
+    ImGui::Text("%zu photographs, %zu faces", lumigraph.views.size(), lumigraph.mesh.faces.size());
+    ImGui::TextWrapped("%s", statistics.gl_description.c_str());
+    if (!statistics.message.empty()) {
+        ImGui::Separator();
+        ImGui::TextWrapped("%s", printable(statistics.message).c_str());
+    }
+}
+
+void show_panel(const Lumigraph& lumigraph, const FrameStatistics& statistics, ViewerState& state) {
+    ImGui::SetNextWindowPos({10, 10}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize({260, 0}, ImGuiCond_FirstUseEver);
+    if (ImGui::Begin("lumi", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+        show_modes(state.render);
+        ImGui::Separator();
+        show_photographs(lumigraph, state);
+        ImGui::Separator();
+        show_statistics(lumigraph, statistics);
+        ImGui::Separator();
+        ImGui::TextUnformatted("H: keys and mouse");
+    }
+    ImGui::End();
+}
+
+void show_help(bool& open) {
+    constexpr std::array<std::array<const char*, 2>, 8> kMouse{{
+        {"left drag", "turn about what is in the middle"},
+        {"right drag", "move sideways (also middle, Shift+left)"},
+        {"Ctrl+left drag", "look around"},
+        {"wheel", "closer, further"},
+        {"W A S D", "fly forwards, left, backwards, right"},
+        {"Q E", "fly down, up"},
+        {"Shift", "fly fast"},
+        {"drop a package", "open it"},
+    }};
+    ImGui::SetNextWindowPos({290, 10}, ImGuiCond_FirstUseEver);
+    if (ImGui::Begin("keys and mouse", &open, ImGuiWindowFlags_AlwaysAutoResize) &&
+        ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+        const auto row = [](const char* what, const char* does) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(what);
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(does);
+        };
+        for (const auto& [what, does] : kMouse) row(what, does);
+        for (const KeyBinding& binding : key_bindings()) row(binding.shown, binding.help);
+        ImGui::EndTable();
+    }
+    ImGui::End();
+}
+
+}  // namespace
+
+Panels::Panels(const GlfwWindow& window) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;  // Leaves no file behind where lumi was started.
+    ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+Panels::~Panels() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void Panels::draw(const Lumigraph& lumigraph, const FrameStatistics& statistics,
+                  ViewerState& state) {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    if (state.shows_panel) show_panel(lumigraph, statistics, state);
+    if (state.shows_help) show_help(state.shows_help);
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool Panels::takes_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
+bool Panels::takes_keys() const { return ImGui::GetIO().WantTextInput; }
+
+}  // namespace lumi

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+
+#include "render/viewer/commands.h"
+#include "render/viewer/glfw_window.h"
+
+namespace lumi {
+
+/// What the panel tells of the last frame.
+struct FrameStatistics {
+    double frame_ms = 0.0;
+    int width_px = 0;
+    int height_px = 0;
+    std::string gl_description;
+    std::string message;  ///< The last thing that happened, or failed.
+};
+
+/// Dear ImGui over the picture: the panel with modes and figures, and the list of keys. Needs the
+/// window's context.
+class Panels {
+ public:
+    explicit Panels(const GlfwWindow& window);
+    ~Panels();
+    Panels(const Panels&) = delete;
+    Panels& operator=(const Panels&) = delete;
+
+    /// Draws over the bound framebuffer; a click may change the state.
+    void draw(const Lumigraph& lumigraph, const FrameStatistics& statistics, ViewerState& state);
+    /// Whether the mouse is over a panel, so that the picture must not take its drags.
+    [[nodiscard]] bool takes_mouse() const;
+    /// Whether a text is being typed into a panel.
+    [[nodiscard]] bool takes_keys() const;
+};
+
+}  // namespace lumi

@@ -1,0 +1,103 @@
+#include "render/viewer/photograph_eye.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <numbers>
+#include <vector>
+
+#include "calib/work/error.h"
+#include "calib/work/printable.h"
+
+namespace lumi {
+namespace {
+
+/// Quarter turns clockwise that make a picture of each EXIF orientation upright (EXIF 2.3, tag
+/// 0x0112); mirrored ones without their mirror.
+int quarter_turns(int exif_orientation) {
+    constexpr std::array<int, 9> kTurns{0, 0, 0, 2, 2, 3, 1, 1, 3};
+    return kTurns[static_cast<std::size_t>(std::clamp(exif_orientation, 0, 8))];
+}
+
+/// The old left edge becomes the top one: pixel (x, y) moves to (height - y, x).
+Eye turned_clockwise(const Eye& eye) {
+    const Eigen::Vector2d focal = focal_length_px(eye.camera);
+    const Eigen::Vector2d centre = principal_point_px(eye.camera);
+    const Eigen::AngleAxisd turn(std::numbers::pi / 2, Eigen::Vector3d::UnitZ());
+    Eye result;
+    result.camera = {eye.camera.height_px,
+                     eye.camera.width_px,
+                     LensModel::kPinhole,
+                     {focal.y(), focal.x(), eye.camera.height_px - centre.y(), centre.x()}};
+    result.cam_from_world =
+        Rigid3{Eigen::Quaterniond(turn), Eigen::Vector3d::Zero()} * eye.cam_from_world;
+    return result;
+}
+
+}  // namespace
+
+Eye turned_upright(const Eye& eye, int exif_orientation) {
+    Eye result = eye;
+    for (int turn = 0; turn < quarter_turns(exif_orientation); ++turn) {
+        result = turned_clockwise(result);
+    }
+    return result;
+}
+
+Eye eye_at(const LumigraphView& view) {
+    return turned_upright({view.camera, view.cam_from_world}, view.exif_orientation);
+}
+
+double fitting_scale(const Eye& eye, int width_px, int height_px) {
+    return std::min(static_cast<double>(width_px) / eye.camera.width_px,
+                    static_cast<double>(height_px) / eye.camera.height_px);
+}
+
+Eye fitted_to(const Eye& eye, int width_px, int height_px) {
+    const Eigen::Vector2d old_middle(0.5 * eye.camera.width_px, 0.5 * eye.camera.height_px);
+    const Eigen::Vector2d middle(0.5 * width_px, 0.5 * height_px);
+    const double scale = fitting_scale(eye, width_px, height_px);
+    const Eigen::Vector2d focal = scale * focal_length_px(eye.camera);
+    const Eigen::Vector2d centre = middle + scale * (principal_point_px(eye.camera) - old_middle);
+    return {
+        {width_px, height_px, LensModel::kPinhole, {focal.x(), focal.y(), centre.x(), centre.y()}},
+        eye.cam_from_world};
+}
+
+int index_of_view(const Lumigraph& lumigraph, const std::string& name) {
+    std::vector<int> by_stem;
+    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
+        if (lumigraph.views[i].name == name) return static_cast<int>(i);
+        if (std::filesystem::path(lumigraph.views[i].name).stem() == name) {
+            by_stem.push_back(static_cast<int>(i));
+        }
+    }
+    if (by_stem.size() == 1) return by_stem.front();
+    constexpr std::size_t kMaxListed = 8;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(kMaxListed, lumigraph.views.size()); ++i) {
+        names += (i == 0 ? "" : ", ") + printable(lumigraph.views[i].name);
+    }
+    if (lumigraph.views.size() > kMaxListed) names += ", ...";
+    throw Error(ErrorKind::kUsage, "E-VIEW-NAME",
+                "expected the name of one photograph, found '" + printable(name) + "'",
+                "this package has: " + names);
+}
+
+Eigen::Vector3d up_in_world(const Lumigraph& lumigraph) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();
+    for (const LumigraphView& view : lumigraph.views) {
+        const Eigen::Quaterniond world_from_cam = eye_at(view).cam_from_world.rotation.conjugate();
+        const Eigen::Vector3d up = world_from_cam * -Eigen::Vector3d::UnitY();
+        if (first.isZero()) first = up;
+        sum += up;
+    }
+    // Cameras that look down from all around have no common up: then the first one's serves.
+    constexpr double kSmallestAgreement = 0.05;
+    const bool agree =
+        sum.norm() > kSmallestAgreement * static_cast<double>(lumigraph.views.size());
+    return (agree ? sum : first).normalized();
+}
+
+}  // namespace lumi

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// The eye turned about its optical axis, so that the picture of a camera held as the EXIF
+/// orientation (1 to 8) says is upright. Mirrored orientations are turned and not mirrored: a view
+/// of the world has no left and right to swap.
+[[nodiscard]] Eye turned_upright(const Eye& eye, int exif_orientation);
+
+/// The eye that stood where the photograph was taken, its picture upright.
+[[nodiscard]] Eye eye_at(const LumigraphView& view);
+
+/// The eye with a frame of another size: the whole old picture is in it, centred, as large as fits.
+[[nodiscard]] Eye fitted_to(const Eye& eye, int width_px, int height_px);
+
+/// Pixels of the fitted frame per pixel of the eye's own picture.
+[[nodiscard]] double fitting_scale(const Eye& eye, int width_px, int height_px);
+
+/// The view whose name, or whose name without folder and ending, is `name`. Throws Error
+/// (E-VIEW-NAME) that lists names when there is none, or more than one.
+[[nodiscard]] int index_of_view(const Lumigraph& lumigraph, const std::string& name);
+
+/// The direction that is up in the photographs, averaged over the views; of length one.
+[[nodiscard]] Eigen::Vector3d up_in_world(const Lumigraph& lumigraph);
+
+}  // namespace lumi

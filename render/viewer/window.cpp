@@ -1,0 +1,227 @@
+#include "render/viewer/window.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "calib/work/error.h"
+#include "render/gl/capabilities.h"
+#include "render/lumigraph/package.h"
+#include "render/modes/frame_target.h"
+#include "render/viewer/glfw_window.h"
+#include "render/viewer/moving_resolution.h"
+#include "render/viewer/photograph_eye.h"
+#include "render/viewer/screenshot.h"
+
+namespace lumi {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// How long the eye must rest before the whole picture is drawn.
+constexpr double kRestBeforeWhole_s = 0.15;
+constexpr double kIdleWait_s = 0.1;
+
+/// All that a drawn frame depends on.
+struct DrawnFrame {
+    Eye eye;
+    RenderOptions options;
+    double scale = 0.0;
+};
+
+bool same(const Eye& a, const Eye& b) {
+    return a.camera == b.camera &&
+           a.cam_from_world.rotation.coeffs() == b.cam_from_world.rotation.coeffs() &&
+           a.cam_from_world.translation == b.cam_from_world.translation;
+}
+
+bool same(const DrawnFrame& a, const DrawnFrame& b) {
+    return same(a.eye, b.eye) && a.scale == b.scale && a.options.mode == b.options.mode &&
+           a.options.debug_picture == b.options.debug_picture &&
+           a.options.correct_occlusion == b.options.correct_occlusion &&
+           a.options.occlusion_tolerance_px == b.options.occlusion_tolerance_px;
+}
+
+ViewerState beginning(const Lumigraph& lumigraph, const WindowOptions& options) {
+    ViewerState state = first_state(lumigraph, options.render);
+    if (!options.view_name.empty()) {
+        go_to_photograph(index_of_view(lumigraph, options.view_name), lumigraph, state);
+    }
+    return state;
+}
+
+/// A window's size that keeps the picture's shape and fits on an ordinary screen.
+Eigen::Vector2i window_size(const WindowOptions& options, const Camera& camera) {
+    if (options.width_px > 0 && options.height_px > 0) {
+        return {options.width_px, options.height_px};
+    }
+    const Eigen::Vector2d picture(camera.width_px, camera.height_px);
+    if (!options.screenshot_path.empty()) return picture.cast<int>();
+    constexpr double kMaxWidth_px = 1600;
+    constexpr double kMaxHeight_px = 900;
+    const double scale = std::min({1.0, kMaxWidth_px / picture.x(), kMaxHeight_px / picture.y()});
+    return (scale * picture).array().round().matrix().cast<int>().cwiseMax(1);
+}
+
+std::string title_of(const Lumigraph& lumigraph) { return "lumi - " + lumigraph.name; }
+
+}  // namespace
+
+struct ViewerWindow::Implementation {
+    Implementation(Lumigraph shown, const WindowOptions& options)
+        : lumigraph(std::move(shown)),
+          state(beginning(lumigraph, options)),
+          size_px(window_size(options, state.navigation.eye.camera)),
+          window(size_px.x(), size_px.y(), title_of(lumigraph), options.screenshot_path.empty()),
+          panels(window),
+          renderer(lumigraph) {
+        statistics.gl_description = query_capabilities().description;
+    }
+
+    void take_in(WindowInput input);
+    void draw(double scale);
+    void draw_where_needed();
+    void present();
+    [[nodiscard]] double scale_now() const;
+
+    Lumigraph lumigraph;
+    ViewerState state;
+    Eigen::Vector2i size_px;  ///< Of the picture, which a minimised window does not shrink.
+    GlfwWindow window;
+    Panels panels;
+    LumigraphRenderer renderer;
+    FrameTarget target;
+    std::optional<DrawnFrame> drawn;
+    MovingResolution resolution;
+    FrameStatistics statistics;
+    Clock::time_point last_motion = Clock::now() - std::chrono::hours(1);
+    Clock::time_point last_step = Clock::now();
+    bool steers = false;  ///< A drag that began on the picture goes on.
+    bool holds_button = false;
+};
+
+void ViewerWindow::Implementation::take_in(WindowInput input) {
+    const double seconds = seconds_since(last_step);
+    last_step = Clock::now();
+    const bool pressed = input.left_button || input.middle_button || input.right_button;
+    if (pressed && !holds_button) steers = !panels.takes_mouse();
+    holds_button = pressed;
+    if (!steers) input.drag_px.setZero();
+    if (panels.takes_mouse()) input.wheel_steps = 0.0;
+    if (panels.takes_keys()) {
+        input.flight.setZero();
+        input.commands.clear();
+    }
+    for (const Command command : input.commands) apply(command, lumigraph, state);
+    if (steer(input, seconds, size_px.x(), size_px.y(), state.navigation)) {
+        last_motion = Clock::now();
+    }
+}
+
+double ViewerWindow::Implementation::scale_now() const {
+    return seconds_since(last_motion) < kRestBeforeWhole_s ? resolution.scale_while_moving() : 1.0;
+}
+
+void ViewerWindow::Implementation::draw(double scale) {
+    const Eigen::Vector2i size =
+        (scale * size_px.cast<double>()).array().round().matrix().cast<int>().cwiseMax(1);
+    const DrawnFrame wanted{fitted_to(state.navigation.eye, size.x(), size.y()), state.render,
+                            scale};
+    if (drawn && same(*drawn, wanted)) return;
+    const Clock::time_point start = Clock::now();
+    target.draw(renderer, wanted.eye, wanted.options);
+    glFinish();
+    statistics.frame_ms = 1000 * seconds_since(start);
+    statistics.width_px = size.x();
+    statistics.height_px = size.y();
+    resolution.measured(scale, statistics.frame_ms);
+    drawn = wanted;
+}
+
+void ViewerWindow::Implementation::draw_where_needed() {
+    const Eigen::Vector2i now_px = window.framebuffer_size_px();
+    if (now_px.minCoeff() > 0) size_px = now_px;
+    draw(scale_now());
+}
+
+void ViewerWindow::Implementation::present() {
+    target.show_in_window(size_px.x(), size_px.y());
+    glViewport(0, 0, size_px.x(), size_px.y());
+    panels.draw(lumigraph, statistics, state);
+    window.show_frame();
+}
+
+ViewerWindow::ViewerWindow(Lumigraph lumigraph, const WindowOptions& options)
+    : implementation_(std::make_unique<Implementation>(std::move(lumigraph), options)) {}
+
+ViewerWindow::~ViewerWindow() = default;
+
+bool ViewerWindow::step() {
+    Implementation& viewer = *implementation_;
+    const bool moves = seconds_since(viewer.last_motion) < kRestBeforeWhole_s;
+    const WindowInput input = viewer.window.poll(moves || !viewer.drawn ? 0.0 : kIdleWait_s);
+    if (viewer.window.should_close()) return false;
+    for (const std::filesystem::path& path : input.dropped) open_package(path);
+    viewer.take_in(input);
+    viewer.window.wait_for_vsync(viewer.state.waits_for_vsync);
+    if (viewer.state.wants_screenshot) {
+        viewer.state.wants_screenshot = false;
+        const auto path = next_screenshot_path(std::filesystem::current_path());
+        try {
+            write_screenshot_to(path);
+            viewer.statistics.message = "wrote " + path.filename().string();
+        } catch (const Error& error) {
+            viewer.statistics.message = error.what();
+        }
+    }
+    viewer.draw_where_needed();
+    viewer.present();
+    return !viewer.state.wants_to_close;
+}
+
+void ViewerWindow::write_screenshot_to(const std::filesystem::path& path) {
+    Implementation& viewer = *implementation_;
+    viewer.draw(1.0);
+    write_screenshot(path, viewer.target.read(), viewer.drawn->eye, viewer.drawn->options,
+                     viewer.lumigraph.name);
+}
+
+void ViewerWindow::open_package(const std::filesystem::path& folder) {
+    Implementation& viewer = *implementation_;
+    const bool is_manifest = folder.filename() == "lumigraph.json";
+    try {
+        Lumigraph lumigraph = read_package(is_manifest ? folder.parent_path() : folder);
+        viewer.renderer = LumigraphRenderer(lumigraph);
+        viewer.lumigraph = std::move(lumigraph);
+    } catch (const Error& error) {
+        viewer.statistics.message = std::string(error.what()) + " - " + error.advice();
+        return;
+    }
+    const ViewerState old = viewer.state;
+    viewer.state = first_state(viewer.lumigraph, old.render);
+    viewer.state.shows_panel = old.shows_panel;
+    viewer.state.shows_help = old.shows_help;
+    viewer.state.waits_for_vsync = old.waits_for_vsync;
+    viewer.drawn.reset();
+    viewer.statistics.message = "opened " + viewer.lumigraph.name;
+    viewer.window.set_title(title_of(viewer.lumigraph));
+}
+
+ViewerState& ViewerWindow::state() { return implementation_->state; }
+const FrameStatistics& ViewerWindow::statistics() const { return implementation_->statistics; }
+
+void run_window(Lumigraph lumigraph, const WindowOptions& options) {
+    ViewerWindow window(std::move(lumigraph), options);
+    if (!options.screenshot_path.empty())
+        return window.write_screenshot_to(options.screenshot_path);
+    while (window.step()) {
+    }
+}
+
+}  // namespace lumi

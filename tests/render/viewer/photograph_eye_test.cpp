@@ -1,0 +1,119 @@
+#include "render/viewer/photograph_eye.h"
+
+#include <gtest/gtest.h>
+
+#include "calib/work/error.h"
+#include "tests/render/lumigraph/tiny_package.h"
+
+namespace lumi {
+namespace {
+
+/// A lens off the middle of a picture that is not square, anywhere.
+Eye some_eye() {
+    return {{640, 480, LensModel::kPinhole, {500.0, 510.0, 300.0, 260.0}},
+            {Eigen::Quaterniond(0.8, 0.1, -0.5, 0.2).normalized(), {0.3, -0.2, 0.7}}};
+}
+
+Eigen::Vector3d point_seen_at(const Eye& eye, const Eigen::Vector2d& pixel, double depth) {
+    return inverse(eye.cam_from_world) * Eigen::Vector3d(depth * unproject(eye.camera, pixel));
+}
+
+Eigen::Vector2d pixel_of(const Eye& eye, const Eigen::Vector3d& point_in_world) {
+    return project(eye.camera, eye.cam_from_world * point_in_world).value();
+}
+
+TEST(TurnedUpright, MovesPixelsAsTheExifStandardSays) {
+    const Eye eye = some_eye();
+    for (const Eigen::Vector2d& pixel :
+         {Eigen::Vector2d(0, 0), Eigen::Vector2d(640, 0), Eigen::Vector2d(100.5, 333.25)}) {
+        const Eigen::Vector3d point = point_seen_at(eye, pixel, 2.5);
+        const double x = pixel.x();
+        const double y = pixel.y();
+        const auto turned = [&](int orientation) {
+            return pixel_of(turned_upright(eye, orientation), point);
+        };
+        EXPECT_LT((turned(1) - Eigen::Vector2d(x, y)).norm(), 1e-9);
+        EXPECT_LT((turned(3) - Eigen::Vector2d(640 - x, 480 - y)).norm(), 1e-9);
+        EXPECT_LT((turned(6) - Eigen::Vector2d(480 - y, x)).norm(), 1e-9);
+        EXPECT_LT((turned(8) - Eigen::Vector2d(y, 640 - x)).norm(), 1e-9);
+    }
+}
+
+TEST(TurnedUpright, SwapsWidthAndHeightForQuarterTurnsOnly) {
+    for (int orientation = 1; orientation <= 8; ++orientation) {
+        const Camera camera = turned_upright(some_eye(), orientation).camera;
+        EXPECT_EQ(camera.width_px, orientation >= 5 ? 480 : 640) << orientation;
+        EXPECT_EQ(camera.height_px, orientation >= 5 ? 640 : 480) << orientation;
+    }
+}
+
+TEST(TurnedUpright, NeverMovesTheEyeOrItsGaze) {
+    const Eye eye = some_eye();
+    for (int orientation = 1; orientation <= 8; ++orientation) {
+        const Rigid3 pose = turned_upright(eye, orientation).cam_from_world;
+        EXPECT_LT((centre_in_world(pose) - centre_in_world(eye.cam_from_world)).norm(), 1e-12);
+        EXPECT_LT((optical_axis_in_world(pose) - optical_axis_in_world(eye.cam_from_world)).norm(),
+                  1e-12);
+    }
+}
+
+TEST(EyeAt, IsTheViewItselfToTheBitWhenItWasHeldUpright) {
+    LumigraphView view = tiny_lumigraph().views[0];
+    view.exif_orientation = 1;
+    const Eye eye = eye_at(view);
+    EXPECT_EQ(eye.camera, view.camera);
+    EXPECT_EQ(eye.cam_from_world.rotation.coeffs(), view.cam_from_world.rotation.coeffs());
+    EXPECT_EQ(eye.cam_from_world.translation, view.cam_from_world.translation);
+}
+
+TEST(FittedTo, LeavesAFrameOfItsOwnSizeToTheBit) {
+    EXPECT_EQ(fitted_to(some_eye(), 640, 480).camera, some_eye().camera);
+}
+
+TEST(FittedTo, ShowsTheWholePictureCentredAsLargeAsFits) {
+    const Eye eye = some_eye();
+    const Eigen::Vector3d top_left = point_seen_at(eye, {0, 0}, 1.0);
+    const Eigen::Vector3d bottom_right = point_seen_at(eye, {640, 480}, 1.0);
+
+    const Eye wide = fitted_to(eye, 1000, 240);  // Half the size, 340 pixels at either side.
+    EXPECT_LT((pixel_of(wide, top_left) - Eigen::Vector2d(340, 0)).norm(), 1e-9);
+    EXPECT_LT((pixel_of(wide, bottom_right) - Eigen::Vector2d(660, 240)).norm(), 1e-9);
+
+    const Eye tall = fitted_to(eye, 1280, 1160);  // Twice the size, 100 pixels above and below.
+    EXPECT_LT((pixel_of(tall, top_left) - Eigen::Vector2d(0, 100)).norm(), 1e-9);
+    EXPECT_LT((pixel_of(tall, bottom_right) - Eigen::Vector2d(1280, 1060)).norm(), 1e-9);
+}
+
+TEST(IndexOfView, FindsANameOrAStemThatIsTheOnlyOne) {
+    Lumigraph lumigraph = tiny_lumigraph();
+    EXPECT_EQ(index_of_view(lumigraph, "set a/ünï 1.jpg"), 1);
+    EXPECT_EQ(index_of_view(lumigraph, "ünï 2"), 2);
+    lumigraph.views[2].name = "set b/ünï 1.jpg";
+    EXPECT_EQ(index_of_view(lumigraph, "set b/ünï 1.jpg"), 2);
+    EXPECT_THROW(static_cast<void>(index_of_view(lumigraph, "ünï 1")), Error) << "two of them";
+    EXPECT_THROW(static_cast<void>(index_of_view(lumigraph, "ünï")), Error);
+    EXPECT_THROW(static_cast<void>(index_of_view(lumigraph, "")), Error);
+}
+
+TEST(UpInWorld, IsOppositeToTheImagesYAxisOfUprightPhotographs) {
+    Lumigraph lumigraph = tiny_lumigraph();
+    const Eigen::Vector3d up = Eigen::Vector3d(0.2, -0.3, 0.9).normalized();
+    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
+        LumigraphView& view = lumigraph.views[i];
+        const Eigen::AngleAxisd yaw(0.4 * static_cast<double>(i), Eigen::Vector3d::UnitY());
+        view.exif_orientation = 1;
+        view.cam_from_world.rotation = Eigen::Quaterniond(yaw) * Eigen::Quaterniond::FromTwoVectors(
+                                                                     up, -Eigen::Vector3d::UnitY());
+    }
+    EXPECT_LT((up_in_world(lumigraph) - up).norm(), 1e-9);
+
+    // One camera turned onto its side, and saying so, changes nothing.
+    LumigraphView& view = lumigraph.views[1];
+    const Eigen::AngleAxisd roll(-std::acos(0.0), Eigen::Vector3d::UnitZ());
+    view.cam_from_world.rotation = Eigen::Quaterniond(roll) * view.cam_from_world.rotation;
+    view.exif_orientation = 6;
+    EXPECT_LT((up_in_world(lumigraph) - up).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,193 @@
+#include <gtest/gtest.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/whole_file.h"
+#include "render/viewer/commands.h"
+#include "render/viewer/moving_resolution.h"
+#include "render/viewer/photograph_eye.h"
+#include "render/viewer/screenshot.h"
+#include "render/viewer/window_input.h"
+#include "tests/calib/scratch_folder.h"
+#include "tests/render/lumigraph/tiny_package.h"
+
+namespace lumi {
+namespace {
+
+Eigen::Vector3d place(const ViewerState& state) {
+    return centre_in_world(state.navigation.eye.cam_from_world);
+}
+
+class ViewerStateTest : public testing::Test {
+ protected:
+    ViewerStateTest() {
+        // The tiny poses are odd on purpose: here they stand at places one can move about in.
+        for (LumigraphView& view : lumigraph_.views) view.cam_from_world.translation.z() = 1.0;
+        state_ = first_state(lumigraph_, {});
+    }
+    void apply_command(Command command) { apply(command, lumigraph_, state_); }
+
+    Lumigraph lumigraph_ = tiny_lumigraph();
+    ViewerState state_;
+};
+
+TEST(KeyBindings, NoKeyMeansTwoThingsAndEveryCommandHasAKeyAndHelp) {
+    std::set<std::pair<int, bool>> keys;
+    std::set<Command> commands;
+    for (const KeyBinding& binding : key_bindings()) {
+        EXPECT_TRUE(keys.insert({binding.key, binding.with_control}).second) << binding.shown;
+        EXPECT_GT(std::string(binding.help).size(), 3U);
+        commands.insert(binding.command);
+    }
+    EXPECT_EQ(commands.size(), static_cast<std::size_t>(Command::kQuit) + 1);
+}
+
+TEST(KeyBindings, LeaveTheLettersThatFlyAlone) {
+    for (const int key : {GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_Q, GLFW_KEY_E}) {
+        EXPECT_FALSE(command_of(key, false).has_value()) << static_cast<char>(key);
+    }
+    EXPECT_EQ(command_of(GLFW_KEY_F12, false), Command::kScreenshot);
+    EXPECT_EQ(command_of(GLFW_KEY_S, true), Command::kScreenshot);
+}
+
+TEST_F(ViewerStateTest, StepsThroughThePhotographsAndWrapsAround) {
+    EXPECT_EQ(state_.view_index, 0);
+    apply_command(Command::kPreviousPhotograph);
+    EXPECT_EQ(state_.view_index, 2);
+    apply_command(Command::kNextPhotograph);
+    apply_command(Command::kNextPhotograph);
+    EXPECT_EQ(state_.view_index, 1);
+    EXPECT_LT((place(state_) - centre_in_world(lumigraph_.views[1].cam_from_world)).norm(), 1e-12);
+}
+
+TEST_F(ViewerStateTest, HomeStandsAtTheNearestPhotograph) {
+    apply_command(Command::kNextPhotograph);
+    state_.navigation = pan(state_.navigation, {0.01, 0.01});
+    const Eigen::Vector3d moved_to = place(state_);
+    apply_command(Command::kNearestPhotograph);
+    EXPECT_EQ(state_.view_index, 1);
+    EXPECT_GT((place(state_) - moved_to).norm(), 0.0);
+    EXPECT_LT((place(state_) - centre_in_world(lumigraph_.views[1].cam_from_world)).norm(), 1e-12);
+}
+
+TEST_F(ViewerStateTest, ADebugPictureIsPutAwayByItsOwnKeyAndReplacedByAnother) {
+    apply_command(Command::kShowWeights);
+    EXPECT_EQ(state_.render.debug_picture, DebugPicture::kWeights);
+    apply_command(Command::kShowDepth);
+    EXPECT_EQ(state_.render.debug_picture, DebugPicture::kDepth);
+    apply_command(Command::kShowDepth);
+    EXPECT_EQ(state_.render.debug_picture, DebugPicture::kNone);
+}
+
+TEST_F(ViewerStateTest, TogglesComeBack) {
+    const RenderOptions before = state_.render;
+    for (const Command command : {Command::kNextMode, Command::kOcclusion, Command::kHelp,
+                                  Command::kPanel, Command::kVsync}) {
+        apply_command(command);
+        apply_command(command);
+    }
+    EXPECT_EQ(state_.render.mode, before.mode);
+    EXPECT_EQ(state_.render.correct_occlusion, before.correct_occlusion);
+    EXPECT_FALSE(state_.shows_help);
+    EXPECT_TRUE(state_.shows_panel);
+    EXPECT_TRUE(state_.waits_for_vsync);
+    apply_command(Command::kLightField);
+    EXPECT_EQ(state_.render.mode, RenderMode::kLightField);
+}
+
+TEST_F(ViewerStateTest, NothingPressedMovesNothing) {
+    const Eigen::Vector3d before = place(state_);
+    WindowInput input;
+    input.drag_px = {50, 50};  // The cursor moves with no button held.
+    EXPECT_FALSE(steer(input, 0.02, 130, 70, state_.navigation));
+    EXPECT_EQ(place(state_), before);
+}
+
+TEST_F(ViewerStateTest, DragsAreMeasuredInPixelsOfTheWindow) {
+    // The window shows the 13 x 7 picture ten times larger: ten pixels there are one here.
+    WindowInput input;
+    input.right_button = true;
+    input.drag_px = {10, -20};
+    const Navigation expected = pan(state_.navigation, {1, -2});
+    EXPECT_TRUE(steer(input, 0.02, 130, 70, state_.navigation));
+    EXPECT_LT((place(state_) - centre_in_world(expected.eye.cam_from_world)).norm(), 1e-12);
+}
+
+TEST_F(ViewerStateTest, FlightDependsOnTimeAndNotOnFrames) {
+    WindowInput input;
+    input.flight = {0, 0, 1};
+    Navigation slow = state_.navigation;
+    Navigation quick = state_.navigation;
+    for (int i = 0; i < 2; ++i) steer(input, 0.08, 130, 70, slow);
+    for (int i = 0; i < 16; ++i) steer(input, 0.01, 130, 70, quick);
+    EXPECT_LT((centre_in_world(slow.eye.cam_from_world) - centre_in_world(quick.eye.cam_from_world))
+                  .norm(),
+              1e-9);
+    EXPECT_GT((centre_in_world(slow.eye.cam_from_world) - place(state_)).norm(), 0.0);
+}
+
+TEST_F(ViewerStateTest, ControlKeysDoNotFly) {
+    WindowInput input;
+    input.flight = {1, 0, 0};
+    input.control = true;
+    EXPECT_FALSE(steer(input, 0.02, 130, 70, state_.navigation));
+}
+
+TEST(MovingResolution, StaysWholeWhereDrawingIsQuick) {
+    MovingResolution resolution;
+    EXPECT_EQ(resolution.scale_while_moving(), 1.0);
+    for (int i = 0; i < 10; ++i) resolution.measured(1.0, 20.0);
+    EXPECT_EQ(resolution.scale_while_moving(), 1.0);
+}
+
+TEST(MovingResolution, KeepsTheTargetWhereDrawingIsSlow) {
+    MovingResolution resolution;
+    double scale = 1.0;
+    for (int i = 0; i < 30; ++i) {
+        resolution.measured(scale, 120.0 * scale * scale);
+        scale = resolution.scale_while_moving();
+    }
+    EXPECT_EQ(scale, 0.5) << "120 ms, a quarter of it is 30";
+}
+
+TEST(MovingResolution, GoesNoCoarserThanItsLimitAndRecovers) {
+    MovingResolution resolution;
+    for (int i = 0; i < 10; ++i) resolution.measured(1.0, 1e6);
+    EXPECT_EQ(resolution.scale_while_moving(), MovingResolution::kCoarsest);
+    for (int i = 0; i < 60; ++i) resolution.measured(MovingResolution::kCoarsest, 0.1);
+    EXPECT_EQ(resolution.scale_while_moving(), 1.0);
+}
+
+TEST(Screenshot, HoldsThePixelsAndThePoseToTheBit) {
+    const ScratchFolder scratch;
+    const LumigraphView view = tiny_lumigraph().views[0];
+    const Eye eye{view.camera, view.cam_from_world};
+    const Frame frame{view.photograph, GrayImage(13, 7, 255)};
+    write_screenshot(scratch / "shot.png", frame, eye, {}, "tiny\x1b");
+    EXPECT_EQ(read_color_image(scratch / "shot.png"), view.photograph);
+
+    const auto pose = nlohmann::json::parse(read_whole_text(scratch / "shot.json"));
+    EXPECT_EQ(pose["camera"]["parameters"], view.camera.parameters);
+    EXPECT_EQ(pose["mode"], "perpixel");
+    EXPECT_EQ(pose["lumigraph"], "tiny\\x1b");
+    const Eigen::Quaterniond& q = view.cam_from_world.rotation;
+    EXPECT_EQ(pose["cam_from_world"]["rotation_wxyz"],
+              (nlohmann::json{q.w(), q.x(), q.y(), q.z()}));
+    const Eigen::Vector3d& t = view.cam_from_world.translation;
+    EXPECT_EQ(pose["cam_from_world"]["translation"], (nlohmann::json{t.x(), t.y(), t.z()}));
+}
+
+TEST(Screenshot, NeverTakesANameThatIsTaken) {
+    const ScratchFolder scratch;
+    EXPECT_EQ(next_screenshot_path(scratch.path()), scratch / "lumi-0001.png");
+    write_whole_text(scratch / "lumi-0001.png", "x");
+    EXPECT_EQ(next_screenshot_path(scratch.path()), scratch / "lumi-0002.png");
+}
+
+}  // namespace
+}  // namespace lumi

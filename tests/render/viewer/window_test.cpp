@@ -1,0 +1,204 @@
+#include "render/viewer/window.h"
+
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "render/lumigraph/package.h"
+#include "render/modes/frame_target.h"
+#include "render/modes/offscreen_renderer.h"
+#include "render/viewer/glfw_window.h"
+#include "render/viewer/photograph_eye.h"
+#include "tests/calib/scratch_folder.h"
+#include "tests/render/viewer/xvfb_display.h"
+#include "tests/truth/textured_box_scene.h"
+
+namespace lumi {
+namespace {
+
+const Lumigraph& box() {
+    static const Lumigraph lumigraph = [] {
+        const SyntheticCapture scene = textured_box_scene();
+        return exact_lumigraph(scene, textured_box_camera_mesh(scene.capture));
+    }();
+    return lumigraph;
+}
+
+WindowOptions small_window() {
+    WindowOptions options;
+    options.width_px = 320;
+    options.height_px = 240;
+    return options;
+}
+
+class Window : public testing::Test {
+ protected:
+    static void SetUpTestSuite() { display = std::make_unique<XvfbDisplay>(); }
+    static void TearDownTestSuite() { display.reset(); }
+    void SetUp() override {
+        if (!display->is_running()) GTEST_SKIP() << "no Xvfb here: install the package xvfb";
+    }
+
+    /// The screenshot of the window and the frame drawn without one.
+    void expect_equal_to_headless(const Lumigraph& lumigraph, WindowOptions options,
+                                  const Eye& eye) {
+        const ScratchFolder scratch;
+        options.screenshot_path = scratch / "window.png";
+        run_window(lumigraph, options);
+        const Frame headless = OffscreenRenderer(lumigraph).draw(eye, options.render);
+        write_png(scratch / "headless.png", headless.color);
+        EXPECT_EQ(read_whole_file(scratch / "window.png"),
+                  read_whole_file(scratch / "headless.png"));
+    }
+
+    static std::unique_ptr<XvfbDisplay> display;
+};
+
+std::unique_ptr<XvfbDisplay> Window::display;
+
+TEST_F(Window, ScreenshotEqualsTheHeadlessFrameByteForByte) {
+    const LumigraphView& view = box().views[4];
+    for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kPerPixel}) {
+        WindowOptions options;
+        options.view_name = view.name;
+        options.render.mode = mode;
+        expect_equal_to_headless(box(), options, {view.camera, view.cam_from_world});
+    }
+}
+
+TEST_F(Window, ScreenshotOfAnotherSizeEqualsTheHeadlessFrameOfThatSize) {
+    const LumigraphView& view = box().views[0];
+    WindowOptions options;
+    options.width_px = 301;
+    options.height_px = 203;
+    expect_equal_to_headless(box(), options,
+                             fitted_to({view.camera, view.cam_from_world}, 301, 203));
+}
+
+TEST_F(Window, ShowsAPhotographTakenOnItsSideUpright) {
+    Lumigraph lumigraph = box();
+    lumigraph.views[4].exif_orientation = 6;
+    const ScratchFolder scratch;
+    WindowOptions options;
+    options.view_name = lumigraph.views[4].name;
+    options.screenshot_path = scratch / "window.png";
+    run_window(lumigraph, options);
+
+    const ColorImage turned = read_color_image(scratch / "window.png");
+    const ColorImage& raw = lumigraph.views[4].photograph;
+    ASSERT_EQ(turned.width(), raw.height());
+    ASSERT_EQ(turned.height(), raw.width());
+    // A view at a photograph is that photograph, up to the rounding of the blend.
+    double difference = 0;
+    for (int y = 0; y < raw.height(); ++y) {
+        for (int x = 0; x < raw.width(); ++x) {
+            difference += std::abs(raw(x, y).g - turned(raw.height() - 1 - y, x).g);
+        }
+    }
+    EXPECT_LT(difference / static_cast<double>(raw.pixels().size()), 1.0);
+}
+
+TEST_F(Window, ScreenshotComesWithItsPose) {
+    const ScratchFolder scratch;
+    WindowOptions options;
+    options.screenshot_path = scratch / "shot.png";
+    run_window(box(), options);
+    const auto pose = nlohmann::json::parse(read_whole_text(scratch / "shot.json"));
+    EXPECT_EQ(pose["camera"]["parameters"], box().views[0].camera.parameters);
+}
+
+TEST_F(Window, CopiesTheFrameToTheWindowPixelByPixel) {
+    const GlfwWindow window(320, 240, "copy", false);
+    LumigraphRenderer renderer(box());
+    FrameTarget target;
+    target.draw(renderer, fitted_to(eye_at(box().views[4]), 320, 240), {});
+    const ColorImage drawn = target.read().color;
+    target.show_in_window(320, 240);
+
+    std::vector<Rgb8> shown(320 * 240);  // Rows from the bottom; not swapped to the front yet.
+    glReadBuffer(GL_BACK);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, 320, 240, GL_RGB, GL_UNSIGNED_BYTE, shown.data());
+    int different = 0;
+    int black = 0;
+    for (int y = 0; y < 240; ++y) {
+        for (int x = 0; x < 320; ++x) {
+            const Rgb8 pixel = shown[static_cast<std::size_t>((239 - y) * 320 + x)];
+            different += pixel == drawn(x, y) ? 0 : 1;
+            black += pixel == Rgb8{} ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(different, 0);
+    EXPECT_LT(black, 320 * 240 / 10) << "the photograph covers the picture";
+}
+
+TEST_F(Window, StepsAtRestAndMovingWithoutAnyGlError) {
+    ViewerWindow window(box(), small_window());
+    for (const Command command :
+         {Command::kHelp, Command::kShowWeights, Command::kShowDepth, Command::kShowConfidence,
+          Command::kShowFaces, Command::kShowFaces, Command::kLightField, Command::kNextPhotograph,
+          Command::kFrameAll, Command::kPanel}) {
+        apply(command, box(), window.state());
+        window.state().navigation = orbit(window.state().navigation, {5, 3});
+        EXPECT_TRUE(window.step());
+        EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    }
+    EXPECT_EQ(window.statistics().width_px, 320);
+    EXPECT_EQ(window.statistics().height_px, 240);
+    EXPECT_GT(window.statistics().frame_ms, 0.0);
+    window.state().wants_to_close = true;
+    EXPECT_FALSE(window.step());
+}
+
+TEST_F(Window, OpensAnotherPackageAndKeepsTheOldOneWhenItCannot) {
+    const ScratchFolder scratch;
+    Lumigraph other = box();
+    other.name = "other\x1b";
+    other.views.resize(5);
+    other.mesh = {};
+    other.mesh.vertices = {{centre_in_world(other.views[2].cam_from_world), 2}};
+    write_package(scratch / "other.lumi", other, {});
+
+    ViewerWindow window(box(), small_window());
+    window.open_package(scratch / "nothing.lumi");
+    EXPECT_NE(window.statistics().message.find("nothing.lumi"), std::string::npos);
+    EXPECT_TRUE(window.step());
+    window.write_screenshot_to(scratch / "old.png");
+    window.open_package(scratch / "other.lumi/lumigraph.json");
+    EXPECT_TRUE(window.step());
+    window.write_screenshot_to(scratch / "new.png");
+
+    const auto name_in = [&](const char* file) {
+        return nlohmann::json::parse(read_whole_text(scratch / file))["lumigraph"];
+    };
+    EXPECT_EQ(name_in("old.json"), box().name);
+    EXPECT_EQ(name_in("new.json"), "other\\x1b");
+}
+
+TEST_F(Window, RefusesAPhotographThatIsNotThere) {
+    WindowOptions options;
+    options.view_name = "no such photograph";
+    EXPECT_THROW(run_window(box(), options), Error);
+}
+
+TEST(WindowWithoutADisplay, SaysToDrawToFilesInstead) {
+    // Runs in a test of its own process under ctest; here no display is left from another test.
+    ::unsetenv("DISPLAY");
+    ::unsetenv("WAYLAND_DISPLAY");
+    try {
+        run_window(box(), {});
+        FAIL() << "a window without a display";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-GL-CONTEXT");
+        EXPECT_NE(error.advice().find("lumi render"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace lumi
