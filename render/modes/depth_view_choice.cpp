@@ -10,9 +10,11 @@
 namespace lumi {
 namespace {
 
-constexpr int kGridSteps = 6;
-/// Angles much smaller than this count the same.
-constexpr double kSameDirection_rad = 0.02;
+constexpr int kGridSteps = 9;
+/// At this angle between view and eye a view is worth half.
+constexpr double kHalfWorth_rad = 0.1;
+/// What one more view is worth where others see the same: two must agree, more are spare.
+constexpr double kWorthOfNext = 0.1;
 
 /// A point of the scene plane as (direction, inverse depth) in the eye's frame: X = direction / q.
 struct Sample {
@@ -25,8 +27,8 @@ std::vector<Sample> samples_seen_by(const Lumigraph& lumigraph, const Eye& eye) 
     std::vector<Sample> samples;
     for (int row = 0; row < kGridSteps; ++row) {
         for (int column = 0; column < kGridSteps; ++column) {
-            const Eigen::Vector2d pixel((column + 0.5) * eye.camera.width_px / kGridSteps,
-                                        (row + 0.5) * eye.camera.height_px / kGridSteps);
+            const Eigen::Vector2d pixel(column * eye.camera.width_px / (kGridSteps - 1.0),
+                                        row * eye.camera.height_px / (kGridSteps - 1.0));
             samples.push_back(
                 {eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, pixel),
                  std::max(0.0, plane.dot(pixel.homogeneous()))});
@@ -35,20 +37,25 @@ std::vector<Sample> samples_seen_by(const Lumigraph& lumigraph, const Eye& eye) 
     return samples;
 }
 
-double score(const LumigraphView& view, const Eigen::Vector3d& eye_in_world,
-             const std::vector<Sample>& samples) {
+/// For each sample how well the view sees it: 1 from the eye's direction, 0 not at all.
+std::vector<double> closeness_of(const LumigraphView& view, const Eigen::Vector3d& eye_in_world,
+                                 const std::vector<Sample>& samples) {
     const Eigen::Vector3d eye_from_view = centre_in_world(view.cam_from_world) - eye_in_world;
-    double sum = 0;
+    std::vector<double> closeness;
     for (const Sample& sample : samples) {
         const Eigen::Vector3d from_view =
             sample.direction_in_world - sample.inverse_depth * eye_from_view;
         const auto pixel = project(view.camera, view.cam_from_world.rotation * from_view);
-        if (!pixel || !is_inside(view.camera, *pixel)) continue;
         const double angle = std::atan2(from_view.cross(sample.direction_in_world).norm(),
                                         from_view.dot(sample.direction_in_world));
-        sum += 1 / (angle * angle + kSameDirection_rad * kSameDirection_rad);
+        const bool sees = pixel && is_inside(view.camera, *pixel);
+        closeness.push_back(sees ? kHalfWorth_rad / (kHalfWorth_rad + angle) : 0.0);
     }
-    return sum;
+    return closeness;
+}
+
+double gain_of(const std::vector<double>& closeness, const std::vector<double>& worth) {
+    return std::inner_product(closeness.begin(), closeness.end(), worth.begin(), 0.0);
 }
 
 }  // namespace
@@ -56,18 +63,27 @@ double score(const LumigraphView& view, const Eigen::Vector3d& eye_in_world,
 std::vector<int> choose_depth_views(const Lumigraph& lumigraph, const Eye& eye, int max_views) {
     const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
     const std::vector<Sample> samples = samples_seen_by(lumigraph, eye);
-    std::vector<double> scores;
+    std::vector<std::vector<double>> closeness;
     for (const LumigraphView& view : lumigraph.views)
-        scores.push_back(score(view, eye_in_world, samples));
-    std::vector<int> order(scores.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-        return scores[static_cast<std::size_t>(a)] > scores[static_cast<std::size_t>(b)];
-    });
-    if (scores[static_cast<std::size_t>(order.front())] > 0)
-        std::erase_if(order, [&](int view) { return scores[static_cast<std::size_t>(view)] <= 0; });
-    order.resize(std::min(order.size(), static_cast<std::size_t>(max_views)));
-    return order;
+        closeness.push_back(closeness_of(view, eye_in_world, samples));
+    std::vector<double> worth(samples.size(), 1.0);
+    std::vector<int> chosen;
+    while (static_cast<int>(chosen.size()) < max_views) {
+        int best = -1;
+        double best_gain = chosen.empty() ? -1.0 : 0.0;
+        for (int i = 0; i < static_cast<int>(closeness.size()); ++i) {
+            if (std::find(chosen.begin(), chosen.end(), i) != chosen.end()) continue;
+            const double gain = gain_of(closeness[static_cast<std::size_t>(i)], worth);
+            if (gain <= best_gain) continue;
+            best = i;
+            best_gain = gain;
+        }
+        if (best < 0) break;
+        chosen.push_back(best);
+        for (std::size_t s = 0; s < worth.size(); ++s)
+            if (closeness[static_cast<std::size_t>(best)][s] > 0) worth[s] *= kWorthOfNext;
+    }
+    return chosen;
 }
 
 }  // namespace lumi

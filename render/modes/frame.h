@@ -31,7 +31,9 @@ struct RenderOptions {
 /// What was drawn.
 struct Frame {
     ColorImage color;
-    GrayImage coverage;  ///< 255 where something was drawn, 0 where nothing is known.
+    /// 255 where the picture is known, 0 where it is not: there it is black, or, where a camera may
+    /// see something but nobody knows how far, a guess on the scene plane.
+    GrayImage coverage;
 };
 
 }  // namespace lumi

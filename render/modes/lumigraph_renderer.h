@@ -22,7 +22,8 @@ class LumigraphRenderer {
     LumigraphRenderer(LumigraphRenderer&& other) noexcept;
     LumigraphRenderer& operator=(LumigraphRenderer&& other) noexcept;
 
-    /// Fills the viewport: colour where something is known (alpha 1), transparent black elsewhere.
+    /// Fills the viewport: alpha is the frame's coverage (frame.h). Colours are encoded sRGB, as in
+    /// the photographs, and are blended as such.
     /// An eye of another size than the viewport is resized to it. Throws Error (E-EYE-LENS) when
     /// the eye's camera is not a pinhole.
     ///

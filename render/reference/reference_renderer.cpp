@@ -37,17 +37,22 @@ double border_distance_px(const Camera& camera, const Eigen::Vector2d& pixel) {
         {pixel.x(), pixel.y(), camera.width_px - pixel.x(), camera.height_px - pixel.y()});
 }
 
+struct DrawnPixel {
+    Eigen::Vector3d color;
+    bool is_known = true;  ///< False for a guess.
+};
+
 /// The frame in the making, and what does not change from pixel to pixel.
 class ReferenceFrame {
  public:
     ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options);
-    [[nodiscard]] std::optional<Eigen::Vector3d> color_at(int x, int y) const;
+    [[nodiscard]] std::optional<DrawnPixel> color_at(int x, int y) const;
 
  private:
     void draw_depth_layers();
     [[nodiscard]] ConsensusDepth depth_at(int x, int y) const;
     [[nodiscard]] std::optional<Sight> sight_of(int view_index, const RayPoint& point) const;
-    [[nodiscard]] double visibility(int view_index, const RayPoint& point) const;
+    [[nodiscard]] double visibility(int view_index, const RayPoint& point, bool check_depth) const;
     [[nodiscard]] Eigen::Vector3d color_in(int view_index, const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d debug_color(const RayWeights& ray, bool unseen,
                                               const ConsensusDepth& depth) const;
@@ -97,15 +102,14 @@ void ReferenceFrame::draw_depth_layers() {
     }
 }
 
+/// Without any support: the scene plane, for the mode that draws it or as a guess.
 ConsensusDepth ReferenceFrame::depth_at(int x, int y) const {
-    if (uses_depth_) {
-        std::vector<EyeDepth> depths;
-        for (const Image<EyeDepth>& layer : layers_) depths.push_back(layer(x, y));
-        return consensus_of(depths, agreeing_inverse_depth_);
-    }
-    ConsensusDepth on_plane;
-    on_plane.inverse_depth = std::max(0.0, plane_.dot(Eigen::Vector3d(x + 0.5, y + 0.5, 1)));
-    return on_plane;
+    std::vector<EyeDepth> depths;
+    for (const Image<EyeDepth>& layer : layers_) depths.push_back(layer(x, y));
+    ConsensusDepth depth = consensus_of(depths, agreeing_inverse_depth_);
+    if (depth.support == 0)
+        depth.inverse_depth = std::max(0.0, plane_.dot(Eigen::Vector3d(x + 0.5, y + 0.5, 1)));
+    return depth;
 }
 
 std::optional<Sight> ReferenceFrame::sight_of(int view_index, const RayPoint& point) const {
@@ -118,12 +122,12 @@ std::optional<Sight> ReferenceFrame::sight_of(int view_index, const RayPoint& po
     return Sight{*pixel, point.inverse_depth / in_view.z()};
 }
 
-double ReferenceFrame::visibility(int view_index, const RayPoint& point) const {
+double ReferenceFrame::visibility(int view_index, const RayPoint& point, bool check_depth) const {
     const std::optional<Sight> sight = sight_of(view_index, point);
     if (!sight) return 0;
     const LumigraphView& seen_by = view(view_index);
     const double inside = border_fade(border_distance_px(seen_by.camera, sight->pixel));
-    if (!uses_depth_ || !options_.correct_occlusion) return inside;
+    if (!check_depth) return inside;
     const FloatImage& depth = seen_by.depth.inverse_depth;
     const Eigen::Vector2d in_depth_map(
         sight->pixel.x() * depth.width() / seen_by.camera.width_px,
@@ -140,25 +144,32 @@ Eigen::Vector3d ReferenceFrame::color_in(int view_index, const RayPoint& point) 
     return sight ? bilinear(view(view_index).photograph, sight->pixel) : Eigen::Vector3d::Zero();
 }
 
-std::optional<Eigen::Vector3d> ReferenceFrame::color_at(int x, int y) const {
+std::optional<DrawnPixel> ReferenceFrame::color_at(int x, int y) const {
     const Eigen::Vector3d direction =
         eye_.cam_from_world.rotation.conjugate() * unproject(eye_.camera, {x + 0.5, y + 0.5});
     std::optional<RayWeights> ray = weights_of_ray(lumigraph_.mesh, eye_in_world_, direction);
+    if (!ray) return std::nullopt;
     const ConsensusDepth depth = depth_at(x, y);
-    if (!ray || (uses_depth_ && depth.support == 0)) return std::nullopt;
+    const bool has_depth = depth.support > 0;
     const RayPoint point{direction, depth.inverse_depth};
     std::array<double, 3> seen{};
     for (std::size_t i = 0; i < 3; ++i)
-        if (ray->weights[i] > 0) seen[i] = visibility(ray->view_indices[i], point);
+        if (ray->weights[i] > 0)
+            seen[i] =
+                visibility(ray->view_indices[i], point, has_depth && options_.correct_occlusion);
     const auto weights = redistributed(ray->weights, seen);
-    if (!weights && !uses_depth_) return std::nullopt;
+    if (!weights && !has_depth) return std::nullopt;
+    const bool is_known = has_depth || !uses_depth_;
     ray->weights = weights.value_or(std::array<double, 3>{});
-    if (options_.debug_picture != DebugPicture::kNone) return debug_color(*ray, !weights, depth);
-    if (!weights) return color_in(depth_views_[static_cast<std::size_t>(depth.best_layer)], point);
-    Eigen::Vector3d color = Eigen::Vector3d::Zero();
+    if (options_.debug_picture != DebugPicture::kNone)
+        return DrawnPixel{debug_color(*ray, !weights, depth), is_known};
+    if (!weights)
+        return DrawnPixel{color_in(depth_views_[static_cast<std::size_t>(depth.best_layer)], point),
+                          is_known};
+    DrawnPixel drawn{Eigen::Vector3d::Zero(), is_known};
     for (std::size_t i = 0; i < 3; ++i)
-        if ((*weights)[i] > 0) color += (*weights)[i] * color_in(ray->view_indices[i], point);
-    return color;
+        if ((*weights)[i] > 0) drawn.color += (*weights)[i] * color_in(ray->view_indices[i], point);
+    return drawn;
 }
 
 /// A colour for an index; neighbours differ (golden ratio).
@@ -205,10 +216,11 @@ Frame draw_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOpt
                 GrayImage(eye.camera.width_px, eye.camera.height_px)};
     for (int y = 0; y < eye.camera.height_px; ++y) {
         for (int x = 0; x < eye.camera.width_px; ++x) {
-            const auto color = reference.color_at(x, y);
-            if (!color) continue;
-            frame.color(x, y) = {to_byte(color->x()), to_byte(color->y()), to_byte(color->z())};
-            frame.coverage(x, y) = 255;
+            const std::optional<DrawnPixel> drawn = reference.color_at(x, y);
+            if (!drawn) continue;
+            const Eigen::Vector3d& color = drawn->color;
+            frame.color(x, y) = {to_byte(color.x()), to_byte(color.y()), to_byte(color.z())};
+            frame.coverage(x, y) = drawn->is_known ? 255 : 0;
         }
     }
     return frame;

@@ -91,17 +91,18 @@ float view_depth(vec2 pixel, vec4 size, float layer) {
 }
 
 // 1 when the view sees the point at `pixel`, 0 when it sees something else; in between a ramp.
-float visibility(vec3 pixel, vec4 size, float layer, float inverse_depth, float disparity_px) {
+float visibility(vec3 pixel, vec4 size, float layer, Depth depth, float disparity_px) {
     float inside = feather(pixel, size.xy);
-    if (correct_occlusion == 0 || inside == 0.0) return inside;
+    if (correct_occlusion == 0 || depth.kind == 3 || inside == 0.0) return inside;
     float seen = view_depth(pixel.xy / pixel.z, size, layer);
-    float difference_px = abs(inverse_depth / pixel.z - seen) * disparity_px;
+    float difference_px = abs(depth.inverse_depth / pixel.z - seen) * disparity_px;
     return inside * clamp(2.0 - difference_px / tolerance_px, 0.0, 1.0);
 }
 
-// Two views agree: 1; one has seen it: 0.5; filled: 0.25; stretched: 0.125.
+// Two views agree: 1; one has seen it: 0.5; filled: 0.25; stretched: 0.125; a guess: 0.
 float confidence_of(Depth depth) {
-    return depth.kind == 0 ? 0.5 * float(depth.support) : depth.kind == 1 ? 0.25 : 0.125;
+    if (depth.kind == 0) return 0.5 * float(depth.support);
+    return depth.kind == 1 ? 0.25 : depth.kind == 2 ? 0.125 : 0.0;
 }
 
 vec3 color_of_layer(Depth depth, vec2 window) {
@@ -116,29 +117,32 @@ vec3 color_of_layer(Depth depth, vec2 window) {
 void main() {
     vec2 window = gl_FragCoord.xy - viewport_origin;
     Depth depth = consensus(ivec2(window));
-    if (depth.kind == 3) discard;
+    // Where no depth is known the scene plane is a guess: drawn, but not counted as covered.
+    float known = depth.kind == 3 ? 0.0 : 1.0;
+    if (depth.kind == 3) depth.inverse_depth = max(0.0, side_products_and_plane.w);
     float q = depth.inverse_depth;
     vec3 pixel0 = view_pixel0 + q * view_parallax0.xyz;
     vec3 pixel1 = view_pixel1 + q * view_parallax1.xyz;
     vec3 pixel2 = view_pixel2 + q * view_parallax2.xyz;
     vec3 weights =
         blending_weights() *
-        vec3(visibility(pixel0, view_size0, view_parallax0.w, q, disparity_and_face.x),
-             visibility(pixel1, view_size1, view_parallax1.w, q, disparity_and_face.y),
-             visibility(pixel2, view_size2, view_parallax2.w, q, disparity_and_face.z));
+        vec3(visibility(pixel0, view_size0, view_parallax0.w, depth, disparity_and_face.x),
+             visibility(pixel1, view_size1, view_parallax1.w, depth, disparity_and_face.y),
+             visibility(pixel2, view_size2, view_parallax2.w, depth, disparity_and_face.z));
     float sum = weights.x + weights.y + weights.z;
     bool unseen = sum < 1e-4;
+    if (unseen && depth.kind == 3) discard;
     weights /= max(sum, 1e-4);
     if (debug_picture != 0) {
         // White: none of the three sees the point.
         bool marked = unseen && debug_picture == 1;
-        drawn = vec4(marked ? vec3(1.0) : debug_color(weights, q, confidence_of(depth)), 1.0);
+        drawn = vec4(marked ? vec3(1.0) : debug_color(weights, q, confidence_of(depth)), known);
         return;
     }
     drawn = vec4(weights.x * photograph(pixel0, view_size0.xy, view_parallax0.w) +
                      weights.y * photograph(pixel1, view_size1.xy, view_parallax1.w) +
                      weights.z * photograph(pixel2, view_size2.xy, view_parallax2.w),
-                 1.0);
+                 known);
     if (unseen) drawn.rgb = color_of_layer(depth, window);
 }
 #endif
