@@ -24,8 +24,6 @@ constexpr std::array<int, kCensusBits> census_offsets() {
 }
 constexpr std::array<int, kCensusBits> kCensusOffsets = census_offsets();
 
-}  // namespace
-
 // The kernels work on plain pointers: the vectoriser then knows what aliases and what does not.
 
 /// Where each pixel is sampled: its top-left neighbour's index, and 6 bits each of the fractions to
@@ -118,6 +116,8 @@ void add_seen_pixels(const std::uint8_t* __restrict best, const std::uint8_t* __
         count[i] += is_seen;
     }
 }
+
+}  // namespace
 
 PackedPicture packed(const GrayImage& picture) {
     PackedPicture result{picture.width(), picture.height(), {}};
