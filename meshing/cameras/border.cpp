@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "meshing/cameras/kernel.h"
 #include "meshing/cameras/spherical_triangulation.h"
 
 namespace lumi {
@@ -62,14 +63,18 @@ double signed_area(const std::vector<std::array<int, 2>>& edges,
     return area;
 }
 
-/// Where the skirt goes from a camera: along the border's bisector, but never towards the axis of
-/// the gap, where the skirts of opposite cameras would meet.
+/// Where the skirt goes from a camera: a tangent of the sphere between the one towards the gap
+/// (share 0) and the border's bisector (share 1), but never towards the axis of the gap, where the
+/// skirts of opposite cameras would meet.
 Eigen::Vector3d skirt_direction(const Eigen::Vector3d& camera_direction,
-                                const Eigen::Vector3d& bisector, const Eigen::Vector3d& gap) {
-    const Eigen::Vector3d from_axis =
-        (camera_direction - camera_direction.dot(gap) * gap).normalized();
-    const double approach = std::min(0.0, bisector.dot(from_axis));
-    return (bisector - approach * from_axis).normalized();
+                                const Eigen::Vector3d& bisector, double bisector_share,
+                                const Eigen::Vector3d& gap) {
+    const double towards_gap = camera_direction.dot(gap);
+    const Eigen::Vector3d meridian = (gap - towards_gap * camera_direction).normalized();
+    const Eigen::Vector3d from_axis = (camera_direction - towards_gap * gap).normalized();
+    const Eigen::Vector3d tangent = bisector_share * bisector + (1.0 - bisector_share) * meridian;
+    const double approach = std::min(0.0, tangent.dot(from_axis));
+    return (tangent - approach * from_axis).normalized();
 }
 
 /// The bisector of the outward normals at each border camera, as a tangent of the sphere.
@@ -130,18 +135,39 @@ std::vector<std::array<int, 2>> border_edges(const std::vector<std::array<int, 3
 void append_skirt(const CameraStar& star, const Eigen::Vector3d& gap_direction, double length,
                   CameraMesh& mesh) {
     const auto edges = border_edges(mesh.faces);
+    const auto bisectors = border_bisectors(star, edges, gap_direction);
     std::map<int, int> virtual_of;
-    for (const auto& [camera, bisector] : border_bisectors(star, edges, gap_direction)) {
-        const Eigen::Vector3d direction = skirt_direction(
-            star.directions[static_cast<std::size_t>(camera)], bisector, gap_direction);
-        const CameraMesh::Vertex& vertex = mesh.vertices[static_cast<std::size_t>(camera)];
+    for (const auto& [camera, bisector] : bisectors) {
         virtual_of[camera] = static_cast<int>(mesh.vertices.size());
-        mesh.vertices.push_back({vertex.position_in_world + length * direction, vertex.view_index});
+        mesh.vertices.push_back(mesh.vertices[static_cast<std::size_t>(camera)]);
     }
+    const auto first_skirt_face = static_cast<std::ptrdiff_t>(mesh.faces.size());
     for (const auto& [from, to] : edges) {
         mesh.faces.push_back({to, from, virtual_of.at(from)});
         mesh.faces.push_back({to, virtual_of.at(from), virtual_of.at(to)});
     }
+    const auto place = [&](double bisector_share) {
+        for (const auto& [camera, bisector] : bisectors) {
+            const Eigen::Vector3d direction =
+                skirt_direction(star.directions[static_cast<std::size_t>(camera)], bisector,
+                                bisector_share, gap_direction);
+            mesh.vertices[static_cast<std::size_t>(virtual_of.at(camera))].position_in_world =
+                mesh.vertices[static_cast<std::size_t>(camera)].position_in_world +
+                length * direction;
+        }
+    };
+    double best_share = 0.0;
+    double most_room = -1.0;
+    for (const double share : {1.0, 0.75, 0.5, 0.25, 0.0}) {
+        place(share);
+        auto planes = face_planes(mesh);
+        planes.erase(planes.begin(), planes.begin() + first_skirt_face);
+        const double room = kernel_radius(planes);
+        if (room <= most_room) continue;
+        most_room = room;
+        best_share = share;
+    }
+    place(best_share);
 }
 
 }  // namespace lumi

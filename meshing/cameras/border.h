@@ -20,10 +20,14 @@ namespace lumi {
     const std::vector<std::array<int, 3>>& faces);
 
 /// Appends a skirt to the border of an open mesh whose vertices are the star's cameras: for each
-/// border camera a virtual vertex of the same view, `length` (world units) away from it, outward
-/// along the bisector of its border edges in the stereographic picture from the gap. There the
-/// border is a convex polygon, so that the skirt's quadrilaterals do not overlap. Rays beyond the
-/// capture are then extrapolated by the border's cameras, continuously.
+/// border camera a virtual vertex of the same view, `length` (world units) away from it. Rays
+/// beyond the capture are then extrapolated by the border's cameras, continuously.
+///
+/// A virtual vertex lies between the meridian towards the gap, by which the skirt is star-shaped
+/// about the centre whatever the border, and the bisector of the border's edges in the
+/// stereographic picture from the gap, where the border is a convex polygon: steeper to jagged
+/// borders of patches, but it may fold where the border nearly surrounds the scene. Of five shares
+/// the one that leaves the largest kernel is taken.
 void append_skirt(const CameraStar& star, const Eigen::Vector3d& gap_direction, double length,
                   CameraMesh& mesh);
 

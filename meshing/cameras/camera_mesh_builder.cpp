@@ -118,8 +118,11 @@ CameraMesh construct_with_room(const std::vector<OpticalAxis>& axes, const Eigen
         return distinct_views(mesh) < views ? -std::numeric_limits<double>::infinity()
                                             : scene_clearance(mesh, scene, camera_distance);
     };
-    const double first_step = 0.2 * camera_distance;
-    return construct(axes, improve_scene_centre(start, first_step, kLeastGain, room), arrangement);
+    // The centre stays within the scene: it is also where the plane of a scene without depth lies.
+    std::vector<double> distances;
+    for (const Eigen::Vector3d& point : scene) distances.push_back((point - start).norm());
+    const double reach = 0.5 * percentile(std::move(distances), 0.5);
+    return construct(axes, improve_scene_centre(start, reach, kLeastGain, room), arrangement);
 }
 
 /// One camera for all, when none can be told from another by where it stands.

@@ -9,9 +9,16 @@
 namespace lumi {
 namespace {
 
-/// How much the seen depth weighs against the optical axes: small enough that axes which converge
-/// by a few degrees decide by themselves.
-constexpr double kDepthWeight = 0.02;
+/// How much the depth that a camera sees weighs against its optical axis: hand-held cameras are
+/// pointed less exactly than the depth is measured, but axes from all around decide by themselves.
+constexpr double kSeenDepthWeight = 0.1;
+/// The same for a depth that is only assumed: just enough to place the centre on parallel axes.
+constexpr double kAssumedDepthWeight = 1e-3;
+
+struct WeighedDepth {
+    double depth = 0.0;
+    double weight = 0.0;
+};
 
 /// The upper median; 0 when there are no values.
 double median(std::vector<double> values) {
@@ -32,7 +39,7 @@ double assumed_depth(const std::vector<OpticalAxis>& axes) {
 
 /// The normal equations of one iteration, relative to `origin` for the sake of precision.
 Eigen::Vector3d weighted_centre(const std::vector<OpticalAxis>& axes,
-                                const std::vector<double>& depths,
+                                const std::vector<WeighedDepth>& depths,
                                 const std::vector<double>& weights, const Eigen::Vector3d& origin) {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -41,19 +48,20 @@ Eigen::Vector3d weighted_centre(const std::vector<OpticalAxis>& axes,
         const Eigen::Matrix3d along = direction * direction.transpose();
         const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - along;
         const Eigen::Vector3d centre = axes[i].centre_in_world - origin;
-        normal += weights[i] * (across + kDepthWeight * along);
-        right += weights[i] *
-                 (across * centre + kDepthWeight * (along * centre + depths[i] * direction));
+        const auto& [depth, depth_weight] = depths[i];
+        normal += weights[i] * (across + depth_weight * along);
+        right +=
+            weights[i] * (across * centre + depth_weight * (along * centre + depth * direction));
     }
     return origin + normal.ldlt().solve(right);
 }
 
 /// Distance of the point from where camera i would want it, in the metric of `weighted_centre`.
-double residual(const OpticalAxis& axis, double depth, const Eigen::Vector3d& point) {
+double residual(const OpticalAxis& axis, const WeighedDepth& wanted, const Eigen::Vector3d& point) {
     const Eigen::Vector3d offset = point - axis.centre_in_world;
     const double along = offset.dot(axis.direction_in_world);
     const double across_squared = std::max(0.0, offset.squaredNorm() - along * along);
-    return std::sqrt(across_squared + kDepthWeight * (along - depth) * (along - depth));
+    return std::sqrt(across_squared + wanted.weight * std::pow(along - wanted.depth, 2));
 }
 
 std::vector<char> listed_views(const Capture& capture, const std::vector<int>& view_indices) {
@@ -114,9 +122,10 @@ Eigen::Vector3d estimate_scene_centre(const std::vector<OpticalAxis>& axes) {
         if (axis.depth > 0) seen.push_back(axis.depth);
     }
     const double usual_depth = seen.empty() ? assumed_depth(axes) : median(std::move(seen));
-    std::vector<double> depths;
+    std::vector<WeighedDepth> depths;
     for (const OpticalAxis& axis : axes) {
-        depths.push_back(axis.depth > 0 ? axis.depth : usual_depth);
+        depths.push_back(axis.depth > 0 ? WeighedDepth{axis.depth, kSeenDepthWeight}
+                                        : WeighedDepth{usual_depth, kAssumedDepthWeight});
     }
 
     std::vector<double> weights(axes.size(), 1.0);
@@ -146,12 +155,11 @@ double median_distance(const std::vector<OpticalAxis>& axes,
     return median(std::move(distances));
 }
 
-Eigen::Vector3d improve_scene_centre(const Eigen::Vector3d& start, double first_step,
-                                     double least_gain,
+Eigen::Vector3d improve_scene_centre(const Eigen::Vector3d& start, double reach, double least_gain,
                                      const std::function<double(const Eigen::Vector3d&)>& value) {
     Eigen::Vector3d best = start;
     double best_value = value(best);
-    for (double step = first_step; step >= first_step / 32; step /= 2) {
+    for (double step = reach / 2; step >= reach / 32; step /= 2) {
         constexpr int kMaxMoves = 4;
         bool moved = true;
         for (int moves = 0; moved && moves < kMaxMoves; ++moves) {
@@ -159,6 +167,7 @@ Eigen::Vector3d improve_scene_centre(const Eigen::Vector3d& start, double first_
             for (int direction = 0; direction < 6; ++direction) {
                 Eigen::Vector3d candidate = best;
                 candidate[direction / 2] += direction % 2 == 0 ? step : -step;
+                if ((candidate - start).norm() > reach) continue;
                 const double candidate_value = value(candidate);
                 if (!(candidate_value > best_value + least_gain)) continue;
                 best = candidate;

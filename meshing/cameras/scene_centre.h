@@ -35,11 +35,11 @@ struct OpticalAxis {
 [[nodiscard]] double median_distance(const std::vector<OpticalAxis>& axes,
                                      const Eigen::Vector3d& point_in_world);
 
-/// Compass search for the centre with the largest value, from `start` with steps of `first_step`
-/// along the world axes, halved until they are a 32nd of it. A step must gain more than
-/// `least_gain`, so that rounding does not lead it across a plateau.
+/// Compass search for the centre with the largest value within `reach` of `start`, by steps along
+/// the world axes of half the reach down to a 32nd of it. A step must gain more than `least_gain`,
+/// so that rounding does not lead it across a plateau.
 [[nodiscard]] Eigen::Vector3d improve_scene_centre(
-    const Eigen::Vector3d& start, double first_step, double least_gain,
+    const Eigen::Vector3d& start, double reach, double least_gain,
     const std::function<double(const Eigen::Vector3d&)>& value);
 
 }  // namespace lumi

@@ -212,6 +212,20 @@ TEST(SceneCentre, IsWhereConvergingAxesMeet) {
     EXPECT_LT((centre - target).norm(), 0.2);
 }
 
+TEST(SceneCentre, IsImprovedWithinReachOnly) {
+    const Eigen::Vector3d start(1, 2, 3);
+    const Eigen::Vector3d near_by = start + Eigen::Vector3d(0.3, -0.2, 0.1);
+    const Eigen::Vector3d far_off = start + Eigen::Vector3d(40, 0, 0);
+    const auto towards = [](const Eigen::Vector3d& goal) {
+        return [goal](const Eigen::Vector3d& centre) { return -(centre - goal).norm(); };
+    };
+    EXPECT_LT((improve_scene_centre(start, 1, 0, towards(near_by)) - near_by).norm(), 1.0 / 16);
+    const Eigen::Vector3d stopped = improve_scene_centre(start, 1, 0, towards(far_off));
+    EXPECT_LT((stopped - (start + Eigen::Vector3d::UnitX())).norm(), 1.0 / 16);
+    const auto flat = [](const Eigen::Vector3d&) { return 1.0; };
+    EXPECT_EQ(improve_scene_centre(start, 1, 0, flat), start);
+}
+
 TEST(SceneCentre, OfParallelAxesIsAtTheSeenDepth) {
     std::mt19937 random(1);
     const Capture capture =

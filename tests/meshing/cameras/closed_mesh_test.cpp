@@ -51,10 +51,10 @@ TEST_P(ClosedMesh, IsEnteredByEveryRayThroughTheSceneExactlyOnce) {
     std::mt19937 random(GetParam() + 100);
     int once = 0;
     for (const Eigen::Vector3d& point :
-         points_in_ball(30'000, built_.mesh.scene_centre_in_world, radius, random)) {
+         points_in_ball(100'000, built_.mesh.scene_centre_in_world, radius, random)) {
         once += entering_faces(built_.mesh, point, random_direction(random)) == 1 ? 1 : 0;
     }
-    EXPECT_EQ(once, 30'000);
+    EXPECT_EQ(once, 100'000);
 }
 
 TEST_P(ClosedMesh, WeighsARayTheSameFromEveryEyeOnIt) {

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include "meshing/cameras/camera_mesh_builder.h"
+#include "meshing/cameras/kernel.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
 
 namespace lumi {
@@ -110,6 +111,35 @@ TEST(OpenMesh, BeyondItsBorderUsesBorderCamerasOnly) {
             }
         }
     }
+}
+
+/// Random directions with a jagged border: from half a dome to far beyond the equator.
+TEST(OpenMesh, DoesNotFoldAtAJaggedBorder) {
+    int open = 0;
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        std::mt19937 random(seed);
+        const double border_z = 0.6 - 0.03 * seed;
+        Points centres;
+        while (centres.size() < 40) {
+            const Eigen::Vector3d direction = random_direction(random);
+            const double wave = 0.2 * std::sin(3 * std::atan2(direction.y(), direction.x()));
+            if (direction.z() > border_z + wave) centres.push_back(direction);
+        }
+        const Capture capture =
+            capture_of(centres, Eigen::Vector3d::Zero(),
+                       points_in_ball(100, Eigen::Vector3d::Zero(), 0.1, random));
+        const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
+        EXPECT_EQ(built.evidence.cameras_kept, 40);
+        if (built.mesh.construction != MeshConstruction::kOpen) continue;
+        ++open;
+        const double radius = kernel_radius(face_planes(built.mesh));
+        EXPECT_GT(radius, 0) << "seed " << seed;
+        for (const Eigen::Vector3d& point :
+             points_in_ball(300, built.mesh.scene_centre_in_world, radius, random)) {
+            EXPECT_LE(entering_faces(built.mesh, point, random_direction(random)), 1);
+        }
+    }
+    EXPECT_GT(open, 30);
 }
 
 /// Weights on both sides of every inner edge, skirts included, by rays 1e-7 apart.

@@ -24,7 +24,8 @@ Capture capture_of(const Points& centres, const Eigen::Vector3d& target, const P
     for (const Eigen::Vector3d& position : points) {
         ScenePoint point;
         point.position_in_world = position;
-        for (const int view : all_views(capture)) point.track.push_back({view, Eigen::Vector2d::Zero()});
+        for (const int view : all_views(capture))
+            point.track.push_back({view, Eigen::Vector2d::Zero()});
         capture.points.push_back(point);
     }
     return capture;
