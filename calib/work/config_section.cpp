@@ -28,6 +28,18 @@ struct ConfigSection::Table {
     std::set<std::string> asked;
     std::map<std::string, std::shared_ptr<Table>> tables;
     std::map<std::string, std::vector<std::shared_ptr<Table>>> table_arrays;
+
+    /// Every answer given, here and below.
+    [[nodiscard]] toml::table resolved() const {
+        toml::table result = answers;
+        for (const auto& [key, child] : tables) result.insert_or_assign(key, child->resolved());
+        for (const auto& [key, children] : table_arrays) {
+            toml::array array;
+            for (const auto& child : children) array.push_back(child->resolved());
+            result.insert_or_assign(key, std::move(array));
+        }
+        return result;
+    }
 };
 
 namespace {
@@ -258,20 +270,16 @@ void ConfigSection::expect_all_keys_known() const {
 }
 
 std::string ConfigSection::resolved() const {
-    const auto collect = [](const auto& self, const Table& table) -> toml::table {
-        toml::table result = table.answers;
-        for (const auto& [key, child] : table.tables) {
-            result.insert_or_assign(key, self(self, *child));
-        }
-        for (const auto& [key, children] : table.table_arrays) {
-            toml::array array;
-            for (const auto& child : children) array.push_back(self(self, *child));
-            result.insert_or_assign(key, std::move(array));
-        }
-        return result;
-    };
     std::ostringstream text;
-    text << collect(collect, *document_->top) << "\n";
+    text << document_->top->resolved() << "\n";
+    return text.str();
+}
+
+std::string ConfigSection::resolved_table(const std::vector<std::string>& without) const {
+    toml::table table = table_->resolved();
+    for (const std::string& key : without) table.erase(key);
+    std::ostringstream text;
+    text << table << "\n";
     return text.str();
 }
 

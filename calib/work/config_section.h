@@ -49,6 +49,8 @@ class ConfigSection {
 
     /// The document as asked: every key that was read, with the value that was answered, as TOML.
     [[nodiscard]] std::string resolved() const;
+    /// This table alone, without the named keys: what identifies the parameters of one stage.
+    [[nodiscard]] std::string resolved_table(const std::vector<std::string>& without = {}) const;
 
  private:
     struct Document;

@@ -56,18 +56,6 @@ void remove_if_abandoned(const fs::path& staging) {
     ::close(descriptor);
 }
 
-void clean_up_after_killed_runs(const fs::path& target) {
-    std::error_code ignored;
-    if (fs::exists(aside(target), ignored)) {
-        if (!fs::exists(target, ignored)) fs::rename(aside(target), target, ignored);
-        fs::remove_all(aside(target), ignored);
-    }
-    const std::string prefix = staging_prefix(target);
-    for (const fs::directory_entry& entry : fs::directory_iterator(target.parent_path(), ignored)) {
-        if (entry.path().filename().string().starts_with(prefix)) remove_if_abandoned(entry.path());
-    }
-}
-
 bool cannot_exchange(int error_number) {
     return error_number == EINVAL || error_number == ENOSYS || error_number == EOPNOTSUPP;
 }
@@ -79,6 +67,19 @@ void move_into_place(const fs::path& fresh, const fs::path& target) {
 }
 
 }  // namespace
+
+void clean_up_after_killed_runs(const fs::path& unsettled_target) {
+    const fs::path target = settled(unsettled_target);
+    std::error_code ignored;
+    if (fs::exists(aside(target), ignored)) {
+        if (!fs::exists(target, ignored)) fs::rename(aside(target), target, ignored);
+        fs::remove_all(aside(target), ignored);
+    }
+    const std::string prefix = staging_prefix(target);
+    for (const fs::directory_entry& entry : fs::directory_iterator(target.parent_path(), ignored)) {
+        if (entry.path().filename().string().starts_with(prefix)) remove_if_abandoned(entry.path());
+    }
+}
 
 void replace_folder_in_two_steps(const fs::path& fresh, const fs::path& target) {
     const fs::path old = aside(target);

@@ -31,6 +31,10 @@ class WholeFolder {
     int lock_ = -1;  ///< The open staging folder, locked: this run is alive.
 };
 
+/// Removes what killed runs left beside `target`; the next WholeFolder does so, too. Folders of
+/// runs that are still alive are left alone.
+void clean_up_after_killed_runs(const std::filesystem::path& target);
+
 /// Exchange for file systems that have no atomic one: the old folder steps aside under a name from
 /// which the next WholeFolder brings it back should the process die between the two renames.
 /// Throws Error (E-FILE-WRITE).
