@@ -33,16 +33,6 @@ auto order_of(const cv::KeyPoint& point) {
 
 }  // namespace
 
-GrayImage gray_of(const ColorImage& image) {
-    GrayImage result(image.width(), image.height());
-    std::transform(image.pixels().begin(), image.pixels().end(), result.pixels().begin(),
-                   [](const Rgb8& pixel) {
-                       const double luma = 0.2126 * pixel.r + 0.7152 * pixel.g + 0.0722 * pixel.b;
-                       return static_cast<std::uint8_t>(std::lround(luma));
-                   });
-    return result;
-}
-
 Features detect_sift(const GrayImage& image, const SiftOptions& options) {
     Features result;
     if (image.empty()) return result;

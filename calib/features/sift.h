@@ -14,7 +14,4 @@ struct SiftOptions {
 /// threads. Sorted by falling scale, then by place.
 [[nodiscard]] Features detect_sift(const GrayImage& image, const SiftOptions& options);
 
-/// Rec. 709 luma of an sRGB picture.
-[[nodiscard]] GrayImage gray_of(const ColorImage& image);
-
 }  // namespace lumi

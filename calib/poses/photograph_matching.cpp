@@ -1,5 +1,6 @@
 #include "calib/poses/photograph_matching.h"
 
+#include "calib/capture/gray.h"
 #include "calib/capture/image_io.h"
 #include "calib/features/descriptor_matching.h"
 #include "calib/features/pair_selection.h"

@@ -93,16 +93,6 @@ double fastest_disparity(const DepthScene& scene, const DepthView& view) {
 
 }  // namespace
 
-GrayImage gray_of(const ColorImage& photograph) {
-    GrayImage gray(photograph.width(), photograph.height());
-    std::transform(
-        photograph.pixels().begin(), photograph.pixels().end(), gray.pixels().begin(),
-        [](const Rgb8& c) {
-            return static_cast<std::uint8_t>((77 * c.r + 150 * c.g + 29 * c.b + 128) >> 8);
-        });
-    return gray;
-}
-
 DepthScene make_depth_scene(const PosedPhotographs& photographs,
                             const std::vector<int>& view_indices, const DepthOptions& options,
                             int threads, Progress& progress) {

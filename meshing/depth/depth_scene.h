@@ -57,7 +57,4 @@ struct DepthScene {
                                           const DepthOptions& options, int threads,
                                           Progress& progress);
 
-/// The photograph in grey (luma of BT.601, integers).
-[[nodiscard]] GrayImage gray_of(const ColorImage& photograph);
-
 }  // namespace lumi

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "calib/capture/gray.h"
 #include "meshing/depth/cost_volume.h"
 #include "meshing/depth/semi_global_matching.h"
 #include "meshing/depth/sparse_depth.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "calib/capture/gray.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
