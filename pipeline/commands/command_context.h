@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "calib/work/progress.h"
+
+namespace lumi {
+
+/// What every command is told, and how it speaks: results to stdout, talk to stderr.
+struct CommandContext {
+    bool json = false;   ///< Results as one JSON object.
+    bool quiet = false;  ///< No talk but errors.
+    int verbosity = 0;
+    int threads = 0;               ///< 0: what the configuration says, or all cores.
+    std::function<void()> chosen;  ///< What the command line asks for; set while it is parsed.
+    std::unique_ptr<Progress> progress;  ///< Present while `chosen` runs.
+
+    void print_result(const std::string& text) const;
+    void print_result(const nlohmann::ordered_json& json_result) const;
+    void say(const std::string& text) const;
+};
+
+/// A bar with time left on a terminal, plain lines elsewhere, nothing when quiet.
+[[nodiscard]] std::unique_ptr<Progress> make_progress(const CommandContext& context);
+
+}  // namespace lumi

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <functional>
+
+namespace lumi {
+
+/// Runs `work`, prints what ends it on stderr (`error E-CODE: what`, then advice) and, with `json`,
+/// as an object on stdout; returns the exit code (design: 0, 2 to 7, 130; 1 for a bug of lumi).
+[[nodiscard]] int run_and_report_errors(const std::function<void()>& work, bool json);
+
+}  // namespace lumi

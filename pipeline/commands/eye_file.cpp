@@ -1,0 +1,52 @@
+#include "pipeline/commands/eye_file.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/workspace/json_file.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Rigid3 pose_from(const Json& json, const std::filesystem::path& path) {
+    const auto wxyz = json.at("rotation_wxyz").get<std::array<double, 4>>();
+    const auto xyz = json.at("translation").get<std::array<double, 3>>();
+    const Eigen::Quaterniond rotation(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+    if (!(std::abs(rotation.norm() - 1.0) < 1e-3)) {
+        refuse_json(path, "rotation_wxyz: expected a quaternion of length one");
+    }
+    return {rotation.normalized(), {xyz[0], xyz[1], xyz[2]}};
+}
+
+Camera camera_from(const Json& json, const std::filesystem::path& path) {
+    Camera camera;
+    if (json.at("model") != name_of(LensModel::kPinhole)) {
+        refuse_json(path, "camera.model: expected PINHOLE, as an eye has no distortion");
+    }
+    camera.width_px = json.at("width_px");
+    camera.height_px = json.at("height_px");
+    camera.parameters = json.at("parameters").get<std::vector<double>>();
+    if (camera.parameters.size() != parameter_count(LensModel::kPinhole)) {
+        refuse_json(path, "camera.parameters: expected [fx, fy, cx, cy]");
+    }
+    validate(camera, path.string());
+    return camera;
+}
+
+}  // namespace
+
+Eye read_eye_file(const std::filesystem::path& path) {
+    const Json json = read_json_file(path);
+    try {
+        Eye eye;
+        eye.camera = camera_from(json.at("camera"), path);
+        eye.cam_from_world = pose_from(json.at("cam_from_world"), path);
+        return eye;
+    } catch (const Json::exception& error) {
+        refuse_json(path, error.what());
+    }
+}
+
+}  // namespace lumi

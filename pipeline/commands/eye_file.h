@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// An eye from a JSON file, as the window writes beside a screenshot:
+///
+///     {"camera": {"model": "PINHOLE", "width_px": 640, "height_px": 480,
+///                 "parameters": [fx, fy, cx, cy]},
+///      "cam_from_world": {"rotation_wxyz": [1, 0, 0, 0], "translation": [0, 0, 0]}}
+///
+/// Pixels as everywhere: (0.5, 0.5) is the centre of the top-left one. Throws Error (E-JSON-READ,
+/// E-CAMERA-INVALID) naming the file.
+[[nodiscard]] Eye read_eye_file(const std::filesystem::path& path);
+
+}  // namespace lumi

@@ -1,0 +1,70 @@
+#include <CLI/CLI.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/commands/commands.h"
+#include "pipeline/report/number_text.h"
+#include "render/lumigraph/package.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json package_json(const Lumigraph& lumigraph) {
+    Json views = Json::array();
+    for (const LumigraphView& view : lumigraph.views) {
+        const Eigen::Vector3d centre = centre_in_world(view.cam_from_world);
+        views.push_back({{"name", view.name},
+                         {"width_px", view.camera.width_px},
+                         {"height_px", view.camera.height_px},
+                         {"focal_length_px", focal_length_px(view.camera).x()},
+                         {"centre_in_world", {centre.x(), centre.y(), centre.z()}},
+                         {"depth_width_px", view.depth.inverse_depth.width()},
+                         {"depth_height_px", view.depth.inverse_depth.height()}});
+    }
+    return Json{{"name", lumigraph.name},
+                {"near_depth", lumigraph.near_depth},
+                {"far_depth", lumigraph.far_depth},
+                {"mesh",
+                 {{"construction", name_of(lumigraph.mesh.construction)},
+                  {"vertices", lumigraph.mesh.vertices.size()},
+                  {"faces", lumigraph.mesh.faces.size()}}},
+                {"views", std::move(views)}};
+}
+
+std::string package_text(const Lumigraph& lumigraph) {
+    std::string text = lumigraph.name + ": " + std::to_string(lumigraph.views.size()) +
+                       " views, depth " + number_text(lumigraph.near_depth, 3) + " to " +
+                       number_text(lumigraph.far_depth, 3) + ", camera mesh " +
+                       name_of(lumigraph.mesh.construction) + " with " +
+                       std::to_string(lumigraph.mesh.vertices.size()) + " vertices and " +
+                       std::to_string(lumigraph.mesh.faces.size()) + " faces\n";
+    for (const LumigraphView& view : lumigraph.views) {
+        text += view.name + "  " + std::to_string(view.camera.width_px) + "x" +
+                std::to_string(view.camera.height_px) + "  focal length " +
+                number_text(focal_length_px(view.camera).x(), 1) + " px\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+void add_inspect_command(CLI::App& app, CommandContext& context) {
+    CLI::App& command = add_command(app, "inspect", "What is in a package",
+                                    "lumi inspect work/fountain/fountain.lumi");
+    const auto package = std::make_shared<std::filesystem::path>();
+    command.add_option("PACKAGE", *package, "Folder NAME.lumi")->required();
+    command.callback([package, &context] {
+        context.chosen = [package, &context] {
+            const Lumigraph lumigraph = read_package(*package);
+            if (context.json) {
+                context.print_result(package_json(lumigraph));
+            } else {
+                context.print_result(package_text(lumigraph));
+            }
+        };
+    });
+}
+
+}  // namespace lumi

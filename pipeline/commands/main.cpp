@@ -1,0 +1,59 @@
+#include <CLI/CLI.hpp>
+
+#include "pipeline/commands/commands.h"
+#include "pipeline/commands/error_report.h"
+#include "pipeline/commands/interruption.h"
+#include "pipeline/commands/versions.h"
+
+namespace {
+
+constexpr int kUsageExitCode = 2;
+
+void add_global_options(CLI::App& app, lumi::CommandContext& context) {
+    app.add_flag("--json", context.json, "Results as one JSON object on stdout");
+    app.add_flag("-q,--quiet", context.quiet, "No talk but errors");
+    app.add_flag("-v,--verbose", context.verbosity, "More talk");
+    app.add_option("--threads", context.threads, "0: all cores")->check(CLI::Range(0, 4096));
+    app.add_flag_callback(
+        "--version", [] { throw CLI::CallForVersion(lumi::version_text(), 0); },
+        "Versions of lumi and of what it is built from");
+}
+
+void add_commands(CLI::App& app, lumi::CommandContext& context) {
+    lumi::add_build_command(app, context);
+    lumi::add_stage_commands(app, context);
+    lumi::add_render_command(app, context);
+    lumi::add_view_command(app, context);
+    lumi::add_bench_command(app, context);
+    lumi::add_evaluate_command(app, context);
+    lumi::add_compare_poses_command(app, context);
+    lumi::add_inspect_command(app, context);
+    lumi::add_validate_command(app, context);
+    lumi::add_synth_command(app, context);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    lumi::CommandContext context;
+    CLI::App app{
+        "Example: lumi build photos/ && lumi view work/photos/photos.lumi\n\n"
+        "lumi turns photographs into a free-form Lumigraph and draws it from anywhere.",
+        "lumi"};
+    app.require_subcommand(1);
+    app.fallthrough();
+    add_global_options(app, context);
+    add_commands(app, context);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : kUsageExitCode;
+    }
+    const auto run_chosen = [&] {
+        context.progress = lumi::make_progress(context);
+        const lumi::Interruption interruption(*context.progress);
+        context.chosen();
+    };
+    const int exit_code = lumi::run_and_report_errors(run_chosen, context.json);
+    return exit_code;
+}

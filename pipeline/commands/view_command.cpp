@@ -1,0 +1,51 @@
+#include <CLI/CLI.hpp>
+
+#include "pipeline/commands/commands.h"
+#include "pipeline/commands/frame_size.h"
+#include "pipeline/commands/render_mode_argument.h"
+#include "render/lumigraph/package.h"
+#include "render/viewer/window.h"
+
+namespace lumi {
+namespace {
+
+struct ViewRequest {
+    std::filesystem::path package;
+    std::string view;
+    std::string mode = "perpixel";
+    std::string size;
+    std::filesystem::path screenshot;
+};
+
+void run_view(const ViewRequest& request, const CommandContext& context) {
+    WindowOptions options;
+    options.view_name = request.view;
+    options.render.mode = render_mode_from(request.mode);
+    options.screenshot_path = request.screenshot;
+    if (!request.size.empty()) {
+        const FrameSize size = frame_size_from(request.size);
+        options.width_px = size.width_px;
+        options.height_px = size.height_px;
+    }
+    run_window(read_package(request.package), options);
+    if (!request.screenshot.empty()) context.print_result(request.screenshot.string() + "\n");
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app, CommandContext& context) {
+    CLI::App& command = add_command(app, "view", "A window onto a package; F1 shows its keys",
+                                    "lumi view work/fountain/fountain.lumi");
+    const auto request = std::make_shared<ViewRequest>();
+    command.add_option("PACKAGE", request->package, "Folder NAME.lumi")->required();
+    command.add_option("--view", request->view, "Begin where this photograph was taken");
+    command.add_option("--mode", request->mode, "perpixel or lightfield")->capture_default_str();
+    command.add_option("--size", request->size, "Such as 1280x720 (default: the photograph's)");
+    command.add_option("--screenshot", request->screenshot,
+                       "Write one frame to this PNG file, its eye beside it, and end");
+    command.callback([request, &context] {
+        context.chosen = [request, &context] { run_view(*request, context); };
+    });
+}
+
+}  // namespace lumi

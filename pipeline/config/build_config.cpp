@@ -1,0 +1,122 @@
+#include "pipeline/config/build_config.h"
+
+#include <algorithm>
+
+#include "pipeline/config/lens_file.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The name becomes a folder's name.
+bool is_plain_name(const std::string& name) {
+    const auto is_plain = [](char c) {
+        return c != '/' && c != '\\' && static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
+    };
+    return !name.empty() && name.size() <= 100 && name.front() != '.' &&
+           std::all_of(name.begin(), name.end(), is_plain);
+}
+
+/// Exactly one of `photos` and `video`.
+fs::path read_source(const ConfigSection& capture) {
+    const fs::path photos = capture.path("photos");
+    const fs::path video = capture.path("video");
+    if (photos.empty() && video.empty()) {
+        capture.refuse("photos", "a folder of photographs (or `video`: a video file)");
+    }
+    if (!photos.empty() && !video.empty()) capture.refuse("video", "either `photos` or `video`");
+    return photos.empty() ? video : photos;
+}
+
+HoldOutOptions read_hold_out_options(const ConfigSection& evaluate) {
+    HoldOutOptions options;
+    options.every = evaluate.integer("hold_out_every", options.every);
+    options.names = evaluate.texts("hold_out", options.names);
+    if (options.every < 0 || options.every == 1) {
+        evaluate.refuse("hold_out_every", "0 (none) or at least 2");
+    }
+    if (options.every != 0 && !options.names.empty()) {
+        evaluate.refuse("hold_out", "either `hold_out` or `hold_out_every`");
+    }
+    return options;
+}
+
+void expect_all_views_wanted(const ConfigSection& package) {
+    if (package.integer("max_views", 0) != 0) package.refuse("max_views", "0 (all views)");
+}
+
+/// What is known when every section has been read.
+void fill_in_stage_parameters(BuildConfig& config, const ConfigSection& document) {
+    const auto parameters = [&](const char* section) {
+        return document.section(section).resolved_table();
+    };
+    const ConfigSection capture = document.section("capture");
+    config.stage_parameters = {
+        // Where the photographs lie is not what they are: their content is hashed beside this.
+        {"ingest", capture.resolved_table({"photos", "video", "import"})},
+        {"poses", config.imported_poses.empty()
+                      ? parameters("poses") + lens_parameters_text(config.given_lens)
+                      : "import"},
+        {"mesh", parameters("mesh")},
+        {"depth", parameters("depth")},
+        {"pack", config.resolved_toml},
+    };
+}
+
+std::string toml_quoted(const std::string& text) {
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        quoted += c;
+    }
+    return quoted + "\"";
+}
+
+/// The last part of a path that has a name: "photos" for "/a/photos/".
+std::string folder_name(const fs::path& folder) {
+    const fs::path absolute = fs::absolute(folder).lexically_normal();
+    return (absolute.has_filename() ? absolute : absolute.parent_path()).filename().string();
+}
+
+}  // namespace
+
+BuildConfig read_build_config(const ConfigSection& document, const std::string& default_name) {
+    BuildConfig config;
+    config.name = document.text("name", default_name);
+    if (!is_plain_name(config.name)) document.refuse("name", "a name that can name a folder");
+    config.workspace = document.path("workspace");
+    config.threads = document.integer("threads", config.threads);
+    if (config.threads < 0) document.refuse("threads", "0 (all cores) or more");
+
+    const ConfigSection capture = document.section("capture");
+    config.photographs_or_video = read_source(capture);
+    config.imported_poses = capture.path("import");
+    config.ingest = read_ingest_options(capture);
+    const fs::path lens_path = document.section("calibration").path("camera");
+    if (!lens_path.empty()) config.given_lens = read_lens_file(lens_path);
+    config.poses = read_pose_options(document.section("poses"));
+    config.mesh = read_camera_mesh_options(document.section("mesh"));
+    config.depth = read_depth_options(document.section("depth"));
+    expect_all_views_wanted(document.section("package"));
+    config.hold_out = read_hold_out_options(document.section("evaluate"));
+    document.expect_all_keys_known();
+
+    config.resolved_toml = document.resolved();
+    fill_in_stage_parameters(config, document);
+    return config;
+}
+
+BuildConfig load_build_config(const fs::path& file_or_folder) {
+    std::error_code status;
+    if (fs::is_directory(file_or_folder, status)) {
+        const std::string toml =
+            "[capture]\nphotos = " + toml_quoted(file_or_folder.string()) + "\n";
+        return read_build_config(ConfigSection::from_text(toml, "(defaults)"),
+                                 folder_name(file_or_folder));
+    }
+    return read_build_config(ConfigSection::from_file(file_or_folder),
+                             file_or_folder.stem().string());
+}
+
+}  // namespace lumi

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calib/capture/camera.h"
+#include "calib/ingest/ingest.h"
+#include "calib/poses/pose_stage.h"
+#include "meshing/cameras/camera_mesh_builder.h"
+#include "meshing/depth/depth_stage.h"
+
+namespace lumi {
+
+/// Which views are kept back, to measure renderings against: they take part in the poses and in
+/// nothing else.
+struct HoldOutOptions {
+    int every = 0;                   ///< Photographs 0, N, 2N ... in order of name. 0: none; >= 2.
+    std::vector<std::string> names;  ///< Instead: these, as in the photographs' folder.
+};
+
+/// Everything that one run of the line is told.
+struct BuildConfig {
+    std::string name;                            ///< Of the package: NAME.lumi.
+    std::filesystem::path photographs_or_video;  ///< A folder, or one video file.
+    std::filesystem::path imported_poses;        ///< Empty: poses are estimated.
+    std::filesystem::path workspace;             ///< Empty: work/NAME below the current folder.
+    int threads = 0;                             ///< 0: all cores.
+    std::optional<Camera> given_lens;
+
+    IngestOptions ingest;
+    PoseOptions poses;
+    CameraMeshOptions mesh;
+    DepthOptions depth;
+    HoldOutOptions hold_out;
+
+    std::string resolved_toml;  ///< The configuration with every default filled in.
+    /// Canonical text of what each stage was told ("ingest", "poses", "mesh", "depth", "pack").
+    std::map<std::string, std::string> stage_parameters;
+};
+
+/// Reads a configuration file; or, given a folder, the configuration that takes its photographs
+/// with every default. Throws Error (E-CONFIG-...) naming file, line and key.
+[[nodiscard]] BuildConfig load_build_config(const std::filesystem::path& file_or_folder);
+
+/// The same from an open document; `default_name` stands in for a missing `name`.
+[[nodiscard]] BuildConfig read_build_config(const ConfigSection& document,
+                                            const std::string& default_name);
+
+}  // namespace lumi

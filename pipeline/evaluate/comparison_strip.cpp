@@ -1,0 +1,69 @@
+#include "pipeline/evaluate/comparison_strip.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "pipeline/stages/color_scale.h"
+
+namespace lumi {
+namespace {
+
+constexpr int kGapPx = 4;
+constexpr Rgb8 kBackground{255, 255, 255};
+
+int largest_difference(const Rgb8& a, const Rgb8& b) {
+    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+/// Diagonal stripes in greys that no error has.
+Rgb8 hatching(int x, int y) { return (x + y) % 16 < 8 ? Rgb8{255, 255, 255} : Rgb8{200, 200, 200}; }
+
+ColorImage error_picture(const ColorImage& photograph, const ColorImage& rendering,
+                         const GrayImage& coverage, int full_scale) {
+    ColorImage picture(photograph.width(), photograph.height());
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const int difference = largest_difference(photograph(x, y), rendering(x, y));
+            picture(x, y) = coverage(x, y) == 0 ? hatching(x, y)
+                                                : color_of_share(static_cast<float>(difference) /
+                                                                 static_cast<float>(full_scale));
+        }
+    }
+    return picture;
+}
+
+void paste(ColorImage& canvas, const ColorImage& picture, int left) {
+    for (int y = 0; y < picture.height(); ++y) {
+        std::copy_n(picture.row(y), picture.width(), canvas.row(y) + left);
+    }
+}
+
+/// The scale from no error (left) to `full_scale` (right), with a notch at each quarter.
+void draw_scale(ColorImage& canvas, int left, int width, int top) {
+    const int quarter = std::max(1, width / 4);
+    for (int y = top; y < canvas.height(); ++y) {
+        for (int x = 0; x < width; ++x) {
+            const bool is_notch = x % quarter == 0 && y < top + (canvas.height() - top) / 2;
+            canvas(left + x, y) =
+                is_notch ? kBackground
+                         : color_of_share(static_cast<float>(x) / static_cast<float>(width));
+        }
+    }
+}
+
+}  // namespace
+
+ColorImage comparison_strip(const ColorImage& photograph, const ColorImage& rendering,
+                            const GrayImage& coverage, int full_scale) {
+    const int width = photograph.width();
+    const int scale_height = std::max(6, photograph.height() / 50);
+    ColorImage strip(3 * width + 2 * kGapPx, photograph.height() + kGapPx + scale_height,
+                     kBackground);
+    paste(strip, photograph, 0);
+    paste(strip, rendering, width + kGapPx);
+    paste(strip, error_picture(photograph, rendering, coverage, full_scale), 2 * (width + kGapPx));
+    draw_scale(strip, 2 * (width + kGapPx), width, photograph.height() + kGapPx);
+    return strip;
+}
+
+}  // namespace lumi

@@ -1,0 +1,47 @@
+#include "pipeline/line/stages_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/workspace/json_file.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json stage_json(const FinishedStage& stage) {
+    return Json{{"name", stage.name},
+                {"state", stage.was_run ? "run" : "up to date"},
+                {"reason", stage.reason},
+                {"wall_s", stage.cost.wall_s},
+                {"cpu_s", stage.cost.cpu_s},
+                {"peak_mib", stage.cost.peak_mib},
+                {"evidence", Json::parse(stage.evidence.facts_json)},
+                {"timings", Json::parse(stage.evidence.timings_json)}};
+}
+
+}  // namespace
+
+Json stages_json(const std::vector<FinishedStage>& stages) {
+    Json list = Json::array();
+    for (const FinishedStage& stage : stages) list.push_back(stage_json(stage));
+    return Json{{"schema_version", 1}, {"stages", std::move(list)}};
+}
+
+void write_stages_file(const std::filesystem::path& path,
+                       const std::vector<FinishedStage>& stages) {
+    write_json_file(path, stages_json(stages));
+}
+
+void write_stages_file(const std::filesystem::path& path, const std::vector<FinishedStage>& stages,
+                       const std::string& failed_stage, const Error& failure) {
+    Json json = stages_json(stages);
+    json["failure"] = {{"stage", failed_stage},
+                       {"code", failure.code()},
+                       {"what", failure.what()},
+                       {"advice", failure.advice()},
+                       {"exit_code", failure.exit_code()}};
+    write_json_file(path, json);
+}
+
+}  // namespace lumi

@@ -1,0 +1,46 @@
+#include "pipeline/stages/depth_stage.h"
+
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "pipeline/stages/depth_files.h"
+#include "pipeline/stages/file_stems.h"
+#include "pipeline/stages/used_views.h"
+#include "pipeline/workspace/json_file.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json facts_json(const std::vector<DepthEvidence>& evidence) {
+    Json views = Json::array();
+    for (const DepthEvidence& view : evidence) {
+        views.push_back({{"name", view.view_name},
+                         {"model", view.model},
+                         {"confident_share", view.confident_share},
+                         {"sparse_residual_px", view.sparse_residual_px}});
+    }
+    return Json{{"views", std::move(views)}};
+}
+
+Json timings_json(const std::vector<DepthEvidence>& evidence) {
+    Json cpu_s = Json::object();
+    for (const DepthEvidence& view : evidence) cpu_s[view.view_name] = view.cpu_s;
+    return Json{{"cpu_s", std::move(cpu_s)}};
+}
+
+}  // namespace
+
+StageEvidence run_depth_stage(const PosedPhotographs& photographs, const DepthOptions& options,
+                              const std::filesystem::path& folder, int threads,
+                              Progress& progress) {
+    std::vector<int> all_views(photographs.capture.views.size());
+    std::iota(all_views.begin(), all_views.end(), 0);
+    const DepthResult result = estimate_depth(photographs, all_views, options, threads, progress);
+    write_depth_files(folder, file_stems_of_views(view_names(photographs.capture)),
+                      result.depth_maps, threads);
+    return {json_text(facts_json(result.evidence)), json_text(timings_json(result.evidence))};
+}
+
+}  // namespace lumi

@@ -1,0 +1,24 @@
+#include "pipeline/stages/ingest_stage.h"
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/stages/left_out_json.h"
+#include "pipeline/stages/photograph_list.h"
+#include "pipeline/workspace/json_file.h"
+
+namespace lumi {
+
+StageEvidence run_ingest_stage(const std::filesystem::path& photographs_or_video,
+                               const IngestOptions& options, const std::filesystem::path& folder,
+                               int threads, Progress& progress) {
+    const IngestResult result = ingest(photographs_or_video, options, folder, threads, progress);
+    write_photograph_list(folder, result);
+    for (const LeftOut& left_out : result.left_out) {
+        progress.note("left out " + left_out.name + " (" + left_out.code + "): " + left_out.reason);
+    }
+    const nlohmann::ordered_json facts{{"photographs", result.photographs.size()},
+                                       {"left_out", left_out_json(result.left_out)}};
+    return {json_text(facts), "{}"};
+}
+
+}  // namespace lumi

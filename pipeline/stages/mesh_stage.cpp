@@ -1,0 +1,34 @@
+#include "pipeline/stages/mesh_stage.h"
+
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "calib/work/whole_file.h"
+#include "meshing/cameras/mesh_picture.h"
+#include "meshing/surface/mesh_io.h"
+#include "pipeline/workspace/json_file.h"
+
+namespace lumi {
+
+StageEvidence run_mesh_stage(const Capture& capture, const CameraMeshOptions& options,
+                             const std::filesystem::path& folder) {
+    std::vector<int> all_views(capture.views.size());
+    std::iota(all_views.begin(), all_views.end(), 0);
+    const BuiltCameraMesh built = build_camera_mesh(capture, all_views, options);
+    write_camera_mesh_ply(folder / "camera_mesh.ply", built.mesh);
+    write_whole_text(folder / "camera_mesh.svg", camera_mesh_svg(capture, all_views, built.mesh));
+
+    const CameraMeshEvidence& evidence = built.evidence;
+    const nlohmann::ordered_json facts{
+        {"construction", name_of(built.mesh.construction)},
+        {"cameras_total", evidence.cameras_total},
+        {"cameras_kept", evidence.cameras_kept},
+        {"vertices", built.mesh.vertices.size()},
+        {"faces", built.mesh.faces.size()},
+        {"kernel_radius_over_scene_radius", evidence.kernel_radius_over_scene_radius},
+        {"faces_with_scene_outside", evidence.faces_with_scene_outside},
+        {"explanation", evidence.explanation}};
+    return {json_text(facts), "{}"};
+}
+
+}  // namespace lumi

@@ -1,0 +1,96 @@
+#include "pipeline/stages/poses_stage.h"
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "calib/capture/colmap_model.h"
+#include "calib/capture/undistortion.h"
+#include "pipeline/stages/left_out_json.h"
+#include "pipeline/stages/photograph_list.h"
+#include "pipeline/stages/posed_files.h"
+#include "pipeline/workspace/json_file.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+PoseResult find_poses(const std::vector<Photograph>& photographs, const PoseSource& source,
+                      const fs::path& scratch_folder, int threads, Progress& progress) {
+    if (!source.imported_poses.empty()) return import_poses(photographs, source.imported_poses);
+    PoseResult result = estimate_poses(photographs, source.given_lens, source.options,
+                                       scratch_folder, threads, progress);
+    fs::remove_all(scratch_folder);
+    return result;
+}
+
+std::vector<fs::path> working_copies(const Capture& capture,
+                                     const std::vector<Photograph>& photographs) {
+    std::map<std::string, fs::path> path_of;
+    for (const Photograph& photograph : photographs) {
+        path_of[photograph.name] = photograph.picture_path;
+    }
+    std::vector<fs::path> paths;
+    for (const View& view : capture.views) paths.push_back(path_of.at(view.name));
+    return paths;
+}
+
+Json lenses_json(const std::vector<Camera>& cameras) {
+    Json json = Json::array();
+    for (const Camera& camera : cameras) {
+        json.push_back({{"model", name_of(camera.model)},
+                        {"width_px", camera.width_px},
+                        {"height_px", camera.height_px},
+                        {"parameters", camera.parameters}});
+    }
+    return json;
+}
+
+Json facts_json(const PoseResult& result) {
+    const PoseEvidence& evidence = result.evidence;
+    return Json{{"photographs_total", evidence.photographs_total},
+                {"photographs_registered", evidence.photographs_registered},
+                {"points", evidence.points},
+                {"observations", evidence.observations},
+                {"mean_reprojection_error_px", evidence.mean_reprojection_error_px},
+                {"median_triangulation_angle_deg", evidence.median_triangulation_angle_deg},
+                {"models_found", evidence.models_found},
+                {"start", evidence.start},
+                {"pairs_verified", evidence.pairs_verified},
+                {"planar_or_rotation_share", evidence.planar_or_rotation_share},
+                {"warnings", evidence.warnings},
+                {"lenses", lenses_json(result.capture.cameras)},
+                {"not_registered", left_out_json(result.not_registered)}};
+}
+
+Json timings_json(const PoseEvidence& evidence) {
+    Json calls = Json::array();
+    for (const ColmapCall& call : evidence.calls) {
+        calls.push_back(
+            {{"command_line", call.command_line}, {"wall_s", call.wall_s}, {"cpu_s", call.cpu_s}});
+    }
+    return Json{{"colmap_calls", std::move(calls)}};
+}
+
+}  // namespace
+
+StageEvidence run_poses_stage(const fs::path& ingest_folder, const PoseSource& source,
+                              const fs::path& folder, int threads, Progress& progress) {
+    const std::vector<Photograph> photographs = read_photograph_list(ingest_folder).photographs;
+    const PoseResult result =
+        find_poses(photographs, source, folder / "scratch", threads, progress);
+    write_colmap_model_binary(result.capture, folder / "sparse");
+    for (const std::string& warning : result.evidence.warnings) progress.note(warning);
+    for (const LeftOut& left_out : result.not_registered) {
+        progress.note("no pose for " + left_out.name + " (" + left_out.code +
+                      "): " + left_out.reason);
+    }
+    const fs::path pinhole_folder = folder / "pinhole";
+    write_posed_photographs(pinhole_folder,
+                            undistort(result.capture, working_copies(result.capture, photographs),
+                                      pinhole_folder, threads, progress));
+    return {json_text(facts_json(result)), json_text(timings_json(result.evidence))};
+}
+
+}  // namespace lumi

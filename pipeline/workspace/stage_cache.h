@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "calib/work/progress.h"
+#include "pipeline/workspace/done_marker.h"
+#include "pipeline/workspace/workspace.h"
+
+namespace lumi {
+
+/// A piece of the line: what decides its result, and how the result is made.
+struct Stage {
+    StageIdentity identity;
+    /// Writes into the folder it is given and nowhere else, `product` excepted.
+    std::function<StageEvidence(const std::filesystem::path& folder)> run;
+    /// A folder that `run` itself puts in place whole, outside its own (the package); may be empty.
+    std::filesystem::path product;
+};
+
+/// How a stage came to be finished.
+struct FinishedStage {
+    std::string name;
+    bool was_run = false;
+    std::string reason;  ///< Why it was run: "parameters changed", ...
+    Cost cost;           ///< Of the run that made the result.
+    StageEvidence evidence;
+    std::vector<ContentEntry> outputs;
+};
+
+/// Runs a stage unless a finished result with the same identity and unharmed files stands in the
+/// workspace. A result appears by one rename: killed at any moment, a stage is done or not begun.
+[[nodiscard]] FinishedStage bring_up_to_date(const Workspace& workspace, const Stage& stage,
+                                             int threads, Progress& progress);
+
+}  // namespace lumi

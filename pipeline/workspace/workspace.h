@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "pipeline/workspace/folder_lock.h"
+
+namespace lumi {
+
+/// Where the things of a workspace lie; other tools rely on these names.
+class WorkspaceLayout {
+ public:
+    /// `name` is that of the package.
+    WorkspaceLayout(std::filesystem::path folder, std::string name)
+        : folder_(std::move(folder)), name_(std::move(name)) {}
+
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] std::filesystem::path config_path() const { return folder_ / "config.toml"; }
+    [[nodiscard]] std::filesystem::path stages_path() const { return folder_ / "stages.json"; }
+    [[nodiscard]] std::filesystem::path report_path() const { return folder_ / "report.html"; }
+    [[nodiscard]] std::filesystem::path package_folder() const {
+        return folder_ / (name_ + ".lumi");
+    }
+    [[nodiscard]] std::filesystem::path evaluation_folder() const { return folder_ / "evaluation"; }
+    [[nodiscard]] std::filesystem::path stage_folder(const std::string& stage) const {
+        return folder_ / stage;
+    }
+
+ private:
+    std::filesystem::path folder_;
+    std::string name_;
+};
+
+/// A workspace that this process alone works in.
+class Workspace : public WorkspaceLayout {
+ public:
+    /// Makes the folder, locks it and removes what a killed run left behind. Throws Error
+    /// (E-WORKSPACE-BUSY, E-FILE-WRITE).
+    explicit Workspace(const WorkspaceLayout& layout);
+
+ private:
+    FolderLock lock_;
+};
+
+/// The layout of a workspace that `lumi build` made, by its config.toml. Throws Error
+/// (E-WORKSPACE-NONE) when there is none.
+[[nodiscard]] WorkspaceLayout find_workspace(const std::filesystem::path& folder);
+
+}  // namespace lumi
