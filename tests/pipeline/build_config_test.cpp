@@ -1,0 +1,164 @@
+#include "pipeline/config/build_config.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "pipeline/config/lens_file.h"
+#include "tests/calib/scratch_folder.h"
+
+namespace lumi {
+namespace {
+
+using testing::HasSubstr;
+
+BuildConfig read(const std::string& toml) {
+    return read_build_config(ConfigSection::from_text(toml, "test.toml"), "test");
+}
+
+/// The Error that reading ends in.
+Error refusal_of(const std::string& toml) {
+    try {
+        static_cast<void>(read(toml));
+    } catch (const Error& error) {
+        return error;
+    }
+    return {ErrorKind::kUsage, "accepted", toml, ""};
+}
+
+TEST(BuildConfig, NeedsNothingButPhotographs) {
+    const BuildConfig config = read("[capture]\nphotos = \"photos\"\n");
+    EXPECT_EQ(config.name, "test");
+    EXPECT_EQ(config.photographs_or_video.filename(), "photos");
+    EXPECT_TRUE(config.imported_poses.empty());
+    EXPECT_FALSE(config.given_lens.has_value());
+    EXPECT_EQ(config.ingest.max_width_px, 1600);
+    EXPECT_EQ(config.hold_out.every, 0);
+}
+
+TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
+    const std::string resolved = read("[capture]\nphotos = \"photos\"\n").resolved_toml;
+    for (const char* key : {"name",
+                            "workspace",
+                            "threads",
+                            "[capture]",
+                            "photos",
+                            "video",
+                            "import",
+                            "max_width_px",
+                            "min_width_px",
+                            "min_photographs",
+                            "video_fps",
+                            "[calibration]",
+                            "camera",
+                            "[poses]",
+                            "lens_model",
+                            "shared_lens",
+                            "refine_lens",
+                            "max_features",
+                            "max_reprojection_error_px",
+                            "min_track_length",
+                            "min_registered_share",
+                            "time_limit_s",
+                            "colmap",
+                            "[mesh]",
+                            "construction",
+                            "[depth]",
+                            "model",
+                            "max_neighbours",
+                            "import_folder",
+                            "[package]",
+                            "max_views",
+                            "[evaluate]",
+                            "hold_out_every",
+                            "hold_out"}) {
+        EXPECT_THAT(resolved, HasSubstr(key));
+    }
+    // What was resolved is itself a configuration, and resolves to itself.
+    EXPECT_EQ(read(resolved).resolved_toml, resolved);
+}
+
+TEST(BuildConfig, RefusesAnUnknownKeyInEverySectionWithASuggestion) {
+    for (const char* section :
+         {"capture", "calibration", "poses", "mesh", "depth", "package", "evaluate"}) {
+        std::string toml = "[" + std::string(section) + "]\nno_such_key = 1\n";
+        if (std::string(section) != "capture") toml += "[capture]\n";
+        const Error error = refusal_of(toml + "photos = \"p\"\n");
+        EXPECT_EQ(error.code(), "E-CONFIG-KEY") << section;
+        EXPECT_THAT(error.what(), HasSubstr(std::string(section) + ".no_such_key"));
+    }
+    const Error error = refusal_of("[capture]\nphotos = \"p\"\nmax_widht_px = 3\n");
+    EXPECT_EQ(error.code(), "E-CONFIG-KEY");
+    EXPECT_THAT(error.what(), HasSubstr("test.toml:3"));
+    EXPECT_THAT(error.advice(), HasSubstr("max_width_px"));
+    EXPECT_EQ(refusal_of("naem = \"x\"\n[capture]\nphotos = \"p\"\n").code(), "E-CONFIG-KEY");
+}
+
+TEST(BuildConfig, RefusesWhatContradictsItself) {
+    for (const char* toml :
+         {"", "[capture]\nphotos = \"p\"\nvideo = \"v.mp4\"\n",
+          "[capture]\nphotos = \"p\"\n[evaluate]\nhold_out_every = 1\n",
+          "[capture]\nphotos = \"p\"\n[evaluate]\nhold_out_every = -8\n",
+          "[capture]\nphotos = \"p\"\n[evaluate]\nhold_out_every = 8\nhold_out = [\"a\"]\n",
+          "[capture]\nphotos = \"p\"\n[package]\nmax_views = 7\n",
+          "threads = -1\n[capture]\nphotos = \"p\"\n",
+          "name = \"a/b\"\n[capture]\nphotos = \"p\"\n",
+          "name = \"..\"\n[capture]\nphotos = \"p\"\n"}) {
+        EXPECT_EQ(refusal_of(toml).code(), "E-CONFIG-VALUE") << toml;
+    }
+}
+
+TEST(BuildConfig, ParametersOfAStageAreItsOwn) {
+    const BuildConfig plain = read("[capture]\nphotos = \"p\"\n");
+    const BuildConfig elsewhere = read("[capture]\nphotos = \"q\"\n");
+    const BuildConfig finer = read("[capture]\nphotos = \"p\"\n[depth]\nmax_width_px = 1000\n");
+    EXPECT_EQ(plain.stage_parameters.at("ingest"), elsewhere.stage_parameters.at("ingest"));
+    EXPECT_EQ(plain.stage_parameters.at("mesh"), finer.stage_parameters.at("mesh"));
+    EXPECT_NE(plain.stage_parameters.at("depth"), finer.stage_parameters.at("depth"));
+    EXPECT_NE(plain.stage_parameters.at("pack"), finer.stage_parameters.at("pack"));
+}
+
+TEST(BuildConfig, PathsAreRelativeToTheFile) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch.path() / "configs" / "cat.toml",
+                     "[capture]\nphotos = \"../photos\"\nimport = \"sparse/0\"\n");
+    const BuildConfig config = load_build_config(scratch.path() / "configs" / "cat.toml");
+    EXPECT_EQ(config.name, "cat");
+    EXPECT_EQ(config.photographs_or_video, scratch.path() / "photos");
+    EXPECT_EQ(config.imported_poses, scratch.path() / "configs" / "sparse" / "0");
+}
+
+TEST(BuildConfig, AFolderOfPhotographsIsAConfiguration) {
+    const ScratchFolder scratch;
+    const std::filesystem::path photos = scratch.path() / "my \"best\" photos";
+    std::filesystem::create_directories(photos);
+    const BuildConfig config = load_build_config(photos / "");
+    EXPECT_EQ(config.name, "my \"best\" photos");
+    EXPECT_TRUE(std::filesystem::equivalent(config.photographs_or_video, photos));
+}
+
+TEST(LensFile, GivesTheLens) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "camera.toml",
+                     "model = \"SIMPLE_RADIAL\"\nwidth_px = 640\nheight_px = 480\n"
+                     "parameters = [500.5, 320, 240, 0.01]\n");
+    const Camera lens = read_lens_file(scratch / "camera.toml");
+    EXPECT_EQ(lens, (Camera{640, 480, LensModel::kSimpleRadial, {500.5, 320, 240, 0.01}}));
+    EXPECT_NE(lens_parameters_text(lens), lens_parameters_text(std::nullopt));
+}
+
+TEST(LensFile, RefusesWhatIsNoLens) {
+    const ScratchFolder scratch;
+    const std::string size = "width_px = 640\nheight_px = 480\n";
+    for (const std::string& toml :
+         {std::string("model = \"NONE\"\n") + size, size + "parameters = [1, 2]\n",
+          std::string("width_px = 0\nheight_px = 480\nparameters = [1, 1, 1, 1]\n"),
+          size + "parameters = [-500, -500, 320, 240]\n", size + "focal = 3\n"}) {
+        write_whole_text(scratch / "camera.toml", toml);
+        EXPECT_THROW(static_cast<void>(read_lens_file(scratch / "camera.toml")), Error) << toml;
+    }
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,243 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/whole_file.h"
+#include "tests/calib/scratch_folder.h"
+#include "tests/truth/textured_box_scene.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// What the built program did.
+struct Outcome {
+    int exit_code = -1;
+    std::string out;
+    std::string talk;
+};
+
+std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+
+Outcome lumi(const std::string& arguments, const std::string& before = "") {
+    const ScratchFolder scratch;
+    const std::string command = before + " " + quoted(LUMI_BINARY) + " " + arguments + " > " +
+                                quoted(scratch / "out") + " 2> " + quoted(scratch / "talk");
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_whole_text(scratch / "out"),
+            read_whole_text(scratch / "talk")};
+}
+
+TEST(CommandLine, HelpBeginsWithAnExample) {
+    EXPECT_THAT(lumi("--help").out, StartsWith("Example: lumi "));
+    for (const std::string command :
+         {"build", "ingest", "poses", "mesh", "depth", "pack", "render", "view", "bench", "evaluate",
+          "compare-poses", "inspect", "validate", "synth"}) {
+        const Outcome help = lumi(command + " --help");
+        EXPECT_EQ(help.exit_code, 0) << command;
+        EXPECT_THAT(help.out, StartsWith("Example: lumi " + command));
+    }
+}
+
+TEST(CommandLine, AWrongCommandLineIsUsage) {
+    EXPECT_EQ(lumi("").exit_code, 2);
+    EXPECT_EQ(lumi("biuld").exit_code, 2);
+    EXPECT_EQ(lumi("build").exit_code, 2);
+    EXPECT_EQ(lumi("build --no-such-flag x.toml").exit_code, 2);
+    EXPECT_EQ(lumi("build --threads -3 x.toml").exit_code, 2);
+    EXPECT_EQ(lumi("render p.lumi --out x.png").exit_code, 2);
+    EXPECT_EQ(lumi("").out, "");
+}
+
+TEST(CommandLine, VersionNamesWhatLumiIsBuiltFrom) {
+    const Outcome version = lumi("--version");
+    EXPECT_EQ(version.exit_code, 0);
+    EXPECT_THAT(version.out, StartsWith("lumi "));
+    for (const char* name : {"COLMAP", "OpenCV ", "Ceres ", "CGAL ", "OpenImageIO "}) {
+        EXPECT_THAT(version.out, HasSubstr(name));
+    }
+}
+
+TEST(CommandLine, ErrorsSayWhatWhereAndWhatToDo) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "c.toml", "[capture]\nphotos = \"p\"\nmax_with_px = 3\n");
+    const Outcome outcome = lumi("build " + quoted(scratch / "c.toml"));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.talk, HasSubstr("error E-CONFIG-KEY: " + (scratch / "c.toml").string() +
+                                        ":3: unknown key `capture.max_with_px`\n  -> "));
+}
+
+TEST(CommandLine, ErrorsAreJsonForMachines) {
+    const Outcome outcome = lumi("inspect --json /no/such.lumi");
+    EXPECT_EQ(outcome.exit_code, 3);
+    const Json error = Json::parse(outcome.out).at("error");
+    EXPECT_EQ(error.at("exit_code"), 3);
+    EXPECT_THAT(error.at("code").get<std::string>(), StartsWith("E-"));
+}
+
+TEST(CommandLine, AMissingInputIsBadInput) {
+    const ScratchFolder scratch;
+    EXPECT_EQ(lumi("build " + quoted(scratch / "no.toml")).exit_code, 3);
+    EXPECT_EQ(lumi("evaluate " + quoted(scratch.path())).exit_code, 3);
+    EXPECT_EQ(lumi("validate " + quoted(scratch / "no.lumi")).exit_code, 3);
+    EXPECT_EQ(
+        lumi("compare-poses " + quoted(scratch / "a") + " " + quoted(scratch / "b")).exit_code, 3);
+}
+
+TEST(CommandLine, AnInterruptionEndsWith130) {
+    const ScratchFolder scratch;
+    // The demo scene takes tens of seconds; it is stopped after one.
+    const Outcome outcome = lumi("synth --out " + quoted(scratch / "scene"),
+                                 "timeout --preserve-status --signal=INT 1");
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_THAT(outcome.talk, HasSubstr("error E-INTERRUPTED"));
+}
+
+/// The textured box with its true poses, and the line over it.
+class Line : public testing::Test {
+ protected:
+    static void SetUpTestSuite() {
+        scene_ = std::make_unique<ScratchFolder>();
+        SilentProgress progress;
+        synthesize_into(scene_->path(), textured_box_description(), 0, progress);
+    }
+    static void TearDownTestSuite() { scene_.reset(); }
+
+    void configure(const std::string& more) const {
+        write_whole_text(config_path(),
+                         "name = \"box\"\n[capture]\nphotos = \"" +
+                             (scene_->path() / "photos").string() + "\"\nimport = \"" +
+                             (scene_->path() / "truth" / "sparse").string() + "\"\n" + more);
+    }
+    /// States of the stages, in their order: 'r' for run, 'u' for up to date.
+    std::string build(const std::string& command = "build") const {
+        const Outcome outcome = lumi(command + " --json " + quoted(config_path()) +
+                                     " --workspace " + quoted(workspace()));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.talk;
+        std::string states;
+        const Json result = Json::parse(outcome.out);
+        for (const Json& stage : result.at("stages")) {
+            states += stage.at("state") == "run" ? 'r' : 'u';
+        }
+        return states;
+    }
+    [[nodiscard]] fs::path config_path() const { return scratch_ / "box.toml"; }
+    [[nodiscard]] fs::path workspace() const { return scratch_ / "work"; }
+    [[nodiscard]] fs::path package() const { return workspace() / "box.lumi"; }
+
+    static std::unique_ptr<ScratchFolder> scene_;
+    ScratchFolder scratch_;
+};
+
+std::unique_ptr<ScratchFolder> Line::scene_;
+
+TEST_F(Line, RunsWhatHasToBeRunAndNoMore) {
+    configure("");
+    EXPECT_EQ(build("mesh"), "rrr");
+    EXPECT_EQ(build(), "uuurr");
+    EXPECT_EQ(build(), "uuuuu");
+
+    configure("[depth]\nmax_neighbours = 2\n");
+    EXPECT_EQ(build(), "uuurr");
+    configure("[depth]\nmax_neighbours = 2\n[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
+    EXPECT_EQ(build(), "uurrr");
+
+    for (const auto& entry : fs::recursive_directory_iterator(scene_->path())) {
+        fs::last_write_time(entry.path(), fs::file_time_type::clock::now());
+    }
+    EXPECT_EQ(build(), "uuuuu");
+}
+
+TEST_F(Line, MakesHarmedFilesAgain) {
+    configure("");
+    static_cast<void>(build());
+    const fs::path harmed = workspace() / "depth" / "IMG_0002.inverse_depth.tif";
+    const std::string before = read_whole_text(harmed);
+    write_whole_text(harmed, "harmed");
+    EXPECT_EQ(build(), "uuuru");  // The same depth as before: what was packed can stay.
+    EXPECT_EQ(read_whole_text(harmed), before);
+    fs::remove(package() / "lumigraph.json");
+    EXPECT_EQ(build(), "uuuur");
+}
+
+TEST_F(Line, HeldOutViewsAreInThePosesAndInNothingElse) {
+    configure("[evaluate]\nhold_out_every = 4\n");  // 1, 5 and 9 of nine.
+    static_cast<void>(build());
+    const Json inspected = Json::parse(lumi("inspect --json " + quoted(package())).out);
+    EXPECT_EQ(inspected.at("views").size(), 6U);
+    const Json stages = Json::parse(read_whole_text(workspace() / "stages.json")).at("stages");
+    EXPECT_EQ(stages.at(1).at("evidence").at("photographs_registered"), 9);
+    EXPECT_EQ(stages.at(2).at("evidence").at("cameras_total"), 6);
+    EXPECT_EQ(stages.at(3).at("evidence").at("views").size(), 6U);
+}
+
+TEST_F(Line, EvaluatesHeldOutViews) {
+    configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n[depth]\nimport_folder = \"" +
+              (scene_->path() / "truth" / "depth").string() + "\"\n");
+    static_cast<void>(build());
+    const Outcome outcome = lumi("evaluate --json " + quoted(workspace()));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    const Json evaluation =
+        Json::parse(read_whole_text(workspace() / "evaluation" / "evaluation.json"));
+    EXPECT_EQ(evaluation.at("mode"), "perpixel");
+    ASSERT_EQ(evaluation.at("views").size(), 1U);
+    EXPECT_EQ(evaluation.at("views").at(0).at("name"), "IMG_0005.png");
+    // The middle of a 3 x 3 grid with true poses and depth: only resampling and edges differ.
+    EXPECT_GT(evaluation.at("mean").at("psnr_covered_db").get<double>(), 27.0);
+    EXPECT_GT(evaluation.at("mean").at("coverage").get<double>(), 0.95);
+    EXPECT_TRUE(evaluation.at("modes").contains("lightfield"));
+    const ColorImage strip = read_color_image(workspace() / "evaluation" / "IMG_0005.png");
+    EXPECT_EQ(strip.width(), 3 * 160 + 2 * 4);
+    EXPECT_THAT(read_whole_text(workspace() / "report.html"), HasSubstr("IMG_0005.png"));
+}
+
+TEST_F(Line, EvaluateSaysWhatToSetWhenNothingIsHeldOut) {
+    configure("");
+    static_cast<void>(build());
+    const Outcome outcome = lumi("evaluate " + quoted(workspace()));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.talk, HasSubstr("error E-EVAL-NOHOLDOUT"));
+    EXPECT_THAT(outcome.talk, HasSubstr("hold_out_every = 8"));
+}
+
+TEST_F(Line, AFailureIsWrittenDownAndTheFormerPackageStays) {
+    configure("");
+    static_cast<void>(build());
+    const std::string before = read_whole_text(package() / "lumigraph.json");
+    configure("[evaluate]\nhold_out = [\"no.png\"]\n");
+    const Outcome outcome =
+        lumi("build " + quoted(config_path()) + " --workspace " + quoted(workspace()));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.talk, HasSubstr("error E-EVAL-NAME"));
+    const Json stages = Json::parse(read_whole_text(workspace() / "stages.json"));
+    EXPECT_EQ(stages.at("failure").at("code"), "E-EVAL-NAME");
+    EXPECT_THAT(read_whole_text(workspace() / "report.html"), HasSubstr("E-EVAL-NAME"));
+    EXPECT_EQ(read_whole_text(package() / "lumigraph.json"), before);
+}
+
+TEST_F(Line, TheSameBytesForAnyNumberOfThreads) {
+    configure("");
+    std::vector<std::string> manifests;
+    for (const char* threads : {"1", "3"}) {
+        const fs::path folder = scratch_ / threads;
+        ASSERT_EQ(lumi("build " + quoted(config_path()) + " --workspace " + quoted(folder) +
+                       " --threads " + threads)
+                      .exit_code,
+                  0);
+        manifests.push_back(read_whole_text(folder / "box.lumi" / "lumigraph.json"));
+    }
+    EXPECT_EQ(manifests[0], manifests[1]);  // It has the checksum of every other file.
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/evaluate/comparison_strip.h"
+#include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/report/html.h"
+#include "pipeline/report/number_text.h"
+#include "pipeline/report/verdict.h"
+#include "pipeline/stages/color_scale.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string base64_of(const std::string& text) {
+    return base64({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+TEST(Html, Base64MeetsTheVectorsOfRfc4648) {
+    EXPECT_EQ(base64_of(""), "");
+    EXPECT_EQ(base64_of("f"), "Zg==");
+    EXPECT_EQ(base64_of("fo"), "Zm8=");
+    EXPECT_EQ(base64_of("foo"), "Zm9v");
+    EXPECT_EQ(base64_of("foob"), "Zm9vYg==");
+    EXPECT_EQ(base64_of("fooba"), "Zm9vYmE=");
+    EXPECT_EQ(base64_of("foobar"), "Zm9vYmFy");
+}
+
+TEST(Html, NoTextBecomesMarkup) {
+    const std::string hostile = R"(<script>alert("x")</script> & 'y')";
+    const std::string escaped =
+        "&lt;script&gt;alert(&quot;x&quot;)&lt;/script&gt; &amp; &#39;y&#39;";
+    EXPECT_EQ(html_escaped(hostile), escaped);
+    for (const std::string& html :
+         {html_table({hostile}, {{hostile}}), html_section(hostile, ""), html_details(hostile, ""),
+          html_figure(ColorImage(4, 4), 4, hostile), html_page(hostile, "")}) {
+        EXPECT_EQ(html.find("<script"), std::string::npos);
+        EXPECT_NE(html.find("&lt;script"), std::string::npos);
+    }
+}
+
+TEST(NumberText, HasFixedDecimals) {
+    EXPECT_EQ(number_text(1.005, 1), "1.0");
+    EXPECT_EQ(number_text(-2.75, 1), "-2.8");
+    EXPECT_EQ(number_text(31.4159, 0), "31");
+}
+
+Evaluation two_modes() {
+    Evaluation evaluation;
+    evaluation.gl_description = "GL";
+    evaluation.modes = {
+        {RenderMode::kPerPixel,
+         {{"a.jpg", 30.0, 31.0, 0.9, 1.0, 4.0}, {"b.jpg", 20.0, std::nullopt, 0.7, 0.0, 8.0}}},
+        {RenderMode::kLightField, {{"a.jpg", 10.0, 12.0, 0.5, 0.5, 2.0}}}};
+    return evaluation;
+}
+
+TEST(EvaluationFile, SaysWhatOtherToolsRelyOn) {
+    const Json json = evaluation_json(two_modes());
+    EXPECT_EQ(json.at("mode"), "perpixel");
+    EXPECT_DOUBLE_EQ(json.at("mean").at("psnr_db"), 25.0);
+    EXPECT_DOUBLE_EQ(json.at("mean").at("psnr_covered_db"), 31.0);
+    EXPECT_DOUBLE_EQ(json.at("mean").at("ssim"), 0.8);
+    EXPECT_DOUBLE_EQ(json.at("mean").at("coverage"), 0.5);
+    EXPECT_DOUBLE_EQ(json.at("mean").at("ms"), 6.0);
+    EXPECT_EQ(json.at("views").at(0).at("name"), "a.jpg");
+    EXPECT_TRUE(json.at("views").at(1).at("psnr_covered_db").is_null());
+    EXPECT_DOUBLE_EQ(json.at("modes").at("lightfield").at("mean").at("psnr_db"), 10.0);
+}
+
+TEST(ComparisonStrip, ShowsPhotographRenderingAndError) {
+    const ColorImage photograph(20, 60, {100, 100, 100});
+    ColorImage rendering = photograph;
+    rendering(3, 4) = {164, 100, 100};
+    const ColorImage strip = comparison_strip(photograph, rendering, GrayImage(20, 60, 255), 64);
+    EXPECT_EQ(strip(3, 4), (Rgb8{100, 100, 100}));
+    EXPECT_EQ(strip(24 + 3, 4), (Rgb8{164, 100, 100}));
+    EXPECT_EQ(strip(48 + 3, 4), color_of_share(1.0F));
+    EXPECT_EQ(strip(48 + 4, 4), color_of_share(0.0F));
+}
+
+TEST(ColorScale, GrowsLighterAllTheWay) {
+    double before = -1.0;
+    for (int i = 0; i <= 100; ++i) {
+        const Rgb8 color = color_of_share(static_cast<float>(i) / 100.0F);
+        const double lightness = 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
+        EXPECT_GE(lightness, before) << i;
+        before = lightness;
+    }
+    EXPECT_EQ(color_of_share(-5.0F), color_of_share(0.0F));
+    EXPECT_EQ(color_of_share(5.0F), color_of_share(1.0F));
+}
+
+Json stages_of_a_good_run() {
+    return Json::parse(R"({"stages": [
+        {"name": "ingest", "evidence": {"photographs": 9, "left_out": []}},
+        {"name": "poses", "evidence": {"photographs_total": 9, "not_registered": [],
+                                       "warnings": []}},
+        {"name": "pack", "evidence": {}}]})");
+}
+
+TEST(Verdict, IsGoodWhenNothingIsMissing) {
+    EXPECT_EQ(verdict_of(stages_of_a_good_run(), nullptr).level, Verdict::Level::kGood);
+}
+
+TEST(Verdict, IsFairWhenAPhotographFoundNoPlace) {
+    Json stages = stages_of_a_good_run();
+    stages["stages"][1]["evidence"]["not_registered"] = {
+        {{"name", "a"}, {"code", "E"}, {"reason", "r"}}};
+    EXPECT_EQ(verdict_of(stages, nullptr).level, Verdict::Level::kFair);
+}
+
+TEST(Verdict, PassesWarningsOfThePosesOn) {
+    Json stages = stages_of_a_good_run();
+    stages["stages"][1]["evidence"]["warnings"] = {"the scene looks flat"};
+    const Verdict verdict = verdict_of(stages, nullptr);
+    EXPECT_EQ(verdict.level, Verdict::Level::kFair);
+    EXPECT_EQ(verdict.remarks.at(0), "the scene looks flat");
+}
+
+TEST(Verdict, IsBadWhenTheLineEndedEarlyAndSaysWhy) {
+    Json stages = stages_of_a_good_run();
+    stages["failure"] = {{"code", "E-POSES-FEW"}, {"what", "3 of 9"}, {"advice", "go slower"}};
+    const Verdict verdict = verdict_of(stages, nullptr);
+    EXPECT_EQ(verdict.level, Verdict::Level::kBad);
+    EXPECT_NE(verdict.headline.find("E-POSES-FEW"), std::string::npos);
+    EXPECT_EQ(verdict.remarks.at(0), "go slower");
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,176 @@
+#include "pipeline/workspace/stage_cache.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <set>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "tests/calib/scratch_folder.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A workspace and a stage that copies one input, counting its runs.
+class StageCache : public testing::Test {
+ protected:
+    StageCache() { write_whole_text(input_, "content"); }
+
+    FinishedStage bring(const std::string& parameters = "width = 1") {
+        const Workspace workspace(WorkspaceLayout(scratch_ / "work", "scene"));
+        SilentProgress progress;
+        return bring_up_to_date(workspace, copying_stage(parameters), 1, progress);
+    }
+
+    Stage copying_stage(const std::string& parameters) {
+        return {{"mesh", "code", parameters, "", sha256_of_content(content_of(input_, 1))},
+                [this, parameters](const fs::path& folder) -> StageEvidence {
+                    ++runs_;
+                    if (fails_) {
+                        write_whole_text(folder / "half.txt", "half");
+                        throw Error(ErrorKind::kBadInput, "E-TEST", "fails", "");
+                    }
+                    write_whole_text(folder / "copy.txt", read_whole_text(input_) + parameters);
+                    return {R"({"runs": 1})", "{}"};
+                },
+                {}};
+    }
+
+    [[nodiscard]] std::set<std::string> names_in_workspace() const {
+        std::set<std::string> names;
+        for (const auto& entry : fs::directory_iterator(scratch_ / "work")) {
+            names.insert(entry.path().filename().string());
+        }
+        return names;
+    }
+    [[nodiscard]] fs::path copy_path() const { return scratch_ / "work" / "mesh" / "copy.txt"; }
+
+    ScratchFolder scratch_;
+    fs::path input_ = scratch_ / "input.txt";
+    int runs_ = 0;
+    bool fails_ = false;
+};
+
+TEST_F(StageCache, AFinishedStageIsNotRunAgain) {
+    EXPECT_TRUE(bring().was_run);
+    const FinishedStage again = bring();
+    EXPECT_FALSE(again.was_run);
+    EXPECT_EQ(runs_, 1);
+    ASSERT_EQ(again.outputs.size(), 1U);
+    EXPECT_EQ(again.outputs[0].name, "mesh/copy.txt");
+    EXPECT_EQ(again.evidence.facts_json, R"({"runs":1})");
+}
+
+TEST_F(StageCache, AnotherFileTimeIsNoReasonToRun) {
+    static_cast<void>(bring());
+    fs::last_write_time(input_, fs::file_time_type::clock::now() + std::chrono::hours(1));
+    fs::last_write_time(copy_path(), fs::file_time_type::clock::now() - std::chrono::hours(1));
+    EXPECT_FALSE(bring().was_run);
+}
+
+TEST_F(StageCache, ChangedContentIsAReasonToRun) {
+    static_cast<void>(bring());
+    write_whole_text(input_, "other content");
+    const FinishedStage again = bring();
+    EXPECT_TRUE(again.was_run);
+    EXPECT_EQ(again.reason, "inputs changed");
+    EXPECT_EQ(read_whole_text(copy_path()), "other contentwidth = 1");
+}
+
+TEST_F(StageCache, ChangedParametersAreAReasonToRun) {
+    static_cast<void>(bring());
+    const FinishedStage again = bring("width = 2");
+    EXPECT_TRUE(again.was_run);
+    EXPECT_EQ(again.reason, "parameters changed");
+}
+
+TEST_F(StageCache, AnOutputThatWasHarmedIsMadeAgain) {
+    static_cast<void>(bring());
+    write_whole_text(copy_path(), "Content");
+    EXPECT_TRUE(bring().was_run);
+    EXPECT_EQ(read_whole_text(copy_path()), "contentwidth = 1");
+    fs::remove(copy_path());
+    EXPECT_TRUE(bring().was_run);
+    EXPECT_EQ(runs_, 3);
+}
+
+TEST_F(StageCache, ADamagedMarkerIsNoMarker) {
+    static_cast<void>(bring());
+    const fs::path marker = scratch_ / "work" / "mesh" / "done.json";
+    const std::string text = read_whole_text(marker);
+    for (const std::size_t length : {std::size_t{0}, text.size() / 2, text.size() - 3}) {
+        write_whole_text(marker, text.substr(0, length));
+        EXPECT_TRUE(bring().was_run) << "cut to " << length;
+    }
+}
+
+TEST_F(StageCache, AFailingStageLeavesTheFormerResultAndNothingHalf) {
+    static_cast<void>(bring());
+    fails_ = true;
+    EXPECT_THROW(bring("width = 2"), Error);
+    EXPECT_EQ(read_whole_text(copy_path()), "contentwidth = 1");
+    EXPECT_EQ(names_in_workspace(), (std::set<std::string>{".lock", "mesh"}));
+    fails_ = false;
+    EXPECT_FALSE(bring().was_run);
+}
+
+TEST_F(StageCache, WhatAKilledRunLeftIsCleanedUp) {
+    static_cast<void>(bring());
+    const fs::path work = scratch_ / "work";
+    write_whole_text(work / ".depth.new-a1B2c3" / "half.tif", "half");
+    write_whole_text(work / ".scene.lumi.new-a1B2c3" / "lumigraph.json", "half");
+    write_whole_text(work / "stages.json.a1B2c3", "half");
+    write_whole_text(work / "notes.txt", "the user's own");
+    static_cast<void>(bring());
+    EXPECT_EQ(names_in_workspace(), (std::set<std::string>{".lock", "mesh", "notes.txt"}));
+}
+
+TEST_F(StageCache, TwoRunsDoNotShareAWorkspace) {
+    const WorkspaceLayout layout(scratch_ / "work", "scene");
+    const Workspace first(layout);
+    try {
+        const Workspace second(layout);
+        FAIL() << "the workspace was taken twice";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-WORKSPACE-BUSY");
+    }
+}
+
+TEST_F(StageCache, AFreedWorkspaceCanBeTakenAgain) {
+    const WorkspaceLayout layout(scratch_ / "work", "scene");
+    { const Workspace first(layout); }
+    EXPECT_NO_THROW(Workspace{layout});
+}
+
+TEST(StageKey, EveryPartOfTheIdentityCounts) {
+    const StageIdentity identity{"mesh", "code", "parameters", "tool", "inputs"};
+    const std::string key = stage_key(identity);
+    EXPECT_EQ(stage_key(identity), key);
+    for (std::string StageIdentity::*part :
+         {&StageIdentity::stage, &StageIdentity::code, &StageIdentity::parameters,
+          &StageIdentity::external_tool, &StageIdentity::inputs}) {
+        StageIdentity other = identity;
+        other.*part += "x";
+        EXPECT_NE(stage_key(other), key);
+    }
+    // Nor may text wander from one part to the next.
+    EXPECT_NE(stage_key({"mesh", "code", "parameterst", "ool", "inputs"}), key);
+}
+
+TEST(Content, IsNamedRelativeToItsFolderAndSorted) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "b.txt", "b");
+    write_whole_text(scratch.path() / "a" / "z.txt", "z");
+    write_whole_text(scratch / ".hidden", "no");
+    const std::vector<ContentEntry> content = content_of(scratch.path(), 2);
+    ASSERT_EQ(content.size(), 2U);
+    EXPECT_EQ(content[0].name, "a/z.txt");
+    EXPECT_EQ(content[1].name, "b.txt");
+    EXPECT_EQ(content_of(scratch / "nothing", 1).size(), 0U);
+}
+
+}  // namespace
+}  // namespace lumi
