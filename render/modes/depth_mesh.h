@@ -22,7 +22,7 @@ inline constexpr int kDepthKinds = 3;
 struct DepthMeshOptions {
     double max_error_px = 0.1;         ///< The mesh follows the depth map this closely.
     double max_coarse_error_px = 0.8;  ///< Allowed instead when there would be too many triangles.
-    std::size_t max_triangles = 60'000;
+    std::size_t max_triangles = 30'000;
 };
 
 /// A view's depth map as triangles over its photograph.
