@@ -55,6 +55,7 @@ void add_evaluate_command(CLI::App& app, CommandContext& context) {
         std::vector<std::string>{"perpixel", "lightfield"});
     command.add_option("WORKSPACE", *folder, "Folder that lumi build wrote")->required();
     command.add_option("--mode", *modes, "perpixel, lightfield; may be repeated")
+        ->allow_extra_args(false)
         ->capture_default_str();
     command.callback([folder, modes, &context] {
         context.chosen = [folder, modes, &context] { run_evaluate(*folder, *modes, context); };

@@ -41,6 +41,16 @@ Workspace open_workspace(const BuildRequest& request, const BuildConfig& config)
     return Workspace(WorkspaceLayout(request.workspace, config.name));
 }
 
+/// A report that tells why is worth most when there is no package; but what ended the line must not
+/// be lost over it.
+void write_report_of_failure(const Workspace& workspace) {
+    try {
+        write_workspace_report(workspace);
+    } catch (const Error&) {
+        return;
+    }
+}
+
 std::vector<FinishedStage> run_and_report(const BuildConfig& config, const Workspace& workspace,
                                           const std::string& last_stage,
                                           const CommandContext& context) {
@@ -51,10 +61,7 @@ std::vector<FinishedStage> run_and_report(const BuildConfig& config, const Works
         write_workspace_report(workspace);
         return stages;
     } catch (const Error& error) {
-        // A report that tells why is worth most when there is no package. Not on a full disk.
-        const bool can_write =
-            error.kind() != ErrorKind::kInterrupted && error.kind() != ErrorKind::kResources;
-        if (can_write) write_workspace_report(workspace);
+        if (error.kind() != ErrorKind::kInterrupted) write_report_of_failure(workspace);
         throw;
     }
 }

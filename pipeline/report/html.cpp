@@ -1,6 +1,7 @@
 #include "pipeline/report/html.h"
 
-#include <cctype>
+#include <algorithm>
+#include <charconv>
 
 #include "calib/capture/image_io.h"
 #include "calib/capture/jpeg_decoder.h"
@@ -42,8 +43,11 @@ std::string figure(const std::string& source, const std::string& caption) {
            "</figcaption></figure>\n";
 }
 
-bool is_number(const std::string& cell) {
-    return !cell.empty() && std::isdigit(static_cast<unsigned char>(cell.front())) != 0;
+bool is_number(const std::string& text) {
+    double value = 0.0;
+    const char* const end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, value);
+    return result.ec == std::errc() && result.ptr == end;
 }
 
 std::string cell(const std::string& text) {

@@ -14,7 +14,7 @@ namespace lumi {
 
 [[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
 
-/// A table of plain texts; cells are escaped here. Cells that begin with a digit are set right.
+/// A table of plain texts; cells are escaped here. Numbers are set right.
 [[nodiscard]] std::string html_table(const std::vector<std::string>& headings,
                                      const std::vector<std::vector<std::string>>& rows);
 

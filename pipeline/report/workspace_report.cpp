@@ -11,6 +11,7 @@
 #include "pipeline/report/html.h"
 #include "pipeline/report/number_text.h"
 #include "pipeline/report/verdict.h"
+#include "pipeline/stages/photograph_list.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {
@@ -38,11 +39,17 @@ std::string text_of(const Json& value) {
     return value.dump();
 }
 
+/// "mean_reprojection_error_px" as words.
+std::string words_of(std::string key) {
+    std::replace(key.begin(), key.end(), '_', ' ');
+    return key;
+}
+
 /// Names and plain values of an object, one a row; lists and objects stand elsewhere.
 std::string table_of_values(const Json& object) {
     Rows rows;
     for (const auto& [key, value] : object.items()) {
-        if (!value.is_structured()) rows.push_back({key, text_of(value)});
+        if (!value.is_structured()) rows.push_back({words_of(key), text_of(value)});
     }
     return html_table({"what", "value"}, rows);
 }
@@ -66,7 +73,38 @@ void append_left_out(Rows& rows, const Json& left_out) {
     }
 }
 
-std::string photographs_section(const Json& stages) {
+bool is_listed(const Json& left_out, const std::string& name) {
+    return std::any_of(left_out.begin(), left_out.end(),
+                       [&](const Json& entry) { return entry.at("name") == name; });
+}
+
+/// Every photograph that was read, and what became of it.
+std::string used_photographs(const WorkspaceLayout& workspace, const Json& stages) {
+    const Json poses = evidence_of(stages, "poses");
+    const Json pack = evidence_of(stages, "pack");
+    Rows rows;
+    for (const Photograph& photograph :
+         read_photograph_list(workspace.stage_folder("ingest")).photographs) {
+        std::string use = "read";
+        if (!poses.is_null()) {
+            use = is_listed(poses.at("not_registered"), photograph.name) ? "no pose" : "used";
+        }
+        if (!pack.is_null() && use == "used") {
+            const auto held_out = pack.at("held_out").get<std::vector<std::string>>();
+            const bool is_held_out =
+                std::binary_search(held_out.begin(), held_out.end(), photograph.name);
+            if (is_held_out) use = "held out";
+        }
+        rows.push_back(
+            {photograph.name,
+             std::to_string(photograph.width_px) + " x " + std::to_string(photograph.height_px),
+             use});
+    }
+    return html_details("Every photograph",
+                        html_table({"photograph", "size in pixels", "use"}, rows));
+}
+
+std::string photographs_section(const WorkspaceLayout& workspace, const Json& stages) {
     const Json ingest = evidence_of(stages, "ingest");
     if (ingest.is_null()) return {};
     const Json poses = evidence_of(stages, "poses");
@@ -79,7 +117,7 @@ std::string photographs_section(const Json& stages) {
     append_left_out(rows, ingest.at("left_out"));
     if (!poses.is_null()) append_left_out(rows, poses.at("not_registered"));
     if (!rows.empty()) html += html_table({"left out", "code", "why"}, rows);
-    return html_section("Photographs", html);
+    return html_section("Photographs", html + used_photographs(workspace, stages));
 }
 
 std::string poses_section(const Json& stages) {
@@ -106,9 +144,10 @@ std::string poses_section(const Json& stages) {
 }
 
 std::string mesh_section(const WorkspaceLayout& workspace, const Json& stages) {
-    const Json mesh = evidence_of(stages, "mesh");
+    Json mesh = evidence_of(stages, "mesh");
     if (mesh.is_null()) return {};
     std::string html = "<p>" + html_escaped(text_of(mesh.at("explanation"))) + "</p>\n";
+    mesh.erase("explanation");
     const fs::path svg_path = workspace.stage_folder("mesh") / "camera_mesh.svg";
     std::error_code status;
     if (fs::is_regular_file(svg_path, status)) {
@@ -211,7 +250,7 @@ void write_workspace_report(const WorkspaceLayout& workspace) {
     const Json evaluation = read_current_evaluation(workspace);
     std::string body = verdict_section(verdict_of(stages, evaluation));
     body += evaluation_section(workspace, evaluation);
-    body += photographs_section(stages);
+    body += photographs_section(workspace, stages);
     body += poses_section(stages);
     body += mesh_section(workspace, stages);
     body += depth_section(workspace, stages);

@@ -40,8 +40,8 @@ Outcome lumi(const std::string& arguments, const std::string& before = "") {
 TEST(CommandLine, HelpBeginsWithAnExample) {
     EXPECT_THAT(lumi("--help").out, StartsWith("Example: lumi "));
     for (const std::string command :
-         {"build", "ingest", "poses", "mesh", "depth", "pack", "render", "view", "bench", "evaluate",
-          "compare-poses", "inspect", "validate", "synth"}) {
+         {"build", "ingest", "poses", "mesh", "depth", "pack", "render", "view", "bench",
+          "evaluate", "compare-poses", "inspect", "validate", "synth"}) {
         const Outcome help = lumi(command + " --help");
         EXPECT_EQ(help.exit_code, 0) << command;
         EXPECT_THAT(help.out, StartsWith("Example: lumi " + command));
@@ -185,7 +185,8 @@ TEST_F(Line, EvaluatesHeldOutViews) {
     configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n[depth]\nimport_folder = \"" +
               (scene_->path() / "truth" / "depth").string() + "\"\n");
     static_cast<void>(build());
-    const Outcome outcome = lumi("evaluate --json " + quoted(workspace()));
+    const Outcome outcome =
+        lumi("evaluate --json --mode perpixel --mode lightfield " + quoted(workspace()));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
     const Json evaluation =
         Json::parse(read_whole_text(workspace() / "evaluation" / "evaluation.json"));
