@@ -11,21 +11,30 @@
 namespace lumi {
 
 void CommandContext::print_result(const std::string& text) const {
+    if (clear_bar) clear_bar();
     std::cout << text << std::flush;
 }
 
 void CommandContext::print_result(const nlohmann::ordered_json& json_result) const {
-    std::cout << json_text(json_result) << std::flush;
+    print_result(json_text(json_result));
 }
 
 void CommandContext::say(const std::string& text) const {
-    if (!quiet) std::cerr << text << std::flush;
+    if (quiet) return;
+    if (clear_bar) clear_bar();
+    std::cerr << text << std::flush;
 }
 
-std::unique_ptr<Progress> make_progress(const CommandContext& context) {
-    if (context.quiet) return std::make_unique<SilentProgress>();
-    if (::isatty(STDERR_FILENO) != 0) return std::make_unique<BarProgress>(std::cerr);
-    return std::make_unique<LineProgress>(std::cerr);
+void start_progress(CommandContext& context) {
+    if (context.quiet) {
+        context.progress = std::make_unique<SilentProgress>();
+    } else if (::isatty(STDERR_FILENO) != 0) {
+        auto bar = std::make_unique<BarProgress>(std::cerr);
+        context.clear_bar = [clearable = bar.get()] { clearable->clear(); };
+        context.progress = std::move(bar);
+    } else {
+        context.progress = std::make_unique<LineProgress>(std::cerr);
+    }
 }
 
 }  // namespace lumi

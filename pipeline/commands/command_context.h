@@ -17,13 +17,15 @@ struct CommandContext {
     int threads = 0;               ///< 0: what the configuration says, or all cores.
     std::function<void()> chosen;  ///< What the command line asks for; set while it is parsed.
     std::unique_ptr<Progress> progress;  ///< Present while `chosen` runs.
+    std::function<void()> clear_bar;     ///< Clears the terminal's line for other words.
 
     void print_result(const std::string& text) const;
     void print_result(const nlohmann::ordered_json& json_result) const;
     void say(const std::string& text) const;
 };
 
-/// A bar with time left on a terminal, plain lines elsewhere, nothing when quiet.
-[[nodiscard]] std::unique_ptr<Progress> make_progress(const CommandContext& context);
+/// Gives the context its progress: a bar with time left on a terminal, plain lines elsewhere,
+/// nothing when quiet.
+void start_progress(CommandContext& context);
 
 }  // namespace lumi

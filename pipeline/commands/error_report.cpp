@@ -11,10 +11,11 @@
 namespace lumi {
 namespace {
 
-void print(const Error& error, bool json) {
+void print(const Error& error, const CommandContext& context) {
+    if (context.clear_bar) context.clear_bar();
     std::cerr << "error " << error.code() << ": " << printable(error.what()) << "\n  -> "
               << printable(error.advice()) << std::endl;
-    if (!json) return;
+    if (!context.json) return;
     const nlohmann::ordered_json object{{"error",
                                          {{"code", error.code()},
                                           {"what", error.what()},
@@ -33,21 +34,21 @@ Error as_error(const std::filesystem::filesystem_error& error) {
 
 }  // namespace
 
-int run_and_report_errors(const std::function<void()>& work, bool json) {
+int run_and_report_errors(const std::function<void()>& work, const CommandContext& context) {
     try {
         work();
         return 0;
     } catch (const Error& error) {
-        print(error, json);
+        print(error, context);
         return error.exit_code();
     } catch (const std::bad_alloc&) {
         const Error error(ErrorKind::kResources, "E-MEMORY", "memory ran out",
                           "set a smaller max_width_px under [capture], or fewer --threads");
-        print(error, json);
+        print(error, context);
         return error.exit_code();
     } catch (const std::filesystem::filesystem_error& failure) {
         const Error error = as_error(failure);
-        print(error, json);
+        print(error, context);
         return error.exit_code();
     } catch (const std::exception& failure) {
         std::cerr

@@ -2,10 +2,13 @@
 
 #include <functional>
 
+#include "pipeline/commands/command_context.h"
+
 namespace lumi {
 
-/// Runs `work`, prints what ends it on stderr (`error E-CODE: what`, then advice) and, with `json`,
+/// Runs `work`, prints what ends it on stderr (`error E-CODE: what`, then advice) and, with --json,
 /// as an object on stdout; returns the exit code (design: 0, 2 to 7, 130; 1 for a bug of lumi).
-[[nodiscard]] int run_and_report_errors(const std::function<void()>& work, bool json);
+[[nodiscard]] int run_and_report_errors(const std::function<void()>& work,
+                                        const CommandContext& context);
 
 }  // namespace lumi

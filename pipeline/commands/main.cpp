@@ -50,10 +50,9 @@ int main(int argc, char** argv) {
         return app.exit(error) == 0 ? 0 : kUsageExitCode;
     }
     const auto run_chosen = [&] {
-        context.progress = lumi::make_progress(context);
+        lumi::start_progress(context);
         const lumi::Interruption interruption(*context.progress);
         context.chosen();
     };
-    const int exit_code = lumi::run_and_report_errors(run_chosen, context.json);
-    return exit_code;
+    return lumi::run_and_report_errors(run_chosen, context);
 }

@@ -49,7 +49,12 @@ void BarProgress::note(const std::string& message) {
     const std::scoped_lock lock(mutex_);
     erase();
     out_ << message << '\n';
-    if (!step_.empty()) draw();
+    if (done_ < total_) draw();
+}
+
+void BarProgress::clear() {
+    const std::scoped_lock lock(mutex_);
+    erase();
 }
 
 void BarProgress::draw() {

@@ -9,8 +9,7 @@
 
 namespace lumi {
 
-/// "  7 of 40, about 12 s left", without a bar; the end of a step that is known to be `total` long.
-/// Empty when nothing can be said yet.
+/// "7 of 40, about 12 s left". Empty when the length of the step is unknown (`total` 0).
 [[nodiscard]] std::string progress_text(std::size_t done, std::size_t total, double elapsed_s);
 
 /// A bar that is redrawn in place, for terminals.
@@ -24,6 +23,8 @@ class BarProgress final : public Progress {
     void begin(const std::string& step, std::size_t total) override;
     void advance(std::size_t units) override;
     void note(const std::string& message) override;
+    /// Takes the bar away for other words; it comes back when the step advances.
+    void clear();
 
  private:
     using Clock = std::chrono::steady_clock;
