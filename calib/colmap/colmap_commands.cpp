@@ -66,7 +66,7 @@ ColmapRun verify_matches_with_colmap(const ColmapProgram& program,
     return run(program,
                {"matches_importer", "--database_path", database.string(), "--match_list_path",
                 match_list.string(), "--match_type", "raw", "--SiftMatching.use_gpu", "0",
-                "--SiftMatching.num_threads", "1", "--SiftMatching.max_num_trials", "3000"},
+                "--SiftMatching.num_threads", "1", "--SiftMatching.max_num_trials", "1000"},
                "matches_importer", 0, counter_of(" - ", on_pairs), progress);
 }
 

@@ -71,8 +71,10 @@ class Statement {
         return *this;
     }
     Statement& bind(int index, std::span<const std::byte> bytes) {
-        database_.expect(
-            sqlite3_bind_blob64(handle_, index, bytes.data(), bytes.size(), SQLITE_TRANSIENT));
+        // A null pointer would bind NULL instead of nothing.
+        database_.expect(bytes.empty() ? sqlite3_bind_zeroblob(handle_, index, 0)
+                                       : sqlite3_bind_blob64(handle_, index, bytes.data(),
+                                                             bytes.size(), SQLITE_TRANSIENT));
         return *this;
     }
     void run_once() {

@@ -72,7 +72,7 @@ double angle_rad(std::int32_t similarity) {
 
 bool is_distinct(const Nearest& nearest, const DescriptorMatchingOptions& options) {
     const double best = angle_rad(nearest.best);
-    return best <= options.max_angle_rad && best <= options.max_ratio * angle_rad(nearest.second);
+    return best <= options.max_angle_rad && best < options.max_ratio * angle_rad(nearest.second);
 }
 
 }  // namespace

@@ -9,7 +9,8 @@
 namespace lumi {
 namespace {
 
-constexpr std::size_t kMinMatches = 20;  ///< Fewer say nothing.
+constexpr std::size_t kMinMatches = 20;      ///< Fewer say nothing.
+constexpr std::size_t kEnoughMatches = 100;  ///< More say the same.
 /// Of the longer side. Leaves room for lens distortion and for the sway of a hand-held panorama;
 /// real panoramas were seen at a third to a half of it, captures with parallax far beyond it.
 constexpr double kToleranceShare = 0.008;
@@ -63,7 +64,9 @@ bool is_rotation(const VerifiedPair& pair, const Camera& first, const Camera& se
     DirectionPairs directions;
     const auto& first_pixels = photographs[static_cast<std::size_t>(pair.first)].keypoints_px;
     const auto& second_pixels = photographs[static_cast<std::size_t>(pair.second)].keypoints_px;
-    for (const FeatureMatch& match : pair.inliers) {
+    const std::size_t step = 1 + pair.inliers.size() / kEnoughMatches;
+    for (std::size_t index = 0; index < pair.inliers.size(); index += step) {
+        const FeatureMatch& match = pair.inliers[index];
         directions.first.push_back(unproject(first, first_pixels[match.first].cast<double>()));
         directions.second.push_back(unproject(second, second_pixels[match.second].cast<double>()));
     }
@@ -78,7 +81,7 @@ bool is_rotation(const VerifiedPair& pair, const Camera& first, const Camera& se
 std::vector<double> focal_length_factors(bool lens_is_calibrated) {
     if (lens_is_calibrated) return {1.0};
     std::vector<double> factors;
-    for (double factor = 0.25; factor < 4.0; factor *= 1.2) factors.push_back(factor);
+    for (double factor = 0.25; factor < 4.0; factor *= 1.1) factors.push_back(factor);
     return factors;
 }
 
@@ -98,12 +101,14 @@ RotationFit fit_rotation(const DirectionPairs& directions, double tolerance_rad)
         const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(count / 2);
         std::nth_element(sorted.begin(), middle, sorted.end());
         const double limit = std::max(tolerance_rad, *middle);
+        const std::vector<char> was_used = is_used;
         std::size_t inliers = 0;
         for (std::size_t index = 0; index < count; ++index) {
             is_used[index] = angles[index] <= limit ? 1 : 0;
             if (angles[index] <= tolerance_rad) ++inliers;
         }
         fit.inlier_share = static_cast<double>(inliers) / static_cast<double>(count);
+        if (is_used == was_used) break;
     }
     return fit;
 }

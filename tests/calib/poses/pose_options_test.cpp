@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "calib/poses/pose_stage.h"
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+TEST(PoseOptions, DefaultsAreValid) {
+    EXPECT_NO_THROW(validate(PoseOptions{}));
+    const PoseOptions read = read_pose_options(ConfigSection::from_text("", "empty"));
+    EXPECT_EQ(read.lens_model, PoseOptions{}.lens_model);
+    EXPECT_EQ(read.max_features, PoseOptions{}.max_features);
+}
+
+TEST(PoseOptions, ReadsEveryKey) {
+    const ConfigSection section = ConfigSection::from_text(R"(
+lens_model = "OPENCV"
+shared_lens = false
+refine_lens = false
+max_features = 1000
+max_reprojection_error_px = 1.5
+min_track_length = 3
+min_registered_share = 0.75
+time_limit_s = 60.5
+colmap = "/opt/colmap"
+)",
+                                                           "test");
+    const PoseOptions options = read_pose_options(section);
+    EXPECT_NO_THROW(section.expect_all_keys_known());
+    EXPECT_EQ(options.lens_model, "OPENCV");
+    EXPECT_FALSE(options.shared_lens);
+    EXPECT_FALSE(options.refine_lens);
+    EXPECT_EQ(options.max_features, 1000);
+    EXPECT_EQ(options.max_reprojection_error_px, 1.5);
+    EXPECT_EQ(options.min_track_length, 3);
+    EXPECT_EQ(options.min_registered_share, 0.75);
+    EXPECT_EQ(options.time_limit_s, 60.5);
+    EXPECT_EQ(options.colmap, "/opt/colmap");
+}
+
+TEST(PoseOptions, RefusesEachValueOutOfRange) {
+    const std::vector<std::function<void(PoseOptions&)>> mistakes{
+        [](PoseOptions& options) { options.lens_model = "PERFECT"; },
+        [](PoseOptions& options) { options.max_features = 0; },
+        [](PoseOptions& options) { options.max_reprojection_error_px = 0; },
+        [](PoseOptions& options) { options.min_track_length = 1; },
+        [](PoseOptions& options) { options.min_registered_share = 0; },
+        [](PoseOptions& options) { options.min_registered_share = 1.01; },
+        [](PoseOptions& options) { options.time_limit_s = 0; },
+        [](PoseOptions& options) { options.colmap.clear(); }};
+    for (std::size_t index = 0; index < mistakes.size(); ++index) {
+        PoseOptions options;
+        mistakes[index](options);
+        EXPECT_THROW(validate(options), Error) << "mistake " << index;
+    }
+}
+
+}  // namespace
+}  // namespace lumi
