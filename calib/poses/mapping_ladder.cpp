@@ -19,14 +19,15 @@ struct Rung {
 };
 
 /// Never below 4 degrees: at 2 the mapper was seen to try starting pairs without end.
-const std::array<Rung, 3> kLadder{{
+const std::array<Rung, 4> kLadder{{
     {"default", "COLMAP's own start", {}, false, 1.0},
     {"gentle",
      "gentler start (init_min_tri_angle 4, init_min_num_inliers 40)",
      {4, 40, 30, 0.25},
      false,
      0.9},
-    {"gentlest",
+    {"lenient", "gentler start, fewer matches to add a photograph", {4, 40, 15, 0.15}, false, 0.8},
+    {"detailed",
      "more features, gentler start, fewer matches to add a photograph",
      {4, 40, 15, 0.15},
      true,
