@@ -9,8 +9,8 @@
 namespace lumi {
 
 /// The sharpest frame of each 1 / `options.video_fps` seconds, named after its number in the video
-/// (`frame-000042.png`). Frames are as stored; the video's rotation goes into the EXIF orientation. A
-/// last candidate that is left out tells when the video ends early. Throws Error
+/// (`frame-000042.png`). Frames are as stored; the video's rotation goes into the EXIF orientation.
+/// A last candidate that is left out tells when the video ends early. Throws Error
 /// (E-INGEST-NOVIDEO).
 [[nodiscard]] std::vector<Candidate> ingest_video(const std::filesystem::path& video,
                                                   const IngestOptions& options,
