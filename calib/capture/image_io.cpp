@@ -1,8 +1,8 @@
 #include "calib/capture/image_io.h"
 
-#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "calib/capture/cv_matrix.h"
 #include "calib/capture/image_format.h"
 #include "calib/capture/jpeg_decoder.h"
 #include "calib/capture/png_codec.h"
@@ -21,22 +21,6 @@ ImageFormat format_or_refuse(const Bytes& bytes, const std::filesystem::path& pa
                     "export the picture as JPEG, PNG or TIFF");
     }
     return *format;
-}
-
-template <class Pixel>
-Image<Pixel> image_of(const cv::Mat& matrix) {
-    Image<Pixel> image(matrix.cols, matrix.rows);
-    for (int y = 0; y < matrix.rows; ++y) {
-        const auto* row = matrix.ptr<Pixel>(y);
-        std::copy(row, row + matrix.cols, image.row(y));
-    }
-    return image;
-}
-
-/// A view of the pixels for OpenCV, which only reads them.
-template <class Pixel>
-cv::Mat matrix_of(const Image<Pixel>& image, int type) {
-    return {image.height(), image.width(), type, const_cast<Pixel*>(image.row(0))};
 }
 
 constexpr std::size_t kMaxPixels = std::size_t{1} << 28;

@@ -2,7 +2,12 @@
 
 #include <turbojpeg.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "calib/capture/image_format.h"
 #include "calib/work/error.h"
@@ -31,12 +36,40 @@ JpegHeader read_header(void* decoder, std::span<const std::uint8_t> bytes,
     return header;
 }
 
+/// True where some end marker has `count` equal bytes before it.
+bool is_padded_before_end(std::span<const std::uint8_t> bytes, std::size_t count) {
+    for (std::size_t end = count; end + 1 < bytes.size(); ++end) {
+        if (bytes[end] != 0xff || bytes[end + 1] != 0xd9) continue;
+        const auto before = bytes.subspan(end - count, count);
+        if (std::adjacent_find(before.begin(), before.end(), std::not_equal_to<>()) == before.end())
+            return true;
+    }
+    return false;
+}
+
+/// Some cameras pad their files before the end marker; every pixel is there all the same. Bytes
+/// that are not padding are a part of the picture that the decoder lost its way to.
+bool is_about_padding(const std::string& warning, std::span<const std::uint8_t> bytes) {
+    unsigned count = 0;
+    return std::sscanf(warning.c_str(), "Corrupt JPEG data: %u extraneous bytes before marker 0xd9",
+                       &count) == 1 &&
+           warning.ends_with("0xd9") && is_padded_before_end(bytes, count);
+}
+
 void decode_or_refuse(void* decoder, std::span<const std::uint8_t> bytes, const JpegHeader& header,
                       TJPF pixel_format, std::uint8_t* pixels, const std::filesystem::path& path) {
-    const int failed =
-        tjDecompress2(decoder, bytes.data(), bytes.size(), pixels, header.size.width_px, 0,
-                      header.size.height_px, pixel_format, TJFLAG_ACCURATEDCT);
-    if (failed != 0) refuse_truncated_image(path, tjGetErrorStr2(decoder));
+    const auto decode = [&](int flags) {
+        return tjDecompress2(decoder, bytes.data(), bytes.size(), pixels, header.size.width_px, 0,
+                             header.size.height_px, pixel_format, TJFLAG_ACCURATEDCT | flags);
+    };
+    if (decode(TJFLAG_STOPONWARNING) == 0) return;
+    const std::string first_warning = tjGetErrorStr2(decoder);
+    if (tjGetErrorCode(decoder) != TJERR_WARNING || !is_about_padding(first_warning, bytes)) {
+        refuse_truncated_image(path, first_warning);
+    }
+    // The decoder remembers its last warning only: when that is the first one, there was no other.
+    if (decode(0) == 0 || tjGetErrorStr2(decoder) == first_warning) return;
+    refuse_truncated_image(path, tjGetErrorStr2(decoder));
 }
 
 /// Adobe stores CMYK inverted, so that a plain product gives RGB.

@@ -13,7 +13,8 @@ namespace lumi {
                                   const std::filesystem::path& path);
 
 /// The raster of a JPEG. A warning of the decoder (missing scan lines, corrupt data) is an Error:
-/// common readers return half-grey pictures without a word.
+/// common readers return half-grey pictures without a word. Only padding before the end marker is
+/// passed over.
 [[nodiscard]] ColorImage decode_jpeg(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
                                      const std::filesystem::path& path);
 

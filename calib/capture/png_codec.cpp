@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
+#include "calib/capture/cv_matrix.h"
 #include "calib/capture/image_format.h"
 #include "calib/work/error.h"
 
@@ -39,16 +40,6 @@ cv::Mat decode(std::span<const std::uint8_t> bytes, int flags, std::size_t max_p
 }
 
 template <class Pixel>
-Image<Pixel> image_of(const cv::Mat& matrix) {
-    Image<Pixel> image(matrix.cols, matrix.rows);
-    for (int y = 0; y < matrix.rows; ++y) {
-        const auto* row = matrix.ptr<Pixel>(y);
-        std::copy(row, row + matrix.cols, image.row(y));
-    }
-    return image;
-}
-
-template <class Pixel>
 Image<Pixel> decode_gray(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
                          const std::filesystem::path& path, int opencv_type) {
     const cv::Mat decoded = decode(bytes, cv::IMREAD_UNCHANGED, max_pixels, path);
@@ -69,12 +60,6 @@ Bytes encode(const cv::Mat& matrix, const std::filesystem::path& path) {
                     "free some memory and try again");
     }
     return bytes;
-}
-
-/// A view of the pixels for OpenCV, which only reads them.
-template <class Pixel>
-cv::Mat matrix_of(const Image<Pixel>& image, int type) {
-    return {image.height(), image.width(), type, const_cast<Pixel*>(image.row(0))};
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <turbojpeg.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -173,6 +175,34 @@ TEST(ImageIo, RefusesEveryTruncationOfEveryFormat) {
                 << name << " cut to " << length << " of " << whole.size() << " bytes";
         }
     }
+}
+
+/// `whole` with bytes between its last scan line and its end marker, as telephones pad files.
+Bytes padded_before_end_marker(const Bytes& whole, std::size_t count) {
+    Bytes padded(whole.begin(), whole.end() - 2);
+    padded.insert(padded.end(), count, 0x00);
+    padded.insert(padded.end(), {0xff, 0xd9});
+    return padded;
+}
+
+TEST(ImageIo, AJpegPaddedBeforeItsEndMarkerIsReadToTheSamePixels) {
+    const ScratchFolder scratch;
+    const Bytes whole = encoded(".jpg", test_matrix(CV_8UC3));
+    scratch.put("whole.jpg", whole);
+    scratch.put("padded.jpg", padded_before_end_marker(whole, 40));
+    EXPECT_EQ(read_color_image(scratch / "padded.jpg"), read_color_image(scratch / "whole.jpg"));
+}
+
+TEST(ImageIo, AJpegThatIsPaddedAndDamagedIsRefused) {
+    const ScratchFolder scratch;
+    // Without its restart marker half the picture is taken for bytes too many.
+    Bytes whole = encoded(".jpg", test_matrix(CV_8UC3), {cv::IMWRITE_JPEG_RST_INTERVAL, 2});
+    const std::array<std::uint8_t, 2> marker{0xff, 0xd0};
+    const auto lost = std::search(whole.begin(), whole.end(), marker.begin(), marker.end());
+    ASSERT_NE(lost, whole.end());
+    whole.erase(lost, lost + 2);
+    EXPECT_EQ(code_for(whole, scratch), "E-IMAGE-TRUNCATED");
+    EXPECT_EQ(code_for(padded_before_end_marker(whole, 40), scratch), "E-IMAGE-TRUNCATED");
 }
 
 TEST(ImageIo, APngWithADamagedByteIsRefusedOrUnharmed) {
