@@ -33,15 +33,6 @@ const ModelEntry& entry_of(LensModel model) {
                          [&](const ModelEntry& entry) { return entry.model == model; });
 }
 
-bool has_one_focal_length(LensModel model) {
-    return model == LensModel::kSimplePinhole || model == LensModel::kSimpleRadial ||
-           model == LensModel::kRadial;
-}
-
-std::size_t first_distortion_parameter(LensModel model) {
-    return has_one_focal_length(model) ? 3 : 4;
-}
-
 /// Radial and tangential distortion of a point at depth 1 (OpenCV's rational model and what it
 /// contains).
 Eigen::Vector2d distort_brown(const Eigen::Vector2d& point, double k1, double k2, double p1,
@@ -115,6 +106,15 @@ bool is_lens_model(int id) {
 }
 
 std::size_t parameter_count(LensModel model) { return entry_of(model).parameters; }
+
+bool has_one_focal_length(LensModel model) {
+    return model == LensModel::kSimplePinhole || model == LensModel::kSimpleRadial ||
+           model == LensModel::kRadial;
+}
+
+std::size_t first_distortion_parameter(LensModel model) {
+    return has_one_focal_length(model) ? 3 : 4;
+}
 
 Camera pinhole_camera(int width_px, int height_px, double focal_length_px) {
     return {width_px,

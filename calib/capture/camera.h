@@ -23,6 +23,10 @@ enum class LensModel : int {
 [[nodiscard]] std::optional<LensModel> lens_model_named(std::string_view name);
 [[nodiscard]] bool is_lens_model(int id);
 [[nodiscard]] std::size_t parameter_count(LensModel model);
+/// True for the models that begin f, cx, cy; the others begin fx, fy, cx, cy.
+[[nodiscard]] bool has_one_focal_length(LensModel model);
+/// Index of the first parameter behind the principal point.
+[[nodiscard]] std::size_t first_distortion_parameter(LensModel model);
 
 /// A lens and its sensor. Pixels are continuous: (0.5, 0.5) is the centre of the top-left pixel.
 struct Camera {

@@ -38,11 +38,9 @@ double guessed_focal_length_px(const std::vector<Photograph>& photographs,
 Camera lens_with_focal_length(const Photograph& photograph, LensModel model, double focal_px) {
     Camera camera{photograph.width_px, photograph.height_px, model,
                   std::vector<double>(parameter_count(model), 0.0)};
-    const bool one_focal_length = model == LensModel::kSimplePinhole ||
-                                  model == LensModel::kSimpleRadial || model == LensModel::kRadial;
     std::size_t next = 0;
     camera.parameters[next++] = focal_px;
-    if (!one_focal_length) camera.parameters[next++] = focal_px;
+    if (!has_one_focal_length(model)) camera.parameters[next++] = focal_px;
     camera.parameters[next++] = 0.5 * photograph.width_px;
     camera.parameters[next] = 0.5 * photograph.height_px;
     return camera;

@@ -1,0 +1,166 @@
+#include "calib/lens/lens_choice.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+
+namespace lumi {
+namespace {
+
+double residuals_of(const std::vector<HeldOutFold>& folds) {
+    double count = 0;
+    for (const HeldOutFold& fold : folds) count += fold.residuals;
+    return count;
+}
+
+double mean_square_px2(const std::vector<HeldOutFold>& folds) {
+    double sum = 0;
+    for (const HeldOutFold& fold : folds) sum += fold.squared_error_px2;
+    return sum / std::max(1.0, residuals_of(folds));
+}
+
+/// Of the mean of `values_px2` (sums over each fold), from how folds differ.
+double standard_error_px2(const std::vector<double>& values_px2,
+                          const std::vector<HeldOutFold>& folds) {
+    const double count = static_cast<double>(folds.size());
+    if (folds.size() < 2) return 0.0;
+    const double total = residuals_of(folds);
+    double sum = 0;
+    for (const double value : values_px2) sum += value;
+    const double mean = sum / total;
+    double squares = 0;
+    for (std::size_t fold = 0; fold < folds.size(); ++fold) {
+        const double deviation = values_px2[fold] - mean * folds[fold].residuals;
+        squares += deviation * deviation;
+    }
+    return std::sqrt(count / (count - 1) * squares) / total;
+}
+
+/// By how much the mean square of one list lies above that of the other, and one standard error.
+struct Excess {
+    double mean_px2 = 0.0;
+    double sigma_px2 = 0.0;
+};
+
+Excess excess_of(const std::vector<HeldOutFold>& folds, const std::vector<HeldOutFold>& best) {
+    assert(folds.size() == best.size());
+    std::vector<double> differences_px2;
+    double sum = 0;
+    for (std::size_t fold = 0; fold < folds.size(); ++fold) {
+        differences_px2.push_back(folds[fold].squared_error_px2 - best[fold].squared_error_px2);
+        sum += differences_px2.back();
+    }
+    return {sum / std::max(1.0, residuals_of(folds)), standard_error_px2(differences_px2, folds)};
+}
+
+void measure(LensTrial& trial) {
+    const double n = std::max(1, trial.residuals);
+    const double mean_square = trial.residual_sum_px2 / n;
+    // A fit without any error would have no logarithm: no photograph is that exact.
+    constexpr double kLeastMeanSquare_px2 = 1e-12;
+    trial.rms_px = std::sqrt(mean_square);
+    trial.bic = n * std::log(std::max(mean_square, kLeastMeanSquare_px2)) +
+                free_parameters(trial.form) * std::log(n);
+    trial.held_out_rms_px = std::sqrt(mean_square_px2(trial.folds));
+}
+
+template <class Value>
+std::size_t least(const std::vector<LensTrial>& trials, Value value_of) {
+    return static_cast<std::size_t>(std::min_element(trials.begin(), trials.end(),
+                                                     [&](const LensTrial& a, const LensTrial& b) {
+                                                         return value_of(a) < value_of(b);
+                                                     }) -
+                                    trials.begin());
+}
+
+std::string verdict_of(const LensChoice& choice, std::size_t index) {
+    std::string verdict;
+    const auto add = [&](const std::string& word) {
+        verdict += (verdict.empty() ? "" : ", ") + word;
+    };
+    if (index == choice.chosen) add("chosen");
+    if (index == choice.best_predicting && !choice.trials[index].folds.empty()) {
+        add("predicts best");
+    }
+    if (index == choice.least_bic) add("least BIC");
+    if (choice.trials[index].folds.empty() && !choice.trials[index].not_predicted.empty()) {
+        add(choice.trials[index].not_predicted);
+    }
+    return verdict;
+}
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+    std::array<char, 256> text{};
+    std::snprintf(text.data(), text.size(), format, values...);
+    return text.data();
+}
+
+}  // namespace
+
+LensChoice choose_lens(std::vector<LensTrial> trials) {
+    assert(!trials.empty());
+    std::stable_sort(trials.begin(), trials.end(), [](const LensTrial& a, const LensTrial& b) {
+        return free_parameters(a.form) < free_parameters(b.form);
+    });
+    for (LensTrial& trial : trials) measure(trial);
+    LensChoice choice;
+    choice.trials = std::move(trials);
+    const auto& all = choice.trials;
+    choice.least_bic = least(all, [](const LensTrial& trial) { return trial.bic; });
+    choice.best_predicting = least(all, [](const LensTrial& trial) {
+        return trial.folds.empty() ? HUGE_VAL : trial.held_out_rms_px;
+    });
+    if (all[choice.best_predicting].folds.empty()) {
+        choice.chosen = choice.best_predicting = choice.least_bic;
+        return choice;
+    }
+    const LensTrial best = all[choice.best_predicting];
+    choice.chosen = choice.best_predicting;
+    for (std::size_t index = choice.trials.size(); index-- > 0;) {
+        LensTrial& trial = choice.trials[index];
+        if (trial.folds.empty()) continue;
+        const Excess excess = excess_of(trial.folds, best.folds);
+        trial.excess_px2 = excess.mean_px2;
+        trial.excess_sigma_px2 = excess.sigma_px2;
+        const bool is_simpler = free_parameters(trial.form) < free_parameters(choice.choice().form);
+        const bool predicts_as_well = trial.excess_px2 <= trial.excess_sigma_px2;
+        // Of two with as many parameters the one that predicts better.
+        const bool is_better_equal =
+            free_parameters(trial.form) == free_parameters(choice.choice().form) &&
+            trial.held_out_rms_px < choice.choice().held_out_rms_px;
+        if (predicts_as_well && (is_simpler || is_better_equal)) choice.chosen = index;
+    }
+    return choice;
+}
+
+bool predicts_worse_surely(const std::vector<HeldOutFold>& fitted,
+                           const std::vector<HeldOutFold>& best) {
+    constexpr double kStandardErrors = 3.0;
+    const Excess excess = excess_of(fitted, best);
+    return excess.mean_px2 > kStandardErrors * excess.sigma_px2 && excess.mean_px2 > 0;
+}
+
+std::string lens_choice_table(const LensChoice& choice) {
+    std::size_t width = 4;
+    for (const LensTrial& trial : choice.trials) {
+        width = std::max(width, text_of(trial.form).size());
+    }
+    const int column = static_cast<int>(width);
+    std::string table = formatted(
+        "%-*s  free  RMS px  held-out px  excess +- 1 SE (px^2)       BIC\n", column, "lens");
+    for (std::size_t index = 0; index < choice.trials.size(); ++index) {
+        const LensTrial& trial = choice.trials[index];
+        table += formatted("%-*s  %4d  %6.4f  ", column, text_of(trial.form).c_str(),
+                           free_parameters(trial.form), trial.rms_px);
+        table += trial.folds.empty() ? formatted("%11s  %22s", "-", "-")
+                                     : formatted("%11.4f  %10.6f +- %8.6f", trial.held_out_rms_px,
+                                                 trial.excess_px2, trial.excess_sigma_px2);
+        table += formatted("  %9.1f  %s\n", trial.bic, verdict_of(choice, index).c_str());
+    }
+    return table;
+}
+
+}  // namespace lumi
