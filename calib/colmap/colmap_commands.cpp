@@ -58,16 +58,26 @@ ColmapRun create_colmap_database(const ColmapProgram& program,
                "database_creator", 0, {}, progress);
 }
 
-ColmapRun verify_matches_with_colmap(const ColmapProgram& program,
-                                     const std::filesystem::path& database,
-                                     const std::filesystem::path& match_list,
-                                     const std::function<void(int)>& on_pairs,
-                                     const Progress& progress) {
+ColmapRun extract_features_with_colmap(const ColmapProgram& program,
+                                       const std::filesystem::path& database,
+                                       const std::filesystem::path& pictures, int max_features,
+                                       int threads, const std::function<void(int)>& on_photographs,
+                                       const Progress& progress) {
     return run(program,
-               {"matches_importer", "--database_path", database.string(), "--match_list_path",
-                match_list.string(), "--match_type", "raw", "--SiftMatching.use_gpu", "0",
-                "--SiftMatching.num_threads", "1", "--SiftMatching.max_num_trials", "1000"},
-               "matches_importer", 0, counter_of(" - ", on_pairs), progress);
+               {"feature_extractor", "--database_path", database.string(), "--image_path",
+                pictures.string(), "--SiftExtraction.use_gpu", "0", "--SiftExtraction.num_threads",
+                std::to_string(threads), "--SiftExtraction.max_num_features",
+                std::to_string(max_features)},
+               "feature_extractor", 0, counter_of("Processed file", on_photographs), progress);
+}
+
+ColmapRun match_with_colmap(const ColmapProgram& program, const std::filesystem::path& database,
+                            int threads, const Progress& progress) {
+    return run(
+        program,
+        {"exhaustive_matcher", "--database_path", database.string(), "--SiftMatching.use_gpu", "0",
+         "--SiftMatching.num_threads", std::to_string(threads)},
+        "exhaustive_matcher", 0, {}, progress);
 }
 
 ColmapRun map_with_colmap(const ColmapProgram& program, const std::filesystem::path& database,

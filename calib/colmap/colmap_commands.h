@@ -38,13 +38,19 @@ struct MapperSettings {
                                                const std::filesystem::path& database,
                                                const Progress& progress);
 
-/// Verifies the matches listed in `match_list` (COLMAP's raw format) geometrically, one pair after
-/// the other: the same result in every run. `on_pair` is called with how many pairs were done.
-[[nodiscard]] ColmapRun verify_matches_with_colmap(const ColmapProgram& program,
-                                                   const std::filesystem::path& database,
-                                                   const std::filesystem::path& match_list,
-                                                   const std::function<void(int)>& on_pairs,
-                                                   const Progress& progress);
+/// COLMAP's own features of the photographs in `pictures` that `database` names, at most
+/// `max_features` of each.
+[[nodiscard]] ColmapRun extract_features_with_colmap(const ColmapProgram& program,
+                                                     const std::filesystem::path& database,
+                                                     const std::filesystem::path& pictures,
+                                                     int max_features, int threads,
+                                                     const std::function<void(int)>& on_photographs,
+                                                     const Progress& progress);
+
+/// COLMAP's own matches and their geometric verification, all photographs with all.
+[[nodiscard]] ColmapRun match_with_colmap(const ColmapProgram& program,
+                                          const std::filesystem::path& database, int threads,
+                                          const Progress& progress);
 
 /// Places the photographs; models are written to `models/0`, `models/1`, ... `on_photographs` is
 /// called with how many more photographs were placed.

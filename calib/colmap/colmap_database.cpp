@@ -117,7 +117,8 @@ void write_cameras(Database& database, const std::vector<ColmapCamera>& cameras)
     }
 }
 
-void write_photographs(Database& database, const std::vector<ColmapPhotograph>& photographs) {
+void write_photographs(Database& database, const std::vector<ColmapPhotograph>& photographs,
+                       KeypointsIn keypoints_in) {
     static_assert(sizeof(Eigen::Vector2f) == 2 * sizeof(float));
     Statement image(database, "INSERT INTO images (image_id, name, camera_id) VALUES (?, ?, ?)");
     Statement keypoints(database,
@@ -129,6 +130,7 @@ void write_photographs(Database& database, const std::vector<ColmapPhotograph>& 
             .bind(2, colmap_image_name(static_cast<int>(index)))
             .bind(3, static_cast<sqlite3_int64>(photograph.camera_index + 1))
             .run_once();
+        if (keypoints_in == KeypointsIn::kNothing) continue;
         keypoints.bind(1, id)
             .bind(2, static_cast<sqlite3_int64>(photograph.keypoints_px.size()))
             .bind(3, std::as_bytes(std::span(photograph.keypoints_px)))
@@ -189,12 +191,60 @@ std::optional<int> photograph_index_of(const std::string& colmap_image_name_text
 
 void fill_colmap_database(const std::filesystem::path& path,
                           const std::vector<ColmapCamera>& cameras,
-                          const std::vector<ColmapPhotograph>& photographs) {
+                          const std::vector<ColmapPhotograph>& photographs, KeypointsIn keypoints) {
     Database database(path, SQLITE_OPEN_READWRITE);
     database.execute("BEGIN");
     write_cameras(database, cameras);
-    write_photographs(database, photographs);
+    write_photographs(database, photographs, keypoints);
     database.execute("COMMIT");
+}
+
+void write_verified_pairs(const std::filesystem::path& path,
+                          const std::vector<VerifiedPair>& pairs) {
+    static_assert(sizeof(FeatureMatch) == 2 * sizeof(std::uint32_t));
+    Database database(path, SQLITE_OPEN_READWRITE);
+    database.execute("BEGIN");
+    Statement insert(database,
+                     "INSERT INTO two_view_geometries (pair_id, rows, cols, data, config) "
+                     "VALUES (?, ?, 2, ?, ?)");
+    for (const VerifiedPair& pair : pairs) {
+        insert.bind(1, kMaxImages * (pair.first + 1) + pair.second + 1)
+            .bind(2, static_cast<sqlite3_int64>(pair.inliers.size()))
+            .bind(3, std::as_bytes(std::span(pair.inliers)))
+            .bind(4, static_cast<sqlite3_int64>(pair.configuration))
+            .run_once();
+    }
+    database.execute("COMMIT");
+}
+
+void read_keypoints(const std::filesystem::path& path, std::vector<ColmapPhotograph>& photographs) {
+    Database database(path, SQLITE_OPEN_READONLY);
+    Statement rows(database, "SELECT image_id, rows, cols, data FROM keypoints ORDER BY image_id");
+    std::size_t expected_id = 0;
+    while (rows.next_row()) {
+        ++expected_id;
+        const auto id = static_cast<std::size_t>(rows.integer(0));
+        if (id != expected_id || id > photographs.size()) {
+            refuse(path, "keypoints of photographs that do not exist, or none of some");
+        }
+        // x, y, and the four of an affine shape.
+        const sqlite3_int64 count = rows.integer(1);
+        const sqlite3_int64 columns = rows.integer(2);
+        const std::span<const std::byte> data = rows.blob(3);
+        if (count < 0 || columns < 2 || columns > 6 ||
+            data.size() != static_cast<std::size_t>(count * columns) * sizeof(float)) {
+            refuse(path, "a list of keypoints of the wrong size");
+        }
+        std::vector<Eigen::Vector2f>& keypoints = photographs[id - 1].keypoints_px;
+        keypoints.resize(static_cast<std::size_t>(count));
+        for (std::size_t index = 0; index < keypoints.size(); ++index) {
+            std::memcpy(keypoints[index].data(),
+                        data.data() + index * static_cast<std::size_t>(columns) * sizeof(float),
+                        2 * sizeof(float));
+            if (!keypoints[index].allFinite()) refuse(path, "a keypoint that is no number");
+        }
+    }
+    if (expected_id != photographs.size()) refuse(path, "photographs without keypoints");
 }
 
 std::vector<VerifiedPair> read_verified_pairs(const std::filesystem::path& path,

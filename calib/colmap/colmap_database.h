@@ -49,10 +49,23 @@ struct ColmapPhotograph {
 [[nodiscard]] std::optional<int> photograph_index_of(const std::string& colmap_image_name);
 
 /// Fills the empty database that COLMAP's `database_creator` made. Camera ids are index + 1, image
-/// ids are index + 1. Throws Error (E-COLMAP-DATABASE).
+/// ids are index + 1. Throws Error
+/// (E-COLMAP-DATABASE).
+enum class KeypointsIn { kDatabase, kNothing };  ///< kNothing: COLMAP shall find its own.
 void fill_colmap_database(const std::filesystem::path& database,
                           const std::vector<ColmapCamera>& cameras,
-                          const std::vector<ColmapPhotograph>& photographs);
+                          const std::vector<ColmapPhotograph>& photographs,
+                          KeypointsIn keypoints = KeypointsIn::kDatabase);
+
+/// Adds pairs that were verified elsewhere, as COLMAP's verification would have left them. Throws
+/// Error (E-COLMAP-DATABASE).
+void write_verified_pairs(const std::filesystem::path& database,
+                          const std::vector<VerifiedPair>& pairs);
+
+/// Replaces the keypoints of `photographs` by those in the database. Throws Error
+/// (E-COLMAP-DATABASE) when a photograph has none, or other ones than COLMAP writes.
+void read_keypoints(const std::filesystem::path& database,
+                    std::vector<ColmapPhotograph>& photographs);
 
 /// The pairs in which COLMAP found a geometry, ascending; those it found degenerate are left out.
 /// Throws Error (E-COLMAP-DATABASE) when the file contradicts itself or `photographs`, or when

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "calib/features/features.h"
@@ -13,8 +12,5 @@ struct PairMatches {
     int second = 0;
     std::vector<FeatureMatch> matches;
 };
-
-/// COLMAP's raw match list: two image names, a line per match, an empty line; for each pair.
-[[nodiscard]] std::string colmap_match_list(const std::vector<PairMatches>& pairs);
 
 }  // namespace lumi

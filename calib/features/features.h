@@ -12,9 +12,9 @@ namespace lumi {
 constexpr int kDescriptorSize = 128;
 
 /// RootSIFT (Arandjelović and Zisserman, CVPR 2012), each of the 128 values times 512 and rounded:
-/// the dot product of two descriptors is 512² times the cosine between them. Kept in 16 bits, the
-/// width that dot products are taken in.
-using Descriptor = std::array<std::int16_t, kDescriptorSize>;
+/// the dot product of two descriptors is 512² times the cosine between them. Values above 255,
+/// which only a descriptor with almost all its weight in a few bins has, are cut.
+using Descriptor = std::array<std::uint8_t, kDescriptorSize>;
 
 struct Keypoint {
     Eigen::Vector2f pixel = Eigen::Vector2f::Zero();  ///< (0.5, 0.5): centre of the first pixel.

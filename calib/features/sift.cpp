@@ -21,7 +21,7 @@ Descriptor root_sift(const float* sift) {
     if (!(sum > 0)) return result;
     for (std::size_t bin = 0; bin < kDescriptorSize; ++bin) {
         const float root = std::sqrt(std::max(sift[bin], 0.0F) / sum);
-        result[bin] = static_cast<std::int16_t>(std::min(std::lround(512.0F * root), 255L));
+        result[bin] = static_cast<std::uint8_t>(std::min(std::lround(512.0F * root), 255L));
     }
     return result;
 }
@@ -43,21 +43,25 @@ Features detect_sift(const GrayImage& image, const SiftOptions& options) {
     const cv::Ptr<cv::SIFT> sift =
         cv::SIFT::create(options.max_features, kLayersPerOctave, options.contrast_threshold);
     std::vector<cv::KeyPoint> points;
-    sift->detect(picture, points);
-    std::sort(points.begin(), points.end(),
-              [](const auto& a, const auto& b) { return order_of(a) < order_of(b); });
-    if (points.size() > static_cast<std::size_t>(options.max_features)) {
-        points.resize(static_cast<std::size_t>(options.max_features));
-    }
     cv::Mat descriptors;
-    sift->compute(picture, points, descriptors);
-    for (std::size_t index = 0; index < points.size(); ++index) {
-        const cv::KeyPoint& point = points[index];
+    sift->detectAndCompute(picture, cv::noArray(), points, descriptors);
+    std::vector<int> order(points.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+        return order_of(points[static_cast<std::size_t>(a)]) <
+               order_of(points[static_cast<std::size_t>(b)]);
+    });
+    // Equally strong ones may be more than asked for.
+    if (order.size() > static_cast<std::size_t>(options.max_features)) {
+        order.resize(static_cast<std::size_t>(options.max_features));
+    }
+    for (const int index : order) {
+        const cv::KeyPoint& point = points[static_cast<std::size_t>(index)];
         result.keypoints.push_back(
             {{point.pt.x + kOurPixelFromOpenCv, point.pt.y + kOurPixelFromOpenCv},
              0.5F * point.size,
              point.angle * std::numbers::pi_v<float> / 180.0F});
-        result.descriptors.push_back(root_sift(descriptors.ptr<float>(static_cast<int>(index))));
+        result.descriptors.push_back(root_sift(descriptors.ptr<float>(index)));
     }
     return result;
 }

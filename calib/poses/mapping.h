@@ -7,6 +7,8 @@
 
 #include "calib/colmap/colmap_commands.h"
 #include "calib/colmap/colmap_database.h"
+#include "calib/colmap/match_list.h"
+#include "calib/features/features.h"
 #include "calib/features/sift.h"
 #include "calib/poses/camera_groups.h"
 #include "calib/poses/pose_stage.h"
@@ -14,7 +16,7 @@
 
 namespace lumi {
 
-/// What both halves of the work with COLMAP need.
+/// What all steps from photographs to poses need.
 struct MappingJob {
     const std::vector<Photograph>& photographs;
     const CameraGroups& groups;
@@ -24,21 +26,33 @@ struct MappingJob {
     std::filesystem::path scratch_folder;
     int threads = 0;
     Progress& progress;
-    PoseEvidence& evidence;  ///< Receives the calls and the rung that succeeded.
+    PoseEvidence& evidence;  ///< Receives the calls and the start that succeeded.
 };
 
-/// Photographs with their features and the pairs that were verified, in a COLMAP database.
+/// Photographs with their features and the pairs that were verified.
 struct MatchedPhotographs {
-    std::filesystem::path database;
+    std::string name;                ///< Names the files.
+    std::filesystem::path database;  ///< COLMAP's, once there is one.
+    std::vector<Features> features;  ///< With descriptors; empty when COLMAP found the features.
     std::vector<ColmapPhotograph> photographs;
     std::vector<VerifiedPair> pairs;
     MotionEvidence motion;
 };
 
-/// Features, matches by look, and COLMAP's geometric verification; `name` names the files. Throws
-/// Error: E-POSES-NOPAIR (no pair has enough matches), E-COLMAP-...
+/// Features, matches by look, and their geometric verification, by our own means or, with `[poses]
+/// front_end = "colmap"`, by COLMAP's. Throws Error: E-POSES-NOPAIR (no pair has enough matches),
+/// E-COLMAP-...
 [[nodiscard]] MatchedPhotographs match_and_verify(const MappingJob& job, const SiftOptions& sift,
                                                   const std::string& name);
+
+/// The same by COLMAP's own extractor and matcher, all photographs with all; the pairs are not
+/// judged yet.
+[[nodiscard]] MatchedPhotographs match_with_colmap_alone(const MappingJob& job,
+                                                         const std::string& name);
+
+/// How COLMAP runs for this job.
+[[nodiscard]] ColmapProgram colmap_of(const MappingJob& job);
+void record(PoseEvidence& evidence, const ColmapRun& run);
 
 /// The best of the models a mapper run left in `models`, by registered photographs, then by
 /// points; with the photographs' own names. Empty when there is none.
@@ -55,5 +69,11 @@ struct BestModel {
 /// and one of them had to be ended.
 [[nodiscard]] std::optional<Capture> map_by_ladder(const MappingJob& job,
                                                    MatchedPhotographs& matched);
+
+/// Runs our own incremental mapper; then, while photographs are missing, with fewer matches asked
+/// of each, with more lenient matches between the placed and the missing, and from more features
+/// (`matched` is then replaced). Empty when no two photographs make a start.
+[[nodiscard]] std::optional<Capture> map_incrementally(const MappingJob& job,
+                                                       MatchedPhotographs& matched);
 
 }  // namespace lumi

@@ -86,6 +86,15 @@ std::optional<BestModel> model_of(const ColmapRun& run, const fs::path& models,
     }
 }
 
+/// What COLMAP's mapper reads, from what was matched by ourselves.
+void write_database(const MappingJob& job, MatchedPhotographs& matched) {
+    if (!matched.database.empty()) return;
+    matched.database = job.scratch_folder / (matched.name + ".db");
+    record(job.evidence, create_colmap_database(colmap_of(job), matched.database, job.progress));
+    fill_colmap_database(matched.database, job.groups.cameras, matched.photographs);
+    write_verified_pairs(matched.database, matched.pairs);
+}
+
 std::string share_text(std::size_t placed, std::size_t total) {
     return std::to_string(placed) + " of " + std::to_string(total);
 }
@@ -123,17 +132,17 @@ std::optional<Capture> map_by_ladder(const MappingJob& job, MatchedPhotographs& 
                 job, {2 * job.options.max_features, SiftOptions{}.contrast_threshold / 2},
                 rung.name);
         }
+        write_database(job, matched);
         const fs::path models = job.scratch_folder / ("models_" + std::string(rung.name));
         fs::create_directories(models);
         MapperSettings settings = rung.settings;
         settings.refine_lens = job.refine_lens;
         job.progress.begin(std::string("placing photographs: ") + rung.description, total);
         const ColmapRun run = map_with_colmap(
-            {job.options.colmap, job.scratch_folder, job.options.time_limit_s}, matched.database,
-            models, settings, "mapper_" + std::string(rung.name),
+            colmap_of(job), matched.database, models, settings, "mapper_" + std::string(rung.name),
             [&](int count) { job.progress.advance(static_cast<std::size_t>(count)); },
             job.progress);
-        job.evidence.calls.push_back({run.command_line, run.result.wall_s, run.result.cpu_s});
+        record(job.evidence, run);
         if (run.result.end != ChildEnd::kExited) ended = run.ending;
         std::optional<BestModel> model = model_of(run, models, job.photographs);
         if (!model || (best && !is_better(model->capture, *best))) continue;

@@ -9,8 +9,7 @@
 namespace lumi {
 namespace {
 
-/// COLMAP asks for 15 inliers. Of real pairs with 15 to 19 matches it accepted one in thirty, and
-/// trying took as long as for all others together.
+/// Verification asks for 15 inliers. Of real pairs with 15 to 19 matches one in thirty has them.
 constexpr std::size_t kMinMatches = 20;
 
 }  // namespace
@@ -31,7 +30,14 @@ std::vector<Features> detect_features(const std::vector<Photograph>& photographs
 
 std::vector<PairMatches> match_photographs(const std::vector<Features>& photographs, int threads,
                                            Progress& progress) {
-    const std::vector<std::pair<int, int>> pairs = select_pairs(photographs, {}, threads, progress);
+    return match_pairs(photographs, select_pairs(photographs, {}, threads, progress), {}, threads,
+                       progress);
+}
+
+std::vector<PairMatches> match_pairs(const std::vector<Features>& photographs,
+                                     const std::vector<std::pair<int, int>>& pairs,
+                                     const DescriptorMatchingOptions& options, int threads,
+                                     Progress& progress) {
     progress.begin("comparing photographs", pairs.size());
     std::vector<PairMatches> matches(pairs.size());
     parallel_for(static_cast<int>(pairs.size()), threads, [&](int index) {
@@ -41,7 +47,7 @@ std::vector<PairMatches> match_photographs(const std::vector<Features>& photogra
         matches[position] = {
             first, second,
             match_descriptors(photographs[static_cast<std::size_t>(first)].descriptors,
-                              photographs[static_cast<std::size_t>(second)].descriptors, {})};
+                              photographs[static_cast<std::size_t>(second)].descriptors, options)};
         progress.advance();
     });
     std::erase_if(matches,

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "calib/colmap/match_list.h"
+#include "calib/features/descriptor_matching.h"
 #include "calib/features/features.h"
 #include "calib/features/sift.h"
 #include "calib/ingest/ingest.h"
@@ -19,5 +21,11 @@ namespace lumi {
 /// be verified are left out. Ascending.
 [[nodiscard]] std::vector<PairMatches> match_photographs(const std::vector<Features>& photographs,
                                                          int threads, Progress& progress);
+
+/// The same between given pairs.
+[[nodiscard]] std::vector<PairMatches> match_pairs(const std::vector<Features>& photographs,
+                                                   const std::vector<std::pair<int, int>>& pairs,
+                                                   const DescriptorMatchingOptions& options,
+                                                   int threads, Progress& progress);
 
 }  // namespace lumi

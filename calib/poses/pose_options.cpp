@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "calib/poses/pose_stage.h"
 #include "calib/work/error.h"
 
@@ -26,6 +28,10 @@ void validate(const PoseOptions& options) {
         refuse("min_registered_share", "more than 0 and at most 1");
     }
     if (!(options.time_limit_s > 0)) refuse("time_limit_s", "more than 0");
+    for (const auto& [option, value] :
+         {std::pair("front_end", options.front_end), std::pair("mapper", options.mapper)}) {
+        if (value != "lumi" && value != "colmap") refuse(option, "\"lumi\" or \"colmap\"");
+    }
     if (options.colmap.empty()) refuse("colmap", "the name of a program");
 }
 
@@ -41,6 +47,8 @@ PoseOptions read_pose_options(const ConfigSection& section) {
     options.min_registered_share =
         section.number("min_registered_share", options.min_registered_share);
     options.time_limit_s = section.number("time_limit_s", options.time_limit_s);
+    options.front_end = section.text("front_end", options.front_end);
+    options.mapper = section.text("mapper", options.mapper);
     options.colmap = section.text("colmap", options.colmap);
     validate(options);
     return options;

@@ -111,7 +111,8 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
 
     MatchedPhotographs matched = match_and_verify(job, {options.max_features}, "default");
     refuse_turning_camera(matched.motion);
-    std::optional<Capture> mapped = map_by_ladder(job, matched);
+    std::optional<Capture> mapped =
+        options.mapper == "colmap" ? map_by_ladder(job, matched) : map_incrementally(job, matched);
     if (!mapped) refuse_without_model(matched.motion, static_cast<int>(photographs.size()));
 
     result.capture = std::move(*mapped);
@@ -119,7 +120,9 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
     result.not_registered =
         explain_unregistered(result.capture, photographs, matched.photographs, matched.pairs);
     refuse_too_few(result.capture, photographs, result.not_registered, options);
-    result.evidence.warnings = check_model(result.capture, lens_is_known(groups));
+    for (std::string& warning : check_model(result.capture, lens_is_known(groups))) {
+        result.evidence.warnings.push_back(std::move(warning));
+    }
     color_points(result.capture, picture_paths_of(result.capture, photographs), threads);
     complete(result.evidence, result.capture, matched);
     validate(result.capture, "the estimated poses");

@@ -22,6 +22,8 @@ struct PoseOptions {
     int min_track_length = 2;                  ///< Points seen by fewer views are dropped. >= 2.
     double min_registered_share = 0.4;         ///< Below this share the stage refuses. (0, 1].
     double time_limit_s = 3600;                ///< For each external program. > 0.
+    std::string front_end = "lumi";            ///< Features and matches: "lumi" or "colmap".
+    std::string mapper = "lumi";               ///< Who places photographs: "lumi" or "colmap".
     std::string colmap = "colmap";             ///< The program to run.
 };
 
@@ -43,8 +45,8 @@ struct PoseEvidence {
     int observations = 0;
     double mean_reprojection_error_px = 0.0;
     double median_triangulation_angle_deg = 0.0;
-    int models_found = 0;  ///< Separate models that COLMAP ended with.
-    std::string start;     ///< The rung of the retry ladder that succeeded.
+    int models_found = 0;  ///< Separate models that the mapper ended with.
+    std::string start;     ///< Which attempt at mapping succeeded.
     int pairs_verified = 0;
     double planar_or_rotation_share = 0.0;  ///< Verified pairs that a homography explains.
     std::vector<ColmapCall> calls;
@@ -57,9 +59,10 @@ struct PoseResult {
     PoseEvidence evidence;
 };
 
-/// Where the photographs stood, estimated by COLMAP as a child process with every result verified
-/// and by a robust bundle adjustment of our own. `given_lens`, when present, is the lens of all
-/// photographs (for the size it names; it is rescaled). `scratch_folder` is emptied and used.
+/// Where the photographs stood: from features and geometry by our own front end and mapper (or by
+/// COLMAP's as a child process, every result verified), and a robust bundle adjustment.
+/// `given_lens`, when present, is the lens of all photographs (for the size it names; it is
+/// rescaled). `scratch_folder` is emptied and used.
 ///
 /// Throws Error: E-POSES-ROTATION (the camera only turned), E-POSES-PLANAR, E-POSES-NOPAIR,
 /// E-POSES-FEW (below the share), E-COLMAP-... when the program itself failed.

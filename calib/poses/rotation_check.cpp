@@ -59,8 +59,8 @@ std::vector<double> angles_rad(const DirectionPairs& directions,
     return angles;
 }
 
-bool is_rotation(const VerifiedPair& pair, const Camera& first, const Camera& second,
-                 const std::vector<ColmapPhotograph>& photographs) {
+bool pair_is_rotation(const VerifiedPair& pair, const Camera& first, const Camera& second,
+                      const std::vector<ColmapPhotograph>& photographs) {
     DirectionPairs directions;
     const auto& first_pixels = photographs[static_cast<std::size_t>(pair.first)].keypoints_px;
     const auto& second_pixels = photographs[static_cast<std::size_t>(pair.second)].keypoints_px;
@@ -70,10 +70,7 @@ bool is_rotation(const VerifiedPair& pair, const Camera& first, const Camera& se
         directions.first.push_back(unproject(first, first_pixels[match.first].cast<double>()));
         directions.second.push_back(unproject(second, second_pixels[match.second].cast<double>()));
     }
-    const double tolerance_px =
-        kToleranceShare * std::max(longer_side_px(first), longer_side_px(second));
-    const double tolerance_rad = tolerance_px / focal_length_px(first).mean();
-    return fit_rotation(directions, tolerance_rad).inlier_share >= kRotationInlierShare;
+    return is_rotation(directions, first, second);
 }
 
 /// Focal lengths as multiples of what is believed: EXIF is wrong by a factor of three where a
@@ -113,6 +110,13 @@ RotationFit fit_rotation(const DirectionPairs& directions, double tolerance_rad)
     return fit;
 }
 
+bool is_rotation(const DirectionPairs& directions, const Camera& first, const Camera& second) {
+    const double tolerance_px =
+        kToleranceShare * std::max(longer_side_px(first), longer_side_px(second));
+    const double tolerance_rad = tolerance_px / focal_length_px(first).mean();
+    return fit_rotation(directions, tolerance_rad).inlier_share >= kRotationInlierShare;
+}
+
 MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
                             const std::vector<ColmapPhotograph>& photographs,
                             const std::vector<VerifiedPair>& pairs, bool lens_is_calibrated) {
@@ -137,7 +141,7 @@ MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
             const Camera first = lens(lenses.first);
             const Camera second = lens(lenses.second);
             most = std::max(most, std::count_if(group.begin(), group.end(), [&](const auto* pair) {
-                                return is_rotation(*pair, first, second, photographs);
+                                return pair_is_rotation(*pair, first, second, photographs);
                             }));
         }
         evidence.rotation_pairs += static_cast<int>(most);

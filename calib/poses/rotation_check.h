@@ -36,6 +36,11 @@ struct RotationFit {
 };
 [[nodiscard]] RotationFit fit_rotation(const DirectionPairs& directions, double tolerance_rad);
 
+/// True when one rotation moves most of the directions onto one another, within what lens
+/// distortion and the sway of a hand leave.
+[[nodiscard]] bool is_rotation(const DirectionPairs& directions, const Camera& first,
+                               const Camera& second);
+
 /// Asks of every pair whether a rotation alone explains its matches: then there is no parallax, and
 /// no depth can come of it (homographies of the form K R K^-1: Hartley and Zisserman, Multiple View
 /// Geometry, 2nd ed., section 13.6). Unless the lens is calibrated, the focal length for

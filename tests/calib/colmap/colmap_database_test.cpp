@@ -5,7 +5,6 @@
 
 #include <cstring>
 
-#include "calib/colmap/match_list.h"
 #include "calib/work/error.h"
 #include "tests/calib/scratch_folder.h"
 
@@ -93,6 +92,56 @@ TEST_F(ColmapDatabase, GivesBackTheVerifiedPairs) {
     EXPECT_EQ(pairs[0].inliers, (std::vector<FeatureMatch>{{2, 0}}));
 }
 
+TEST_F(ColmapDatabase, GivesBackThePairsThatWereWritten) {
+    const std::vector<VerifiedPair> pairs{
+        {0, 1, PairConfiguration::kUncalibrated, {{2, 0}, {1, 0}}},
+        {0, 2, PairConfiguration::kPlanar, {}},
+    };
+    write_verified_pairs(path(), pairs);
+    EXPECT_EQ(
+        answer("SELECT pair_id, rows, cols, length(data), config FROM two_view_geometries"),
+        std::to_string(kPair_1_2) + " 2 2 16 3\n" + std::to_string(kPair_1_2 + 1) + " 0 2 0 4\n");
+    const auto read = read_verified_pairs(path(), photographs_, 2);
+    ASSERT_EQ(read.size(), 1u);
+    EXPECT_EQ(read[0].inliers, pairs[0].inliers);
+    EXPECT_EQ(read[0].configuration, PairConfiguration::kUncalibrated);
+}
+
+TEST_F(ColmapDatabase, LeavesKeypointsToColmapWhenAsked) {
+    fill_colmap_database(path(), {{pinhole_camera(640, 480, 500), true}}, photographs_,
+                         KeypointsIn::kNothing);
+    EXPECT_EQ(answer("SELECT count(*) FROM images"), "3\n");
+    EXPECT_EQ(answer("SELECT count(*) FROM keypoints"), "0\n");
+}
+
+TEST_F(ColmapDatabase, GivesBackKeypointsWithOrWithoutTheirShapes) {
+    std::vector<ColmapPhotograph> photographs{{0, {}}, {0, {}}};
+    // 7.5, 8.5, 1, 0, 0, 1 as floats, little-endian; and 7.5, 8.5 alone.
+    execute(
+        "INSERT INTO keypoints VALUES (1, 1, 6, "
+        "X'0000F040000008410000803F00000000000000000000803F')");
+    execute("INSERT INTO keypoints VALUES (2, 1, 2, X'0000F04000000841')");
+    read_keypoints(path(), photographs);
+    for (const ColmapPhotograph& photograph : photographs) {
+        ASSERT_EQ(photograph.keypoints_px.size(), 1u);
+        EXPECT_EQ(photograph.keypoints_px[0], Eigen::Vector2f(7.5F, 8.5F));
+    }
+}
+
+TEST_F(ColmapDatabase, RefusesKeypointsThatContradictThemselves) {
+    const std::vector<std::string> rows{"1, 2, 2, X'0000F04000000841'",   // Size of the blob.
+                                        "1, -1, 2, X''",                  // Negative size.
+                                        "1, 1, 1, X'0000F040'",           // One coordinate.
+                                        "1, 1, 2, X'0000C07F00000841'",   // Not a number.
+                                        "2, 1, 2, X'0000F04000000841'"};  // None of the first.
+    for (const std::string& row : rows) {
+        std::vector<ColmapPhotograph> photographs{{0, {}}};
+        execute("DELETE FROM keypoints");
+        execute("INSERT INTO keypoints VALUES (" + row + ")");
+        EXPECT_THROW(read_keypoints(path(), photographs), Error) << row;
+    }
+}
+
 TEST_F(ColmapDatabase, RefusesPairsThatWereNotJudged) {
     execute("INSERT INTO two_view_geometries VALUES (" + std::to_string(kPair_1_2) +
             ", 1, 2, X'0200000000000000', 2)");
@@ -128,11 +177,6 @@ TEST(ColmapImageName, GoesThereAndBack) {
     for (const char* name : {"", "000000.png", "1.png", "000001.jpg", "000001", "-00001.png"}) {
         EXPECT_FALSE(photograph_index_of(name).has_value()) << name;
     }
-}
-
-TEST(ColmapMatchList, SeparatesPairsByAnEmptyLine) {
-    EXPECT_EQ(colmap_match_list({{0, 2, {{5, 6}, {7, 8}}}, {1, 2, {{0, 1}}}}),
-              "000001.png 000003.png\n5 6\n7 8\n\n000002.png 000003.png\n0 1\n\n");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ Descriptor random_descriptor(std::mt19937& random) {
         std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));
     Descriptor result{};
     for (std::size_t bin = 0; bin < kDescriptorSize; ++bin) {
-        result[bin] = static_cast<std::int16_t>(std::lround(512 * values[bin] / norm));
+        result[bin] = static_cast<std::uint8_t>(std::lround(512 * values[bin] / norm));
     }
     return result;
 }
@@ -71,7 +71,7 @@ TEST(DescriptorMatching, EqualsTheDefinitionOnSetsOfAnySize) {
         for (std::size_t index = 0; index < first_size; index += 2) {
             second[second_size - 1 - index] = first[index];
             second[second_size - 1 - index][5] =
-                static_cast<std::int16_t>(second[second_size - 1 - index][5] + 20);
+                static_cast<std::uint8_t>(second[second_size - 1 - index][5] + 20);
         }
         const DescriptorMatchingOptions loose{.max_ratio = 0.97, .max_angle_rad = 0.7};
         for (const DescriptorMatchingOptions& options : {DescriptorMatchingOptions{}, loose}) {

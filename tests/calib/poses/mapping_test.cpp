@@ -43,6 +43,7 @@ class Mapping : public testing::Test {
         options_.colmap = program.string();
         groups_.camera_of_photograph.assign(10, 0);
         fs::create_directories(folder_ / "scratch");
+        matched_.database = folder_ / "scratch/matched.db";  // As if it had been filled.
     }
 
     /// Lets the `run`-th run find a model of `views` photographs from `first` on.

@@ -25,6 +25,8 @@ max_reprojection_error_px = 1.5
 min_track_length = 3
 min_registered_share = 0.75
 time_limit_s = 60.5
+front_end = "colmap"
+mapper = "colmap"
 colmap = "/opt/colmap"
 )",
                                                            "test");
@@ -38,6 +40,8 @@ colmap = "/opt/colmap"
     EXPECT_EQ(options.min_track_length, 3);
     EXPECT_EQ(options.min_registered_share, 0.75);
     EXPECT_EQ(options.time_limit_s, 60.5);
+    EXPECT_EQ(options.front_end, "colmap");
+    EXPECT_EQ(options.mapper, "colmap");
     EXPECT_EQ(options.colmap, "/opt/colmap");
 }
 
@@ -50,6 +54,8 @@ TEST(PoseOptions, RefusesEachValueOutOfRange) {
         [](PoseOptions& options) { options.min_registered_share = 0; },
         [](PoseOptions& options) { options.min_registered_share = 1.01; },
         [](PoseOptions& options) { options.time_limit_s = 0; },
+        [](PoseOptions& options) { options.front_end = "hand"; },
+        [](PoseOptions& options) { options.mapper = "hand"; },
         [](PoseOptions& options) { options.colmap.clear(); }};
     for (std::size_t index = 0; index < mistakes.size(); ++index) {
         PoseOptions options;

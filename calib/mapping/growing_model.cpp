@@ -1,0 +1,190 @@
+#include "calib/mapping/growing_model.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace lumi {
+namespace {
+
+void index_features(GrowingModel& model) {
+    model.track_of_feature.clear();
+    for (const auto& features : model.pixels)
+        model.track_of_feature.emplace_back(features.size(), -1);
+    for (std::size_t track = 0; track < model.tracks.size(); ++track) {
+        for (const TrackElement& element : model.tracks[track]) {
+            model.track_of_feature[static_cast<std::size_t>(element.photograph)][element.feature] =
+                static_cast<int>(track);
+        }
+    }
+}
+
+/// Marks the sightings that agree with the track's point.
+std::size_t judge_sightings(GrowingModel& model, std::size_t track, const TrackSightings& seen,
+                            double max_error_px) {
+    std::vector<char>& is_inlier = model.is_inlier[track];
+    std::fill(is_inlier.begin(), is_inlier.end(), char{0});
+    std::size_t inliers = 0;
+    for (std::size_t index = 0; index < seen.sightings.size(); ++index) {
+        if (!(sighting_error_px(seen.sightings[index], model.points_in_world[track]) <=
+              max_error_px)) {
+            continue;
+        }
+        is_inlier[seen.elements[index]] = 1;
+        ++inliers;
+    }
+    return inliers;
+}
+
+std::vector<char> inliers_among(const GrowingModel& model, std::size_t track,
+                                const TrackSightings& seen) {
+    std::vector<char> is_used;
+    for (const std::size_t element : seen.elements) {
+        is_used.push_back(model.is_inlier[track][element]);
+    }
+    return is_used;
+}
+
+void forget_point(GrowingModel& model, std::size_t track) {
+    model.has_point[track] = 0;
+    std::fill(model.is_inlier[track].begin(), model.is_inlier[track].end(), char{0});
+}
+
+void triangulate_track(GrowingModel& model, std::size_t track,
+                       const TriangulationOptions& options) {
+    const TrackSightings seen = sightings_of(model, track);
+    if (seen.sightings.size() < 2) return;
+    if (model.has_point[track] != 0) {
+        judge_sightings(model, track, seen, options.max_error_px);
+        return;
+    }
+    const auto point = triangulate(seen.sightings, options);
+    if (!point) return;
+    model.has_point[track] = 1;
+    model.points_in_world[track] = point->position_in_world;
+    for (std::size_t index = 0; index < seen.elements.size(); ++index) {
+        model.is_inlier[track][seen.elements[index]] = point->is_inlier[index];
+    }
+}
+
+}  // namespace
+
+int GrowingModel::placed() const {
+    return static_cast<int>(std::count(is_placed.begin(), is_placed.end(), char{1}));
+}
+
+GrowingModel unplaced_model(const std::vector<ColmapCamera>& cameras,
+                            const std::vector<ColmapPhotograph>& photographs,
+                            const std::vector<VerifiedPair>& pairs) {
+    GrowingModel model;
+    for (const ColmapCamera& camera : cameras) model.cameras.push_back(camera.camera);
+    std::vector<std::size_t> feature_counts;
+    for (const ColmapPhotograph& photograph : photographs) {
+        model.camera_of_photograph.push_back(photograph.camera_index);
+        feature_counts.push_back(photograph.keypoints_px.size());
+        std::vector<Eigen::Vector2d> pixels;
+        for (const Eigen::Vector2f& pixel : photograph.keypoints_px) {
+            pixels.push_back(pixel.cast<double>());
+        }
+        model.rays.emplace_back(pixels.size(), Eigen::Vector2d::Zero());
+        model.pixels.push_back(std::move(pixels));
+    }
+    model.is_placed.assign(photographs.size(), 0);
+    model.cam_from_world.resize(photographs.size());
+    model.tracks = join_tracks(feature_counts, pairs);
+    for (const FeatureTrack& track : model.tracks) model.is_inlier.emplace_back(track.size(), 0);
+    model.has_point.assign(model.tracks.size(), 0);
+    model.points_in_world.assign(model.tracks.size(), Eigen::Vector3d::Zero());
+    index_features(model);
+    update_rays(model);
+    return model;
+}
+
+void update_rays(GrowingModel& model) {
+    for (std::size_t photograph = 0; photograph < model.pixels.size(); ++photograph) {
+        const Camera& camera = model.camera_of(static_cast<int>(photograph));
+        for (std::size_t feature = 0; feature < model.pixels[photograph].size(); ++feature) {
+            if (model.track_of_feature[photograph][feature] < 0) continue;
+            model.rays[photograph][feature] =
+                unproject(camera, model.pixels[photograph][feature]).head<2>();
+        }
+    }
+}
+
+TrackSightings sightings_of(const GrowingModel& model, std::size_t track) {
+    TrackSightings seen;
+    for (std::size_t element = 0; element < model.tracks[track].size(); ++element) {
+        const auto photograph = static_cast<std::size_t>(model.tracks[track][element].photograph);
+        if (model.is_placed[photograph] == 0) continue;
+        seen.sightings.push_back(
+            {model.cam_from_world[photograph],
+             model.rays[photograph][model.tracks[track][element].feature],
+             focal_length_px(model.camera_of(static_cast<int>(photograph))).mean()});
+        seen.elements.push_back(element);
+    }
+    return seen;
+}
+
+void triangulate_tracks(GrowingModel& model, const std::vector<std::size_t>& tracks,
+                        const TriangulationOptions& options) {
+    for (const std::size_t track : tracks) triangulate_track(model, track, options);
+}
+
+void triangulate_all_tracks(GrowingModel& model, const TriangulationOptions& options) {
+    for (std::size_t track = 0; track < model.tracks.size(); ++track) {
+        triangulate_track(model, track, options);
+    }
+}
+
+void judge_points(GrowingModel& model, const TriangulationOptions& options) {
+    for (std::size_t track = 0; track < model.tracks.size(); ++track) {
+        if (model.has_point[track] == 0) continue;
+        const TrackSightings seen = sightings_of(model, track);
+        Eigen::Vector3d& point = model.points_in_world[track];
+        point = refined_point(seen.sightings, inliers_among(model, track, seen), point);
+        const bool is_seen = judge_sightings(model, track, seen, options.max_error_px) >= 2;
+        if (!is_seen || !(largest_angle_rad(seen.sightings, inliers_among(model, track, seen),
+                                            point) >= options.min_angle_rad)) {
+            forget_point(model, track);
+        }
+    }
+}
+
+std::vector<std::size_t> tracks_of(const GrowingModel& model, int photograph) {
+    std::vector<std::size_t> tracks;
+    for (const int track : model.track_of_feature[static_cast<std::size_t>(photograph)]) {
+        if (track >= 0) tracks.push_back(static_cast<std::size_t>(track));
+    }
+    return tracks;
+}
+
+Capture capture_of(const GrowingModel& model, const std::vector<std::string>& names) {
+    Capture capture;
+    std::vector<int> new_camera(model.cameras.size(), -1);
+    std::vector<int> new_view(names.size(), -1);
+    for (std::size_t photograph = 0; photograph < names.size(); ++photograph) {
+        if (model.is_placed[photograph] == 0) continue;
+        const auto camera = static_cast<std::size_t>(model.camera_of_photograph[photograph]);
+        if (new_camera[camera] < 0) {
+            new_camera[camera] = static_cast<int>(capture.cameras.size());
+            capture.cameras.push_back(model.cameras[camera]);
+        }
+        new_view[photograph] = static_cast<int>(capture.views.size());
+        capture.views.push_back(
+            {names[photograph], new_camera[camera], model.cam_from_world[photograph]});
+    }
+    for (std::size_t track = 0; track < model.tracks.size(); ++track) {
+        if (model.has_point[track] == 0) continue;
+        ScenePoint point;
+        point.position_in_world = model.points_in_world[track];
+        for (std::size_t element = 0; element < model.tracks[track].size(); ++element) {
+            if (model.is_inlier[track][element] == 0) continue;
+            const TrackElement& seen = model.tracks[track][element];
+            const auto photograph = static_cast<std::size_t>(seen.photograph);
+            point.track.push_back({new_view[photograph], model.pixels[photograph][seen.feature]});
+        }
+        if (point.track.size() >= 2) capture.points.push_back(std::move(point));
+    }
+    return capture;
+}
+
+}  // namespace lumi

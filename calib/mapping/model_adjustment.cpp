@@ -1,0 +1,268 @@
+#include "calib/mapping/model_adjustment.h"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "calib/adjust/reprojection_cost.h"
+
+namespace lumi {
+namespace {
+
+/// The photographs and points that an adjustment moves.
+struct Moving {
+    std::vector<char> photographs;
+    std::vector<std::size_t> tracks;  ///< Ascending.
+    bool lenses = false;
+};
+
+std::size_t inliers_of(const GrowingModel& model, std::size_t track) {
+    const std::vector<char>& is_inlier = model.is_inlier[track];
+    return static_cast<std::size_t>(std::count(is_inlier.begin(), is_inlier.end(), char{1}));
+}
+
+template <class Body>
+void for_each_inlier(const GrowingModel& model, std::size_t track, const Body& body) {
+    for (std::size_t element = 0; element < model.tracks[track].size(); ++element) {
+        if (model.is_inlier[track][element] != 0) body(model.tracks[track][element]);
+    }
+}
+
+/// Of `tracks`, the longest, so many that each photograph has as many as asked (or all it has).
+std::vector<std::size_t> strongest(const GrowingModel& model, std::vector<std::size_t> tracks,
+                                   int points_a_photograph) {
+    std::vector<std::size_t> length(model.tracks.size(), 0);
+    for (const std::size_t track : tracks) length[track] = inliers_of(model, track);
+    std::stable_sort(tracks.begin(), tracks.end(),
+                     [&](std::size_t a, std::size_t b) { return length[a] > length[b]; });
+    std::vector<int> chosen_of_photograph(model.pixels.size(), 0);
+    std::vector<std::size_t> chosen;
+    for (const std::size_t track : tracks) {
+        bool is_wanted = false;
+        for_each_inlier(model, track, [&](const TrackElement& seen) {
+            const int count = chosen_of_photograph[static_cast<std::size_t>(seen.photograph)];
+            is_wanted = is_wanted || count < points_a_photograph;
+        });
+        if (!is_wanted) continue;
+        chosen.push_back(track);
+        for_each_inlier(model, track, [&](const TrackElement& seen) {
+            ++chosen_of_photograph[static_cast<std::size_t>(seen.photograph)];
+        });
+    }
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+}
+
+/// The parameters of all lenses in one piece of memory: Ceres orders blocks by address, and so
+/// rounds the same in every run.
+class LensParameters {
+ public:
+    explicit LensParameters(const std::vector<Camera>& cameras) {
+        for (const Camera& camera : cameras) {
+            offsets_.push_back(values_.size());
+            values_.insert(values_.end(), camera.parameters.begin(), camera.parameters.end());
+        }
+    }
+    [[nodiscard]] double* of(int camera) {
+        return values_.data() + offsets_[static_cast<std::size_t>(camera)];
+    }
+    void copy_to(std::vector<Camera>& cameras) const {
+        for (std::size_t index = 0; index < cameras.size(); ++index) {
+            std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(offsets_[index]),
+                        cameras[index].parameters.size(), cameras[index].parameters.begin());
+        }
+    }
+
+ private:
+    std::vector<double> values_;
+    std::vector<std::size_t> offsets_;
+};
+
+void hold_lens(ceres::Problem& problem, double* lens, const Camera& camera, bool refine) {
+    if (!refine) {
+        problem.SetParameterBlockConstant(lens);
+        return;
+    }
+    const bool one_focal_length = camera.model == LensModel::kSimplePinhole ||
+                                  camera.model == LensModel::kSimpleRadial ||
+                                  camera.model == LensModel::kRadial;
+    const std::vector<int> centre =
+        one_focal_length ? std::vector<int>{1, 2} : std::vector<int>{2, 3};
+    problem.SetManifold(
+        lens, new ceres::SubsetManifold(static_cast<int>(camera.parameters.size()), centre));
+}
+
+class Adjustment {
+ public:
+    Adjustment(GrowingModel& model, const Moving& moving, const ModelAdjustmentOptions& options)
+        : model_(model),
+          moving_(moving),
+          lenses_(model.cameras),
+          loss_(options.robust_scale_px),
+          problem_(problem_options()),
+          order_(std::make_shared<ceres::ParameterBlockOrdering>()) {
+        for (const std::size_t track : moving.tracks) add_track(track);
+        for (std::size_t photograph = 0; photograph < model.pixels.size(); ++photograph) {
+            hold_pose(photograph);
+        }
+        for (std::size_t camera = 0; camera < model.cameras.size(); ++camera) {
+            double* const lens = lenses_.of(static_cast<int>(camera));
+            if (!problem_.HasParameterBlock(lens)) continue;
+            hold_lens(problem_, lens, model.cameras[camera], moving.lenses);
+            order_->AddElementToGroup(lens, 2);
+        }
+    }
+
+    void hold_gauge() {
+        const auto first = static_cast<std::size_t>(
+            std::find(moving_.photographs.begin(), moving_.photographs.end(), char{1}) -
+            moving_.photographs.begin());
+        if (first == moving_.photographs.size()) return;
+        hold_still(first);
+        const Eigen::Vector3d origin = centre_in_world(model_.cam_from_world[first]);
+        std::size_t farthest = first;
+        double distance = 0;
+        for (std::size_t other = 0; other < moving_.photographs.size(); ++other) {
+            if (moving_.photographs[other] == 0 || other == first) continue;
+            const double here = (centre_in_world(model_.cam_from_world[other]) - origin).norm();
+            if (here > distance) {
+                distance = here;
+                farthest = other;
+            }
+        }
+        double* const translation = model_.cam_from_world[farthest].translation.data();
+        if (farthest == first || !problem_.HasParameterBlock(translation)) return;
+        int axis = 0;
+        (model_.cam_from_world[farthest] * origin).cwiseAbs().maxCoeff(&axis);
+        problem_.SetManifold(translation, new ceres::SubsetManifold(3, {axis}));
+    }
+
+    void solve(int max_iterations) {
+        if (problem_.NumResidualBlocks() == 0) return;
+        const auto photographs =
+            std::count(moving_.photographs.begin(), moving_.photographs.end(), char{1});
+        constexpr std::ptrdiff_t kDenseUpToPhotographs = 40;
+        ceres::Solver::Options solver;
+        solver.linear_solver_type =
+            photographs <= kDenseUpToPhotographs ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
+        solver.linear_solver_ordering = order_;
+        solver.max_num_iterations = max_iterations;
+        solver.function_tolerance = 1e-4;
+        solver.num_threads = 1;
+        solver.logging_type = ceres::SILENT;
+        ceres::Solver::Summary summary;
+        ceres::Solve(solver, &problem_, &summary);
+        if (!summary.IsSolutionUsable()) return;
+        lenses_.copy_to(model_.cameras);
+        for (Rigid3& pose : model_.cam_from_world) pose.rotation.normalize();
+    }
+
+ private:
+    ceres::Problem::Options problem_options() {
+        ceres::Problem::Options options;
+        options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+        return options;
+    }
+
+    void add_track(std::size_t track) {
+        double* const point = model_.points_in_world[track].data();
+        for_each_inlier(model_, track, [&](const TrackElement& seen) {
+            const auto photograph = static_cast<std::size_t>(seen.photograph);
+            Rigid3& pose = model_.cam_from_world[photograph];
+            // A point behind a camera has no pixel there, and the whole problem no cost.
+            if (!((pose * model_.points_in_world[track]).z() > 1e-6)) return;
+            problem_.AddResidualBlock(reprojection_cost(model_.camera_of(seen.photograph).model,
+                                                        model_.pixels[photograph][seen.feature])
+                                          .release(),
+                                      &loss_, lenses_.of(model_.camera_of_photograph[photograph]),
+                                      pose.rotation.coeffs().data(), pose.translation.data(),
+                                      point);
+        });
+        if (problem_.HasParameterBlock(point)) order_->AddElementToGroup(point, 0);
+    }
+
+    void hold_still(std::size_t photograph) {
+        Rigid3& pose = model_.cam_from_world[photograph];
+        if (!problem_.HasParameterBlock(pose.translation.data())) return;
+        problem_.SetParameterBlockConstant(pose.rotation.coeffs().data());
+        problem_.SetParameterBlockConstant(pose.translation.data());
+    }
+
+    void hold_pose(std::size_t photograph) {
+        Rigid3& pose = model_.cam_from_world[photograph];
+        double* const rotation = pose.rotation.coeffs().data();
+        if (!problem_.HasParameterBlock(rotation)) return;
+        order_->AddElementToGroup(rotation, 1);
+        order_->AddElementToGroup(pose.translation.data(), 1);
+        problem_.SetManifold(rotation, new ceres::EigenQuaternionManifold);
+        if (moving_.photographs[photograph] == 0) hold_still(photograph);
+    }
+
+    GrowingModel& model_;
+    const Moving& moving_;
+    LensParameters lenses_;
+    ceres::CauchyLoss loss_;
+    ceres::Problem problem_;
+    std::shared_ptr<ceres::ParameterBlockOrdering> order_;
+};
+
+/// The photograph and the placed ones that share most points with it.
+std::vector<char> neighbourhood_of(const GrowingModel& model, int photograph) {
+    constexpr std::size_t kNeighbours = 5;
+    std::vector<int> shared(model.pixels.size(), 0);
+    for (const std::size_t track : tracks_of(model, photograph)) {
+        for_each_inlier(model, track, [&](const TrackElement& seen) {
+            ++shared[static_cast<std::size_t>(seen.photograph)];
+        });
+    }
+    std::vector<std::size_t> order(model.pixels.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return shared[a] > shared[b]; });
+    std::vector<char> chosen(model.pixels.size(), 0);
+    // Two stay where they are, so that the neighbourhood cannot float away.
+    const auto others = static_cast<std::size_t>(std::max(0, model.placed() - 3));
+    std::size_t count = 0;
+    for (const std::size_t other : order) {
+        if (shared[other] == 0 || count == std::min(kNeighbours, others)) break;
+        if (static_cast<int>(other) == photograph) continue;
+        chosen[other] = 1;
+        ++count;
+    }
+    chosen[static_cast<std::size_t>(photograph)] = 1;
+    return chosen;
+}
+
+}  // namespace
+
+void adjust_model(GrowingModel& model, const ModelAdjustmentOptions& options, Progress& progress) {
+    progress.throw_if_interrupted();
+    std::vector<std::size_t> tracks;
+    for (std::size_t track = 0; track < model.tracks.size(); ++track) {
+        if (model.has_point[track] != 0) tracks.push_back(track);
+    }
+    const Moving moving{model.is_placed,
+                        strongest(model, std::move(tracks), options.points_a_photograph),
+                        options.refine_lenses};
+    Adjustment adjustment(model, moving, options);
+    adjustment.hold_gauge();
+    adjustment.solve(options.max_iterations);
+    if (options.refine_lenses) update_rays(model);
+}
+
+void adjust_around(GrowingModel& model, int photograph, const ModelAdjustmentOptions& options,
+                   Progress& progress) {
+    progress.throw_if_interrupted();
+    Moving moving{neighbourhood_of(model, photograph), {}, false};
+    std::vector<std::size_t> tracks;
+    for (const std::size_t track : tracks_of(model, photograph)) {
+        if (model.has_point[track] != 0) tracks.push_back(track);
+    }
+    std::sort(tracks.begin(), tracks.end());
+    moving.tracks = strongest(model, std::move(tracks), options.points_a_photograph);
+    Adjustment(model, moving, options).solve(options.max_iterations);
+}
+
+}  // namespace lumi

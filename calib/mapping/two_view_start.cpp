@@ -1,0 +1,148 @@
+#include "calib/mapping/two_view_start.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/core/eigen.hpp>
+
+#include "calib/poses/rotation_check.h"
+
+namespace lumi {
+namespace {
+
+constexpr std::size_t kPairsLookedAt = 16;
+
+struct Candidate {
+    const VerifiedPair* pair = nullptr;
+    double promise = 0;
+};
+
+Eigen::Vector2d ray_of(const GrowingModel& model, int photograph, std::uint32_t feature) {
+    return model.rays[static_cast<std::size_t>(photograph)][feature];
+}
+
+/// Matches that a rotation does not explain, of pairs that a plane does not explain either.
+double promise_of(const GrowingModel& model, const VerifiedPair& pair, double min_angle_rad) {
+    if (pair.configuration == PairConfiguration::kPanoramic) return 0;
+    DirectionPairs directions;
+    for (const FeatureMatch& match : pair.inliers) {
+        directions.first.push_back(ray_of(model, pair.first, match.first).homogeneous());
+        directions.second.push_back(ray_of(model, pair.second, match.second).homogeneous());
+    }
+    const bool is_general = pair.configuration == PairConfiguration::kCalibrated ||
+                            pair.configuration == PairConfiguration::kUncalibrated;
+    // Before a plane the motion is ambiguous and the focal length cannot be told.
+    constexpr double kPlanarPenalty = 0.3;
+    const RotationFit fit = fit_rotation(directions, 0.5 * min_angle_rad);
+    return static_cast<double>(pair.inliers.size()) * (1 - fit.inlier_share) *
+           (is_general ? 1.0 : kPlanarPenalty);
+}
+
+std::vector<Candidate> most_promising(const GrowingModel& model,
+                                      const std::vector<VerifiedPair>& pairs,
+                                      const TwoViewStartOptions& options) {
+    std::vector<Candidate> candidates;
+    for (const VerifiedPair& pair : pairs) {
+        if (model.is_placed[static_cast<std::size_t>(pair.first)] != 0 ||
+            model.is_placed[static_cast<std::size_t>(pair.second)] != 0 ||
+            pair.inliers.size() < static_cast<std::size_t>(options.min_points)) {
+            continue;
+        }
+        candidates.push_back({&pair, promise_of(model, pair, options.min_angle_rad)});
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const auto& a, const auto& b) { return a.promise > b.promise; });
+    if (candidates.size() > kPairsLookedAt) candidates.resize(kPairsLookedAt);
+    std::erase_if(candidates, [](const Candidate& candidate) { return !(candidate.promise > 0); });
+    return candidates;
+}
+
+cv::UsacParams ransac_parameters(double max_error) {
+    cv::UsacParams parameters;
+    parameters.confidence = 0.9999;
+    parameters.threshold = max_error;
+    parameters.maxIterations = 1000;
+    parameters.isParallel = false;
+    parameters.randomGeneratorState = 1;
+    parameters.sampler = cv::SAMPLING_UNIFORM;
+    parameters.score = cv::SCORE_METHOD_MSAC;
+    parameters.loMethod = cv::LOCAL_OPTIM_INNER_AND_ITER_LO;
+    parameters.loIterations = 5;
+    parameters.loSampleSize = 14;
+    return parameters;
+}
+
+double weight_of(const TwoViewStart& start, const std::vector<cv::Point2d>& first,
+                 const std::vector<cv::Point2d>& second, double focal_px,
+                 const TwoViewStartOptions& options) {
+    double weight = 0;
+    int points = 0;
+    for (std::size_t index = 0; index < first.size(); ++index) {
+        const std::array<Sighting, 2> sightings{
+            Sighting{{}, {first[index].x, first[index].y}, focal_px},
+            Sighting{start.second_from_first, {second[index].x, second[index].y}, focal_px}};
+        const auto point = triangulate(sightings, {options.max_error_px, options.min_angle_rad});
+        if (!point) continue;
+        const double angle =
+            largest_angle_rad(sightings, point->is_inlier, point->position_in_world);
+        weight += std::min(angle / options.full_angle_rad, 1.0);
+        ++points;
+    }
+    return points < options.min_points ? 0 : weight;
+}
+
+TwoViewStart start_from(const GrowingModel& model, const VerifiedPair& pair,
+                        const TwoViewStartOptions& options) {
+    TwoViewStart start{pair.first, pair.second, {}, 0};
+    std::vector<cv::Point2d> first;
+    std::vector<cv::Point2d> second;
+    for (const FeatureMatch& match : pair.inliers) {
+        const Eigen::Vector2d a = ray_of(model, pair.first, match.first);
+        const Eigen::Vector2d b = ray_of(model, pair.second, match.second);
+        first.emplace_back(a.x(), a.y());
+        second.emplace_back(b.x(), b.y());
+    }
+    const double focal_px = 0.5 * (focal_length_px(model.camera_of(pair.first)).mean() +
+                                   focal_length_px(model.camera_of(pair.second)).mean());
+    // In pixels of a common focal length, because the threshold is one.
+    std::vector<cv::Point2d> first_px;
+    std::vector<cv::Point2d> second_px;
+    for (const cv::Point2d& point : first) first_px.push_back(focal_px * point);
+    for (const cv::Point2d& point : second) second_px.push_back(focal_px * point);
+    const cv::Matx33d calibration(focal_px, 0, 0, 0, focal_px, 0, 0, 0, 1);
+    cv::Mat mask;
+    const cv::Mat essential =
+        cv::findEssentialMat(first_px, second_px, calibration, calibration, cv::noArray(),
+                             cv::noArray(), mask, ransac_parameters(options.max_error_px));
+    if (essential.rows != 3 || essential.cols != 3) return start;
+    cv::Mat rotation;
+    cv::Mat translation;
+    cv::recoverPose(essential, first_px, second_px, cv::Mat(calibration), rotation, translation,
+                    mask);
+    Eigen::Matrix3d turn;
+    cv::cv2eigen(rotation, turn);
+    cv::cv2eigen(translation, start.second_from_first.translation);
+    if (!turn.allFinite() || !start.second_from_first.translation.allFinite()) return start;
+    start.second_from_first.rotation = Eigen::Quaterniond(turn).normalized();
+    start.weight = weight_of(start, first, second, focal_px, options);
+    return start;
+}
+
+}  // namespace
+
+std::vector<TwoViewStart> two_view_starts(const GrowingModel& model,
+                                          const std::vector<VerifiedPair>& pairs,
+                                          const TwoViewStartOptions& options) {
+    std::vector<TwoViewStart> starts;
+    for (const Candidate& candidate : most_promising(model, pairs, options)) {
+        const TwoViewStart start = start_from(model, *candidate.pair, options);
+        if (start.weight > 0) starts.push_back(start);
+    }
+    std::stable_sort(starts.begin(), starts.end(),
+                     [](const auto& a, const auto& b) { return a.weight > b.weight; });
+    return starts;
+}
+
+}  // namespace lumi

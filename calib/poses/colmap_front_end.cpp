@@ -1,0 +1,74 @@
+#include <system_error>
+
+#include "calib/poses/mapping.h"
+#include "calib/work/error.h"
+#include "calib/work/parallel_for.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// COLMAP knows photographs by the names in a folder: links to the working copies.
+void link_pictures(const std::vector<Photograph>& photographs, const fs::path& folder) {
+    fs::create_directories(folder);
+    for (std::size_t index = 0; index < photographs.size(); ++index) {
+        const fs::path link = folder / colmap_image_name(static_cast<int>(index));
+        std::error_code status;
+        fs::create_symlink(fs::absolute(photographs[index].picture_path), link, status);
+        if (!status) continue;
+        throw Error(ErrorKind::kResources, "E-FILE-WRITE",
+                    link.string() + ": cannot be made: " + status.message(),
+                    "check that you may write there and that the disk has space left");
+    }
+}
+
+void expect_ended(const ColmapRun& run, const MappingJob& job, const std::string& command) {
+    if (run.result.end == ChildEnd::kExited) return;
+    throw Error(ErrorKind::kExternalProgram, "E-COLMAP-TIME",
+                job.options.colmap + " " + command + ": " + run.ending,
+                "raise [poses] time_limit_s, or lower max_features");
+}
+
+}  // namespace
+
+ColmapProgram colmap_of(const MappingJob& job) {
+    return {job.options.colmap, job.scratch_folder, job.options.time_limit_s};
+}
+
+void record(PoseEvidence& evidence, const ColmapRun& run) {
+    evidence.calls.push_back({run.command_line, run.result.wall_s, run.result.cpu_s});
+}
+
+MatchedPhotographs match_with_colmap_alone(const MappingJob& job, const std::string& name) {
+    MatchedPhotographs result;
+    result.name = name;
+    result.database = job.scratch_folder / (name + ".db");
+    for (const int camera : job.groups.camera_of_photograph) {
+        result.photographs.push_back({camera, {}});
+    }
+    const fs::path pictures = job.scratch_folder / (name + "_pictures");
+    link_pictures(job.photographs, pictures);
+    record(job.evidence, create_colmap_database(colmap_of(job), result.database, job.progress));
+    fill_colmap_database(result.database, job.groups.cameras, result.photographs,
+                         KeypointsIn::kNothing);
+    const int threads = resolve_threads(job.threads);
+    job.progress.begin("finding features with COLMAP", job.photographs.size());
+    const ColmapRun extraction = extract_features_with_colmap(
+        colmap_of(job), result.database, pictures, job.options.max_features, threads,
+        [&](int count) { job.progress.advance(static_cast<std::size_t>(count)); }, job.progress);
+    record(job.evidence, extraction);
+    expect_ended(extraction, job, "feature_extractor");
+    read_keypoints(result.database, result.photographs);
+    job.progress.begin("comparing photographs with COLMAP", 0);
+    const ColmapRun matching =
+        match_with_colmap(colmap_of(job), result.database, threads, job.progress);
+    record(job.evidence, matching);
+    expect_ended(matching, job, "exhaustive_matcher");
+    const std::size_t count = job.photographs.size();
+    result.pairs =
+        read_verified_pairs(result.database, result.photographs, count * (count - 1) / 2);
+    return result;
+}
+
+}  // namespace lumi
