@@ -69,11 +69,21 @@ double true_extent() {
     return extent;
 }
 
-TEST(PoseStageWithColmap, PlacesEveryPhotographOfARenderedScene) {
+struct Means {
+    const char* front_end;
+    const char* mapper;
+};
+
+class PoseStageBy : public testing::TestWithParam<Means> {};
+
+TEST_P(PoseStageBy, PlacesEveryPhotographOfARenderedScene) {
     const ScratchFolder folder;
     SilentProgress progress;
-    const PoseResult result =
-        estimate_poses(box_photographs(folder), std::nullopt, {}, folder / "scratch", 2, progress);
+    PoseOptions options;
+    options.front_end = GetParam().front_end;
+    options.mapper = GetParam().mapper;
+    const PoseResult result = estimate_poses(box_photographs(folder), std::nullopt, options,
+                                             folder / "scratch", 2, progress);
     EXPECT_EQ(result.evidence.photographs_registered, 9);
     EXPECT_THAT(result.not_registered, testing::IsEmpty());
     EXPECT_EQ(result.capture.cameras.size(), 1u);
@@ -83,6 +93,13 @@ TEST(PoseStageWithColmap, PlacesEveryPhotographOfARenderedScene) {
     EXPECT_LT(result.evidence.mean_reprojection_error_px, 0.5);
     EXPECT_GT(result.evidence.points, 100);
 }
+
+INSTANTIATE_TEST_SUITE_P(All, PoseStageBy,
+                         testing::Values(Means{"lumi", "lumi"}, Means{"lumi", "colmap"},
+                                         Means{"colmap", "lumi"}, Means{"colmap", "colmap"}),
+                         [](const auto& means) {
+                             return std::string(means.param.front_end) + "And" + means.param.mapper;
+                         });
 
 TEST(PoseStageWithColmap, IsTheSameForAnyNumberOfThreads) {
     const ScratchFolder folder;
@@ -175,6 +192,7 @@ TEST(PoseStageWithColmap, SaysWhenColmapIsNotInstalled) {
     const ScratchFolder folder;
     SilentProgress progress;
     PoseOptions options;
+    options.mapper = "colmap";
     options.colmap = "no-such-colmap";
     try {
         static_cast<void>(estimate_poses(box_photographs(folder), std::nullopt, options,
