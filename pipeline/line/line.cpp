@@ -1,7 +1,5 @@
-const bool runs_colmap = config_.imported_poses.empty() &&
-                         (config_.poses.front_end == "colmap" || config_.poses.mapper == "colmap");
-if (runs_colmap) stage.identity.external_tool = colmap_version(config_.poses.colmap);
 #include "pipeline/line/line.h"
+
 #include <algorithm>
 #include <cassert>
 #include <nlohmann/json.hpp>
@@ -19,197 +17,194 @@ if (runs_colmap) stage.identity.external_tool = colmap_version(config_.poses.col
 #include "pipeline/stages/poses_stage.h"
 #include "pipeline/stages/used_views.h"
 
-    namespace lumi {
-    namespace {
+namespace lumi {
+namespace {
 
-    namespace fs = std::filesystem;
-    using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
-    void append(std::vector<ContentEntry>& entries, const std::vector<ContentEntry>& more) {
-        entries.insert(entries.end(), more.begin(), more.end());
+void append(std::vector<ContentEntry>& entries, const std::vector<ContentEntry>& more) {
+    entries.insert(entries.end(), more.begin(), more.end());
+}
+
+/// One run of the line: each function below describes a stage by what the stages before it left in
+/// the workspace, and by what decides its result.
+class Line {
+ public:
+    Line(const BuildConfig& config, const Workspace& workspace, int threads, Progress& progress)
+        : config_(config), workspace_(workspace), threads_(threads), progress_(progress) {}
+
+    [[nodiscard]] const std::vector<FinishedStage>& finished() const { return finished_; }
+
+    void bring_up_to_date(const std::string& name) {
+        finished_.push_back(
+            lumi::bring_up_to_date(workspace_, stage_named(name), threads_, progress_));
+        write_stages_file(workspace_.stages_path(), finished_);
     }
 
-    /// One run of the line: each function below describes a stage by what the stages before it left
-    /// in the workspace, and by what decides its result.
-    class Line {
-     public:
-        Line(const BuildConfig& config, const Workspace& workspace, int threads, Progress& progress)
-            : config_(config), workspace_(workspace), threads_(threads), progress_(progress) {}
+ private:
+    [[nodiscard]] Stage stage_named(const std::string& name) {
+        if (name == "ingest") return ingest_stage();
+        if (name == "poses") return poses_stage();
+        if (name == "mesh") return mesh_stage();
+        if (name == "depth") return depth_stage();
+        assert(name == "pack");
+        return pack_stage();
+    }
 
-        [[nodiscard]] const std::vector<FinishedStage>& finished() const { return finished_; }
+    [[nodiscard]] StageIdentity identity(const std::string& stage, const std::string& more,
+                                         const std::vector<ContentEntry>& inputs) const {
+        return {stage, code_version_of(stage), config_.stage_parameters.at(stage) + more, "",
+                sha256_of_content(inputs)};
+    }
 
-        void bring_up_to_date(const std::string& name) {
-            finished_.push_back(
-                lumi::bring_up_to_date(workspace_, stage_named(name), threads_, progress_));
-            write_stages_file(workspace_.stages_path(), finished_);
-        }
+    [[nodiscard]] Stage ingest_stage() const {
+        const std::vector<ContentEntry> inputs = content_of(config_.photographs_or_video, threads_);
+        return {identity("ingest", "", inputs),
+                [this](const fs::path& folder) {
+                    return run_ingest_stage(config_.photographs_or_video, config_.ingest, folder,
+                                            threads_, progress_);
+                },
+                {}};
+    }
 
-     private:
-        [[nodiscard]] Stage stage_named(const std::string& name) {
-            if (name == "ingest") return ingest_stage();
-            if (name == "poses") return poses_stage();
-            if (name == "mesh") return mesh_stage();
-            if (name == "depth") return depth_stage();
-            assert(name == "pack");
-            return pack_stage();
-        }
-
-        [[nodiscard]] StageIdentity identity(const std::string& stage, const std::string& more,
-                                             const std::vector<ContentEntry>& inputs) const {
-            return {stage, code_version_of(stage), config_.stage_parameters.at(stage) + more, "",
-                    sha256_of_content(inputs)};
-        }
-
-        [[nodiscard]] Stage ingest_stage() const {
-            const std::vector<ContentEntry> inputs =
-                content_of(config_.photographs_or_video, threads_);
-            return {identity("ingest", "", inputs),
+    [[nodiscard]] Stage poses_stage() {
+        read_ingested();
+        std::vector<ContentEntry> inputs = outputs_of("ingest", "ingest/");
+        append(inputs, content_of(config_.imported_poses, threads_));
+        Stage stage{identity("poses", "", inputs),
                     [this](const fs::path& folder) {
-                        return run_ingest_stage(config_.photographs_or_video, config_.ingest,
-                                                folder, threads_, progress_);
+                        return run_poses_stage(
+                            workspace_.stage_folder("ingest"),
+                            {config_.imported_poses, config_.given_lens, config_.poses}, folder,
+                            threads_, progress_);
                     },
                     {}};
-        }
-
-        [[nodiscard]] Stage poses_stage() {
-            read_ingested();
-            std::vector<ContentEntry> inputs = outputs_of("ingest", "ingest/");
-            append(inputs, content_of(config_.imported_poses, threads_));
-            Stage stage{identity("poses", "", inputs),
-                        [this](const fs::path& folder) {
-                            return run_poses_stage(
-                                workspace_.stage_folder("ingest"),
-                                {config_.imported_poses, config_.given_lens, config_.poses}, folder,
-                                threads_, progress_);
-                        },
-                        {}};
-            if (config_.imported_poses.empty()) {
-                if (config_.poses.front_end == "colmap" || config_.poses.mapper == "colmap") {
-                    stage.identity.external_tool = colmap_version(config_.poses.colmap);
-                }
-            }
-            return stage;
-        }
-
-        [[nodiscard]] Stage mesh_stage() {
-            read_used_views();
-            return {identity("mesh", held_out_text(), outputs_of("poses", "poses/pinhole/")),
-                    [this](const fs::path& folder) {
-                        return run_mesh_stage(used_.capture, config_.mesh, folder);
-                    },
-                    {}};
-        }
-
-        [[nodiscard]] Stage depth_stage() const {
-            std::vector<ContentEntry> inputs = pictures_and_poses();
-            append(inputs, content_of(config_.depth.import_folder, threads_));
-            return {identity("depth", held_out_text(), inputs),
-                    [this](const fs::path& folder) {
-                        return run_depth_stage(used_, config_.depth, folder, threads_, progress_);
-                    },
-                    {}};
-        }
-
-        [[nodiscard]] Stage pack_stage() const {
-            std::vector<ContentEntry> inputs = pictures_and_poses();
-            for (const char* stage : {"mesh", "depth"}) {
-                append(inputs, outputs_of(stage, ""));
-            }
-            return {identity("pack", held_out_text() + facts_of_all_stages(), inputs),
-                    [this](const fs::path& folder) {
-                        return run_pack_stage(
-                            {config_.name, used_, ingested_, held_out_,
-                             workspace_.stage_folder("mesh"), workspace_.stage_folder("depth"),
-                             sha256_of_content(outputs_of("poses", "poses/pinhole/")),
-                             config_.resolved_toml, facts_of_all_stages()},
-                            workspace_.package_folder(), folder, threads_, progress_);
-                    },
-                    workspace_.package_folder()};
-        }
-
-        void read_ingested() {
-            ingested_ = read_photograph_list(workspace_.stage_folder("ingest")).photographs;
-            held_out_ = held_out_names(ingested_, config_.hold_out);
-        }
-        void read_used_views() {
-            used_ = without_views(
-                read_posed_photographs(workspace_.stage_folder("poses") / "pinhole"), held_out_);
-        }
-
-        [[nodiscard]] std::string held_out_text() const {
-            return "held_out = " + Json(held_out_).dump();
-        }
-
-        /// What a finished stage wrote, where the name begins with `prefix`.
-        [[nodiscard]] std::vector<ContentEntry> outputs_of(const std::string& stage,
-                                                           const std::string& prefix) const {
-            const auto finished = std::find_if(
-                finished_.begin(), finished_.end(),
-                [&](const FinishedStage& candidate) { return candidate.name == stage; });
-            assert(finished != finished_.end());
-            std::vector<ContentEntry> outputs;
-            for (const ContentEntry& output : finished->outputs) {
-                if (output.name.starts_with(prefix)) outputs.push_back(output);
-            }
-            return outputs;
-        }
-
-        /// Pictures that needed no undistortion are the working copies themselves.
-        [[nodiscard]] std::vector<ContentEntry> pictures_and_poses() const {
-            std::vector<ContentEntry> inputs = outputs_of("ingest", "ingest/");
-            append(inputs, outputs_of("poses", "poses/pinhole/"));
-            return inputs;
-        }
-
-        [[nodiscard]] std::string facts_of_all_stages() const {
-            Json facts = Json::object();
-            for (const FinishedStage& stage : finished_) {
-                facts[stage.name] = Json::parse(stage.evidence.facts_json);
-            }
-            return facts.dump();
-        }
-
-        const BuildConfig& config_;
-        const Workspace& workspace_;
-        int threads_;
-        Progress& progress_;
-        std::vector<FinishedStage> finished_;
-        std::vector<Photograph> ingested_;
-        std::vector<std::string> held_out_;
-        PosedPhotographs used_;
-    };
-
-    }  // namespace
-
-    const std::vector<std::string>& stages_of_line() {
-        static const std::vector<std::string> stages{"ingest", "poses", "mesh", "depth", "pack"};
-        return stages;
+        const bool runs_colmap =
+            config_.imported_poses.empty() &&
+            (config_.poses.front_end == "colmap" || config_.poses.mapper == "colmap");
+        if (runs_colmap) stage.identity.external_tool = colmap_version(config_.poses.colmap);
+        return stage;
     }
 
-    std::vector<FinishedStage> run_line(const BuildConfig& config, const Workspace& workspace,
-                                        const std::string& last_stage, int threads,
-                                        Progress& progress) {
-        write_whole_text(
-            workspace.config_path(),
-            "# Paths are relative to the configuration file that this was read from.\n" +
-                config.resolved_toml);
-        Line line(config, workspace, threads, progress);
-        for (const std::string& stage : stages_of_line()) {
-            try {
-                line.bring_up_to_date(stage);
-            } catch (const Error& failure) {
-                write_stages_file(workspace.stages_path(), line.finished(), stage, failure);
-                throw;
-            }
-            if (stage == last_stage) break;
-        }
-        return line.finished();
+    [[nodiscard]] Stage mesh_stage() {
+        read_used_views();
+        return {identity("mesh", held_out_text(), outputs_of("poses", "poses/pinhole/")),
+                [this](const fs::path& folder) {
+                    return run_mesh_stage(used_.capture, config_.mesh, folder);
+                },
+                {}};
     }
 
-    WorkspaceLayout workspace_of(const BuildConfig& config) {
-        const fs::path folder =
-            config.workspace.empty() ? fs::path("work") / config.name : config.workspace;
-        return {folder, config.name};
+    [[nodiscard]] Stage depth_stage() const {
+        std::vector<ContentEntry> inputs = pictures_and_poses();
+        append(inputs, content_of(config_.depth.import_folder, threads_));
+        return {identity("depth", held_out_text(), inputs),
+                [this](const fs::path& folder) {
+                    return run_depth_stage(used_, config_.depth, folder, threads_, progress_);
+                },
+                {}};
     }
+
+    [[nodiscard]] Stage pack_stage() const {
+        std::vector<ContentEntry> inputs = pictures_and_poses();
+        for (const char* stage : {"mesh", "depth"}) {
+            append(inputs, outputs_of(stage, ""));
+        }
+        return {identity("pack", held_out_text() + facts_of_all_stages(), inputs),
+                [this](const fs::path& folder) {
+                    return run_pack_stage(
+                        {config_.name, used_, ingested_, held_out_, workspace_.stage_folder("mesh"),
+                         workspace_.stage_folder("depth"),
+                         sha256_of_content(outputs_of("poses", "poses/pinhole/")),
+                         config_.resolved_toml, facts_of_all_stages()},
+                        workspace_.package_folder(), folder, threads_, progress_);
+                },
+                workspace_.package_folder()};
+    }
+
+    void read_ingested() {
+        ingested_ = read_photograph_list(workspace_.stage_folder("ingest")).photographs;
+        held_out_ = held_out_names(ingested_, config_.hold_out);
+    }
+    void read_used_views() {
+        used_ = without_views(read_posed_photographs(workspace_.stage_folder("poses") / "pinhole"),
+                              held_out_);
+    }
+
+    [[nodiscard]] std::string held_out_text() const {
+        return "held_out = " + Json(held_out_).dump();
+    }
+
+    /// What a finished stage wrote, where the name begins with `prefix`.
+    [[nodiscard]] std::vector<ContentEntry> outputs_of(const std::string& stage,
+                                                       const std::string& prefix) const {
+        const auto finished =
+            std::find_if(finished_.begin(), finished_.end(),
+                         [&](const FinishedStage& candidate) { return candidate.name == stage; });
+        assert(finished != finished_.end());
+        std::vector<ContentEntry> outputs;
+        for (const ContentEntry& output : finished->outputs) {
+            if (output.name.starts_with(prefix)) outputs.push_back(output);
+        }
+        return outputs;
+    }
+
+    /// Pictures that needed no undistortion are the working copies themselves.
+    [[nodiscard]] std::vector<ContentEntry> pictures_and_poses() const {
+        std::vector<ContentEntry> inputs = outputs_of("ingest", "ingest/");
+        append(inputs, outputs_of("poses", "poses/pinhole/"));
+        return inputs;
+    }
+
+    [[nodiscard]] std::string facts_of_all_stages() const {
+        Json facts = Json::object();
+        for (const FinishedStage& stage : finished_) {
+            facts[stage.name] = Json::parse(stage.evidence.facts_json);
+        }
+        return facts.dump();
+    }
+
+    const BuildConfig& config_;
+    const Workspace& workspace_;
+    int threads_;
+    Progress& progress_;
+    std::vector<FinishedStage> finished_;
+    std::vector<Photograph> ingested_;
+    std::vector<std::string> held_out_;
+    PosedPhotographs used_;
+};
+
+}  // namespace
+
+const std::vector<std::string>& stages_of_line() {
+    static const std::vector<std::string> stages{"ingest", "poses", "mesh", "depth", "pack"};
+    return stages;
+}
+
+std::vector<FinishedStage> run_line(const BuildConfig& config, const Workspace& workspace,
+                                    const std::string& last_stage, int threads,
+                                    Progress& progress) {
+    write_whole_text(workspace.config_path(),
+                     "# Paths are relative to the configuration file that this was read from.\n" +
+                         config.resolved_toml);
+    Line line(config, workspace, threads, progress);
+    for (const std::string& stage : stages_of_line()) {
+        try {
+            line.bring_up_to_date(stage);
+        } catch (const Error& failure) {
+            write_stages_file(workspace.stages_path(), line.finished(), stage, failure);
+            throw;
+        }
+        if (stage == last_stage) break;
+    }
+    return line.finished();
+}
+
+WorkspaceLayout workspace_of(const BuildConfig& config) {
+    const fs::path folder =
+        config.workspace.empty() ? fs::path("work") / config.name : config.workspace;
+    return {folder, config.name};
+}
 
 }  // namespace lumi
