@@ -52,7 +52,7 @@ void run_bench(const BenchRequest& request, const CommandContext& context) {
     const Lumigraph lumigraph = read_package(request.package);
     const FrameTimingReport report = time_frames(
         lumigraph, path_through_views(lumigraph, request.frames, size.width_px, size.height_px),
-        {RenderMode::kPerPixel, RenderMode::kLightField}, *context.progress);
+        all_render_modes(), *context.progress);
     if (context.json) {
         context.print_result(report_json(report));
     } else {

@@ -2,6 +2,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <string>
 #include <string_view>
@@ -30,6 +31,7 @@ class Program {
     void set(const char* uniform, int value) const;
     void set(const char* uniform, float value) const;
     void set(const char* uniform, const glm::vec2& value) const;
+    void set(const char* uniform, const glm::vec3& value) const;
     void set(const char* uniform, const glm::mat4& value) const;
     void set(const char* uniform, const std::vector<glm::vec4>& values) const;
 

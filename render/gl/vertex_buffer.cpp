@@ -48,10 +48,14 @@ VertexBuffer::VertexBuffer(const std::vector<VertexAttribute>& attributes)
 
 void VertexBuffer::upload(const std::vector<float>& vertices,
                           const std::vector<std::uint32_t>& indices) {
+    upload(vertices.data(), vertices.size() * sizeof(float), indices);
+}
+
+void VertexBuffer::upload(const void* vertices, std::size_t bytes,
+                          const std::vector<std::uint32_t>& indices) {
     glBindVertexArray(vertex_array_.get());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(float)),
-                 vertices.data(), GL_DYNAMIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), vertices, GL_DYNAMIC_DRAW);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                  static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(),
                  GL_DYNAMIC_DRAW);

@@ -26,6 +26,8 @@ class VertexBuffer {
 
     /// Replaces the content. `vertices` holds whole vertices.
     void upload(const std::vector<float>& vertices, const std::vector<std::uint32_t>& indices);
+    /// The same from vertices that lie in memory as the attributes do.
+    void upload(const void* vertices, std::size_t bytes, const std::vector<std::uint32_t>& indices);
     /// Draws triangles from `first` for `count` indices.
     void draw(std::size_t first, std::size_t count) const;
 

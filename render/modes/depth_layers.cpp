@@ -42,12 +42,12 @@ std::vector<DepthMesh> triangulate_all(const Lumigraph& lumigraph,
 
 }  // namespace
 
-DepthLayers::DepthLayers(const UploadedLumigraph& uploaded, const Lumigraph& lumigraph, int layers)
+DepthLayers::DepthLayers(const UploadedLumigraph& uploaded, int layers)
     : uploaded_(uploaded),
       layer_count_(layers),
-      max_inverse_depth_(kNearMargin * inverse_depth_range(lumigraph).y()),
+      max_inverse_depth_(kNearMargin * inverse_depth_range(uploaded.layout).y()),
       program_("depth_layer", {shader_source("depth_layer")}) {
-    for (const DepthMesh& mesh : triangulate_all(lumigraph, uploaded.geometries)) {
+    for (const DepthMesh& mesh : triangulate_all(uploaded.layout, uploaded.geometries)) {
         ViewMesh& view = meshes_.emplace_back();
         view.triangles = VertexBuffer({{0, 3}});
         view.triangles.upload(vertex_floats(mesh), mesh.indices);

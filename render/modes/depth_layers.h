@@ -20,7 +20,7 @@ namespace lumi {
 class DepthLayers {
  public:
     /// Triangulates and uploads the depth maps of all views, on all cores.
-    DepthLayers(const UploadedLumigraph& uploaded, const Lumigraph& lumigraph, int layers);
+    DepthLayers(const UploadedLumigraph& uploaded, int layers);
 
     /// Draws the layers of these views, at most as many as there are layers; the others are empty.
     /// Leaves another framebuffer bound, and the depth test and face culling off.

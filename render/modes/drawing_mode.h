@@ -11,7 +11,8 @@ class DrawingMode {
  public:
     virtual ~DrawingMode() = default;
     /// The eye has the viewport's size; the viewport is set and cleared.
-    virtual void draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport) = 0;
+    virtual DrawStatistics draw(const Eye& eye, const RenderOptions& options,
+                                const Viewport& viewport) = 0;
 };
 
 }  // namespace lumi

@@ -3,8 +3,6 @@
 #include <array>
 #include <cstdint>
 
-#include "render/gl/to_glm.h"
-#include "render/modes/face_polygons.h"
 #include "render/modes/pixel_transfer.h"
 #include "render/modes/scene_plane.h"
 
@@ -91,12 +89,13 @@ class VertexWriter {
 FacePainter::FacePainter(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded), polygons_(kFaceVertex) {}
 
-void FacePainter::draw(const Eye& eye, const RenderOptions& options, const Program& program) {
+std::size_t FacePainter::draw(const std::vector<FacePolygon>& polygons, const Eye& eye) {
+    if (polygons.empty()) return 0;
     const VertexWriter writer(uploaded_, eye);
     std::vector<float> vertices;
     std::vector<std::uint32_t> indices;
     std::uint32_t count = 0;
-    for (const FacePolygon& polygon : face_polygons(uploaded_.layout.mesh, eye)) {
+    for (const FacePolygon& polygon : polygons) {
         const auto corners = static_cast<std::uint32_t>(polygon.corners_px.size());
         for (const Eigen::Vector2d& corner : polygon.corners_px)
             writer.append_vertex(vertices, polygon, corner);
@@ -105,14 +104,8 @@ void FacePainter::draw(const Eye& eye, const RenderOptions& options, const Progr
         count += corners;
     }
     polygons_.upload(vertices, indices);
-
-    uploaded_.photographs.bind(0);
-    program.set("photographs", 0);
-    program.set("debug_picture", static_cast<int>(options.debug_picture));
-    program.set("inverse_depth_range", to_glm(inverse_depth_range(uploaded_.layout)));
-    program.set("clip_from_eye_pixel",
-                to_glm(clip_from_pixel(eye.camera.width_px, eye.camera.height_px, 1.0)));
     polygons_.draw(0, indices.size());
+    return indices.size() / 3;
 }
 
 }  // namespace lumi

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "render/gl/program.h"
 #include "render/gl/vertex_buffer.h"
-#include "render/modes/frame.h"
+#include "render/modes/face_polygons.h"
 #include "render/modes/uploaded_lumigraph.h"
 
 namespace lumi {
@@ -13,8 +12,9 @@ class FacePainter {
  public:
     explicit FacePainter(const UploadedLumigraph& uploaded);
 
-    /// Draws with `program`, which is in use and made from face.glsl.
-    void draw(const Eye& eye, const RenderOptions& options, const Program& program);
+    /// Draws polygons (face_polygons.h) in their order with the program in use, which is made from
+    /// face.glsl. Returns the number of triangles.
+    std::size_t draw(const std::vector<FacePolygon>& polygons, const Eye& eye);
 
  private:
     const UploadedLumigraph& uploaded_;

@@ -23,6 +23,8 @@ struct FacePolygon {
     /// Along the eye's ray through (x, y), in units of its depth, the face is crossed at
     /// `crossing_numerator` / (sum of side products).
     double crossing_numerator = 0.0;
+    /// Some polygon painted before covers a part of it: only where the mesh is no kernel mesh.
+    bool overlaps_earlier = false;
     std::vector<Eigen::Vector2d> corners_px;  ///< Convex, without a fixed sense of rotation.
 };
 

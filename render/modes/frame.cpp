@@ -6,8 +6,11 @@
 namespace lumi {
 namespace {
 
-constexpr std::array<std::pair<RenderMode, const char*>, 2> kModeNames{
-    {{RenderMode::kLightField, "lightfield"}, {RenderMode::kPerPixel, "perpixel"}}};
+constexpr std::array<std::pair<RenderMode, const char*>, 4> kModeNames{
+    {{RenderMode::kLightField, "lightfield"},
+     {RenderMode::kPerPixel, "perpixel"},
+     {RenderMode::kAdaptive, "adaptive"},
+     {RenderMode::kPaper2001, "paper2001"}}};
 
 constexpr std::array<std::pair<DebugPicture, const char*>, 5> kDebugPictureNames{
     {{DebugPicture::kNone, "none"},
@@ -34,6 +37,18 @@ std::optional<Value> value_in(const std::array<std::pair<Value, const char*>, co
 }  // namespace
 
 std::string name_of(RenderMode mode) { return name_in(kModeNames, mode); }
+
+std::vector<RenderMode> all_render_modes() {
+    std::vector<RenderMode> modes;
+    for (const auto& [mode, name] : kModeNames) modes.push_back(mode);
+    return modes;
+}
+
+std::vector<DebugPicture> all_debug_pictures() {
+    std::vector<DebugPicture> pictures;
+    for (const auto& [picture, name] : kDebugPictureNames) pictures.push_back(picture);
+    return pictures;
+}
 
 std::optional<RenderMode> render_mode_named(const std::string& name) {
     return value_in(kModeNames, name);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "calib/capture/image.h"
 
@@ -11,11 +13,16 @@ namespace lumi {
 enum class RenderMode {
     kLightField,  ///< The paper without geometry: the scene is a plane through its centre.
     kPerPixel,    ///< Depth, weights and visibility at each pixel.
+    kAdaptive,    ///< Triangles by an error in pixels, one pass.
+    kPaper2001,   ///< The paper to the letter.
 };
 
 /// What is shown instead of the picture.
 enum class DebugPicture { kNone, kWeights, kFaces, kDepth, kConfidence };
 
+/// In the order in which they are offered.
+[[nodiscard]] std::vector<RenderMode> all_render_modes();
+[[nodiscard]] std::vector<DebugPicture> all_debug_pictures();
 [[nodiscard]] std::string name_of(RenderMode mode);
 [[nodiscard]] std::optional<RenderMode> render_mode_named(const std::string& name);
 [[nodiscard]] std::string name_of(DebugPicture picture);
@@ -26,6 +33,17 @@ struct RenderOptions {
     DebugPicture debug_picture = DebugPicture::kNone;
     bool correct_occlusion = true;        ///< The paper's redistribution of weights.
     double occlusion_tolerance_px = 1.0;  ///< Disparity beyond which a view sees something else.
+    /// For modes that subdivide.
+    double triangle_error_px = 0.7;       ///< `adaptive`: of where photographs are looked up.
+    double depth_threshold_share = 0.02;  ///< `paper2001`: of the scene's depth range.
+    double min_triangle_px = 6.0;         ///< Shorter edges are not split.
+    double max_triangle_px = 96.0;        ///< Longer edges are split in any case.
+    std::size_t max_triangles = 5000;     ///< `adaptive`: errors give way to this. 0: any number.
+};
+
+/// What drawing a frame took.
+struct DrawStatistics {
+    std::size_t triangles = 0;  ///< Drawn with photographs on them, in all passes.
 };
 
 /// What was drawn.
@@ -34,6 +52,7 @@ struct Frame {
     /// 255 where the picture is known, 0 where it is not: there it is black, or, where a camera may
     /// see something but nobody knows how far, a guess on the scene plane.
     GrayImage coverage;
+    DrawStatistics statistics;
 };
 
 }  // namespace lumi

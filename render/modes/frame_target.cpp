@@ -4,19 +4,20 @@
 
 namespace lumi {
 
-void FrameTarget::draw(LumigraphRenderer& renderer, const Eye& eye, const RenderOptions& options) {
+DrawStatistics FrameTarget::draw(LumigraphRenderer& renderer, const Eye& eye,
+                                 const RenderOptions& options) {
     if (eye.camera.width_px != width_px_ || eye.camera.height_px != height_px_) {
         framebuffer_.attach_color(eye.camera.width_px, eye.camera.height_px);
         width_px_ = eye.camera.width_px;
         height_px_ = eye.camera.height_px;
     }
     framebuffer_.bind();
-    renderer.draw(eye, options, {0, 0, width_px_, height_px_});
+    return renderer.draw(eye, options, {0, 0, width_px_, height_px_});
 }
 
 Frame FrameTarget::read() const {
     const std::vector<unsigned char> rgba = framebuffer_.read_rgba_bottom_up(width_px_, height_px_);
-    Frame frame{ColorImage(width_px_, height_px_), GrayImage(width_px_, height_px_)};
+    Frame frame{ColorImage(width_px_, height_px_), GrayImage(width_px_, height_px_), {}};
     for (int y = 0; y < height_px_; ++y) {
         const unsigned char* texel =
             rgba.data() + 4 * static_cast<std::size_t>(framebuffer_row(y, height_px_)) *

@@ -11,7 +11,7 @@ namespace lumi {
 class FrameTarget {
  public:
     /// Draws a frame of the eye's size.
-    void draw(LumigraphRenderer& renderer, const Eye& eye, const RenderOptions& options);
+    DrawStatistics draw(LumigraphRenderer& renderer, const Eye& eye, const RenderOptions& options);
     /// The frame that was drawn last.
     [[nodiscard]] Frame read() const;
     /// Scales that frame to the window, whose framebuffer is bound afterwards.

@@ -1,16 +1,66 @@
 #include "render/modes/light_field.h"
 
+#include "render/modes/affine_pieces.h"
+#include "render/modes/pixel_transfer.h"
+#include "render/modes/polygon_clipping.h"
+#include "render/modes/scene_plane.h"
 #include "render/shaders/shader_sources.h"
 
 namespace lumi {
+namespace {
+
+/// The views as the scene plane shows them.
+std::vector<PlaneView> plane_views(const Lumigraph& lumigraph, const Eye& eye,
+                                   const Eigen::Vector3d& plane_inverse_depth) {
+    std::vector<PlaneView> views;
+    for (const LumigraphView& view : lumigraph.views) {
+        const PixelTransfer transfer =
+            pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world);
+        views.push_back(
+            {transfer.at_infinity + transfer.per_inverse_depth * plane_inverse_depth.transpose(),
+             static_cast<double>(view.camera.width_px),
+             static_cast<double>(view.camera.height_px)});
+    }
+    return views;
+}
+
+}  // namespace
 
 LightField::LightField(const UploadedLumigraph& uploaded)
-    : faces_(uploaded),
+    : uploaded_(uploaded),
+      blend_(uploaded),
+      faces_(uploaded),
       program_("light_field", {shader_source("face"), shader_source("light_field")}) {}
 
-void LightField::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
-    program_.use();
-    faces_.draw(eye, options, program_);
+DrawStatistics LightField::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
+    const Lumigraph& layout = uploaded_.layout;
+    const Eigen::Vector3d plane = scene_plane_inverse_depth(layout, eye);
+    const std::vector<PlaneView> on_plane = plane_views(layout, eye, plane);
+    const std::vector<PlaneView> beyond = plane_views(layout, eye, Eigen::Vector3d::Zero());
+    DrawStatistics statistics;
+    for (FacePolygon& polygon : face_polygons(layout.mesh, eye)) {
+        if (polygon.overlaps_earlier) statistics.triangles += flush(eye, options);
+        // A wide picture also shows what is no longer on the plane, but infinitely far.
+        const std::vector<Eigen::Vector2d> corners = polygon.corners_px;
+        polygon.corners_px = clipped(corners, plane);
+        cut_into_affine_pieces(polygon, on_plane, plane, {}, affine_, exact_);
+        polygon.corners_px = clipped(corners, -plane);
+        cut_into_affine_pieces(polygon, beyond, plane, {}, affine_, exact_);
+    }
+    statistics.triangles += flush(eye, options);
+    return statistics;
+}
+
+std::size_t LightField::flush(const Eye& eye, const RenderOptions& options) {
+    std::size_t triangles = affine_.count();
+    blend_.draw(affine_, eye, options);
+    if (!exact_.empty()) {
+        program_.use(uploaded_, eye, options);
+        triangles += faces_.draw(exact_, eye);
+    }
+    affine_.clear();
+    exact_.clear();
+    return triangles;
 }
 
 }  // namespace lumi

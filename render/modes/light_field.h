@@ -1,21 +1,32 @@
 #pragma once
 
-#include "render/gl/program.h"
+#include "render/modes/blend_painter.h"
 #include "render/modes/drawing_mode.h"
 #include "render/modes/face_painter.h"
+#include "render/modes/picture_program.h"
 
 namespace lumi {
 
 /// The paper without geometry (sections 3 and 4): each face of the camera mesh blends its three
 /// photographs, looked up where the ray meets the scene plane (scene_plane.h).
+///
+/// Most of the picture is drawn as pieces on which the lookup is affine (affine_pieces.h), for
+/// little more than the blend itself; pixel by pixel only where a photograph's border runs.
 class LightField : public DrawingMode {
  public:
     explicit LightField(const UploadedLumigraph& uploaded);
-    void draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport) override;
+    DrawStatistics draw(const Eye& eye, const RenderOptions& options,
+                        const Viewport& viewport) override;
 
  private:
+    std::size_t flush(const Eye& eye, const RenderOptions& options);
+
+    const UploadedLumigraph& uploaded_;
+    BlendPainter blend_;
     FacePainter faces_;
-    Program program_;
+    PictureProgram program_;
+    BlendTriangles affine_;
+    std::vector<FacePolygon> exact_;
 };
 
 }  // namespace lumi

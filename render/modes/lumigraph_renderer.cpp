@@ -2,10 +2,12 @@
 
 #include <epoxy/gl.h>
 
-#include <optional>
+#include <map>
 
 #include "calib/work/error.h"
+#include "render/modes/adaptive.h"
 #include "render/modes/light_field.h"
+#include "render/modes/paper2001.h"
 #include "render/modes/per_pixel.h"
 
 namespace lumi {
@@ -37,19 +39,32 @@ void clear(const Viewport& viewport) {
 }  // namespace
 
 struct LumigraphRenderer::Implementation {
-    explicit Implementation(const Lumigraph& lumigraph)
-        : uploaded(lumigraph), light_field(uploaded) {
-        if (uploaded.has_depth()) per_pixel.emplace(uploaded, lumigraph);
+    explicit Implementation(const Lumigraph& lumigraph) : uploaded(lumigraph) {}
+
+    /// Made when it is first asked for. Without depth all modes come to the light field.
+    DrawingMode& mode(RenderMode wanted) {
+        const RenderMode possible = uploaded.has_depth() ? wanted : RenderMode::kLightField;
+        std::unique_ptr<DrawingMode>& mode = modes[possible];
+        if (!mode) mode = made(possible);
+        return *mode;
     }
 
-    DrawingMode& mode(RenderMode wanted) {
-        if (wanted == RenderMode::kPerPixel && per_pixel) return *per_pixel;
-        return light_field;
+    [[nodiscard]] std::unique_ptr<DrawingMode> made(RenderMode mode) const {
+        switch (mode) {
+            case RenderMode::kLightField:
+                return std::make_unique<LightField>(uploaded);
+            case RenderMode::kPerPixel:
+                return std::make_unique<PerPixel>(uploaded);
+            case RenderMode::kAdaptive:
+                return std::make_unique<Adaptive>(uploaded);
+            case RenderMode::kPaper2001:
+                return std::make_unique<Paper2001>(uploaded);
+        }
+        return nullptr;
     }
 
     UploadedLumigraph uploaded;
-    LightField light_field;
-    std::optional<PerPixel> per_pixel;
+    std::map<RenderMode, std::unique_ptr<DrawingMode>> modes;
 };
 
 LumigraphRenderer::LumigraphRenderer(const Lumigraph& lumigraph)
@@ -58,13 +73,15 @@ LumigraphRenderer::~LumigraphRenderer() = default;
 LumigraphRenderer::LumigraphRenderer(LumigraphRenderer&& other) noexcept = default;
 LumigraphRenderer& LumigraphRenderer::operator=(LumigraphRenderer&& other) noexcept = default;
 
-void LumigraphRenderer::draw(const Eye& eye, const RenderOptions& options,
-                             const Viewport& viewport) {
+DrawStatistics LumigraphRenderer::draw(const Eye& eye, const RenderOptions& options,
+                                       const Viewport& viewport) {
     const Eye fitted_eye = fitted(eye, viewport);
     clear(viewport);
-    implementation_->mode(options.mode).draw(fitted_eye, options, viewport);
+    const DrawStatistics statistics =
+        implementation_->mode(options.mode).draw(fitted_eye, options, viewport);
     glUseProgram(0);
     glActiveTexture(GL_TEXTURE0);
+    return statistics;
 }
 
 }  // namespace lumi

@@ -29,7 +29,7 @@ class LumigraphRenderer {
     ///
     /// Leaves the framebuffer binding as it was; blending, depth test, face culling and scissor
     /// test are off afterwards, no program and no vertex array are bound.
-    void draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport);
+    DrawStatistics draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport);
 
  private:
     struct Implementation;

@@ -22,8 +22,10 @@ OffscreenRenderer::~OffscreenRenderer() = default;
 Frame OffscreenRenderer::draw(const Eye& eye, const RenderOptions& options) {
     Implementation& gl = *implementation_;
     gl.context.make_current();
-    gl.target.draw(gl.renderer, eye, options);
-    return gl.target.read();
+    const DrawStatistics statistics = gl.target.draw(gl.renderer, eye, options);
+    Frame frame = gl.target.read();
+    frame.statistics = statistics;
+    return frame;
 }
 
 std::string OffscreenRenderer::gl_description() const {

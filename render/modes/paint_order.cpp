@@ -21,6 +21,19 @@ Box bounds(const FacePolygon& polygon) {
     return box;
 }
 
+/// True when one of the polygon's side lines has all corners of the other beyond it, but for a
+/// seam: so it is for neighbours.
+bool separates(const FacePolygon& polygon, const FacePolygon& other) {
+    return std::any_of(polygon.side_lines.begin(), polygon.side_lines.end(),
+                       [&](const Eigen::Vector3d& line) {
+                           const double seam = kSeam_px * line.head<2>().norm();
+                           return std::all_of(other.corners_px.begin(), other.corners_px.end(),
+                                              [&](const Eigen::Vector2d& corner) {
+                                                  return line.dot(corner.homogeneous()) <= seam;
+                                              });
+                       });
+}
+
 /// A pixel well inside both polygons, if there is one. A polygon is the picture cut by its three
 /// side lines, so it is enough to cut one by the lines of the other, moved inwards by the seam.
 std::optional<Eigen::Vector2d> common_pixel(const FacePolygon& a, const FacePolygon& b) {
@@ -57,7 +70,9 @@ Constraints constraints_between(const std::vector<FacePolygon>& polygons) {
                       std::vector<int>(polygons.size(), 0)};
     for (std::size_t i = 0; i < polygons.size(); ++i) {
         for (std::size_t j = i + 1; j < polygons.size(); ++j) {
-            if (!boxes[i].intersects(boxes[j])) continue;
+            if (!boxes[i].intersects(boxes[j]) || separates(polygons[i], polygons[j]) ||
+                separates(polygons[j], polygons[i]))
+                continue;
             const std::optional<Eigen::Vector2d> pixel = common_pixel(polygons[i], polygons[j]);
             if (!pixel) continue;
             const bool i_first =
@@ -85,7 +100,10 @@ std::vector<FacePolygon> in_paint_order(std::vector<FacePolygon> polygons) {
             break;
         }
         painted[*next] = true;
-        for (const std::size_t later : constraints.later[*next]) --constraints.waiting_for[later];
+        for (const std::size_t later : constraints.later[*next]) {
+            --constraints.waiting_for[later];
+            polygons[later].overlaps_earlier = true;
+        }
         sorted.push_back(std::move(polygons[*next]));
     }
     return sorted;

@@ -20,39 +20,41 @@ std::vector<std::string> definitions(const UploadedLumigraph& uploaded, int laye
 
 }  // namespace
 
-PerPixel::PerPixel(const UploadedLumigraph& uploaded, const Lumigraph& lumigraph)
+PerPixel::PerPixel(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded),
-      layer_count_(std::min(kMaxDepthViews, static_cast<int>(lumigraph.views.size()))),
-      depth_(uploaded, lumigraph, layer_count_),
+      layer_count_(std::min(kMaxDepthViews, static_cast<int>(uploaded.layout.views.size()))),
+      depth_(uploaded, layer_count_),
       faces_(uploaded),
       program_("per_pixel", {shader_source("face"), shader_source("per_pixel")},
                definitions(uploaded, layer_count_)) {}
 
-void PerPixel::draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport) {
+DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
+                              const Viewport& viewport) {
     const std::vector<int> views = choose_depth_views(uploaded_.layout, eye, layer_count_);
     {
         const FramebufferBindingKeeper keeper;
         depth_.draw(eye, views);
     }
     glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
-    program_.use();
+    const Program& program = program_.use(uploaded_, eye, options);
     uploaded_.depth_maps.bind(1);
     depth_.texture().bind(2);
-    program_.set("depth_maps", 1);
-    program_.set("depth_layers", 2);
-    program_.set("viewport_origin", glm::vec2(viewport.x_px, viewport.y_px));
-    program_.set("max_inverse_depth", static_cast<float>(depth_.max_inverse_depth()));
-    program_.set("agreeing_inverse_depth",
-                 static_cast<float>(agreeing_inverse_depth(uploaded_.geometries, views,
-                                                           options.occlusion_tolerance_px)));
-    program_.set("tolerance_px", static_cast<float>(options.occlusion_tolerance_px));
-    program_.set("correct_occlusion", options.correct_occlusion ? 1 : 0);
-    set_layer_views(eye, views);
-    faces_.draw(eye, options, program_);
+    program.set("depth_maps", 1);
+    program.set("depth_layers", 2);
+    program.set("viewport_origin", glm::vec2(viewport.x_px, viewport.y_px));
+    program.set("max_inverse_depth", static_cast<float>(depth_.max_inverse_depth()));
+    program.set("agreeing_inverse_depth",
+                static_cast<float>(agreeing_inverse_depth(uploaded_.geometries, views,
+                                                          options.occlusion_tolerance_px)));
+    program.set("tolerance_px", static_cast<float>(options.occlusion_tolerance_px));
+    program.set("correct_occlusion", options.correct_occlusion ? 1 : 0);
+    set_layer_views(eye, views, program);
+    return {faces_.draw(face_polygons(uploaded_.layout.mesh, eye), eye)};
 }
 
 /// Four vectors a layer, as shaders/per_pixel.glsl expects them.
-void PerPixel::set_layer_views(const Eye& eye, const std::vector<int>& view_indices) const {
+void PerPixel::set_layer_views(const Eye& eye, const std::vector<int>& view_indices,
+                               const Program& program) const {
     std::vector<glm::vec4> rows;
     for (const int view_index : view_indices) {
         const LumigraphView& view = uploaded_.layout.views[static_cast<std::size_t>(view_index)];
@@ -66,7 +68,7 @@ void PerPixel::set_layer_views(const Eye& eye, const std::vector<int>& view_indi
                                 view_from_window(row, 2), view_from_eye.per_inverse_depth[row])));
         rows.emplace_back(view_index, view.camera.width_px, view.camera.height_px, 1.0F);
     }
-    program_.set("layer_views", rows);
+    program.set("layer_views", rows);
 }
 
 }  // namespace lumi

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "render/gl/program.h"
 #include "render/modes/depth_layers.h"
 #include "render/modes/drawing_mode.h"
 #include "render/modes/face_painter.h"
+#include "render/modes/picture_program.h"
 
 namespace lumi {
 
@@ -13,17 +13,19 @@ namespace lumi {
 /// on the scene.
 class PerPixel : public DrawingMode {
  public:
-    PerPixel(const UploadedLumigraph& uploaded, const Lumigraph& lumigraph);
-    void draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport) override;
+    explicit PerPixel(const UploadedLumigraph& uploaded);
+    DrawStatistics draw(const Eye& eye, const RenderOptions& options,
+                        const Viewport& viewport) override;
 
  private:
-    void set_layer_views(const Eye& eye, const std::vector<int>& view_indices) const;
+    void set_layer_views(const Eye& eye, const std::vector<int>& view_indices,
+                         const Program& program) const;
 
     const UploadedLumigraph& uploaded_;
     int layer_count_;
     DepthLayers depth_;
     FacePainter faces_;
-    Program program_;
+    PictureProgram program_;
 };
 
 }  // namespace lumi

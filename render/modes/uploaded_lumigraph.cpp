@@ -8,7 +8,7 @@
 namespace lumi {
 namespace {
 
-Lumigraph without_pictures(const Lumigraph& lumigraph) {
+Lumigraph without_photographs(const Lumigraph& lumigraph) {
     Lumigraph layout;
     layout.name = lumigraph.name;
     layout.mesh = lumigraph.mesh;
@@ -16,7 +16,7 @@ Lumigraph without_pictures(const Lumigraph& lumigraph) {
     layout.far_depth = lumigraph.far_depth;
     for (const LumigraphView& view : lumigraph.views)
         layout.views.push_back(
-            {view.name, view.camera, view.cam_from_world, view.exif_orientation, {}, {}});
+            {view.name, view.camera, view.cam_from_world, view.exif_orientation, {}, view.depth});
     return layout;
 }
 
@@ -71,7 +71,7 @@ TextureArray upload_depth_maps(const std::vector<LumigraphView>& views, TexelFil
 
 UploadedLumigraph::UploadedLumigraph(const Lumigraph& lumigraph)
     : capabilities(query_capabilities()),
-      layout(without_pictures(lumigraph)),
+      layout(without_photographs(lumigraph)),
       geometries(view_geometries(lumigraph)) {
     require_fits(capabilities, lumigraph);
     photographs = upload_photographs(lumigraph.views);

@@ -15,7 +15,7 @@ struct UploadedLumigraph {
     explicit UploadedLumigraph(const Lumigraph& lumigraph);
 
     Capabilities capabilities;
-    /// The Lumigraph without its pictures: cameras, poses, the camera mesh.
+    /// The Lumigraph without its photographs: cameras, poses, depth, the camera mesh.
     Lumigraph layout;
     std::vector<ViewGeometry> geometries;
     TextureArray photographs;  ///< One layer a view, at its top left.

@@ -41,9 +41,13 @@ Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph) {
 
 std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph) {
     std::vector<ViewGeometry> geometries;
-    for (const LumigraphView& view : lumigraph.views)
-        geometries.push_back(
-            {centre_in_world(view.cam_from_world), focal_length_px(view.camera).mean(), 0.0});
+    for (const LumigraphView& view : lumigraph.views) {
+        const std::vector<float>& depths = view.depth.inverse_depth.pixels();
+        const auto nearest = std::max_element(depths.begin(), depths.end());
+        geometries.push_back({centre_in_world(view.cam_from_world),
+                              focal_length_px(view.camera).mean(), 0.0,
+                              nearest == depths.end() ? 0.0 : static_cast<double>(*nearest)});
+    }
     const auto neighbours = neighbours_in(lumigraph.mesh, geometries.size());
     for (std::size_t i = 0; i < geometries.size(); ++i) {
         std::vector<double> distances;

@@ -18,6 +18,7 @@ struct ViewGeometry {
     /// Median distance to the views it shares a face with; a tenth of the scene's depth without
     /// any.
     double baseline = 0.0;
+    double max_inverse_depth = 0.0;  ///< Of its depth map; 0 without one.
 };
 
 [[nodiscard]] std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph);

@@ -10,11 +10,11 @@
 #include "meshing/surface/camera_mesh.h"
 #include "render/modes/depth_mesh.h"
 #include "render/modes/depth_view_choice.h"
+#include "render/modes/occlusion.h"
 #include "render/modes/scene_plane.h"
 #include "render/modes/view_geometry.h"
 #include "render/reference/depth_consensus.h"
 #include "render/reference/depth_raster.h"
-#include "render/reference/occlusion.h"
 #include "render/reference/sampling.h"
 
 namespace lumi {
@@ -213,7 +213,8 @@ std::uint8_t to_byte(double value) {
 Frame draw_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
     const ReferenceFrame reference(lumigraph, eye, options);
     Frame frame{ColorImage(eye.camera.width_px, eye.camera.height_px),
-                GrayImage(eye.camera.width_px, eye.camera.height_px)};
+                GrayImage(eye.camera.width_px, eye.camera.height_px),
+                {}};
     for (int y = 0; y < eye.camera.height_px; ++y) {
         for (int x = 0; x < eye.camera.width_px; ++x) {
             const std::optional<DrawnPixel> drawn = reference.color_at(x, y);

@@ -57,9 +57,6 @@ void main() {
 #endif
 
 #ifdef LUMI_FRAGMENT
-uniform sampler2DArray photographs;
-uniform int debug_picture;           // DebugPicture in frame.h
-uniform vec2 inverse_depth_range;    // far, near: black and white in the depth picture
 out vec4 drawn;
 
 // A view fades in over this many pixels from the border of its photograph.
@@ -72,11 +69,9 @@ float feather(vec3 pixel, vec2 size) {
     return clamp(min(to_border.x, to_border.y) / kFeather_px, 0.0, 1.0);
 }
 
-// The photograph's colour; blending is done in these encoded sRGB values.
 vec3 photograph(vec3 pixel, vec2 size, float layer) {
     vec2 on_layer = clamp(pixel.xy / max(pixel.z, 1e-20), vec2(0.5), size - 0.5);
-    vec2 layer_size = vec2(textureSize(photographs, 0).xy);
-    return textureLod(photographs, vec3(on_layer / layer_size, layer), 0.0).rgb;
+    return photograph_at(on_layer / vec2(textureSize(photographs, 0).xy), layer);
 }
 
 vec3 blending_weights() {
@@ -84,20 +79,7 @@ vec3 blending_weights() {
     return weights / (weights.x + weights.y + weights.z);
 }
 
-// A colour for an index; neighbours differ (golden ratio).
-vec3 index_color(float index) {
-    return 0.5 + 0.5 * cos(6.2831853 * (fract(0.618034 * index) + vec3(0.0, 0.3333333, 0.6666667)));
-}
-
-vec3 debug_color(vec3 weights, float inverse_depth, float confidence) {
-    if (debug_picture == 1)
-        return weights.x * index_color(view_parallax0.w) +
-               weights.y * index_color(view_parallax1.w) + weights.z * index_color(view_parallax2.w);
-    if (debug_picture == 2) return index_color(disparity_and_face.w);
-    if (debug_picture == 3)
-        return vec3(clamp((inverse_depth - inverse_depth_range.x) /
-                              (inverse_depth_range.y - inverse_depth_range.x),
-                          0.0, 1.0));
-    return vec3(confidence);
+vec4 layers_and_face() {
+    return vec4(view_parallax0.w, view_parallax1.w, view_parallax2.w, disparity_and_face.w);
 }
 #endif

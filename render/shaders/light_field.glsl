@@ -13,13 +13,13 @@ void main() {
     float sum = weights.x + weights.y + weights.z;
     if (sum < 1e-4) discard;
     weights /= sum;
-    if (debug_picture != 0) {
-        drawn = vec4(debug_color(weights, inverse_depth, 0.0), 1.0);
-        return;
-    }
+#ifdef DEBUG_PICTURE
+    drawn = vec4(debug_color(weights, layers_and_face(), inverse_depth, 0.0), 1.0);
+#else
     drawn = vec4(weights.x * photograph(pixel0, view_size0.xy, view_parallax0.w) +
                      weights.y * photograph(pixel1, view_size1.xy, view_parallax1.w) +
                      weights.z * photograph(pixel2, view_size2.xy, view_parallax2.w),
                  1.0);
+#endif
 }
 #endif

@@ -133,16 +133,18 @@ void main() {
     bool unseen = sum < 1e-4;
     if (unseen && depth.kind == 3) discard;
     weights /= max(sum, 1e-4);
-    if (debug_picture != 0) {
-        // White: none of the three sees the point.
-        bool marked = unseen && debug_picture == 1;
-        drawn = vec4(marked ? vec3(1.0) : debug_color(weights, q, confidence_of(depth)), known);
-        return;
-    }
+#ifdef DEBUG_PICTURE
+    // White: none of the three sees the point.
+    bool marked = unseen && debug_picture == 1;
+    drawn = vec4(marked ? vec3(1.0)
+                        : debug_color(weights, layers_and_face(), q, confidence_of(depth)),
+                 known);
+#else
     drawn = vec4(weights.x * photograph(pixel0, view_size0.xy, view_parallax0.w) +
                      weights.y * photograph(pixel1, view_size1.xy, view_parallax1.w) +
                      weights.z * photograph(pixel2, view_size2.xy, view_parallax2.w),
                  known);
     if (unseen) drawn.rgb = color_of_layer(depth, window);
+#endif
 }
 #endif

@@ -1,4 +1,4 @@
-#include "render/reference/occlusion.h"
+#include "render/modes/occlusion.h"
 
 #include <algorithm>
 

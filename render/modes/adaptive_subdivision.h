@@ -1,0 +1,36 @@
+#pragma once
+
+#include "render/modes/subdivision.h"
+
+namespace lumi {
+
+struct AdaptiveSubdivisionOptions {
+    double max_error_px = 0.7;  ///< Of where the three photographs are looked up.
+    /// What a change of a weight from 0 to 1 counts, so that edges of visibility are met.
+    double weight_error_px = 2.0;
+    double min_edge_px = 6.0;   ///< Shorter edges are not split.
+    double max_edge_px = 96.0;  ///< Longer ones are, in any case.
+    /// Where there would be more, all errors above are relaxed alike. 0: any number.
+    std::size_t max_triangles = 5000;
+};
+
+struct AdaptiveSubdivision {
+    BlendTriangles triangles;
+    /// By how much errors were relaxed to keep to the number of triangles; 1: not at all.
+    double relaxation = 1.0;
+};
+
+/// Face polygons as triangles on which looking up the photographs at interpolated places is right
+/// to within an error in pixels (methods: 1.D).
+///
+/// Whether an edge is split is decided at its midpoint, by how far the places where the photographs
+/// are looked up lie from halfway between those of its ends, each photograph counting as its
+/// weight. Both sides of an edge come to the same decision, also across faces, as the photograph
+/// that they do not share has no weight there: no cracks, without a pass that removes T-vertices. A
+/// plane is split only for the perspective in it, and cameras that are close together ask for less.
+[[nodiscard]] AdaptiveSubdivision adaptive_subdivision(
+    const std::vector<FacePolygon>& polygons, const DepthSearch& search,
+    const Eigen::Vector3d& scene_plane, bool correct_occlusion,
+    const AdaptiveSubdivisionOptions& options = {});
+
+}  // namespace lumi

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace lumi {
+
+/// A corner of a triangle of the eye's picture on which three photographs are blended. All that
+/// varies is interpolated affinely in the picture; all floats, as the vertex buffer holds them.
+struct BlendVertex {
+    std::array<float, 2> pixel{};                       ///< Of the eye.
+    std::array<std::array<float, 2>, 3> view_pixels{};  ///< Where the photographs are looked up.
+    std::array<float, 3> weights{};                     ///< Of the photographs; sum 1, or all 0.
+    float inverse_depth = 0.0F;
+    float confidence = 0.0F;             ///< 0 to 1, of the depth.
+    std::array<float, 3> view_layers{};  ///< Indices of the views; the same on a triangle.
+    float face_index = -1.0F;
+    std::array<float, 3> depth_ratios{};  ///< Depth in each view over depth in the eye.
+};
+
+/// Triangles that are drawn by the blend of shaders/blend.glsl, in this order.
+struct BlendTriangles {
+    std::vector<BlendVertex> vertices;
+    std::vector<std::uint32_t> indices;  ///< Three a triangle.
+
+    [[nodiscard]] std::size_t count() const { return indices.size() / 3; }
+    void clear() {
+        vertices.clear();
+        indices.clear();
+    }
+};
+
+}  // namespace lumi

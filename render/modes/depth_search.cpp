@@ -1,0 +1,248 @@
+#include "render/modes/depth_search.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "render/modes/occlusion.h"
+
+namespace lumi {
+namespace {
+
+/// Steps along an epipolar line: half the way that is known to be free, but within these.
+constexpr double kShortestStep_px = 1.0;
+constexpr double kLongestStep_px = 16.0;
+constexpr int kMaxSteps = 256;
+constexpr int kRefinements = 4;
+/// The nearest an eye can look at lies this many times before the scene's near end.
+constexpr double kNearMargin = 100.0;
+/// Of a point's depth in the view over that in the eye, for points that are looked for.
+constexpr double kLeastRatio = 1e-6;
+
+/// Cuts from a stretch of q, near end first, what does not satisfy value + q * slope >= 0.
+void clip_stretch(double value, double slope, double& near_end, double& far_end) {
+    if (slope > 0) {
+        far_end = std::max(far_end, -value / slope);
+    } else if (slope < 0) {
+        near_end = std::min(near_end, -value / slope);
+    } else if (value < 0) {
+        near_end = far_end - 1;
+    }
+}
+
+/// Into the range, also what is not a number: the point lies in the view's focal plane.
+double clamped(double value, double most) { return std::max(0.0, std::min(most, value)); }
+
+/// Pixels that a point moves in the view for each unit of the eye's inverse depth.
+double speed_px(const EpipolarLine& line, const Eigen::Vector3d& at) {
+    const Eigen::Vector3d& step = line.per_inverse_depth;
+    return (step.head<2>() - at.head<2>() / at.z() * step.z()).norm() / at.z();
+}
+
+}  // namespace
+
+DepthSearch::DepthSearch(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
+                         const Eye& eye, double tolerance_px)
+    : lumigraph_(lumigraph),
+      tolerance_px_(tolerance_px),
+      max_inverse_depth_(kNearMargin * inverse_depth_range(lumigraph).y()) {
+    const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
+    std::vector<int> all(lumigraph.views.size());
+    std::iota(all.begin(), all.end(), 0);
+    agreeing_inverse_depth_ = agreeing_inverse_depth(geometries, all, tolerance_px);
+    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
+        const LumigraphView& view = lumigraph.views[i];
+        const FloatImage& depth = view.depth.inverse_depth;
+        Target target;
+        target.view_from_eye =
+            pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world);
+        target.samples_per_pixel = {static_cast<double>(depth.width()) / view.camera.width_px,
+                                    static_cast<double>(depth.height()) / view.camera.height_px};
+        target.disparity_px = disparity_px_per_inverse_depth(geometries[i], eye_in_world);
+        target.max_disparity_px = max_disparity_px(geometries[i]);
+        target.max_inverse_depth = geometries[i].max_inverse_depth;
+        targets_.push_back(target);
+    }
+}
+
+EpipolarLine DepthSearch::line_in(int view_index, const Eigen::Vector2d& pixel) const {
+    const PixelTransfer& transfer = targets_[static_cast<std::size_t>(view_index)].view_from_eye;
+    return {transfer.at_infinity * pixel.homogeneous(), transfer.per_inverse_depth};
+}
+
+double DepthSearch::sample_at(int view_index, const Eigen::Vector2d& pixel) const {
+    const auto index = static_cast<std::size_t>(view_index);
+    const FloatImage& depth = lumigraph_.views[index].depth.inverse_depth;
+    const Eigen::Vector2d at = pixel.cwiseProduct(targets_[index].samples_per_pixel);
+    return static_cast<double>(depth(static_cast<int>(clamped(at.x(), depth.width() - 1)),
+                                     static_cast<int>(clamped(at.y(), depth.height() - 1))));
+}
+
+DepthSearch::Surface DepthSearch::surface_at(int view_index, const Eigen::Vector2d& pixel) const {
+    const auto index = static_cast<std::size_t>(view_index);
+    const DepthMap& depth = lumigraph_.views[index].depth;
+    const FloatImage& map = depth.inverse_depth;
+    const Eigen::Vector2d at = pixel.cwiseProduct(targets_[index].samples_per_pixel);
+    const double x = clamped(at.x() - 0.5, map.width() - 1.0);
+    const double y = clamped(at.y() - 0.5, map.height() - 1.0);
+    const int left = static_cast<int>(x);
+    const int top = static_cast<int>(y);
+    const int right = std::min(left + 1, map.width() - 1);
+    const int bottom = std::min(top + 1, map.height() - 1);
+    const float a = map(left, top);
+    const float b = map(right, top);
+    const float c = map(left, bottom);
+    const float d = map(right, bottom);
+    const int column = x - left < 0.5 ? left : right;
+    const int row = y - top < 0.5 ? top : bottom;
+    const DepthKind kind =
+        depth.confidence(column, row) > 0 ? DepthKind::kSeen : DepthKind::kFilled;
+    const double spread = static_cast<double>(std::max({a, b, c, d}) - std::min({a, b, c, d}));
+    if (spread * targets_[index].max_disparity_px > 1.0)
+        return {static_cast<double>(map(column, row)), kind};
+    return {std::lerp(std::lerp(static_cast<double>(a), static_cast<double>(b), x - left),
+                      std::lerp(static_cast<double>(c), static_cast<double>(d), x - left), y - top),
+            kind};
+}
+
+DepthSearch::Stretch DepthSearch::visible_stretch(int view_index, const EpipolarLine& line) const {
+    const auto index = static_cast<std::size_t>(view_index);
+    const Camera& camera = lumigraph_.views[index].camera;
+    const Eigen::Vector3d& a = line.at_infinity;
+    const Eigen::Vector3d& e = line.per_inverse_depth;
+    Stretch stretch{max_inverse_depth_, 0.0};
+    const auto keep = [&](double value, double slope) {
+        clip_stretch(value, slope, stretch.near_end, stretch.far_end);
+    };
+    keep(a.z() - kLeastRatio, e.z());
+    keep(a.x(), e.x());
+    keep(a.y(), e.y());
+    keep(camera.width_px * a.z() - a.x(), camera.width_px * e.z() - e.x());
+    keep(camera.height_px * a.z() - a.y(), camera.height_px * e.z() - e.y());
+    // Nearer to the view than anything that it sees: q <= max (a.z + q e.z).
+    const double nearest = targets_[index].max_inverse_depth;
+    keep(nearest * a.z(), nearest * e.z() - 1);
+    return stretch;
+}
+
+std::optional<RayHit> DepthSearch::refined(int view_index, const EpipolarLine& line,
+                                           const Stretch& bracket) const {
+    const Target& target = targets_[static_cast<std::size_t>(view_index)];
+    double before = bracket.near_end;
+    double behind = bracket.far_end;
+    Surface surface{0.0, DepthKind::kSeen};
+    double q = behind;
+    double ahead = 0;
+    for (int i = 0; i < kRefinements; ++i) {
+        q = 0.5 * (before + behind);
+        const Eigen::Vector3d at = line.at(q);
+        surface = surface_at(view_index, at.hnormalized());
+        // Where the ray is as far away as this surface.
+        const double meets = surface.inverse_depth * line.at_infinity.z() /
+                             (1 - surface.inverse_depth * line.per_inverse_depth.z());
+        ahead = q / at.z() - surface.inverse_depth;
+        if (meets <= bracket.near_end && meets >= bracket.far_end) {
+            q = meets;
+            const Eigen::Vector3d there = line.at(q);
+            surface = surface_at(view_index, there.hnormalized());
+            ahead = q / there.z() - surface.inverse_depth;
+            if (std::abs(ahead) * target.max_disparity_px <= 0.25 * tolerance_px_) break;
+        }
+        (ahead > 0 ? before : behind) = q;
+    }
+    if (std::abs(ahead) * target.max_disparity_px > tolerance_px_) return std::nullopt;
+    return RayHit{q, surface.kind, 1};
+}
+
+std::optional<RayHit> DepthSearch::first_hit_in(int view_index,
+                                                const Eigen::Vector2d& pixel) const {
+    if (lumigraph_.views[static_cast<std::size_t>(view_index)].depth.inverse_depth.empty())
+        return std::nullopt;
+    const EpipolarLine line = line_in(view_index, pixel);
+    const Stretch stretch = visible_stretch(view_index, line);
+    if (stretch.near_end < stretch.far_end) return std::nullopt;
+    double q = stretch.near_end;
+    double last_before = q;
+    bool is_before = true;  // Nothing is nearer than where the stretch begins.
+    for (int step = 0; step < kMaxSteps; ++step) {
+        const Eigen::Vector3d at = line.at(q);
+        const double ahead = q / at.z() - sample_at(view_index, at.hnormalized());
+        const double speed = speed_px(line, at);
+        if (ahead > 0) {
+            is_before = true;
+            last_before = q;
+        } else {
+            if (is_before) {
+                const double margin = kShortestStep_px / std::max(speed, 1e-12);
+                const auto hit = refined(view_index, line,
+                                         {std::min(stretch.near_end, last_before + margin),
+                                          std::max(stretch.far_end, q - margin)});
+                if (hit) return hit;
+            }
+            is_before = false;
+        }
+        if (q <= stretch.far_end) return std::nullopt;
+        const double free_px = 0.5 * std::abs(ahead) * at.z() * speed;
+        const double step_px =
+            ahead > 0 ? std::clamp(free_px, kShortestStep_px, kLongestStep_px) : kShortestStep_px;
+        q = std::max(stretch.far_end, q - step_px / std::max(speed, 1e-12));
+    }
+    return std::nullopt;
+}
+
+std::optional<RayHit> DepthSearch::first_hit(const Eigen::Vector2d& pixel,
+                                             const std::array<int, 3>& view_indices) const {
+    std::array<std::optional<RayHit>, 3> hits;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const bool is_new =
+            std::find(view_indices.begin(), view_indices.begin() + static_cast<std::ptrdiff_t>(k),
+                      view_indices[k]) == view_indices.begin() + static_cast<std::ptrdiff_t>(k);
+        if (is_new) hits[k] = first_hit_in(view_indices[k], pixel);
+    }
+    DepthKind best_kind = DepthKind::kStretched;
+    for (const auto& hit : hits)
+        if (hit) best_kind = std::min(best_kind, hit->kind);
+    std::optional<RayHit> chosen;
+    for (const auto& candidate : hits) {
+        if (!candidate || candidate->kind != best_kind) continue;
+        RayHit merged{0.0, best_kind, 0};
+        for (const auto& other : hits) {
+            if (!other || other->kind != best_kind ||
+                std::abs(other->inverse_depth - candidate->inverse_depth) > agreeing_inverse_depth_)
+                continue;
+            merged.inverse_depth += other->inverse_depth;
+            ++merged.support;
+        }
+        merged.inverse_depth /= merged.support;
+        const int support = std::min(2, merged.support);
+        const int chosen_support = chosen ? std::min(2, chosen->support) : 0;
+        if (support > chosen_support ||
+            (support == chosen_support && merged.inverse_depth > chosen->inverse_depth))
+            chosen = merged;
+    }
+    return chosen;
+}
+
+double DepthSearch::inside(int view_index, const Eigen::Vector2d& view_pixel) const {
+    const Camera& camera = lumigraph_.views[static_cast<std::size_t>(view_index)].camera;
+    return border_fade(std::min({view_pixel.x(), view_pixel.y(), camera.width_px - view_pixel.x(),
+                                 camera.height_px - view_pixel.y()}));
+}
+
+double DepthSearch::visibility(const Eigen::Vector2d& pixel, double inverse_depth,
+                               int view_index) const {
+    const auto index = static_cast<std::size_t>(view_index);
+    const Eigen::Vector3d at = line_in(view_index, pixel).at(inverse_depth);
+    if (at.z() <= 0) return 0;
+    const Eigen::Vector2d in_view = at.hnormalized();
+    const double inside_share = inside(view_index, in_view);
+    if (inside_share <= 0 || lumigraph_.views[index].depth.inverse_depth.empty())
+        return inside_share;
+    const double difference_px =
+        std::abs(inverse_depth / at.z() - surface_at(view_index, in_view).inverse_depth) *
+        targets_[index].disparity_px;
+    return inside_share * visibility_of(difference_px, tolerance_px_);
+}
+
+}  // namespace lumi

@@ -1,0 +1,43 @@
+#include "render/modes/paper2001.h"
+
+#include <epoxy/gl.h>
+
+#include "render/modes/blend_painter.h"
+#include "render/modes/paper_subdivision.h"
+#include "render/modes/scene_plane.h"
+#include "render/shaders/shader_sources.h"
+
+namespace lumi {
+
+Paper2001::Paper2001(const UploadedLumigraph& uploaded)
+    : uploaded_(uploaded),
+      program_("projective_pass", {shader_source("projective_pass")}),
+      triangles_(blend_vertex_attributes()) {}
+
+DrawStatistics Paper2001::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
+    const Lumigraph& layout = uploaded_.layout;
+    const DepthSearch search(layout, uploaded_.geometries, eye, options.occlusion_tolerance_px);
+    const Eigen::Vector2d range = inverse_depth_range(layout);
+    const BlendTriangles triangles =
+        paper_subdivision(face_polygons(layout.mesh, eye), search,
+                          scene_plane_inverse_depth(layout, eye), range, options.correct_occlusion,
+                          {.depth_threshold_share = options.depth_threshold_share,
+                           .min_size_px = options.min_triangle_px,
+                           .max_size_px = options.max_triangle_px});
+    triangles_.upload(triangles.vertices.data(), triangles.vertices.size() * sizeof(BlendVertex),
+                      triangles.indices);
+    const Program& program = program_.use(uploaded_, eye, options);
+    program.set("layer_size",
+                glm::vec2(uploaded_.photographs.width_px(), uploaded_.photographs.height_px()));
+    program.set("least_inverse_depth", static_cast<float>(1e-3 * range.y()));
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE, GL_ONE, GL_ONE);
+    for (const glm::vec3& chosen : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)}) {
+        program.set("chosen", chosen);
+        triangles_.draw(0, triangles.indices.size());
+    }
+    glDisable(GL_BLEND);
+    return {3 * triangles.count()};
+}
+
+}  // namespace lumi

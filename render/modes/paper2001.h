@@ -1,0 +1,24 @@
+#pragma once
+
+#include "render/gl/vertex_buffer.h"
+#include "render/modes/drawing_mode.h"
+#include "render/modes/picture_program.h"
+
+namespace lumi {
+
+/// The paper to the letter (section 4): adaptive depth correction of each camera patch
+/// (paper_subdivision.h) with occlusion correction at its vertices, drawn as three projective
+/// textures whose weights are alphas that add up.
+class Paper2001 : public DrawingMode {
+ public:
+    explicit Paper2001(const UploadedLumigraph& uploaded);
+    DrawStatistics draw(const Eye& eye, const RenderOptions& options,
+                        const Viewport& viewport) override;
+
+ private:
+    const UploadedLumigraph& uploaded_;
+    PictureProgram program_;
+    VertexBuffer triangles_;
+};
+
+}  // namespace lumi

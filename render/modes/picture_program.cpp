@@ -1,0 +1,37 @@
+#include "render/modes/picture_program.h"
+
+#include <utility>
+
+#include "render/gl/to_glm.h"
+#include "render/shaders/shader_sources.h"
+
+namespace lumi {
+
+PictureProgram::PictureProgram(std::string name, std::vector<std::string_view> sources,
+                               std::vector<std::string> definitions)
+    : name_(std::move(name)), sources_(std::move(sources)), definitions_(std::move(definitions)) {
+    sources_.insert(sources_.begin(), shader_source("photographs"));
+}
+
+const Program& PictureProgram::use(const UploadedLumigraph& uploaded, const Eye& eye,
+                                   const RenderOptions& options) {
+    const bool is_debug = options.debug_picture != DebugPicture::kNone;
+    std::optional<Program>& program = is_debug ? debug_ : picture_;
+    if (!program) {
+        std::vector<std::string> definitions = definitions_;
+        if (is_debug) definitions.emplace_back("DEBUG_PICTURE");
+        program.emplace(name_, sources_, definitions);
+    }
+    program->use();
+    uploaded.photographs.bind(0);
+    program->set("photographs", 0);
+    program->set("clip_from_eye_pixel",
+                 to_glm(clip_from_pixel(eye.camera.width_px, eye.camera.height_px, 1.0)));
+    if (is_debug) {
+        program->set("debug_picture", static_cast<int>(options.debug_picture));
+        program->set("inverse_depth_range", to_glm(inverse_depth_range(uploaded.layout)));
+    }
+    return *program;
+}
+
+}  // namespace lumi

@@ -1,0 +1,101 @@
+#include "render/modes/subdivision.h"
+
+#include <algorithm>
+
+#include "render/modes/occlusion.h"
+
+namespace lumi {
+
+PatchSampler::PatchSampler(const FacePolygon& polygon, const DepthSearch& search,
+                           const Eigen::Vector3d& scene_plane, const Options& options)
+    : polygon_(polygon), search_(search), scene_plane_(scene_plane), options_(options) {}
+
+PatchSample PatchSampler::at(const Eigen::Vector2d& pixel) const {
+    PatchSample sample;
+    sample.pixel = pixel;
+    sample.ray_weights = weights_at(polygon_, pixel);
+    const std::optional<RayHit> hit = search_.first_hit(pixel, polygon_.view_indices);
+    sample.hits = hit.has_value();
+    sample.inverse_depth =
+        hit ? hit->inverse_depth : std::max(0.0, scene_plane_.dot(pixel.homogeneous()));
+    if (hit)
+        sample.confidence = hit->kind == DepthKind::kSeen ? 0.5 * std::min(2, hit->support) : 0.25;
+    std::array<double, 3> visible{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int view = polygon_.view_indices[k];
+        const Eigen::Vector3d in_view = search_.line_in(view, pixel).at(sample.inverse_depth);
+        if (in_view.z() <= 0) continue;
+        sample.view_pixels[k] = in_view.hnormalized();
+        sample.depth_ratios[k] = in_view.z();
+        visible[k] = sample.hits && options_.correct_occlusion
+                         ? search_.visibility(pixel, sample.inverse_depth, view)
+                         : search_.inside(view, sample.view_pixels[k]);
+    }
+    if (const auto weights = redistributed(sample.ray_weights, visible)) {
+        sample.weights = *weights;
+        return sample;
+    }
+    sample.confidence = 0;
+    if (options_.unseen_is_black) return sample;
+    std::array<double, 3> inside{};
+    for (std::size_t k = 0; k < 3; ++k)
+        if (sample.depth_ratios[k] > 0)
+            inside[k] = search_.inside(polygon_.view_indices[k], sample.view_pixels[k]);
+    sample.weights = redistributed(sample.ray_weights, inside).value_or(std::array<double, 3>{});
+    return sample;
+}
+
+SubdividedPatch::SubdividedPatch(const PatchSampler& sampler) : sampler_(sampler) {
+    for (const Eigen::Vector2d& corner : sampler.polygon().corners_px)
+        static_cast<void>(add(corner));
+    corner_count_ = static_cast<std::uint32_t>(samples_.size());
+}
+
+std::uint32_t SubdividedPatch::add(const Eigen::Vector2d& pixel) {
+    samples_.push_back(sampler_.at(pixel));
+    return static_cast<std::uint32_t>(samples_.size() - 1);
+}
+
+std::uint32_t SubdividedPatch::midpoint(std::uint32_t a, std::uint32_t b) {
+    const auto [found, is_new] = midpoints_.try_emplace(key(a, b), 0U);
+    if (is_new) found->second = add(0.5 * (samples_[a].pixel + samples_[b].pixel));
+    return found->second;
+}
+
+std::optional<std::uint32_t> SubdividedPatch::known_midpoint(std::uint32_t a,
+                                                             std::uint32_t b) const {
+    const auto found = midpoints_.find(key(a, b));
+    if (found == midpoints_.end()) return std::nullopt;
+    return found->second;
+}
+
+void SubdividedPatch::append_to(BlendTriangles& drawn,
+                                const std::vector<std::array<std::uint32_t, 3>>& triangles) const {
+    constexpr std::uint32_t kNone = 0xffffffffU;
+    std::vector<std::uint32_t> index_of(samples_.size(), kNone);
+    const FacePolygon& polygon = sampler_.polygon();
+    for (const auto& triangle : triangles) {
+        for (const std::uint32_t vertex : triangle) {
+            if (index_of[vertex] == kNone) {
+                index_of[vertex] = static_cast<std::uint32_t>(drawn.vertices.size());
+                const PatchSample& sample = samples_[vertex];
+                BlendVertex& corner = drawn.vertices.emplace_back();
+                corner.pixel = {static_cast<float>(sample.pixel.x()),
+                                static_cast<float>(sample.pixel.y())};
+                for (std::size_t k = 0; k < 3; ++k) {
+                    corner.view_pixels[k] = {static_cast<float>(sample.view_pixels[k].x()),
+                                             static_cast<float>(sample.view_pixels[k].y())};
+                    corner.weights[k] = static_cast<float>(sample.weights[k]);
+                    corner.view_layers[k] = static_cast<float>(polygon.view_indices[k]);
+                    corner.depth_ratios[k] = static_cast<float>(sample.depth_ratios[k]);
+                }
+                corner.inverse_depth = static_cast<float>(sample.inverse_depth);
+                corner.confidence = static_cast<float>(sample.confidence);
+                corner.face_index = static_cast<float>(polygon.face_index);
+            }
+            drawn.indices.push_back(index_of[vertex]);
+        }
+    }
+}
+
+}  // namespace lumi

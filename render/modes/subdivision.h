@@ -1,0 +1,83 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "render/modes/blend_triangles.h"
+#include "render/modes/depth_search.h"
+#include "render/modes/face_polygons.h"
+
+namespace lumi {
+
+/// What is known of the scene at one pixel of a face polygon.
+struct PatchSample {
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+    bool hits = false;  ///< The ray meets the scene; without, the scene plane stands in for it.
+    double inverse_depth = 0.0;
+    double confidence = 0.0;              ///< As in the confidence picture.
+    std::array<double, 3> ray_weights{};  ///< Barycentric: from the ray alone.
+    std::array<double, 3> weights{};      ///< After occlusion correction; sum 1 or all 0.
+    std::array<Eigen::Vector2d, 3> view_pixels{};
+    std::array<double, 3> depth_ratios{};  ///< Depth in each view over depth in the eye.
+};
+
+/// Looks at the scene through one face of the camera mesh.
+class PatchSampler {
+ public:
+    struct Options {
+        bool correct_occlusion = true;
+        /// The paper's rule for points that none of the three sees is weight 0; otherwise such
+        /// points keep the weights of their ray.
+        bool unseen_is_black = false;
+    };
+    PatchSampler(const FacePolygon& polygon, const DepthSearch& search,
+                 const Eigen::Vector3d& scene_plane, const Options& options);
+
+    [[nodiscard]] PatchSample at(const Eigen::Vector2d& pixel) const;
+    [[nodiscard]] const FacePolygon& polygon() const { return polygon_; }
+
+ private:
+    const FacePolygon& polygon_;
+    const DepthSearch& search_;
+    Eigen::Vector3d scene_plane_;
+    Options options_;
+};
+
+/// Vertices of a subdivided face polygon; the midpoint of two vertices is made once.
+class SubdividedPatch {
+ public:
+    explicit SubdividedPatch(const PatchSampler& sampler);
+
+    [[nodiscard]] std::uint32_t add(const Eigen::Vector2d& pixel);
+    [[nodiscard]] std::uint32_t midpoint(std::uint32_t a, std::uint32_t b);
+    [[nodiscard]] std::optional<std::uint32_t> known_midpoint(std::uint32_t a,
+                                                              std::uint32_t b) const;
+    [[nodiscard]] const PatchSample& operator[](std::uint32_t vertex) const {
+        return samples_[vertex];
+    }
+    [[nodiscard]] double length_px(std::uint32_t a, std::uint32_t b) const {
+        return (samples_[a].pixel - samples_[b].pixel).norm();
+    }
+    /// The corners of the polygon, which are the first vertices.
+    [[nodiscard]] std::uint32_t corner_count() const { return corner_count_; }
+
+    /// Appends the triangles with all vertices that they name.
+    void append_to(BlendTriangles& drawn,
+                   const std::vector<std::array<std::uint32_t, 3>>& triangles) const;
+
+ private:
+    [[nodiscard]] static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
+        return a < b ? (std::uint64_t{a} << 32) | b : (std::uint64_t{b} << 32) | a;
+    }
+
+    const PatchSampler& sampler_;
+    std::vector<PatchSample> samples_;
+    std::unordered_map<std::uint64_t, std::uint32_t> midpoints_;
+    std::uint32_t corner_count_ = 0;
+};
+
+}  // namespace lumi

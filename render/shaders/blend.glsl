@@ -1,0 +1,49 @@
+// Triangles on which three photographs are blended with weights from the corners: what the modes
+// come to that do their work at vertices. Little more than the least that any blend must do.
+
+#ifdef LUMI_VERTEX
+#define LUMI_VARYING out
+#else
+#define LUMI_VARYING in
+#endif
+
+LUMI_VARYING vec4 on_layers01;  // where photographs 0 and 1 are looked up, 0 to 1 over a layer
+LUMI_VARYING vec4 on_layer2_and_weights;  // the same for photograph 2, weights of 0 and 1
+flat LUMI_VARYING vec4 layers_and_face;
+LUMI_VARYING vec3 weight2_and_depth;  // weight of 2, inverse depth, confidence
+
+#ifdef LUMI_VERTEX
+uniform mat4 clip_from_eye_pixel;
+uniform vec2 layer_size;
+layout(location = 0) in vec2 in_pixel;
+layout(location = 1) in vec4 in_view_pixels01;
+layout(location = 2) in vec2 in_view_pixel2;
+layout(location = 3) in vec3 in_weights;
+layout(location = 4) in vec2 in_inverse_depth_and_confidence;
+layout(location = 5) in vec4 in_layers_and_face;
+
+void main() {
+    on_layers01 = in_view_pixels01 / layer_size.xyxy;
+    on_layer2_and_weights = vec4(in_view_pixel2 / layer_size, in_weights.xy);
+    weight2_and_depth = vec3(in_weights.z, in_inverse_depth_and_confidence);
+    layers_and_face = in_layers_and_face;
+    gl_Position = clip_from_eye_pixel * vec4(in_pixel, 1.0, 0.5);
+}
+#endif
+
+#ifdef LUMI_FRAGMENT
+out vec4 drawn;
+
+void main() {
+    vec3 weights = vec3(on_layer2_and_weights.zw, weight2_and_depth.x);
+#ifdef DEBUG_PICTURE
+    drawn = vec4(debug_color(weights, layers_and_face, weight2_and_depth.y, weight2_and_depth.z),
+                 1.0);
+#else
+    drawn = vec4(weights.x * photograph_at(on_layers01.xy, layers_and_face.x) +
+                     weights.y * photograph_at(on_layers01.zw, layers_and_face.y) +
+                     weights.z * photograph_at(on_layer2_and_weights.xy, layers_and_face.z),
+                 1.0);
+#endif
+}
+#endif

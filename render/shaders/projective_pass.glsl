@@ -1,0 +1,58 @@
+// One of the paper's three passes over depth-corrected triangles (section 4): a projective texture,
+// its weight as alpha, added up by the framebuffer.
+
+#ifdef LUMI_VERTEX
+#define LUMI_VARYING out
+#else
+#define LUMI_VARYING in
+#endif
+
+LUMI_VARYING vec3 on_layer;  // homogeneous
+LUMI_VARYING float weight;
+flat LUMI_VARYING vec4 layers_and_face;
+LUMI_VARYING vec2 inverse_depth_and_confidence;
+flat LUMI_VARYING float layer;
+
+#ifdef LUMI_VERTEX
+uniform mat4 clip_from_eye_pixel;
+uniform vec2 layer_size;
+uniform vec3 chosen;  // 1 for the view of this pass, 0 for the others
+uniform float least_inverse_depth;
+layout(location = 0) in vec2 in_pixel;
+layout(location = 1) in vec4 in_view_pixels01;
+layout(location = 2) in vec2 in_view_pixel2;
+layout(location = 3) in vec3 in_weights;
+layout(location = 4) in vec2 in_inverse_depth_and_confidence;
+layout(location = 5) in vec4 in_layers_and_face;
+layout(location = 6) in vec3 in_depth_ratios;
+
+void main() {
+    vec2 view_pixel = chosen.x * in_view_pixels01.xy + chosen.y * in_view_pixels01.zw +
+                      chosen.z * in_view_pixel2;
+    // Vertices at their true places: what is linear in space is interpolated linearly there.
+    float depth = 1.0 / max(in_inverse_depth_and_confidence.x, least_inverse_depth);
+    on_layer = vec3(view_pixel / layer_size, 1.0) * dot(chosen, in_depth_ratios) * depth;
+    weight = dot(chosen, in_weights);
+    layer = dot(chosen, in_layers_and_face.xyz);
+    layers_and_face = in_layers_and_face;
+    inverse_depth_and_confidence = in_inverse_depth_and_confidence;
+    gl_Position = clip_from_eye_pixel * vec4(in_pixel * depth, depth, 0.5 * depth);
+}
+#endif
+
+#ifdef LUMI_FRAGMENT
+out vec4 drawn;
+
+void main() {
+#ifdef DEBUG_PICTURE
+    // In debug pictures the three passes add up as the photographs do.
+    drawn = vec4(debug_picture == 1 ? index_color(layer)
+                                    : debug_color(vec3(0.0), layers_and_face,
+                                                  inverse_depth_and_confidence.x,
+                                                  inverse_depth_and_confidence.y),
+                 weight);
+#else
+    drawn = vec4(photograph_at(on_layer.xy / on_layer.z, layer), weight);
+#endif
+}
+#endif
