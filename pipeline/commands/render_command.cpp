@@ -121,9 +121,8 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     where->add_flag("--all-views", request->all_views,
                     "From every photograph's place; --out names a folder");
     where->require_option(1);
-    command.add_option("--mode", request->mode, "perpixel or lightfield")->capture_default_str();
-    command.add_option("--debug", request->debug, "none, weights, faces, depth or confidence")
-        ->capture_default_str();
+    command.add_option("--mode", request->mode, render_mode_names())->capture_default_str();
+    command.add_option("--debug", request->debug, debug_picture_names())->capture_default_str();
     command.add_option("--size", request->size, "Such as 1280x720 (default: the photograph's)");
     command.add_flag("--reference", request->reference, "By the plain-code renderer; slow");
     command.add_option("--out", request->out, "PNG file, or folder with --all-views")->required();

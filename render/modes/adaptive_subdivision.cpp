@@ -24,13 +24,17 @@ constexpr double kThinnest = 0.25;
 /// The interpolation error at the middle of an edge.
 double edge_error_px(const PatchSample& a, const PatchSample& b, const PatchSample& middle,
                      double weight_error_px) {
+    // At the middle of the picture of an edge, its ends count by one over their depths.
+    const double share_a = b.affine_depth / (a.affine_depth + b.affine_depth);
+    const double share_b = 1 - share_a;
     double error_px = 0;
     double weight_error = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Eigen::Vector2d halfway = 0.5 * (a.view_pixels[k] + b.view_pixels[k]);
-        error_px += middle.weights[k] * (middle.view_pixels[k] - halfway).norm();
-        weight_error = std::max(weight_error,
-                                std::abs(middle.weights[k] - 0.5 * (a.weights[k] + b.weights[k])));
+        const Eigen::Vector2d between = share_a * a.view_pixels[k] + share_b * b.view_pixels[k];
+        error_px += middle.weights[k] * (middle.view_pixels[k] - between).norm();
+        weight_error = std::max(
+            weight_error,
+            std::abs(middle.weights[k] - (share_a * a.weights[k] + share_b * b.weights[k])));
     }
     return std::max(error_px, 2 * weight_error_px * weight_error);
 }
@@ -52,7 +56,9 @@ class AdaptivePatch {
     }
 
     [[nodiscard]] std::size_t triangle_count() const { return leaves_.size(); }
-    void append_to(BlendTriangles& drawn) const { vertices_.append_to(drawn, leaves_); }
+    void append_to(BlendTriangles& drawn) const {
+        vertices_.append_to(drawn, leaves_, VertexDepth::kAffine);
+    }
 
  private:
     void subdivide(const Triangle& triangle) {

@@ -7,7 +7,7 @@ namespace lumi {
 struct AdaptiveSubdivisionOptions {
     double max_error_px = 0.7;  ///< Of where the three photographs are looked up.
     /// What a change of a weight from 0 to 1 counts, so that edges of visibility are met.
-    double weight_error_px = 2.0;
+    double weight_error_px = 1.0;
     double min_edge_px = 6.0;   ///< Shorter edges are not split.
     double max_edge_px = 96.0;  ///< Longer ones are, in any case.
     /// Where there would be more, all errors above are relaxed alike. 0: any number.

@@ -16,14 +16,8 @@ using Box = Eigen::AlignedBox2d;
 /// Affine errors are not chased further than this.
 constexpr double kSmallest_px = 4.0;
 
+/// A photograph on a piece; in between its border fades.
 enum class Coverage { kInside, kOutside, kMixed };
-
-/// What one photograph looks like on a piece.
-struct ViewOnPiece {
-    Coverage coverage = Coverage::kOutside;
-    std::vector<Eigen::Vector2d> pixels;  ///< One a corner, when inside.
-    double error_px = 0.0;
-};
 
 Box bounds(const Corners& corners) {
     Box box;
@@ -31,31 +25,26 @@ Box bounds(const Corners& corners) {
     return box;
 }
 
-/// The relative error of linear interpolation between homogeneous values.
-double half_spread(double low, double high) { return 0.5 * (high - low) / (high + low); }
-
-ViewOnPiece look_up(const PlaneView& view, const Corners& corners, double border_px) {
-    ViewOnPiece on_piece;
+struct Range {
     double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const Eigen::Vector2d& corner : corners) {
-        const Eigen::Vector3d pixel = view.view_from_eye * corner.homogeneous();
-        low = std::min(low, pixel.z());
-        high = std::max(high, pixel.z());
-        on_piece.pixels.emplace_back(pixel.hnormalized());
+    double high = -std::numeric_limits<double>::infinity();
+
+    void extend(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
     }
-    if (high <= 0) return on_piece;
-    on_piece.coverage = Coverage::kMixed;
-    if (low <= 0) return on_piece;
-    const Box box = bounds(on_piece.pixels);
-    const Eigen::Array2d size(view.width_px, view.height_px);
-    if ((box.max().array() <= 0).any() || (box.min().array() >= size).any())
-        on_piece.coverage = Coverage::kOutside;
-    else if ((box.min().array() >= border_px).all() &&
-             (box.max().array() <= size - border_px).all())
-        on_piece.coverage = Coverage::kInside;
-    on_piece.error_px = box.diagonal().norm() * half_spread(low, high);
-    return on_piece;
+    /// The relative error of linear interpolation between homogeneous values in this range.
+    [[nodiscard]] double half_spread() const { return 0.5 * (high - low) / (high + low); }
+};
+
+/// The piece within a photograph's border moved inwards by `border_px`, as lines of the eye's
+/// picture: where all are positive.
+std::array<Eigen::Vector3d, 4> border_lines(const PlaneView& view, double border_px) {
+    const Eigen::Vector3d x = view.view_from_eye.row(0);
+    const Eigen::Vector3d y = view.view_from_eye.row(1);
+    const Eigen::Vector3d w = view.view_from_eye.row(2);
+    return {x - border_px * w, y - border_px * w, (view.width_px - border_px) * w - x,
+            (view.height_px - border_px) * w - y};
 }
 
 class PieceCutter {
@@ -70,37 +59,46 @@ class PieceCutter {
           affine_(affine),
           exact_(exact) {}
 
-    void cut(const Corners& corners) {
-        if (corners.size() < 3) return;
-        const Eigen::Vector2d size = bounds(corners).sizes();
-        std::array<ViewOnPiece, 3> on_piece;
-        bool any_mixed = false;
-        bool any_inside = false;
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (polygon_.side_lines[k].isZero(0)) continue;
-            on_piece[k] = look_up(views_[static_cast<std::size_t>(polygon_.view_indices[k])],
-                                  corners, options_.border_px);
-            any_mixed = any_mixed || on_piece[k].coverage == Coverage::kMixed;
-            any_inside = any_inside || on_piece[k].coverage == Coverage::kInside;
-        }
-        if (any_mixed) {
-            if (size.maxCoeff() <= options_.min_size_px) return keep_exact(corners);
-            return halve(corners, size);
-        }
-        if (!any_inside) return;
-        const std::vector<std::array<double, 3>> sides = visible_sides(corners, on_piece);
-        if (is_affine(on_piece, sides)) return keep_affine(corners, on_piece, sides);
-        if (size.maxCoeff() <= kSmallest_px) return keep_exact(corners);
-        halve(corners, size);
-    }
+    void cut() { cut_by_borders(polygon_.corners_px, {}, 0); }
 
  private:
-    void halve(const Corners& corners, const Eigen::Vector2d& size) {
+    using Coverages = std::array<Coverage, 3>;
+
+    /// Splits a piece by the borders of photograph `k` and of those after it.
+    void cut_by_borders(Corners corners, Coverages coverages, std::size_t k) {
+        if (corners.size() < 3) return;
+        if (k == 3) return cut_by_error(corners, coverages);
+        coverages[k] = Coverage::kOutside;
+        if (polygon_.side_lines[k].isZero(0))
+            return cut_by_borders(std::move(corners), coverages, k + 1);
+        const PlaneView& view = views_[static_cast<std::size_t>(polygon_.view_indices[k])];
+        for (const double border_px : {0.0, options_.border_px}) {
+            for (const Eigen::Vector3d& line : border_lines(view, border_px)) {
+                cut_by_borders(clipped(corners, -line), coverages, k + 1);
+                corners = clipped(corners, line);
+            }
+            coverages[k] = Coverage::kMixed;
+        }
+        coverages[k] = Coverage::kInside;
+        cut_by_borders(std::move(corners), coverages, k + 1);
+    }
+
+    void cut_by_error(const Corners& corners, const Coverages& coverages) {
+        if (corners.size() < 3) return;
+        const auto has = [&](Coverage coverage) {
+            return std::find(coverages.begin(), coverages.end(), coverage) != coverages.end();
+        };
+        if (has(Coverage::kMixed)) return keep_exact(corners);
+        if (!has(Coverage::kInside)) return;
+        const std::vector<BlendVertex> vertices = vertices_of(corners, coverages);
+        if (is_affine(vertices, coverages)) return keep_affine(vertices);
+        const Eigen::Vector2d size = bounds(corners).sizes();
+        if (size.maxCoeff() <= kSmallest_px) return keep_exact(corners);
         const Eigen::Vector2d middle = bounds(corners).center();
         const bool wide = size.x() >= size.y();
         const Eigen::Vector3d line(wide ? 1 : 0, wide ? 0 : 1, wide ? -middle.x() : -middle.y());
-        cut(clipped(corners, line));
-        cut(clipped(corners, -line));
+        cut_by_error(clipped(corners, line), coverages);
+        cut_by_error(clipped(corners, -line), coverages);
     }
 
     void keep_exact(const Corners& corners) const {
@@ -108,62 +106,74 @@ class PieceCutter {
         exact_.back().corners_px = corners;
     }
 
-    /// Side products at the corners, zero for views that see nothing of the piece.
-    [[nodiscard]] std::vector<std::array<double, 3>> visible_sides(
-        const Corners& corners, const std::array<ViewOnPiece, 3>& on_piece) const {
-        std::vector<std::array<double, 3>> sides(corners.size());
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            for (std::size_t k = 0; k < 3; ++k)
-                if (on_piece[k].coverage == Coverage::kInside)
-                    sides[i][k] =
-                        std::max(0.0, polygon_.side_lines[k].dot(corners[i].homogeneous()));
-        return sides;
+    /// Weights of photographs that see nothing of the piece are 0. The depth is that for
+    /// which the mean of the others is affine.
+    [[nodiscard]] std::vector<BlendVertex> vertices_of(const Corners& corners,
+                                                       const Coverages& coverages) const {
+        std::vector<BlendVertex> vertices;
+        for (const Eigen::Vector2d& corner : corners) {
+            BlendVertex& vertex = vertices.emplace_back();
+            vertex.pixel = {static_cast<float>(corner.x()), static_cast<float>(corner.y())};
+            vertex.depth = 0.0F;
+            float inside = 0.0F;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto view = static_cast<std::size_t>(polygon_.view_indices[k]);
+                vertex.view_layers[k] = static_cast<float>(view);
+                if (coverages[k] != Coverage::kInside) continue;
+                const Eigen::Vector3d pixel = views_[view].view_from_eye * corner.homogeneous();
+                vertex.view_pixels[k] = {static_cast<float>(pixel.x() / pixel.z()),
+                                         static_cast<float>(pixel.y() / pixel.z())};
+                vertex.depth_ratios[k] = static_cast<float>(pixel.z());
+                vertex.depth += vertex.depth_ratios[k];
+                inside += 1.0F;
+                vertex.weights[k] = static_cast<float>(
+                    std::max(0.0, polygon_.side_lines[k].dot(corner.homogeneous())));
+            }
+            vertex.depth = inside / vertex.depth;
+            vertex.inverse_depth =
+                static_cast<float>(std::max(0.0, plane_.dot(corner.homogeneous())));
+            vertex.face_index = static_cast<float>(polygon_.face_index);
+        }
+        return vertices;
     }
 
-    [[nodiscard]] bool is_affine(const std::array<ViewOnPiece, 3>& on_piece,
-                                 const std::vector<std::array<double, 3>>& sides) const {
-        double low = std::numeric_limits<double>::infinity();
-        double high = 0;
-        for (const auto& at_corner : sides) {
-            const double sum = at_corner[0] + at_corner[1] + at_corner[2];
-            low = std::min(low, sum);
-            high = std::max(high, sum);
-        }
-        if (!(low > 0)) return false;
+    /// Weights are still side products here.
+    [[nodiscard]] bool is_affine(const std::vector<BlendVertex>& vertices,
+                                 const Coverages& coverages) const {
+        Range sums;
+        for (const BlendVertex& vertex : vertices)
+            sums.extend(sum_of_weights(vertex) * vertex.depth);
+        if (!(sums.low > 0)) return false;
         for (std::size_t k = 0; k < 3; ++k) {
-            double least = 1;
-            double most = 0;
-            for (const auto& at_corner : sides) {
-                const double weight = at_corner[k] / (at_corner[0] + at_corner[1] + at_corner[2]);
-                least = std::min(least, weight);
-                most = std::max(most, weight);
+            if (coverages[k] != Coverage::kInside) continue;
+            Range weights;
+            Range ratios;
+            Box pixels;
+            for (const BlendVertex& vertex : vertices) {
+                weights.extend(vertex.weights[k] / sum_of_weights(vertex));
+                ratios.extend(vertex.depth_ratios[k] * vertex.depth);
+                pixels.extend(Eigen::Vector2d(vertex.view_pixels[k][0], vertex.view_pixels[k][1]));
             }
-            if ((most - least) * half_spread(low, high) > options_.max_weight_error) return false;
-            if (most * on_piece[k].error_px > options_.max_error_px) return false;
+            const double error_px = pixels.diagonal().norm() * ratios.half_spread();
+            if ((weights.high - weights.low) * sums.half_spread() > options_.max_weight_error ||
+                weights.high * error_px > options_.max_error_px)
+                return false;
         }
         return true;
     }
 
-    void keep_affine(const Corners& corners, const std::array<ViewOnPiece, 3>& on_piece,
-                     const std::vector<std::array<double, 3>>& sides) {
+    static double sum_of_weights(const BlendVertex& vertex) {
+        return static_cast<double>(vertex.weights[0] + vertex.weights[1] + vertex.weights[2]);
+    }
+
+    void keep_affine(std::vector<BlendVertex> vertices) const {
         const auto first = static_cast<std::uint32_t>(affine_.vertices.size());
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            BlendVertex vertex;
-            vertex.pixel = {static_cast<float>(corners[i].x()), static_cast<float>(corners[i].y())};
-            const double sum = sides[i][0] + sides[i][1] + sides[i][2];
-            for (std::size_t k = 0; k < 3; ++k) {
-                vertex.view_layers[k] = static_cast<float>(polygon_.view_indices[k]);
-                vertex.weights[k] = static_cast<float>(sides[i][k] / sum);
-                if (on_piece[k].coverage != Coverage::kInside) continue;
-                vertex.view_pixels[k] = {static_cast<float>(on_piece[k].pixels[i].x()),
-                                         static_cast<float>(on_piece[k].pixels[i].y())};
-            }
-            vertex.inverse_depth =
-                static_cast<float>(std::max(0.0, plane_.dot(corners[i].homogeneous())));
-            vertex.face_index = static_cast<float>(polygon_.face_index);
+        for (BlendVertex& vertex : vertices) {
+            const auto sum = static_cast<float>(sum_of_weights(vertex));
+            for (float& weight : vertex.weights) weight /= sum;
             affine_.vertices.push_back(vertex);
         }
-        for (std::uint32_t i = 1; i + 1 < corners.size(); ++i)
+        for (std::uint32_t i = 1; i + 1 < vertices.size(); ++i)
             affine_.indices.insert(affine_.indices.end(), {first, first + i, first + i + 1});
     }
 
@@ -181,8 +191,7 @@ void cut_into_affine_pieces(const FacePolygon& polygon, const std::vector<PlaneV
                             const Eigen::Vector3d& plane_inverse_depth,
                             const AffinePieceOptions& options, BlendTriangles& affine,
                             std::vector<FacePolygon>& exact) {
-    PieceCutter(polygon, views, plane_inverse_depth, options, affine, exact)
-        .cut(polygon.corners_px);
+    PieceCutter(polygon, views, plane_inverse_depth, options, affine, exact).cut();
 }
 
 }  // namespace lumi

@@ -16,19 +16,19 @@ struct PlaneView {
 };
 
 struct AffinePieceOptions {
-    double max_error_px = 0.06;       ///< Of where a photograph is looked up, times its weight.
-    double max_weight_error = 0.004;  ///< Of the weights: one step of 8 bits.
+    double max_error_px = 0.04;  ///< Of where a photograph is looked up, times its weight.
+    double max_weight_error = 0.01;
     double border_px = 8.0;  ///< A photograph fades in over this many pixels (shaders/face.glsl).
-    double min_size_px = 24.0;  ///< Pieces in which a border lies are not cut further.
 };
 
 /// A face polygon, cut into pieces that are drawn faster than pixel by pixel.
 ///
 /// A homography is affine on a piece that is small enough: with homogeneous third coordinates
 /// between W and W' and pixels within a diameter d, linear interpolation is wrong by at most
-/// d / 2 * (W' - W) / (W' + W). `affine` gets the pieces for which that is little and on which each
-/// photograph is either fully in or out; `exact` those through which a border runs: polygons as
-/// they were, with fewer corners. Cuts run along rows and columns, so that no crack opens.
+/// d / 2 * (W' - W) / (W' + W). What the photographs have in common of W is left to the
+/// rasteriser's perspective, so that pieces are large. `affine` gets those on which each photograph
+/// is either fully in or out; `exact` those on which one fades: polygons as they were, with fewer
+/// corners.
 void cut_into_affine_pieces(const FacePolygon& polygon, const std::vector<PlaneView>& views,
                             const Eigen::Vector3d& plane_inverse_depth,
                             const AffinePieceOptions& options, BlendTriangles& affine,

@@ -5,8 +5,8 @@
 namespace lumi {
 
 const std::vector<VertexAttribute>& blend_vertex_attributes() {
-    static_assert(sizeof(BlendVertex) == 20 * sizeof(float));
-    static const std::vector<VertexAttribute> attributes{{0, 2}, {1, 4}, {2, 2}, {3, 3},
+    static_assert(sizeof(BlendVertex) == 21 * sizeof(float));
+    static const std::vector<VertexAttribute> attributes{{0, 3}, {1, 4}, {2, 2}, {3, 3},
                                                          {4, 2}, {5, 4}, {6, 3}};
     return attributes;
 }

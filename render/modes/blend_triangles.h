@@ -6,10 +6,13 @@
 
 namespace lumi {
 
-/// A corner of a triangle of the eye's picture on which three photographs are blended. All that
-/// varies is interpolated affinely in the picture; all floats, as the vertex buffer holds them.
+/// A corner of a triangle of the eye's picture on which three photographs are blended; all floats,
+/// as the vertex buffer holds them.
 struct BlendVertex {
-    std::array<float, 2> pixel{};                       ///< Of the eye.
+    std::array<float, 2> pixel{};  ///< Of the eye.
+    /// Homogeneous coordinate of the vertex: all that varies is interpolated linearly in space as
+    /// if it were the depth, so that perspective is right where it is.
+    float depth = 1.0F;
     std::array<std::array<float, 2>, 3> view_pixels{};  ///< Where the photographs are looked up.
     std::array<float, 3> weights{};                     ///< Of the photographs; sum 1, or all 0.
     float inverse_depth = 0.0F;

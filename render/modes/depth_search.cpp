@@ -17,6 +17,10 @@ constexpr int kMaxSteps = 256;
 constexpr int kRefinements = 4;
 /// The nearest an eye can look at lies this many times before the scene's near end.
 constexpr double kNearMargin = 100.0;
+/// Vertices just outside of a photograph, where a picture ends that is the photograph, still count.
+constexpr double kBorderSlack_px = 1.0;
+/// What is this share as near as the scene's near end is infinitely far.
+constexpr double kFarShare = 1e-4;
 /// Of a point's depth in the view over that in the eye, for points that are looked for.
 constexpr double kLeastRatio = 1e-6;
 
@@ -46,7 +50,8 @@ DepthSearch::DepthSearch(const Lumigraph& lumigraph, const std::vector<ViewGeome
                          const Eye& eye, double tolerance_px)
     : lumigraph_(lumigraph),
       tolerance_px_(tolerance_px),
-      max_inverse_depth_(kNearMargin * inverse_depth_range(lumigraph).y()) {
+      max_inverse_depth_(kNearMargin * inverse_depth_range(lumigraph).y()),
+      least_inverse_depth_(kFarShare * inverse_depth_range(lumigraph).y()) {
     const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
     std::vector<int> all(lumigraph.views.size());
     std::iota(all.begin(), all.end(), 0);
@@ -226,7 +231,8 @@ std::optional<RayHit> DepthSearch::first_hit(const Eigen::Vector2d& pixel,
 
 double DepthSearch::inside(int view_index, const Eigen::Vector2d& view_pixel) const {
     const Camera& camera = lumigraph_.views[static_cast<std::size_t>(view_index)].camera;
-    return border_fade(std::min({view_pixel.x(), view_pixel.y(), camera.width_px - view_pixel.x(),
+    return border_fade(kBorderSlack_px +
+                       std::min({view_pixel.x(), view_pixel.y(), camera.width_px - view_pixel.x(),
                                  camera.height_px - view_pixel.y()}));
 }
 

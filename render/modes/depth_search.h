@@ -52,6 +52,9 @@ class DepthSearch {
     /// How much a view counts at a pixel near the border of its photograph; 0 outside.
     [[nodiscard]] double inside(int view_index, const Eigen::Vector2d& view_pixel) const;
 
+    /// What is farther is as good as infinitely far.
+    [[nodiscard]] double least_inverse_depth() const { return least_inverse_depth_; }
+
     [[nodiscard]] EpipolarLine line_in(int view_index, const Eigen::Vector2d& pixel) const;
 
  private:
@@ -87,6 +90,7 @@ class DepthSearch {
     double tolerance_px_;
     double agreeing_inverse_depth_;
     double max_inverse_depth_;  ///< Of the eye: nothing nearer is looked for.
+    double least_inverse_depth_;
     std::vector<Target> targets_;
 };
 

@@ -26,6 +26,7 @@ Box bounds(const FacePolygon& polygon) {
 bool separates(const FacePolygon& polygon, const FacePolygon& other) {
     return std::any_of(polygon.side_lines.begin(), polygon.side_lines.end(),
                        [&](const Eigen::Vector3d& line) {
+                           if (line.isZero(0)) return false;
                            const double seam = kSeam_px * line.head<2>().norm();
                            return std::all_of(other.corners_px.begin(), other.corners_px.end(),
                                               [&](const Eigen::Vector2d& corner) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/gl/vertex_buffer.h"
+#include "render/modes/blend_triangles.h"
 #include "render/modes/drawing_mode.h"
 #include "render/modes/picture_program.h"
 
@@ -16,6 +17,10 @@ class Paper2001 : public DrawingMode {
                         const Viewport& viewport) override;
 
  private:
+    /// Adds up three passes, in place of what was there when it `replaces` that.
+    void draw_batch(const BlendTriangles& triangles, bool replaces, const Eye& eye,
+                    const RenderOptions& options);
+
     const UploadedLumigraph& uploaded_;
     PictureProgram program_;
     VertexBuffer triangles_;

@@ -61,7 +61,7 @@ class PaperPatch {
     void remove_t_vertices(const BorderVertices& border, BlendTriangles& drawn) {
         std::vector<Triangle> whole;
         for (const Triangle& leaf : leaves_) split_where_neighbours_did(leaf, border, whole);
-        vertices_.append_to(drawn, whole);
+        vertices_.append_to(drawn, whole, VertexDepth::kTrue);
     }
 
  private:

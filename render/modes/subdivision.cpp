@@ -18,19 +18,23 @@ PatchSample PatchSampler::at(const Eigen::Vector2d& pixel) const {
     sample.hits = hit.has_value();
     sample.inverse_depth =
         hit ? hit->inverse_depth : std::max(0.0, scene_plane_.dot(pixel.homogeneous()));
+    sample.depth = 1 / std::max(sample.inverse_depth, search_.least_inverse_depth());
     if (hit)
         sample.confidence = hit->kind == DepthKind::kSeen ? 0.5 * std::min(2, hit->support) : 0.25;
     std::array<double, 3> visible{};
+    double ratio = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const int view = polygon_.view_indices[k];
         const Eigen::Vector3d in_view = search_.line_in(view, pixel).at(sample.inverse_depth);
         if (in_view.z() <= 0) continue;
         sample.view_pixels[k] = in_view.hnormalized();
         sample.depth_ratios[k] = in_view.z();
+        ratio += sample.ray_weights[k] * in_view.z();
         visible[k] = sample.hits && options_.correct_occlusion
                          ? search_.visibility(pixel, sample.inverse_depth, view)
                          : search_.inside(view, sample.view_pixels[k]);
     }
+    if (ratio > 0) sample.affine_depth = 1 / ratio;
     if (const auto weights = redistributed(sample.ray_weights, visible)) {
         sample.weights = *weights;
         return sample;
@@ -70,7 +74,8 @@ std::optional<std::uint32_t> SubdividedPatch::known_midpoint(std::uint32_t a,
 }
 
 void SubdividedPatch::append_to(BlendTriangles& drawn,
-                                const std::vector<std::array<std::uint32_t, 3>>& triangles) const {
+                                const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                VertexDepth depth) const {
     constexpr std::uint32_t kNone = 0xffffffffU;
     std::vector<std::uint32_t> index_of(samples_.size(), kNone);
     const FacePolygon& polygon = sampler_.polygon();
@@ -82,6 +87,8 @@ void SubdividedPatch::append_to(BlendTriangles& drawn,
                 BlendVertex& corner = drawn.vertices.emplace_back();
                 corner.pixel = {static_cast<float>(sample.pixel.x()),
                                 static_cast<float>(sample.pixel.y())};
+                corner.depth = static_cast<float>(
+                    depth == VertexDepth::kTrue ? sample.depth : sample.affine_depth);
                 for (std::size_t k = 0; k < 3; ++k) {
                     corner.view_pixels[k] = {static_cast<float>(sample.view_pixels[k].x()),
                                              static_cast<float>(sample.view_pixels[k].y())};

@@ -18,11 +18,21 @@ struct PatchSample {
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
     bool hits = false;  ///< The ray meets the scene; without, the scene plane stands in for it.
     double inverse_depth = 0.0;
+
     double confidence = 0.0;              ///< As in the confidence picture.
     std::array<double, 3> ray_weights{};  ///< Barycentric: from the ray alone.
     std::array<double, 3> weights{};      ///< After occlusion correction; sum 1 or all 0.
     std::array<Eigen::Vector2d, 3> view_pixels{};
     std::array<double, 3> depth_ratios{};  ///< Depth in each view over depth in the eye.
+    /// For interpolation in the picture: one over the mean of these ratios.
+    double affine_depth = 1.0;
+    double depth = 1.0;  ///< One over the inverse depth, not infinite.
+};
+
+/// Which depth vertices are drawn with.
+enum class VertexDepth {
+    kAffine,  ///< Where photographs are looked up is interpolated right, but for how ratios differ.
+    kTrue,    ///< Vertices lie at their places in space, for projective textures.
 };
 
 /// Looks at the scene through one face of the camera mesh.
@@ -67,7 +77,8 @@ class SubdividedPatch {
 
     /// Appends the triangles with all vertices that they name.
     void append_to(BlendTriangles& drawn,
-                   const std::vector<std::array<std::uint32_t, 3>>& triangles) const;
+                   const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                   VertexDepth depth) const;
 
  private:
     [[nodiscard]] static std::uint64_t key(std::uint32_t a, std::uint32_t b) {

@@ -15,7 +15,7 @@ LUMI_VARYING vec3 weight2_and_depth;  // weight of 2, inverse depth, confidence
 #ifdef LUMI_VERTEX
 uniform mat4 clip_from_eye_pixel;
 uniform vec2 layer_size;
-layout(location = 0) in vec2 in_pixel;
+layout(location = 0) in vec3 in_pixel_and_depth;
 layout(location = 1) in vec4 in_view_pixels01;
 layout(location = 2) in vec2 in_view_pixel2;
 layout(location = 3) in vec3 in_weights;
@@ -27,7 +27,8 @@ void main() {
     on_layer2_and_weights = vec4(in_view_pixel2 / layer_size, in_weights.xy);
     weight2_and_depth = vec3(in_weights.z, in_inverse_depth_and_confidence);
     layers_and_face = in_layers_and_face;
-    gl_Position = clip_from_eye_pixel * vec4(in_pixel, 1.0, 0.5);
+    vec3 pixel = vec3(in_pixel_and_depth.xy, 1.0) * in_pixel_and_depth.z;
+    gl_Position = clip_from_eye_pixel * vec4(pixel, 0.5 * pixel.z);
 }
 #endif
 

@@ -17,8 +17,7 @@ flat LUMI_VARYING float layer;
 uniform mat4 clip_from_eye_pixel;
 uniform vec2 layer_size;
 uniform vec3 chosen;  // 1 for the view of this pass, 0 for the others
-uniform float least_inverse_depth;
-layout(location = 0) in vec2 in_pixel;
+layout(location = 0) in vec3 in_pixel_and_depth;
 layout(location = 1) in vec4 in_view_pixels01;
 layout(location = 2) in vec2 in_view_pixel2;
 layout(location = 3) in vec3 in_weights;
@@ -30,13 +29,13 @@ void main() {
     vec2 view_pixel = chosen.x * in_view_pixels01.xy + chosen.y * in_view_pixels01.zw +
                       chosen.z * in_view_pixel2;
     // Vertices at their true places: what is linear in space is interpolated linearly there.
-    float depth = 1.0 / max(in_inverse_depth_and_confidence.x, least_inverse_depth);
+    float depth = in_pixel_and_depth.z;
     on_layer = vec3(view_pixel / layer_size, 1.0) * dot(chosen, in_depth_ratios) * depth;
     weight = dot(chosen, in_weights);
     layer = dot(chosen, in_layers_and_face.xyz);
     layers_and_face = in_layers_and_face;
     inverse_depth_and_confidence = in_inverse_depth_and_confidence;
-    gl_Position = clip_from_eye_pixel * vec4(in_pixel * depth, depth, 0.5 * depth);
+    gl_Position = clip_from_eye_pixel * vec4(in_pixel_and_depth.xy * depth, depth, 0.5 * depth);
 }
 #endif
 

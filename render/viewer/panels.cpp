@@ -12,13 +12,11 @@ namespace lumi {
 namespace {
 
 void show_modes(RenderOptions& render) {
-    for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kPerPixel}) {
+    for (const RenderMode mode : all_render_modes()) {
         if (ImGui::RadioButton(name_of(mode).c_str(), render.mode == mode)) render.mode = mode;
     }
     ImGui::Separator();
-    for (const DebugPicture picture :
-         {DebugPicture::kNone, DebugPicture::kWeights, DebugPicture::kFaces, DebugPicture::kDepth,
-          DebugPicture::kConfidence}) {
+    for (const DebugPicture picture : all_debug_pictures()) {
         const std::string label =
             picture == DebugPicture::kNone ? "picture" : "show " + name_of(picture);
         if (ImGui::RadioButton(label.c_str(), render.debug_picture == picture)) {

@@ -1,0 +1,93 @@
+#include "render/reference/triangle_reference.h"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/reference/sampling.h"
+
+namespace lumi {
+namespace {
+
+std::uint8_t to_byte(double value) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+}
+
+/// One corner's share of a pixel times what it carries, summed over the corners.
+template <class Value>
+auto interpolated(const std::array<const BlendVertex*, 3>& corners, const Eigen::Vector3d& shares,
+                  const Value& value) {
+    return (shares[0] * value(*corners[0]) + shares[1] * value(*corners[1]) +
+            shares[2] * value(*corners[2]))
+        .eval();
+}
+
+void draw_pixel(const std::array<const BlendVertex*, 3>& corners, const Eigen::Vector3d& shares,
+                const Lumigraph& lumigraph, PlaceInterpolation places, int x, int y, Frame& frame) {
+    const Eigen::Vector3d weights = interpolated(corners, shares, [](const BlendVertex& vertex) {
+        return Eigen::Vector3d(vertex.weights[0], vertex.weights[1], vertex.weights[2]);
+    });
+    Eigen::Vector3d color = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Eigen::Vector3d at = interpolated(corners, shares, [&](const BlendVertex& vertex) {
+            const double scale = places == PlaceInterpolation::kProjective
+                                     ? static_cast<double>(vertex.depth) *
+                                           static_cast<double>(vertex.depth_ratios[k])
+                                     : 1.0;
+            return (scale * Eigen::Vector3d(vertex.view_pixels[k][0], vertex.view_pixels[k][1], 1))
+                .eval();
+        });
+        if (!(at.z() > 0)) continue;
+        const auto view = static_cast<std::size_t>(corners[0]->view_layers[k]);
+        color += weights[static_cast<Eigen::Index>(k)] *
+                 bilinear(lumigraph.views[view].photograph, at.hnormalized());
+    }
+    frame.color(x, y) = {to_byte(color.x()), to_byte(color.y()), to_byte(color.z())};
+    frame.coverage(x, y) = to_byte(255 * weights.sum());
+}
+
+void draw_triangle(const std::array<const BlendVertex*, 3>& corners, const Lumigraph& lumigraph,
+                   PlaceInterpolation places, Frame& frame) {
+    Eigen::Matrix3d pixels;
+    Eigen::Array3d inverse_depths;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const BlendVertex& corner = *corners[static_cast<std::size_t>(i)];
+        pixels.col(i) = Eigen::Vector3d(corner.pixel[0], corner.pixel[1], 1);
+        inverse_depths[i] = 1 / static_cast<double>(corner.depth);
+    }
+    if (std::abs(pixels.determinant()) < 1e-9) return;
+    const Eigen::Matrix3d shares_from_pixel = pixels.inverse();
+    const Eigen::Vector2d low = pixels.topRows<2>().rowwise().minCoeff();
+    const Eigen::Vector2d high = pixels.topRows<2>().rowwise().maxCoeff();
+    const int end_x = std::min(frame.color.width(), static_cast<int>(std::ceil(high.x())));
+    const int end_y = std::min(frame.color.height(), static_cast<int>(std::ceil(high.y())));
+    for (int y = std::max(0, static_cast<int>(low.y())); y < end_y; ++y) {
+        for (int x = std::max(0, static_cast<int>(low.x())); x < end_x; ++x) {
+            const Eigen::Array3d in_picture =
+                shares_from_pixel * Eigen::Vector3d(x + 0.5, y + 0.5, 1);
+            if (in_picture.minCoeff() < 0) continue;
+            const Eigen::Array3d in_space = in_picture * inverse_depths;
+            draw_pixel(corners, in_space / in_space.sum(), lumigraph, places, x, y, frame);
+        }
+    }
+}
+
+}  // namespace
+
+Frame draw_reference(const BlendTriangles& triangles, const Lumigraph& lumigraph,
+                     const Camera& eye_camera, PlaceInterpolation places) {
+    Frame frame{ColorImage(eye_camera.width_px, eye_camera.height_px),
+                GrayImage(eye_camera.width_px, eye_camera.height_px),
+                {triangles.count()}};
+    for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
+        draw_triangle({&triangles.vertices[triangles.indices[i]],
+                       &triangles.vertices[triangles.indices[i + 1]],
+                       &triangles.vertices[triangles.indices[i + 2]]},
+                      lumigraph, places, frame);
+    }
+    return frame;
+}
+
+}  // namespace lumi

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "render/lumigraph/lumigraph.h"
+#include "render/modes/blend_triangles.h"
+#include "render/modes/frame.h"
+
+namespace lumi {
+
+/// How places in photographs vary on a triangle.
+enum class PlaceInterpolation {
+    kLinear,      ///< Linearly in space: shaders/blend.glsl.
+    kProjective,  ///< As a projective texture: shaders/projective_pass.glsl.
+};
+
+/// Triangles blended from three photographs each, in plain code: what the modes that subdivide are
+/// tested against. Pixels whose centre no triangle covers stay black and uncovered; where several
+/// do, the last one drawn is seen. Coverage is the sum of the weights.
+[[nodiscard]] Frame draw_reference(const BlendTriangles& triangles, const Lumigraph& lumigraph,
+                                   const Camera& eye_camera, PlaceInterpolation places);
+
+}  // namespace lumi

@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include "render/modes/adaptive_subdivision.h"
+#include "render/modes/offscreen_renderer.h"
+#include "render/modes/paper_subdivision.h"
+#include "render/modes/scene_plane.h"
+#include "render/reference/triangle_reference.h"
+#include "tests/render/analytic_scene.h"
+#include "tests/render/frame_difference.h"
+
+namespace lumi {
+namespace {
+
+void expect_equal(const Frame& drawn, const Frame& expected, const std::string& what) {
+    const FrameDifference difference = difference_between(drawn.color, expected.color);
+    EXPECT_LE(difference.mean, 1.0) << what;
+    EXPECT_LE(difference.share_beyond_two, 0.02) << what;
+    EXPECT_GT(drawn.statistics.triangles, 0U) << what;
+}
+
+void expect_gl_equals_reference(GlApi api) {
+    const RenderOptions defaults;
+    for (const Lumigraph& lumigraph : {card_before_wall(), ball_in_sky()}) {
+        const Camera camera = pinhole_camera(160, 120, 140);
+        const bool is_ball = lumigraph.mesh.scene_centre_in_world.norm() < 1;
+        const Eye eye = is_ball ? eye_at({0.5, 0.6, -2}, {0, 0, 0}, camera)
+                                : eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, camera);
+        const auto geometries = view_geometries(lumigraph);
+        const DepthSearch search(lumigraph, geometries, eye, defaults.occlusion_tolerance_px);
+        const auto polygons = face_polygons(lumigraph.mesh, eye);
+        const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
+        OffscreenRenderer renderer(lumigraph, api);
+        const auto adaptive = adaptive_subdivision(polygons, search, plane, true,
+                                                   {.max_error_px = defaults.triangle_error_px,
+                                                    .min_edge_px = defaults.min_triangle_px,
+                                                    .max_edge_px = defaults.max_triangle_px,
+                                                    .max_triangles = defaults.max_triangles});
+        expect_equal(
+            renderer.draw(eye, {.mode = RenderMode::kAdaptive}),
+            draw_reference(adaptive.triangles, lumigraph, eye.camera, PlaceInterpolation::kLinear),
+            "adaptive");
+        const auto paper =
+            paper_subdivision(polygons, search, plane, inverse_depth_range(lumigraph), true,
+                              {.depth_threshold_share = defaults.depth_threshold_share,
+                               .min_size_px = defaults.min_triangle_px,
+                               .max_size_px = defaults.max_triangle_px});
+        expect_equal(renderer.draw(eye, {.mode = RenderMode::kPaper2001}),
+                     draw_reference(paper, lumigraph, eye.camera, PlaceInterpolation::kProjective),
+                     "paper2001");
+    }
+}
+
+TEST(SubdivisionGl, DrawsWhatThePlainCodeDraws) { expect_gl_equals_reference(GlApi::kAny); }
+TEST(SubdivisionGl, DrawsTheSameOnOpenGlEs) { expect_gl_equals_reference(GlApi::kEs); }
+
+TEST(SubdivisionGl, ACameraReturnsItsPhotographButForEdges) {
+    const Lumigraph lumigraph = ball_in_sky();
+    OffscreenRenderer renderer(lumigraph);
+    const LumigraphView& view = lumigraph.views[2];
+    for (const RenderMode mode : {RenderMode::kAdaptive, RenderMode::kPaper2001}) {
+        const Frame drawn = renderer.draw({view.camera, view.cam_from_world}, {.mode = mode});
+        EXPECT_LT(difference_between(drawn.color, view.photograph).mean, 1.0) << name_of(mode);
+    }
+}
+
+TEST(SubdivisionGl, EveryDebugPictureIsDrawn) {
+    const Lumigraph lumigraph = card_before_wall();
+    OffscreenRenderer renderer(lumigraph);
+    const Eye eye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, pinhole_camera(80, 60, 70));
+    for (const RenderMode mode : {RenderMode::kAdaptive, RenderMode::kPaper2001}) {
+        const Frame picture = renderer.draw(eye, {.mode = mode});
+        for (const DebugPicture debug : all_debug_pictures()) {
+            if (debug == DebugPicture::kNone) continue;
+            const Frame drawn = renderer.draw(eye, {.mode = mode, .debug_picture = debug});
+            EXPECT_GT(difference_between(drawn.color, picture.color).mean, 5.0)
+                << name_of(mode) << ' ' << name_of(debug);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,93 @@
+#include "render/modes/depth_search.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/render/analytic_scene.h"
+
+namespace lumi {
+namespace {
+
+/// The eye's inverse depth of the card at z = 3, which spans +-0.7 by +-0.5, or the wall at z = 6.
+double inverse_depth_before_wall(const Eye& eye, const Eigen::Vector2d& pixel) {
+    const Eigen::Vector3d from = centre_in_world(eye.cam_from_world);
+    const Eigen::Vector3d direction =
+        eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, pixel);
+    const double to_card = (3 - from.z()) / direction.z();
+    const Eigen::Vector3d on_card = from + to_card * direction;
+    const bool is_card = std::abs(on_card.x()) < 0.7 && std::abs(on_card.y()) < 0.5;
+    return 1 / (is_card ? to_card : (6 - from.z()) / direction.z());
+}
+
+TEST(DepthSearch, FindsWhatTheRayMeetsFirst) {
+    const Lumigraph lumigraph = card_before_wall();
+    const auto geometries = view_geometries(lumigraph);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> share(0, 1);
+    int right = 0;
+    int asked = 0;
+    for (const Eigen::Vector3d& place :
+         {Eigen::Vector3d(0.21, 0.13, 0.02), Eigen::Vector3d(-0.2, 0.1, -0.6),
+          Eigen::Vector3d(0.1, -0.1, 0.9)}) {
+        const Eye eye = eye_at(place, {0, 0, 4}, pinhole_camera(64, 48, 80));
+        const DepthSearch search(lumigraph, geometries, eye, 1.0);
+        for (int i = 0; i < 500; ++i) {
+            const Eigen::Vector2d pixel(64 * share(random), 48 * share(random));
+            const auto hit = search.first_hit(pixel, {0, 1, 5});
+            ++asked;
+            // A hundredth of the inverse depth is a hundredth of 20 pixels of disparity.
+            const double truth = inverse_depth_before_wall(eye, pixel);
+            if (hit && std::abs(hit->inverse_depth - truth) < 0.01 * truth) ++right;
+        }
+    }
+    // Wrong are rays that pass the card's outline by less than a sample of the depth maps.
+    EXPECT_GT(right, 0.95 * asked);
+}
+
+TEST(DepthSearch, AtACameraIsItsDepthMap) {
+    const Lumigraph lumigraph = ball_in_sky();
+    const LumigraphView& view = lumigraph.views[4];
+    const Eye eye{view.camera, view.cam_from_world};
+    const DepthSearch search(lumigraph, view_geometries(lumigraph), eye, 1.0);
+    for (int y = 0; y < 48; y += 5) {
+        for (int x = 0; x < 64; x += 5) {
+            const auto hit = search.first_hit({x + 0.5, y + 0.5}, {4, 4, 4});
+            ASSERT_TRUE(hit.has_value()) << x << ' ' << y;
+            EXPECT_NEAR(hit->inverse_depth, view.depth.inverse_depth(x, y), 1e-6);
+        }
+    }
+}
+
+TEST(DepthSearch, MeetsNothingWhereNoPhotographLooks) {
+    const Lumigraph lumigraph = card_before_wall();
+    const Eye eye = eye_at({0, 0, 0}, {0, 0, -4}, pinhole_camera(64, 48, 60));
+    const DepthSearch search(lumigraph, view_geometries(lumigraph), eye, 1.0);
+    EXPECT_FALSE(search.first_hit({32, 24}, {0, 1, 2}).has_value());
+}
+
+TEST(DepthSearch, KnowsWhoSeesTheWallBehindTheCard) {
+    const Lumigraph lumigraph = card_before_wall();
+    // From the left, the wall right behind the card's left edge; cameras on the right do not see
+    // it.
+    const Eye eye = eye_at({-1.4, 0, 0}, {-1, 0, 6}, pinhole_camera(64, 48, 60));
+    const DepthSearch search(lumigraph, view_geometries(lumigraph), eye, 1.0);
+    const Eigen::Vector3d on_wall(-0.9, 0, 6);
+    const Eigen::Vector3d in_eye = eye.cam_from_world * on_wall;
+    const auto pixel = project(eye.camera, in_eye);
+    ASSERT_TRUE(pixel.has_value());
+    const double inverse_depth = 1 / in_eye.z();
+    for (int i = 0; i < 9; ++i) {
+        const Eigen::Vector3d camera =
+            centre_in_world(lumigraph.views[static_cast<std::size_t>(i)].cam_from_world);
+        const double at_card =
+            camera.x() + (on_wall.x() - camera.x()) * (3 - camera.z()) / (6 - camera.z());
+        // A pixel beside the card's edge may fall to either side.
+        if (std::abs(std::abs(at_card) - 0.7) < 0.06) continue;
+        EXPECT_EQ(search.visibility(*pixel, inverse_depth, i), std::abs(at_card) < 0.7 ? 0.0 : 1.0)
+            << i;
+    }
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "render/modes/adaptive_subdivision.h"
+#include "render/modes/paper_subdivision.h"
+#include "render/modes/scene_plane.h"
+#include "render/reference/triangle_reference.h"
+#include "tests/render/analytic_scene.h"
+#include "tests/render/frame_difference.h"
+
+namespace lumi {
+namespace {
+
+const Eye kEye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, pinhole_camera(128, 96, 130));
+
+class Subdivision : public testing::Test {
+ protected:
+    [[nodiscard]] BlendTriangles adaptive(const AdaptiveSubdivisionOptions& options) const {
+        return adaptive_subdivision(polygons_, search_, plane_, true, options).triangles;
+    }
+    [[nodiscard]] BlendTriangles paper(const PaperSubdivisionOptions& options) const {
+        return paper_subdivision(polygons_, search_, plane_, inverse_depth_range(lumigraph_), true,
+                                 options);
+    }
+    [[nodiscard]] double error_of(const BlendTriangles& triangles,
+                                  PlaceInterpolation places) const {
+        return difference_between(draw_reference(triangles, lumigraph_, kEye.camera, places).color,
+                                  ideal_photograph(AnalyticScene::kCardBeforeWall, kEye))
+            .mean;
+    }
+
+    Lumigraph lumigraph_ = card_before_wall();
+    std::vector<ViewGeometry> geometries_ = view_geometries(lumigraph_);
+    std::vector<FacePolygon> polygons_ = face_polygons(lumigraph_.mesh, kEye);
+    DepthSearch search_{lumigraph_, geometries_, kEye, 1.0};
+    Eigen::Vector3d plane_ = scene_plane_inverse_depth(lumigraph_, kEye);
+};
+
+double longest_edge_px(const BlendTriangles& triangles, std::size_t first_index) {
+    double longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const BlendVertex& a = triangles.vertices[triangles.indices[first_index + i]];
+        const BlendVertex& b = triangles.vertices[triangles.indices[first_index + (i + 1) % 3]];
+        longest = std::max(longest, std::hypot(static_cast<double>(a.pixel[0] - b.pixel[0]),
+                                               static_cast<double>(a.pixel[1] - b.pixel[1])));
+    }
+    return longest;
+}
+
+TEST_F(Subdivision, BothReproduceTheSceneButForItsOutlines) {
+    EXPECT_LT(error_of(adaptive({.min_edge_px = 3}), PlaceInterpolation::kLinear), 2.5);
+    EXPECT_LT(error_of(paper({.min_size_px = 3}), PlaceInterpolation::kProjective), 3.0);
+}
+
+TEST_F(Subdivision, PixelErrorsNeedAtMostHalfThePapersTriangles) {
+    const BlendTriangles ours = adaptive({.max_error_px = 0.25, .min_edge_px = 4});
+    const BlendTriangles theirs = paper({.min_size_px = 3});
+    EXPECT_LE(error_of(ours, PlaceInterpolation::kLinear),
+              error_of(theirs, PlaceInterpolation::kProjective));
+    EXPECT_LE(2 * ours.count(), theirs.count());
+}
+
+TEST_F(Subdivision, TheAdaptiveKeepsToTheNumberOfTriangles) {
+    for (const std::size_t most : {200U, 400U, 800U})
+        EXPECT_LE(adaptive({.max_error_px = 0.1, .min_edge_px = 1, .max_triangles = most}).count(),
+                  most);
+}
+
+TEST_F(Subdivision, ThePapersTrianglesAreWithinTheSizesGiven) {
+    const BlendTriangles triangles = paper({.min_size_px = 6, .max_size_px = 20});
+    ASSERT_GT(triangles.count(), 100U);
+    for (std::size_t i = 0; i < triangles.indices.size(); i += 3)
+        EXPECT_LE(longest_edge_px(triangles, i), 20.001);
+}
+
+TEST_F(Subdivision, NoVertexOfThePapersTrianglesLiesWithinAnEdge) {
+    const BlendTriangles triangles = paper({.min_size_px = 6, .max_size_px = 40});
+    for (std::size_t t = 0; t < triangles.indices.size(); t += 3) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto& a = triangles.vertices[triangles.indices[t + i]].pixel;
+            const auto& b = triangles.vertices[triangles.indices[t + (i + 1) % 3]].pixel;
+            const Eigen::Vector2f middle(0.5F * (a[0] + b[0]), 0.5F * (a[1] + b[1]));
+            for (const BlendVertex& vertex : triangles.vertices)
+                ASSERT_GT((Eigen::Vector2f(vertex.pixel[0], vertex.pixel[1]) - middle).norm(),
+                          1e-3F)
+                    << middle.transpose();
+        }
+    }
+}
+
+TEST_F(Subdivision, WeightsAreAllOrNothing) {
+    for (const BlendTriangles& triangles : {adaptive({}), paper({})}) {
+        for (const BlendVertex& vertex : triangles.vertices) {
+            const float sum = vertex.weights[0] + vertex.weights[1] + vertex.weights[2];
+            EXPECT_TRUE(std::abs(sum - 1) < 1e-5F || sum == 0.0F) << sum;
+        }
+    }
+}
+
+TEST_F(Subdivision, APlaneWithoutAnythingBeforeItIsHardlySplit) {
+    Lumigraph wall = lumigraph_;
+    for (LumigraphView& view : wall.views)
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const Eigen::Vector3d direction = view.cam_from_world.rotation.conjugate() *
+                                                  unproject(view.camera, {x + 0.5, y + 0.5});
+                view.depth.inverse_depth(x, y) = static_cast<float>(
+                    direction.z() / (6 - centre_in_world(view.cam_from_world).z()));
+            }
+    const auto geometries = view_geometries(wall);
+    const DepthSearch search(wall, geometries, kEye, 1.0);
+    const AdaptiveSubdivision planar =
+        adaptive_subdivision(polygons_, search, plane_, true, {.min_edge_px = 1});
+    EXPECT_LT(planar.triangles.count(), 120U);
+    EXPECT_EQ(planar.relaxation, 1.0);
+}
+
+}  // namespace
+}  // namespace lumi
