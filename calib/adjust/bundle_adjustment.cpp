@@ -129,6 +129,14 @@ void update_point_errors(Capture& capture) {
     }
 }
 
+BundleFit fit_bundle(Capture& capture, const BundleAdjustmentOptions& options, Progress& progress) {
+    const ceres::Solver::Summary summary = solve_pass(capture, options, false, progress);
+    for (View& view : capture.views) view.cam_from_world.rotation.normalize();
+    return {2 * summary.final_cost, summary.num_residuals,
+            static_cast<int>(summary.iterations.size()),
+            summary.termination_type == ceres::CONVERGENCE};
+}
+
 BundleAdjustmentEvidence adjust_bundle(Capture& capture, const BundleAdjustmentOptions& options,
                                        Progress& progress) {
     BundleAdjustmentEvidence evidence;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "calib/capture/capture.h"
 #include "calib/work/progress.h"
 
@@ -10,6 +12,8 @@ struct BundleAdjustmentOptions {
     int min_track_length = 2;                ///< Points seen by fewer views are dropped. >= 2.
     bool refine_lens = true;
     bool refine_principal_point = false;
+    /// Indices of the parameters that stay as they are, by camera; empty: as the two above say.
+    std::vector<std::vector<int>> held_lens_parameters;
     double robust_scale_px = 1.0;  ///< Of the Cauchy loss, while outliers may be left. > 0.
     int max_iterations = 100;      ///< Of each of the passes. > 0.
 };
@@ -36,6 +40,19 @@ struct BundleAdjustmentEvidence {
 /// Throws Error: E-ADJUST-FEW (no two views share a point), E-ADJUST-FAILED, E-INTERRUPTED.
 BundleAdjustmentEvidence adjust_bundle(Capture& capture, const BundleAdjustmentOptions& options,
                                        Progress& progress);
+
+/// What one pass of least squares came to.
+struct BundleFit {
+    double residual_sum_px2 = 0.0;  ///< Over every observation.
+    int residuals = 0;              ///< Two for each observation.
+    int iterations = 0;
+    bool converged = false;
+};
+
+/// One pass of plain least squares over every observation, the gauge fixed as above: nothing is
+/// looked for, nothing removed. Throws Error: E-ADJUST-FAILED (also when a point lies behind a
+/// camera that saw it), E-INTERRUPTED.
+BundleFit fit_bundle(Capture& capture, const BundleAdjustmentOptions& options, Progress& progress);
 
 /// Sets each point's `error_px` to the mean over its track.
 void update_point_errors(Capture& capture);

@@ -3,20 +3,10 @@
 #include <algorithm>
 
 #include "calib/adjust/reprojection_cost.h"
+#include "calib/lens/lens_form.h"
 
 namespace lumi {
 namespace {
-
-/// The indices of a lens's parameters that stay as they are.
-std::vector<int> constant_lens_parameters(LensModel model, const BundleAdjustmentOptions& options) {
-    std::vector<int> constant;
-    const bool one_focal_length = model == LensModel::kSimplePinhole ||
-                                  model == LensModel::kSimpleRadial || model == LensModel::kRadial;
-    if (!options.refine_principal_point) {
-        constant = one_focal_length ? std::vector<int>{1, 2} : std::vector<int>{2, 3};
-    }
-    return constant;
-}
 
 void hold_lenses(ceres::Problem& problem, const Capture& capture, LensBlocks& lenses,
                  const BundleAdjustmentOptions& options) {
@@ -24,12 +14,12 @@ void hold_lenses(ceres::Problem& problem, const Capture& capture, LensBlocks& le
         const Camera& camera = capture.cameras[index];
         double* const lens = lenses.of(static_cast<int>(index));
         if (!problem.HasParameterBlock(lens)) continue;
-        if (!options.refine_lens) {
+        const std::vector<int> constant = constant_lens_parameters(capture, index, options);
+        if (constant.empty()) continue;
+        if (constant.size() == camera.parameters.size()) {
             problem.SetParameterBlockConstant(lens);
             continue;
         }
-        const std::vector<int> constant = constant_lens_parameters(camera.model, options);
-        if (constant.empty()) continue;
         problem.SetManifold(
             lens, new ceres::SubsetManifold(static_cast<int>(camera.parameters.size()), constant));
     }
@@ -87,6 +77,15 @@ void add_observations(ceres::Problem& problem, Capture& capture, LensBlocks& len
 }
 
 }  // namespace
+
+std::vector<int> constant_lens_parameters(const Capture& capture, std::size_t camera_index,
+                                          const BundleAdjustmentOptions& options) {
+    const LensModel model = capture.cameras[camera_index].model;
+    if (!options.held_lens_parameters.empty()) return options.held_lens_parameters[camera_index];
+    if (!options.refine_lens) return all_held(model).held;
+    if (!options.refine_principal_point) return with_principal_point_held(model).held;
+    return {};
+}
 
 void build_bundle_problem(ceres::Problem& problem, Capture& capture, LensBlocks& lenses,
                           const BundleAdjustmentOptions& options, ceres::LossFunction* loss) {

@@ -38,6 +38,11 @@ class LensBlocks {
     std::vector<std::size_t> offsets_;
 };
 
+/// The indices of a lens's parameters that stay as they are, ascending.
+[[nodiscard]] std::vector<int> constant_lens_parameters(const Capture& capture,
+                                                        std::size_t camera_index,
+                                                        const BundleAdjustmentOptions& options);
+
 /// Adds every observation, the manifolds of rotations, what of the lenses is held, and the gauge.
 /// The problem refers to `capture` and `lenses`, which must not move.
 void build_bundle_problem(ceres::Problem& problem, Capture& capture, LensBlocks& lenses,

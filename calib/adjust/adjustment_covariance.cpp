@@ -1,0 +1,311 @@
+#include "calib/adjust/adjustment_covariance.h"
+
+#include <Eigen/Dense>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "calib/adjust/bundle_problem.h"
+#include "calib/adjust/reprojection_cost.h"
+
+namespace lumi {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index kGauge = 7;  ///< Place, attitude and size of the world.
+
+/// Where the unknowns of poses and lenses stand in the reduced normal equations.
+struct Layout {
+    std::vector<Index> pose_of_view;                ///< -1: the view has no observation.
+    std::vector<std::vector<Index>> lens_unknowns;  ///< By camera and parameter; -1: held.
+    Index pose_unknowns = 0;
+    Index unknowns = 0;
+};
+
+Layout layout_of(const Capture& capture, const BundleAdjustmentOptions& options) {
+    Layout layout;
+    layout.pose_of_view.assign(capture.views.size(), -1);
+    std::vector<char> is_seen(capture.views.size(), 0);
+    for (const ScenePoint& point : capture.points) {
+        for (const Observation& seen : point.track) {
+            is_seen[static_cast<std::size_t>(seen.view_index)] = 1;
+        }
+    }
+    std::vector<char> is_used(capture.cameras.size(), 0);
+    for (std::size_t view = 0; view < capture.views.size(); ++view) {
+        if (is_seen[view] == 0) continue;
+        layout.pose_of_view[view] = layout.unknowns;
+        layout.unknowns += 6;
+        is_used[static_cast<std::size_t>(capture.views[view].camera_index)] = 1;
+    }
+    layout.pose_unknowns = layout.unknowns;
+    for (std::size_t camera = 0; camera < capture.cameras.size(); ++camera) {
+        const std::size_t count = capture.cameras[camera].parameters.size();
+        std::vector<Index> unknowns(count, -1);
+        const std::vector<int> held = constant_lens_parameters(capture, camera, options);
+        for (std::size_t index = 0; index < count && is_used[camera] != 0; ++index) {
+            if (!std::binary_search(held.begin(), held.end(), static_cast<int>(index))) {
+                unknowns[index] = layout.unknowns++;
+            }
+        }
+        layout.lens_unknowns.push_back(std::move(unknowns));
+    }
+    return layout;
+}
+
+/// One observation, linear: by its pose, by what is free of its lens, by the point.
+struct Linearised {
+    Eigen::Vector2d residual_px;
+    Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor, 2, 18> by_camera;
+    Eigen::Matrix<double, 2, 3> by_point;
+    std::array<Index, 18> unknowns;  ///< Of the columns of `by_camera`.
+};
+
+/// Derivatives of every lens model come from the cost that the adjustment itself minimises.
+class Linearisation {
+ public:
+    Linearisation(const Capture& capture, const Layout& layout)
+        : capture_(capture), layout_(layout) {}
+
+    /// False when the point is not in front of the camera.
+    bool at(const ScenePoint& point, const Observation& seen, Linearised& result) const {
+        const auto view_index = static_cast<std::size_t>(seen.view_index);
+        const View& view = capture_.views[view_index];
+        const Camera& lens = camera_of(capture_, view);
+        const Rigid3& pose = view.cam_from_world;
+        const std::array<const double*, 4> blocks{
+            lens.parameters.data(), pose.rotation.coeffs().data(), pose.translation.data(),
+            point.position_in_world.data()};
+        std::array<double, 2 * 12> by_lens{};
+        Eigen::Matrix<double, 2, 3, Eigen::RowMajor> by_translation;
+        std::array<double*, 4> jacobians{by_lens.data(), nullptr, by_translation.data(), nullptr};
+        if (!reprojection_cost(lens.model, seen.pixel)
+                 ->Evaluate(blocks.data(), result.residual_px.data(), jacobians.data())) {
+            return false;
+        }
+        const Eigen::Matrix3d rotation = pose.rotation.toRotationMatrix();
+        const Eigen::Vector3d rotated = rotation * point.position_in_world;
+        Eigen::Matrix3d by_turn;  // Of `rotated`, by a rotation that comes after.
+        by_turn << 0, rotated.z(), -rotated.y(), -rotated.z(), 0, rotated.x(), rotated.y(),
+            -rotated.x(), 0;
+        result.by_point = by_translation * rotation;
+
+        const auto camera_index = static_cast<std::size_t>(view.camera_index);
+        const std::vector<Index>& lens_unknowns = layout_.lens_unknowns[camera_index];
+        const std::size_t count = lens_unknowns.size();
+        Index columns = 6;
+        for (const Index unknown : lens_unknowns) columns += unknown >= 0 ? 1 : 0;
+        result.by_camera.resize(2, columns);
+        result.by_camera.leftCols<3>() = by_translation * by_turn;
+        result.by_camera.middleCols<3>(3) = by_translation;
+        for (Index column = 0; column < 6; ++column) {
+            result.unknowns[static_cast<std::size_t>(column)] =
+                layout_.pose_of_view[view_index] + column;
+        }
+        Index column = 6;
+        for (std::size_t index = 0; index < count; ++index) {
+            if (lens_unknowns[index] < 0) continue;
+            result.by_camera(0, column) = by_lens[index];
+            result.by_camera(1, column) = by_lens[count + index];
+            result.unknowns[static_cast<std::size_t>(column++)] = lens_unknowns[index];
+        }
+        return true;
+    }
+
+ private:
+    const Capture& capture_;
+    const Layout& layout_;
+};
+
+/// The normal equations with the points eliminated, and what moves in the pictures.
+struct Reduced {
+    MatrixXd normal;          ///< Lower triangle.
+    MatrixXd picture_metric;  ///< Mean over each view's points of the squared pixels moved.
+    double residual_sum_px2 = 0.0;
+    Index residuals = 0;
+    Index points = 0;
+};
+
+void add_point(const Linearisation& linearisation, const ScenePoint& point,
+               const std::vector<double>& share_of_view, Reduced& reduced) {
+    std::vector<Linearised> seen;
+    Eigen::Matrix3d normal_of_point = Eigen::Matrix3d::Zero();
+    std::vector<double> shares;
+    for (const Observation& observation : point.track) {
+        Linearised linear;
+        if (!linearisation.at(point, observation, linear)) continue;
+        normal_of_point += linear.by_point.transpose() * linear.by_point;
+        seen.push_back(linear);
+        shares.push_back(share_of_view[static_cast<std::size_t>(observation.view_index)]);
+    }
+    const Eigen::LLT<Eigen::Matrix3d> factor(normal_of_point);
+    if (seen.size() < 2 || factor.info() != Eigen::Success) return;
+    ++reduced.points;
+
+    // Unknowns of this point's cameras, each once, and their coupling with the point.
+    std::map<Index, Eigen::RowVector3d> coupling;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const Linearised& linear = seen[i];
+        reduced.residual_sum_px2 += linear.residual_px.squaredNorm();
+        reduced.residuals += 2;
+        const Index columns = linear.by_camera.cols();
+        const Eigen::MatrixXd products = linear.by_camera.transpose() * linear.by_camera;
+        for (Index row = 0; row < columns; ++row) {
+            const Index r = linear.unknowns[static_cast<std::size_t>(row)];
+            for (Index column = 0; column < columns; ++column) {
+                const Index c = linear.unknowns[static_cast<std::size_t>(column)];
+                if (c > r) continue;
+                reduced.normal(r, c) += products(row, column);
+                reduced.picture_metric(r, c) += shares[i] * products(row, column);
+            }
+            const auto entry = coupling.try_emplace(r, Eigen::RowVector3d::Zero()).first;
+            entry->second += linear.by_camera.col(row).transpose() * linear.by_point;
+        }
+    }
+    for (const auto& [r, row] : coupling) {
+        const Eigen::Vector3d solved = factor.solve(row.transpose());
+        for (const auto& [c, column] : coupling) {
+            if (c > r) break;
+            reduced.normal(r, c) -= column.dot(solved);
+        }
+    }
+}
+
+Reduced reduced_equations(const Capture& capture, const Layout& layout) {
+    Reduced reduced;
+    reduced.normal = MatrixXd::Zero(layout.unknowns, layout.unknowns);
+    reduced.picture_metric = reduced.normal;
+    std::vector<double> share_of_view(capture.views.size(), 0.0);
+    for (const ScenePoint& point : capture.points) {
+        for (const Observation& seen : point.track) {
+            share_of_view[static_cast<std::size_t>(seen.view_index)] += 1;
+        }
+    }
+    for (double& share : share_of_view) share = share > 0 ? 1 / share : 0.0;
+    const Linearisation linearisation(capture, layout);
+    for (const ScenePoint& point : capture.points) {
+        add_point(linearisation, point, share_of_view, reduced);
+    }
+    for (MatrixXd* matrix : {&reduced.normal, &reduced.picture_metric}) {
+        *matrix = matrix->selfadjointView<Eigen::Lower>();
+    }
+    return reduced;
+}
+
+/// How the poses change when the world is moved, turned and scaled: a step that no pixel notices.
+MatrixXd gauge_directions(const Capture& capture, const Layout& layout) {
+    MatrixXd directions = MatrixXd::Zero(layout.unknowns, kGauge);
+    for (std::size_t view = 0; view < capture.views.size(); ++view) {
+        const Index first = layout.pose_of_view[view];
+        if (first < 0) continue;
+        const Rigid3& pose = capture.views[view].cam_from_world;
+        const Eigen::Matrix3d rotation = pose.rotation.toRotationMatrix();
+        directions.block<3, 3>(first, 0) = -rotation;
+        directions.block<3, 3>(first + 3, 3) = -rotation;
+        directions.block<3, 1>(first + 3, 6) = pose.translation;
+    }
+    return directions;
+}
+
+/// The inverse of the singular normal equations under the inner constraints B^T step = 0, with
+/// B = metric * G: (N + B B^T)^-1 - G (G^T B B^T G)^-1 G^T, because N G = 0.
+std::optional<MatrixXd> constrained_inverse(const Reduced& reduced, const MatrixXd& gauge) {
+    MatrixXd constraints = reduced.picture_metric * gauge;
+    for (Index column = 0; column < kGauge; ++column) {
+        const double length = constraints.col(column).norm();
+        if (!(length > 0)) return std::nullopt;
+        constraints.col(column) *= std::sqrt(reduced.normal.diagonal().maxCoeff()) / length;
+    }
+    // Rotations, translations and lens parameters differ by many powers of ten: unit diagonal.
+    MatrixXd regular = reduced.normal + constraints * constraints.transpose();
+    const VectorXd scale = regular.diagonal().cwiseSqrt().cwiseInverse();
+    if (!scale.allFinite()) return std::nullopt;
+    regular = scale.asDiagonal() * regular * scale.asDiagonal();
+    const Eigen::LLT<MatrixXd> factor(regular);
+    constexpr double kSingular = 1e-14;
+    if (factor.info() != Eigen::Success || !(factor.rcond() > kSingular)) return std::nullopt;
+    MatrixXd inverse = factor.solve(MatrixXd::Identity(regular.rows(), regular.cols()));
+    inverse = scale.asDiagonal() * inverse * scale.asDiagonal();
+    const MatrixXd coupling = constraints.transpose() * gauge;
+    const MatrixXd in_gauge = (coupling.transpose() * coupling).ldlt().solve(gauge.transpose());
+    return inverse - gauge * in_gauge;
+}
+
+MatrixXd lens_covariance(const MatrixXd& covariance, const std::vector<Index>& unknowns) {
+    const auto count = static_cast<Index>(unknowns.size());
+    MatrixXd result = MatrixXd::Zero(count, count);
+    for (Index row = 0; row < count; ++row) {
+        for (Index column = 0; column < count; ++column) {
+            const Index r = unknowns[static_cast<std::size_t>(row)];
+            const Index c = unknowns[static_cast<std::size_t>(column)];
+            if (r >= 0 && c >= 0) result(row, column) = covariance(r, c);
+        }
+    }
+    return result;
+}
+
+/// Square root of the mean over the view's observations of sigma_u^2 = J Sigma J^T.
+std::vector<double> jitter_of_views(const Capture& capture, const Layout& layout,
+                                    const MatrixXd& covariance) {
+    std::vector<double> sum_px2(capture.views.size(), 0.0);
+    std::vector<double> coordinates(capture.views.size(), 0.0);
+    const Linearisation linearisation(capture, layout);
+    Linearised linear;
+    for (const ScenePoint& point : capture.points) {
+        for (const Observation& seen : point.track) {
+            if (!linearisation.at(point, seen, linear)) continue;
+            const Index columns = linear.by_camera.cols();
+            MatrixXd block(columns, columns);
+            for (Index row = 0; row < columns; ++row) {
+                for (Index column = 0; column < columns; ++column) {
+                    block(row, column) =
+                        covariance(linear.unknowns[static_cast<std::size_t>(row)],
+                                   linear.unknowns[static_cast<std::size_t>(column)]);
+                }
+            }
+            const auto view = static_cast<std::size_t>(seen.view_index);
+            sum_px2[view] += (linear.by_camera * block * linear.by_camera.transpose()).trace();
+            coordinates[view] += 2;
+        }
+    }
+    std::vector<double> jitter_px;
+    for (std::size_t view = 0; view < sum_px2.size(); ++view) {
+        jitter_px.push_back(coordinates[view] > 0 ? std::sqrt(sum_px2[view] / coordinates[view])
+                                                  : 0.0);
+    }
+    return jitter_px;
+}
+
+}  // namespace
+
+std::optional<AdjustmentCovariance> adjustment_covariance(const Capture& capture,
+                                                          const BundleAdjustmentOptions& options,
+                                                          std::size_t max_views) {
+    const Layout layout = layout_of(capture, options);
+    if (layout.unknowns < 12 || capture.views.size() > max_views) return std::nullopt;
+    const Reduced reduced = reduced_equations(capture, layout);
+    const Index redundancy = reduced.residuals - 3 * reduced.points - (layout.unknowns - kGauge);
+    if (redundancy <= 0) return std::nullopt;
+    std::optional<MatrixXd> covariance =
+        constrained_inverse(reduced, gauge_directions(capture, layout));
+    if (!covariance) return std::nullopt;
+    const double variance_px2 = reduced.residual_sum_px2 / static_cast<double>(redundancy);
+    *covariance *= variance_px2;
+
+    AdjustmentCovariance result;
+    result.noise_px = std::sqrt(variance_px2);
+    for (const Index first : layout.pose_of_view) {
+        result.poses.push_back(first < 0 ? Matrix6(Matrix6::Zero())
+                                         : Matrix6(covariance->block<6, 6>(first, first)));
+    }
+    for (const std::vector<Index>& unknowns : layout.lens_unknowns) {
+        result.lenses.push_back(lens_covariance(*covariance, unknowns));
+    }
+    result.jitter_px = jitter_of_views(capture, layout, *covariance);
+    return result;
+}
+
+}  // namespace lumi

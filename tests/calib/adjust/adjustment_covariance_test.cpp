@@ -1,0 +1,322 @@
+#include "calib/adjust/adjustment_covariance.h"
+
+#include <ceres/ceres.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+#include "calib/adjust/bundle_problem.h"
+#include "tests/calib/adjust/synthetic_capture.h"
+
+namespace lumi {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+Camera true_lens() { return {1000, 800, LensModel::kSimpleRadial, {900, 500, 400, -0.05}}; }
+
+Capture small_scene(double noise_px, unsigned seed = 1) {
+    SyntheticCaptureOptions scene;
+    scene.views = 5;
+    scene.points = 60;
+    scene.noise_px = noise_px;
+    scene.seed = seed;
+    return synthetic_capture(true_lens(), scene);
+}
+
+/// Focal length and k1 are free: two unknowns behind six for each view.
+constexpr Index kFreeOfLens = 2;
+
+/// Pose and lens after a small step: rotation after the pose, translation, f, k1.
+Eigen::Vector2d pixel_after(const Capture& capture, int view_index, const Eigen::Vector3d& point,
+                            const VectorXd& step) {
+    const View& view = capture.views[static_cast<std::size_t>(view_index)];
+    Camera lens = camera_of(capture, view);
+    lens.parameters[0] += step[6];
+    lens.parameters[3] += step[7];
+    const Eigen::Vector3d turn = step.head<3>();
+    const Eigen::Matrix3d rotation =
+        Eigen::AngleAxisd(turn.norm(), turn.norm() > 0 ? Eigen::Vector3d(turn.normalized())
+                                                       : Eigen::Vector3d(1, 0, 0))
+            .toRotationMatrix() *
+        view.cam_from_world.rotation.toRotationMatrix();
+    const Eigen::Vector3d translation = view.cam_from_world.translation + step.segment<3>(3);
+    return project(lens, rotation * point + translation).value();
+}
+
+/// How the picture of a point moves with pose and lens, by difference quotients.
+MatrixXd picture_derivative(const Capture& capture, int view, const Eigen::Vector3d& point) {
+    MatrixXd derivative(2, 8);
+    for (Index unknown = 0; unknown < 8; ++unknown) {
+        VectorXd step = VectorXd::Zero(8);
+        step[unknown] = unknown == 6 ? 1e-3 : 1e-6;
+        derivative.col(unknown) =
+            (pixel_after(capture, view, point, step) - pixel_after(capture, view, point, -step)) /
+            (2 * step[unknown]);
+    }
+    return derivative;
+}
+
+/// Brings steps of all poses and the lens into the gauge in which pictures move least.
+class LeastMovingGauge {
+ public:
+    explicit LeastMovingGauge(const Capture& capture) : views_(capture.views.size()) {
+        const auto unknowns = static_cast<Index>(6 * views_) + kFreeOfLens;
+        MatrixXd metric = MatrixXd::Zero(unknowns, unknowns);
+        std::vector<double> count(views_, 0);
+        picture_.resize(views_, MatrixXd::Zero(8, 8));
+        for (const ScenePoint& point : capture.points) {
+            for (const Observation& seen : point.track) {
+                const MatrixXd derivative =
+                    picture_derivative(capture, seen.view_index, point.position_in_world);
+                const auto view = static_cast<std::size_t>(seen.view_index);
+                picture_[view] += derivative.transpose() * derivative;
+                ++count[view];
+            }
+        }
+        MatrixXd gauge = MatrixXd::Zero(unknowns, 7);
+        for (std::size_t view = 0; view < views_; ++view) {
+            picture_[view] /= count[view];
+            const MatrixXd pick = picked(view, unknowns);
+            metric += pick.transpose() * picture_[view] * pick;
+            const Rigid3& pose = capture.views[view].cam_from_world;
+            const auto row = static_cast<Index>(6 * view);
+            gauge.block<3, 3>(row, 0) = pose.rotation.toRotationMatrix();
+            gauge.block<3, 3>(row + 3, 3) = pose.rotation.toRotationMatrix();
+            gauge.block<3, 1>(row + 3, 6) = pose.translation;
+        }
+        const MatrixXd weighted = metric * gauge;
+        projection_ = MatrixXd::Identity(unknowns, unknowns) -
+                      gauge * (weighted.transpose() * gauge).ldlt().solve(weighted.transpose());
+    }
+
+    [[nodiscard]] const MatrixXd& projection() const { return projection_; }
+
+    /// Pose of `view` and lens, out of all unknowns.
+    [[nodiscard]] static MatrixXd picked(std::size_t view, Index unknowns) {
+        MatrixXd pick = MatrixXd::Zero(8, unknowns);
+        pick.block<6, 6>(0, static_cast<Index>(6 * view)).setIdentity();
+        pick.block<2, 2>(6, unknowns - kFreeOfLens).setIdentity();
+        return pick;
+    }
+
+    /// Mean over points and coordinates of the squared pixels by which a step moves the picture.
+    [[nodiscard]] double moved_px2(std::size_t view, const VectorXd& step) const {
+        const VectorXd own = picked(view, step.size()) * step;
+        return 0.5 * own.dot(picture_[view] * own);
+    }
+
+ private:
+    std::size_t views_;
+    std::vector<MatrixXd> picture_;
+    MatrixXd projection_;
+};
+
+/// Of all poses and f, k1, by Ceres's dense singular value decomposition, first view fixed.
+MatrixXd dense_covariance_of_ceres(Capture capture) {
+    const auto unknowns = static_cast<Index>(6 * capture.views.size()) + kFreeOfLens;
+    ceres::Problem problem;
+    LensBlocks lenses(capture);
+    build_bundle_problem(problem, capture, lenses, {}, nullptr);
+    std::vector<const double*> blocks;
+    for (View& view : capture.views) {
+        blocks.push_back(view.cam_from_world.rotation.coeffs().data());
+        blocks.push_back(view.cam_from_world.translation.data());
+    }
+    blocks.push_back(lenses.of(0));
+    ceres::Covariance::Options options;
+    options.algorithm_type = ceres::DENSE_SVD;
+    ceres::Covariance covariance(options);
+    EXPECT_TRUE(covariance.Compute(blocks, &problem));
+    std::vector<Index> sizes;
+    for (const double* const block : blocks) {
+        sizes.push_back(
+            problem.IsParameterBlockConstant(block) ? 3 : problem.ParameterBlockTangentSize(block));
+    }
+    // Tangent spaces by block: a rotation has 3, and a translation of which one is held has 2.
+    MatrixXd result = MatrixXd::Zero(unknowns, unknowns);
+    const auto place = [&](std::size_t block, Index row) {
+        if (block + 1 == blocks.size()) return unknowns - kFreeOfLens + row;
+        Index skipped = 0;
+        if (block % 2 == 1 && sizes[block] == 2) {
+            const auto* manifold = problem.GetManifold(blocks[block]);
+            std::vector<double> jacobian(6);
+            manifold->PlusJacobian(blocks[block], jacobian.data());
+            // Row of the ambient space whose column is `row`.
+            for (Index ambient = 0; ambient < 3; ++ambient) {
+                if (jacobian[static_cast<std::size_t>(2 * ambient + row)] == 1) skipped = ambient;
+            }
+            return static_cast<Index>(3 * block) + skipped;
+        }
+        return static_cast<Index>(3 * block) + row;
+    };
+    for (std::size_t a = 0; a < blocks.size(); ++a) {
+        for (std::size_t b = 0; b < blocks.size(); ++b) {
+            Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> block(sizes[a],
+                                                                                         sizes[b]);
+            EXPECT_TRUE(
+                covariance.GetCovarianceBlockInTangentSpace(blocks[a], blocks[b], block.data()));
+            // A step of Ceres's quaternion manifold is half a rotation vector.
+            const double scale_a = a + 1 < blocks.size() && a % 2 == 0 ? 2.0 : 1.0;
+            const double scale_b = b + 1 < blocks.size() && b % 2 == 0 ? 2.0 : 1.0;
+            for (Index row = 0; row < sizes[a]; ++row) {
+                for (Index column = 0; column < sizes[b]; ++column) {
+                    result(place(a, row), place(b, column)) =
+                        scale_a * scale_b * block(row, column);
+                }
+            }
+        }
+    }
+    return result;
+}
+
+TEST(AdjustmentCovariance, EqualsCeresDenseCovarianceInTheSameGauge) {
+    Capture capture = small_scene(0.5);
+    SilentProgress progress;
+    const BundleFit fit = fit_bundle(capture, {}, progress);
+    const auto covariance = adjustment_covariance(capture, {});
+    ASSERT_TRUE(covariance.has_value());
+
+    const auto views = static_cast<int>(capture.views.size());
+    const int redundancy = fit.residuals - 3 * static_cast<int>(capture.points.size()) -
+                           (6 * views - 7) - static_cast<int>(kFreeOfLens);
+    const double variance_px2 = fit.residual_sum_px2 / redundancy;
+    EXPECT_NEAR(covariance->noise_px, std::sqrt(variance_px2), 1e-6);
+
+    const LeastMovingGauge gauge(capture);
+    const MatrixXd expected = variance_px2 * gauge.projection() *
+                              dense_covariance_of_ceres(capture) * gauge.projection().transpose();
+    for (std::size_t view = 0; view < capture.views.size(); ++view) {
+        const MatrixXd own =
+            expected.block<6, 6>(static_cast<Index>(6 * view), static_cast<Index>(6 * view));
+        EXPECT_LT((covariance->poses[view] - own).norm(), 1e-4 * own.norm()) << "view " << view;
+        const MatrixXd pick = LeastMovingGauge::picked(view, expected.rows());
+        const MatrixXd with_lens = pick * expected * pick.transpose();
+        double sum_px2 = 0;
+        double count = 0;
+        for (const ScenePoint& point : capture.points) {
+            for (const Observation& seen : point.track) {
+                if (seen.view_index != static_cast<int>(view)) continue;
+                const MatrixXd derivative =
+                    picture_derivative(capture, seen.view_index, point.position_in_world);
+                sum_px2 += (derivative * with_lens * derivative.transpose()).trace();
+                count += 2;
+            }
+        }
+        EXPECT_NEAR(covariance->jitter_px[view], std::sqrt(sum_px2 / count),
+                    1e-4 * covariance->jitter_px[view]);
+    }
+    const MatrixXd lens = expected.bottomRightCorner<2, 2>();
+    EXPECT_NEAR(covariance->lenses[0](0, 0), lens(0, 0), 1e-4 * lens(0, 0));
+    EXPECT_NEAR(covariance->lenses[0](3, 3), lens(1, 1), 1e-4 * lens(1, 1));
+    EXPECT_NEAR(covariance->lenses[0](0, 3), lens(0, 1), 1e-4 * std::abs(lens(0, 1)));
+    EXPECT_EQ(covariance->lenses[0](1, 1), 0.0);
+}
+
+/// The step from the true poses and lens to the estimated ones.
+VectorXd step_between(const Capture& truth, const Capture& estimate) {
+    VectorXd step(static_cast<Index>(6 * truth.views.size()) + kFreeOfLens);
+    for (std::size_t view = 0; view < truth.views.size(); ++view) {
+        const Rigid3& a = truth.views[view].cam_from_world;
+        const Rigid3& b = estimate.views[view].cam_from_world;
+        const Eigen::AngleAxisd turn(
+            Eigen::Matrix3d((b.rotation * a.rotation.conjugate()).toRotationMatrix()));
+        step.segment<3>(static_cast<Index>(6 * view)) = turn.angle() * turn.axis();
+        step.segment<3>(static_cast<Index>(6 * view + 3)) = b.translation - a.translation;
+    }
+    step.tail<2>() << estimate.cameras[0].parameters[0] - truth.cameras[0].parameters[0],
+        estimate.cameras[0].parameters[3] - truth.cameras[0].parameters[3];
+    return step;
+}
+
+TEST(AdjustmentCovariance, PredictsTheJitterAndTheErrorsOfRepeatedCaptures) {
+    const Capture truth = small_scene(0.0);
+    const LeastMovingGauge gauge(truth);
+    constexpr int kDraws = 100;
+    constexpr double kTwoSided95 = 1.96;
+    std::vector<double> moved_px2(truth.views.size(), 0.0);
+    std::vector<double> predicted_px2(truth.views.size(), 0.0);
+    int intervals = 0;
+    int containing = 0;
+    int containing_focal = 0;
+    SilentProgress progress;
+    std::mt19937 random(11);
+    std::normal_distribution<double> noise_px(0.0, 0.5);
+    for (int draw = 0; draw < kDraws; ++draw) {
+        Capture capture = truth;
+        for (ScenePoint& point : capture.points) {
+            for (Observation& seen : point.track) {
+                seen.pixel += Eigen::Vector2d(noise_px(random), noise_px(random));
+            }
+        }
+        fit_bundle(capture, {}, progress);
+        const auto covariance = adjustment_covariance(capture, {});
+        ASSERT_TRUE(covariance.has_value());
+        const VectorXd step = gauge.projection() * step_between(truth, capture);
+        for (std::size_t view = 0; view < truth.views.size(); ++view) {
+            moved_px2[view] += gauge.moved_px2(view, step) / kDraws;
+            predicted_px2[view] +=
+                covariance->jitter_px[view] * covariance->jitter_px[view] / kDraws;
+            for (Index row = 0; row < 6; ++row) {
+                ++intervals;
+                containing += std::abs(step[static_cast<Index>(6 * view) + row]) <=
+                              kTwoSided95 * std::sqrt(covariance->poses[view](row, row));
+            }
+        }
+        containing_focal +=
+            std::abs(step[step.size() - 2]) <= kTwoSided95 * std::sqrt(covariance->lenses[0](0, 0));
+    }
+    for (std::size_t view = 0; view < truth.views.size(); ++view) {
+        EXPECT_NEAR(std::sqrt(moved_px2[view] / predicted_px2[view]), 1.0, 0.12) << "view " << view;
+    }
+    EXPECT_NEAR(static_cast<double>(containing) / intervals, 0.95, 0.02);
+    EXPECT_GE(containing_focal, 89);  // 95 expected; two in a thousand fall below 89.
+}
+
+TEST(AdjustmentCovariance, MoreObservationsAreMoreCertainByTheirRoot) {
+    SyntheticCaptureOptions scene;
+    scene.noise_px = 0.5;
+    scene.points = 100;
+    Capture few = synthetic_capture(true_lens(), scene);
+    scene.points = 400;
+    Capture many = synthetic_capture(true_lens(), scene);
+    SilentProgress progress;
+    fit_bundle(few, {}, progress);
+    fit_bundle(many, {}, progress);
+    const auto of_few = adjustment_covariance(few, {});
+    const auto of_many = adjustment_covariance(many, {});
+    ASSERT_TRUE(of_few && of_many);
+    const double ratio = std::sqrt(of_few->lenses[0](0, 0) / of_many->lenses[0](0, 0));
+    EXPECT_NEAR(ratio, 2.0, 0.4);
+}
+
+TEST(AdjustmentCovariance, ViewsThatOnlyTurnAreNotDetermined) {
+    // Two cameras in one place: points may lie at any depth.
+    Capture capture = small_scene(0.0);
+    capture.views.resize(2);
+    capture.views[1].cam_from_world = capture.views[0].cam_from_world;
+    for (ScenePoint& point : capture.points) {
+        std::erase_if(point.track, [](const Observation& seen) { return seen.view_index > 0; });
+        if (point.track.empty()) continue;
+        point.track.push_back({1, point.track[0].pixel});
+    }
+    EXPECT_FALSE(adjustment_covariance(capture, {}).has_value());
+}
+
+TEST(AdjustmentCovariance, AHeldLensHasNone) {
+    Capture capture = small_scene(0.5);
+    BundleAdjustmentOptions options;
+    options.refine_lens = false;
+    SilentProgress progress;
+    fit_bundle(capture, options, progress);
+    const auto covariance = adjustment_covariance(capture, options);
+    ASSERT_TRUE(covariance.has_value());
+    EXPECT_EQ(covariance->lenses[0], MatrixXd(MatrixXd::Zero(4, 4)));
+    EXPECT_FALSE(adjustment_covariance(capture, options, 3).has_value());
+}
+
+}  // namespace
+}  // namespace lumi
