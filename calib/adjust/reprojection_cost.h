@@ -1,7 +1,6 @@
 #pragma once
 
 #include <ceres/ceres.h>
-#include <ceres/rotation.h>
 
 #include <Eigen/Geometry>
 #include <cstddef>
@@ -11,8 +10,8 @@
 
 namespace lumi {
 
-/// The lens models again, for Ceres to differentiate: `camera.cpp` states them in plain doubles,
-/// and a test holds both to the same pixels.
+/// The lens models again, to be differentiated: `camera.cpp` states them in plain doubles, and a
+/// test holds both to the same pixels.
 
 /// Brown's radial and tangential distortion at depth 1, with OpenCV's rational radial factor.
 template <class T>
@@ -42,31 +41,7 @@ Eigen::Matrix<T, 2, 1> distorted_fisheye(const Eigen::Matrix<T, 2, 1>& point, co
     return point * (bent / r);
 }
 
-/// Pixel of a point at depth 1, for the parameters of `model` in COLMAP's order.
-template <LensModel model, class T>
-Eigen::Matrix<T, 2, 1> pixel_of(const T* lens, const Eigen::Matrix<T, 2, 1>& point) {
-    constexpr bool kOneFocalLength = model == LensModel::kSimplePinhole ||
-                                     model == LensModel::kSimpleRadial ||
-                                     model == LensModel::kRadial;
-    constexpr int kCentre = kOneFocalLength ? 1 : 2;
-    const T* const k = lens + kCentre + 2;
-    const T zero(0);
-    Eigen::Matrix<T, 2, 1> bent = point;
-    if constexpr (model == LensModel::kSimpleRadial) {
-        bent = distorted_brown(point, k[0], zero, zero, zero, zero, zero, zero, zero);
-    } else if constexpr (model == LensModel::kRadial) {
-        bent = distorted_brown(point, k[0], k[1], zero, zero, zero, zero, zero, zero);
-    } else if constexpr (model == LensModel::kOpenCv) {
-        bent = distorted_brown(point, k[0], k[1], k[2], k[3], zero, zero, zero, zero);
-    } else if constexpr (model == LensModel::kFullOpenCv) {
-        bent = distorted_brown(point, k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7]);
-    } else if constexpr (model == LensModel::kOpenCvFisheye) {
-        bent = distorted_fisheye(point, k);
-    }
-    return {lens[0] * bent.x() + lens[kCentre],
-            lens[kOneFocalLength ? 0 : 1] * bent.y() + lens[kCentre + 1]};
-}
-
+/// How many parameters the model has.
 constexpr std::size_t lens_size(LensModel model) {
     switch (model) {
         case LensModel::kSimplePinhole:
@@ -85,42 +60,39 @@ constexpr std::size_t lens_size(LensModel model) {
     return 0;
 }
 
-/// Pixel where a point is predicted minus pixel where it was seen. Parameter blocks: lens,
-/// rotation cam_from_world (Eigen's order x, y, z, w), translation cam_from_world, point in world.
-template <LensModel model>
-class ReprojectionCost {
- public:
-    explicit ReprojectionCost(const Eigen::Vector2d& seen_at) : seen_at_(seen_at) {}
+/// Index of cx among the parameters.
+constexpr int principal_point_index(LensModel model) {
+    return model == LensModel::kSimplePinhole || model == LensModel::kSimpleRadial ||
+                   model == LensModel::kRadial
+               ? 1
+               : 2;
+}
 
-    [[nodiscard]] static std::unique_ptr<ceres::CostFunction> create(
-        const Eigen::Vector2d& seen_at) {
-        constexpr int kLens = static_cast<int>(lens_size(model));
-        return std::make_unique<ceres::AutoDiffCostFunction<ReprojectionCost, 2, kLens, 4, 3, 3>>(
-            new ReprojectionCost(seen_at));
+/// Pixel of a point at depth 1, for the parameters of `model` in COLMAP's order.
+template <LensModel model, class T>
+Eigen::Matrix<T, 2, 1> pixel_of(const T* lens, const Eigen::Matrix<T, 2, 1>& point) {
+    constexpr int kCentre = principal_point_index(model);
+    const T* const k = lens + kCentre + 2;
+    const T zero(0);
+    Eigen::Matrix<T, 2, 1> bent = point;
+    if constexpr (model == LensModel::kSimpleRadial) {
+        bent = distorted_brown(point, k[0], zero, zero, zero, zero, zero, zero, zero);
+    } else if constexpr (model == LensModel::kRadial) {
+        bent = distorted_brown(point, k[0], k[1], zero, zero, zero, zero, zero, zero);
+    } else if constexpr (model == LensModel::kOpenCv) {
+        bent = distorted_brown(point, k[0], k[1], k[2], k[3], zero, zero, zero, zero);
+    } else if constexpr (model == LensModel::kFullOpenCv) {
+        bent = distorted_brown(point, k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7]);
+    } else if constexpr (model == LensModel::kOpenCvFisheye) {
+        bent = distorted_fisheye(point, k);
     }
+    return {lens[0] * bent.x() + lens[kCentre], lens[kCentre - 1] * bent.y() + lens[kCentre + 1]};
+}
 
-    /// False when the point is not in front of the camera: Ceres then takes a shorter step.
-    template <class T>
-    bool operator()(const T* lens, const T* rotation, const T* translation, const T* point,
-                    T* residual) const {
-        using Vector3 = Eigen::Matrix<T, 3, 1>;
-        const Vector3 point_in_cam =
-            Eigen::Map<const Eigen::Quaternion<T>>(rotation) * Eigen::Map<const Vector3>(point) +
-            Eigen::Map<const Vector3>(translation);
-        if (!(point_in_cam.z() > T(1e-9))) return false;
-        const Eigen::Matrix<T, 2, 1> at_depth_one =
-            point_in_cam.template head<2>() / point_in_cam.z();
-        const Eigen::Matrix<T, 2, 1> pixel = pixel_of<model>(lens, at_depth_one);
-        residual[0] = pixel.x() - seen_at_.x();
-        residual[1] = pixel.y() - seen_at_.y();
-        return true;
-    }
-
- private:
-    Eigen::Vector2d seen_at_;
-};
-
-/// The cost of an observation under a lens model known only at run time.
+/// Pixel where a point is predicted minus pixel where it was seen, under a lens model known only at
+/// run time, with its derivatives. Parameter blocks: lens, rotation cam_from_world (Eigen's order
+/// x, y, z, w), translation cam_from_world, point in world. There is no value when the point is not
+/// in front of the camera.
 [[nodiscard]] std::unique_ptr<ceres::CostFunction> reprojection_cost(
     LensModel model, const Eigen::Vector2d& seen_at);
 

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,6 +18,55 @@ struct LensCase {
     LensModel model;
     std::vector<double> parameters;
 };
+
+/// The same residual for Ceres to differentiate by itself.
+template <LensModel model>
+struct AutomaticCost {
+    Eigen::Vector2d seen_at;
+
+    template <class T>
+    bool operator()(const T* lens, const T* rotation, const T* translation, const T* point,
+                    T* residual) const {
+        using Vector3 = Eigen::Matrix<T, 3, 1>;
+        const Vector3 point_in_cam =
+            Eigen::Map<const Eigen::Quaternion<T>>(rotation) * Eigen::Map<const Vector3>(point) +
+            Eigen::Map<const Vector3>(translation);
+        const Eigen::Matrix<T, 2, 1> at_depth_one =
+            point_in_cam.template head<2>() / point_in_cam.z();
+        const Eigen::Matrix<T, 2, 1> pixel = pixel_of<model>(lens, at_depth_one);
+        residual[0] = pixel.x() - seen_at.x();
+        residual[1] = pixel.y() - seen_at.y();
+        return true;
+    }
+};
+
+template <LensModel model>
+std::unique_ptr<ceres::CostFunction> automatic(const Eigen::Vector2d& seen_at) {
+    return std::make_unique<ceres::AutoDiffCostFunction<
+        AutomaticCost<model>, 2, static_cast<int>(lens_size(model)), 4, 3, 3>>(
+        new AutomaticCost<model>{seen_at});
+}
+
+std::unique_ptr<ceres::CostFunction> automatic_cost(LensModel model,
+                                                    const Eigen::Vector2d& seen_at) {
+    switch (model) {
+        case LensModel::kSimplePinhole:
+            return automatic<LensModel::kSimplePinhole>(seen_at);
+        case LensModel::kPinhole:
+            return automatic<LensModel::kPinhole>(seen_at);
+        case LensModel::kSimpleRadial:
+            return automatic<LensModel::kSimpleRadial>(seen_at);
+        case LensModel::kRadial:
+            return automatic<LensModel::kRadial>(seen_at);
+        case LensModel::kOpenCv:
+            return automatic<LensModel::kOpenCv>(seen_at);
+        case LensModel::kOpenCvFisheye:
+            return automatic<LensModel::kOpenCvFisheye>(seen_at);
+        case LensModel::kFullOpenCv:
+            return automatic<LensModel::kFullOpenCv>(seen_at);
+    }
+    return nullptr;
+}
 
 class ReprojectionCostOf : public testing::TestWithParam<LensCase> {
  protected:
@@ -34,6 +86,29 @@ TEST_P(ReprojectionCostOf, EqualsTheProjectionStatedInPlainCode) {
     Eigen::Vector2d residual;
     ASSERT_TRUE(cost->Evaluate(blocks.data(), residual.data(), nullptr));
     EXPECT_LT((residual + seen_at_ - *expected).norm(), 1e-9);
+}
+
+TEST_P(ReprojectionCostOf, DerivativesEqualAutomaticOnes) {
+    const LensCase& lens = GetParam();
+    const std::array<const double*, 4> blocks{lens.parameters.data(), rotation_.coeffs().data(),
+                                              translation_.data(), point_.data()};
+    const auto derivatives = [&](const ceres::CostFunction& cost) {
+        std::array<std::array<double, 24>, 4> values{};
+        std::array<double*, 4> pointers{values[0].data(), values[1].data(), values[2].data(),
+                                        values[3].data()};
+        Eigen::Vector2d residual;
+        EXPECT_TRUE(cost.Evaluate(blocks.data(), residual.data(), pointers.data()));
+        return values;
+    };
+    const auto written_out = derivatives(*reprojection_cost(lens.model, seen_at_));
+    const auto expected = derivatives(*automatic_cost(lens.model, seen_at_));
+    for (std::size_t block = 0; block < expected.size(); ++block) {
+        for (std::size_t index = 0; index < expected[block].size(); ++index) {
+            EXPECT_NEAR(written_out[block][index], expected[block][index],
+                        1e-10 * std::max(1.0, std::abs(expected[block][index])))
+                << "block " << block << " index " << index;
+        }
+    }
 }
 
 TEST_P(ReprojectionCostOf, DerivativesEqualDifferenceQuotients) {
