@@ -110,11 +110,15 @@ std::string camera_key_of(const ExifFacts& exif, ImageSize size) {
     std::string key = std::to_string(size.width_px) + "x" + std::to_string(size.height_px);
     if (!exif.make.empty()) key += " " + exif.make;
     if (!exif.model.empty()) key += " " + exif.model;
-    if (exif.focal_length_mm) {
-        char text[32];
-        std::snprintf(text, sizeof(text), " %.4g mm", *exif.focal_length_mm);
+    const auto add_length = [&](const char* format, const std::optional<double>& length_mm) {
+        if (!length_mm) return;
+        char text[40];
+        std::snprintf(text, sizeof(text), format, *length_mm);
         key += text;
-    }
+    };
+    add_length(" %.4g mm", exif.focal_length_mm);
+    // The crop of a digital zoom shows in the equivalent alone.
+    add_length(" (%.4g mm)", exif.focal_length_35mm_equivalent_mm);
     return key;
 }
 

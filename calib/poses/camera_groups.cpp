@@ -25,6 +25,14 @@ double longer_side_px(const Photograph& photograph) {
 /// A guess for a lens that nothing is known of.
 double guessed_focal_length_px(const std::vector<Photograph>& photographs,
                                const Photograph& photograph) {
+    std::vector<double> of_same_size;
+    for (const Photograph& other : photographs) {
+        if (other.width_px == photograph.width_px && other.height_px == photograph.height_px &&
+            other.focal_length_px && *other.focal_length_px > 0) {
+            of_same_size.push_back(*other.focal_length_px);
+        }
+    }
+    if (!of_same_size.empty()) return median_of(of_same_size);
     constexpr double kFocalLengthPerLongerSide = 1.2;
     constexpr double kSameCamera = 0.1;
     std::vector<double> sides;
@@ -69,7 +77,8 @@ ColmapCamera camera_for(const std::vector<Photograph>& photographs, const std::v
         const auto& focal_length = photographs[static_cast<std::size_t>(index)].focal_length_px;
         if (focal_length && *focal_length > 0) focal_lengths.push_back(*focal_length);
     }
-    const LensModel model = lens_model_named(options.lens_model).value();
+    // What "auto" will choose is not known before there are poses: the usual lens is a start.
+    const LensModel model = lens_model_named(options.lens_model).value_or(LensModel::kSimpleRadial);
     const double focal_px = focal_lengths.empty() ? guessed_focal_length_px(photographs, photograph)
                                                   : median_of(focal_lengths);
     return {lens_with_focal_length(photograph, model, focal_px), !focal_lengths.empty()};

@@ -19,9 +19,11 @@ struct CameraGroups {
 /// `shared_lens` each photograph is a group of its own.
 ///
 /// A given lens is rescaled to each group's size and refused (E-POSES-LENS) when the photographs
-/// have another shape. Otherwise the focal length is EXIF's (the median of the group) or, unknown,
-/// 1.2 times the longer side, as COLMAP guesses; the latter from the median size of all photographs
-/// whose size is within 10 % of it, because crops of one camera's pictures keep its focal length.
+/// have another shape. Otherwise the focal length is EXIF's (the median of the group); unknown,
+/// that of other photographs of exactly this size, whose camera it most likely was; or, unknown
+/// there too, 1.2 times the longer side, as COLMAP guesses; the latter from the median size of all
+/// photographs whose size is within 10 % of it, because crops of one camera's pictures keep its
+/// focal length.
 [[nodiscard]] CameraGroups group_cameras(const std::vector<Photograph>& photographs,
                                          const std::optional<Camera>& given_lens,
                                          const PoseOptions& options);

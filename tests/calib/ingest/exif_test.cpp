@@ -61,7 +61,7 @@ TEST(Exif, ReadsWhatTheCameraWrote) {
     EXPECT_EQ(exif.model, "One");
     EXPECT_NEAR(exif.focal_length_mm.value(), 4.25, 1e-4);
     EXPECT_EQ(exif.focal_length_35mm_equivalent_mm, 26.0);
-    EXPECT_EQ(camera_key_of(exif, {160, 120}), "160x120 Maker One 4.25 mm");
+    EXPECT_EQ(camera_key_of(exif, {160, 120}), "160x120 Maker One 4.25 mm (26 mm)");
     // The 160 x 120 raster has a diagonal of exactly 200 pixels.
     EXPECT_NEAR(focal_length_px_of(exif, {160, 120}).value(), 26 * 200 / 43.2666, 1e-3);
 }
@@ -73,6 +73,25 @@ TEST(Exif, AFileWithoutItHasNoFocalLength) {
     EXPECT_EQ(exif.orientation, 1);
     EXPECT_FALSE(focal_length_px_of(exif, {160, 120}).has_value());
     EXPECT_EQ(camera_key_of(exif, {160, 120}), "160x120");
+}
+
+TEST(Exif, PhotographsOfAnotherZoomHaveAnotherKey) {
+    ExifFacts wide;
+    wide.make = "Maker";
+    wide.model = "Zoom";
+    wide.focal_length_mm = 18;
+    ExifFacts tele = wide;
+    tele.focal_length_mm = 55;
+    EXPECT_NE(camera_key_of(wide, {160, 120}), camera_key_of(tele, {160, 120}));
+    // A telephone's digital zoom changes the equivalent alone; some cameras write nothing else.
+    ExifFacts digital = wide;
+    wide.focal_length_35mm_equivalent_mm = 26;
+    digital.focal_length_35mm_equivalent_mm = 52;
+    EXPECT_NE(camera_key_of(wide, {160, 120}), camera_key_of(digital, {160, 120}));
+    wide.focal_length_mm.reset();
+    digital.focal_length_mm.reset();
+    EXPECT_NE(camera_key_of(wide, {160, 120}), camera_key_of(digital, {160, 120}));
+    EXPECT_NE(camera_key_of(wide, {160, 120}), camera_key_of(wide, {120, 160}));
 }
 
 TEST(Exif, FocalLengthFollowsThePixelPitchAndTheScaleSinceTheShot) {

@@ -66,6 +66,30 @@ TEST(CameraGroups, EveryLensModelStartsWithoutDistortion) {
     }
 }
 
+TEST(CameraGroups, MixedZoomsAreLensesOfTheirOwnWithTheirOwnFocalLengths) {
+    const CameraGroups groups = group_cameras({photograph("800x600 Maker 18 mm", 800, 600, 640),
+                                               photograph("800x600 Maker 55 mm", 800, 600, 1950),
+                                               photograph("800x600 Maker 18 mm", 800, 600, 640),
+                                               photograph("800x600 Maker 55 mm", 800, 600, 1960)},
+                                              std::nullopt, {});
+    EXPECT_EQ(groups.camera_of_photograph, (std::vector<int>{0, 1, 0, 1}));
+    EXPECT_EQ(groups.cameras[0].camera.parameters[0], 640);
+    EXPECT_NEAR(groups.cameras[1].camera.parameters[0], 1955, 5.1);
+}
+
+TEST(CameraGroups, APhotographWithoutExifStartsFromThoseOfItsSize) {
+    // One that lost its EXIF data is a group of its own: its zoom is not known. Its best guess is
+    // what photographs of its size were taken with.
+    const CameraGroups groups = group_cameras(
+        {photograph("800x600 Maker 18 mm", 800, 600, 640), photograph("800x600", 800, 600),
+         photograph("800x600 Maker 18 mm", 800, 600, 640), photograph("900x600", 900, 600)},
+        std::nullopt, {});
+    EXPECT_EQ(groups.camera_of_photograph, (std::vector<int>{0, 1, 0, 2}));
+    EXPECT_EQ(groups.cameras[1].camera.parameters[0], 640);
+    EXPECT_FALSE(groups.cameras[1].focal_length_is_known);
+    EXPECT_EQ(groups.cameras[2].camera.parameters[0], 1.2 * 900);
+}
+
 TEST(CameraGroups, AGivenLensIsRescaled) {
     const Camera given{1600, 1200, LensModel::kRadial, {1500, 810, 590, -0.1, 0.02}};
     const CameraGroups groups = group_cameras({photograph("a", 800, 600, 333)}, given, {});
