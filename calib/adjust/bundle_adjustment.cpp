@@ -1,6 +1,7 @@
 #include "calib/adjust/bundle_adjustment.h"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <algorithm>
 #include <array>
@@ -67,8 +68,18 @@ double rms_px(const Capture& capture) {
     return count == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(count));
 }
 
+/// Ceres tells of every step that it had to shorten, on stderr, where libraries say nothing.
+void silence_ceres() {
+    static const bool is_silent = [] {
+        FLAGS_minloglevel = google::GLOG_FATAL;
+        return true;
+    }();
+    static_cast<void>(is_silent);
+}
+
 ceres::Solver::Summary solve_pass(Capture& capture, const BundleAdjustmentOptions& options,
                                   bool robust, Progress& progress) {
+    silence_ceres();
     ceres::Problem::Options problem_options;
     problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ceres::CauchyLoss cauchy(options.robust_scale_px);

@@ -139,7 +139,9 @@ std::optional<LensChoice> select_lens(const Capture& capture, int camera_index,
         std::count_if(capture.views.begin(), capture.views.end(),
                       [&](const View& view) { return view.camera_index == camera_index; });
     if (views < options.min_views) return std::nullopt;
-    const Capture part = representative_part(capture, options.max_observations);
+    const Capture part = representative_part(
+        capture, std::min(options.max_observations,
+                          options.max_observations_per_view * static_cast<int>(views)));
     const Camera& original = capture.cameras[static_cast<std::size_t>(camera_index)];
     std::vector<LensForm> ascending = forms;
     std::stable_sort(ascending.begin(), ascending.end(), [](const auto& a, const auto& b) {

@@ -13,8 +13,11 @@ namespace lumi {
 struct LensSelectionOptions {
     HeldOutViewsOptions held_out;
     /// Forms are compared on the points that cover the pictures best, up to about so many
-    /// observations: more make the choice no firmer than the number of views allows. > 0.
-    int max_observations = 6000;
+    /// observations a view and in all. Thinned out, they are closer to independent than features
+    /// that crowd together, and more of them would make the choice no firmer than the number of
+    /// views allows. > 0.
+    int max_observations_per_view = 250;
+    int max_observations = 8000;
     int min_views = 5;  ///< Of the camera: with fewer, nothing can be held out. >= 3.
 };
 

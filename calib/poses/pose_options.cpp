@@ -14,9 +14,9 @@ namespace {
 }  // namespace
 
 void validate(const PoseOptions& options) {
-    if (!lens_model_named(options.lens_model)) {
+    if (options.lens_model != "auto" && !lens_model_named(options.lens_model)) {
         refuse("lens_model",
-               "SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV, OPENCV_FISHEYE or "
+               "auto, SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV, OPENCV_FISHEYE or "
                "FULL_OPENCV");
     }
     if (options.max_features <= 0) refuse("max_features", "more than 0");

@@ -4,10 +4,10 @@
 #include <map>
 #include <system_error>
 
-#include "calib/adjust/bundle_adjustment.h"
 #include "calib/poses/mapping.h"
 #include "calib/poses/model_check.h"
 #include "calib/poses/point_colors.h"
+#include "calib/poses/refinement.h"
 #include "calib/poses/registration.h"
 #include "calib/work/error.h"
 
@@ -32,19 +32,6 @@ void expect_photographs(const std::vector<Photograph>& photographs) {
     throw Error(ErrorKind::kBadInput, "E-POSES-FEW",
                 "one photograph is not enough: at least two are needed",
                 "add photographs of the same subject from other places");
-}
-
-/// Adjusts, drops what no longer holds, and adjusts again when something was dropped.
-void refine(Capture& capture, const PoseOptions& options, bool refine_lens, Progress& progress) {
-    constexpr std::size_t kMinPointsOfView = 12;  // Twice what a pose needs in unknowns.
-    BundleAdjustmentOptions adjustment;
-    adjustment.max_reprojection_error_px = options.max_reprojection_error_px;
-    adjustment.min_track_length = options.min_track_length;
-    adjustment.refine_lens = refine_lens;
-    adjust_bundle(capture, adjustment, progress);
-    const std::size_t views_before = capture.views.size();
-    drop_weak_views(capture, kMinPointsOfView);
-    if (capture.views.size() != views_before) adjust_bundle(capture, adjustment, progress);
 }
 
 void refuse_too_few(const Capture& capture, const std::vector<Photograph>& photographs,
@@ -105,7 +92,8 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
     make_empty(scratch_folder);
     PoseResult result;
     const CameraGroups groups = group_cameras(photographs, given_lens, options);
-    const bool refine_lens = !given_lens || options.refine_lens;
+    // A given lens is held until there are poses to judge it by.
+    const bool refine_lens = !given_lens;
     const MappingJob job{photographs,    groups,  options,  given_lens.has_value(), refine_lens,
                          scratch_folder, threads, progress, result.evidence};
 
@@ -116,7 +104,8 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
     if (!mapped) refuse_without_model(matched.motion, static_cast<int>(photographs.size()));
 
     result.capture = std::move(*mapped);
-    refine(result.capture, options, refine_lens, progress);
+    refine(result.capture, lens_policy(given_lens.has_value(), options), options, threads,
+           result.evidence, progress);
     result.not_registered =
         explain_unregistered(result.capture, photographs, matched.photographs, matched.pairs);
     refuse_too_few(result.capture, photographs, result.not_registered, options);

@@ -7,6 +7,7 @@
 
 #include "calib/capture/posed_photographs.h"
 #include "calib/ingest/ingest.h"
+#include "calib/lens/lens_choice.h"
 #include "calib/work/config_section.h"
 #include "calib/work/progress.h"
 
@@ -14,17 +15,18 @@ namespace lumi {
 
 /// How poses are found.
 struct PoseOptions {
-    std::string lens_model = "SIMPLE_RADIAL";  ///< What is estimated when no lens is given.
-    bool shared_lens = true;                   ///< One lens for photographs of one camera and zoom.
-    bool refine_lens = true;                   ///< Also refine a lens that was given.
-    int max_features = 4096;                   ///< Per photograph. > 0.
-    double max_reprojection_error_px = 2.0;    ///< Observations beyond this are outliers. > 0.
-    int min_track_length = 2;                  ///< Points seen by fewer views are dropped. >= 2.
-    double min_registered_share = 0.4;         ///< Below this share the stage refuses. (0, 1].
-    double time_limit_s = 3600;                ///< For each external program. > 0.
-    std::string front_end = "lumi";            ///< Features and matches: "lumi" or "colmap".
-    std::string mapper = "lumi";               ///< Who places photographs: "lumi" or "colmap".
-    std::string colmap = "colmap";             ///< The program to run.
+    /// What is estimated when no lens is given: a model, or "auto" (as the photographs support).
+    std::string lens_model = "auto";
+    bool shared_lens = true;  ///< One lens for photographs of one camera and zoom.
+    bool refine_lens = true;  ///< Refine a given lens where held-out photographs ask for it.
+    int max_features = 4096;  ///< Per photograph. > 0.
+    double max_reprojection_error_px = 2.0;  ///< Observations beyond this are outliers. > 0.
+    int min_track_length = 2;                ///< Points seen by fewer views are dropped. >= 2.
+    double min_registered_share = 0.4;       ///< Below this share the stage refuses. (0, 1].
+    double time_limit_s = 3600;              ///< For each external program. > 0.
+    std::string front_end = "lumi";          ///< Features and matches: "lumi" or "colmap".
+    std::string mapper = "lumi";             ///< Who places photographs: "lumi" or "colmap".
+    std::string colmap = "colmap";           ///< The program to run.
 };
 
 void validate(const PoseOptions& options);
@@ -35,6 +37,23 @@ struct ColmapCall {
     std::string command_line;
     double wall_s = 0.0;
     double cpu_s = 0.0;
+};
+
+/// A lens after the refinement. Entries belong to those of Capture::cameras.
+struct LensEvidence {
+    LensForm form;
+    int views = 0;
+    std::vector<double> sigma;         ///< Standard deviation of each parameter; 0 where held.
+    std::optional<LensChoice> choice;  ///< What was compared; empty when nothing was.
+    std::vector<std::string> dropped;  ///< Parameters within two standard deviations of nothing.
+};
+
+/// How far the estimate of a view may be off (adjustment_covariance).
+struct ViewUncertainty {
+    std::string name;
+    double jitter_px = 0.0;       ///< Of the scene's picture in this view, one coordinate.
+    double position_sigma = 0.0;  ///< Of the optical centre, in units of the world.
+    double rotation_sigma_deg = 0.0;
 };
 
 /// What speaks for the poses.
@@ -49,6 +68,9 @@ struct PoseEvidence {
     std::string start;     ///< Which attempt at mapping succeeded.
     int pairs_verified = 0;
     double planar_or_rotation_share = 0.0;  ///< Verified pairs that a homography explains.
+    double noise_px = 0.0;                  ///< Of one observed coordinate; 0: not known.
+    std::vector<LensEvidence> lenses;
+    std::vector<ViewUncertainty> views;  ///< Empty: not known.
     std::vector<ColmapCall> calls;
     std::vector<std::string> warnings;  ///< What to know before trusting these poses.
 };

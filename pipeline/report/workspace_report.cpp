@@ -9,6 +9,7 @@
 #include "calib/work/whole_file.h"
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/report/html.h"
+#include "pipeline/report/lens_tables.h"
 #include "pipeline/report/number_text.h"
 #include "pipeline/report/verdict.h"
 #include "pipeline/stages/photograph_list.h"
@@ -124,13 +125,8 @@ std::string poses_section(const Json& stages) {
     const Json poses = evidence_of(stages, "poses");
     if (poses.is_null()) return {};
     std::string html = table_of_values(poses);
-    Rows lenses;
-    for (const Json& lens : poses.at("lenses")) {
-        lenses.push_back({text_of(lens.at("model")),
-                          text_of(lens.at("width_px")) + " x " + text_of(lens.at("height_px")),
-                          lens.at("parameters").dump()});
-    }
-    html += html_table({"lens", "size in pixels", "parameters"}, lenses);
+    for (const Json& lens : poses.at("lenses")) html += lens_table(lens);
+    html += pose_uncertainty_table(poses);
     const Json timings = evidence_of(stages, "poses", "timings");
     std::string calls;
     for (const Json& call : timings.value("colmap_calls", Json::array())) {

@@ -1,11 +1,13 @@
 #include "pipeline/stages/poses_stage.h"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "calib/capture/colmap_model.h"
 #include "calib/capture/undistortion.h"
 #include "pipeline/stages/left_out_json.h"
+#include "pipeline/stages/lens_choice_json.h"
 #include "pipeline/stages/photograph_list.h"
 #include "pipeline/stages/posed_files.h"
 #include "pipeline/workspace/json_file.h"
@@ -36,15 +38,45 @@ std::vector<fs::path> working_copies(const Capture& capture,
     return paths;
 }
 
-Json lenses_json(const std::vector<Camera>& cameras) {
+Json lenses_json(const std::vector<Camera>& cameras, const std::vector<LensEvidence>& evidence) {
     Json json = Json::array();
-    for (const Camera& camera : cameras) {
-        json.push_back({{"model", name_of(camera.model)},
-                        {"width_px", camera.width_px},
-                        {"height_px", camera.height_px},
-                        {"parameters", camera.parameters}});
+    for (std::size_t index = 0; index < cameras.size(); ++index) {
+        const Camera& camera = cameras[index];
+        Json lens{{"model", name_of(camera.model)},
+                  {"width_px", camera.width_px},
+                  {"height_px", camera.height_px},
+                  {"names", parameter_names(camera.model)},
+                  {"parameters", camera.parameters}};
+        // Imported lenses come without any.
+        if (index < evidence.size()) {
+            lens["sigma"] = evidence[index].sigma;
+            lens["form"] = text_of(evidence[index].form);
+            lens["views"] = evidence[index].views;
+            lens["dropped"] = evidence[index].dropped;
+            if (evidence[index].choice) {
+                lens["compared"] = lens_choice_json(*evidence[index].choice);
+            }
+        }
+        json.push_back(std::move(lens));
     }
     return json;
+}
+
+Json uncertainty_json(const std::vector<ViewUncertainty>& views) {
+    Json json = Json::array();
+    for (const ViewUncertainty& view : views) {
+        json.push_back({{"name", view.name},
+                        {"jitter_px", view.jitter_px},
+                        {"position_sigma", view.position_sigma},
+                        {"rotation_sigma_deg", view.rotation_sigma_deg}});
+    }
+    return json;
+}
+
+double largest_jitter_px(const std::vector<ViewUncertainty>& views) {
+    double largest = 0;
+    for (const ViewUncertainty& view : views) largest = std::max(largest, view.jitter_px);
+    return largest;
 }
 
 Json facts_json(const PoseResult& result) {
@@ -59,8 +91,11 @@ Json facts_json(const PoseResult& result) {
                 {"start", evidence.start},
                 {"pairs_verified", evidence.pairs_verified},
                 {"planar_or_rotation_share", evidence.planar_or_rotation_share},
+                {"noise_px", evidence.noise_px},
+                {"largest_jitter_px", largest_jitter_px(evidence.views)},
                 {"warnings", evidence.warnings},
-                {"lenses", lenses_json(result.capture.cameras)},
+                {"lenses", lenses_json(result.capture.cameras, evidence.lenses)},
+                {"views", uncertainty_json(evidence.views)},
                 {"not_registered", left_out_json(result.not_registered)}};
 }
 
