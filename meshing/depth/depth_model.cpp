@@ -1,54 +1,133 @@
 #include "meshing/depth/depth_model.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "meshing/depth/imported_depth.h"
 #include "meshing/depth/multi_view_sweep.h"
+#include "meshing/depth/pair_stereo.h"
+#include "meshing/depth/patch_match.h"
+#include "meshing/depth/plane_depth.h"
 #include "meshing/depth/sparse_depth.h"
+#include "meshing/geometry/mesh_depth.h"
 
 namespace lumi {
 namespace {
 
+const DepthView& view_of(const DepthScene& scene, int view_index) {
+    return scene.views[static_cast<std::size_t>(view_index)];
+}
+
 class ImportedModel final : public DepthModel {
  public:
-    explicit ImportedModel(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    ImportedModel(std::filesystem::path folder, double png_unit)
+        : folder_(std::move(folder)), png_unit_(png_unit) {}
     [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
-        const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
-        return {imported_depth(view, folder_), "imported", false};
+        return {imported_depth(view_of(scene, view_index), folder_, png_unit_), "imported", false,
+                false};
     }
 
  private:
     std::filesystem::path folder_;
+    double png_unit_;
 };
 
-class SparseModel final : public DepthModel {
+class MeshModel final : public DepthModel {
+ public:
+    explicit MeshModel(TriangleMesh mesh) : mesh_(std::move(mesh)) {}
+    [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
+        return {mesh_depth(view_of(scene, view_index), mesh_), "mesh", false, false};
+    }
+
+ private:
+    TriangleMesh mesh_;
+};
+
+/// A rung that looks at one view and its points alone.
+class SingleViewModel final : public DepthModel {
+ public:
+    using Function = DepthMap (*)(const DepthView&);
+    SingleViewModel(std::string name, Function function)
+        : name_(std::move(name)), function_(function) {}
+    [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
+        return {function_(view_of(scene, view_index)), name_, false, true};
+    }
+
+ private:
+    std::string name_;
+    Function function_;
+};
+
+DepthEstimate without_parallax(const DepthScene& scene, int view_index) {
+    return {filled_sparse_depth(view_of(scene, view_index)), "sparse_fill", false, true};
+}
+
+class PairStereoModel final : public DepthModel {
  public:
     [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
-        return {sparse_depth(scene.views[static_cast<std::size_t>(view_index)]), "sparse", false};
+        if (view_of(scene, view_index).disparity_px_per_inverse_depth <= 0 ||
+            rectifiable_pairs(scene, view_index) == 0) {
+            return without_parallax(scene, view_index);
+        }
+        return {pair_stereo(scene, view_index), "pair_stereo", true, false};
     }
 };
 
-class SweepModel final : public DepthModel {
+class SweepModel : public DepthModel {
  public:
     [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
-        const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
-        // Without parallax to any neighbour there is nothing to sweep.
-        if (view.disparity_px_per_inverse_depth <= 0) {
-            return SparseModel().estimate(scene, view_index);
+        if (view_of(scene, view_index).disparity_px_per_inverse_depth <= 0) {
+            return without_parallax(scene, view_index);
         }
-        return {multi_view_sweep(scene, view_index), "sweep", true};
+        return {multi_view_sweep(scene, view_index), "sweep", true, false};
+    }
+};
+
+class PatchMatchModel final : public SweepModel {
+ public:
+    [[nodiscard]] int refinements() const override { return 1; }
+    [[nodiscard]] DepthEstimate refine(const DepthScene& scene,
+                                       const std::vector<DepthEstimate>& before,
+                                       int view_index) const override {
+        const DepthEstimate& own = before[static_cast<std::size_t>(view_index)];
+        if (!own.needs_confirmation) return own;
+        return {patch_match(scene, before, view_index), "patch_match", true, false};
     }
 };
 
 }  // namespace
 
-std::unique_ptr<DepthModel> make_depth_model(const DepthOptions& options) {
-    if (!options.import_folder.empty()) {
-        return std::make_unique<ImportedModel>(options.import_folder);
+DepthEstimate DepthModel::refine(const DepthScene&, const std::vector<DepthEstimate>& before,
+                                 int view_index) const {
+    return before[static_cast<std::size_t>(view_index)];
+}
+
+const std::vector<std::string>& depth_model_names() {
+    static const std::vector<std::string> names{
+        "plane", "slanted_plane", "sparse", "sparse_fill", "pair_stereo", "sweep", "patch_match"};
+    return names;
+}
+
+std::unique_ptr<DepthModel> depth_model_named(const std::string& name) {
+    if (name == "plane") return std::make_unique<SingleViewModel>(name, plane_depth);
+    if (name == "slanted_plane") {
+        return std::make_unique<SingleViewModel>(name, slanted_plane_depth);
     }
-    if (options.model == "sparse") return std::make_unique<SparseModel>();
-    assert(options.model == "sweep");
-    return std::make_unique<SweepModel>();
+    if (name == "sparse") return std::make_unique<SingleViewModel>(name, sparse_depth);
+    if (name == "sparse_fill") return std::make_unique<SingleViewModel>(name, filled_sparse_depth);
+    if (name == "pair_stereo") return std::make_unique<PairStereoModel>();
+    if (name == "sweep") return std::make_unique<SweepModel>();
+    assert(name == "patch_match");
+    return std::make_unique<PatchMatchModel>();
+}
+
+std::unique_ptr<DepthModel> imported_depth_model(const std::filesystem::path& folder,
+                                                 double png_unit) {
+    return std::make_unique<ImportedModel>(folder, png_unit);
+}
+
+std::unique_ptr<DepthModel> mesh_depth_model(const std::filesystem::path& file) {
+    return std::make_unique<MeshModel>(read_triangle_mesh(file));
 }
 
 }  // namespace lumi

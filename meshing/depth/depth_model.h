@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "meshing/depth/depth_scene.h"
 #include "meshing/depth/depth_stage.h"
@@ -16,6 +17,8 @@ struct DepthEstimate {
     /// True when `map.confidence` is a claim that other views must still confirm; false when it is
     /// final.
     bool needs_confirmation = false;
+    /// True when the map says something of every pixel, also where its confidence is 0.
+    bool is_complete = false;
 };
 
 /// One rung of the ladder of depth models: plane, sparse, sweep ... Estimates of different views
@@ -24,9 +27,28 @@ class DepthModel {
  public:
     virtual ~DepthModel() = default;
     [[nodiscard]] virtual DepthEstimate estimate(const DepthScene& scene, int view_index) const = 0;
+
+    /// How often `refine` follows `estimate`.
+    [[nodiscard]] virtual int refinements() const { return 0; }
+    /// A better estimate, made with what all views said in the round before.
+    [[nodiscard]] virtual DepthEstimate refine(const DepthScene& scene,
+                                               const std::vector<DepthEstimate>& before,
+                                               int view_index) const;
 };
 
-/// The model that the options name: imported depth when a folder is given, else `options.model`.
-[[nodiscard]] std::unique_ptr<DepthModel> make_depth_model(const DepthOptions& options);
+/// The rungs by name, cheapest first: "plane", "slanted_plane", "sparse", "sparse_fill",
+/// "pair_stereo", "sweep", "patch_match". A rung that compares photographs gives way to
+/// "sparse_fill" in a view without parallax to any neighbour.
+[[nodiscard]] const std::vector<std::string>& depth_model_names();
+
+[[nodiscard]] std::unique_ptr<DepthModel> depth_model_named(const std::string& name);
+
+/// Depth maps made elsewhere, from files in `folder` (imported_depth.h).
+[[nodiscard]] std::unique_ptr<DepthModel> imported_depth_model(const std::filesystem::path& folder,
+                                                               double png_unit);
+
+/// What a triangle mesh of the scene looks like from each view (mesh_depth.h). Throws Error
+/// (E-GEOMETRY-...).
+[[nodiscard]] std::unique_ptr<DepthModel> mesh_depth_model(const std::filesystem::path& file);
 
 }  // namespace lumi

@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <cmath>
+
 #include "calib/work/error.h"
+#include "meshing/depth/depth_model.h"
 #include "meshing/depth/depth_stage.h"
 
 namespace lumi {
@@ -10,15 +14,30 @@ void require(bool holds, const std::string& what) {
                 "correct the [depth] section of the configuration");
 }
 
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "\"" : ", \"") + name + "\"";
+    return text;
+}
+
 }  // namespace
 
 void validate(const DepthOptions& options) {
-    require(options.model == "sparse" || options.model == "sweep",
-            "model: expected \"sparse\" or \"sweep\", found \"" + options.model + "\"");
+    std::vector<std::string> names = depth_model_names();
+    names.insert(names.begin(), "auto");
+    require(std::find(names.begin(), names.end(), options.model) != names.end(),
+            "model: expected one of " + listed(names) + ", found \"" + options.model + "\"");
     require(options.max_width_px >= 16 && options.max_width_px <= 16384,
             "max_width_px: expected 16 to 16384, found " + std::to_string(options.max_width_px));
     require(options.max_neighbours >= 1 && options.max_neighbours <= 32,
             "max_neighbours: expected 1 to 32, found " + std::to_string(options.max_neighbours));
+    require(std::isfinite(options.import_png_unit) && options.import_png_unit > 0,
+            "import_png_unit: expected a positive length, found " +
+                std::to_string(options.import_png_unit));
+    require(options.background == "auto" || options.background == "keep",
+            "background: expected \"auto\" or \"keep\", found \"" + options.background + "\"");
+    require(options.import_folder.empty() || options.import_mesh.empty(),
+            "import_folder and import_mesh: expected one of them, found both");
 }
 
 DepthOptions read_depth_options(const ConfigSection& section) {
@@ -27,6 +46,10 @@ DepthOptions read_depth_options(const ConfigSection& section) {
     options.max_width_px = section.integer("max_width_px", options.max_width_px);
     options.max_neighbours = section.integer("max_neighbours", options.max_neighbours);
     options.import_folder = section.path("import_folder");
+    options.import_png_unit = section.number("import_png_unit", options.import_png_unit);
+    options.import_mesh = section.path("import_mesh");
+    options.mask_folder = section.path("masks");
+    options.background = section.text("background", options.background);
     validate(options);
     return options;
 }

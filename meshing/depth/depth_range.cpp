@@ -51,8 +51,7 @@ double typical_baseline(const DepthScene& scene) {
 
 InverseDepthRange widened(std::vector<double> inverse_depths) {
     constexpr double kTail = 0.01;
-    return {0.5 * value_at_share(inverse_depths, kTail),
-            1.5 * value_at_share(inverse_depths, 1 - kTail)};
+    return {0.0, 1.5 * value_at_share(inverse_depths, 1 - kTail)};
 }
 
 }  // namespace

@@ -8,11 +8,11 @@ namespace lumi {
 
 /// The range of inverse depth of view `index`.
 ///
-/// With scene points in the picture: their 1st to 99th percentile, widened to twice the distance
-/// of the farthest and two thirds of the distance of the nearest. With too few: from infinity to
-/// where the nearest camera would lose sight of half its picture, but no nearer than a fifth of
-/// the way to the point where the optical axes meet, if they do. Empty when all cameras stand in
-/// one place: nothing then tells depth.
+/// From infinity, which costs few planes and holds what no point told of (a strip of background,
+/// the sky), to two thirds of the distance of the nearest scene point in the picture, one in a
+/// hundred left out. With too few points: to where the nearest camera would lose sight of half its
+/// picture, but no nearer than a fifth of the way to the point where the optical axes meet, if they
+/// do. Empty when all cameras stand in one place: nothing then tells depth.
 [[nodiscard]] std::optional<InverseDepthRange> inverse_depth_range(const DepthScene& scene,
                                                                    int index);
 

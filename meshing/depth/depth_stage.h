@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,19 @@ namespace lumi {
 
 /// How depth is found.
 struct DepthOptions {
-    std::string model = "sweep";  ///< "sparse" or "sweep".
+    std::string model = "sweep";  ///< One of depth_model_names(), or "auto".
     int max_width_px = 800;       ///< Depth maps are at most this wide.
     int max_neighbours = 4;       ///< Views that one view is compared with.
-    /// Depth maps made elsewhere (float TIFF, see imported_depth.h) take the place of `model`.
+    /// Depth maps made elsewhere (see imported_depth.h) take the place of `model`.
     std::filesystem::path import_folder = {};
+    double import_png_unit = 0.001;  ///< World units a level of a 16-bit PNG stands for. > 0.
+    /// A triangle mesh of the scene in the world of the poses (PLY, OBJ) takes the place of
+    /// `model`.
+    std::filesystem::path import_mesh = {};
+    /// One mask a photograph, by its name (view_mask.h): black is not part of the scene.
+    std::filesystem::path mask_folder = {};
+    /// "auto": a plain background around the scene is found and kept out of it; "keep": never.
+    std::string background = "auto";
 };
 
 void validate(const DepthOptions& options);
@@ -26,9 +35,11 @@ void validate(const DepthOptions& options);
 /// What speaks for one view's depth.
 struct DepthEvidence {
     std::string view_name;
-    /// What was used: "sparse" also where the sweep was impossible, "imported" for a folder.
+    /// What was used: "sparse_fill" where photographs could not be compared, "imported" for a
+    /// folder.
     std::string model;
     double confident_share = 0.0;     ///< Pixels that other views agreed on.
+    double background_share = 0.0;    ///< Pixels that are not part of the scene.
     double sparse_residual_px = 0.0;  ///< Median distance to the sparse points, as disparity.
     double cpu_s = 0.0;
 };
@@ -36,13 +47,19 @@ struct DepthEvidence {
 struct DepthResult {
     std::vector<DepthMap> depth_maps;  ///< One per entry of `view_indices`.
     std::vector<DepthEvidence> evidence;
+    std::string choice;  ///< Of "auto": one line, what was chosen and why; else empty.
 };
+
+/// Errors of held-out renderings with one rung, the same tiles in the same order for each: given by
+/// whoever can draw. Empty: it cannot be said.
+using RenderedLoss = std::function<std::vector<double>(const std::string& model)>;
 
 /// Depth of the listed views, from these views alone: held-out views take no part. The same bytes
 /// for any number of threads. Memory is bounded by the views in flight.
 [[nodiscard]] DepthResult estimate_depth(const PosedPhotographs& photographs,
                                          const std::vector<int>& view_indices,
                                          const DepthOptions& options, int threads,
-                                         Progress& progress);
+                                         Progress& progress,
+                                         const RenderedLoss& rendered_loss = {});
 
 }  // namespace lumi

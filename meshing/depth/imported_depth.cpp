@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calib/capture/image_io.h"
 #include "calib/work/error.h"
+#include "meshing/depth/depth_file.h"
 
 namespace lumi {
 namespace {
@@ -13,17 +13,19 @@ namespace fs = std::filesystem;
 
 fs::path depth_file_of(const DepthView& view, const fs::path& folder) {
     const fs::path whole_name = folder / view.name;
-    for (const char* extension : {".tiff", ".tif"}) {
+    for (const std::string& ending : depth_file_endings()) {
         fs::path by_stem = whole_name;
-        by_stem.replace_extension(extension);
+        by_stem.replace_extension();
+        by_stem += ending;
         if (fs::is_regular_file(by_stem)) return by_stem;
         fs::path appended = whole_name;
-        appended += extension;
+        appended += ending;
         if (fs::is_regular_file(appended)) return appended;
     }
-    throw Error(ErrorKind::kBadInput, "E-DEPTH-MISSING",
-                folder.string() + ": no depth map for view " + view.name,
-                "name depth maps like their photographs, with .tiff as extension");
+    throw Error(
+        ErrorKind::kBadInput, "E-DEPTH-MISSING",
+        folder.string() + ": no depth map for view " + view.name,
+        "name depth maps like their photographs, with .tiff, .exr, .pfm or .png as extension");
 }
 
 void check_size(const FloatImage& depth, const Camera& camera, const fs::path& path) {
@@ -40,9 +42,9 @@ void check_size(const FloatImage& depth, const Camera& camera, const fs::path& p
 
 }  // namespace
 
-DepthMap imported_depth(const DepthView& view, const fs::path& folder) {
+DepthMap imported_depth(const DepthView& view, const fs::path& folder, double png_unit) {
     const fs::path path = depth_file_of(view, folder);
-    const FloatImage depth = read_float_tiff(path);
+    const FloatImage depth = read_depth_file(path, png_unit);
     const int width = view.camera.width_px;
     const int height = view.camera.height_px;
     check_size(depth, view.camera, path);

@@ -36,9 +36,12 @@ enum class InstructionSet { kPortable, kAvx2, kAvx512 };
 template <class Kernel, class... Arguments>
 void run_on(InstructionSet set, Arguments... arguments) {
     switch (set) {
-        case InstructionSet::kAvx512: return run_avx512<Kernel>(arguments...);
-        case InstructionSet::kAvx2: return run_avx2<Kernel>(arguments...);
-        case InstructionSet::kPortable: return Kernel::run(arguments...);
+        case InstructionSet::kAvx512:
+            return run_avx512<Kernel>(arguments...);
+        case InstructionSet::kAvx2:
+            return run_avx2<Kernel>(arguments...);
+        case InstructionSet::kPortable:
+            return Kernel::run(arguments...);
     }
 }
 

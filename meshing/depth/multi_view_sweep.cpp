@@ -88,11 +88,13 @@ Search search_of(const DepthView& view, double level_scale, double spacing_px,
     }
 }
 
-/// 255 where the chosen planes fit better than the others do, on average over a small window, by
-/// more than noise.
+/// 255 where the chosen planes fit, and better than the others do by more than noise; both on
+/// average over a small window.
 GrayImage told_apart(const GrayImage& mean_costs, const GrayImage& chosen_costs) {
     constexpr int kWindow = 5;
     constexpr std::uint8_t kMinContrast = 3;
+    // Unrelated pictures differ in as many census bits even at the best of a dozen planes.
+    constexpr std::uint8_t kMaxCost = 18;
     cv::Mat contrast(mean_costs.height(), mean_costs.width(), CV_8U);
     std::transform(mean_costs.pixels().begin(), mean_costs.pixels().end(),
                    chosen_costs.pixels().begin(), contrast.begin<std::uint8_t>(),
@@ -100,10 +102,15 @@ GrayImage told_apart(const GrayImage& mean_costs, const GrayImage& chosen_costs)
                        return static_cast<std::uint8_t>(std::max(0, mean - chosen));
                    });
     cv::blur(contrast, contrast, cv::Size(kWindow, kWindow));
+    GrayImage chosen = chosen_costs;
+    cv::Mat cost(chosen.height(), chosen.width(), CV_8U, chosen.pixels().data());
+    cv::blur(cost, cost, cv::Size(kWindow, kWindow));
     GrayImage result(mean_costs.width(), mean_costs.height());
     std::transform(contrast.begin<std::uint8_t>(), contrast.end<std::uint8_t>(),
-                   result.pixels().begin(), [](std::uint8_t value) {
-                       return static_cast<std::uint8_t>(value >= kMinContrast ? 255 : 0);
+                   chosen.pixels().begin(), result.pixels().begin(),
+                   [](std::uint8_t better, std::uint8_t mismatch) {
+                       const bool is_told = better >= kMinContrast && mismatch <= kMaxCost;
+                       return static_cast<std::uint8_t>(is_told ? 255 : 0);
                    });
     return result;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "meshing/depth/guided_smoothing.h"
 #include "meshing/depth/point_triangulation.h"
 
 namespace lumi {
@@ -105,6 +106,14 @@ GrayImage nearness(const std::vector<SparsePoint>& points, int width, int height
     return confidence;
 }
 
+/// Points that agree with their surroundings. Two pixels of parallax are no outlier, however smooth
+/// the rest is.
+std::vector<SparsePoint> reliable_points(const DepthView& view) {
+    return without_outliers(view.points, view.disparity_px_per_inverse_depth > 0
+                                             ? 2.0 / view.disparity_px_per_inverse_depth
+                                             : 0.0);
+}
+
 }  // namespace
 
 std::vector<SparsePoint> without_outliers(const std::vector<SparsePoint>& points,
@@ -136,10 +145,7 @@ DepthMap sparse_depth(const DepthView& view) {
         const double middle = 0.5 * (view.range.far + view.range.near);
         return {FloatImage(width, height, static_cast<float>(middle)), GrayImage(width, height)};
     }
-    // Two pixels of parallax are no outlier, however smooth the rest is.
-    const double two_pixels =
-        view.disparity_px_per_inverse_depth > 0 ? 2.0 / view.disparity_px_per_inverse_depth : 0.0;
-    std::vector<SparsePoint> points = without_outliers(view.points, two_pixels);
+    std::vector<SparsePoint> points = reliable_points(view);
     DepthMap map{FloatImage(width, height), nearness(points, width, height)};
     const std::vector<SparsePoint> border = border_points(points, view.camera);
     points.insert(points.end(), border.begin(), border.end());
@@ -147,6 +153,22 @@ DepthMap sparse_depth(const DepthView& view) {
         draw_triangle(points[static_cast<std::size_t>(a)], points[static_cast<std::size_t>(b)],
                       points[static_cast<std::size_t>(c)], map.inverse_depth);
     }
+    return map;
+}
+
+DepthMap filled_sparse_depth(const DepthView& view) {
+    constexpr float kTriangulatedWeight = 0.02F;
+    DepthMap map = sparse_depth(view);
+    if (view.points.empty()) return map;
+    FloatImage values = map.inverse_depth;
+    FloatImage weights(values.width(), values.height(), kTriangulatedWeight);
+    for (const SparsePoint& point : reliable_points(view)) {
+        const int x = static_cast<int>(point.pixel.x());
+        const int y = static_cast<int>(point.pixel.y());
+        values(x, y) = static_cast<float>(point.inverse_depth);
+        weights(x, y) = 1.0F;
+    }
+    map.inverse_depth = smooth_guided(values, weights, view.photograph, {});
     return map;
 }
 

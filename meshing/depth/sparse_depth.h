@@ -18,6 +18,11 @@ namespace lumi {
 /// distance to the nearest one; 0 without points.
 [[nodiscard]] DepthMap sparse_depth(const DepthView& view);
 
+/// The same, led along the edges of the photograph: points hold their place, the triangulation
+/// holds weakly, and between them the Fast Global Smoother (guided_smoothing.h) lets inverse depth
+/// change where the photograph does.
+[[nodiscard]] DepthMap filled_sparse_depth(const DepthView& view);
+
 /// The points that agree with their surroundings, in their order. Fewer than 8 are all kept: a ring
 /// of so few does not tell who is wrong.
 [[nodiscard]] std::vector<SparsePoint> without_outliers(const std::vector<SparsePoint>& points,

@@ -99,6 +99,8 @@ class Line {
     [[nodiscard]] Stage depth_stage() const {
         std::vector<ContentEntry> inputs = pictures_and_poses();
         append(inputs, content_of(config_.depth.import_folder, threads_));
+        append(inputs, content_of(config_.depth.import_mesh, threads_));
+        append(inputs, content_of(config_.depth.mask_folder, threads_));
         return {identity("depth", held_out_text(), inputs),
                 [this](const fs::path& folder) {
                     return run_depth_stage(used_, config_.depth, folder, threads_, progress_);

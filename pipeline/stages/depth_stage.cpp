@@ -13,15 +13,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json facts_json(const std::vector<DepthEvidence>& evidence) {
+Json facts_json(const DepthResult& result) {
     Json views = Json::array();
-    for (const DepthEvidence& view : evidence) {
+    for (const DepthEvidence& view : result.evidence) {
         views.push_back({{"name", view.view_name},
                          {"model", view.model},
                          {"confident_share", view.confident_share},
+                         {"background_share", view.background_share},
                          {"sparse_residual_px", view.sparse_residual_px}});
     }
-    return Json{{"views", std::move(views)}};
+    Json facts{{"views", std::move(views)}};
+    if (!result.choice.empty()) facts["choice"] = result.choice;
+    return facts;
 }
 
 Json timings_json(const std::vector<DepthEvidence>& evidence) {
@@ -40,7 +43,7 @@ StageEvidence run_depth_stage(const PosedPhotographs& photographs, const DepthOp
     const DepthResult result = estimate_depth(photographs, all_views, options, threads, progress);
     write_depth_files(folder, file_stems_of_views(view_names(photographs.capture)),
                       result.depth_maps, threads);
-    return {json_text(facts_json(result.evidence)), json_text(timings_json(result.evidence))};
+    return {json_text(facts_json(result)), json_text(timings_json(result.evidence))};
 }
 
 }  // namespace lumi

@@ -123,7 +123,7 @@ TEST(DepthStage, OneViewAloneFallsBackToItsPoints) {
     const ScratchFolder folder;
     const KnownDepthScene known = board_and_wall();
     const DepthResult result = depth_of(written(known, folder.path()), {2});
-    EXPECT_EQ(result.evidence[0].model, "sparse");
+    EXPECT_EQ(result.evidence[0].model, "sparse_fill");
     EXPECT_EQ(result.depth_maps[0].confidence, GrayImage(240, 180, 0));
 }
 

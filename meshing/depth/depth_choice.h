@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "calib/work/progress.h"
+#include "meshing/depth/depth_model.h"
+
+namespace lumi {
+
+/// How wrong a rung is at what it was not told.
+struct RungLoss {
+    std::string model;
+    double mean_px = 0.0;            ///< Of at most kMaxLossPx a point.
+    double standard_error_px = 0.0;  ///< Over blocks of the pictures.
+    double p95_px = 0.0;             ///< 95th percentile over the points.
+};
+constexpr double kMaxLossPx = 4.0;
+
+struct DepthChoice {
+    std::string model;
+    std::string explanation;       ///< One line: what was chosen, and why.
+    std::vector<RungLoss> losses;  ///< Of the rungs that were tried, in order.
+};
+
+/// The cheapest rung that is enough: climbs while the next one's held-out error is lower by more
+/// than one standard error (Breiman et al. 1984, section 3.4.3, applied rung by rung).
+///
+/// First without drawing: a quarter of each sampled view's points is kept back, each quarter in
+/// turn for the rungs that know points alone, and the model is asked for their inverse depths; the
+/// loss is the distance in pixels of disparity. A rung whose 95th percentile is below one pixel is
+/// enough. Among the rungs that compare photographs the rendered loss decides, where there is one.
+/// Rungs above `highest` are not tried. With fewer than 40 points in every view the points tell
+/// nothing, and `highest` is taken.
+[[nodiscard]] DepthChoice choose_depth_model(const DepthScene& scene, const std::string& highest,
+                                             const RenderedLoss& rendered_loss, int threads,
+                                             Progress& progress);
+
+}  // namespace lumi

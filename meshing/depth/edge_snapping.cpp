@@ -1,0 +1,106 @@
+#include "meshing/depth/edge_snapping.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+
+namespace lumi {
+namespace {
+
+constexpr int kBand = 3;    // Pixels on either side of a jump that are asked.
+constexpr int kWindow = 7;  // Half a side of what they ask, less the pixel itself.
+constexpr float kJumpPx = 3.0F;
+
+/// Nearest and farthest inverse depth around each pixel.
+struct Extremes {
+    FloatImage nearest;
+    FloatImage farthest;
+};
+
+Extremes extremes_of(const FloatImage& inverse_depth) {
+    Extremes extremes{inverse_depth, inverse_depth};
+    const cv::Mat box = cv::Mat::ones(2 * kBand + 1, 2 * kBand + 1, CV_8U);
+    const auto matrix = [&](FloatImage& image) {
+        return cv::Mat(image.height(), image.width(), CV_32F, image.pixels().data());
+    };
+    cv::Mat nearest = matrix(extremes.nearest);
+    cv::Mat farthest = matrix(extremes.farthest);
+    cv::dilate(nearest, nearest, box);
+    cv::erode(farthest, farthest, box);
+    return extremes;
+}
+
+std::array<float, 256> similarity_by_difference() {
+    constexpr double kSimilar = 10.0;  // 8-bit levels.
+    std::array<float, 256> similarity{};
+    for (std::size_t difference = 0; difference < similarity.size(); ++difference) {
+        similarity[difference] =
+            static_cast<float>(std::exp(-static_cast<double>(difference) / kSimilar));
+    }
+    return similarity;
+}
+
+int color_difference(const Rgb8& a, const Rgb8& b) {
+    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+/// The votes for one of two surfaces, and the nearest pixel that gave one.
+struct Votes {
+    float weight = 0.0F;
+    int least_distance = 1 << 20;  ///< Squared.
+    int x = 0;
+    int y = 0;
+};
+
+/// Where the pixel should take its depth from; empty when it is on the right surface.
+std::optional<std::array<int, 2>> better_source(const DepthMap& map, const ColorImage& photograph,
+                                                int x, int y, float middle) {
+    static const std::array<float, 256> similarity = similarity_by_difference();
+    std::array<Votes, 2> votes;  // For the farther and the nearer surface.
+    for (int dy = -kWindow; dy <= kWindow; ++dy) {
+        for (int dx = -kWindow; dx <= kWindow; ++dx) {
+            if (!map.confidence.contains(x + dx, y + dy) || (dx == 0 && dy == 0)) continue;
+            const int difference = color_difference(photograph(x, y), photograph(x + dx, y + dy));
+            const bool is_nearer = map.inverse_depth(x + dx, y + dy) > middle;
+            Votes& side = votes[is_nearer ? 1 : 0];
+            side.weight += similarity[static_cast<std::size_t>(difference)];
+            const int distance = dx * dx + dy * dy;
+            if (distance >= side.least_distance) continue;
+            side.least_distance = distance;
+            side.x = x + dx;
+            side.y = y + dy;
+        }
+    }
+    // To stay is easier than to change: texture is no silhouette.
+    constexpr float kClearly = 1.5F;
+    const bool is_nearer = map.inverse_depth(x, y) > middle;
+    const Votes& own = votes[is_nearer ? 1 : 0];
+    const Votes& other = votes[is_nearer ? 0 : 1];
+    if (other.weight <= kClearly * own.weight) return std::nullopt;
+    return std::array{other.x, other.y};
+}
+
+}  // namespace
+
+void snap_edges(DepthMap& map, const ColorImage& photograph, double one_pixel) {
+    const float jump = kJumpPx * static_cast<float>(one_pixel);
+    const Extremes extremes = extremes_of(map.inverse_depth);
+    const DepthMap before = map;
+    for (int y = 0; y < map.confidence.height(); ++y) {
+        for (int x = 0; x < map.confidence.width(); ++x) {
+            const float nearest = extremes.nearest(x, y);
+            const float farthest = extremes.farthest(x, y);
+            if (nearest - farthest <= jump) continue;
+            const auto source =
+                better_source(before, photograph, x, y, 0.5F * (nearest + farthest));
+            if (!source) continue;
+            map.inverse_depth(x, y) = before.inverse_depth((*source)[0], (*source)[1]);
+            map.confidence(x, y) = before.confidence((*source)[0], (*source)[1]);
+        }
+    }
+}
+
+}  // namespace lumi

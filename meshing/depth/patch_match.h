@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "meshing/depth/depth_model.h"
+#include "meshing/depth/depth_scene.h"
+
+namespace lumi {
+
+struct PatchMatchOptions {
+    int iterations = 3;  ///< Sweeps over the picture, to and fro in turn.
+    /// Cost of one pixel by which a neighbour's own depth disagrees beyond the first half, where 1
+    /// is no correlation.
+    float disagreement_per_px = 0.1F;
+};
+
+/// Depth of one view refined by slanted windows: PatchMatch stereo (Bleyer et al. 2011) for several
+/// views, with geometric consistency (Schoenberger et al. 2016, section 4.3; Xu and Tao 2019).
+///
+/// Each pixel begins with the plane through the estimate's surface there, and takes over a
+/// neighbouring pixel's plane, or a small change of its own, when that fits the two best views
+/// better. In the cost stands also by how many pixels those views' own estimates disagree, up to 3.
+/// The same on every run: the changes come from a hash of pixel and iteration.
+///
+/// Confidence is 255 where the windows correlate and 0 where they do not or have no texture;
+/// whether views agree is not asked here.
+[[nodiscard]] DepthMap patch_match(const DepthScene& scene,
+                                   const std::vector<DepthEstimate>& estimates, int view_index,
+                                   const PatchMatchOptions& options = {});
+
+}  // namespace lumi

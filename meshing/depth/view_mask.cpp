@@ -1,0 +1,154 @@
+#include "meshing/depth/view_mask.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSimilar = 14;  // 8-bit levels: sensor noise and the falling off of a flash.
+
+int difference(const Rgb8& a, const Rgb8& b) {
+    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+fs::path mask_file_of(const DepthView& view, const fs::path& folder) {
+    fs::path by_stem = folder / view.name;
+    by_stem.replace_extension(".png");
+    if (fs::is_regular_file(by_stem)) return by_stem;
+    fs::path appended = folder / view.name;
+    appended += ".png";
+    if (fs::is_regular_file(appended)) return appended;
+    throw Error(ErrorKind::kBadInput, "E-DEPTH-MASK",
+                folder.string() + ": no mask for view " + view.name,
+                "name masks like their photographs, with .png as extension");
+}
+
+/// Pixels of the frame along the border, a fiftieth of the picture wide.
+std::vector<Rgb8> border_pixels(const ColorImage& picture) {
+    const int margin = std::max(1, std::min(picture.width(), picture.height()) / 50);
+    std::vector<Rgb8> pixels;
+    for (int y = 0; y < picture.height(); ++y) {
+        const bool whole_row = y < margin || y >= picture.height() - margin;
+        for (int x = 0; x < picture.width(); ++x) {
+            if (whole_row || x < margin || x >= picture.width() - margin) {
+                pixels.push_back(picture(x, y));
+            }
+        }
+    }
+    return pixels;
+}
+
+/// The median of each channel.
+Rgb8 median_color(const std::vector<Rgb8>& pixels) {
+    const auto median = [&](auto channel) {
+        std::array<std::size_t, 256> counts{};
+        for (const Rgb8& pixel : pixels) ++counts[channel(pixel)];
+        std::size_t below = 0;
+        for (std::size_t level = 0; level < counts.size(); ++level) {
+            below += counts[level];
+            if (2 * below >= pixels.size()) return static_cast<std::uint8_t>(level);
+        }
+        return std::uint8_t{255};
+    };
+    return {median([](const Rgb8& p) { return p.r; }), median([](const Rgb8& p) { return p.g; }),
+            median([](const Rgb8& p) { return p.b; })};
+}
+
+double similar_share(const std::vector<Rgb8>& pixels, Rgb8 color) {
+    const auto similar = std::count_if(pixels.begin(), pixels.end(), [&](const Rgb8& pixel) {
+        return difference(pixel, color) <= kSimilar;
+    });
+    return static_cast<double>(similar) / std::max<double>(1, static_cast<double>(pixels.size()));
+}
+
+}  // namespace
+
+GrayImage drawn_mask(const DepthView& view, const fs::path& folder) {
+    const fs::path path = mask_file_of(view, folder);
+    const GrayImage drawn = read_gray_png(path);
+    const int width = view.camera.width_px;
+    const int height = view.camera.height_px;
+    const double stretch =
+        static_cast<double>(drawn.width()) * height / (static_cast<double>(drawn.height()) * width);
+    if (std::abs(stretch - 1) > 1.0 / std::min(drawn.height(), height)) {
+        throw Error(ErrorKind::kBadInput, "E-DEPTH-MASKSIZE",
+                    path.string() + ": " + std::to_string(drawn.width()) + "x" +
+                        std::to_string(drawn.height()) + " has not the shape of its photograph",
+                    "draw masks over the whole photograph");
+    }
+    GrayImage mask(width, height);
+    for (int y = 0; y < height; ++y) {
+        const auto source_y = static_cast<int>((y + 0.5) * drawn.height() / height);
+        for (int x = 0; x < width; ++x) {
+            const auto source_x = static_cast<int>((x + 0.5) * drawn.width() / width);
+            mask(x, y) = drawn(source_x, source_y) < 128 ? 0 : 255;
+        }
+    }
+    return mask;
+}
+
+std::optional<Rgb8> plain_background(const DepthScene& scene) {
+    constexpr double kBorderShare = 0.9;
+    constexpr double kViewShare = 0.9;
+    std::vector<Rgb8> colors;
+    for (const DepthView& view : scene.views) {
+        const std::vector<Rgb8> border = border_pixels(view.photograph);
+        const Rgb8 color = median_color(border);
+        if (similar_share(border, color) >= kBorderShare) colors.push_back(color);
+    }
+    const auto views = static_cast<double>(scene.views.size());
+    if (colors.empty() || static_cast<double>(colors.size()) < kViewShare * views) {
+        return std::nullopt;
+    }
+    const Rgb8 color = median_color(colors);
+    if (similar_share(colors, color) * static_cast<double>(colors.size()) < kViewShare * views) {
+        return std::nullopt;
+    }
+    // Photographs of a plain wall have no background: they have no scene.
+    constexpr double kSceneShare = 0.02;
+    const bool shows_scene =
+        std::any_of(scene.views.begin(), scene.views.end(), [&](const DepthView& view) {
+            return 1 - similar_share(view.photograph.pixels(), color) >= kSceneShare;
+        });
+    return shows_scene ? std::optional(color) : std::nullopt;
+}
+
+GrayImage mask_of_background(const DepthView& view, Rgb8 background) {
+    const ColorImage& picture = view.photograph;
+    const int width = picture.width();
+    GrayImage mask(width, picture.height(), 255);
+    std::vector<int> front;
+    const auto reach = [&](int x, int y) {
+        if (!mask.contains(x, y) || mask(x, y) == 0) return;
+        if (difference(picture(x, y), background) > kSimilar) return;
+        mask(x, y) = 0;
+        front.push_back(y * width + x);
+    };
+    for (int x = 0; x < width; ++x) {
+        reach(x, 0);
+        reach(x, picture.height() - 1);
+    }
+    for (int y = 0; y < picture.height(); ++y) {
+        reach(0, y);
+        reach(width - 1, y);
+    }
+    while (!front.empty()) {
+        const int x = front.back() % width;
+        const int y = front.back() / width;
+        front.pop_back();
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+            reach(x + dx, y + dy);
+        }
+    }
+    return mask;
+}
+
+}  // namespace lumi

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "meshing/depth/depth_scene.h"
+
+namespace lumi {
+
+/// Which pixels of a view belong to the scene: 255, and which do not: 0.
+
+/// The mask drawn for a view: a grey PNG in `folder` with the view's name, its extension replaced
+/// by or followed by ".png", of the picture's aspect ratio and any size; a pixel that is darker
+/// than half is not part of the scene. Throws Error: E-DEPTH-MASK (no mask for this view),
+/// E-DEPTH-MASKSIZE (another aspect ratio).
+[[nodiscard]] GrayImage drawn_mask(const DepthView& view, const std::filesystem::path& folder);
+
+/// The colour of a plain background, as of a photograph taken before black cloth: nine tenths of
+/// the frame along the border of nearly every view have it, within the noise. Empty when there is
+/// none, or when it differs from view to view, or when hardly anything stands before it.
+[[nodiscard]] std::optional<Rgb8> plain_background(const DepthScene& scene);
+
+/// The view without its plain background: what is connected to the border by pixels of this colour.
+[[nodiscard]] GrayImage mask_of_background(const DepthView& view, Rgb8 background);
+
+}  // namespace lumi

@@ -1,0 +1,93 @@
+#include "meshing/geometry/mesh_depth.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumi {
+namespace {
+
+/// A corner as the camera sees it.
+struct Corner {
+    Eigen::Vector2d pixel;
+    double inverse_depth = 0.0;
+};
+
+double twice_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+    return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+}
+
+/// Inverse depth is affine in the picture, so that it is interpolated without division.
+void draw(const Corner& a, const Corner& b, const Corner& c, DepthMap& map) {
+    const double area = twice_area(a.pixel, b.pixel, c.pixel);
+    if (area == 0) return;
+    const Eigen::Vector2d low = a.pixel.cwiseMin(b.pixel).cwiseMin(c.pixel);
+    const Eigen::Vector2d high = a.pixel.cwiseMax(b.pixel).cwiseMax(c.pixel);
+    const auto first = [](double low_px, int size) {
+        return static_cast<int>(std::clamp(std::ceil(low_px - 0.5), 0.0, 1.0 * size));
+    };
+    const auto end = [](double high_px, int size) {
+        return static_cast<int>(std::clamp(std::floor(high_px - 0.5) + 1, 0.0, 1.0 * size));
+    };
+    const int width = map.inverse_depth.width();
+    const int height = map.inverse_depth.height();
+    for (int y = first(low.y(), height); y < end(high.y(), height); ++y) {
+        for (int x = first(low.x(), width); x < end(high.x(), width); ++x) {
+            const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
+            const double wa = twice_area(pixel, b.pixel, c.pixel) / area;
+            const double wb = twice_area(a.pixel, pixel, c.pixel) / area;
+            const double wc = 1 - wa - wb;
+            constexpr double kOnEdge = -1e-9;  // A pixel on an edge belongs to both triangles.
+            if (wa < kOnEdge || wb < kOnEdge || wc < kOnEdge) continue;
+            const auto inverse_depth = static_cast<float>(
+                wa * a.inverse_depth + wb * b.inverse_depth + wc * c.inverse_depth);
+            if (map.confidence(x, y) != 0 && inverse_depth <= map.inverse_depth(x, y)) continue;
+            map.inverse_depth(x, y) = inverse_depth;
+            map.confidence(x, y) = 255;
+        }
+    }
+}
+
+/// The part of a triangle that lies beyond the near plane, as a polygon of up to four corners.
+std::vector<Eigen::Vector3d> clipped(const std::array<Eigen::Vector3d, 3>& triangle, double near) {
+    std::vector<Eigen::Vector3d> polygon;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Vector3d& a = triangle[i];
+        const Eigen::Vector3d& b = triangle[(i + 1) % 3];
+        if (a.z() >= near) polygon.push_back(a);
+        if ((a.z() >= near) != (b.z() >= near)) {
+            polygon.push_back(a + (near - a.z()) / (b.z() - a.z()) * (b - a));
+        }
+    }
+    return polygon;
+}
+
+}  // namespace
+
+DepthMap mesh_depth(const DepthView& view, const TriangleMesh& mesh) {
+    DepthMap map{FloatImage(view.camera.width_px, view.camera.height_px),
+                 GrayImage(view.camera.width_px, view.camera.height_px)};
+    std::vector<Eigen::Vector3d> in_cam;
+    double farthest = 0;
+    for (const Eigen::Vector3f& vertex : mesh.vertices) {
+        in_cam.push_back(view.cam_from_world * vertex.cast<double>());
+        farthest = std::max(farthest, in_cam.back().z());
+    }
+    const double near = 1e-6 * farthest;
+    if (near <= 0) return map;
+    for (const auto& face : mesh.faces) {
+        const std::vector<Eigen::Vector3d> polygon =
+            clipped({in_cam[face[0]], in_cam[face[1]], in_cam[face[2]]}, near);
+        std::vector<Corner> corners;
+        for (const Eigen::Vector3d& corner : polygon) {
+            if (const auto pixel = project(view.camera, corner)) {
+                corners.push_back({*pixel, 1 / corner.z()});
+            }
+        }
+        for (std::size_t i = 2; i < corners.size(); ++i) {
+            draw(corners[0], corners[i - 1], corners[i], map);
+        }
+    }
+    return map;
+}
+
+}  // namespace lumi

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace lumi {
+
+/// Scene geometry as triangles, in the world of the poses.
+struct TriangleMesh {
+    std::vector<Eigen::Vector3f> vertices;
+    std::vector<std::array<std::uint32_t, 3>> faces;  ///< Indices into `vertices`.
+};
+
+/// A PLY file (text or binary, little- or big-endian) or an OBJ file, by its first bytes and its
+/// extension; polygons are cut into fans. Everything but places and faces is skipped. Throws Error
+/// (E-GEOMETRY-READ) naming what was expected when a count, an index or a number is out of range,
+/// and E-GEOMETRY-EMPTY without a triangle.
+[[nodiscard]] TriangleMesh read_triangle_mesh(const std::filesystem::path& path);
+
+/// Binary little-endian PLY: x y z and vertex_indices.
+void write_triangle_mesh_ply(const std::filesystem::path& path, const TriangleMesh& mesh);
+
+}  // namespace lumi

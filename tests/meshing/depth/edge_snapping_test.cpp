@@ -1,0 +1,75 @@
+#include "meshing/depth/edge_snapping.h"
+
+#include <gtest/gtest.h>
+
+namespace lumi {
+namespace {
+
+constexpr float kOnePixel = 0.01F;
+
+/// A bright board over columns 40 on, whose depth begins `fat` columns too early.
+struct FatEdge {
+    DepthMap map{FloatImage(80, 60, 0.2F), GrayImage(80, 60, 255)};
+    ColorImage photograph{80, 60, {60, 60, 60}};
+    explicit FatEdge(int fat) {
+        for (int y = 0; y < 60; ++y) {
+            for (int x = 40 - fat; x < 80; ++x) {
+                map.inverse_depth(x, y) = 0.6F;
+                if (x >= 40) photograph(x, y) = {180, 170, 160};
+            }
+        }
+    }
+};
+
+TEST(EdgeSnapping, MovesAFatEdgeToThePhotographs) {
+    FatEdge edge(3);
+    snap_edges(edge.map, edge.photograph, kOnePixel);
+    for (int y = 0; y < 60; ++y) {
+        for (int x = 0; x < 80; ++x) {
+            ASSERT_EQ(edge.map.inverse_depth(x, y), x < 40 ? 0.2F : 0.6F) << x << " " << y;
+        }
+    }
+}
+
+TEST(EdgeSnapping, LeavesAnEdgeThatThePhotographDoesNotShow) {
+    FatEdge edge(3);
+    edge.photograph = ColorImage(80, 60, {90, 90, 90});
+    const DepthMap before = edge.map;
+    snap_edges(edge.map, edge.photograph, kOnePixel);
+    for (int y = 8; y < 52; ++y) {
+        for (int x = 0; x < 80; ++x) {
+            ASSERT_EQ(edge.map.inverse_depth(x, y), before.inverse_depth(x, y)) << x << " " << y;
+        }
+    }
+}
+
+TEST(EdgeSnapping, KeepsAThinPole) {
+    DepthMap map{FloatImage(80, 60, 0.2F), GrayImage(80, 60, 255)};
+    ColorImage photograph(80, 60, {60, 60, 60});
+    for (int y = 0; y < 60; ++y) {
+        for (int x = 40; x < 43; ++x) {
+            map.inverse_depth(x, y) = 0.6F;
+            photograph(x, y) = {200, 40, 40};
+        }
+    }
+    const DepthMap before = map;
+    snap_edges(map, photograph, kOnePixel);
+    EXPECT_EQ(map.inverse_depth, before.inverse_depth);
+}
+
+TEST(EdgeSnapping, LeavesASlopeAlone) {
+    DepthMap map{FloatImage(80, 60), GrayImage(80, 60, 255)};
+    ColorImage photograph(80, 60);
+    for (int y = 0; y < 60; ++y) {
+        for (int x = 0; x < 80; ++x) {
+            map.inverse_depth(x, y) = 0.2F + 0.4F * kOnePixel * static_cast<float>(x);
+            photograph(x, y).r = static_cast<std::uint8_t>((x / 3 + y / 3) % 2 * 200);
+        }
+    }
+    const DepthMap before = map;
+    snap_edges(map, photograph, kOnePixel);
+    EXPECT_EQ(map.inverse_depth, before.inverse_depth);
+}
+
+}  // namespace
+}  // namespace lumi

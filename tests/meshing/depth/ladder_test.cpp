@@ -1,0 +1,161 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "meshing/depth/depth_choice.h"
+#include "meshing/depth/depth_model.h"
+#include "meshing/depth/pair_stereo.h"
+#include "meshing/depth/patch_match.h"
+#include "tests/meshing/depth/raycast_scene.h"
+
+namespace lumi {
+namespace {
+
+bool everywhere(const Eigen::Vector3d&) { return true; }
+
+/// Exact points of every view on a grid, so many pixels apart.
+void add_points(KnownDepthScene& known, int spacing_px) {
+    for (std::size_t i = 0; i < known.scene.views.size(); ++i) {
+        for (int y = spacing_px / 2; y < 180; y += spacing_px) {
+            for (int x = spacing_px / 2; x < 240; x += spacing_px) {
+                // Not in rows: triangles of all shapes.
+                const int at_x = std::min(239, x + y % 5);
+                known.scene.views[i].points.push_back(
+                    {{at_x + 0.5, y + 0.5}, static_cast<double>(known.inverse_depths[i](at_x, y))});
+            }
+        }
+    }
+}
+
+KnownDepthScene slanted_wall(const Eigen::Vector3d& normal) {
+    KnownDepthScene known =
+        known_depth_scene({{{0, 0, 2}, normal, everywhere, noise_texture(0.03, 5)}},
+                          cross_of_centres(0.12), {0.1, 1.2});
+    add_points(known, 12);
+    return known;
+}
+
+/// Boards at many depths before a wall: points tell little of what lies between them.
+KnownDepthScene boards() {
+    std::vector<TexturedPlane> planes{{{0, 0, 3}, {0, 0, 1}, everywhere, noise_texture(0.04, 5)}};
+    for (int i = 0; i < 9; ++i) {
+        const double depth = 1.6 + 0.12 * ((5 * i) % 9);
+        const double left = (-0.5 + 0.11 * i) * depth;
+        planes.push_back(
+            {{0, 0, depth},
+             {0, 0, 1},
+             [=](const Eigen::Vector3d& p) { return p.x() > left && p.x() < left + 0.055 * depth; },
+             noise_texture(0.02, static_cast<unsigned>(20 + i))});
+    }
+    KnownDepthScene known = known_depth_scene(planes, cross_of_centres(0.2), {0.1, 1.0});
+    add_points(known, 24);
+    return known;
+}
+
+double share_right(const DepthMap& map, const KnownDepthScene& known, bool only_confident) {
+    constexpr int kMargin = 20;
+    const FloatImage errors = errors_px(map, known.inverse_depths[0], known.scene.views[0]);
+    int all = 0;
+    int right = 0;
+    for (int y = kMargin; y < 180 - kMargin; ++y) {
+        for (int x = kMargin; x < 240 - kMargin; ++x) {
+            if (only_confident && map.confidence(x, y) == 0) continue;
+            ++all;
+            if (errors(x, y) <= 1.0F) ++right;
+        }
+    }
+    return all == 0 ? 0.0 : static_cast<double>(right) / all;
+}
+
+std::string chosen(const KnownDepthScene& known) {
+    SilentProgress progress;
+    return choose_depth_model(known.scene, "sweep", {}, 2, progress).model;
+}
+
+TEST(DepthLadder, EveryRungSaysSomethingFiniteOfEveryPixel) {
+    const KnownDepthScene known = boards();
+    for (const std::string& name : depth_model_names()) {
+        const DepthEstimate estimate = depth_model_named(name)->estimate(known.scene, 0);
+        ASSERT_EQ(estimate.map.inverse_depth.width(), 240) << name;
+        ASSERT_EQ(estimate.map.confidence.height(), 180) << name;
+        for (const float value : estimate.map.inverse_depth.pixels()) {
+            ASSERT_TRUE(std::isfinite(value) && value >= 0) << name;
+        }
+    }
+}
+
+TEST(PairStereo, FindsASlantedWall) {
+    const KnownDepthScene known = slanted_wall({0.3, 0.2, 1});
+    const DepthMap map = pair_stereo(known.scene, 0);
+    EXPECT_GT(share_right(map, known, true), 0.97);
+    const auto known_pixels =
+        std::count_if(map.confidence.pixels().begin(), map.confidence.pixels().end(),
+                      [](std::uint8_t value) { return value > 0; });
+    EXPECT_GT(static_cast<double>(known_pixels), 0.9 * 240 * 180);
+}
+
+TEST(PairStereo, LeavesOutPairsInSightOfEachOther) {
+    KnownDepthScene known =
+        known_depth_scene({{{0, 0, 2}, {0, 0, 1}, everywhere, noise_texture(0.03, 5)}},
+                          {{0, 0, 0}, {0.1, 0, 0}, {0, 0, 0.3}}, {0.1, 1.2});
+    EXPECT_EQ(rectifiable_pairs(known.scene, 0), 1) << "the third camera stands ahead";
+}
+
+TEST(PatchMatch, BringsASlantedWallToAFractionOfAPixel) {
+    const KnownDepthScene known = slanted_wall({0.5, 0.4, 1});
+    std::vector<DepthEstimate> estimates;
+    for (std::size_t i = 0; i < known.scene.views.size(); ++i) {
+        DepthMap map{known.inverse_depths[i], GrayImage(240, 180, 255)};
+        // A staircase of steps of one pixel.
+        const double step = 1 / known.scene.views[0].disparity_px_per_inverse_depth;
+        for (float& value : map.inverse_depth.pixels()) {
+            value = static_cast<float>(step * std::round(static_cast<double>(value) / step));
+        }
+        estimates.push_back({map, "sweep", true, false});
+    }
+    const DepthMap refined = patch_match(known.scene, estimates, 0);
+    const FloatImage errors = errors_px(refined, known.inverse_depths[0], known.scene.views[0]);
+    int fine = 0;
+    int all = 0;
+    for (int y = 20; y < 160; ++y) {
+        for (int x = 20; x < 220; ++x) {
+            ++all;
+            if (errors(x, y) <= 0.25F) ++fine;
+        }
+    }
+    EXPECT_GT(fine, 0.9 * all);
+}
+
+TEST(DepthChoice, APlaneForAPlanarSceneAndTheSweepForATangledOne) {
+    EXPECT_EQ(chosen(slanted_wall({0, 0, 1})), "plane");
+    EXPECT_EQ(chosen(slanted_wall({0.5, 0.4, 1})), "slanted_plane");
+    EXPECT_EQ(chosen(boards()), "sweep");
+}
+
+TEST(DepthChoice, SparsePointsForASmoothScene) {
+    // Two walls that meet in an obtuse angle: no plane, but affine between points.
+    KnownDepthScene known = known_depth_scene({{{0, 0, 2.2},
+                                                {0.5, 0, 1},
+                                                [](const Eigen::Vector3d& p) { return p.x() >= 0; },
+                                                noise_texture(0.03, 5)},
+                                               {{0, 0, 2.2},
+                                                {-0.5, 0, 1},
+                                                [](const Eigen::Vector3d& p) { return p.x() < 0; },
+                                                noise_texture(0.03, 6)}},
+                                              cross_of_centres(0.12), {0.1, 1.2});
+    add_points(known, 8);
+    EXPECT_EQ(chosen(known), "sparse");
+}
+
+TEST(DepthChoice, WithoutPointsTakesTheHighestRungAndSaysWhy) {
+    const KnownDepthScene known =
+        known_depth_scene({{{0, 0, 2}, {0, 0, 1}, everywhere, noise_texture(0.03, 5)}},
+                          cross_of_centres(0.12), {0.1, 1.2});
+    SilentProgress progress;
+    const DepthChoice choice = choose_depth_model(known.scene, "sweep", {}, 1, progress);
+    EXPECT_EQ(choice.model, "sweep");
+    EXPECT_NE(choice.explanation.find("no view has"), std::string::npos) << choice.explanation;
+}
+
+}  // namespace
+}  // namespace lumi

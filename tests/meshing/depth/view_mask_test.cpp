@@ -1,0 +1,124 @@
+#include "meshing/depth/view_mask.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/error.h"
+#include "meshing/depth/depth_stage.h"
+#include "tests/meshing/depth/raycast_scene.h"
+
+namespace lumi {
+namespace {
+
+/// A textured ball of pixels before noisy black cloth.
+DepthScene before_black_cloth(int views) {
+    DepthScene scene;
+    std::mt19937 random(4);
+    for (int i = 0; i < views; ++i) {
+        DepthView view;
+        view.name = "view" + std::to_string(i) + ".jpg";
+        view.camera = small_camera();
+        view.photograph = ColorImage(240, 180);
+        for (int y = 0; y < 180; ++y) {
+            for (int x = 0; x < 240; ++x) {
+                const bool is_ball = (x - 120) * (x - 120) + (y - 90) * (y - 90) < 60 * 60;
+                const int noise = static_cast<int>(random() % 8);
+                const auto level = static_cast<std::uint8_t>(is_ball ? 90 + 10 * noise : noise);
+                view.photograph(x, y) = {level, level, level};
+            }
+        }
+        view.photograph(120, 90) = {0, 0, 0};  // A dark spot on the ball.
+        scene.views.push_back(std::move(view));
+    }
+    return scene;
+}
+
+TEST(ViewMask, FindsBlackClothAndKeepsDarkSpotsOfTheScene) {
+    const DepthScene scene = before_black_cloth(4);
+    const auto background = plain_background(scene);
+    ASSERT_TRUE(background);
+    EXPECT_LT(background->g, 8);
+    const GrayImage mask = mask_of_background(scene.views[0], *background);
+    EXPECT_EQ(mask(3, 3), 0);
+    EXPECT_EQ(mask(120, 90), 255);
+    for (int y = 0; y < 180; ++y) {
+        for (int x = 0; x < 240; ++x) {
+            const bool is_ball = (x - 120) * (x - 120) + (y - 90) * (y - 90) < 60 * 60;
+            ASSERT_EQ(mask(x, y) != 0, is_ball) << x << " " << y;
+        }
+    }
+}
+
+TEST(ViewMask, ATexturedSceneHasNoPlainBackground) {
+    const KnownDepthScene known = known_depth_scene(
+        {{{0, 0, 2}, {0, 0, 1}, [](const auto&) { return true; }, noise_texture(0.03, 5)}},
+        cross_of_centres(0.1), {});
+    EXPECT_FALSE(plain_background(known.scene));
+}
+
+TEST(ViewMask, APlainWallIsNoBackgroundOfNothing) {
+    DepthScene scene = before_black_cloth(3);
+    for (DepthView& view : scene.views) view.photograph = ColorImage(240, 180, {128, 128, 128});
+    EXPECT_FALSE(plain_background(scene));
+}
+
+TEST(ViewMask, ADrawnMaskIsReadByTheNameOfItsPhotograph) {
+    const ScratchFolder folder;
+    DepthView view;
+    view.name = "walk/one.jpg";
+    view.camera = small_camera();
+    GrayImage drawn(480, 360, 255);
+    for (int x = 0; x < 100; ++x) drawn(x, 7) = 0;
+    write_png(folder.path() / "walk" / "one.png", drawn);
+    const GrayImage mask = drawn_mask(view, folder.path());
+    EXPECT_EQ(mask(10, 3), 0);
+    EXPECT_EQ(mask(60, 3), 255);
+    EXPECT_EQ(mask(10, 5), 255);
+}
+
+TEST(ViewMask, RefusesWhatIsMissingOrMisshapen) {
+    const ScratchFolder folder;
+    DepthView view;
+    view.name = "one.jpg";
+    view.camera = small_camera();
+    const auto code = [&] {
+        try {
+            (void)drawn_mask(view, folder.path());
+        } catch (const Error& error) {
+            return error.code();
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(code(), "E-DEPTH-MASK");
+    write_png(folder.path() / "one.png", GrayImage(240, 240));
+    EXPECT_EQ(code(), "E-DEPTH-MASKSIZE");
+}
+
+TEST(DepthStage, WhatAMaskLeavesOutIsInfinitelyFarAndTheRestIsUnharmed) {
+    const ScratchFolder folder;
+    const KnownDepthScene known = known_depth_scene(
+        {{{0, 0, 2}, {0.1, 0, 1}, [](const auto&) { return true; }, noise_texture(0.03, 5)}},
+        cross_of_centres(0.12), {});
+    const PosedPhotographs photographs = written(known, folder.path());
+    GrayImage mask(240, 180, 255);
+    for (int y = 0; y < 180; ++y) {
+        for (int x = 0; x < 80; ++x) mask(x, y) = 0;
+    }
+    for (const View& view : photographs.capture.views) {
+        write_png(folder.path() / "masks" / view.name, mask);
+    }
+    SilentProgress progress;
+    DepthOptions options;
+    options.mask_folder = folder.path() / "masks";
+    const DepthResult result = estimate_depth(photographs, {0, 1, 2, 3, 4}, options, 2, progress);
+    const DepthMap& map = result.depth_maps[0];
+    EXPECT_NEAR(result.evidence[0].background_share, 1.0 / 3, 1e-9);
+    EXPECT_EQ(map.inverse_depth(40, 90), 0.0F);
+    EXPECT_EQ(map.confidence(40, 90), 255);
+    EXPECT_NEAR(map.inverse_depth(160, 90), known.inverse_depths[0](160, 90), 0.01F);
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,113 @@
+#include "meshing/geometry/triangle_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "meshing/geometry/mesh_depth.h"
+#include "tests/meshing/depth/raycast_scene.h"
+
+namespace lumi {
+namespace {
+
+std::string code_of_reading(const std::filesystem::path& path) {
+    try {
+        (void)read_triangle_mesh(path);
+    } catch (const Error& error) {
+        return error.code();
+    }
+    return "none";
+}
+
+TEST(TriangleMesh, PlyKeepsEveryBit) {
+    const ScratchFolder folder;
+    TriangleMesh mesh;
+    mesh.vertices = {{0, 0, 1}, {1.25F, 0, 2}, {0, 1e-7F, 3}, {4, 5, 6}};
+    mesh.faces = {{0, 1, 2}, {2, 1, 3}};
+    write_triangle_mesh_ply(folder.path() / "m.ply", mesh);
+    const TriangleMesh read = read_triangle_mesh(folder.path() / "m.ply");
+    EXPECT_EQ(read.vertices, mesh.vertices);
+    EXPECT_EQ(read.faces, mesh.faces);
+}
+
+TEST(TriangleMesh, ReadsTextPlyAndObjWithPolygons) {
+    const ScratchFolder folder;
+    write_whole_text(folder.path() / "m.ply",
+                     "ply\r\nformat ascii 1.0\r\ncomment x\r\nelement vertex 4\r\nproperty float x"
+                     "\r\nproperty float y\r\nproperty float z\r\nproperty uchar red\r\n"
+                     "element face 1\r\nproperty list uchar int vertex_indices\r\nend_header\r\n"
+                     "0 0 1 9\r\n1 0 1 9\r\n1 1 1 9\r\n0 1 1 9\r\n4 0 1 2 3\r\n");
+    write_whole_text(folder.path() / "m.obj",
+                     "# x\no thing\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nvt 0 0\n"
+                     "f 1/1/1 2//1 3 -1\n");
+    for (const char* name : {"m.ply", "m.obj"}) {
+        const TriangleMesh mesh = read_triangle_mesh(folder.path() / name);
+        ASSERT_EQ(mesh.vertices.size(), 4) << name;
+        ASSERT_EQ(mesh.faces.size(), 2) << name;
+        EXPECT_EQ(mesh.faces[1], (std::array<std::uint32_t, 3>{0, 2, 3})) << name;
+    }
+}
+
+TEST(TriangleMesh, RefusesWhatLies) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "m.ply";
+    const std::string head = "ply\nformat ascii 1.0\nelement vertex ";
+    write_whole_text(path, head + "99999999999\nproperty float x\nend_header\n1\n");
+    EXPECT_EQ(code_of_reading(path), "E-GEOMETRY-READ");
+    write_whole_text(path, head + "2\nproperty float x\nend_header\n1\n");
+    EXPECT_EQ(code_of_reading(path), "E-GEOMETRY-READ") << "ends early";
+    write_whole_text(path, head + "1\nproperty float x\nend_header\nnan\n");
+    EXPECT_EQ(code_of_reading(path), "E-GEOMETRY-READ") << "not finite";
+    write_whole_text(path, head + "1\nproperty float x\nend_header\n1\n");
+    EXPECT_EQ(code_of_reading(path), "E-GEOMETRY-EMPTY");
+    write_whole_text(folder.path() / "m.obj", "v 0 0 1\nf 1 1 7\n");
+    EXPECT_EQ(code_of_reading(folder.path() / "m.obj"), "E-GEOMETRY-READ") << "index";
+    write_whole_text(folder.path() / "m.stl", "solid\n");
+    EXPECT_EQ(code_of_reading(folder.path() / "m.stl"), "E-GEOMETRY-READ");
+}
+
+TEST(MeshDepth, EqualsTheRayCastOfTheSamePlanes) {
+    // A slanted wall as two large triangles that reach behind the camera, and a board before it.
+    const auto board = [](const Eigen::Vector3d& p) {
+        return p.x() > -0.3 && p.x() < 0.3 && p.y() > -0.2 && p.y() < 0.2;
+    };
+    const KnownDepthScene known = known_depth_scene(
+        {{{0, 0, 3}, {1, 0, 1}, [](const auto&) { return true; }, noise_texture(0.1, 5)},
+         {{0, 0, 1.8}, {0, 0, 1}, board, noise_texture(0.1, 8)}},
+        {{0, 0, 0}, {0.1, 0.05, 0}}, {});
+    TriangleMesh mesh;
+    mesh.vertices = {{-9, -9, 12},        {-9, 9, 12},          {9, -9, -6},
+                     {9, 9, -6},          {-0.3F, -0.2F, 1.8F}, {0.3F, -0.2F, 1.8F},
+                     {-0.3F, 0.2F, 1.8F}, {0.3F, 0.2F, 1.8F}};
+    mesh.faces = {{0, 1, 2}, {2, 1, 3}, {4, 6, 5}, {5, 6, 7}};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const DepthMap map = mesh_depth(known.scene.views[i], mesh);
+        int different = 0;
+        for (int y = 0; y < 180; ++y) {
+            for (int x = 0; x < 240; ++x) {
+                ASSERT_EQ(map.confidence(x, y), 255);
+                if (std::abs(map.inverse_depth(x, y) - known.inverse_depths[i](x, y)) > 1e-5F) {
+                    ++different;
+                }
+            }
+        }
+        EXPECT_LE(different, 4) << "pixels whose centre lies on the board's edge";
+    }
+}
+
+TEST(MeshDepth, BesideTheMeshNothingIsKnown) {
+    DepthView view;
+    view.camera = small_camera();
+    TriangleMesh mesh;
+    mesh.vertices = {{0, 0, 2}, {0.1F, 0, 2}, {0, 0.1F, 2}};
+    mesh.faces = {{0, 1, 2}};
+    const DepthMap map = mesh_depth(view, mesh);
+    EXPECT_EQ(map.confidence(2, 2), 0);
+    EXPECT_EQ(map.confidence(122, 92), 255);
+    EXPECT_FLOAT_EQ(map.inverse_depth(122, 92), 0.5F);
+    mesh.vertices = {{0, 0, -2}, {1, 0, -2}, {0, 1, -2}};
+    EXPECT_EQ(mesh_depth(view, mesh).confidence, GrayImage(240, 180)) << "behind the camera";
+}
+
+}  // namespace
+}  // namespace lumi
