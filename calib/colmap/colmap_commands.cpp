@@ -106,4 +106,19 @@ ColmapRun map_with_colmap(const ColmapProgram& program, const std::filesystem::p
         progress);
 }
 
+ColmapRun map_with_colmap_defaults(const ColmapProgram& program,
+                                   const std::filesystem::path& database,
+                                   const std::filesystem::path& models, bool refine_lens,
+                                   int threads, const std::function<void(int)>& on_photographs,
+                                   const Progress& progress) {
+    const std::string refine = flag(refine_lens);
+    return run(program,
+               {"mapper", "--database_path", database.string(), "--image_path", models.string(),
+                "--output_path", models.string(), "--Mapper.extract_colors", "0",
+                "--Mapper.num_threads", std::to_string(threads), "--Mapper.ba_refine_focal_length",
+                refine, "--Mapper.ba_refine_extra_params", refine},
+               "mapper_defaults", kMapperSilenceLimit_s,
+               counter_of("Registering image #", on_photographs), progress);
+}
+
 }  // namespace lumi

@@ -61,4 +61,12 @@ struct MapperSettings {
                                         const std::function<void(int)>& on_photographs,
                                         const Progress& progress);
 
+/// The same with all of COLMAP's own settings, but for whether the lens may change: for comparison.
+[[nodiscard]] ColmapRun map_with_colmap_defaults(const ColmapProgram& program,
+                                                 const std::filesystem::path& database,
+                                                 const std::filesystem::path& models,
+                                                 bool refine_lens, int threads,
+                                                 const std::function<void(int)>& on_photographs,
+                                                 const Progress& progress);
+
 }  // namespace lumi

@@ -287,10 +287,18 @@ void map_from_start(GrowingModel& model, const std::vector<VerifiedPair>& pairs,
                     const std::function<void(int)>& on_placed, Progress& progress) {
     constexpr double kNearlyAll = 0.9;
     const GrowingModel unplaced = model;
-    const TwoViewStartOptions start_options;
+    TwoViewStartOptions start_options;
+    std::vector<TwoViewStart> starts = two_view_starts(unplaced, pairs, start_options);
+    if (starts.empty()) {
+        // A shallow capture: little parallax is all there is.
+        start_options.min_angle_rad = 0.035;
+        start_options.full_angle_rad = 0.09;
+        start_options.min_points = 30;
+        starts = two_view_starts(unplaced, pairs, start_options);
+    }
     int tried = 0;
     std::vector<char> was_placed(model.pixels.size(), 0);
-    for (const TwoViewStart& start : two_view_starts(unplaced, pairs, start_options)) {
+    for (const TwoViewStart& start : starts) {
         // A start that lies within a model that was found before would lead to the same.
         if (was_placed[static_cast<std::size_t>(start.first)] != 0 &&
             was_placed[static_cast<std::size_t>(start.second)] != 0 && tried > 1) {

@@ -23,21 +23,33 @@ Eigen::Vector2d ray_of(const GrowingModel& model, int photograph, std::uint32_t 
     return model.rays[static_cast<std::size_t>(photograph)][feature];
 }
 
-/// Matches that a rotation does not explain, of pairs that a plane does not explain either.
-double promise_of(const GrowingModel& model, const VerifiedPair& pair, double min_angle_rad) {
+/// Matches, by how far from them the rotation that explains most leaves the half it explains worst;
+/// pairs before a plane count less, pairs of a camera that turned not at all.
+double promise_of(const GrowingModel& model, const VerifiedPair& pair) {
+    constexpr double kPlentyOfParallax_rad = 0.05;
+    constexpr double kNoParallax_px = 2.0;
+    // Before a plane the motion is ambiguous and the focal length cannot be told.
+    constexpr double kPlanarPenalty = 0.3;
     if (pair.configuration == PairConfiguration::kPanoramic) return 0;
     DirectionPairs directions;
     for (const FeatureMatch& match : pair.inliers) {
         directions.first.push_back(ray_of(model, pair.first, match.first).homogeneous());
         directions.second.push_back(ray_of(model, pair.second, match.second).homogeneous());
     }
+    const Eigen::Quaterniond turn = fit_rotation(directions, 0.01).second_from_first;
+    std::vector<double> angles_rad;
+    for (std::size_t index = 0; index < directions.first.size(); ++index) {
+        const Eigen::Vector3d turned = turn * directions.first[index];
+        const Eigen::Vector3d& seen = directions.second[index];
+        angles_rad.push_back(std::atan2(turned.cross(seen).norm(), turned.dot(seen)));
+    }
+    const auto middle = angles_rad.begin() + static_cast<std::ptrdiff_t>(angles_rad.size() / 2);
+    std::nth_element(angles_rad.begin(), middle, angles_rad.end());
+    if (*middle * focal_length_px(model.camera_of(pair.first)).mean() < kNoParallax_px) return 0;
     const bool is_general = pair.configuration == PairConfiguration::kCalibrated ||
                             pair.configuration == PairConfiguration::kUncalibrated;
-    // Before a plane the motion is ambiguous and the focal length cannot be told.
-    constexpr double kPlanarPenalty = 0.3;
-    const RotationFit fit = fit_rotation(directions, 0.5 * min_angle_rad);
-    return static_cast<double>(pair.inliers.size()) * (1 - fit.inlier_share) *
-           (is_general ? 1.0 : kPlanarPenalty);
+    return static_cast<double>(pair.inliers.size()) *
+           std::min(*middle / kPlentyOfParallax_rad, 1.0) * (is_general ? 1.0 : kPlanarPenalty);
 }
 
 std::vector<Candidate> most_promising(const GrowingModel& model,
@@ -50,7 +62,7 @@ std::vector<Candidate> most_promising(const GrowingModel& model,
             pair.inliers.size() < static_cast<std::size_t>(options.min_points)) {
             continue;
         }
-        candidates.push_back({&pair, promise_of(model, pair, options.min_angle_rad)});
+        candidates.push_back({&pair, promise_of(model, pair)});
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const auto& a, const auto& b) { return a.promise > b.promise; });

@@ -22,8 +22,8 @@ struct TwoViewStart {
     double weight = 0;         ///< Points, each as good as its angle.
 };
 
-/// The pairs to begin with, the best first: those with most points under a wide angle. A rotation
-/// is taken from every pair's matches to see which have parallax at all; of the most promising, an
+/// The pairs to begin with, the best first: those with most points under a wide angle. What the
+/// best rotation leaves of each pair's matches shows which have parallax; of the most promising, an
 /// essential matrix tells how many points lie before both cameras (Nistér, PAMI 2004). Pairs with a
 /// placed photograph are left out.
 [[nodiscard]] std::vector<TwoViewStart> two_view_starts(const GrowingModel& model,

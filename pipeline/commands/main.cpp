@@ -25,6 +25,7 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_render_command(app, context);
     lumi::add_view_command(app, context);
     lumi::add_bench_command(app, context);
+    lumi::add_bench_poses_command(app, context);
     lumi::add_evaluate_command(app, context);
     lumi::add_compare_poses_command(app, context);
     lumi::add_inspect_command(app, context);

@@ -142,7 +142,7 @@ class PieceCutter {
                                  const Coverages& coverages) const {
         Range sums;
         for (const BlendVertex& vertex : vertices)
-            sums.extend(sum_of_weights(vertex) * vertex.depth);
+            sums.extend(sum_of_weights(vertex) * static_cast<double>(vertex.depth));
         if (!(sums.low > 0)) return false;
         for (std::size_t k = 0; k < 3; ++k) {
             if (coverages[k] != Coverage::kInside) continue;
@@ -150,7 +150,7 @@ class PieceCutter {
             Range ratios;
             Box pixels;
             for (const BlendVertex& vertex : vertices) {
-                weights.extend(vertex.weights[k] / sum_of_weights(vertex));
+                weights.extend(static_cast<double>(vertex.weights[k]) / sum_of_weights(vertex));
                 ratios.extend(vertex.depth_ratios[k] * vertex.depth);
                 pixels.extend(Eigen::Vector2d(vertex.view_pixels[k][0], vertex.view_pixels[k][1]));
             }

@@ -41,7 +41,7 @@ TEST(CommandLine, HelpBeginsWithAnExample) {
     EXPECT_THAT(lumi("--help").out, StartsWith("Example: lumi "));
     for (const std::string command :
          {"build", "ingest", "poses", "mesh", "depth", "pack", "render", "view", "bench",
-          "evaluate", "compare-poses", "inspect", "validate", "synth"}) {
+          "bench-poses", "evaluate", "compare-poses", "inspect", "validate", "synth"}) {
         const Outcome help = lumi(command + " --help");
         EXPECT_EQ(help.exit_code, 0) << command;
         EXPECT_THAT(help.out, StartsWith("Example: lumi " + command));

@@ -141,6 +141,31 @@ TEST(IncrementalMapper, IsTheSameInEveryRun) {
     EXPECT_EQ(once.points_in_world, again.points_in_world);
 }
 
+TEST(IncrementalMapper, BeginsWithLittleParallaxWhereThereIsNoMore) {
+    SyntheticCaptureOptions options = arc(6);
+    options.arc_deg = 3;
+    options.arc_radius = 8;
+    Capture truth = synthetic_capture(pinhole_camera(1000, 800, 2400), options);
+    for (View& view : truth.views) {  // Also the heights differ by little.
+        Eigen::Vector3d centre = centre_in_world(view.cam_from_world);
+        centre.y() *= 0.05;
+        view.cam_from_world.translation = -(view.cam_from_world.rotation * centre);
+    }
+    for (ScenePoint& point : truth.points) {
+        for (Observation& seen : point.track) {
+            const View& view = truth.views[static_cast<std::size_t>(seen.view_index)];
+            seen.pixel =
+                project(truth.cameras[0], view.cam_from_world * point.position_in_world).value();
+        }
+    }
+    IncrementalMappingOptions mapping;
+    mapping.refine_lenses = false;
+    const MatchedScene scene = matched_scene(std::move(truth));
+    const GrowingModel model = mapped(scene, mapping);
+    EXPECT_EQ(model.placed(), 6);
+    EXPECT_LT(relative_position_error(capture_of(model, names_of(scene.truth)), scene.truth), 1e-3);
+}
+
 TEST(IncrementalMapper, PlacesNothingWithoutAStart) {
     MatchedScene scene = matched_scene(synthetic_capture(pinhole_camera(1000, 800, 900), arc(5)));
     scene.pairs.clear();

@@ -1,0 +1,45 @@
+#include "calib/poses/colmap_reconstruction.h"
+
+#include <system_error>
+
+#include "calib/poses/mapping.h"
+#include "calib/work/parallel_for.h"
+
+namespace lumi {
+
+ColmapReconstruction reconstruct_with_colmap(const std::vector<Photograph>& photographs,
+                                             const std::optional<Camera>& given_lens,
+                                             const PoseOptions& options,
+                                             const std::filesystem::path& scratch_folder,
+                                             int threads, Progress& progress) {
+    constexpr int kColmapsFeatures = 8192;
+    std::error_code status;
+    std::filesystem::remove_all(scratch_folder, status);
+    const std::filesystem::path models = scratch_folder / "models";
+    std::filesystem::create_directories(models);
+    PoseOptions colmaps = options;
+    colmaps.max_features = kColmapsFeatures;
+    const CameraGroups groups = group_cameras(photographs, given_lens, colmaps);
+    PoseEvidence evidence;
+    const MappingJob job{photographs,
+                         groups,
+                         colmaps,
+                         given_lens.has_value(),
+                         !given_lens || options.refine_lens,
+                         scratch_folder,
+                         resolve_threads(threads),
+                         progress,
+                         evidence};
+    const MatchedPhotographs matched = match_with_colmap_alone(job, "colmap");
+    progress.begin("placing photographs with COLMAP alone", photographs.size());
+    record(evidence,
+           map_with_colmap_defaults(
+               colmap_of(job), matched.database, models, job.refine_lens, job.threads,
+               [&](int count) { progress.advance(static_cast<std::size_t>(count)); }, progress));
+    ColmapReconstruction result;
+    if (auto best = read_best_model(models, photographs)) result.capture = std::move(best->capture);
+    result.calls = std::move(evidence.calls);
+    return result;
+}
+
+}  // namespace lumi

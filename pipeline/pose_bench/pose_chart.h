@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/pose_bench/pose_trial.h"
+
+namespace lumi {
+
+/// What the chart of this stage is drawn from: features kept by size of the pictures by mapper with
+/// our own front end, and some with COLMAP's.
+[[nodiscard]] std::vector<PoseMeans> chart_means(int max_width_px);
+
+/// One line a trial.
+[[nodiscard]] std::string trials_csv(const std::vector<PoseTrial>& trials);
+
+/// CPU seconds against position error (the share of photographs not placed where no truth is
+/// known), drawn with gnuplot as `file`. Throws Error (E-CHART-GNUPLOT).
+void draw_pose_chart(const std::vector<PoseTrial>& trials, const std::string& title,
+                     const std::filesystem::path& file, const std::filesystem::path& scratch_folder,
+                     const Progress& progress);
+
+}  // namespace lumi

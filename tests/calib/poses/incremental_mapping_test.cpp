@@ -1,0 +1,107 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "calib/poses/mapping.h"
+#include "tests/calib/mapping/matched_scene.h"
+
+namespace lumi {
+namespace {
+
+/// Ten photographs along an arc, and what is known of them after matching.
+class IncrementalMapping : public testing::Test {
+ protected:
+    IncrementalMapping() {
+        SyntheticCaptureOptions options;
+        options.views = 10;
+        options.points = 400;
+        options.arc_deg = 90;
+        scene_ = matched_scene(synthetic_capture(pinhole_camera(1000, 800, 900), options));
+        matched_.photographs = scene_.photographs;
+        matched_.pairs = scene_.pairs;
+        groups_.cameras = scene_.cameras;
+        for (const std::string& name : names_of(scene_.truth)) {
+            photographs_.emplace_back();
+            photographs_.back().name = name;
+            groups_.camera_of_photograph.push_back(0);
+        }
+    }
+
+    /// Photographs below `from` and the others have no pair in common.
+    void cut(int from) {
+        std::erase_if(matched_.pairs, [&](const VerifiedPair& pair) {
+            return pair.first < from && pair.second >= from;
+        });
+    }
+    /// Gives each scene point a look of its own, in all photographs.
+    void add_features() {
+        std::mt19937 random(6);
+        for (const ColmapPhotograph& photograph : scene_.photographs) {
+            Features features;
+            for (const Eigen::Vector2f& pixel : photograph.keypoints_px) {
+                features.keypoints.push_back({pixel, 1, 0});
+            }
+            matched_.features.push_back(std::move(features));
+        }
+        for (const ScenePoint& point : scene_.truth.points) {
+            Descriptor look{};
+            for (int count = 0; count < 8; ++count) look[random() % kDescriptorSize] = 180;
+            for (const Observation& seen : point.track) {
+                matched_.features[static_cast<std::size_t>(seen.view_index)].descriptors.push_back(
+                    look);
+            }
+        }
+    }
+    std::optional<Capture> map() {
+        const MappingJob job{photographs_, groups_, options_,  true,     false,
+                             "",           1,       progress_, evidence_};
+        return map_incrementally(job, matched_);
+    }
+
+    MatchedScene scene_;
+    MatchedPhotographs matched_;
+    std::vector<Photograph> photographs_;
+    CameraGroups groups_;
+    PoseOptions options_;
+    PoseEvidence evidence_;
+    SilentProgress progress_;
+};
+
+TEST_F(IncrementalMapping, PlacesAllOfAConnectedCapture) {
+    const auto capture = map();
+    ASSERT_TRUE(capture.has_value());
+    EXPECT_EQ(capture->views.size(), 10u);
+    EXPECT_LT(relative_position_error(*capture, scene_.truth), 1e-4);
+    EXPECT_EQ(evidence_.models_found, 1);
+    EXPECT_THAT(evidence_.warnings, testing::IsEmpty());
+}
+
+TEST_F(IncrementalMapping, TellsOfAPartThatNothingConnects) {
+    cut(4);
+    const auto capture = map();
+    ASSERT_TRUE(capture.has_value());
+    EXPECT_EQ(capture->views.size(), 6u);
+    EXPECT_EQ(evidence_.models_found, 2);
+    ASSERT_EQ(evidence_.warnings.size(), 1u);
+    EXPECT_THAT(evidence_.warnings[0], testing::HasSubstr("another 4"));
+}
+
+TEST_F(IncrementalMapping, BridgesPartsThatTheirFeaturesConnect) {
+    cut(4);
+    add_features();
+    const auto capture = map();
+    ASSERT_TRUE(capture.has_value());
+    EXPECT_EQ(capture->views.size(), 10u);
+    EXPECT_LT(relative_position_error(*capture, scene_.truth), 1e-4);
+    EXPECT_THAT(evidence_.start, testing::HasSubstr("lenient matches"));
+    EXPECT_EQ(evidence_.models_found, 1);
+}
+
+TEST_F(IncrementalMapping, HasNoModelWithoutAPair) {
+    matched_.pairs.clear();
+    EXPECT_FALSE(map().has_value());
+}
+
+}  // namespace
+}  // namespace lumi

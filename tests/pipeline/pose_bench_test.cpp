@@ -1,0 +1,66 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "calib/work/whole_file.h"
+#include "pipeline/pose_bench/pose_chart.h"
+#include "tests/calib/scratch_folder.h"
+
+namespace lumi {
+namespace {
+
+using testing::HasSubstr;
+
+PoseTrial trial(const PoseMeans& means, double cpu_s, int placed, double median_m) {
+    PoseTrial result;
+    result.means = means;
+    result.cost.cpu_s = cpu_s;
+    result.photographs = 11;
+    result.placed = placed;
+    if (median_m > 0) {
+        result.difference.emplace();
+        result.difference->median_position = median_m;
+    }
+    return result;
+}
+
+TEST(PoseBench, TableHasALineForEachTrial) {
+    PoseTrial refused = trial({"lumi", "colmap", false, 1024, 800}, 2, 0, 0);
+    refused.refusal = "E-POSES-NOPAIR";
+    const std::string csv = trials_csv({trial({}, 7.5, 11, 0.0025), refused});
+    EXPECT_THAT(csv, HasSubstr("\nlumi,lumi,0,4096,1600,7.500,0.000,11,11,0,0.002500,"));
+    EXPECT_THAT(csv, HasSubstr("\nlumi,colmap,0,1024,800,2.000,0.000,11,0,0,,,,E-POSES-NOPAIR\n"));
+}
+
+TEST(PoseBench, ChartShowsWhatWasTried) {
+    const ScratchFolder scratch;
+    SilentProgress progress;
+    const std::vector<PoseTrial> trials{
+        trial({"lumi", "lumi", false, 2048, 1600}, 5, 11, 0.003),
+        trial({"lumi", "lumi", false, 8192, 1600}, 12, 11, 0.0024),
+        trial({"colmap", "colmap", true, 8192, 1600}, 90, 10, 0.0026)};
+    draw_pose_chart(trials, "the title", scratch / "poses.svg", scratch.path(), progress);
+    const std::string svg = read_whole_text(scratch / "poses.svg");
+    EXPECT_THAT(svg, HasSubstr("<svg"));
+    EXPECT_THAT(svg, HasSubstr("the title"));
+    EXPECT_THAT(svg, HasSubstr("median position error, mm"));
+    EXPECT_THAT(svg, HasSubstr("8192 at 1600"));
+    EXPECT_THAT(svg, HasSubstr("COLMAP, 10 placed"));
+}
+
+TEST(PoseBench, ChartWithoutTruthShowsWhatWasNotPlaced) {
+    const ScratchFolder scratch;
+    SilentProgress progress;
+    draw_pose_chart({trial({}, 5, 9, 0)}, "no truth", scratch / "poses.svg", scratch.path(),
+                    progress);
+    EXPECT_THAT(read_whole_text(scratch / "poses.svg"), HasSubstr("photographs not placed, %"));
+}
+
+TEST(PoseBench, MatchingIsTimedForEveryInstructionSetHere) {
+    const auto costs = time_matching(64);
+    ASSERT_FALSE(costs.empty());
+    EXPECT_EQ(costs.front().instructions, "portable");
+    for (const MatchingCost& cost : costs) EXPECT_GE(cost.cpu_s, 0);
+}
+
+}  // namespace
+}  // namespace lumi
