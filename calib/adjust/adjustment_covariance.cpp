@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "calib/adjust/bundle_problem.h"
@@ -122,15 +123,17 @@ class Linearisation {
 
 /// The normal equations with the points eliminated, and what moves in the pictures.
 struct Reduced {
-    MatrixXd normal;          ///< Lower triangle.
-    MatrixXd picture_metric;  ///< Mean over each view's points of the squared pixels moved.
-    double residual_sum_px2 = 0.0;
+    MatrixXd normal;             ///< Lower triangle.
+    MatrixXd picture_metric;     ///< Mean over each view's points of the squared pixels moved.
+    double influence_px2 = 0.0;  ///< Sum of squared residuals, each times its weight squared.
+    double slope = 0.0;          ///< Sum over residuals of the mean derivative of what counts.
+    double squared_slope = 0.0;
     Index residuals = 0;
     Index points = 0;
 };
 
 void add_point(const Linearisation& linearisation, const ScenePoint& point,
-               const std::vector<double>& share_of_view, Reduced& reduced) {
+               const std::vector<double>& share_of_view, double cauchy_scale_px, Reduced& reduced) {
     std::vector<Linearised> seen;
     Eigen::Matrix3d normal_of_point = Eigen::Matrix3d::Zero();
     std::vector<double> shares;
@@ -149,7 +152,13 @@ void add_point(const Linearisation& linearisation, const ScenePoint& point,
     std::map<Index, Eigen::RowVector3d> coupling;
     for (std::size_t i = 0; i < seen.size(); ++i) {
         const Linearised& linear = seen[i];
-        reduced.residual_sum_px2 += linear.residual_px.squaredNorm();
+        // Cauchy's loss pulls with w r, w = 1 / (1 + |r|^2 / c^2); in the plane the mean derivative
+        // of that is w^2.
+        const double squared_px2 = linear.residual_px.squaredNorm();
+        const double weight = 1 / (1 + squared_px2 / (cauchy_scale_px * cauchy_scale_px));
+        reduced.influence_px2 += weight * weight * squared_px2;
+        reduced.slope += 2 * weight * weight;
+        reduced.squared_slope += 2 * weight * weight * weight * weight;
         reduced.residuals += 2;
         const Index columns = linear.by_camera.cols();
         const Eigen::MatrixXd products = linear.by_camera.transpose() * linear.by_camera;
@@ -174,7 +183,7 @@ void add_point(const Linearisation& linearisation, const ScenePoint& point,
     }
 }
 
-Reduced reduced_equations(const Capture& capture, const Layout& layout) {
+Reduced reduced_equations(const Capture& capture, const Layout& layout, double cauchy_scale_px) {
     Reduced reduced;
     reduced.normal = MatrixXd::Zero(layout.unknowns, layout.unknowns);
     reduced.picture_metric = reduced.normal;
@@ -187,12 +196,24 @@ Reduced reduced_equations(const Capture& capture, const Layout& layout) {
     for (double& share : share_of_view) share = share > 0 ? 1 / share : 0.0;
     const Linearisation linearisation(capture, layout);
     for (const ScenePoint& point : capture.points) {
-        add_point(linearisation, point, share_of_view, reduced);
+        add_point(linearisation, point, share_of_view, cauchy_scale_px, reduced);
     }
     for (MatrixXd* matrix : {&reduced.normal, &reduced.picture_metric}) {
         *matrix = matrix->selfadjointView<Eigen::Lower>();
     }
     return reduced;
+}
+
+/// Of an M-estimator with its correction for many unknowns (Huber, Robust Statistics, 1981,
+/// section 7.6); all weights 1: residuals over redundancy.
+double noise_variance_px2(const Reduced& reduced, Index redundancy) {
+    const auto residuals = static_cast<double>(reduced.residuals);
+    const double mean_slope = reduced.slope / residuals;
+    const double slope_variance = reduced.squared_slope / residuals - mean_slope * mean_slope;
+    const double share_of_unknowns = 1 - static_cast<double>(redundancy) / residuals;
+    const double correction = 1 + share_of_unknowns * slope_variance / (mean_slope * mean_slope);
+    return correction * correction * reduced.influence_px2 / static_cast<double>(redundancy) /
+           (mean_slope * mean_slope);
 }
 
 /// How the poses change when the world is moved, turned and scaled: a step that no pixel notices.
@@ -286,13 +307,15 @@ std::optional<AdjustmentCovariance> adjustment_covariance(const Capture& capture
                                                           std::size_t max_views) {
     const Layout layout = layout_of(capture, options);
     if (layout.unknowns < 12 || capture.views.size() > max_views) return std::nullopt;
-    const Reduced reduced = reduced_equations(capture, layout);
+    const double scale_px = options.robust_last_pass ? cauchy_scale_px(capture)
+                                                     : std::numeric_limits<double>::infinity();
+    const Reduced reduced = reduced_equations(capture, layout, scale_px);
     const Index redundancy = reduced.residuals - 3 * reduced.points - (layout.unknowns - kGauge);
     if (redundancy <= 0) return std::nullopt;
     std::optional<MatrixXd> covariance =
         constrained_inverse(reduced, gauge_directions(capture, layout));
     if (!covariance) return std::nullopt;
-    const double variance_px2 = reduced.residual_sum_px2 / static_cast<double>(redundancy);
+    const double variance_px2 = noise_variance_px2(reduced, redundancy);
     *covariance *= variance_px2;
 
     AdjustmentCovariance result;

@@ -14,7 +14,8 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// How far an adjusted capture may be off, as its observations tell: first order, for noise that
 /// is independent between observations.
 struct AdjustmentCovariance {
-    /// Standard deviation of one observed coordinate: residuals over redundancy.
+    /// Standard deviation of one observed coordinate: residuals over redundancy; after a robust
+    /// last pass that of the Gaussian noise which would leave the estimate as uncertain.
     double noise_px = 0.0;
     /// Of each view's cam_from_world: a small rotation about the camera's axes, (rad) that comes
     /// after it, then its translation (units of the world). Zero for a view without observations.
@@ -27,7 +28,9 @@ struct AdjustmentCovariance {
 };
 
 /// Propagates the noise of the observations to poses and lenses (Triggs et al., Bundle adjustment:
-/// a modern synthesis, 1999, sections 6 and 9). `options` say what of the lenses was refined.
+/// a modern synthesis, 1999, sections 6 and 9). `options` say what of the lenses was refined, and
+/// whether the last pass was robust: then the noise is that of an M-estimator (Huber, Robust
+/// Statistics, 1981, section 7.6).
 ///
 /// Points are eliminated from the normal equations (Schur complement); what is left, 6 unknowns a
 /// view, is inverted densely: exact, with O(views^3) steps. The gauge is free, and is chosen so

@@ -7,13 +7,21 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
+#include <vector>
 
 #include "calib/adjust/bundle_problem.h"
 #include "calib/work/error.h"
 
 namespace lumi {
 namespace {
+
+/// Of the cost, relative: where one pass ends.
+constexpr double kFirstTolerance = 1e-5;
+constexpr double kLastTolerance = 1e-6;          ///< Some hundredths of a standard deviation.
+constexpr double kLeastSquaresTolerance = 1e-8;  ///< Costs next to nothing where squares converge.
+constexpr double kLeastSquares = 0.0;            ///< Instead of the scale of a robust loss.
 
 /// Stops Ceres when the user asks.
 class StopOnInterrupt final : public ceres::IterationCallback {
@@ -78,14 +86,15 @@ void silence_ceres() {
 }
 
 ceres::Solver::Summary solve_pass(Capture& capture, const BundleAdjustmentOptions& options,
-                                  bool robust, Progress& progress) {
+                                  double cauchy_scale_px, double tolerance, Progress& progress) {
     silence_ceres();
     ceres::Problem::Options problem_options;
     problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-    ceres::CauchyLoss cauchy(options.robust_scale_px);
+    ceres::CauchyLoss cauchy(cauchy_scale_px > 0 ? cauchy_scale_px : 1.0);
     ceres::Problem problem(problem_options);
     LensBlocks lenses(capture);
-    build_bundle_problem(problem, capture, lenses, options, robust ? &cauchy : nullptr);
+    build_bundle_problem(problem, capture, lenses, options,
+                         cauchy_scale_px > 0 ? &cauchy : nullptr);
 
     constexpr std::size_t kDenseUpToViews = 60;
     StopOnInterrupt stop(progress);
@@ -94,7 +103,7 @@ ceres::Solver::Summary solve_pass(Capture& capture, const BundleAdjustmentOption
         capture.views.size() <= kDenseUpToViews ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
     solver.linear_solver_ordering = elimination_order(problem, capture);
     solver.max_num_iterations = options.max_iterations;
-    solver.function_tolerance = robust ? 1e-5 : 1e-8;
+    solver.function_tolerance = tolerance;
     solver.gradient_tolerance = 1e-10;
     solver.parameter_tolerance = 1e-10;
     solver.num_threads = 1;
@@ -140,8 +149,25 @@ void update_point_errors(Capture& capture) {
     }
 }
 
+double cauchy_scale_px(const Capture& capture) {
+    std::vector<double> errors_px;
+    for (const ScenePoint& point : capture.points) {
+        for (const Observation& seen : point.track) {
+            errors_px.push_back(reprojection_error_px(capture, point, seen));
+        }
+    }
+    constexpr double kLeast_px = 0.05;
+    if (errors_px.empty()) return kLeast_px;
+    const auto middle = errors_px.begin() + static_cast<std::ptrdiff_t>(errors_px.size() / 2);
+    std::nth_element(errors_px.begin(), middle, errors_px.end());
+    // Of two Gaussian coordinates: the median of Rayleigh's distribution.
+    const double sigma_px = *middle / std::sqrt(2 * std::numbers::ln2);
+    return std::max(kLeast_px, 2.385 * sigma_px);
+}
+
 BundleFit fit_bundle(Capture& capture, const BundleAdjustmentOptions& options, Progress& progress) {
-    const ceres::Solver::Summary summary = solve_pass(capture, options, false, progress);
+    const ceres::Solver::Summary summary =
+        solve_pass(capture, options, kLeastSquares, kLeastSquaresTolerance, progress);
     for (View& view : capture.views) view.cam_from_world.rotation.normalize();
     return {2 * summary.final_cost, summary.num_residuals,
             static_cast<int>(summary.iterations.size()),
@@ -159,13 +185,17 @@ BundleAdjustmentEvidence adjust_bundle(Capture& capture, const BundleAdjustmentO
     remove_outliers(capture, options, kNoLimit, evidence);
     expect_shared_points(capture);
     for (const double limit_factor : {4.0, 1.0}) {
-        evidence.iterations +=
-            static_cast<int>(solve_pass(capture, options, true, progress).iterations.size());
+        evidence.iterations += static_cast<int>(
+            solve_pass(capture, options, options.robust_scale_px, kFirstTolerance, progress)
+                .iterations.size());
         remove_outliers(capture, options, limit_factor * options.max_reprojection_error_px,
                         evidence);
         expect_shared_points(capture);
     }
-    const ceres::Solver::Summary last = solve_pass(capture, options, false, progress);
+    const double scale_px = options.robust_last_pass ? cauchy_scale_px(capture) : kLeastSquares;
+    const ceres::Solver::Summary last =
+        solve_pass(capture, options, scale_px,
+                   options.robust_last_pass ? kLastTolerance : kLeastSquaresTolerance, progress);
     evidence.iterations += static_cast<int>(last.iterations.size());
     evidence.initial_cost = last.initial_cost;
     evidence.final_cost = last.final_cost;

@@ -16,11 +16,13 @@ struct BundleAdjustmentOptions {
     std::vector<std::vector<int>> held_lens_parameters;
     double robust_scale_px = 1.0;  ///< Of the Cauchy loss, while outliers may be left. > 0.
     int max_iterations = 100;      ///< Of each of the passes. > 0.
+    /// The last pass weighs observations by how far they lie off the others; else all alike.
+    bool robust_last_pass = true;
 };
 
 /// What speaks for an adjustment.
 struct BundleAdjustmentEvidence {
-    double initial_cost = 0.0;  ///< Half the sum of squared pixels, before and after the last pass.
+    double initial_cost = 0.0;  ///< Half the sum of the loss (px²), before and after the last pass.
     double final_cost = 0.0;
     double initial_rms_px = 0.0;  ///< Over the observations as they came.
     double final_rms_px = 0.0;    ///< Over the observations that were kept.
@@ -33,13 +35,22 @@ struct BundleAdjustmentEvidence {
 /// Refines poses, points and, if asked, the lenses that views share, by least squares over pixels.
 ///
 /// First passes use a robust (Cauchy) loss and remove what lies beyond
-/// `max_reprojection_error_px`; the last one is plain least squares over the inliers (Triggs et
-/// al., Bundle adjustment: a modern synthesis, 1999). The gauge is fixed by the first view's pose
-/// and one coordinate of the view farthest from it. Views and cameras keep their indices; a view
-/// may end without observations. Runs on one thread, so that the result is the same to the bit.
+/// `max_reprojection_error_px`; the last one has a Cauchy loss of the scale that the observations
+/// themselves show (cauchy_scale_px), or is plain least squares (Triggs et al., Bundle adjustment:
+/// a modern synthesis, 1999). Distances of features to where they belong have long tails: most lie
+/// within a tenth of a pixel or two, and the few per cent beyond a pixel that are no gross errors
+/// would have most of the say among squares. The gauge is fixed by the first view's pose and one
+/// coordinate of the view farthest from it. Views and cameras keep their indices; a view may end
+/// without observations. Runs on one thread, so that the result is the same to the bit.
 /// Throws Error: E-ADJUST-FEW (no two views share a point), E-ADJUST-FAILED, E-INTERRUPTED.
 BundleAdjustmentEvidence adjust_bundle(Capture& capture, const BundleAdjustmentOptions& options,
                                        Progress& progress);
+
+/// The scale of Cauchy's loss at which it is nearly as good as least squares where noise is
+/// Gaussian (95 %: Holland and Welsch, Robust regression using iteratively reweighted
+/// least-squares, 1977): 2.385 standard deviations of a coordinate, these from the median distance.
+/// At least 0.05 px.
+[[nodiscard]] double cauchy_scale_px(const Capture& capture);
 
 /// What one pass of least squares came to.
 struct BundleFit {

@@ -102,6 +102,44 @@ TEST(BundleAdjustment, RemovesGrossOutliersAndKeepsTheRest) {
     }
 }
 
+TEST(BundleAdjustment, LongTailsCostLessThanUnderLeastSquares) {
+    // One observation in ten is five times as far off as the others, and none is a gross error.
+    double error_robust = 0;
+    double error_plain = 0;
+    SilentProgress progress;
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        SyntheticCaptureOptions scene;
+        scene.points = 150;
+        const Capture truth = synthetic_capture(true_camera(), scene);
+        Capture capture = truth;
+        std::mt19937 random(seed);
+        std::normal_distribution<double> noise_px(0.0, 0.15);
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        for (ScenePoint& point : capture.points) {
+            for (Observation& seen : point.track) {
+                const double factor = unit(random) < 0.1 ? 5.0 : 1.0;
+                seen.pixel += factor * Eigen::Vector2d(noise_px(random), noise_px(random));
+            }
+        }
+        Capture plain = capture;
+        BundleAdjustmentOptions options;
+        options.max_reprojection_error_px = 4;
+        adjust_bundle(capture, options, progress);
+        options.robust_last_pass = false;
+        adjust_bundle(plain, options, progress);
+        error_robust += compare_poses(poses_of(capture), poses_of(truth)).mean_position;
+        error_plain += compare_poses(poses_of(plain), poses_of(truth)).mean_position;
+    }
+    EXPECT_LT(error_robust, 0.8 * error_plain);
+}
+
+TEST(BundleAdjustment, TheScaleOfTheLossFollowsTheNoise) {
+    SyntheticCaptureOptions scene;
+    scene.noise_px = 0.4;
+    EXPECT_NEAR(cauchy_scale_px(synthetic_capture(true_camera(), scene)), 2.385 * 0.4, 0.05);
+    EXPECT_EQ(cauchy_scale_px(synthetic_capture(true_camera(), {})), 0.05);
+}
+
 TEST(BundleAdjustment, GivesTheSameBytesEveryTime) {
     SyntheticCaptureOptions scene;
     scene.noise_px = 0.5;
