@@ -9,6 +9,7 @@ namespace lumi {
 /// Each adds one command (or one family of commands) to the command line. What the user asks for is
 /// left in `context.chosen`, so that nothing runs before the whole line has been understood.
 void add_build_command(CLI::App& app, CommandContext& context);
+void add_calibrate_command(CLI::App& app, CommandContext& context);
 void add_stage_commands(CLI::App& app, CommandContext& context);
 void add_render_command(CLI::App& app, CommandContext& context);
 void add_view_command(CLI::App& app, CommandContext& context);

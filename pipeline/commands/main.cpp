@@ -1,3 +1,5 @@
+#include <glog/logging.h>
+
 #include <CLI/CLI.hpp>
 
 #include "pipeline/commands/commands.h"
@@ -21,6 +23,7 @@ void add_global_options(CLI::App& app, lumi::CommandContext& context) {
 
 void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_build_command(app, context);
+    lumi::add_calibrate_command(app, context);
     lumi::add_stage_commands(app, context);
     lumi::add_render_command(app, context);
     lumi::add_view_command(app, context);
@@ -36,6 +39,8 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    // Ceres tells by its return values; its log would talk between ours.
+    FLAGS_minloglevel = google::GLOG_FATAL;
     lumi::CommandContext context;
     CLI::App app{
         "Example: lumi build photos/ && lumi view work/photos/photos.lumi\n\n"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "calib/lens_files/lens_files.h"
 #include "pipeline/config/lens_file.h"
 
 namespace lumi {

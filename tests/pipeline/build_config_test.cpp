@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "calib/lens_files/lens_files.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
-#include "pipeline/config/lens_file.h"
 #include "tests/calib/scratch_folder.h"
 
 namespace lumi {

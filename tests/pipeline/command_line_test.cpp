@@ -40,8 +40,8 @@ Outcome lumi(const std::string& arguments, const std::string& before = "") {
 TEST(CommandLine, HelpBeginsWithAnExample) {
     EXPECT_THAT(lumi("--help").out, StartsWith("Example: lumi "));
     for (const std::string command :
-         {"build", "ingest", "poses", "mesh", "depth", "pack", "render", "view", "bench",
-          "bench-poses", "evaluate", "compare-poses", "inspect", "validate", "synth"}) {
+         {"build", "calibrate", "ingest", "poses", "mesh", "depth", "pack", "render", "view",
+          "bench", "bench-poses", "evaluate", "compare-poses", "inspect", "validate", "synth"}) {
         const Outcome help = lumi(command + " --help");
         EXPECT_EQ(help.exit_code, 0) << command;
         EXPECT_THAT(help.out, StartsWith("Example: lumi " + command));

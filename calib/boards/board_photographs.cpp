@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "calib/boards/board_detection.h"
+#include "calib/capture/gray.h"
+#include "calib/capture/image_io.h"
+#include "calib/ingest/photograph_folder.h"
+#include "calib/work/parallel_for.h"
+
+namespace lumi {
+namespace {
+
+/// One kind of each way of looking; the answer says which special case it is.
+constexpr std::array<BoardKind, 3> kWaysOfLooking{BoardKind::kChessboard, BoardKind::kSquareGrid,
+                                                  BoardKind::kCircles};
+
+std::string size_text(const ImageSize& size) {
+    return std::to_string(size.width_px) + " x " + std::to_string(size.height_px);
+}
+
+/// The photographs that can be read; all of one size.
+std::vector<PhotographFile> readable_of_one_size(const PhotographFolder& folder, ImageSize& size,
+                                                 std::vector<LeftOut>& left_out) {
+    std::vector<PhotographFile> files;
+    std::map<std::pair<int, int>, std::vector<std::string>> names_of_size;
+    for (const PhotographFile& file : folder.files) {
+        try {
+            size = read_image_size(file.path);
+            names_of_size[{size.width_px, size.height_px}].push_back(file.name);
+            files.push_back(file);
+        } catch (const Error& error) {
+            left_out.push_back({file.name, error.code(), error.what()});
+        }
+    }
+    if (names_of_size.size() <= 1) return files;
+    std::string sizes;
+    for (const auto& [wide_high, names] : names_of_size) {
+        sizes += (sizes.empty() ? "" : ", ") + size_text({wide_high.first, wide_high.second}) +
+                 " (" + std::to_string(names.size()) + ": " + names.front() +
+                 (names.size() > 1 ? " ..." : "") + ")";
+    }
+    throw Error(ErrorKind::kBadInput, "E-BOARDS-SIZES",
+                "the photographs have several sizes, and a lens is calibrated for one: " + sizes,
+                "calibrate each size in a folder of its own, and give photographs as the camera "
+                "wrote them (not turned or cropped)");
+}
+
+BoardAnswer answer_for(const PhotographFile& file, BoardKind kind, const BoardRequest& request) {
+    try {
+        return detect_board(gray_of(read_color_image(file.path)), file.name, kind, request);
+    } catch (const Error& error) {
+        if (error.kind() == ErrorKind::kInterrupted) throw;
+        return {std::nullopt, {file.name, error.code(), error.what()}};
+    }
+}
+
+std::vector<BoardAnswer> answers_for(const std::vector<PhotographFile>& files, BoardKind kind,
+                                     const BoardRequest& request, int threads, Progress& progress) {
+    std::vector<BoardAnswer> answers(files.size());
+    parallel_for(static_cast<int>(files.size()), threads, [&](int index) {
+        progress.throw_if_interrupted();
+        const auto at = static_cast<std::size_t>(index);
+        answers[at] = answer_for(files[at], kind, request);
+        progress.advance();
+    });
+    return answers;
+}
+
+std::size_t points_in(const std::vector<BoardAnswer>& answers) {
+    std::size_t points = 0;
+    for (const BoardAnswer& answer : answers) {
+        if (answer.board) points += answer.board->view.points.size();
+    }
+    return points;
+}
+
+/// The way of looking that finds a board in most of a sample of the photographs; of those that
+/// find it equally often, the one that finds more points.
+BoardKind kind_in_sample(const std::vector<PhotographFile>& files, const BoardRequest& request,
+                         int threads, Progress& progress) {
+    constexpr std::size_t kSample = 6;
+    std::vector<PhotographFile> sample;
+    const std::size_t step = std::max<std::size_t>(1, (files.size() + kSample - 1) / kSample);
+    for (std::size_t index = 0; index < files.size(); index += step) sample.push_back(files[index]);
+    progress.begin("which board", sample.size() * kWaysOfLooking.size());
+    BoardKind best = kWaysOfLooking.front();
+    std::pair<std::size_t, std::size_t> best_score{0, 0};
+    for (const BoardKind kind : kWaysOfLooking) {
+        const std::vector<BoardAnswer> answers =
+            answers_for(sample, kind, request, threads, progress);
+        const auto found = static_cast<std::size_t>(
+            std::count_if(answers.begin(), answers.end(),
+                          [](const BoardAnswer& answer) { return answer.board.has_value(); }));
+        const std::pair<std::size_t, std::size_t> score{found, points_in(answers)};
+        if (score > best_score) {
+            best_score = score;
+            best = kind;
+        }
+    }
+    return best;
+}
+
+/// The special case that most photographs show: the others show too little to tell.
+BoardKind most_frequent_kind(const std::vector<BoardDetection>& detections) {
+    std::map<BoardKind, std::size_t> points;
+    for (const BoardDetection& detection : detections) {
+        points[detection.kind] += detection.view.points.size();
+    }
+    return std::max_element(points.begin(), points.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
+}
+
+bool is_hexagonal(BoardKind kind) { return kind == BoardKind::kHexagonalCircles; }
+
+double median_size(const std::vector<BoardDetection>& detections) {
+    std::vector<double> sizes;
+    for (const BoardDetection& detection : detections) sizes.push_back(detection.size_per_pitch);
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    return *middle;
+}
+
+[[noreturn]] void refuse_without_board(const BoardPhotographs& found) {
+    std::string examples;
+    constexpr std::size_t kExamples = 3;
+    for (std::size_t index = 0; index < std::min(kExamples, found.left_out.size()); ++index) {
+        examples += "; " + found.left_out[index].name + ": " + found.left_out[index].reason;
+    }
+    throw Error(ErrorKind::kDegenerateCapture, "E-BOARDS-NOTFOUND",
+                "no board was found in any of " + std::to_string(found.photographs) +
+                    " photographs" + examples,
+                "say what the board is with --board (" + board_kind_names() +
+                    "), and photograph it sharp, evenly lit and large in the picture");
+}
+
+}  // namespace
+
+BoardPhotographs find_boards(const std::filesystem::path& folder, const BoardRequest& request,
+                             int threads, Progress& progress) {
+    const PhotographFolder listed = list_photographs(folder, {});
+    BoardPhotographs found;
+    found.left_out = listed.left_out;
+    ImageSize size;
+    const std::vector<PhotographFile> files = readable_of_one_size(listed, size, found.left_out);
+    found.photographs = files.size();
+    if (files.empty()) {
+        throw Error(ErrorKind::kBadInput, "E-BOARDS-NOPHOTOS",
+                    folder.string() + " holds no photograph that can be read",
+                    "give a folder with JPEG, PNG or TIFF photographs of a calibration board");
+    }
+    const BoardKind kind =
+        request.kind ? *request.kind : kind_in_sample(files, request, threads, progress);
+    progress.begin("looking for the board", files.size());
+    for (BoardAnswer& answer : answers_for(files, kind, request, threads, progress)) {
+        if (answer.board) {
+            found.detections.push_back(std::move(*answer.board));
+        } else {
+            found.left_out.push_back(std::move(answer.left_out));
+        }
+    }
+    if (found.detections.empty()) refuse_without_board(found);
+    found.kind = most_frequent_kind(found.detections);
+    // A square lattice read as a hexagonal one, or the other way round, has another geometry.
+    std::erase_if(found.detections, [&](const BoardDetection& detection) {
+        if (is_hexagonal(detection.kind) == is_hexagonal(found.kind)) return false;
+        found.left_out.push_back({detection.view.photograph, "E-BOARD-OTHER",
+                                  "the circles are arranged as in " +
+                                      std::string(name_of(detection.kind)) +
+                                      ", unlike in the other photographs"});
+        return true;
+    });
+    found.board.width_px = size.width_px;
+    found.board.height_px = size.height_px;
+    found.board.are_discs = found.kind == BoardKind::kCircles ||
+                            found.kind == BoardKind::kAsymmetricCircles || is_hexagonal(found.kind);
+    found.board.is_size_known = request.size_per_pitch > 0;
+    found.board.size_per_pitch =
+        found.board.is_size_known ? request.size_per_pitch : median_size(found.detections);
+    for (const BoardDetection& detection : found.detections) {
+        found.board.views.push_back(detection.view);
+        const auto [less, more] = std::minmax(detection.columns, detection.rows);
+        found.columns = std::max(found.columns, more);
+        found.rows = std::max(found.rows, less);
+    }
+    return found;
+}
+
+}  // namespace lumi

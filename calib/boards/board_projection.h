@@ -1,0 +1,101 @@
+#pragma once
+
+#include <ceres/jet.h>
+#include <ceres/rotation.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+
+#include "calib/adjust/reprojection_cost.h"
+#include "calib/boards/board_views.h"
+#include "calib/capture/camera.h"
+
+namespace lumi {
+
+/// cam_from_board as rotation vector and translation, in pitches: what the solvers move.
+using BoardPose = std::array<double, 6>;
+
+/// Pixel of a point in the camera. Unlike the lens models elsewhere the fisheye sees beyond 90
+/// degrees, as photographs of boards do. False when the model cannot see the point.
+template <LensModel model, class T>
+bool project_in_camera(const T* lens, const Eigen::Matrix<T, 3, 1>& point, T* pixel) {
+    using std::atan2;
+    using std::sqrt;
+    Eigen::Matrix<T, 2, 1> px;
+    if constexpr (model == LensModel::kOpenCvFisheye) {
+        const T r2 = point.x() * point.x() + point.y() * point.y();
+        if (r2 > T(1e-16)) {
+            const T r = sqrt(r2);
+            const T theta = atan2(r, point.z());
+            const T theta2 = theta * theta;
+            const T* k = lens + 4;
+            const T bent =
+                theta *
+                (T(1) + theta2 * (k[0] + theta2 * (k[1] + theta2 * (k[2] + theta2 * k[3]))));
+            px << lens[0] * point.x() * bent / r + lens[2],
+                lens[1] * point.y() * bent / r + lens[3];
+        } else {
+            if (!(point.z() > T(0))) return false;
+            px << lens[0] * point.x() / point.z() + lens[2],
+                lens[1] * point.y() / point.z() + lens[3];
+        }
+    } else {
+        if (!(point.z() > T(1e-6))) return false;
+        px = pixel_of<model>(lens, Eigen::Matrix<T, 2, 1>(point.template head<2>() / point.z()));
+    }
+    pixel[0] = px.x();
+    pixel[1] = px.y();
+    return true;
+}
+
+/// Pixel where a point of a board is predicted, minus pixel where it was seen. Parameter blocks:
+/// lens, size per pitch, BoardPose.
+template <LensModel model>
+class BoardPointCost {
+ public:
+    static constexpr int kLens = static_cast<int>(lens_size(model));
+
+    explicit BoardPointCost(const BoardPoint& point) : point_(point) {}
+
+    template <class T>
+    bool operator()(const T* lens, const T* size, const T* pose, T* residual) const {
+        const std::array<T, 3> on_board{point_.place.x() + point_.along_size.x() * size[0],
+                                        point_.place.y() + point_.along_size.y() * size[0], T(0)};
+        Eigen::Matrix<T, 3, 1> in_camera;
+        ceres::AngleAxisRotatePoint(pose, on_board.data(), in_camera.data());
+        in_camera += Eigen::Map<const Eigen::Matrix<T, 3, 1>>(pose + 3);
+        if (!project_in_camera<model>(lens, in_camera, residual)) return false;
+        residual[0] -= point_.px.x();
+        residual[1] -= point_.px.y();
+        return true;
+    }
+
+ private:
+    BoardPoint point_;
+};
+
+/// Calls `work` with the lens model as a compile-time constant.
+template <class Work>
+decltype(auto) with_lens_model(LensModel model, Work&& work) {
+    using M = LensModel;
+    switch (model) {
+        case M::kSimplePinhole:
+            return work(std::integral_constant<M, M::kSimplePinhole>{});
+        case M::kPinhole:
+            return work(std::integral_constant<M, M::kPinhole>{});
+        case M::kSimpleRadial:
+            return work(std::integral_constant<M, M::kSimpleRadial>{});
+        case M::kRadial:
+            return work(std::integral_constant<M, M::kRadial>{});
+        case M::kOpenCv:
+            return work(std::integral_constant<M, M::kOpenCv>{});
+        case M::kFullOpenCv:
+            return work(std::integral_constant<M, M::kFullOpenCv>{});
+        case M::kOpenCvFisheye:
+            break;
+    }
+    return work(std::integral_constant<M, M::kOpenCvFisheye>{});
+}
+
+}  // namespace lumi

@@ -1,0 +1,154 @@
+#include "calib/boards/calibration_evidence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "calib/boards/board_pose.h"
+
+namespace lumi {
+namespace {
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+void add_views(const BoardViews& board, const BoardSolution& solution,
+               const std::vector<HeldOutFold>& held_out, BoardCalibration& result) {
+    double sum = 0;
+    double held_out_sum = 0;
+    std::size_t points = 0;
+    for (std::size_t index = 0; index < board.views.size(); ++index) {
+        const BoardView& view = board.views[index];
+        const std::vector<Eigen::Vector2d> predicted = predicted_px(
+            view, solution.lens, solution.size_per_pitch, solution.cam_from_board[index]);
+        double view_sum = 0;
+        for (std::size_t point = 0; point < predicted.size(); ++point) {
+            const Eigen::Vector2d error_px = predicted[point] - view.points[point].px;
+            result.residuals.push_back({index, view.points[point].px, error_px});
+            view_sum += error_px.squaredNorm();
+        }
+        const double count = static_cast<double>(view.points.size());
+        const double view_held_out = held_out.empty() ? 0.0 : held_out[index].squared_error_px2;
+        result.views.push_back(
+            {view.photograph, view.points.size(), std::sqrt(view_sum / count),
+             std::sqrt(view_held_out / count),
+             board_tilt_deg(view, solution.size_per_pitch, solution.cam_from_board[index])});
+        sum += view_sum;
+        held_out_sum += view_held_out;
+        points += view.points.size();
+    }
+    result.rms_px = std::sqrt(sum / static_cast<double>(points));
+    result.held_out_rms_px = std::sqrt(held_out_sum / static_cast<double>(points));
+}
+
+void add_coverage(const BoardViews& board, BoardCalibration& result) {
+    constexpr std::size_t kParts = 10;
+    std::array<bool, kParts * kParts> is_covered{};
+    const Eigen::Vector2d size_px(board.width_px, board.height_px);
+    for (const BoardResidual& residual : result.residuals) {
+        const Eigen::Vector2d share = residual.px.cwiseQuotient(size_px);
+        const auto part = [](double value) {
+            return static_cast<std::size_t>(
+                std::clamp(value * static_cast<double>(kParts), 0.0, kParts - 1.0));
+        };
+        is_covered[part(share.y()) * kParts + part(share.x())] = true;
+        result.covered_radius = std::max(result.covered_radius,
+                                         (residual.px - size_px / 2).norm() / (size_px / 2).norm());
+    }
+    result.covered_area =
+        static_cast<double>(std::count(is_covered.begin(), is_covered.end(), true)) /
+        static_cast<double>(is_covered.size());
+}
+
+std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
+
+void add_warnings(BoardCalibration& result) {
+    constexpr std::size_t kFewViews = 8;
+    constexpr double kSmallArea = 0.4;
+    constexpr double kSmallRadius = 0.7;
+    constexpr double kSmallTilt_deg = 15;
+    constexpr double kStrongDisagreement = 4;
+    if (result.views.size() < kFewViews) {
+        result.warnings.push_back("only " + std::to_string(result.views.size()) +
+                                  " photographs: ten to twenty make the lens more certain");
+    }
+    if (result.covered_area < kSmallArea) {
+        result.warnings.push_back("the board was seen in " + percent(result.covered_area) +
+                                  " of the picture: move it to the other parts as well");
+    }
+    if (result.covered_radius < kSmallRadius) {
+        result.warnings.push_back("no point lies beyond " + percent(result.covered_radius) +
+                                  " of the half diagonal: distortion in the corners is a guess");
+    }
+    std::vector<double> tilts_deg;
+    for (const CalibratedView& view : result.views) tilts_deg.push_back(view.tilt_deg);
+    if (median(tilts_deg) < kSmallTilt_deg) {
+        result.warnings.push_back("the board mostly faces the camera (median tilt " +
+                                  std::to_string(std::lround(median(tilts_deg))) +
+                                  " degrees): tilt it by 20 to 50 degrees");
+    }
+    if (result.certainty.disagreement > kStrongDisagreement) {
+        result.warnings.push_back(
+            "photographs disagree about the lens " +
+            std::to_string(std::lround(std::sqrt(result.certainty.disagreement))) +
+            " times more than their points' errors explain: is the board flat, and the zoom and "
+            "focus the same? The intervals contain it");
+    }
+}
+
+/// Radius at depth 1 (or the angle, for a fisheye) after distortion, without tangential terms.
+double bent_radius(const Camera& lens, double radius) {
+    const std::vector<double>& p = lens.parameters;
+    const std::size_t first = first_distortion_parameter(lens.model);
+    const auto k = [&](std::size_t index) {
+        return first + index < p.size() ? p[first + index] : 0.0;
+    };
+    const double r2 = radius * radius;
+    if (lens.model == LensModel::kOpenCvFisheye) {
+        return radius * (1 + r2 * (k(0) + r2 * (k(1) + r2 * (k(2) + r2 * k(3)))));
+    }
+    const double third = lens.model == LensModel::kFullOpenCv ? k(4) : 0.0;
+    double divisor = 1;
+    if (lens.model == LensModel::kFullOpenCv) {
+        divisor = 1 + r2 * (k(5) + r2 * (k(6) + r2 * k(7)));
+    }
+    return radius * (1 + r2 * (k(0) + r2 * (k(1) + r2 * third))) / divisor;
+}
+
+}  // namespace
+
+bool is_one_to_one(const BoardViews& board, const BoardSolution& solution) {
+    double farthest_px = 0;
+    const Eigen::Vector2d centre_px = principal_point_px(solution.lens);
+    const Eigen::Vector2d focal_px = focal_length_px(solution.lens);
+    for (const BoardView& view : board.views) {
+        for (const BoardPoint& point : view.points) {
+            farthest_px =
+                std::max(farthest_px, (point.px - centre_px).cwiseQuotient(focal_px).norm());
+        }
+    }
+    constexpr double kStep = 0.005;
+    constexpr double kMaxRadius = 20.0;
+    double before = 0;
+    for (double radius = kStep; radius < kMaxRadius; radius += kStep * (1 + radius)) {
+        const double bent = bent_radius(solution.lens, radius);
+        if (!(bent > before)) return false;
+        if (bent >= farthest_px) return true;
+        before = bent;
+    }
+    return false;
+}
+
+void add_evidence(const BoardViews& board, const BoardSolution& solution,
+                  const std::vector<HeldOutFold>& held_out, BoardCalibration& result) {
+    add_views(board, solution, held_out, result);
+    add_coverage(board, result);
+    add_warnings(result);
+}
+
+}  // namespace lumi

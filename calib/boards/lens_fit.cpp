@@ -1,0 +1,270 @@
+#include "calib/boards/lens_fit.h"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "calib/boards/board_pose.h"
+
+namespace lumi {
+namespace {
+
+std::unique_ptr<ceres::CostFunction> board_point_cost(LensModel model, const BoardPoint& point) {
+    return with_lens_model(model, [&](auto constant) -> std::unique_ptr<ceres::CostFunction> {
+        using Cost = BoardPointCost<decltype(constant)::value>;
+        return std::make_unique<ceres::AutoDiffCostFunction<Cost, 2, Cost::kLens, 1, 6>>(
+            new Cost(point));
+    });
+}
+
+bool has_size(const BoardViews& board) { return !board.are_discs && board.size_per_pitch > 0; }
+
+bool estimates_size(const BoardViews& board) { return has_size(board) && !board.is_size_known; }
+
+void hold_parameters(ceres::Problem& problem, BoardSolution& solution, bool is_size_estimated) {
+    double* lens = solution.lens.parameters.data();
+    if (free_parameters(solution.form) == 0) {
+        problem.SetParameterBlockConstant(lens);
+    } else if (!solution.form.held.empty()) {
+        problem.SetManifold(
+            lens, new ceres::SubsetManifold(static_cast<int>(solution.lens.parameters.size()),
+                                            solution.form.held));
+    }
+    if (!is_size_estimated) problem.SetParameterBlockConstant(&solution.size_per_pitch);
+}
+
+ceres::Solver::Options solver_options(ceres::Problem& problem, BoardSolution& solution,
+                                      const LensFitOptions& options) {
+    ceres::Solver::Options result;
+    result.linear_solver_type = ceres::DENSE_SCHUR;
+    result.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
+    for (BoardPose& pose : solution.cam_from_board) {
+        if (problem.HasParameterBlock(pose.data())) {
+            result.linear_solver_ordering->AddElementToGroup(pose.data(), 0);
+        }
+    }
+    result.linear_solver_ordering->AddElementToGroup(solution.lens.parameters.data(), 1);
+    result.linear_solver_ordering->AddElementToGroup(&solution.size_per_pitch, 1);
+    result.max_num_iterations = options.max_iterations;
+    result.function_tolerance = 1e-9;
+    result.parameter_tolerance = 1e-10;
+    result.gradient_tolerance = 1e-12;
+    result.num_threads = 1;
+    result.logging_type = ceres::SILENT;
+    return result;
+}
+
+double residual_sum_px2(const BoardViews& board, const BoardSolution& solution) {
+    double sum = 0;
+    for (std::size_t index = 0; index < board.views.size(); ++index) {
+        const std::vector<Eigen::Vector2d> predicted =
+            predicted_px(board.views[index], solution.lens, solution.size_per_pitch,
+                         solution.cam_from_board[index]);
+        for (std::size_t point = 0; point < predicted.size(); ++point) {
+            sum += (predicted[point] - board.views[index].points[point].px).squaredNorm();
+        }
+    }
+    return sum;
+}
+
+std::vector<int> free_indices(const LensForm& form) {
+    std::vector<int> indices;
+    for (int index = 0; index < static_cast<int>(parameter_count(form.model)); ++index) {
+        if (!is_held(form, index)) indices.push_back(index);
+    }
+    return indices;
+}
+
+/// Residuals of a view and their derivatives to the shared parameters and to its pose.
+struct Linearised {
+    Eigen::VectorXd residuals;
+    Eigen::MatrixXd to_shared;
+    Eigen::MatrixXd to_pose;
+};
+
+Linearised linearised(const BoardView& view, const BoardSolution& solution,
+                      const std::vector<int>& free, bool is_size_estimated, const BoardPose& pose) {
+    const auto rows = static_cast<Eigen::Index>(2 * view.points.size());
+    const auto lens_count = static_cast<Eigen::Index>(solution.lens.parameters.size());
+    const auto shared = static_cast<Eigen::Index>(free.size()) + (is_size_estimated ? 1 : 0);
+    Linearised result{Eigen::VectorXd::Zero(rows), Eigen::MatrixXd::Zero(rows, shared),
+                      Eigen::MatrixXd::Zero(rows, 6)};
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    RowMajor to_lens(2, lens_count);
+    Eigen::Vector2d to_size;
+    Eigen::Matrix<double, 2, 6, Eigen::RowMajor> to_pose;
+    const std::array<const double*, 3> parameters{solution.lens.parameters.data(),
+                                                  &solution.size_per_pitch, pose.data()};
+    std::array<double*, 3> jacobians{to_lens.data(), to_size.data(), to_pose.data()};
+    for (Eigen::Index point = 0; 2 * point < rows; ++point) {
+        const auto cost =
+            board_point_cost(solution.lens.model, view.points[static_cast<std::size_t>(point)]);
+        Eigen::Vector2d residual;
+        if (!cost->Evaluate(parameters.data(), residual.data(), jacobians.data())) continue;
+        result.residuals.segment<2>(2 * point) = residual;
+        for (std::size_t column = 0; column < free.size(); ++column) {
+            result.to_shared.block<2, 1>(2 * point, static_cast<Eigen::Index>(column)) =
+                to_lens.col(free[column]);
+        }
+        if (is_size_estimated) result.to_shared.block<2, 1>(2 * point, shared - 1) = to_size;
+        result.to_pose.middleRows<2>(2 * point) = to_pose;
+    }
+    return result;
+}
+
+ReducedView reduced(const Linearised& view) {
+    // Projecting by an orthonormal basis keeps full precision, unlike subtracting products.
+    const Eigen::HouseholderQR<Eigen::MatrixXd> decomposition(view.to_pose);
+    const Eigen::MatrixXd basis =
+        decomposition.householderQ() * Eigen::MatrixXd::Identity(view.to_pose.rows(), 6);
+    const Eigen::MatrixXd rest = view.to_shared - basis * (basis.transpose() * view.to_shared);
+    ReducedView result;
+    result.information = rest.transpose() * rest;
+    result.gradient = rest.transpose() * view.residuals;
+    result.residual_sum_px2 = view.residuals.squaredNorm();
+    result.residuals = static_cast<int>(view.residuals.size());
+    return result;
+}
+
+/// Parameters differ by many orders of magnitude: scaled so that the diagonal is 1.
+class ScaledInverse {
+ public:
+    explicit ScaledInverse(const Eigen::MatrixXd& information)
+        : scale_(information.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse()),
+          solver_(scale_.asDiagonal() * information * scale_.asDiagonal()) {
+        constexpr double kLeastPivot = 1e-13;
+        is_regular_ = solver_.info() == Eigen::Success && solver_.isPositive() &&
+                      solver_.vectorD().minCoeff() > kLeastPivot;
+    }
+    [[nodiscard]] bool is_regular() const { return is_regular_; }
+    [[nodiscard]] Eigen::MatrixXd times(const Eigen::MatrixXd& right) const {
+        return scale_.asDiagonal() * solver_.solve(scale_.asDiagonal() * right);
+    }
+
+ private:
+    Eigen::VectorXd scale_;
+    Eigen::LDLT<Eigen::MatrixXd> solver_;
+    bool is_regular_ = false;
+};
+
+Eigen::MatrixXd total_information(const std::vector<ReducedView>& views) {
+    Eigen::MatrixXd total = views.front().information;
+    for (std::size_t index = 1; index < views.size(); ++index) total += views[index].information;
+    return total;
+}
+
+/// What leaving out each photograph changes in the shared parameters; empty: not determined.
+std::vector<Eigen::VectorXd> changes_without_each(const std::vector<ReducedView>& views) {
+    const Eigen::MatrixXd total = total_information(views);
+    std::vector<Eigen::VectorXd> changes;
+    for (const ReducedView& view : views) {
+        const ScaledInverse inverse(total - view.information);
+        if (!inverse.is_regular()) return {};
+        changes.emplace_back(inverse.times(view.gradient));
+    }
+    return changes;
+}
+
+}  // namespace
+
+LensFit fit_lens(const BoardViews& board, const BoardSolution& start,
+                 const LensFitOptions& options) {
+    LensFit fit;
+    fit.solution = start;
+    BoardSolution& solution = fit.solution;
+    ceres::Problem problem;
+    for (std::size_t index = 0; index < board.views.size(); ++index) {
+        for (const BoardPoint& point : board.views[index].points) {
+            ceres::LossFunction* const loss = options.robust_scale_px > 0
+                                                  ? new ceres::CauchyLoss(options.robust_scale_px)
+                                                  : nullptr;
+            problem.AddResidualBlock(board_point_cost(solution.lens.model, point).release(), loss,
+                                     solution.lens.parameters.data(), &solution.size_per_pitch,
+                                     solution.cam_from_board[index].data());
+            fit.residuals += 2;
+        }
+    }
+    if (!std::isfinite(residual_sum_px2(board, solution))) return fit;
+    hold_parameters(problem, solution, estimates_size(board));
+    ceres::Solver::Summary summary;
+    ceres::Solve(solver_options(problem, solution, options), &problem, &summary);
+    fit.iterations = static_cast<int>(summary.iterations.size());
+    fit.residual_sum_px2 = residual_sum_px2(board, solution);
+    fit.is_usable = summary.IsSolutionUsable() && std::isfinite(fit.residual_sum_px2) &&
+                    focal_length_px(solution.lens).minCoeff() > 0;
+    return fit;
+}
+
+std::vector<ReducedView> reduced_views(const BoardViews& board, const BoardSolution& solution) {
+    const std::vector<int> free = free_indices(solution.form);
+    std::vector<ReducedView> result;
+    for (std::size_t index = 0; index < board.views.size(); ++index) {
+        result.push_back(
+            reduced(linearised(board.views[index], solution, free, estimates_size(board),
+                               solution.cam_from_board[index])));
+    }
+    return result;
+}
+
+std::vector<HeldOutFold> held_out_photographs(const std::vector<ReducedView>& views) {
+    constexpr std::size_t kLeastViews = 3;
+    if (views.size() < kLeastViews) return {};
+    const std::vector<Eigen::VectorXd> changes = changes_without_each(views);
+    std::vector<HeldOutFold> folds;
+    for (std::size_t index = 0; index < changes.size(); ++index) {
+        const ReducedView& view = views[index];
+        const Eigen::VectorXd& change = changes[index];
+        const double predicted_px2 = view.residual_sum_px2 + 2 * change.dot(view.gradient) +
+                                     change.dot(view.information * change);
+        folds.push_back({predicted_px2, view.residuals});
+    }
+    return folds;
+}
+
+LensCertainty lens_certainty(const std::vector<ReducedView>& views, const LensForm& form) {
+    LensCertainty certainty;
+    const Eigen::MatrixXd total = total_information(views);
+    const ScaledInverse inverse(total);
+    const std::vector<Eigen::VectorXd> changes = changes_without_each(views);
+    double residual_sum = 0;
+    int residuals = 0;
+    for (const ReducedView& view : views) {
+        residual_sum += view.residual_sum_px2;
+        residuals += view.residuals;
+    }
+    const auto shared = static_cast<int>(total.rows());
+    const auto count = static_cast<double>(views.size());
+    certainty.degrees_of_freedom = residuals - shared - 6 * static_cast<int>(views.size());
+    if (!inverse.is_regular() || certainty.degrees_of_freedom <= 0) return certainty;
+    const double variance_px2 = residual_sum / certainty.degrees_of_freedom;
+    certainty.point_sigma_px = std::sqrt(variance_px2);
+
+    if (!changes.empty() && variance_px2 > 0) {
+        Eigen::VectorXd mean = Eigen::VectorXd::Zero(shared);
+        for (const Eigen::VectorXd& change : changes) mean += change / count;
+        double spread = 0;
+        for (const Eigen::VectorXd& change : changes) {
+            spread += (change - mean).dot(total * (change - mean));
+        }
+        certainty.disagreement =
+            std::max(1.0, (count - 1) / count * spread / (variance_px2 * shared));
+    }
+    const std::vector<int> free = free_indices(form);
+    const auto lens_count = static_cast<Eigen::Index>(parameter_count(form.model));
+    const Eigen::MatrixXd of_shared = certainty.disagreement * variance_px2 *
+                                      inverse.times(Eigen::MatrixXd::Identity(shared, shared));
+    certainty.covariance = Eigen::MatrixXd::Zero(lens_count, lens_count);
+    for (std::size_t row = 0; row < free.size(); ++row) {
+        for (std::size_t column = 0; column < free.size(); ++column) {
+            certainty.covariance(free[row], free[column]) =
+                of_shared(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+        }
+    }
+    return certainty;
+}
+
+}  // namespace lumi
