@@ -21,7 +21,7 @@ file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [[
 namespace lumi {
 
 std::string code_version_of(const std::string& stage) {
-    if (stage == "ingest" || stage == "poses") return "@calib@";
+    if (stage == "ingest" || stage == "calibrate" || stage == "poses") return "@calib@";
     if (stage == "mesh" || stage == "depth") return "@meshing@";
     return "@pack@";
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "calib/boards/board_outliers.h"
@@ -96,6 +97,7 @@ LensTrial trial_of(const BoardViews& board, const LensFit& fit) {
     trial.residual_sum_px2 = fit.residual_sum_px2;
     trial.residuals = fit.residuals;
     if (!fit.is_usable) {
+        trial.residual_sum_px2 = std::numeric_limits<double>::infinity();
         trial.not_predicted = "the fit failed";
         return trial;
     }

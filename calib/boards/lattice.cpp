@@ -184,6 +184,19 @@ void remove_loose(Lattice& lattice) {
     }
 }
 
+/// Chance hits hang together by threads; even three by three nodes have 2.67 neighbours each.
+bool is_dense(const Lattice& lattice) {
+    std::ptrdiff_t neighbours = 0;
+    for (const auto& [cell, point] : lattice) {
+        neighbours += std::count_if(
+            kUnitSteps.begin(), kUnitSteps.end(),
+            [&, at = cell](const auto& step) { return lattice.contains(moved(at, step)); });
+    }
+    constexpr double kLeastMeanNeighbours = 2.5;
+    return static_cast<double>(neighbours) >=
+           kLeastMeanNeighbours * static_cast<double>(lattice.size());
+}
+
 /// Nodes that hold together by steps of at most `max_gap`, the most numerous such part.
 Lattice largest_connected(const Lattice& lattice, int max_gap) {
     Lattice largest;
@@ -290,7 +303,7 @@ Lattice largest_lattice(const PointGrid& points, const LinkTest& may_link,
         remove_loose(lattice);
         lattice = largest_connected(lattice, options.max_gap);
         for (const auto& [cell, point] : lattice) is_explained[point] = true;
-        if (lattice.size() > largest.size()) largest = std::move(lattice);
+        if (lattice.size() > largest.size() && is_dense(lattice)) largest = std::move(lattice);
     }
     if (static_cast<int>(largest.size()) < options.min_nodes) largest.clear();
     return largest;

@@ -42,10 +42,11 @@ void write_lens_file(const std::filesystem::path& path, const Camera& lens, Lens
                      const std::vector<std::string>& remarks = {});
 
 /// The lens in a file of any of the formats, recognised by the ending (.toml, .txt, .yaml, .yml)
-/// and the content. Models come back as the simplest that says the same: formats other than TOML
-/// and COLMAP know only OpenCV's distortion and the equidistant one. Throws Error naming file and
-/// place: E-CONFIG-... (TOML), E-LENS-FILE (not such a file, or it contradicts itself: sizes of
-/// matrices, skew, several cameras, another camera model), E-CAMERA-INVALID, E-FILE-READ.
+/// and the content, and in BoofCV's intrinsic.yaml. Models come back as the simplest that says the
+/// same: formats other than TOML and COLMAP know only OpenCV's distortion and the equidistant one.
+/// Throws Error naming file and place: E-CONFIG-... (TOML), E-LENS-FILE (not such a file, or it
+/// contradicts itself: sizes of matrices, skew, several cameras, another camera model),
+/// E-CAMERA-INVALID, E-FILE-READ.
 [[nodiscard]] Camera read_lens_file(const std::filesystem::path& path);
 
 /// The simplest model that is exactly this: OpenCV's k1 k2 p1 p2 k3 k4 k5 k6.

@@ -16,8 +16,8 @@ const Eigen::Vector2d kHalfPixel(0.5, 0.5);
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
     throw Error(ErrorKind::kBadInput, "E-LENS-FILE", where + ": " + what,
-                "give a YAML file of OpenCV, Kalibr (camchain) or ROS (camera_info) for one "
-                "camera, or write one with lumi calibrate");
+                "give a YAML file of OpenCV, Kalibr (camchain), ROS (camera_info) or BoofCV for "
+                "one camera, or write one with lumi calibrate");
 }
 
 /// Reads values of one document with the place in every message.
@@ -142,6 +142,34 @@ Camera lens_of_kalibr(const YamlReader& document, const std::string& where) {
                          brown_coefficients(coefficients, camera));
 }
 
+/// intrinsic.yaml of BoofCV: perspective with radial terms.
+Camera lens_of_boofcv(const YamlReader& document) {
+    const std::string model = document.has("model") ? document.at("model").text() : "pinhole";
+    if (model != "pinhole" && model != "pinhole_radial_tangential") {
+        document.at("model").contradict("\"" + model +
+                                        "\" is not known here: pinhole_radial_tangential");
+    }
+    const YamlReader pinhole = document.at("pinhole");
+    if (pinhole.at("skew").number() != 0) pinhole.contradict("a skew is not known here");
+    std::array<double, 8> distortion{};
+    if (document.has("radial_tangential")) {
+        const YamlReader terms = document.at("radial_tangential");
+        const std::vector<double> radial = terms.at("radial").numbers();
+        if (radial.size() > 3) terms.contradict("expected at most three radial terms");
+        constexpr std::array<std::size_t, 3> kPlaces{0, 1, 4};
+        for (std::size_t index = 0; index < radial.size(); ++index) {
+            distortion[kPlaces[index]] = radial[index];
+        }
+        distortion[2] = terms.at("t1").number();
+        distortion[3] = terms.at("t2").number();
+    }
+    return simplest_lens(
+        pinhole.at("width").whole_number(), pinhole.at("height").whole_number(),
+        {pinhole.at("fx").number(), pinhole.at("fy").number()},
+        Eigen::Vector2d(pinhole.at("cx").number(), pinhole.at("cy").number()) + kHalfPixel,
+        distortion);
+}
+
 bool is_fisheye(const YamlReader& document) {
     if (document.has("distortion_model")) {
         const std::string model = document.at("distortion_model").text();
@@ -191,8 +219,9 @@ Camera read_lens_yaml(const std::string& text, const std::string& where) {
         node = YAML::Load(body);
         const YamlReader document(node, where);
         if (!node.IsMap()) refuse(where, "is not a YAML file with keys");
-        Camera lens = document.has("cam0") ? lens_of_kalibr(document, where)
-                                           : lens_of_opencv_or_ros(document);
+        Camera lens = document.has("cam0")      ? lens_of_kalibr(document, where)
+                      : document.has("pinhole") ? lens_of_boofcv(document)
+                                                : lens_of_opencv_or_ros(document);
         validate(lens, where);
         return lens;
     } catch (const YAML::Exception& error) {

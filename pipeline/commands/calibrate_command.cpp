@@ -1,18 +1,16 @@
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "calib/boards/board_calibration.h"
 #include "calib/boards/board_detection.h"
-#include "calib/boards/calibration_picture.h"
-#include "calib/lens_files/lens_files.h"
 #include "calib/work/error.h"
 #include "calib/work/stopwatch.h"
-#include "calib/work/whole_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/report/number_text.h"
+#include "pipeline/stages/calibration_files.h"
 #include "pipeline/stages/calibration_json.h"
-#include "pipeline/workspace/json_file.h"
 
 namespace lumi {
 namespace {
@@ -72,52 +70,6 @@ BoardCalibrationOptions calibration_options(const CalibrateRequest& request) {
     return options;
 }
 
-std::string parameter_text(const LensParameter& parameter) {
-    const int digits = std::abs(parameter.value) < 10 ? 5 : 2;
-    std::string text = parameter.name + " = " + number_text(parameter.value, digits);
-    if (parameter.sigma == 0) return text + "  (held)";
-    return text + "  +- " + number_text(parameter.sigma, digits) +
-           "  95 %: " + number_text(parameter.low, digits) + " to " +
-           number_text(parameter.high, digits);
-}
-
-std::vector<std::string> remarks_of(const BoardPhotographs& found,
-                                    const BoardCalibration& calibration) {
-    std::vector<std::string> remarks{
-        "Calibrated by lumi from " + std::to_string(calibration.views.size()) +
-            " photographs of a board (" + std::string(name_of(found.kind)) + "): RMS " +
-            number_text(calibration.rms_px, 3) + " px, held out " +
-            number_text(calibration.held_out_rms_px, 3) + " px.",
-        "One standard deviation and 95 % interval of each parameter:"};
-    for (const LensParameter& parameter : calibration.parameters) {
-        remarks.push_back("  " + parameter_text(parameter));
-    }
-    return remarks;
-}
-
-/// Every format that has words for the lens; the names of the files.
-std::vector<std::string> write_results(const fs::path& out, const BoardPhotographs& found,
-                                       const BoardCalibration& calibration, const Json& json) {
-    std::vector<std::string> written;
-    const std::vector<std::string> remarks = remarks_of(found, calibration);
-    for (const LensFormat format : kLensFormats) {
-        const fs::path path = out / usual_file_name(format);
-        try {
-            write_lens_file(path, calibration.lens, format, remarks);
-            written.push_back(path.string());
-        } catch (const Error& error) {
-            if (error.code() != "E-LENS-FORMAT") throw;
-            // What an earlier run wrote would be another lens.
-            fs::remove(path);
-        }
-    }
-    write_whole_text(out / "calibration.svg", calibration_svg(calibration));
-    write_whole_text(out / "calibration.json", json_text(json));
-    written.push_back((out / "calibration.svg").string());
-    written.push_back((out / "calibration.json").string());
-    return written;
-}
-
 std::string left_out_text(const std::vector<LeftOut>& left_out) {
     std::string text;
     for (const LeftOut& photograph : left_out) {
@@ -154,13 +106,13 @@ void run_calibrate(const CalibrateRequest& request, const CommandContext& contex
     const BoardPhotographs found =
         find_boards(request.photographs, board, context.threads, *context.progress);
     const BoardCalibration calibration = calibrate_boards(found.board, options, *context.progress);
-    Json json = calibration_json(found, calibration);
     const Cost cost = stopwatch.elapsed();
-    json["cpu_s"] = cost.cpu_s;
-    json["wall_s"] = cost.wall_s;
     std::vector<std::string> written;
-    if (!request.out.empty()) written = write_results(request.out, found, calibration, json);
+    if (!request.out.empty()) written = write_calibration(request.out, found, calibration);
     if (context.json) {
+        Json json = calibration_json(found, calibration);
+        json["cpu_s"] = cost.cpu_s;
+        json["wall_s"] = cost.wall_s;
         json["files"] = written;
         context.print_result(json);
         return;

@@ -10,6 +10,7 @@ namespace lumi {
 /// left in `context.chosen`, so that nothing runs before the whole line has been understood.
 void add_build_command(CLI::App& app, CommandContext& context);
 void add_calibrate_command(CLI::App& app, CommandContext& context);
+void add_bench_boards_command(CLI::App& app, CommandContext& context);
 void add_stage_commands(CLI::App& app, CommandContext& context);
 void add_render_command(CLI::App& app, CommandContext& context);
 void add_view_command(CLI::App& app, CommandContext& context);

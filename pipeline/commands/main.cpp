@@ -24,6 +24,7 @@ void add_global_options(CLI::App& app, lumi::CommandContext& context) {
 void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_build_command(app, context);
     lumi::add_calibrate_command(app, context);
+    lumi::add_bench_boards_command(app, context);
     lumi::add_stage_commands(app, context);
     lumi::add_render_command(app, context);
     lumi::add_view_command(app, context);

@@ -54,7 +54,8 @@ void fill_in_stage_parameters(BuildConfig& config, const ConfigSection& document
     };
     const ConfigSection capture = document.section("capture");
     config.stage_parameters = {
-        // Where the photographs lie is not what they are: their content is hashed beside this.
+        // Where the boards lie is not what they show, either.
+        {"calibrate", document.section("calibration").resolved_table({"boards", "camera"})},
         {"ingest", capture.resolved_table({"photos", "video", "import"})},
         {"poses", config.imported_poses.empty()
                       ? parameters("poses") + lens_parameters_text(config.given_lens)
@@ -94,7 +95,12 @@ BuildConfig read_build_config(const ConfigSection& document, const std::string& 
     config.photographs_or_video = read_source(capture);
     config.imported_poses = capture.path("import");
     config.ingest = read_ingest_options(capture);
-    const fs::path lens_path = document.section("calibration").path("camera");
+    const ConfigSection calibration = document.section("calibration");
+    const fs::path lens_path = calibration.path("camera");
+    config.boards = calibration.path("boards");
+    if (!lens_path.empty() && !config.boards.empty()) {
+        calibration.refuse("boards", "either `boards` or `camera`");
+    }
     if (!lens_path.empty()) config.given_lens = read_lens_file(lens_path);
     config.poses = read_pose_options(document.section("poses"));
     config.mesh = read_camera_mesh_options(document.section("mesh"));

@@ -29,6 +29,7 @@ struct BuildConfig {
     std::filesystem::path workspace;             ///< Empty: work/NAME below the current folder.
     int threads = 0;                             ///< 0: all cores.
     std::optional<Camera> given_lens;
+    std::filesystem::path boards;  ///< Photographs of a calibration board; empty: none.
 
     IngestOptions ingest;
     PoseOptions poses;

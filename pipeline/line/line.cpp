@@ -8,6 +8,7 @@
 #include "pipeline/line/code_version.h"
 #include "pipeline/line/external_tools.h"
 #include "pipeline/line/stages_file.h"
+#include "pipeline/stages/calibrate_stage.h"
 #include "pipeline/stages/depth_stage.h"
 #include "pipeline/stages/ingest_stage.h"
 #include "pipeline/stages/mesh_stage.h"
@@ -45,6 +46,7 @@ class Line {
  private:
     [[nodiscard]] Stage stage_named(const std::string& name) {
         if (name == "ingest") return ingest_stage();
+        if (name == "calibrate") return calibrate_stage();
         if (name == "poses") return poses_stage();
         if (name == "mesh") return mesh_stage();
         if (name == "depth") return depth_stage();
@@ -68,16 +70,33 @@ class Line {
                 {}};
     }
 
+    [[nodiscard]] Stage calibrate_stage() const {
+        return {identity("calibrate", "", content_of(config_.boards, threads_)),
+                [this](const fs::path& folder) {
+                    return run_calibrate_stage(config_.boards, folder, threads_, progress_);
+                },
+                {}};
+    }
+
+    /// From a file, from photographs of a board, or none.
+    [[nodiscard]] std::optional<Camera> known_lens() const {
+        if (config_.boards.empty()) return config_.given_lens;
+        return read_calibrated_lens(workspace_.stage_folder("calibrate"));
+    }
+
     [[nodiscard]] Stage poses_stage() {
         read_ingested();
         std::vector<ContentEntry> inputs = outputs_of("ingest", "ingest/");
         append(inputs, content_of(config_.imported_poses, threads_));
+        if (!config_.boards.empty()) {
+            append(inputs, outputs_of("calibrate", "calibrate/camera.toml"));
+        }
         Stage stage{identity("poses", "", inputs),
                     [this](const fs::path& folder) {
                         return run_poses_stage(
                             workspace_.stage_folder("ingest"),
-                            {config_.imported_poses, config_.given_lens, config_.poses}, folder,
-                            threads_, progress_);
+                            {config_.imported_poses, known_lens(), config_.poses}, folder, threads_,
+                            progress_);
                     },
                     {}};
         const bool runs_colmap =
@@ -177,6 +196,15 @@ class Line {
     PosedPhotographs used_;
 };
 
+/// Boards are one more stage, where there are any.
+std::vector<std::string> stages_for(const BuildConfig& config) {
+    std::vector<std::string> stages = stages_of_line();
+    if (!config.boards.empty()) {
+        stages.insert(std::find(stages.begin(), stages.end(), "poses"), "calibrate");
+    }
+    return stages;
+}
+
 }  // namespace
 
 const std::vector<std::string>& stages_of_line() {
@@ -191,7 +219,7 @@ std::vector<FinishedStage> run_line(const BuildConfig& config, const Workspace& 
                      "# Paths are relative to the configuration file that this was read from.\n" +
                          config.resolved_toml);
     Line line(config, workspace, threads, progress);
-    for (const std::string& stage : stages_of_line()) {
+    for (const std::string& stage : stages_for(config)) {
         try {
             line.bring_up_to_date(stage);
         } catch (const Error& failure) {

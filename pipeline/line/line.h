@@ -8,7 +8,8 @@
 
 namespace lumi {
 
-/// The stages in their order: ingest, poses, mesh, depth, pack.
+/// The stages in their order: ingest, poses, mesh, depth, pack. (Where the configuration names
+/// photographs of a board, `calibrate` comes before the poses.)
 [[nodiscard]] const std::vector<std::string>& stages_of_line();
 
 /// Brings the line up to date, from photographs to `last_stage`, and keeps config.toml and

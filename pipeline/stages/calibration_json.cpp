@@ -1,9 +1,9 @@
 #include "pipeline/stages/calibration_json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/stages/left_out_json.h"
+#include "pipeline/stages/lens_choice_json.h"
 
 namespace lumi {
 namespace {
@@ -17,27 +17,6 @@ Json parameters_json(const std::vector<LensParameter>& parameters) {
                         {"value", parameter.value},
                         {"sigma", parameter.sigma},
                         {"interval_95", {parameter.low, parameter.high}}});
-    }
-    return json;
-}
-
-Json trials_json(const LensChoice& choice) {
-    Json json = Json::array();
-    for (std::size_t index = 0; index < choice.trials.size(); ++index) {
-        const LensTrial& trial = choice.trials[index];
-        Json row{{"form", text_of(trial.form)}, {"free_parameters", free_parameters(trial.form)}};
-        if (trial.not_predicted.empty()) {
-            // A residual is one coordinate there, a distance here.
-            row["rms_px"] = std::sqrt(2.0) * trial.rms_px;
-            row["held_out_rms_px"] = std::sqrt(2.0) * trial.held_out_rms_px;
-            row["excess_px2"] = trial.excess_px2;
-            row["excess_sigma_px2"] = trial.excess_sigma_px2;
-            row["bic"] = trial.bic;
-        } else {
-            row["not_predicted"] = trial.not_predicted;
-        }
-        row["chosen"] = index == choice.chosen;
-        json.push_back(std::move(row));
     }
     return json;
 }
@@ -80,7 +59,7 @@ Json calibration_json(const BoardPhotographs& found, const BoardCalibration& cal
                 {"removed_points", calibration.removed_points},
                 {"covered_area", calibration.covered_area},
                 {"covered_radius", calibration.covered_radius},
-                {"models", trials_json(calibration.choice)},
+                {"models", lens_choice_json(calibration.choice)},
                 {"photographs", views_json(calibration.views)},
                 {"left_out", left_out_json(left_out)},
                 {"warnings", calibration.warnings}};

@@ -148,6 +148,15 @@ TEST(LensFile, GivesTheLens) {
     EXPECT_NE(lens_parameters_text(lens), lens_parameters_text(std::nullopt));
 }
 
+TEST(LensFile, ALensComesFromAFileOrFromBoardsAndNotFromBoth) {
+    const std::string photos = "[capture]\nphotos = \"p\"\n";
+    EXPECT_EQ(read(photos + "[calibration]\nboards = \"b\"\n").boards.filename(), "b");
+    EXPECT_TRUE(read(photos).boards.empty());
+    EXPECT_THROW(
+        static_cast<void>(read(photos + "[calibration]\nboards = \"b\"\ncamera = \"c.toml\"\n")),
+        Error);
+}
+
 TEST(LensFile, RefusesWhatIsNoLens) {
     const ScratchFolder scratch;
     const std::string size = "width_px = 640\nheight_px = 480\n";

@@ -40,8 +40,9 @@ Outcome lumi(const std::string& arguments, const std::string& before = "") {
 TEST(CommandLine, HelpBeginsWithAnExample) {
     EXPECT_THAT(lumi("--help").out, StartsWith("Example: lumi "));
     for (const std::string command :
-         {"build", "calibrate", "ingest", "poses", "mesh", "depth", "pack", "render", "view",
-          "bench", "bench-poses", "evaluate", "compare-poses", "inspect", "validate", "synth"}) {
+         {"build", "calibrate", "bench-boards", "ingest", "poses", "mesh", "depth", "pack",
+          "render", "view", "bench", "bench-poses", "evaluate", "compare-poses", "inspect",
+          "validate", "synth"}) {
         const Outcome help = lumi(command + " --help");
         EXPECT_EQ(help.exit_code, 0) << command;
         EXPECT_THAT(help.out, StartsWith("Example: lumi " + command));
@@ -75,6 +76,18 @@ TEST(CommandLine, ErrorsSayWhatWhereAndWhatToDo) {
     EXPECT_EQ(outcome.out, "");
     EXPECT_THAT(outcome.talk, HasSubstr("error E-CONFIG-KEY: " + (scratch / "c.toml").string() +
                                         ":3: unknown key `capture.max_with_px`\n  -> "));
+}
+
+TEST(CommandLine, CalibrationRefusesWhatItCannotDoByName) {
+    const ScratchFolder scratch;
+    write_png(scratch / "a.png", GrayImage(320, 240, 90));
+    const std::string folder = quoted(scratch.path());
+    EXPECT_EQ(lumi("calibrate " + folder + " --board hexagons").exit_code, 2);
+    EXPECT_EQ(lumi("calibrate " + folder + " --size 9by6").exit_code, 2);
+    EXPECT_EQ(lumi("calibrate " + folder + " --models THIN_PRISM").exit_code, 2);
+    const Outcome outcome = lumi("--json calibrate " + folder);
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_EQ(Json::parse(outcome.out)["error"]["code"], "E-BOARDS-NOTFOUND");
 }
 
 TEST(CommandLine, ErrorsAreJsonForMachines) {

@@ -111,6 +111,13 @@ TEST(LensFiles, FilesOfTheOtherProgramsAreRead) {
     expect_same(
         read_lens_file(folder / "ost.yaml"),
         {640, 480, LensModel::kOpenCv, {430.2, 430.5, 307.2, 227.7, -0.33, 0.11, -0.0004, 0.0002}});
+    folder.put_text("intrinsic.yaml",
+                    "# Pinhole camera model\npinhole:\n  fx: 701.5\n  fy: 698.5\n  cx: 308.25\n"
+                    "  cy: 246.5\n  width: 640\n  height: 480\n  skew: 0.0\n"
+                    "model: pinhole_radial_tangential\nradial_tangential:\n  radial:\n  - -0.25\n"
+                    "  - 0.1\n  t1: 0.0\n  t2: 0.0\n");
+    expect_same(read_lens_file(folder / "intrinsic.yaml"),
+                {640, 480, LensModel::kOpenCv, {701.5, 698.5, 308.75, 247, -0.25, 0.1, 0, 0}});
 }
 
 /// Code of the error that a file ends in; "" when it is read.
