@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -77,6 +78,15 @@ Eigen::Vector3d skirt_direction(const Eigen::Vector3d& camera_direction,
     return (tangent - approach * from_axis).normalized();
 }
 
+bool is_thin_over(const std::vector<Eigen::Vector3d>& directions, double thin_altitude, int from,
+                  int to, int tip) {
+    const Eigen::Vector3d edge =
+        directions[static_cast<std::size_t>(to)] - directions[static_cast<std::size_t>(from)];
+    const Eigen::Vector3d side =
+        directions[static_cast<std::size_t>(tip)] - directions[static_cast<std::size_t>(from)];
+    return edge.cross(side).norm() < thin_altitude * edge.squaredNorm();
+}
+
 /// The bisector of the outward normals at each border camera, as a tangent of the sphere.
 std::map<int, Eigen::Vector3d> border_bisectors(const CameraStar& star,
                                                 const std::vector<std::array<int, 2>>& edges,
@@ -118,6 +128,33 @@ std::vector<std::array<int, 3>> open_triangulation(const std::vector<Eigen::Vect
     return faces;
 }
 
+void peel_thin_border(const std::vector<Eigen::Vector3d>& directions, double thin_altitude,
+                      std::vector<std::array<int, 3>>& faces) {
+    for (bool peeled = true; peeled;) {
+        peeled = false;
+        std::set<std::array<int, 2>> border;
+        std::set<int> on_border;
+        for (const auto& edge : border_edges(faces)) {
+            border.insert(edge);
+            on_border.insert(edge.begin(), edge.end());
+        }
+        std::erase_if(faces, [&](const std::array<int, 3>& face) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                const int from = face[i];
+                const int to = face[(i + 1) % 3];
+                const int tip = face[(i + 2) % 3];
+                if (!border.contains({from, to}) || on_border.contains(tip)) continue;
+                if (!is_thin_over(directions, thin_altitude, from, to, tip)) continue;
+                // The next thin triangle at this tip must not pinch the border.
+                on_border.insert(tip);
+                peeled = true;
+                return true;
+            }
+            return false;
+        });
+    }
+}
+
 std::vector<std::array<int, 2>> border_edges(const std::vector<std::array<int, 3>>& faces) {
     std::set<std::array<int, 2>> edges;
     for (const auto& face : faces) {
@@ -133,13 +170,14 @@ std::vector<std::array<int, 2>> border_edges(const std::vector<std::array<int, 3
 }
 
 void append_skirt(const CameraStar& star, const Eigen::Vector3d& gap_direction, double length,
-                  CameraMesh& mesh) {
+                  const std::vector<Eigen::Vector3d>& scene_hull_in_world, CameraMesh& mesh) {
     const auto edges = border_edges(mesh.faces);
     const auto bisectors = border_bisectors(star, edges, gap_direction);
     std::map<int, int> virtual_of;
     for (const auto& [camera, bisector] : bisectors) {
         virtual_of[camera] = static_cast<int>(mesh.vertices.size());
         mesh.vertices.push_back(mesh.vertices[static_cast<std::size_t>(camera)]);
+        mesh.vertices.back().is_virtual = true;
     }
     const auto first_skirt_face = static_cast<std::ptrdiff_t>(mesh.faces.size());
     for (const auto& [from, to] : edges) {
@@ -156,13 +194,25 @@ void append_skirt(const CameraStar& star, const Eigen::Vector3d& gap_direction, 
                 length * direction;
         }
     };
+    std::vector<Eigen::Vector3d> scene;
+    for (const Eigen::Vector3d& point : scene_hull_in_world) {
+        scene.push_back(point - mesh.scene_centre_in_world);
+    }
+    const auto room_within = [&](const std::vector<FacePlane>& planes) {
+        const double radius = kernel_radius(planes);
+        if (scene.empty()) return radius;
+        if (!(radius > 0)) return -std::numeric_limits<double>::infinity();
+        double room = std::numeric_limits<double>::infinity();
+        for (const FacePlane& plane : planes) room = std::min(room, face_clearance(plane, scene));
+        return room;
+    };
     double best_share = 0.0;
-    double most_room = -1.0;
+    double most_room = -std::numeric_limits<double>::infinity();
     for (const double share : {1.0, 0.75, 0.5, 0.25, 0.0}) {
         place(share);
         auto planes = face_planes(mesh);
         planes.erase(planes.begin(), planes.begin() + first_skirt_face);
-        const double room = kernel_radius(planes);
+        const double room = room_within(planes);
         if (room <= most_room) continue;
         most_room = room;
         best_share = share;

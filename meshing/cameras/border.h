@@ -15,6 +15,13 @@ namespace lumi {
 [[nodiscard]] std::vector<std::array<int, 3>> open_triangulation(
     const std::vector<Eigen::Vector3d>& directions, const Eigen::Vector3d& gap_direction);
 
+/// Takes thin triangles off the border until there is none whose altitude over a border edge is
+/// below `thin_altitude` of that edge: what is between three cameras that stand nearly in one line
+/// is no surface, and its plane may point anywhere. The camera at its tip comes to stand on the
+/// border. A triangle stays when its tip already does.
+void peel_thin_border(const std::vector<Eigen::Vector3d>& directions, double thin_altitude,
+                      std::vector<std::array<int, 3>>& faces);
+
 /// Directed edges of the triangles that have no opposite edge, in the order of their first vertex.
 [[nodiscard]] std::vector<std::array<int, 2>> border_edges(
     const std::vector<std::array<int, 3>>& faces);
@@ -27,8 +34,9 @@ namespace lumi {
 /// about the centre whatever the border, and the bisector of the border's edges in the
 /// stereographic picture from the gap, where the border is a convex polygon: steeper to jagged
 /// borders of patches, but it may fold where the border nearly surrounds the scene. Of five shares
-/// the one that leaves the largest kernel is taken.
+/// the one that leaves the scene (or, when nothing is known of it, a ball about the centre) the
+/// most room is taken.
 void append_skirt(const CameraStar& star, const Eigen::Vector3d& gap_direction, double length,
-                  CameraMesh& mesh);
+                  const std::vector<Eigen::Vector3d>& scene_hull_in_world, CameraMesh& mesh);
 
 }  // namespace lumi

@@ -1,35 +1,27 @@
 #include "meshing/cameras/camera_mesh_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
-#include <limits>
-#include <set>
 #include <utility>
 
 #include "calib/work/error.h"
 #include "meshing/cameras/arrangement.h"
-#include "meshing/cameras/border.h"
 #include "meshing/cameras/camera_star.h"
+#include "meshing/cameras/construction.h"
 #include "meshing/cameras/kernel.h"
-#include "meshing/cameras/line_strip.h"
+#include "meshing/cameras/repair.h"
 #include "meshing/cameras/scene_centre.h"
-#include "meshing/cameras/spherical_triangulation.h"
+#include "meshing/cameras/scene_hull.h"
 
 namespace lumi {
 namespace {
 
-/// How far skirts and strips reach, in largest camera distances from the scene centre: a ray to the
-/// scene misses them only within atan(1/8), 7 degrees, of their direction.
-constexpr double kReach = 8.0;
-/// Outliers of the sparse points must not decide.
-constexpr double kSceneShare = 0.95;
 constexpr std::size_t kMaxScenePoints = 2000;
 /// Cameras closer together than this share of their depth show no parallax in any photograph.
 constexpr double kOneSpot = 1e-6;
-/// Clearance of the scene in the kernel, as a share of the camera distance, that needs no search.
-constexpr double kEnoughClearance = 0.25;
-constexpr double kLeastGain = 1e-3;
 /// Open meshes may leave the scene all the room there is; reports want a finite figure.
 constexpr double kMostRoom = 100.0;
 
@@ -54,77 +46,6 @@ bool on_one_spot(const std::vector<OpticalAxis>& axes) {
     return extent <= kOneSpot * depth || extent == 0;
 }
 
-CameraMesh surface_mesh(const CameraStar& star, const Arrangement& arrangement) {
-    CameraMesh mesh;
-    mesh.scene_centre_in_world = star.centre_in_world;
-    for (const OpticalAxis& axis : star.axes) {
-        mesh.vertices.push_back({axis.centre_in_world, axis.view_index});
-    }
-    if (arrangement.construction == MeshConstruction::kClosed) {
-        mesh.faces = spherical_triangulation(star.directions);
-    } else if (arrangement.construction == MeshConstruction::kOpen) {
-        mesh.faces = open_triangulation(star.directions, arrangement.gap_direction);
-        append_skirt(star, arrangement.gap_direction, kReach * largest_distance(star), mesh);
-    }
-    return mesh;
-}
-
-/// The mesh of the stated construction over the cameras, star-shaped about `centre`.
-CameraMesh construct(const std::vector<OpticalAxis>& axes, const Eigen::Vector3d& centre,
-                     const Arrangement& arrangement) {
-    const CameraStar star = camera_star(axes, centre);
-    const bool strip = arrangement.construction == MeshConstruction::kLine ||
-                       arrangement.construction == MeshConstruction::kPair;
-    CameraMesh mesh =
-        strip
-            ? build_line_strip(star, arrangement.strip_normal, kReach * largest_distance(star)).mesh
-            : surface_mesh(star, arrangement);
-    mesh.construction = arrangement.construction;
-    return mesh;
-}
-
-/// The clearance that all but the outermost points have in the kernel, as a share of the usual
-/// camera distance; enough is enough.
-double scene_clearance(const CameraMesh& mesh, const std::vector<Eigen::Vector3d>& points,
-                       double camera_distance) {
-    const std::vector<FacePlane> planes = face_planes(mesh);
-    std::vector<double> clearances;
-    for (const Eigen::Vector3d& point : points) {
-        clearances.push_back(kernel_clearance(planes, point - mesh.scene_centre_in_world));
-    }
-    const double trimmed = percentile(std::move(clearances), 1 - kSceneShare);
-    return std::min(trimmed / camera_distance, kEnoughClearance);
-}
-
-int distinct_views(const CameraMesh& mesh) {
-    std::set<int> views;
-    for (const CameraMesh::Vertex& vertex : mesh.vertices) views.insert(vertex.view_index);
-    return static_cast<int>(views.size());
-}
-
-/// The mesh about the centre near `start` that gives the scene the most room in its kernel without
-/// losing a camera.
-CameraMesh construct_with_room(const std::vector<OpticalAxis>& axes, const Eigen::Vector3d& start,
-                               const Arrangement& arrangement,
-                               const std::vector<Eigen::Vector3d>& scene) {
-    const CameraMesh first = construct(axes, start, arrangement);
-    const double camera_distance = median_distance(axes, start);
-    if (scene.empty() || scene_clearance(first, scene, camera_distance) >= kEnoughClearance) {
-        return first;
-    }
-    const int views = distinct_views(first);
-    const auto room = [&](const Eigen::Vector3d& centre) {
-        const CameraMesh mesh = construct(axes, centre, arrangement);
-        return distinct_views(mesh) < views ? -std::numeric_limits<double>::infinity()
-                                            : scene_clearance(mesh, scene, camera_distance);
-    };
-    // The centre stays within the scene: it is also where the plane of a scene without depth lies.
-    std::vector<double> distances;
-    for (const Eigen::Vector3d& point : scene) distances.push_back((point - start).norm());
-    const double reach = 0.5 * percentile(std::move(distances), 0.5);
-    return construct(axes, improve_scene_centre(start, reach, kLeastGain, room), arrangement);
-}
-
 /// One camera for all, when none can be told from another by where it stands.
 CameraMesh single_camera_mesh(const OpticalAxis& axis) {
     CameraMesh mesh;
@@ -142,54 +63,84 @@ Arrangement chosen_arrangement(const std::vector<OpticalAxis>& axes, const Eigen
     return demanded ? arrange_as(star, *demanded) : arrange(star);
 }
 
-/// How the kernel of the mesh and the scene lie to each other.
-struct KernelJudgement {
-    double scale = 0.0;  ///< The kernel over the trimmed scene; 0 when not known.
-    double share = 0.0;  ///< Of the scene's points that lie in the kernel.
-    int faces_with_scene_outside = 0;
-};
+/// How far the centre may be moved: it stays within the scene, for it is also where the plane of a
+/// scene without depth lies.
+double reach_within(const std::vector<Eigen::Vector3d>& scene, const Eigen::Vector3d& centre) {
+    if (scene.empty()) return 0.0;
+    std::vector<double> distances;
+    for (const Eigen::Vector3d& point : scene) distances.push_back((point - centre).norm());
+    return 0.5 * percentile(std::move(distances), 0.5);
+}
 
-KernelJudgement judge_kernel(const CameraMesh& mesh, const std::vector<Eigen::Vector3d>& scene) {
-    KernelJudgement judgement;
-    if (scene.empty() || mesh.faces.empty()) return judgement;
+/// How the kernel of the mesh and the scene lie to each other.
+void judge_kernel(const CameraMesh& mesh, const std::vector<Eigen::Vector3d>& scene,
+                  const std::vector<Eigen::Vector3d>& hull, CameraMeshEvidence& evidence) {
+    if (scene.empty() || mesh.faces.empty()) return;
+    const Eigen::Vector3d& centre = mesh.scene_centre_in_world;
     const std::vector<FacePlane> planes = face_planes(mesh);
-    std::vector<double> gauges;
-    for (const Eigen::Vector3d& point : scene) {
-        gauges.push_back(kernel_gauge(planes, point - mesh.scene_centre_in_world));
+    double gauge = 0;
+    for (const Eigen::Vector3d& corner : hull) {
+        gauge = std::max(gauge, kernel_gauge(planes, corner - centre));
     }
-    const auto count = static_cast<double>(scene.size());
-    const auto inside =
-        std::count_if(gauges.begin(), gauges.end(), [](double gauge) { return gauge <= 1; });
-    judgement.share = static_cast<double>(inside) / count;
-    judgement.scale = std::min(1 / percentile(std::move(gauges), kSceneShare), kMostRoom);
-    for (const FacePlane& plane : planes) {
-        const auto outside =
-            std::count_if(scene.begin(), scene.end(), [&](const Eigen::Vector3d& point) {
-                return plane.outward_normal.dot(point - mesh.scene_centre_in_world) >
-                       plane.distance;
-            });
-        if (static_cast<double>(outside) > (1 - kSceneShare) * count) {
-            ++judgement.faces_with_scene_outside;
-        }
+    evidence.kernel_radius_over_scene_radius =
+        gauge > 0 ? std::min(1 / gauge, kMostRoom) : kMostRoom;
+    std::vector<Eigen::Vector3d> from_centre;
+    for (const Eigen::Vector3d& corner : hull) from_centre.push_back(corner - centre);
+    evidence.faces_with_scene_outside =
+        static_cast<int>(std::count_if(planes.begin(), planes.end(), [&](const FacePlane& plane) {
+            return face_clearance(plane, from_centre) < 0;
+        }));
+    // Planes that leave the whole hull inside need not be asked about each point again.
+    std::vector<FacePlane> cutting;
+    std::vector<Eigen::Vector3d> all;
+    for (const Eigen::Vector3d& point : scene) all.push_back(point - centre);
+    std::copy_if(planes.begin(), planes.end(), std::back_inserter(cutting),
+                 [&](const FacePlane& plane) { return face_clearance(plane, all) < 0; });
+    const auto inside = std::count_if(all.begin(), all.end(), [&](const Eigen::Vector3d& point) {
+        return cutting.empty() || kernel_clearance(cutting, point) >= 0;
+    });
+    evidence.scene_share_in_kernel = static_cast<double>(inside) / static_cast<double>(all.size());
+}
+
+std::string percent(double share, int digits = 1) {
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%.*f %%", digits, 100 * share);
+    return text.data();
+}
+
+std::string repairs_text(const CameraMeshEvidence& evidence) {
+    std::string text;
+    if (evidence.edges_flipped > 0) {
+        text += "; " + std::to_string(evidence.edges_flipped) +
+                (evidence.edges_flipped == 1 ? " edge was" : " edges were") + " flipped for that";
     }
-    return judgement;
+    if (evidence.cameras_slid > 0) {
+        text += "; the weights of " + std::to_string(evidence.cameras_slid) +
+                (evidence.cameras_slid == 1 ? " camera" : " cameras") +
+                " are those of a place up to " + percent(evidence.largest_slide_share) +
+                " nearer or farther, and of their own rays they leave up to " +
+                percent(evidence.worst_epipole_loss) + " to others";
+    }
+    return text;
 }
 
 /// "closed: the cameras surround the scene ...; 48 of 48 cameras are vertices of the mesh; ..."
-std::string explain(const CameraMesh& mesh, const Arrangement& arrangement,
-                    const CameraMeshEvidence& evidence, const KernelJudgement& kernel) {
+std::string explain(const CameraMesh& mesh, const Arrangement& arrangement, bool convex,
+                    bool has_scene, const CameraMeshEvidence& evidence) {
     std::string text = name_of(mesh.construction);
     if (arrangement.inside_out) text += ", inside out (the cameras look away from their middle)";
     text += ": " + arrangement.reason + "; " + std::to_string(evidence.cameras_kept) + " of " +
             std::to_string(evidence.cameras_total) + " cameras are vertices of the mesh";
     if (evidence.cameras_kept < evidence.cameras_total) {
-        text += ", the others stand behind or before one of them as seen from the scene";
+        text += convex ? ", the others stand within the convex hull"
+                       : ", the others stand behind or before one of them as seen from the scene";
     }
-    if (kernel.scale > 0) {
-        text += "; " + std::to_string(std::lround(std::floor(100 * kernel.share))) +
+    if (has_scene) {
+        text += "; " +
+                std::to_string(std::lround(std::floor(100 * evidence.scene_share_in_kernel))) +
                 " % of the scene's points lie in its kernel, where no ray crosses two faces";
     }
-    return text + ".";
+    return text + repairs_text(evidence) + ".";
 }
 
 }  // namespace
@@ -203,30 +154,44 @@ BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>
                     "register more photographs, or hold fewer of them out");
     }
     const std::vector<OpticalAxis> axes = optical_axes(capture, view_indices);
+    const auto centre_of_view = [&](int view) {
+        return centre_in_world(capture.views[static_cast<std::size_t>(view)].cam_from_world);
+    };
     BuiltCameraMesh built;
-    Arrangement arrangement;
+    CameraMeshEvidence& evidence = built.evidence;
+    ConstructionRules rules;
+    rules.convex = options.shape == "convex";
     std::vector<Eigen::Vector3d> scene;
     if (on_one_spot(axes)) {
-        arrangement.reason = axes.size() == 1 ? "there is one camera"
-                                              : "the camera turned on one spot and did not move";
+        rules.arrangement.reason = axes.size() == 1
+                                       ? "there is one camera"
+                                       : "the camera turned on one spot and did not move";
         built.mesh = single_camera_mesh(axes.front());
     } else {
         const Eigen::Vector3d centre = estimate_scene_centre(axes);
-        arrangement = chosen_arrangement(axes, centre, options);
-        if (!arrangement.inside_out) {
+        rules.arrangement = chosen_arrangement(axes, centre, options);
+        if (!rules.arrangement.inside_out) {
             scene = foreground(visible_points(capture, view_indices, kMaxScenePoints), centre,
                                median_distance(axes, centre));
         }
-        built.mesh = construct_with_room(axes, centre, arrangement, scene);
+        rules.scene_hull_in_world = scene_hull(scene, 1.0);
+        built.mesh = construct_with_room(axes, centre, reach_within(scene, centre), rules);
+        if (options.repair && !rules.convex) {
+            const RepairReport repair = repair_kernel(built.mesh, {scene, centre_of_view});
+            evidence.edges_flipped = repair.edges_flipped;
+            evidence.cameras_slid = repair.slide.cameras_slid;
+            evidence.largest_slide_share = repair.slide.largest_share;
+            evidence.rms_slide_share = repair.slide.rms_share;
+            evidence.worst_epipole_loss = repair.worst_epipole_loss;
+        }
     }
-    built.evidence.cameras_total = static_cast<int>(view_indices.size());
-    built.evidence.cameras_kept = distinct_views(built.mesh);
-    const KernelJudgement kernel = judge_kernel(built.mesh, scene);
-    built.evidence.kernel_radius_over_scene_radius = kernel.scale;
-    built.evidence.faces_with_scene_outside = kernel.faces_with_scene_outside;
-    built.evidence.explanation = explain(built.mesh, arrangement, built.evidence, kernel);
+    evidence.cameras_total = static_cast<int>(view_indices.size());
+    evidence.cameras_kept = distinct_views(built.mesh);
+    judge_kernel(built.mesh, scene, rules.scene_hull_in_world, evidence);
+    evidence.explanation = explain(built.mesh, rules.arrangement, rules.convex,
+                                   !scene.empty() && !built.mesh.faces.empty(), evidence);
     // Seen from within, a ray is blended from the cameras it leaves through: inside is outside.
-    if (arrangement.inside_out) {
+    if (rules.arrangement.inside_out) {
         for (CameraMesh::Face& face : built.mesh.faces) std::swap(face[1], face[2]);
     }
     return built;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@ namespace lumi {
 /// How the camera mesh is built.
 struct CameraMeshOptions {
     std::string construction = "auto";  ///< "auto", or "closed", "open", "line".
+    /// "star": every camera is a vertex; "convex": the paper's mesh, without the cameras within.
+    std::string shape = "star";
+    bool repair =
+        true;  ///< Flip edges and slide vertices when the scene reaches out of the kernel.
 };
 
 void validate(const CameraMeshOptions& options);
@@ -23,7 +28,14 @@ struct CameraMeshEvidence {
     int cameras_kept = 0;
     double kernel_radius_over_scene_radius = 0.0;  ///< >= 1: every ray crosses exactly one face.
     int faces_with_scene_outside = 0;              ///< Faces whose plane cuts the scene.
-    std::string explanation;                       ///< One sentence: which construction, and why.
+    double scene_share_in_kernel = 0.0;            ///< Of the scene's points.
+    int edges_flipped = 0;                         ///< The first repair; costs nothing.
+    int cameras_slid = 0;                          ///< The second; weights only.
+    double largest_slide_share = 0.0;              ///< Of a camera's distance from the centre.
+    double rms_slide_share = 0.0;
+    /// Of its own weight that a slid camera loses on its rays to the scene.
+    double worst_epipole_loss = 0.0;
+    std::string explanation;  ///< One sentence: which construction, and why.
 };
 
 struct BuiltCameraMesh {
@@ -32,9 +44,10 @@ struct BuiltCameraMesh {
 };
 
 /// The kernel-star camera mesh over the given views of the capture (indices into capture.views):
-/// spherical hull of the directions from a scene centre, so that every camera is a vertex. Vertices
-/// name views by their index in capture.views. Throws Error (E-MESH-NOVIEW) when `view_indices` is
-/// empty.
+/// spherical hull of the directions from a scene centre, so that every camera is a vertex. Where
+/// the scene reaches out of the kernel, edges are flipped, and then vertices slid, until it does
+/// not: the whole scene if that can be had, else the largest inner part of it. Vertices name views
+/// by their index in capture.views. Throws Error (E-MESH-NOVIEW) when `view_indices` is empty.
 [[nodiscard]] BuiltCameraMesh build_camera_mesh(const Capture& capture,
                                                 const std::vector<int>& view_indices,
                                                 const CameraMeshOptions& options);

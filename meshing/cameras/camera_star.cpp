@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lumi {
 namespace {
@@ -13,6 +14,30 @@ bool stands_before(const CameraStar& star, std::size_t a, std::size_t b, double 
     const double off_a = std::abs(star.distances[a] - usual_distance);
     const double off_b = std::abs(star.distances[b] - usual_distance);
     return off_a != off_b ? off_a < off_b : a < b;
+}
+
+/// Pairs within kSameDirection_rad, found along an axis that no usual row of cameras is
+/// perpendicular to.
+std::vector<std::pair<std::size_t, std::size_t>> pairs_in_one_direction(
+    const std::vector<Eigen::Vector3d>& directions) {
+    const Eigen::Vector3d axis = Eigen::Vector3d(0.6123, 0.5311, 0.5857).normalized();
+    std::vector<std::pair<double, std::size_t>> sorted;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        sorted.emplace_back(axis.dot(directions[i]), i);
+    }
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        for (std::size_t j = i + 1; j < sorted.size(); ++j) {
+            if (sorted[j].first - sorted[i].first > kSameDirection_rad) break;
+            const std::size_t a = std::min(sorted[i].second, sorted[j].second);
+            const std::size_t b = std::max(sorted[i].second, sorted[j].second);
+            if ((directions[a] - directions[b]).norm() <= kSameDirection_rad) {
+                pairs.emplace_back(a, b);
+            }
+        }
+    }
+    return pairs;
 }
 
 }  // namespace
@@ -32,11 +57,8 @@ CameraStar camera_star(const std::vector<OpticalAxis>& axes,
 
     const double usual_distance = median_distance(axes, centre_in_world);
     std::vector<char> keep(axes.size(), 1);
-    for (std::size_t a = 0; a < axes.size(); ++a) {
-        for (std::size_t b = a + 1; b < axes.size(); ++b) {
-            if ((all.directions[a] - all.directions[b]).norm() > kSameDirection_rad) continue;
-            keep[stands_before(all, a, b, usual_distance) ? b : a] = 0;
-        }
+    for (const auto& [a, b] : pairs_in_one_direction(all.directions)) {
+        keep[stands_before(all, a, b, usual_distance) ? b : a] = 0;
     }
     return kept_cameras(all, keep);
 }

@@ -14,6 +14,9 @@ struct FacePlane {
     double distance = 0.0;
 };
 
+/// The plane of one face, relative to the mesh's scene centre.
+[[nodiscard]] FacePlane face_plane(const CameraMesh& mesh, const CameraMesh::Face& face);
+
 /// Planes of the mesh's faces, relative to its scene centre. In the words of the method
 /// (m . (x - centre) = 1) each stands for m = outward_normal / distance.
 ///
@@ -35,6 +38,11 @@ struct FacePlane {
 /// it does not depend on where in the kernel the centre is.
 [[nodiscard]] double kernel_clearance(const std::vector<FacePlane>& planes,
                                       const Eigen::Vector3d& point_from_centre);
+
+/// The same the other way round: the least distance of any of the points to one plane, infinite
+/// without points.
+[[nodiscard]] double face_clearance(const FacePlane& plane,
+                                    const std::vector<Eigen::Vector3d>& points_from_centre);
 
 /// The value that the given share of `values` does not exceed; `values` must not be empty.
 [[nodiscard]] double percentile(std::vector<double> values, double share);

@@ -102,9 +102,9 @@ Eigen::Vector3d gap_middle(const Chain& chain, const Eigen::Vector3d& normal) {
 
 /// Appends centre + length * normal and centre - length * normal, both of one view.
 void append_pair(CameraMesh& mesh, const Eigen::Vector3d& centre, int view_index,
-                 const Eigen::Vector3d& stretch) {
-    mesh.vertices.push_back({centre + stretch, view_index});
-    mesh.vertices.push_back({centre - stretch, view_index});
+                 const Eigen::Vector3d& stretch, bool is_virtual) {
+    mesh.vertices.push_back({centre + stretch, view_index, is_virtual});
+    mesh.vertices.push_back({centre - stretch, view_index, is_virtual});
 }
 
 /// The quadrilateral between the pairs `from` and `to`, which follow each other counter-clockwise
@@ -132,12 +132,12 @@ LineStrip build_line_strip(const CameraStar& star, const Eigen::Vector3d& normal
     const auto append_end = [&](std::size_t camera, double turn) {
         const Eigen::Vector3d direction = end_direction(star.directions[camera], normal, gap, turn);
         append_pair(strip.mesh, star.axes[camera].centre_in_world + length * direction,
-                    star.axes[camera].view_index, stretch);
+                    star.axes[camera].view_index, stretch, true);
     };
     if (!strip.closed_ring) append_end(chain.cameras.front(), -1.0);
     for (const std::size_t camera : chain.cameras) {
         append_pair(strip.mesh, star.axes[camera].centre_in_world, star.axes[camera].view_index,
-                    stretch);
+                    stretch, false);
     }
     if (!strip.closed_ring) append_end(chain.cameras.back(), 1.0);
 

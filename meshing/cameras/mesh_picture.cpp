@@ -23,6 +23,7 @@ constexpr std::size_t kMaxPoints = 2500;
 constexpr const char* kFaceStroke = "#2f6fb0";
 constexpr const char* kCameraStroke = "#c0392b";
 constexpr const char* kLeftOutStroke = "#999999";
+constexpr const char* kSuggestedStroke = "#1e8449";
 
 template <class... Values>
 void append(std::string& text, const char* format, Values... values) {
@@ -71,6 +72,7 @@ struct Drawing {
     const Capture& capture;
     const std::vector<int>& view_indices;
     const CameraMesh& mesh;
+    const std::vector<Rigid3>& suggested;
     double camera_size = 1;  ///< Length of a frustum, world units.
     std::vector<const ScenePoint*> points;
 };
@@ -107,6 +109,11 @@ void fit(Panel& panel, const Drawing& drawing) {
     }
     Eigen::Vector2d least = panel.flat(drawing.mesh.scene_centre_in_world);
     Eigen::Vector2d most = least;
+    for (const Rigid3& pose : drawing.suggested) {
+        const Eigen::Vector2d flat = panel.flat(centre_in_world(pose));
+        least = least.cwiseMin(flat);
+        most = most.cwiseMax(flat);
+    }
     for (const int index : drawing.view_indices) {
         const Eigen::Vector2d flat =
             panel.flat(centre_in_world(view_of(drawing, index).cam_from_world));
@@ -162,10 +169,9 @@ void draw_faces(std::string& svg, const Panel& panel, const Drawing& drawing) {
     }
 }
 
-void draw_frustum(std::string& svg, const Panel& panel, const Drawing& drawing, const View& view,
-                  const char* stroke) {
-    const Camera& camera = camera_of(drawing.capture, view);
-    const Rigid3 world_from_cam = inverse(view.cam_from_world);
+void draw_frustum(std::string& svg, const Panel& panel, const Drawing& drawing,
+                  const Camera& camera, const Rigid3& cam_from_world, const char* stroke) {
+    const Rigid3 world_from_cam = inverse(cam_from_world);
     const Eigen::Vector2d apex = panel.at(world_from_cam.translation);
     const double width = camera.width_px;
     const double height = camera.height_px;
@@ -192,12 +198,22 @@ void draw_cameras(std::string& svg, const Panel& panel, const Drawing& drawing) 
     for (std::size_t i = 0; i < drawing.view_indices.size(); ++i) {
         const int index = drawing.view_indices[i];
         const View& view = view_of(drawing, index);
-        draw_frustum(svg, panel, drawing, view,
+        draw_frustum(svg, panel, drawing, camera_of(drawing.capture, view), view.cam_from_world,
                      kept.contains(index) ? kCameraStroke : kLeftOutStroke);
         if (i % name_every != 0) continue;
         const Eigen::Vector2d at = panel.at(centre_in_world(view.cam_from_world));
         append(svg, "<text x=\"%.1f\" y=\"%.1f\">", at.x() + 4, at.y() - 4);
         svg += escaped(view.name) + "</text>\n";
+    }
+}
+
+void draw_suggestions(std::string& svg, const Panel& panel, const Drawing& drawing) {
+    const Camera& camera = camera_of(drawing.capture, view_of(drawing, drawing.view_indices[0]));
+    for (std::size_t i = 0; i < drawing.suggested.size(); ++i) {
+        draw_frustum(svg, panel, drawing, camera, drawing.suggested[i], kSuggestedStroke);
+        const Eigen::Vector2d at = panel.at(centre_in_world(drawing.suggested[i]));
+        append(svg, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"14\" fill=\"%s\">%zu</text>\n",
+               at.x() + 5, at.y() - 5, kSuggestedStroke, i + 1);
     }
 }
 
@@ -213,6 +229,7 @@ std::string panel_svg(const Panel& panel, const Drawing& drawing, const char* ti
     draw_points(svg, panel, drawing);
     draw_faces(svg, panel, drawing);
     draw_cameras(svg, panel, drawing);
+    draw_suggestions(svg, panel, drawing);
     const Eigen::Vector2d centre = panel.at(drawing.mesh.scene_centre_in_world);
     append(svg,
            "<path stroke=\"#111111\" stroke-width=\"1.5\" d=\"M%.1f %.1fh12m-6 -6v12\"/>\n</g>\n",
@@ -238,8 +255,8 @@ double usual_camera_distance(const Drawing& drawing) {
 }  // namespace
 
 std::string camera_mesh_svg(const Capture& capture, const std::vector<int>& view_indices,
-                            const CameraMesh& mesh) {
-    Drawing drawing{capture, view_indices, mesh, 1.0, thinned_points(capture)};
+                            const CameraMesh& mesh, const std::vector<Rigid3>& suggested) {
+    Drawing drawing{capture, view_indices, mesh, suggested, 1.0, thinned_points(capture)};
     drawing.camera_size = std::max(0.06 * usual_camera_distance(drawing), 1e-300);
     const Eigen::Vector3d up = mean_up(drawing);
     Eigen::Vector3d inward = Eigen::Vector3d::Zero();
@@ -266,7 +283,9 @@ std::string camera_mesh_svg(const Capture& capture, const std::vector<int>& view
     append(svg, "<text x=\"0\" y=\"%.0f\" font-size=\"11\">", kHeadline + kPanelHeight + 17);
     svg +=
         "blue: faces, pale where they go on beyond the cameras; red: cameras; grey: cameras "
-        "that are no vertex; +: scene centre</text>\n</svg>\n";
+        "that are no vertex; +: scene centre" +
+        std::string(suggested.empty() ? "" : "; green: where to photograph next") +
+        "</text>\n</svg>\n";
     return svg;
 }
 

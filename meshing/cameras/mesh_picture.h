@@ -14,6 +14,7 @@ namespace lumi {
 /// mean of the photographs' upward directions.
 [[nodiscard]] std::string camera_mesh_svg(const Capture& capture,
                                           const std::vector<int>& view_indices,
-                                          const CameraMesh& mesh);
+                                          const CameraMesh& mesh,
+                                          const std::vector<Rigid3>& suggested = {});
 
 }  // namespace lumi

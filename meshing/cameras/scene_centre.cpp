@@ -156,9 +156,11 @@ double median_distance(const std::vector<OpticalAxis>& axes,
 }
 
 Eigen::Vector3d improve_scene_centre(const Eigen::Vector3d& start, double reach, double least_gain,
+                                     int most_evaluations,
                                      const std::function<double(const Eigen::Vector3d&)>& value) {
     Eigen::Vector3d best = start;
     double best_value = value(best);
+    int evaluations = 1;
     for (double step = reach / 2; step >= reach / 32; step /= 2) {
         constexpr int kMaxMoves = 4;
         bool moved = true;
@@ -168,6 +170,7 @@ Eigen::Vector3d improve_scene_centre(const Eigen::Vector3d& start, double reach,
                 Eigen::Vector3d candidate = best;
                 candidate[direction / 2] += direction % 2 == 0 ? step : -step;
                 if ((candidate - start).norm() > reach) continue;
+                if (evaluations++ >= most_evaluations) return best;
                 const double candidate_value = value(candidate);
                 if (!(candidate_value > best_value + least_gain)) continue;
                 best = candidate;

@@ -37,9 +37,9 @@ struct OpticalAxis {
 
 /// Compass search for the centre with the largest value within `reach` of `start`, by steps along
 /// the world axes of half the reach down to a 32nd of it. A step must gain more than `least_gain`,
-/// so that rounding does not lead it across a plateau.
+/// so that rounding does not lead it across a plateau. Ends after `most_evaluations` of `value`.
 [[nodiscard]] Eigen::Vector3d improve_scene_centre(
-    const Eigen::Vector3d& start, double reach, double least_gain,
+    const Eigen::Vector3d& start, double reach, double least_gain, int most_evaluations,
     const std::function<double(const Eigen::Vector3d&)>& value);
 
 }  // namespace lumi

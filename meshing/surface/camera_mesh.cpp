@@ -52,6 +52,7 @@ RayWeights ray_weights(const CameraMesh& mesh, int face_index, const Eigen::Vect
     for (std::size_t corner = 0; corner < 3; ++corner) {
         result.view_indices[corner] = vertex(mesh, face[corner]).view_index;
         result.weights[corner] = weights[static_cast<Eigen::Index>(corner)];
+        if (vertex(mesh, face[corner]).is_virtual) result.beyond_border += result.weights[corner];
     }
     return result;
 }
@@ -101,9 +102,14 @@ std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
     }
     if (!best && mesh.construction == MeshConstruction::kSingle && !mesh.vertices.empty()) {
         const int view_index = mesh.vertices.front().view_index;
-        best = RayWeights{-1, {view_index, view_index, view_index}, {1, 0, 0}};
+        best = RayWeights{-1, {view_index, view_index, view_index}, {1, 0, 0}, 0.0};
     }
     return best;
+}
+
+double capture_fade(const RayWeights& weights) {
+    const double share = std::clamp(weights.beyond_border, 0.0, 1.0);
+    return 1.0 - share * share * (3.0 - 2.0 * share);
 }
 
 void validate(const CameraMesh& mesh, int view_count, const std::string& where) {

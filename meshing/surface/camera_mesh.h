@@ -29,6 +29,8 @@ struct CameraMesh {
     struct Vertex {
         Eigen::Vector3d position_in_world = Eigen::Vector3d::Zero();
         int view_index = 0;
+        /// Stands beyond the border, where no camera stands: part of a skirt or of a strip's end.
+        bool is_virtual = false;
     };
     using Face = std::array<int, 3>;  ///< Indices into `vertices`.
 
@@ -43,6 +45,8 @@ struct RayWeights {
     int face_index = -1;
     std::array<int, 3> view_indices{};
     std::array<double, 3> weights{};
+    /// Share of the weights that virtual vertices have: 0 within the capture, 1 far beyond it.
+    double beyond_border = 0.0;
 };
 
 /// The side products of the line through `point` along `direction` with the edges of a face: the
@@ -59,6 +63,10 @@ struct RayWeights {
 [[nodiscard]] std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
                                                        const Eigen::Vector3d& eye_in_world,
                                                        const Eigen::Vector3d& direction);
+
+/// How much a ray counts when what lies beyond the capture is to fade out: 1 - smoothstep of
+/// `beyond_border`. Continuous, like the weights.
+[[nodiscard]] double capture_fade(const RayWeights& weights);
 
 /// Throws Error (E-MESH-INVALID) unless indices are in range and every number is finite.
 void validate(const CameraMesh& mesh, int view_count, const std::string& where);

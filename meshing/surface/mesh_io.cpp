@@ -13,13 +13,11 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "PLY is written little-endian");
 
-constexpr const char* kVertexAndFaceLayout[] = {
-    "property double x",
-    "property double y",
-    "property double z",
-    "property int view",
-};
-constexpr std::size_t kVertexBytes = 3 * sizeof(double) + sizeof(std::int32_t);
+constexpr const char* kVertexLayout =
+    "property double x\nproperty double y\nproperty double z\nproperty int view\n";
+/// Written since vertices say whether they are virtual; files without it are read as well.
+constexpr const char* kVirtualLayout = "property uchar virtual\n";
+constexpr std::size_t kPlaceBytes = 3 * sizeof(double) + sizeof(std::int32_t);
 constexpr std::size_t kFaceBytes = 1 + 3 * sizeof(std::int32_t);
 
 template <class Value>
@@ -51,8 +49,7 @@ std::string camera_mesh_header(const CameraMesh& mesh) {
         << name_of(mesh.construction) << "\ncomment scene_centre " << mesh.scene_centre_in_world.x()
         << " " << mesh.scene_centre_in_world.y() << " " << mesh.scene_centre_in_world.z()
         << "\nelement vertex " << mesh.vertices.size() << "\n";
-    for (const char* line : kVertexAndFaceLayout) header << line << "\n";
-    header << "element face " << mesh.faces.size()
+    header << kVertexLayout << kVirtualLayout << "element face " << mesh.faces.size()
            << "\nproperty list uchar int vertex_indices\nend_header\n";
     return header.str();
 }
@@ -74,6 +71,7 @@ std::vector<std::string> header_lines(const Bytes& bytes, std::size_t& offset,
 }
 
 struct ParsedHeader {
+    bool names_virtual_vertices = false;
     std::size_t vertices = 0;
     std::size_t faces = 0;
 };
@@ -106,10 +104,12 @@ ParsedHeader parse_header(const std::vector<std::string>& lines, CameraMesh& mes
         }
         if (!read) refuse(path, "cannot read '" + line + "'");
     }
-    std::string expected = "ply\nformat binary_little_endian 1.0\n";
-    for (const char* line : kVertexAndFaceLayout) expected += std::string(line) + "\n";
-    expected += "property list uchar int vertex_indices\nend_header\n";
-    if (layout != expected) refuse(path, "expected vertices x y z view and triangular faces");
+    const std::string begin = std::string("ply\nformat binary_little_endian 1.0\n") + kVertexLayout;
+    const std::string end = "property list uchar int vertex_indices\nend_header\n";
+    header.names_virtual_vertices = layout == begin + kVirtualLayout + end;
+    if (!header.names_virtual_vertices && layout != begin + end) {
+        refuse(path, "expected vertices x y z view virtual and triangular faces");
+    }
     return header;
 }
 
@@ -120,6 +120,7 @@ Bytes camera_mesh_ply(const CameraMesh& mesh) {
     for (const CameraMesh::Vertex& vertex : mesh.vertices) {
         for (int axis = 0; axis < 3; ++axis) put(bytes, vertex.position_in_world[axis]);
         put(bytes, static_cast<std::int32_t>(vertex.view_index));
+        put(bytes, static_cast<std::uint8_t>(vertex.is_virtual ? 1 : 0));
     }
     for (const CameraMesh::Face& face : mesh.faces) {
         put(bytes, std::uint8_t{3});
@@ -141,8 +142,9 @@ CameraMesh parse_camera_mesh_ply(const Bytes& bytes, const std::filesystem::path
     std::size_t offset = 0;
     const ParsedHeader header = parse_header(header_lines(bytes, offset, path), mesh, path);
     const std::size_t body = bytes.size() - offset;
-    const bool fits = header.vertices <= body / kVertexBytes && header.faces <= body / kFaceBytes &&
-                      header.vertices * kVertexBytes + header.faces * kFaceBytes == body;
+    const std::size_t vertex_bytes = kPlaceBytes + (header.names_virtual_vertices ? 1 : 0);
+    const bool fits = header.vertices <= body / vertex_bytes && header.faces <= body / kFaceBytes &&
+                      header.vertices * vertex_bytes + header.faces * kFaceBytes == body;
     if (!fits) refuse(path, "the file's size does not match its counts");
     for (std::size_t i = 0; i < header.vertices; ++i) {
         CameraMesh::Vertex vertex;
@@ -150,6 +152,11 @@ CameraMesh parse_camera_mesh_ply(const Bytes& bytes, const std::filesystem::path
             vertex.position_in_world[axis] = take<double>(bytes, offset);
         }
         vertex.view_index = take<std::int32_t>(bytes, offset);
+        if (header.names_virtual_vertices) {
+            const auto is_virtual = take<std::uint8_t>(bytes, offset);
+            if (is_virtual > 1) refuse(path, "a vertex is neither virtual nor not");
+            vertex.is_virtual = is_virtual == 1;
+        }
         if (!vertex.position_in_world.allFinite()) refuse(path, "a vertex is not finite");
         if (vertex.view_index < 0) refuse(path, "a vertex names a negative view");
         mesh.vertices.push_back(vertex);

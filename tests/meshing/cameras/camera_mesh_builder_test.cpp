@@ -219,11 +219,12 @@ TEST(SceneCentre, IsImprovedWithinReachOnly) {
     const auto towards = [](const Eigen::Vector3d& goal) {
         return [goal](const Eigen::Vector3d& centre) { return -(centre - goal).norm(); };
     };
-    EXPECT_LT((improve_scene_centre(start, 1, 0, towards(near_by)) - near_by).norm(), 1.0 / 16);
-    const Eigen::Vector3d stopped = improve_scene_centre(start, 1, 0, towards(far_off));
+    EXPECT_LT((improve_scene_centre(start, 1, 0, 120, towards(near_by)) - near_by).norm(),
+              1.0 / 16);
+    const Eigen::Vector3d stopped = improve_scene_centre(start, 1, 0, 120, towards(far_off));
     EXPECT_LT((stopped - (start + Eigen::Vector3d::UnitX())).norm(), 1.0 / 16);
     const auto flat = [](const Eigen::Vector3d&) { return 1.0; };
-    EXPECT_EQ(improve_scene_centre(start, 1, 0, flat), start);
+    EXPECT_EQ(improve_scene_centre(start, 1, 0, 120, flat), start);
 }
 
 TEST(SceneCentre, OfParallelAxesIsAtTheSeenDepth) {

@@ -3,6 +3,10 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <set>
+
+#include "meshing/cameras/border.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "meshing/cameras/kernel.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
@@ -140,6 +144,56 @@ TEST(OpenMesh, DoesNotFoldAtAJaggedBorder) {
         }
     }
     EXPECT_GT(open, 30);
+}
+
+/// A row of border cameras that a hand holds nearly in one line: the triangles between them and the
+/// line have planes that point anywhere, and are no part of the surface.
+TEST(OpenMesh, GivesEveryCameraOfAHandHeldGridItsOwnRaysHoweverWideTheScene) {
+    for (const int side : {3, 4, 5}) {
+        for (const double shake : {0.0, 0.005, 0.02}) {
+            for (const double scene_radius : {0.5, 2.0, 2.6}) {
+                std::mt19937 random(static_cast<unsigned>(side));
+                Points centres;
+                for (int i = 0; i < side * side; ++i) {
+                    centres.push_back(Eigen::Vector3d(3, 0.1 * (i % side), 0.1 * (i / side)) +
+                                      0.1 * shake * random_direction(random));
+                }
+                const Capture capture =
+                    capture_of(centres, Eigen::Vector3d::Zero(),
+                               points_in_ball(200, Eigen::Vector3d::Zero(), scene_radius, random));
+                const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
+                ASSERT_EQ(built.mesh.construction, MeshConstruction::kOpen);
+                for (std::size_t camera = 0; camera < centres.size(); ++camera) {
+                    for (const ScenePoint& point : capture.points) {
+                        const auto weights = weights_of_ray(
+                            built.mesh, centres[camera], point.position_in_world - centres[camera]);
+                        ASSERT_TRUE(weights.has_value());
+                        EXPECT_GE(weights_by_view(*weights, centres.size())[camera], 1 - 1e-9)
+                            << side << " x " << side << ", shake " << shake << ", scene "
+                            << scene_radius << ", camera " << camera;
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(Border, IsPeeledOfThinTrianglesWithoutLosingACamera) {
+    // A square whose lower side sags towards the middle by little, and one camera in the middle.
+    const Points cameras{{-1, -1, 3}, {0, -0.9, 3}, {1, -1, 3}, {1, 1, 3}, {-1, 1, 3}, {0, 0.2, 3}};
+    Points directions;
+    for (const Eigen::Vector3d& camera : cameras) directions.push_back(camera.normalized());
+    auto faces = open_triangulation(directions, -Eigen::Vector3d::UnitZ());
+    const std::size_t before = faces.size();
+    peel_thin_border(directions, 0.3, faces);
+    EXPECT_EQ(faces.size(), before - 1);
+    std::set<int> cameras_on_faces;
+    for (const auto& face : faces) cameras_on_faces.insert(face.begin(), face.end());
+    EXPECT_EQ(cameras_on_faces.size(), cameras.size());
+    const auto border = border_edges(faces);
+    EXPECT_EQ(border.size(), 5U);
+    EXPECT_TRUE(std::any_of(border.begin(), border.end(),
+                            [](const auto& edge) { return edge[0] == 1 || edge[1] == 1; }));
 }
 
 /// Weights on both sides of every inner edge, skirts included, by rays 1e-7 apart.

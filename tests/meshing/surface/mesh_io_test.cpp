@@ -34,7 +34,8 @@ CameraMesh tiny_mesh() {
     CameraMesh mesh;
     mesh.construction = MeshConstruction::kOpen;
     mesh.scene_centre_in_world = {1.0 / 3, -2e-7, 12345.678901234567};
-    mesh.vertices = {{{0.1, 0.2, 0.3}, 4}, {{1e-9, 1e9, -7}, 0}, {{5, 6, 7}, 4}, {{8, 9, 1}, 2}};
+    mesh.vertices = {
+        {{0.1, 0.2, 0.3}, 4}, {{1e-9, 1e9, -7}, 0}, {{5, 6, 7}, 4}, {{8, 9, 1}, 2, true}};
     mesh.faces = {{0, 1, 2}, {2, 1, 3}};
     return mesh;
 }
@@ -50,6 +51,29 @@ TEST_F(CameraMeshFile, KeepsEveryBit) {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         EXPECT_EQ(again.vertices[i].position_in_world, mesh.vertices[i].position_in_world);
         EXPECT_EQ(again.vertices[i].view_index, mesh.vertices[i].view_index);
+        EXPECT_EQ(again.vertices[i].is_virtual, mesh.vertices[i].is_virtual);
+    }
+}
+
+/// As files were written before vertices said whether they are virtual.
+TEST_F(CameraMeshFile, IsReadWithoutVirtualVerticesToo) {
+    const CameraMesh mesh = tiny_mesh();
+    write_camera_mesh_ply(path(), mesh);
+    std::string text = read_whole_text(path());
+    const std::string line = "property uchar virtual\n";
+    text.erase(text.find(line), line.size());
+    std::size_t vertex_end = text.find("end_header\n") + 11;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        vertex_end += 3 * sizeof(double) + sizeof(std::int32_t);
+        text.erase(vertex_end, 1);
+    }
+    write_whole_text(path(), text);
+    const CameraMesh again = read_camera_mesh_ply(path());
+    EXPECT_EQ(again.faces, mesh.faces);
+    ASSERT_EQ(again.vertices.size(), mesh.vertices.size());
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        EXPECT_EQ(again.vertices[i].position_in_world, mesh.vertices[i].position_in_world);
+        EXPECT_FALSE(again.vertices[i].is_virtual);
     }
 }
 

@@ -1,0 +1,66 @@
+#include "meshing/rivals/heigl_weights.h"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <Eigen/LU>
+#include <array>
+#include <optional>
+
+namespace lumi {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
+using Structure = CGAL::Triangulation_data_structure_2<VertexBase>;
+using Triangulation = CGAL::Delaunay_triangulation_2<Kernel, Structure>;
+
+std::optional<Eigen::Vector2d> on_picture_plane(const Eigen::Vector3d& point_in_eye) {
+    if (!(point_in_eye.z() > 1e-9 * point_in_eye.norm())) return std::nullopt;
+    return Eigen::Vector2d(point_in_eye.head<2>() / point_in_eye.z());
+}
+
+}  // namespace
+
+struct HeiglFrame::Implementation {
+    Rigid3 eye_from_world;
+    std::size_t cameras = 0;
+    Triangulation triangulation;
+};
+
+HeiglFrame::HeiglFrame(const std::vector<Eigen::Vector3d>& centres_in_world,
+                       const std::vector<Eigen::Vector3d>& axes_in_world,
+                       const Rigid3& eye_from_world)
+    : implementation_(std::make_unique<Implementation>()) {
+    implementation_->eye_from_world = eye_from_world;
+    implementation_->cameras = centres_in_world.size();
+    for (std::size_t i = 0; i < centres_in_world.size(); ++i) {
+        if ((eye_from_world.rotation * axes_in_world[i]).z() <= 0) continue;
+        const auto place = on_picture_plane(eye_from_world * centres_in_world[i]);
+        if (!place) continue;
+        implementation_->triangulation.insert({place->x(), place->y()})->info() = i;
+    }
+}
+HeiglFrame::~HeiglFrame() = default;
+HeiglFrame::HeiglFrame(HeiglFrame&& other) noexcept = default;
+HeiglFrame& HeiglFrame::operator=(HeiglFrame&& other) noexcept = default;
+
+std::vector<double> HeiglFrame::weights_towards(const Eigen::Vector3d& target_in_world) const {
+    std::vector<double> weights(implementation_->cameras, 0.0);
+    const auto pixel = on_picture_plane(implementation_->eye_from_world * target_in_world);
+    const Triangulation& triangulation = implementation_->triangulation;
+    if (!pixel || triangulation.dimension() < 2) return weights;
+    const auto face = triangulation.locate({pixel->x(), pixel->y()});
+    if (triangulation.is_infinite(face)) return weights;
+    Eigen::Matrix3d corners;
+    for (int i = 0; i < 3; ++i) {
+        const auto& place = face->vertex(i)->point();
+        corners.col(i) = Eigen::Vector3d(place.x(), place.y(), 1);
+    }
+    const Eigen::Vector3d barycentric = corners.inverse() * pixel->homogeneous();
+    for (int i = 0; i < 3; ++i) weights[face->vertex(i)->info()] = barycentric[i];
+    return weights;
+}
+
+}  // namespace lumi

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "calib/capture/rigid3.h"
+
+namespace lumi {
+
+/// The weights of Heigl et al. ("Plenoptic modeling and rendering from image sequences taken by a
+/// hand-held camera", DAGM 1999), to compare with: all camera centres are projected into the novel
+/// view and triangulated there (Delaunay), anew for each frame; a ray is blended from the triangle
+/// that its pixel lies in. The triangles depend on the eye, so the same ray may be blended
+/// differently in another frame.
+class HeiglFrame {
+ public:
+    /// Cameras behind the eye's plane, or that look back at it, take no part.
+    HeiglFrame(const std::vector<Eigen::Vector3d>& centres_in_world,
+               const std::vector<Eigen::Vector3d>& axes_in_world, const Rigid3& eye_from_world);
+    ~HeiglFrame();
+    HeiglFrame(HeiglFrame&& other) noexcept;
+    HeiglFrame& operator=(HeiglFrame&& other) noexcept;
+
+    /// One weight a camera; they sum to 1, or are all 0 where no triangle lies.
+    [[nodiscard]] std::vector<double> weights_towards(const Eigen::Vector3d& target_in_world) const;
+
+ private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace lumi

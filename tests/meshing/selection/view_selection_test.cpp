@@ -1,0 +1,108 @@
+#include "meshing/selection/view_selection.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "tests/meshing/cameras/synthetic_cameras.h"
+
+namespace lumi {
+namespace {
+
+std::vector<OpticalAxis> axes_at(const Points& centres) {
+    std::vector<OpticalAxis> axes;
+    for (const Eigen::Vector3d& centre : centres) {
+        axes.push_back({static_cast<int>(axes.size()), centre, -centre.normalized(), 1});
+    }
+    return axes;
+}
+
+/// The mean squared distance of all cameras to the nearest chosen one.
+double coverage_loss(const std::vector<OpticalAxis>& axes, const std::vector<int>& views) {
+    double sum = 0;
+    for (const OpticalAxis& axis : axes) {
+        double nearest = 1e9;
+        for (const int view : views) {
+            nearest =
+                std::min(nearest, viewpoint_distance(axis, axes[static_cast<std::size_t>(view)],
+                                                     Eigen::Vector3d::Zero()));
+        }
+        sum += nearest * nearest;
+    }
+    return sum / static_cast<double>(axes.size());
+}
+
+TEST(RepresentativeViews, LeaveNearDuplicatesOutFirst) {
+    Points centres = sphere_directions(20, -1);
+    std::mt19937 random(1);
+    for (int i = 0; i < 20; ++i) {
+        centres.push_back(centres[static_cast<std::size_t>(i)] + 0.01 * random_direction(random));
+    }
+    const auto views = representative_views(axes_at(centres), Eigen::Vector3d::Zero(), 20);
+    ASSERT_EQ(views.size(), 20U);
+    std::set<int> originals;
+    for (const int view : views) originals.insert(view % 20);
+    EXPECT_EQ(originals.size(), 20U);
+}
+
+TEST(RepresentativeViews, CoverTheCamerasBetterThanAnyRandomChoice) {
+    std::mt19937 random(2);
+    Points centres;
+    for (int i = 0; i < 169; ++i) centres.push_back(random_direction(random));
+    const auto axes = axes_at(centres);
+    const double ours =
+        coverage_loss(axes, representative_views(axes, Eigen::Vector3d::Zero(), 40));
+    std::vector<int> all(169);
+    for (int i = 0; i < 169; ++i) all[static_cast<std::size_t>(i)] = i;
+    for (int trial = 0; trial < 100; ++trial) {
+        std::shuffle(all.begin(), all.end(), random);
+        EXPECT_GT(coverage_loss(axes, {all.begin(), all.begin() + 40}), 1.2 * ours);
+    }
+}
+
+TEST(RepresentativeViews, AreAsManyAsAskedForWhateverTheCameras) {
+    const Points one_spot(7, Eigen::Vector3d(1, 0, 0));
+    for (int count = 0; count <= 9; ++count) {
+        const auto views = representative_views(axes_at(one_spot), Eigen::Vector3d::Zero(), count);
+        EXPECT_EQ(static_cast<int>(views.size()), std::min(count, 7));
+        EXPECT_EQ(std::set<int>(views.begin(), views.end()).size(), views.size());
+    }
+    EXPECT_TRUE(representative_views({}, Eigen::Vector3d::Zero(), 3).empty());
+}
+
+TEST(SelectionSizes, FallByAQuarterEachTime) {
+    EXPECT_EQ(selection_sizes(16, 4), (std::vector<int>{16, 12, 9, 6, 4}));
+    EXPECT_EQ(selection_sizes(2, 4), (std::vector<int>{2}));
+    EXPECT_EQ(selection_sizes(1, 1), (std::vector<int>{1}));
+}
+
+/// Losses that do not change down to a known size, but for noise, and rise below it.
+TEST(SelectViews, FindsTheSizeBelowWhichTheLossRises) {
+    std::mt19937 random(3);
+    std::normal_distribution<double> noise(0, 0.05);
+    const auto axes = axes_at(sphere_directions(100, -1));
+    for (const int needed : {20, 40, 70}) {
+        const auto losses_of = [&](const std::vector<int>& views) {
+            std::vector<double> losses;
+            const double missing = std::max(
+                0.0, std::log(static_cast<double>(needed) / static_cast<double>(views.size())));
+            for (int place = 0; place < 20; ++place) {
+                // Places differ by far more than choices of views do.
+                losses.push_back(5.0 * place + missing + noise(random));
+            }
+            return losses;
+        };
+        const ViewSelection selection =
+            select_views(axes, Eigen::Vector3d::Zero(), selection_sizes(100, 4), losses_of);
+        const auto chosen = static_cast<int>(selection.curve[selection.chosen].views.size());
+        EXPECT_GE(chosen, 0.9 * needed);
+        EXPECT_LE(chosen, 1.5 * needed + 1);
+        EXPECT_EQ(selection.curve.front().views.size(), 100U);
+    }
+}
+
+}  // namespace
+}  // namespace lumi
