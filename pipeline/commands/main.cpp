@@ -30,7 +30,10 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_view_command(app, context);
     lumi::add_bench_command(app, context);
     lumi::add_bench_poses_command(app, context);
+    lumi::add_bench_mesh_command(app, context);
     lumi::add_evaluate_command(app, context);
+    lumi::add_select_command(app, context);
+    lumi::add_plan_command(app, context);
     lumi::add_compare_poses_command(app, context);
     lumi::add_inspect_command(app, context);
     lumi::add_validate_command(app, context);

@@ -43,8 +43,16 @@ HoldOutOptions read_hold_out_options(const ConfigSection& evaluate) {
     return options;
 }
 
-void expect_all_views_wanted(const ConfigSection& package) {
-    if (package.integer("max_views", 0) != 0) package.refuse("max_views", "0 (all views)");
+PackageOptions read_package_options(const ConfigSection& package) {
+    PackageOptions options;
+    const std::string views = package.text("views", "all");
+    if (views != "all" && views != "auto") package.refuse("views", R"("all" or "auto")");
+    options.fewest_views = views == "auto";
+    options.max_views = package.integer("max_views", options.max_views);
+    if (options.max_views < 0) package.refuse("max_views", "0 (no limit) or more");
+    options.max_mib = package.number("max_mib", options.max_mib);
+    if (!(options.max_mib >= 0)) package.refuse("max_mib", "0 (no limit) or more");
+    return options;
 }
 
 /// What is known when every section has been read.
@@ -105,7 +113,7 @@ BuildConfig read_build_config(const ConfigSection& document, const std::string& 
     config.poses = read_pose_options(document.section("poses"));
     config.mesh = read_camera_mesh_options(document.section("mesh"));
     config.depth = read_depth_options(document.section("depth"));
-    expect_all_views_wanted(document.section("package"));
+    config.package = read_package_options(document.section("package"));
     config.hold_out = read_hold_out_options(document.section("evaluate"));
     document.expect_all_keys_known();
 

@@ -21,6 +21,13 @@ struct HoldOutOptions {
     std::vector<std::string> names;  ///< Instead: these, as in the photographs' folder.
 };
 
+/// Which of the views in use go into the package; the others take part in depth only.
+struct PackageOptions {
+    bool fewest_views = false;  ///< As few as held-out error cannot tell from more.
+    int max_views = 0;          ///< 0: no limit.
+    double max_mib = 0.0;       ///< Of the finished package; 0: no limit.
+};
+
 /// Everything that one run of the line is told.
 struct BuildConfig {
     std::string name;                            ///< Of the package: NAME.lumi.
@@ -35,6 +42,7 @@ struct BuildConfig {
     PoseOptions poses;
     CameraMeshOptions mesh;
     DepthOptions depth;
+    PackageOptions package;
     HoldOutOptions hold_out;
 
     std::string resolved_toml;  ///< The configuration with every default filled in.

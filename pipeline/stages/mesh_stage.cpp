@@ -27,6 +27,12 @@ StageEvidence run_mesh_stage(const Capture& capture, const CameraMeshOptions& op
         {"faces", built.mesh.faces.size()},
         {"kernel_radius_over_scene_radius", evidence.kernel_radius_over_scene_radius},
         {"faces_with_scene_outside", evidence.faces_with_scene_outside},
+        {"scene_share_in_kernel", evidence.scene_share_in_kernel},
+        {"edges_flipped", evidence.edges_flipped},
+        {"cameras_slid", evidence.cameras_slid},
+        {"largest_slide_share", evidence.largest_slide_share},
+        {"rms_slide_share", evidence.rms_slide_share},
+        {"worst_epipole_loss", evidence.worst_epipole_loss},
         {"explanation", evidence.explanation}};
     return {json_text(facts), "{}"};
 }

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "calib/capture/posed_photographs.h"
 #include "calib/ingest/ingest.h"
+#include "pipeline/config/build_config.h"
 #include "pipeline/workspace/done_marker.h"
+#include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
 
@@ -21,10 +24,15 @@ struct PackSources {
     std::string poses_sha256;  ///< Of the poses stage's pinhole model and pictures.
     std::string resolved_config_toml;
     std::string evidence_json;
+    PackageOptions options;
+    CameraMeshOptions mesh_options;  ///< For the camera mesh over fewer views.
+    /// How many views are enough; asked for when the options want the fewest.
+    std::function<int(const Lumigraph& lumigraph, const Capture& capture)> sufficient_views;
 };
 
-/// Everything -> the package at `package_folder`, and pack.json (PackRecord) in
-/// `folder`.
+/// Everything -> the package at `package_folder`, and pack.json (PackRecord) in `folder`. Where
+/// fewer views are wanted, those that stand for all best go in. Throws Error (E-PACK-MIB) when not
+/// even one view fits the limit.
 [[nodiscard]] StageEvidence run_pack_stage(const PackSources& sources,
                                            const std::filesystem::path& package_folder,
                                            const std::filesystem::path& folder, int threads,

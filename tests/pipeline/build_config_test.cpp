@@ -70,6 +70,7 @@ TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
                             "import_folder",
                             "[package]",
                             "max_views",
+                            "max_mib",
                             "[evaluate]",
                             "hold_out_every",
                             "hold_out"}) {
@@ -101,7 +102,9 @@ TEST(BuildConfig, RefusesWhatContradictsItself) {
           "[capture]\nphotos = \"p\"\n[evaluate]\nhold_out_every = 1\n",
           "[capture]\nphotos = \"p\"\n[evaluate]\nhold_out_every = -8\n",
           "[capture]\nphotos = \"p\"\n[evaluate]\nhold_out_every = 8\nhold_out = [\"a\"]\n",
-          "[capture]\nphotos = \"p\"\n[package]\nmax_views = 7\n",
+          "[capture]\nphotos = \"p\"\n[package]\nmax_views = -7\n",
+          "[capture]\nphotos = \"p\"\n[package]\nmax_mib = -0.5\n",
+          "[capture]\nphotos = \"p\"\n[package]\nviews = \"some\"\n",
           "threads = -1\n[capture]\nphotos = \"p\"\n",
           "name = \"a/b\"\n[capture]\nphotos = \"p\"\n",
           "name = \"..\"\n[capture]\nphotos = \"p\"\n"}) {

@@ -39,10 +39,9 @@ Outcome lumi(const std::string& arguments, const std::string& before = "") {
 
 TEST(CommandLine, HelpBeginsWithAnExample) {
     EXPECT_THAT(lumi("--help").out, StartsWith("Example: lumi "));
-    for (const std::string command :
          {"build", "calibrate", "bench-boards", "ingest", "poses", "mesh", "depth", "pack",
           "render", "view", "bench", "bench-poses", "evaluate", "compare-poses", "inspect",
-          "validate", "synth"}) {
+          "validate", "synth", "bench-mesh", "plan", "select"}) {
         const Outcome help = lumi(command + " --help");
         EXPECT_EQ(help.exit_code, 0) << command;
         EXPECT_THAT(help.out, StartsWith("Example: lumi " + command));
@@ -213,6 +212,77 @@ TEST_F(Line, EvaluatesHeldOutViews) {
     const ColorImage strip = read_color_image(workspace() / "evaluation" / "IMG_0005.png");
     EXPECT_EQ(strip.width(), 3 * 160 + 2 * 4);
     EXPECT_THAT(read_whole_text(workspace() / "report.html"), HasSubstr("IMG_0005.png"));
+}
+
+TEST_F(Line, PacksNoMoreViewsThanAreWanted) {
+    const auto views_packed = [&] {
+        return Json::parse(lumi("inspect --json " + quoted(package())).out).at("views").size();
+    };
+    configure("");
+    EXPECT_EQ(build(), "rrrrr");
+    EXPECT_EQ(views_packed(), 9U);
+    std::uintmax_t bytes = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(package())) {
+        if (entry.is_regular_file()) bytes += entry.file_size();
+    }
+    const double mib = static_cast<double>(bytes) / (1 << 20);
+
+    configure("[package]\nmax_views = 5\n");
+    EXPECT_EQ(build(), "uuuur");
+    EXPECT_EQ(views_packed(), 5U);
+    EXPECT_EQ(lumi("validate " + quoted(package())).exit_code, 0);
+
+    configure("[package]\nmax_mib = " + std::to_string(0.6 * mib) + "\n");
+    EXPECT_EQ(build(), "uuuur");
+    EXPECT_GE(views_packed(), 3U);
+    EXPECT_LE(views_packed(), 6U);
+
+    configure("[package]\nmax_mib = 0.001\n");
+    const Outcome outcome =
+        lumi("build " + quoted(config_path()) + " --workspace " + quoted(workspace()));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.talk, HasSubstr("error E-PACK-MIB"));
+    EXPECT_GE(views_packed(), 3U);  // The former package stays.
+}
+
+TEST_F(Line, DrawsTheCurveOfViewsAgainstError) {
+    configure("[evaluate]\nhold_out = [\"IMG_0005.png\", \"IMG_0002.png\"]\n");
+    static_cast<void>(build());
+    const Outcome outcome = lumi("select --json --random 1 " + quoted(workspace()));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    const Json curve = Json::parse(outcome.out);
+    ASSERT_EQ(curve.at("curve").size(), 2U);  // 7 and 5 views; 3 are too few.
+    EXPECT_EQ(curve.at("curve").at(0).at("views"), 7);
+    EXPECT_GT(curve.at("curve").at(0).at("psnr_db").get<double>(), 15.0);
+    EXPECT_GT(curve.at("curve").at(0).at("texture_mib").get<double>(),
+              curve.at("curve").at(1).at("texture_mib").get<double>());
+    EXPECT_LE(curve.at("auto_views").get<int>(), 7);
+}
+
+TEST_F(Line, PlansWhereToPhotographNext) {
+    configure("");
+    EXPECT_EQ(build("poses"), "rr");
+    const Outcome outcome = lumi("plan --json --suggestions 2 " + quoted(workspace()));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    const Json plan = Json::parse(outcome.out);
+    ASSERT_EQ(plan.at("suggestions").size(), 2U);
+    EXPECT_GT(plan.at("suggestions").at(0).at("predicted_error_px").get<double>(), 0.0);
+    EXPECT_EQ(plan.at("suggestions").at(0).at("from").size(), 2U);
+    EXPECT_THAT(read_whole_text(workspace() / "plan" / "plan.svg"), HasSubstr("</svg>"));
+    EXPECT_THAT(lumi("plan --wish 0.01 " + quoted(workspace())).out, HasSubstr("0.01 px"));
+}
+
+TEST(CommandLine, MeasuresTheCameraMeshOverRandomCaptures) {
+    const Outcome outcome = lumi("bench-mesh --json --captures 3 --rays 300 --most-cameras 1000");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    const Json result = Json::parse(outcome.out);
+    EXPECT_EQ(result.at("cameras_kept"), result.at("cameras"));
+    EXPECT_EQ(result.at("rays_with_one_face"), 300);
+    ASSERT_EQ(result.at("weights").size(), 3U);
+    EXPECT_LT(result.at("weights").at(0).at("largest_inconsistency").get<double>(), 1e-9);
+    EXPECT_LT(result.at("weights").at(0).at("largest_jump").get<double>(), 1e-6);
+    EXPECT_GT(result.at("weights").at(1).at("largest_inconsistency").get<double>(), 0.01);
+    EXPECT_GT(result.at("weights").at(2).at("largest_inconsistency").get<double>(), 0.01);
 }
 
 TEST_F(Line, EvaluateSaysWhatToSetWhenNothingIsHeldOut) {

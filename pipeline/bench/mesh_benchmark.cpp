@@ -1,0 +1,396 @@
+#include "pipeline/bench/mesh_benchmark.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
+
+#include "calib/work/stopwatch.h"
+#include "meshing/cameras/camera_mesh_builder.h"
+#include "meshing/cameras/camera_star.h"
+#include "meshing/cameras/convex_mesh.h"
+#include "meshing/cameras/scene_centre.h"
+#include "meshing/cameras/slide.h"
+#include "meshing/rivals/heigl_weights.h"
+#include "meshing/rivals/unstructured_weights.h"
+#include "pipeline/synth/hand_held_path.h"
+#include "pipeline/synth/hashed_random.h"
+
+namespace lumi {
+namespace {
+
+constexpr int kLeastCameras = 20;
+constexpr int kMostCameras = 200;
+constexpr int kScenePoints = 500;
+/// Each rival is measured on so many of the captures, with so many rays and steps of a path.
+constexpr int kComparedCaptures = 20;
+constexpr int kComparedRays = 500;
+constexpr int kPathSteps = 300;
+/// Steps that change the weights by less hold no jump worth looking for.
+constexpr double kSuspiciousChange = 1e-3;
+constexpr double kJump = 1e-6;
+constexpr int kHalvings = 36;
+constexpr double kSlid = 1e-9;
+
+using Points = std::vector<Eigen::Vector3d>;
+
+Eigen::Vector3d random_direction(HashedRandom& random) {
+    const double x = random.gaussian();
+    const double y = random.gaussian();
+    return Eigen::Vector3d(x, y, random.gaussian()).normalized();
+}
+
+Eigen::Vector3d random_in_ball(HashedRandom& random, double radius) {
+    const double distance = radius * std::cbrt(random.uniform());
+    return distance * random_direction(random);
+}
+
+/// A hand that goes all around: places on a spiral (Fibonacci), each off by a third of the spacing,
+/// at distances that vary on their own.
+Points hand_held_centres(int count, double roughness, HashedRandom& random) {
+    const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
+    const double spacing = std::sqrt(4 * std::numbers::pi / count);
+    Points centres;
+    for (int i = 0; i < count; ++i) {
+        const double z = 1 - 2 * (i + 0.5) / count;
+        const double radius = std::sqrt(1 - z * z);
+        const Eigen::Vector3d even(radius * std::cos(golden_angle * i),
+                                   radius * std::sin(golden_angle * i), z);
+        const Eigen::Vector3d direction =
+            (even + spacing / 3 * random.uniform() * random_direction(random)).normalized();
+        centres.emplace_back((1 + roughness * random.symmetric()) * direction);
+    }
+    return centres;
+}
+
+/// Every point is seen by a few cameras only, so that large captures stay small.
+Capture capture_around(const Points& centres, double scene_radius, HashedRandom& random) {
+    Capture capture;
+    capture.cameras.push_back({640, 480, LensModel::kPinhole, {600, 600, 320, 240}});
+    for (const Eigen::Vector3d& centre : centres) {
+        View view;
+        view.name = std::to_string(capture.views.size());
+        view.cam_from_world = looking_at(centre, Eigen::Vector3d::Zero());
+        capture.views.push_back(view);
+    }
+    for (int i = 0; i < kScenePoints; ++i) {
+        ScenePoint point;
+        point.position_in_world = random_in_ball(random, scene_radius);
+        for (int seen = 0; seen < 4; ++seen) {
+            const auto view = static_cast<int>(random.below(centres.size()));
+            point.track.push_back({view, Eigen::Vector2d::Zero()});
+        }
+        capture.points.push_back(point);
+    }
+    return capture;
+}
+
+std::vector<int> all_views(const Capture& capture) {
+    std::vector<int> views(capture.views.size());
+    std::iota(views.begin(), views.end(), 0);
+    return views;
+}
+
+/// A place between two of the scene's points.
+Eigen::Vector3d random_target(const Capture& capture, HashedRandom& random) {
+    const double share = random.uniform();
+    const auto& a = capture.points[random.below(capture.points.size())].position_in_world;
+    const auto& b = capture.points[random.below(capture.points.size())].position_in_world;
+    return share * a + (1 - share) * b;
+}
+
+int faces_entered(const CameraMesh& mesh, const Eigen::Vector3d& point,
+                  const Eigen::Vector3d& direction) {
+    return static_cast<int>(
+        std::count_if(mesh.faces.begin(), mesh.faces.end(), [&](const CameraMesh::Face& face) {
+            const Eigen::Vector3d sides = side_products(mesh, face, point, direction);
+            return sides.minCoeff() >= 0 && sides.sum() > 0;
+        }));
+}
+
+/// Weights of the ray from the eye to the target, one a camera, in the frame of that eye.
+using WayOfWeighing =
+    std::function<std::vector<double>(const Eigen::Vector3d& eye, const Eigen::Vector3d& target)>;
+
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
+    return sum;
+}
+
+/// The change of the weights at the one place between two steps where they change most abruptly.
+double jump_between(const std::function<std::vector<double>(double)>& weights_at, double low,
+                    double high) {
+    std::vector<double> at_low = weights_at(low);
+    std::vector<double> at_high = weights_at(high);
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        std::vector<double> at_middle = weights_at(middle);
+        if (difference(at_low, at_middle) >= difference(at_middle, at_high)) {
+            high = middle;
+            at_high = std::move(at_middle);
+        } else {
+            low = middle;
+            at_low = std::move(at_middle);
+        }
+    }
+    return difference(at_low, at_high);
+}
+
+class WeightsMeasurement {
+ public:
+    explicit WeightsMeasurement(std::string name) { figures_.name = std::move(name); }
+
+    void add_ray(const WayOfWeighing& weigh, const Eigen::Vector3d& eye,
+                 const Eigen::Vector3d& other_eye, const Eigen::Vector3d& target) {
+        const double inconsistency = 0.5 * difference(weigh(eye, target), weigh(other_eye, target));
+        sum_ += inconsistency;
+        ++rays_;
+        figures_.largest_inconsistency = std::max(figures_.largest_inconsistency, inconsistency);
+    }
+
+    /// The eye goes from `from` to `to` on an arc about the target, and farther off on the way.
+    void add_path(const WayOfWeighing& weigh, const Eigen::Vector3d& from,
+                  const Eigen::Vector3d& to, const Eigen::Vector3d& target) {
+        const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(from, to);
+        const auto weights_at = [&](double t) {
+            const Eigen::Quaterniond part = Eigen::Quaterniond::Identity().slerp(t, turn);
+            return weigh(target + (1.2 + t) * (part * from.normalized()), target);
+        };
+        std::vector<double> before = weights_at(0);
+        for (int step = 1; step <= kPathSteps; ++step) {
+            const double t = static_cast<double>(step) / kPathSteps;
+            std::vector<double> after = weights_at(t);
+            if (difference(before, after) > kSuspiciousChange) {
+                const double jump = jump_between(weights_at, t - 1.0 / kPathSteps, t);
+                figures_.largest_jump = std::max(figures_.largest_jump, jump);
+                if (jump > kJump) ++jumps_;
+            }
+            before = std::move(after);
+        }
+        ++paths_;
+    }
+
+    [[nodiscard]] WeightsFigures figures() const {
+        WeightsFigures figures = figures_;
+        figures.mean_inconsistency = rays_ > 0 ? sum_ / static_cast<double>(rays_) : 0.0;
+        figures.jumps_per_path = paths_ > 0 ? static_cast<double>(jumps_) / paths_ : 0.0;
+        return figures;
+    }
+
+ private:
+    WeightsFigures figures_;
+    double sum_ = 0.0;
+    long rays_ = 0;
+    long jumps_ = 0;
+    int paths_ = 0;
+};
+
+WayOfWeighing kernel_star_weights(const CameraMesh& mesh, std::size_t cameras) {
+    return [&mesh, cameras](const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
+        std::vector<double> weights(cameras, 0.0);
+        const auto ray = weights_of_ray(mesh, eye, target - eye);
+        for (std::size_t i = 0; ray && i < 3; ++i) {
+            weights[static_cast<std::size_t>(ray->view_indices[i])] += ray->weights[i];
+        }
+        return weights;
+    };
+}
+
+class Benchmark {
+ public:
+    Benchmark(const MeshBenchmarkOptions& options, Progress& progress)
+        : options_(options),
+          progress_(progress),
+          ours_("kernel-star mesh"),
+          heigl_("Heigl et al. 1999"),
+          unstructured_("unstructured lumigraph") {}
+
+    [[nodiscard]] MeshBenchmark run() {
+        result_.least_kernel_over_scene = 1e9;
+        progress_.begin("random captures", static_cast<std::size_t>(options_.captures));
+        for (int i = 0; i < options_.captures; ++i) {
+            progress_.throw_if_interrupted();
+            measure_capture(i);
+            progress_.advance();
+        }
+        result_.captures = options_.captures;
+        const auto root_mean = [](double squares, long count) {
+            return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0.0;
+        };
+        result_.rms_slide_share = root_mean(slide_squares_, result_.cameras);
+        result_.convex_rms_push_share = root_mean(push_squares_, result_.cameras);
+        result_.weights = {ours_.figures(), heigl_.figures(), unstructured_.figures()};
+        time_growth();
+        return result_;
+    }
+
+ private:
+    void measure_capture(int index) {
+        HashedRandom random(options_.seed, static_cast<std::uint64_t>(index));
+        const int count =
+            kLeastCameras + static_cast<int>(random.below(kMostCameras - kLeastCameras + 1));
+        const Points centres = hand_held_centres(count, options_.roughness, random);
+        const Capture capture = capture_around(centres, options_.scene_share, random);
+        const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
+        add_evidence(built.evidence, count);
+        add_epipole_losses(built, capture);
+        add_convex(capture, built.mesh.scene_centre_in_world);
+
+        const WayOfWeighing weigh = kernel_star_weights(built.mesh, centres.size());
+        const int rays = options_.rays / options_.captures;
+        for (int i = 0; i < rays; ++i) {
+            const Eigen::Vector3d target = random_target(capture, random);
+            const Eigen::Vector3d away = random_direction(random);
+            ++result_.rays;
+            if (faces_entered(built.mesh, target, -away) == 1) ++result_.rays_with_one_face;
+            ours_.add_ray(weigh, target + (0.2 + 3 * random.uniform()) * away,
+                          target + (0.2 + 3 * random.uniform()) * away, target);
+        }
+        ours_.add_path(weigh, random_direction(random), random_direction(random),
+                       random_target(capture, random));
+        if (index < kComparedCaptures) compare_rivals(capture, centres, random);
+    }
+
+    void add_evidence(const CameraMeshEvidence& evidence, int cameras) {
+        result_.cameras += cameras;
+        result_.cameras_kept += evidence.cameras_kept;
+        result_.least_kernel_over_scene =
+            std::min(result_.least_kernel_over_scene, evidence.kernel_radius_over_scene_radius);
+        if (evidence.kernel_radius_over_scene_radius < 1) {
+            ++result_.captures_not_repaired;
+        } else if (evidence.cameras_slid > 0) {
+            ++result_.captures_repaired_by_slides;
+        } else if (evidence.edges_flipped > 0) {
+            ++result_.captures_repaired_by_flips;
+        }
+        result_.cameras_slid += evidence.cameras_slid;
+        slide_squares_ += evidence.rms_slide_share * evidence.rms_slide_share * cameras;
+        result_.largest_slide_share =
+            std::max(result_.largest_slide_share, evidence.largest_slide_share);
+        result_.worst_epipole_loss =
+            std::max(result_.worst_epipole_loss, evidence.worst_epipole_loss);
+    }
+
+    /// Of cameras that stand where they stood.
+    void add_epipole_losses(const BuiltCameraMesh& built, const Capture& capture) {
+        for (const CameraMesh::Vertex& vertex : built.mesh.vertices) {
+            const Eigen::Vector3d centre = centre_in_world(
+                capture.views[static_cast<std::size_t>(vertex.view_index)].cam_from_world);
+            if ((vertex.position_in_world - centre).norm() > kSlid) continue;
+            for (std::size_t i = 0; i < capture.points.size(); i += 50) {
+                const auto weights = weights_of_ray(built.mesh, centre,
+                                                    capture.points[i].position_in_world - centre);
+                double own = 0;
+                for (std::size_t k = 0; weights && k < 3; ++k) {
+                    if (weights->view_indices[k] == vertex.view_index) own += weights->weights[k];
+                }
+                result_.worst_unslid_epipole_loss =
+                    std::max(result_.worst_unslid_epipole_loss, 1 - own);
+            }
+        }
+    }
+
+    void add_convex(const Capture& capture, const Eigen::Vector3d& centre) {
+        const CameraStar star = camera_star(optical_axes(capture, all_views(capture)), centre);
+        const ConvexShape shape = convex_shape(star, std::nullopt);
+        result_.convex_cameras_kept +=
+            std::count(shape.on_hull.begin(), shape.on_hull.end(), char{1});
+        push_squares_ +=
+            shape.rms_push_share * shape.rms_push_share * static_cast<double>(capture.views.size());
+        result_.convex_largest_push_share =
+            std::max(result_.convex_largest_push_share, shape.largest_push_share);
+    }
+
+    void compare_rivals(const Capture& capture, const Points& centres, HashedRandom& random) {
+        Points axes;
+        for (const View& view : capture.views) {
+            axes.push_back(optical_axis_in_world(view.cam_from_world));
+        }
+        // The frame of an eye looks at the middle of the scene.
+        const WayOfWeighing heigl = [&](const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
+            return HeiglFrame(centres, axes, looking_at(eye, Eigen::Vector3d::Zero()))
+                .weights_towards(target);
+        };
+        const WayOfWeighing unstructured = [&](const Eigen::Vector3d& eye,
+                                               const Eigen::Vector3d& target) {
+            return unstructured_weights(centres, eye, target);
+        };
+        for (int i = 0; i < kComparedRays; ++i) {
+            const Eigen::Vector3d target = random_target(capture, random);
+            const Eigen::Vector3d away = random_direction(random);
+            // Outside of all cameras, where Heigl's triangles lie around the pixel.
+            const Eigen::Vector3d eye = target + (2 + 2 * random.uniform()) * away;
+            const Eigen::Vector3d other = target + (2 + 2 * random.uniform()) * away;
+            heigl_.add_ray(heigl, eye, other, target);
+            unstructured_.add_ray(unstructured, eye, other, target);
+        }
+        const Eigen::Vector3d from = random_direction(random);
+        const Eigen::Vector3d to = random_direction(random);
+        const Eigen::Vector3d target = random_target(capture, random);
+        heigl_.add_path(heigl, from, to, target);
+        unstructured_.add_path(unstructured, from, to, target);
+    }
+
+    /// Time against number of cameras: the exponent is fitted by least squares in logarithms.
+    void time_growth() {
+        std::vector<int> counts;
+        for (int count = 100; count <= options_.most_cameras_timed; count *= 10) {
+            counts.push_back(count);
+            if (3 * count <= options_.most_cameras_timed) counts.push_back(3 * count);
+        }
+        progress_.begin("growth with cameras", counts.size());
+        std::vector<Eigen::Vector2d> logarithms;
+        for (const int count : counts) {
+            progress_.throw_if_interrupted();
+            HashedRandom random(options_.seed, 1'000'000 + static_cast<std::uint64_t>(count));
+            // Distances vary by a fifth of the spacing: the shape of the faces is the same
+            // throughout.
+            const double roughness = 0.2 * std::sqrt(4 * std::numbers::pi / count);
+            const Points centres = hand_held_centres(count, roughness, random);
+            const Capture capture = capture_around(centres, options_.scene_share, random);
+            const Stopwatch stopwatch;
+            const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
+            const double cpu_s = stopwatch.elapsed().cpu_s;
+            result_.timings.push_back({count, cpu_s});
+            if (count >= 1000 && cpu_s > 0) {
+                logarithms.emplace_back(std::log(count), std::log(cpu_s));
+            }
+            progress_.advance();
+        }
+        result_.growth_exponent = slope_of(logarithms);
+    }
+
+    static double slope_of(const std::vector<Eigen::Vector2d>& points) {
+        if (points.size() < 2) return 0.0;
+        Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+        for (const Eigen::Vector2d& point : points) mean += point;
+        mean /= static_cast<double>(points.size());
+        double across = 0;
+        double along = 0;
+        for (const Eigen::Vector2d& point : points) {
+            across += (point.x() - mean.x()) * (point.y() - mean.y());
+            along += std::pow(point.x() - mean.x(), 2);
+        }
+        return across / along;
+    }
+
+    const MeshBenchmarkOptions& options_;
+    Progress& progress_;
+    MeshBenchmark result_;
+    double slide_squares_ = 0.0;
+    double push_squares_ = 0.0;
+    WeightsMeasurement ours_;
+    WeightsMeasurement heigl_;
+    WeightsMeasurement unstructured_;
+};
+
+}  // namespace
+
+MeshBenchmark benchmark_mesh(const MeshBenchmarkOptions& options, Progress& progress) {
+    return Benchmark(options, progress).run();
+}
+
+}  // namespace lumi

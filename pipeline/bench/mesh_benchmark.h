@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "calib/work/progress.h"
+
+namespace lumi {
+
+struct MeshBenchmarkOptions {
+    int captures = 200;
+    int rays = 1'000'000;      ///< Over all captures.
+    double roughness = 0.25;   ///< Distances vary by this share, each camera on its own.
+    double scene_share = 0.5;  ///< The scene's radius over the mean camera distance.
+    int most_cameras_timed = 100'000;
+    std::uint64_t seed = 1;
+};
+
+/// How consistent and how continuous one way of weighing rays is.
+struct WeightsFigures {
+    std::string name;
+    /// Half the sum of differences between the weights of one ray in two frames, whose eyes stand
+    /// at different places on it: 0 is the same picture in both.
+    double mean_inconsistency = 0.0;
+    double largest_inconsistency = 0.0;
+    double largest_jump = 0.0;    ///< Sum of differences across one place on a path of the eye.
+    double jumps_per_path = 0.0;  ///< Places where the weights change by more than 1e-6 at once.
+};
+
+struct MeshTiming {
+    int cameras = 0;
+    double cpu_s = 0.0;
+};
+
+/// What the kernel-star mesh is worth over random captures all around a scene.
+struct MeshBenchmark {
+    int captures = 0;
+    long cameras = 0;
+    long cameras_kept = 0;
+    long rays = 0;
+    long rays_with_one_face = 0;
+    double least_kernel_over_scene = 0.0;
+    int captures_repaired_by_flips = 0;  ///< Alone.
+    int captures_repaired_by_slides = 0;
+    int captures_not_repaired = 0;
+    long cameras_slid = 0;
+    double rms_slide_share = 0.0;
+    double largest_slide_share = 0.0;
+    double worst_epipole_loss = 0.0;         ///< Of cameras that were slid.
+    double worst_unslid_epipole_loss = 0.0;  ///< Of the others.
+    long convex_cameras_kept = 0;            ///< By the paper's convex mesh.
+    double convex_rms_push_share = 0.0;
+    double convex_largest_push_share = 0.0;
+    std::vector<WeightsFigures> weights;
+    std::vector<MeshTiming> timings;
+    double growth_exponent = 0.0;  ///< p of cpu_s ~ cameras^p, fitted from 1000 cameras on.
+};
+
+[[nodiscard]] MeshBenchmark benchmark_mesh(const MeshBenchmarkOptions& options, Progress& progress);
+
+}  // namespace lumi

@@ -1,0 +1,125 @@
+#include <CLI/CLI.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/bench/mesh_benchmark.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/report/number_text.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json report_json(const MeshBenchmark& result) {
+    Json weights = Json::array();
+    for (const WeightsFigures& way : result.weights) {
+        weights.push_back({{"name", way.name},
+                           {"mean_inconsistency", way.mean_inconsistency},
+                           {"largest_inconsistency", way.largest_inconsistency},
+                           {"largest_jump", way.largest_jump},
+                           {"jumps_per_path", way.jumps_per_path}});
+    }
+    Json timings = Json::array();
+    for (const MeshTiming& timing : result.timings) {
+        timings.push_back({{"cameras", timing.cameras}, {"cpu_s", timing.cpu_s}});
+    }
+    return Json{{"captures", result.captures},
+                {"cameras", result.cameras},
+                {"cameras_kept", result.cameras_kept},
+                {"rays", result.rays},
+                {"rays_with_one_face", result.rays_with_one_face},
+                {"least_kernel_over_scene", result.least_kernel_over_scene},
+                {"captures_repaired_by_flips", result.captures_repaired_by_flips},
+                {"captures_repaired_by_slides", result.captures_repaired_by_slides},
+                {"captures_not_repaired", result.captures_not_repaired},
+                {"cameras_slid", result.cameras_slid},
+                {"rms_slide_share", result.rms_slide_share},
+                {"largest_slide_share", result.largest_slide_share},
+                {"worst_epipole_loss", result.worst_epipole_loss},
+                {"worst_unslid_epipole_loss", result.worst_unslid_epipole_loss},
+                {"convex_cameras_kept", result.convex_cameras_kept},
+                {"convex_rms_push_share", result.convex_rms_push_share},
+                {"convex_largest_push_share", result.convex_largest_push_share},
+                {"weights", std::move(weights)},
+                {"timings", std::move(timings)},
+                {"growth_exponent", result.growth_exponent}};
+}
+
+std::string percent(double share, int digits) { return number_text(100 * share, digits) + " %"; }
+
+std::string share_text(long part, long whole) {
+    const double share = whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+    return std::to_string(part) + " of " + std::to_string(whole) + " (" + percent(share, 4) + ")";
+}
+
+std::string report_text(const MeshBenchmark& result) {
+    std::string text = std::to_string(result.captures) + " random captures\n";
+    text += "cameras that are vertices     " + share_text(result.cameras_kept, result.cameras) +
+            "\n  of the paper's convex mesh  " +
+            share_text(result.convex_cameras_kept, result.cameras) + "; or pushed out by " +
+            percent(result.convex_rms_push_share, 1) + " rms, " +
+            percent(result.convex_largest_push_share, 1) + " at most\n";
+    text += "rays that enter one face      " + share_text(result.rays_with_one_face, result.rays) +
+            "\n";
+    text += "repaired by flips, by slides, not   " +
+            std::to_string(result.captures_repaired_by_flips) + ", " +
+            std::to_string(result.captures_repaired_by_slides) + ", " +
+            std::to_string(result.captures_not_repaired) +
+            "; slid: " + share_text(result.cameras_slid, result.cameras) + " by " +
+            percent(result.rms_slide_share, 2) + " rms, " + percent(result.largest_slide_share, 1) +
+            " at most, own weight lost " + number_text(result.worst_epipole_loss, 3) + " at most\n";
+    for (const WeightsFigures& way : result.weights) {
+        text += way.name + ": inconsistency " + number_text(way.mean_inconsistency, 4) +
+                " (mean), " + number_text(way.largest_inconsistency, 4) +
+                " (largest); largest jump " + number_text(way.largest_jump, 4) + ", " +
+                number_text(way.jumps_per_path, 1) + " a path\n";
+    }
+    for (const MeshTiming& timing : result.timings) {
+        text += std::to_string(timing.cameras) + " cameras  " + number_text(timing.cpu_s, 3) +
+                " CPU s\n";
+    }
+    return text + "growth: cameras to the power of " + number_text(result.growth_exponent, 2) +
+           "\n";
+}
+
+void run_bench_mesh(const MeshBenchmarkOptions& options, const CommandContext& context) {
+    const MeshBenchmark result = benchmark_mesh(options, *context.progress);
+    if (context.json) {
+        context.print_result(report_json(result));
+    } else {
+        context.print_result(report_text(result));
+    }
+}
+
+}  // namespace
+
+void add_bench_mesh_command(CLI::App& app, CommandContext& context) {
+    CLI::App& command = add_command(
+        app, "bench-mesh", "What the camera mesh keeps, costs and how it compares, at random",
+        "lumi bench-mesh --json");
+    const auto options = std::make_shared<MeshBenchmarkOptions>();
+    command.add_option("--captures", options->captures, "Random captures all around a scene")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    command.add_option("--rays", options->rays, "Random rays, over all captures")
+        ->check(CLI::Range(1, 1000000000))
+        ->capture_default_str();
+    command.add_option("--roughness", options->roughness, "Share by which distances vary")
+        ->check(CLI::Range(0.0, 0.9))
+        ->capture_default_str();
+    command.add_option("--scene", options->scene_share, "Radius of the scene over the distance")
+        ->check(CLI::Range(0.01, 0.99))
+        ->capture_default_str();
+    command
+        .add_option("--most-cameras", options->most_cameras_timed,
+                    "Up to which number of cameras time is taken")
+        ->check(CLI::Range(1000, 10000000))
+        ->capture_default_str();
+    command.add_option("--seed", options->seed, "Of all randomness")->capture_default_str();
+    command.callback([options, &context] {
+        context.chosen = [options, &context] { run_bench_mesh(*options, context); };
+    });
+}
+
+}  // namespace lumi

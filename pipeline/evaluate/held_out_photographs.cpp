@@ -1,0 +1,55 @@
+#include "pipeline/evaluate/held_out_photographs.h"
+
+#include "calib/work/error.h"
+#include "pipeline/stages/posed_files.h"
+#include "pipeline/stages/used_views.h"
+#include "pipeline/workspace/content.h"
+
+namespace lumi {
+
+namespace fs = std::filesystem;
+
+PackRecord finished_pack(const Workspace& workspace) {
+    const fs::path pack_folder = workspace.stage_folder("pack");
+    std::error_code status;
+    if (!fs::is_directory(pack_folder, status)) {
+        throw Error(ErrorKind::kBadInput, "E-EVAL-NOPACKAGE",
+                    workspace.folder().string() + ": no finished package",
+                    "run `lumi build CONFIG.toml` first");
+    }
+    PackRecord record = read_pack_record(pack_folder);
+    if (record.held_out.empty()) {
+        throw Error(ErrorKind::kUsage, "E-EVAL-NOHOLDOUT",
+                    workspace.folder().string() + ": no photograph was held out",
+                    "set hold_out_every = 8, or hold_out = [\"name.jpg\"], under [evaluate] in the "
+                    "configuration, and build again");
+    }
+    return record;
+}
+
+PosedPhotographs packed_photographs(const Workspace& workspace, const PackRecord& record,
+                                    int threads) {
+    const fs::path pinhole_folder = workspace.stage_folder("poses") / "pinhole";
+    std::vector<ContentEntry> content = content_of(pinhole_folder, threads);
+    for (ContentEntry& entry : content) entry.name = "poses/pinhole/" + entry.name;
+    if (sha256_of_content(content) != record.poses_sha256) {
+        throw Error(ErrorKind::kBadInput, "E-EVAL-STALE",
+                    workspace.folder().string() + ": the package was made from other poses",
+                    "run `lumi build CONFIG.toml` again");
+    }
+    return read_posed_photographs(pinhole_folder);
+}
+
+PosedPhotographs held_out_photographs(const Workspace& workspace, const PackRecord& record,
+                                      int threads) {
+    PosedPhotographs held_out =
+        only_views(packed_photographs(workspace, record, threads), record.held_out);
+    if (held_out.capture.views.empty()) {
+        throw Error(ErrorKind::kDegenerateCapture, "E-EVAL-NOPOSE",
+                    workspace.folder().string() + ": no held-out photograph has a pose",
+                    "hold out photographs that are registered; report.html lists them");
+    }
+    return held_out;
+}
+
+}  // namespace lumi

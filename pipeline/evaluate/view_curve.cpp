@@ -1,0 +1,166 @@
+#include "pipeline/evaluate/view_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/stopwatch.h"
+#include "meshing/cameras/scene_centre.h"
+#include "pipeline/evaluate/image_metrics.h"
+#include "pipeline/stages/chosen_views.h"
+#include "pipeline/synth/hashed_random.h"
+#include "render/modes/offscreen_renderer.h"
+
+namespace lumi {
+namespace {
+
+constexpr double kTolerableLoss_db = 0.3;
+constexpr int kLeastToChooseFrom = 12;
+constexpr int kValidateEvery = 6;
+
+/// A photograph and the eye it was taken with.
+struct HeldOutPicture {
+    Eye eye;
+    ColorImage photograph;
+};
+
+/// Draws held-out pictures from chosen views.
+class ChoiceJudge {
+ public:
+    ChoiceJudge(const Lumigraph& lumigraph, const Capture& capture,
+                std::vector<HeldOutPicture> pictures, const CameraMeshOptions& mesh_options)
+        : lumigraph_(lumigraph),
+          capture_(capture),
+          pictures_(std::move(pictures)),
+          mesh_options_(mesh_options) {}
+
+    /// Minus the PSNR in dB at each held-out place.
+    [[nodiscard]] std::vector<double> losses_of(const std::vector<int>& views) {
+        OffscreenRenderer renderer(lumigraph_of_views(lumigraph_, capture_, views, mesh_options_));
+        std::vector<double> losses;
+        std::vector<double> frame_ms;
+        for (const HeldOutPicture& picture : pictures_) {
+            const Stopwatch stopwatch;
+            const Frame frame = renderer.draw(picture.eye, {});
+            frame_ms.push_back(1000.0 * stopwatch.elapsed().wall_s);
+            losses.push_back(-psnr_db(picture.photograph, frame.color));
+        }
+        std::nth_element(frame_ms.begin(),
+                         frame_ms.begin() + static_cast<std::ptrdiff_t>(frame_ms.size() / 2),
+                         frame_ms.end());
+        last_ms_ = frame_ms[frame_ms.size() / 2];
+        return losses;
+    }
+    [[nodiscard]] double last_ms() const { return last_ms_; }
+
+ private:
+    const Lumigraph& lumigraph_;
+    const Capture& capture_;
+    std::vector<HeldOutPicture> pictures_;
+    CameraMeshOptions mesh_options_;
+    double last_ms_ = 0.0;
+};
+
+std::vector<int> all_of(std::size_t count) {
+    std::vector<int> all(count);
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+std::vector<int> random_views(std::size_t count, std::size_t wanted, HashedRandom& random) {
+    std::vector<int> views = all_of(count);
+    for (std::size_t i = 0; i < wanted; ++i) {
+        std::swap(views[i], views[i + random.below(count - i)]);
+    }
+    views.resize(wanted);
+    std::sort(views.begin(), views.end());
+    return views;
+}
+
+double mean_psnr_db(const std::vector<double>& losses) {
+    return -std::accumulate(losses.begin(), losses.end(), 0.0) / static_cast<double>(losses.size());
+}
+
+void draw_random_choices(ViewCurvePoint& point, std::size_t all_views,
+                         const ViewCurveOptions& options, ChoiceJudge& judge) {
+    HashedRandom random(options.seed, static_cast<std::uint64_t>(point.views));
+    for (int i = 0; i < options.random_choices; ++i) {
+        const double psnr = mean_psnr_db(judge.losses_of(
+            random_views(all_views, static_cast<std::size_t>(point.views), random)));
+        point.random_psnr_db += psnr / options.random_choices;
+        point.best_random_psnr_db = std::max(point.best_random_psnr_db, psnr);
+    }
+}
+
+}  // namespace
+
+ViewCurve measure_view_curve(const Lumigraph& lumigraph, const Capture& capture,
+                             const PosedPhotographs& held_out, const ViewCurveOptions& options,
+                             Progress& progress) {
+    std::vector<HeldOutPicture> pictures;
+    for (std::size_t i = 0; i < held_out.capture.views.size(); ++i) {
+        const View& view = held_out.capture.views[i];
+        pictures.push_back({{camera_of(held_out.capture, view), view.cam_from_world},
+                            read_color_image(held_out.picture_paths[i])});
+    }
+    ChoiceJudge judge(lumigraph, capture, std::move(pictures), options.mesh);
+    const std::vector<OpticalAxis> axes = optical_axes(capture, all_of(capture.views.size()));
+    const std::vector<int> sizes =
+        selection_sizes(static_cast<int>(axes.size()), options.least_views);
+    ViewCurve curve;
+    progress.begin("drawing from ever fewer views", sizes.size());
+    const ViewSelection selection =
+        select_views(axes, estimate_scene_centre(axes), sizes, [&](const std::vector<int>& views) {
+            progress.throw_if_interrupted();
+            std::vector<double> losses = judge.losses_of(views);
+            curve.points.push_back({static_cast<int>(views.size()), mean_psnr_db(losses),
+                                    texture_mib(lumigraph, views), judge.last_ms(), 0.0, 0.0});
+            if (views.size() < axes.size()) {
+                draw_random_choices(curve.points.back(), axes.size(), options, judge);
+            }
+            progress.advance();
+            return losses;
+        });
+    curve.auto_views = static_cast<int>(selection.curve[selection.chosen].views.size());
+    double best_db = curve.points.front().psnr_db;
+    for (const ViewCurvePoint& point : curve.points) best_db = std::max(best_db, point.psnr_db);
+    for (const ViewCurvePoint& point : curve.points) {
+        if (point.psnr_db >= best_db - kTolerableLoss_db) curve.third_db_views = point.views;
+    }
+    return curve;
+}
+
+int sufficient_views(const Lumigraph& lumigraph, const Capture& capture,
+                     const CameraMeshOptions& mesh_options, Progress& progress) {
+    const auto count = static_cast<int>(lumigraph.views.size());
+    if (count < kLeastToChooseFrom) return count;
+    std::vector<HeldOutPicture> pictures;
+    std::vector<int> candidates;
+    const int every = std::min(kValidateEvery, count / 3);
+    for (int i = 0; i < count; ++i) {
+        const LumigraphView& view = lumigraph.views[static_cast<std::size_t>(i)];
+        if (i % every == every / 2) {
+            pictures.push_back({{view.camera, view.cam_from_world}, view.photograph});
+        } else {
+            candidates.push_back(i);
+        }
+    }
+    ChoiceJudge judge(lumigraph, capture, std::move(pictures), mesh_options);
+    const std::vector<OpticalAxis> axes = optical_axes(capture, candidates);
+    const std::vector<int> sizes = selection_sizes(static_cast<int>(candidates.size()), 4);
+    progress.begin("looking for the fewest views", sizes.size());
+    const ViewSelection selection =
+        select_views(axes, estimate_scene_centre(axes), sizes, [&](const std::vector<int>& chosen) {
+            progress.throw_if_interrupted();
+            std::vector<int> views;
+            for (const int i : chosen) views.push_back(candidates[static_cast<std::size_t>(i)]);
+            progress.advance();
+            return judge.losses_of(views);
+        });
+    const double share = static_cast<double>(selection.curve[selection.chosen].views.size()) /
+                         static_cast<double>(candidates.size());
+    return static_cast<int>(std::ceil(share * count));
+}
+
+}  // namespace lumi
