@@ -1,8 +1,9 @@
 #include "meshing/depth/patch_matching.h"
 
 #include <algorithm>
+#include <cstring>
 
-#include "meshing/depth/vectorised.h"
+#include "meshing/depth/instruction_sets.h"
 
 namespace lumi {
 namespace {
@@ -24,98 +25,120 @@ constexpr std::array<int, kCensusBits> census_offsets() {
 }
 constexpr std::array<int, kCensusBits> kCensusOffsets = census_offsets();
 
-// The kernels work on plain pointers: the vectoriser then knows what aliases and what does not.
+// Kernels work on plain pointers: the vectoriser then knows what aliases and what does not.
 
-/// Where each pixel is sampled: its top-left neighbour's index, and 6 bits each of the fractions to
-/// the right and down.
-LUMI_VECTORISED
-void locate_pixels(int width, int height, const float* __restrict ray_x,
-                   const float* __restrict ray_y, const float* __restrict ray_z, float shift_x,
-                   float shift_y, float shift_z, int* __restrict index, int* __restrict right,
-                   int* __restrict down, int* __restrict hidden) {
-    const float max_u = static_cast<float>((width - 1) << kSubpixelBits);
-    const float max_v = static_cast<float>((height - 1) << kSubpixelBits);
-    constexpr float kSubpixels = 1 << kSubpixelBits;
-    constexpr int kFraction = (1 << kSubpixelBits) - 1;
-    for (int i = 0; i < kPatchPixels; ++i) {
-        const float z = ray_z[i] + shift_z;
-        const float u = (ray_x[i] + shift_x) / z * kSubpixels - 0.5F * kSubpixels;
-        const float v = (ray_y[i] + shift_y) / z * kSubpixels - 0.5F * kSubpixels;
-        const int inside = (z > 1e-6F) & (u >= 0) & (u <= max_u) & (v >= 0) & (v <= max_v);
-        // A pixel that is not inside reads the corner: in bounds, and never used.
-        const int fixed_u = static_cast<int>(inside != 0 ? u : 0.0F);
-        const int fixed_v = static_cast<int>(inside != 0 ? v : 0.0F);
-        index[i] = (fixed_v >> kSubpixelBits) * width + (fixed_u >> kSubpixelBits);
-        right[i] = fixed_u & kFraction;
-        down[i] = fixed_v & kFraction;
-        hidden[i] = inside != 0 ? 0 : kNotSeen;
+/// Where each pixel is sampled, and how: grey values between four pixels, in 1/64 pixel.
+struct WarpPixels {
+    LUMI_KERNEL void run(const std::uint32_t* quads, int width, int height,
+                         const float* __restrict ray_x, const float* __restrict ray_y,
+                         const float* __restrict ray_z, const float* shift,
+                         std::uint8_t* __restrict gray, std::uint8_t* __restrict hidden) {
+        const float max_u = static_cast<float>((width - 1) << kSubpixelBits);
+        const float max_v = static_cast<float>((height - 1) << kSubpixelBits);
+        constexpr float kSubpixels = 1 << kSubpixelBits;
+        constexpr int kOne = 1 << kSubpixelBits;
+        const float shift_x = shift[0];
+        const float shift_y = shift[1];
+        const float shift_z = shift[2];
+        int index[kPatchPixels], right[kPatchPixels], down[kPatchPixels];
+        for (int i = 0; i < kPatchPixels; ++i) {
+            const float z = ray_z[i] + shift_z;
+            const float scale = kSubpixels / z;
+            const float u = (ray_x[i] + shift_x) * scale - 0.5F * kSubpixels;
+            const float v = (ray_y[i] + shift_y) * scale - 0.5F * kSubpixels;
+            const int inside = (z > 1e-6F) & (u >= 0) & (u <= max_u) & (v >= 0) & (v <= max_v);
+            // A pixel that is not inside reads the corner: in bounds, and never used.
+            const int fixed_u = static_cast<int>(inside != 0 ? u : 0.0F);
+            const int fixed_v = static_cast<int>(inside != 0 ? v : 0.0F);
+            index[i] = (fixed_v >> kSubpixelBits) * width + (fixed_u >> kSubpixelBits);
+            right[i] = fixed_u & (kOne - 1);
+            down[i] = fixed_v & (kOne - 1);
+            hidden[i] = static_cast<std::uint8_t>(inside != 0 ? 0 : kNotSeen);
+        }
+        for (int i = 0; i < kPatchPixels; ++i) index[i] = static_cast<int>(quads[index[i]]);
+        for (int i = 0; i < kPatchPixels; ++i) {
+            const int quad = index[i];
+            const int upper = (quad & 255) * (kOne - right[i]) + ((quad >> 8) & 255) * right[i];
+            const int lower =
+                ((quad >> 16) & 255) * (kOne - right[i]) + ((quad >> 24) & 255) * right[i];
+            const int value = upper * (kOne - down[i]) + lower * down[i];
+            gray[i] = static_cast<std::uint8_t>((value + kOne * kOne / 2) >> (2 * kSubpixelBits));
+        }
     }
-}
+};
 
-LUMI_VECTORISED
-void blend_pixels(const std::uint32_t* __restrict quads, const int* __restrict right,
-                  const int* __restrict down, const int* __restrict is_hidden,
-                  std::uint8_t* __restrict gray, std::uint8_t* __restrict hidden) {
-    constexpr int kOne = 1 << kSubpixelBits;
-    for (int i = 0; i < kPatchPixels; ++i) {
-        const int quad = static_cast<int>(quads[i]);
-        const int upper = (quad & 255) * (kOne - right[i]) + ((quad >> 8) & 255) * right[i];
-        const int lower =
-            ((quad >> 16) & 255) * (kOne - right[i]) + ((quad >> 24) & 255) * right[i];
-        const int value = upper * (kOne - down[i]) + lower * down[i];
-        gray[i] = static_cast<std::uint8_t>((value + kOne * kOne / 2) >> (2 * kSubpixelBits));
-        hidden[i] = static_cast<std::uint8_t>(is_hidden[i]);
+struct CensusPixels {
+    LUMI_KERNEL void run(const std::uint8_t* __restrict gray, int offset,
+                         std::uint8_t* __restrict bits) {
+        for (int i = kInnerBegin; i < kInnerEnd; ++i) {
+            const bool is_brighter = gray[i + offset] > gray[i] + kCensusThreshold;
+            bits[i] = static_cast<std::uint8_t>(is_brighter ? 255 : 0);
+        }
     }
-}
+};
 
-LUMI_VECTORISED
-void census_pixels(const std::uint8_t* __restrict gray, int offset, std::uint8_t* __restrict bits) {
-    for (int i = kInnerBegin; i < kInnerEnd; ++i) {
-        bits[i] = static_cast<std::uint8_t>(gray[i + offset] > gray[i] + kCensusThreshold);
-    }
-}
+/// Sixty-four pixels at a time; the last block overlaps the one before it.
+struct MismatchPixels {
+    static constexpr int kLanes = 64;
+    using Bytes [[gnu::vector_size(kLanes)]] = std::uint8_t;
 
-LUMI_VECTORISED
-void mismatch_pixels(const std::uint8_t* __restrict gray, const std::uint8_t* __restrict brightest,
-                     const std::uint8_t* __restrict reference_bits, int offset,
-                     std::uint8_t* __restrict mismatches) {
-    for (int i = kInnerBegin; i < kInnerEnd; ++i) {
-        const std::uint8_t bit = gray[i + offset] > brightest[i] ? 1 : 0;
-        mismatches[i] = static_cast<std::uint8_t>(mismatches[i] + (bit ^ reference_bits[i]));
+    LUMI_KERNEL void run(const std::uint8_t* gray, const CensusPatch* reference,
+                         std::uint8_t* mismatches) {
+        for (int begin = kInnerBegin; begin < kInnerEnd; begin += kLanes) {
+            const int i = begin + kLanes <= kInnerEnd ? begin : kInnerEnd - kLanes;
+            Bytes centre;
+            std::memcpy(&centre, gray + i, kLanes);
+            // Of 255 nothing is brighter.
+            const Bytes brightest = centre < 255 - kCensusThreshold
+                                        ? centre + std::uint8_t{kCensusThreshold}
+                                        : Bytes{} + std::uint8_t{255};
+            Bytes sum{};
+            for (std::size_t bit = 0; bit < kCensusOffsets.size(); ++bit) {
+                Bytes neighbour, expected;
+                std::memcpy(&neighbour, gray + i + kCensusOffsets[bit], kLanes);
+                std::memcpy(&expected, reference->is_brighter[bit].data() + i, kLanes);
+                const auto is_brighter = __builtin_convertvector(neighbour > brightest, Bytes);
+                sum -= is_brighter ^ expected;  // 255 is -1.
+            }
+            std::memcpy(mismatches + i, &sum, kLanes);
+        }
     }
-}
+};
 
-LUMI_VECTORISED
-void two_best_pixels(const std::uint8_t* __restrict mismatches,
-                     const std::uint8_t* __restrict hidden, std::uint8_t* __restrict best,
-                     std::uint8_t* __restrict second) {
-    for (int i = kInnerBegin; i < kInnerEnd; ++i) {
-        const auto cost = static_cast<std::uint8_t>(mismatches[i] | hidden[i]);
-        const std::uint8_t worse = std::max(best[i], cost);
-        best[i] = std::min(best[i], cost);
-        second[i] = std::min(second[i], worse);
+struct TwoBestPixels {
+    LUMI_KERNEL void run(const std::uint8_t* __restrict mismatches,
+                         const std::uint8_t* __restrict hidden, std::uint8_t* __restrict best,
+                         std::uint8_t* __restrict second) {
+        for (int i = kInnerBegin; i < kInnerEnd; ++i) {
+            const auto cost = static_cast<std::uint8_t>(mismatches[i] | hidden[i]);
+            const std::uint8_t worse = best[i] > cost ? best[i] : cost;
+            best[i] = best[i] < cost ? best[i] : cost;
+            second[i] = second[i] < worse ? second[i] : worse;
+        }
     }
-}
+};
 
-LUMI_VECTORISED
-void combined_pixels(const std::uint8_t* __restrict best, const std::uint8_t* __restrict second,
-                     std::uint8_t* __restrict cost) {
-    for (int i = kInnerBegin; i < kInnerEnd; ++i) {
-        const std::uint8_t other = second[i] == kNotSeen ? best[i] : second[i];
-        const auto sum = static_cast<std::uint8_t>(best[i] + other);
-        cost[i] = best[i] == kNotSeen ? kUnseenCost : sum;
+struct CombinedPixels {
+    LUMI_KERNEL void run(const std::uint8_t* __restrict best, const std::uint8_t* __restrict second,
+                         std::uint8_t* __restrict cost) {
+        for (int i = kInnerBegin; i < kInnerEnd; ++i) {
+            const std::uint8_t other = second[i] == kNotSeen ? best[i] : second[i];
+            const auto sum = static_cast<std::uint8_t>(best[i] + other);
+            cost[i] = best[i] == kNotSeen ? kUnseenCost : sum;
+        }
     }
-}
+};
 
-LUMI_VECTORISED
-void add_seen_pixels(const std::uint8_t* __restrict best, const std::uint8_t* __restrict cost,
-                     std::uint32_t* __restrict sum, std::uint32_t* __restrict count) {
-    for (int i = kInnerBegin; i < kInnerEnd; ++i) {
-        const std::uint32_t is_seen = best[i] != kNotSeen ? 1 : 0;
-        sum[i] += is_seen * cost[i];
-        count[i] += is_seen;
+struct AddSeenPixels {
+    LUMI_KERNEL void run(const std::uint8_t* __restrict best, const std::uint8_t* __restrict cost,
+                         std::uint32_t* __restrict sum, std::uint32_t* __restrict count) {
+        for (int i = kInnerBegin; i < kInnerEnd; ++i) {
+            const std::uint32_t is_seen = best[i] != kNotSeen ? 1 : 0;
+            sum[i] += is_seen * cost[i];
+            count[i] += is_seen;
+        }
     }
-}
+};
 
 }  // namespace
 
@@ -156,51 +179,36 @@ PatchRays patch_rays(const InverseDepthWarp& warp, int left, int top,
 
 void warp_patch(const PackedPicture& picture, const PatchRays& rays, const float shift[3],
                 WarpedPatch& warped) {
-    PatchArray<int> index, right, down, hidden;
-    locate_pixels(picture.width, picture.height, rays.x.data(), rays.y.data(), rays.z.data(),
-                  shift[0], shift[1], shift[2], index.data(), right.data(), down.data(),
-                  hidden.data());
-    PatchArray<std::uint32_t> quads;
-    for (std::size_t i = 0; i < quads.size(); ++i) {
-        quads[i] = picture.quads[static_cast<std::size_t>(index[i])];
-    }
-    blend_pixels(quads.data(), right.data(), down.data(), hidden.data(), warped.gray.data(),
-                 warped.hidden.data());
+    run_fastest<WarpPixels>(picture.quads.data(), picture.width, picture.height, rays.x.data(),
+                            rays.y.data(), rays.z.data(), shift, warped.gray.data(),
+                            warped.hidden.data());
 }
 
 void take_census(const PatchArray<std::uint8_t>& gray, CensusPatch& census) {
     for (std::size_t bit = 0; bit < kCensusOffsets.size(); ++bit) {
-        census_pixels(gray.data(), kCensusOffsets[bit], census.is_brighter[bit].data());
+        run_fastest<CensusPixels>(gray.data(), kCensusOffsets[bit], census.is_brighter[bit].data());
     }
 }
 
 void count_mismatches(const PatchArray<std::uint8_t>& gray, const CensusPatch& reference,
                       PatchArray<std::uint8_t>& mismatches) {
-    PatchArray<std::uint8_t> brightest;
-    std::transform(gray.begin(), gray.end(), brightest.begin(), [](std::uint8_t value) {
-        return static_cast<std::uint8_t>(std::min(value + kCensusThreshold, 255));
-    });
-    mismatches.fill(0);
-    for (std::size_t bit = 0; bit < kCensusOffsets.size(); ++bit) {
-        mismatch_pixels(gray.data(), brightest.data(), reference.is_brighter[bit].data(),
-                        kCensusOffsets[bit], mismatches.data());
-    }
+    run_fastest<MismatchPixels>(gray.data(), &reference, mismatches.data());
 }
 
 void keep_two_best(const PatchArray<std::uint8_t>& mismatches,
                    const PatchArray<std::uint8_t>& hidden, PatchArray<std::uint8_t>& best,
                    PatchArray<std::uint8_t>& second) {
-    two_best_pixels(mismatches.data(), hidden.data(), best.data(), second.data());
+    run_fastest<TwoBestPixels>(mismatches.data(), hidden.data(), best.data(), second.data());
 }
 
 void combine_best(const PatchArray<std::uint8_t>& best, const PatchArray<std::uint8_t>& second,
                   PatchArray<std::uint8_t>& cost) {
-    combined_pixels(best.data(), second.data(), cost.data());
+    run_fastest<CombinedPixels>(best.data(), second.data(), cost.data());
 }
 
 void add_seen(const PatchArray<std::uint8_t>& best, const PatchArray<std::uint8_t>& cost,
               PatchArray<std::uint32_t>& sum, PatchArray<std::uint32_t>& count) {
-    add_seen_pixels(best.data(), cost.data(), sum.data(), count.data());
+    run_fastest<AddSeenPixels>(best.data(), cost.data(), sum.data(), count.data());
 }
 
 }  // namespace lumi

@@ -55,7 +55,7 @@ void warp_patch(const PackedPicture& picture, const PatchRays& rays, const float
 /// One bit a neighbour: is it brighter than the centre by more than kCensusThreshold grey levels?
 /// (Zabih and Woodfill 1994; the threshold keeps sensor noise from looking like texture.)
 struct CensusPatch {
-    std::array<PatchArray<std::uint8_t>, kCensusBits> is_brighter;  ///< 0 or 1.
+    std::array<PatchArray<std::uint8_t>, kCensusBits> is_brighter;  ///< 0 or 255.
 };
 void take_census(const PatchArray<std::uint8_t>& gray, CensusPatch& census);
 
