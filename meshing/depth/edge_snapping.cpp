@@ -20,6 +20,25 @@ struct Extremes {
     FloatImage farthest;
 };
 
+/// 255 in the band along jumps between neighbouring pixels: a steep floor has none.
+GrayImage band_of_jumps(const FloatImage& inverse_depth, float jump) {
+    GrayImage band(inverse_depth.width(), inverse_depth.height());
+    const auto mark = [&](int x, int y, int other_x, int other_y) {
+        if (!band.contains(other_x, other_y)) return;
+        if (std::abs(inverse_depth(x, y) - inverse_depth(other_x, other_y)) <= jump) return;
+        band(x, y) = band(other_x, other_y) = 255;
+    };
+    for (int y = 0; y < band.height(); ++y) {
+        for (int x = 0; x < band.width(); ++x) {
+            mark(x, y, x + 1, y);
+            mark(x, y, x, y + 1);
+        }
+    }
+    cv::Mat matrix(band.height(), band.width(), CV_8U, band.pixels().data());
+    cv::dilate(matrix, matrix, cv::Mat::ones(2 * kBand - 1, 2 * kBand - 1, CV_8U));
+    return band;
+}
+
 Extremes extremes_of(const FloatImage& inverse_depth) {
     Extremes extremes{inverse_depth, inverse_depth};
     const cv::Mat box = cv::Mat::ones(2 * kBand + 1, 2 * kBand + 1, CV_8U);
@@ -87,13 +106,14 @@ std::optional<std::array<int, 2>> better_source(const DepthMap& map, const Color
 
 void snap_edges(DepthMap& map, const ColorImage& photograph, double one_pixel) {
     const float jump = kJumpPx * static_cast<float>(one_pixel);
+    const GrayImage band = band_of_jumps(map.inverse_depth, jump);
     const Extremes extremes = extremes_of(map.inverse_depth);
     const DepthMap before = map;
     for (int y = 0; y < map.confidence.height(); ++y) {
         for (int x = 0; x < map.confidence.width(); ++x) {
+            if (band(x, y) == 0) continue;
             const float nearest = extremes.nearest(x, y);
             const float farthest = extremes.farthest(x, y);
-            if (nearest - farthest <= jump) continue;
             const auto source =
                 better_source(before, photograph, x, y, 0.5F * (nearest + farthest));
             if (!source) continue;

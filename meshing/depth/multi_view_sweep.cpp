@@ -75,7 +75,7 @@ struct Search {
 /// Where one level looks, in as fine steps as the memory allows.
 Search search_of(const DepthView& view, double level_scale, double spacing_px,
                  const std::vector<TileSurface>& surfaces) {
-    constexpr double kMarginPx = 3.0;
+    constexpr double kMarginPx = 2.0;
     constexpr double kCoarser = 1.25;
     for (;; spacing_px *= kCoarser) {
         Search search{planes_over(view, level_scale, spacing_px), {}};

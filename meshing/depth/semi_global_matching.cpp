@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "meshing/depth/instruction_sets.h"
 #include "meshing/depth/path_cost.h"
 
 namespace lumi {
@@ -126,6 +127,15 @@ class PathSweep {
     std::vector<std::uint8_t> aligned_;
 };
 
+/// The smallest of some sums.
+struct LeastSum {
+    LUMI_KERNEL void run(const std::uint16_t* sums, int count, std::uint16_t* least) {
+        std::uint16_t result = sums[0];
+        for (int k = 0; k < count; ++k) result = sums[k] < result ? sums[k] : result;
+        *least = result;
+    }
+};
+
 /// Vertex of the parabola through three neighbouring sums, within half a plane.
 float parabola_offset(int below, int best, int above) {
     const int curvature = below - 2 * best + above;
@@ -158,7 +168,9 @@ MatchedPlanes semi_global_matching(const CostVolume& volume, const GrayImage& gr
             const int count = volume.tile(x, y).count;
             const std::uint16_t* sum = sums.data() + volume.offset(x, y);
             const std::uint8_t* cost = volume.costs().data() + volume.offset(x, y);
-            const auto best = static_cast<int>(std::min_element(sum, sum + count) - sum);
+            std::uint16_t least = 0;
+            run_fastest<LeastSum>(sum, count, &least);
+            const auto best = static_cast<int>(std::find(sum, sum + count, least) - sum);
             float fraction = 0.0F;
             if (best > 0 && best + 1 < count) {
                 fraction = parabola_offset(sum[best - 1], sum[best], sum[best + 1]);

@@ -10,7 +10,7 @@
 namespace lumi {
 namespace {
 
-constexpr double kMarginX = 1.0;  // Of the picture's width: a neighbour looks that far aside.
+constexpr double kMarginX = 0.5;  // Of the picture's width: a neighbour looks that far aside.
 constexpr double kMarginY = 0.25;
 
 void splat(const DepthMap& from, const InverseDepthWarp& warp, SurroundingDepth& target) {
