@@ -123,7 +123,7 @@ DepthMap match_level(const DepthScene& scene, const DepthView& view, int level,
         others.push_back(at_level(scene.views[static_cast<std::size_t>(j)], level));
     }
     const double level_scale = static_cast<double>(own.camera.width_px) / view.camera.width_px;
-    Search search = search_of(view, level_scale, level == 0 ? 0.5 : 1.0, surfaces);
+    Search search = search_of(view, level_scale, level == 0 ? 0.75 : 1.0, surfaces);
     const CostVolume volume = sweep_costs(own, others, search.planes, std::move(search.tiles));
     MatchedPlanes matched = semi_global_matching(volume, own.gray, SmoothnessPenalty{});
     for (float& plane : matched.plane.pixels()) {
