@@ -29,11 +29,8 @@ std::optional<double> height_of(const PoseTrial& trial, bool by_truth) {
     return kMillimetresAMetre * trial.difference->median_position;
 }
 
-/// "4096 at 768": features kept, and the size of the pictures.
-std::string label_of(const PoseMeans& means) {
-    if (means.is_colmap_alone) return "COLMAP";
-    return std::to_string(means.max_features) + " at " + std::to_string(means.max_width_px);
-}
+/// The features kept; the series says the rest.
+std::string label_of(const PoseMeans& means) { return std::to_string(means.max_features); }
 
 std::string data_text(const std::vector<const PoseTrial*>& trials, bool by_truth) {
     std::string text;
@@ -65,8 +62,11 @@ std::string script_text(const std::vector<PoseTrial>& trials, const std::string&
         "set terminal svg size 1000,640 font 'sans,13' background 'white'\n"
         "set output '" +
         output.string() + "'\nset title '" + title +
-        "' noenhanced\nset logscale x\nset grid\nset key outside bottom center horizontal\n"
-        "set xlabel 'CPU seconds from photographs to poses'\nset offsets graph 0.03, graph 0.12, "
+        "' noenhanced\nset logscale x\nset xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, "
+        "5000)\n"
+        "set grid\nset bmargin 8\nset key below maxcols 2\n"
+        "set xlabel 'CPU seconds from photographs to poses; at each mark the features kept of a "
+        "photograph'\nset offsets graph 0.03, graph 0.12, "
         "graph 0.05, graph 0.05\nset ylabel '" +
         (by_truth ? "median position error, mm" : "photographs not placed, %") + "'\nplot ";
     int number = 0;
