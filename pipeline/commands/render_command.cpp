@@ -29,6 +29,8 @@ struct RenderRequest {
     std::string mode = "perpixel";
     std::string debug = "none";
     std::string size;
+    bool supersample = false;
+    double focal_depth = 0.0;
     bool reference = false;
     fs::path out;
 };
@@ -84,7 +86,9 @@ Json draw_to_file(const Job& job, const std::string& size, const Draw& draw) {
 
 void run_render(const RenderRequest& request, const CommandContext& context) {
     const RenderOptions options{.mode = render_mode_from(request.mode),
-                                .debug_picture = debug_picture_from(request.debug)};
+                                .debug_picture = debug_picture_from(request.debug),
+                                .focal_depth = request.focal_depth,
+                                .supersample = request.supersample};
     const Lumigraph lumigraph = read_package(request.package);
     const std::vector<Job> jobs = jobs_of(request, lumigraph);
     std::unique_ptr<OffscreenRenderer> renderer;
@@ -124,6 +128,12 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     command.add_option("--mode", request->mode, render_mode_names())->capture_default_str();
     command.add_option("--debug", request->debug, debug_picture_names())->capture_default_str();
     command.add_option("--size", request->size, "Such as 1280x720 (default: the photograph's)");
+    command
+        .add_option("--focal-depth", request->focal_depth,
+                    "For modes without depth: distance of the plane that is sharp, world units")
+        ->check(CLI::PositiveNumber);
+    command.add_flag("--supersample", request->supersample,
+                     "Four samples a pixel: smooth edges, about four times the work");
     command.add_flag("--reference", request->reference, "By the plain-code renderer; slow");
     command.add_option("--out", request->out, "PNG file, or folder with --all-views")->required();
     command.callback([request, &context] {

@@ -34,8 +34,6 @@ Capabilities query_capabilities() {
                     "(LIBGL_ALWAYS_SOFTWARE=1)");
     found.max_texture_size_px = integer(GL_MAX_TEXTURE_SIZE);
     found.max_array_layers = integer(GL_MAX_ARRAY_TEXTURE_LAYERS);
-    found.filters_float_textures =
-        !found.is_es || epoxy_has_gl_extension("GL_OES_texture_float_linear");
     return found;
 }
 

@@ -10,8 +10,7 @@ struct Capabilities {
     int version = 0;  ///< 33 for 3.3.
     int max_texture_size_px = 0;
     int max_array_layers = 0;
-    bool filters_float_textures = false;  ///< Linear filtering of 32-bit float textures.
-    std::string description;              ///< GL_RENDERER and GL_VERSION.
+    std::string description;  ///< GL_RENDERER and GL_VERSION.
 };
 
 /// Throws Error (E-GL-CONTEXT) when the current context is older than OpenGL 3.3 or ES 3.0.

@@ -58,6 +58,16 @@ std::vector<unsigned char> Framebuffer::read_rgba_bottom_up(int width_px, int he
     return rgba;
 }
 
+void Framebuffer::halve_into(const Framebuffer& smaller, int smaller_width_px,
+                             int smaller_height_px) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, name_.get());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, smaller.name_.get());
+    // Linear filtering meets the corner that four pixels share.
+    glBlitFramebuffer(0, 0, 2 * smaller_width_px, 2 * smaller_height_px, 0, 0, smaller_width_px,
+                      smaller_height_px, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    smaller.bind();
+}
+
 void Framebuffer::copy_to_window(int width_px, int height_px, int window_width_px,
                                  int window_height_px) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, name_.get());

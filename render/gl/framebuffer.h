@@ -22,6 +22,9 @@ class Framebuffer {
 
     /// The colour raster as rows from the bottom, four bytes a pixel. Throws nothing.
     [[nodiscard]] std::vector<unsigned char> read_rgba_bottom_up(int width_px, int height_px) const;
+    /// Each pixel of `smaller` becomes the mean of four of this, which is twice as wide and high.
+    /// Leaves `smaller` bound.
+    void halve_into(const Framebuffer& smaller, int smaller_width_px, int smaller_height_px) const;
     /// Scales the colour raster to the window's framebuffer and binds that.
     void copy_to_window(int width_px, int height_px, int window_width_px,
                         int window_height_px) const;

@@ -22,13 +22,14 @@ inline constexpr int kDepthKinds = 3;
 struct DepthMeshOptions {
     double max_error_px = 0.1;         ///< The mesh follows the depth map this closely.
     double max_coarse_error_px = 0.8;  ///< Allowed instead when there would be too many triangles.
-    std::size_t max_triangles = 30'000;
+    std::size_t max_triangles = 8'000;
 };
 
 /// A view's depth map as triangles over its photograph.
 ///
 /// Vertices are (x, y) in pixels of the photograph and the inverse depth there, which is affine in
-/// the picture for a plane: planes need few triangles. The triangles cover the whole photograph.
+/// the picture for a plane: planes need few triangles. Those seen or filled reach half a sample
+/// beyond the last of each surface, those stretched cover the rest: the whole photograph.
 struct DepthMesh {
     std::vector<Eigen::Vector3f> vertices;
     std::vector<std::uint32_t> indices;  ///< Three a triangle, sorted by kind.

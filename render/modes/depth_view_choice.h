@@ -8,7 +8,7 @@ namespace lumi {
 
 /// How many views' depths are compared at each pixel: enough for two to outvote one, and for what
 /// one does not see.
-inline constexpr int kMaxDepthViews = 5;
+inline constexpr int kMaxDepthViews = 4;
 
 /// The views, at most `max_views`, whose depth is most use to the eye: those that see what it sees
 /// from nearly the same direction, and together all of it.

@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "render/modes/pixel_transfer.h"
-#include "render/modes/scene_plane.h"
 
 namespace lumi {
 namespace {
@@ -43,10 +42,8 @@ std::vector<ViewForEye> views_for_eye(const UploadedLumigraph& uploaded, const E
 /// Writes vertices in the order of kFaceVertex.
 class VertexWriter {
  public:
-    VertexWriter(const UploadedLumigraph& uploaded, const Eye& eye)
-        : uploaded_(uploaded),
-          views_(views_for_eye(uploaded, eye)),
-          plane_(scene_plane_inverse_depth(uploaded.layout, eye)) {}
+    VertexWriter(const UploadedLumigraph& uploaded, const Eye& eye, const Eigen::Vector3d& plane)
+        : uploaded_(uploaded), views_(views_for_eye(uploaded, eye)), plane_(plane) {}
 
     void append_vertex(std::vector<float>& vertices, const FacePolygon& polygon,
                        const Eigen::Vector2d& pixel) const {
@@ -89,9 +86,10 @@ class VertexWriter {
 FacePainter::FacePainter(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded), polygons_(kFaceVertex) {}
 
-std::size_t FacePainter::draw(const std::vector<FacePolygon>& polygons, const Eye& eye) {
+std::size_t FacePainter::draw(const std::vector<FacePolygon>& polygons, const Eye& eye,
+                              const Eigen::Vector3d& plane) {
     if (polygons.empty()) return 0;
-    const VertexWriter writer(uploaded_, eye);
+    const VertexWriter writer(uploaded_, eye, plane);
     std::vector<float> vertices;
     std::vector<std::uint32_t> indices;
     std::uint32_t count = 0;

@@ -13,8 +13,10 @@ class FacePainter {
     explicit FacePainter(const UploadedLumigraph& uploaded);
 
     /// Draws polygons (face_polygons.h) in their order with the program in use, which is made from
-    /// face.glsl. Returns the number of triangles.
-    std::size_t draw(const std::vector<FacePolygon>& polygons, const Eye& eye);
+    /// face.glsl; `plane` stands for the scene where no depth is known (scene_plane.h). Returns the
+    /// number of triangles.
+    std::size_t draw(const std::vector<FacePolygon>& polygons, const Eye& eye,
+                     const Eigen::Vector3d& plane);
 
  private:
     const UploadedLumigraph& uploaded_;

@@ -6,11 +6,12 @@
 namespace lumi {
 namespace {
 
-constexpr std::array<std::pair<RenderMode, const char*>, 4> kModeNames{
+constexpr std::array<std::pair<RenderMode, const char*>, 5> kModeNames{
     {{RenderMode::kLightField, "lightfield"},
      {RenderMode::kPerPixel, "perpixel"},
      {RenderMode::kAdaptive, "adaptive"},
-     {RenderMode::kPaper2001, "paper2001"}}};
+     {RenderMode::kPaper2001, "paper2001"},
+     {RenderMode::kHeigl, "heigl"}}};
 
 constexpr std::array<std::pair<DebugPicture, const char*>, 5> kDebugPictureNames{
     {{DebugPicture::kNone, "none"},

@@ -15,6 +15,7 @@ enum class RenderMode {
     kPerPixel,    ///< Depth, weights and visibility at each pixel.
     kAdaptive,    ///< Triangles by an error in pixels, one pass.
     kPaper2001,   ///< The paper to the letter.
+    kHeigl,       ///< Heigl et al. 1999: views triangulated anew for each frame.
 };
 
 /// What is shown instead of the picture.
@@ -31,8 +32,14 @@ enum class DebugPicture { kNone, kWeights, kFaces, kDepth, kConfidence };
 struct RenderOptions {
     RenderMode mode = RenderMode::kPerPixel;
     DebugPicture debug_picture = DebugPicture::kNone;
-    bool correct_occlusion = true;        ///< The paper's redistribution of weights.
+    bool correct_occlusion = true;  ///< The paper's redistribution of weights.
+    /// Distance along the optical axis of the plane that `lightfield` and `heigl` look photographs
+    /// up on (Isaksen, McMillan, Gortler 2000: a movable focal surface); 0: the scene plane.
+    double focal_depth = 0.0;
     double occlusion_tolerance_px = 1.0;  ///< Disparity beyond which a view sees something else.
+    /// Four samples a pixel, for edges that are smooth: about four times the work. Heeded by frames
+    /// (frame_target.h), not by drawing into any framebuffer.
+    bool supersample = false;
     /// For modes that subdivide.
     double triangle_error_px = 0.7;       ///< `adaptive`: of where photographs are looked up.
     double depth_threshold_share = 0.02;  ///< `paper2001`: of the scene's depth range.

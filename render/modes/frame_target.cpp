@@ -10,9 +10,21 @@ DrawStatistics FrameTarget::draw(LumigraphRenderer& renderer, const Eye& eye,
         framebuffer_.attach_color(eye.camera.width_px, eye.camera.height_px);
         width_px_ = eye.camera.width_px;
         height_px_ = eye.camera.height_px;
+        supersampled_.reset();
     }
-    framebuffer_.bind();
-    return renderer.draw(eye, options, {0, 0, width_px_, height_px_});
+    if (!options.supersample) {
+        framebuffer_.bind();
+        return renderer.draw(eye, options, {0, 0, width_px_, height_px_});
+    }
+    const Viewport doubled{0, 0, 2 * width_px_, 2 * height_px_};
+    if (!supersampled_) {
+        supersampled_.emplace();
+        supersampled_->attach_color(doubled.width_px, doubled.height_px);
+    }
+    supersampled_->bind();
+    const DrawStatistics statistics = renderer.draw(eye, options, doubled);
+    supersampled_->halve_into(framebuffer_, width_px_, height_px_);
+    return statistics;
 }
 
 Frame FrameTarget::read() const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "render/gl/framebuffer.h"
 #include "render/modes/frame.h"
 #include "render/modes/lumigraph_renderer.h"
@@ -19,6 +21,7 @@ class FrameTarget {
 
  private:
     Framebuffer framebuffer_;
+    std::optional<Framebuffer> supersampled_;
     int width_px_ = 0;
     int height_px_ = 0;
 };

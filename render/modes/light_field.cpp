@@ -33,13 +33,20 @@ LightField::LightField(const UploadedLumigraph& uploaded)
       program_("light_field", {shader_source("face"), shader_source("light_field")}) {}
 
 DrawStatistics LightField::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
+    return draw_polygons(face_polygons(uploaded_.layout.mesh, eye), eye, options);
+}
+
+DrawStatistics LightField::draw_polygons(std::vector<FacePolygon> polygons, const Eye& eye,
+                                         const RenderOptions& options) {
     const Lumigraph& layout = uploaded_.layout;
-    const Eigen::Vector3d plane = scene_plane_inverse_depth(layout, eye);
+    const Eigen::Vector3d plane = options.focal_depth > 0
+                                      ? Eigen::Vector3d(0, 0, 1 / options.focal_depth)
+                                      : scene_plane_inverse_depth(layout, eye);
     const std::vector<PlaneView> on_plane = plane_views(layout, eye, plane);
     const std::vector<PlaneView> beyond = plane_views(layout, eye, Eigen::Vector3d::Zero());
     DrawStatistics statistics;
-    for (FacePolygon& polygon : face_polygons(layout.mesh, eye)) {
-        if (polygon.overlaps_earlier) statistics.triangles += flush(eye, options);
+    for (FacePolygon& polygon : polygons) {
+        if (polygon.overlaps_earlier) statistics.triangles += flush(eye, options, plane);
         // A wide picture also shows what is no longer on the plane, but infinitely far.
         const std::vector<Eigen::Vector2d> corners = polygon.corners_px;
         polygon.corners_px = clipped(corners, plane);
@@ -47,16 +54,17 @@ DrawStatistics LightField::draw(const Eye& eye, const RenderOptions& options, co
         polygon.corners_px = clipped(corners, -plane);
         cut_into_affine_pieces(polygon, beyond, plane, {}, affine_, exact_);
     }
-    statistics.triangles += flush(eye, options);
+    statistics.triangles += flush(eye, options, plane);
     return statistics;
 }
 
-std::size_t LightField::flush(const Eye& eye, const RenderOptions& options) {
+std::size_t LightField::flush(const Eye& eye, const RenderOptions& options,
+                              const Eigen::Vector3d& plane) {
     std::size_t triangles = affine_.count();
     blend_.draw(affine_, eye, options);
     if (!exact_.empty()) {
         program_.use(uploaded_, eye, options);
-        triangles += faces_.draw(exact_, eye);
+        triangles += faces_.draw(exact_, eye, plane);
     }
     affine_.clear();
     exact_.clear();

@@ -8,7 +8,8 @@
 namespace lumi {
 
 /// The paper without geometry (sections 3 and 4): each face of the camera mesh blends its three
-/// photographs, looked up where the ray meets the scene plane (scene_plane.h).
+/// photographs, looked up where the ray meets the scene plane (scene_plane.h) or another that the
+/// options name.
 ///
 /// Most of the picture is drawn as pieces on which the lookup is affine (affine_pieces.h), for
 /// little more than the blend itself; pixel by pixel only where a photograph's border runs.
@@ -18,8 +19,12 @@ class LightField : public DrawingMode {
     DrawStatistics draw(const Eye& eye, const RenderOptions& options,
                         const Viewport& viewport) override;
 
+    /// The same for other polygons than those of the camera mesh.
+    DrawStatistics draw_polygons(std::vector<FacePolygon> polygons, const Eye& eye,
+                                 const RenderOptions& options);
+
  private:
-    std::size_t flush(const Eye& eye, const RenderOptions& options);
+    std::size_t flush(const Eye& eye, const RenderOptions& options, const Eigen::Vector3d& plane);
 
     const UploadedLumigraph& uploaded_;
     BlendPainter blend_;

@@ -9,6 +9,7 @@
 #include "render/modes/light_field.h"
 #include "render/modes/paper2001.h"
 #include "render/modes/per_pixel.h"
+#include "render/rivals/heigl.h"
 
 namespace lumi {
 namespace {
@@ -41,9 +42,12 @@ void clear(const Viewport& viewport) {
 struct LumigraphRenderer::Implementation {
     explicit Implementation(const Lumigraph& lumigraph) : uploaded(lumigraph) {}
 
-    /// Made when it is first asked for. Without depth all modes come to the light field.
+    /// Made when it is first asked for. Without depth the modes that need it come to the light
+    /// field.
     DrawingMode& mode(RenderMode wanted) {
-        const RenderMode possible = uploaded.has_depth() ? wanted : RenderMode::kLightField;
+        const bool needs_depth = wanted != RenderMode::kLightField && wanted != RenderMode::kHeigl;
+        const RenderMode possible =
+            needs_depth && !uploaded.has_depth() ? RenderMode::kLightField : wanted;
         std::unique_ptr<DrawingMode>& mode = modes[possible];
         if (!mode) mode = made(possible);
         return *mode;
@@ -59,6 +63,8 @@ struct LumigraphRenderer::Implementation {
                 return std::make_unique<Adaptive>(uploaded);
             case RenderMode::kPaper2001:
                 return std::make_unique<Paper2001>(uploaded);
+            case RenderMode::kHeigl:
+                return std::make_unique<Heigl>(uploaded);
         }
         return nullptr;
     }

@@ -3,22 +3,15 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <string>
 
 #include "render/gl/to_glm.h"
 #include "render/modes/depth_view_choice.h"
 #include "render/modes/pixel_transfer.h"
+#include "render/modes/scene_plane.h"
 #include "render/shaders/shader_sources.h"
 
 namespace lumi {
-namespace {
-
-std::vector<std::string> definitions(const UploadedLumigraph& uploaded, int layers) {
-    std::vector<std::string> lines{"LAYERS " + std::to_string(layers)};
-    if (uploaded.capabilities.filters_float_textures) lines.emplace_back("LINEAR_DEPTH");
-    return lines;
-}
-
-}  // namespace
 
 PerPixel::PerPixel(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded),
@@ -26,7 +19,7 @@ PerPixel::PerPixel(const UploadedLumigraph& uploaded)
       depth_(uploaded, layer_count_),
       faces_(uploaded),
       program_("per_pixel", {shader_source("face"), shader_source("per_pixel")},
-               definitions(uploaded, layer_count_)) {}
+               {"LAYERS " + std::to_string(layer_count_)}) {}
 
 DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
                               const Viewport& viewport) {
@@ -47,9 +40,10 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
                 static_cast<float>(agreeing_inverse_depth(uploaded_.geometries, views,
                                                           options.occlusion_tolerance_px)));
     program.set("tolerance_px", static_cast<float>(options.occlusion_tolerance_px));
-    program.set("correct_occlusion", options.correct_occlusion ? 1 : 0);
+    program.set("correct_occlusion", options.correct_occlusion ? 1.0F : 0.0F);
     set_layer_views(eye, views, program);
-    return {faces_.draw(face_polygons(uploaded_.layout.mesh, eye), eye)};
+    return {faces_.draw(face_polygons(uploaded_.layout.mesh, eye), eye,
+                        scene_plane_inverse_depth(uploaded_.layout, eye))};
 }
 
 /// Four vectors a layer, as shaders/per_pixel.glsl expects them.

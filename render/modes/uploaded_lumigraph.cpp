@@ -52,7 +52,7 @@ TextureArray upload_photographs(const std::vector<LumigraphView>& views) {
     return array;
 }
 
-TextureArray upload_depth_maps(const std::vector<LumigraphView>& views, TexelFilter filter) {
+TextureArray upload_depth_maps(const std::vector<LumigraphView>& views) {
     int width = 0;
     int height = 0;
     for (const LumigraphView& view : views) {
@@ -60,7 +60,8 @@ TextureArray upload_depth_maps(const std::vector<LumigraphView>& views, TexelFil
         height = std::max(height, view.depth.inverse_depth.height());
     }
     if (width == 0) return {};
-    TextureArray array(TexelFormat::kFloat, filter, width, height, static_cast<int>(views.size()));
+    TextureArray array(TexelFormat::kFloat, TexelFilter::kNearest, width, height,
+                       static_cast<int>(views.size()));
     for (std::size_t i = 0; i < views.size(); ++i)
         if (!views[i].depth.inverse_depth.empty())
             array.upload(static_cast<int>(i), views[i].depth.inverse_depth);
@@ -75,9 +76,7 @@ UploadedLumigraph::UploadedLumigraph(const Lumigraph& lumigraph)
       geometries(view_geometries(lumigraph)) {
     require_fits(capabilities, lumigraph);
     photographs = upload_photographs(lumigraph.views);
-    depth_maps = upload_depth_maps(lumigraph.views, capabilities.filters_float_textures
-                                                        ? TexelFilter::kLinear
-                                                        : TexelFilter::kNearest);
+    depth_maps = upload_depth_maps(lumigraph.views);
     for (const LumigraphView& view : lumigraph.views)
         depth_sizes_px.emplace_back(view.depth.inverse_depth.width(),
                                     view.depth.inverse_depth.height());

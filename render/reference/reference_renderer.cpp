@@ -133,7 +133,7 @@ double ReferenceFrame::visibility(int view_index, const RayPoint& point, bool ch
         sight->pixel.x() * depth.width() / seen_by.camera.width_px,
         sight->pixel.y() * depth.height() / seen_by.camera.height_px);
     const double difference_px =
-        std::abs(sight->inverse_depth - bilinear(depth, in_depth_map)) *
+        std::abs(sight->inverse_depth - nearest(depth, in_depth_map)) *
         disparity_px_per_inverse_depth(geometries_[static_cast<std::size_t>(view_index)],
                                        eye_in_world_);
     return inside * visibility_of(difference_px, options_.occlusion_tolerance_px);

@@ -40,4 +40,10 @@ double bilinear(const FloatImage& image, const Eigen::Vector2d& pixel) {
     return interpolated<double>(image, pixel);
 }
 
+double nearest(const FloatImage& image, const Eigen::Vector2d& pixel) {
+    return static_cast<double>(
+        image(static_cast<int>(std::clamp(pixel.x(), 0.0, image.width() - 1.0)),
+              static_cast<int>(std::clamp(pixel.y(), 0.0, image.height() - 1.0))));
+}
+
 }  // namespace lumi

@@ -11,4 +11,7 @@ namespace lumi {
 [[nodiscard]] Eigen::Vector3d bilinear(const ColorImage& image, const Eigen::Vector2d& pixel);
 [[nodiscard]] double bilinear(const FloatImage& image, const Eigen::Vector2d& pixel);
 
+/// The sample whose square the pixel lies in, or the nearest of the border.
+[[nodiscard]] double nearest(const FloatImage& image, const Eigen::Vector2d& pixel);
+
 }  // namespace lumi

@@ -3,6 +3,8 @@
 // The depth is what the layers, one a view, agree on. The point there is looked up in the three
 // views of the face; those that do not see it lose their weight to the others (the paper, section
 // 4, occlusion correction). When none sees it, the view that the depth came from does.
+//
+// Written for software rendering: no arrays, no loops, no branches, one division a view.
 
 #ifdef LUMI_FRAGMENT
 uniform sampler2DArray depth_maps;
@@ -11,140 +13,136 @@ uniform vec2 viewport_origin;
 uniform float max_inverse_depth;
 uniform float agreeing_inverse_depth;    // depths that differ by no more are of one surface
 uniform float tolerance_px;
-uniform int correct_occlusion;
+uniform float correct_occlusion;         // 1 or 0
 // For each layer its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
-// in window coordinates, then (layer of the photograph, its width, its height, weight of the depth).
-uniform vec4 layer_views[4 * LAYERS];
-
-// Kinds of depth are kept apart in ranges of the depth buffer; see depth_layers.h.
-const float kKindBegin[4] = float[4](0.0, 0.5, 0.75, 0.995);
-const float kKindScale[3] = float[3](1.0 / 0.49, 1.0 / 0.24, 1.0 / 0.24);
-
-int kind_of(float depth) {
-    return depth < kKindBegin[1] ? 0 : depth < kKindBegin[2] ? 1 : depth < kKindBegin[3] ? 2 : 3;
-}
+// in window coordinates, then (layer of the photograph, its width, its height, unused).
+uniform vec4 layer_views[16];
 
 struct Depth {
     float inverse_depth;
-    int kind;     // 0 seen, 1 filled, 2 stretched, 3 nothing known
-    int layer;    // the best view among those that agree
-    int support;  // how many agree
+    float kind;     // 0 seen, 1 filled, 2 stretched, 3 nothing known
+    float support;  // how many views agree, at most 2
+    int layer;      // the first of them
 };
 
-bool agree(float a, float b) { return abs(a - b) <= agreeing_inverse_depth; }
+float largest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
+float smallest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
+vec4 agree(vec4 depths, float depth) {
+    return vec4(lessThanEqual(abs(depths - depth), vec4(agreeing_inverse_depth)));
+}
+
+vec4 layer_depths(ivec2 pixel) {
+    vec4 depths = vec4(1.0);
+    depths.x = texelFetch(depth_layers, ivec3(pixel, 0), 0).r;
+#if LAYERS > 1
+    depths.y = texelFetch(depth_layers, ivec3(pixel, 1), 0).r;
+#endif
+#if LAYERS > 2
+    depths.z = texelFetch(depth_layers, ivec3(pixel, 2), 0).r;
+#endif
+#if LAYERS > 3
+    depths.w = texelFetch(depth_layers, ivec3(pixel, 3), 0).r;
+#endif
+    return depths;
+}
 
 // The nearest depth that two views agree on, or else the nearest; only the most reliable kind
 // counts. A surface that one view imagines before those that others see is thus left out.
 Depth consensus(ivec2 pixel) {
-    float depths[LAYERS];
-    Depth chosen = Depth(-1.0, 3, 0, 0);
-    for (int l = 0; l < LAYERS; ++l) {
-        depths[l] = texelFetch(depth_layers, ivec3(pixel, l), 0).r;
-        chosen.kind = min(chosen.kind, kind_of(depths[l]));
-    }
-    if (chosen.kind == 3) return chosen;
-    for (int l = 0; l < LAYERS; ++l) {
-        float range = (depths[l] - kKindBegin[chosen.kind]) * kKindScale[chosen.kind];
-        // Nothing agrees with what is of another kind.
-        depths[l] = kind_of(depths[l]) == chosen.kind ? max_inverse_depth * (1.0 - range)
-                                                      : -1e20 * float(l + 1);
-    }
-    for (int l = 0; l < LAYERS; ++l) {
-        if (depths[l] < -1.0) continue;
-        int support = 0;
-        for (int other = 0; other < LAYERS; ++other)
-            if (agree(depths[l], depths[other])) ++support;
-        support = min(support, 2);
-        if (support > chosen.support ||
-            (support == chosen.support && depths[l] > chosen.inverse_depth))
-            chosen = Depth(depths[l], chosen.kind, l, support);
-    }
-    float sum = 0.0;
-    float weight = 0.0;
-    for (int l = LAYERS - 1; l >= 0; --l) {
-        if (!agree(depths[l], chosen.inverse_depth)) continue;
-        sum += layer_views[4 * l + 3].w * depths[l];
-        weight += layer_views[4 * l + 3].w;
-        chosen.layer = l;
-    }
-    chosen.inverse_depth = max(0.0, sum / weight);
-    return chosen;
+    vec4 depths = layer_depths(pixel);
+    // Kinds are kept apart in ranges of the depth buffer; see depth_layers.h.
+    vec4 kinds = step(0.5, depths) + step(0.75, depths) + step(0.995, depths);
+    float kind = smallest(kinds);
+    float begin = kind < 0.5 ? 0.0 : kind < 1.5 ? 0.5 : 0.75;
+    float scale = kind < 0.5 ? 1.0 / 0.49 : 1.0 / 0.24;
+    vec4 counts = vec4(equal(kinds, vec4(kind)));
+    // Nothing agrees with what is of another kind.
+    vec4 q = mix(vec4(-1e15, -2e15, -3e15, -4e15), max_inverse_depth * (1.0 - (depths - begin) * scale),
+                 counts);
+    vec4 support = min(vec4(dot(agree(q, q.x), vec4(1.0)), dot(agree(q, q.y), vec4(1.0)),
+                            dot(agree(q, q.z), vec4(1.0)), dot(agree(q, q.w), vec4(1.0))),
+                       2.0) *
+                   counts;
+    float most = largest(support);
+    float nearest = largest(mix(vec4(-1e15), q, vec4(equal(support, vec4(most)))));
+    vec4 agreeing = agree(q, nearest);
+    int layer = agreeing.x > 0.0 ? 0 : agreeing.y > 0.0 ? 1 : agreeing.z > 0.0 ? 2 : 3;
+    return Depth(max(0.0, dot(agreeing, q) / dot(agreeing, vec4(1.0))), kind, most, layer);
 }
 
-float view_depth(vec2 pixel, vec4 size, float layer) {
-    vec2 on_layer = clamp(pixel * size.zw / size.xy, vec2(0.5), size.zw - 0.5);
-#ifdef LINEAR_DEPTH
-    vec2 layer_size = vec2(textureSize(depth_maps, 0).xy);
-    return textureLod(depth_maps, vec3(on_layer / layer_size, layer), 0.0).r;
-#else
-    vec2 corner = floor(on_layer - 0.5);
-    vec2 share = on_layer - 0.5 - corner;
-    ivec2 low = ivec2(corner);
-    ivec2 high = min(low + 1, ivec2(size.zw) - 1);
-    int l = int(layer);
-    return mix(mix(texelFetch(depth_maps, ivec3(low.x, low.y, l), 0).r,
-                   texelFetch(depth_maps, ivec3(high.x, low.y, l), 0).r, share.x),
-               mix(texelFetch(depth_maps, ivec3(low.x, high.y, l), 0).r,
-                   texelFetch(depth_maps, ivec3(high.x, high.y, l), 0).r, share.x),
-               share.y);
-#endif
+// A view at a point: xy its pixel, z the inverse of its homogeneous coordinate.
+vec3 sight_of(vec3 pixel) {
+    float inverse = 1.0 / max(pixel.z, 1e-20);
+    return vec3(pixel.xy * inverse, inverse);
 }
 
-// 1 when the view sees the point at `pixel`, 0 when it sees something else; in between a ramp.
-float visibility(vec3 pixel, vec4 size, float layer, Depth depth, float disparity_px) {
-    float inside = feather(pixel, size.xy);
-    if (correct_occlusion == 0 || depth.kind == 3 || inside == 0.0) return inside;
-    float seen = view_depth(pixel.xy / pixel.z, size, layer);
-    float difference_px = abs(depth.inverse_depth / pixel.z - seen) * disparity_px;
-    return inside * clamp(2.0 - difference_px / tolerance_px, 0.0, 1.0);
+// 1 when the view sees the point, 0 when it sees something else; in between a ramp. `size` is that
+// of the photograph and of the depth map.
+float visibility(vec3 sight, float is_before, vec4 size, float layer, float inverse_depth,
+                 float disparity_px, float check) {
+    vec2 to_border = min(sight.xy, size.xy - sight.xy);
+    float inside = clamp(min(to_border.x, to_border.y) / kFeather_px, 0.0, 1.0) * is_before;
+    vec2 sample_at = clamp(sight.xy * size.zw / size.xy, vec2(0.0), size.zw - 1.0);
+    float seen = texelFetch(depth_maps, ivec3(ivec2(sample_at), int(layer)), 0).r;
+    float difference_px = abs(inverse_depth * sight.z - seen) * disparity_px;
+    return inside * clamp(2.0 - check * difference_px / tolerance_px, 0.0, 1.0);
 }
 
-// Two views agree: 1; one has seen it: 0.5; filled: 0.25; stretched: 0.125; a guess: 0.
-float confidence_of(Depth depth) {
-    if (depth.kind == 0) return 0.5 * float(depth.support);
-    return depth.kind == 1 ? 0.25 : depth.kind == 2 ? 0.125 : 0.0;
-}
-
-vec3 color_of_layer(Depth depth, vec2 window) {
-    vec4 ray = vec4(window, 1.0, depth.inverse_depth);
-    vec3 in_view = vec3(dot(layer_views[4 * depth.layer], ray),
-                        dot(layer_views[4 * depth.layer + 1], ray),
-                        dot(layer_views[4 * depth.layer + 2], ray));
-    vec4 view = layer_views[4 * depth.layer + 3];
-    return photograph(in_view, view.yz, view.x);
+vec3 seen_color(vec2 pixel, vec2 size, float layer) {
+    vec2 layer_size = vec2(textureSize(photographs, 0).xy);
+    return photograph_at(clamp(pixel, vec2(0.5), size - 0.5) / layer_size, layer);
 }
 
 void main() {
     vec2 window = gl_FragCoord.xy - viewport_origin;
     Depth depth = consensus(ivec2(window));
     // Where no depth is known the scene plane is a guess: drawn, but not counted as covered.
-    float known = depth.kind == 3 ? 0.0 : 1.0;
-    if (depth.kind == 3) depth.inverse_depth = max(0.0, side_products_and_plane.w);
-    float q = depth.inverse_depth;
+    bool is_guess = depth.kind > 2.5;
+    float q = is_guess ? max(0.0, side_products_and_plane.w) : depth.inverse_depth;
     vec3 pixel0 = view_pixel0 + q * view_parallax0.xyz;
     vec3 pixel1 = view_pixel1 + q * view_parallax1.xyz;
     vec3 pixel2 = view_pixel2 + q * view_parallax2.xyz;
-    vec3 weights =
-        blending_weights() *
-        vec3(visibility(pixel0, view_size0, view_parallax0.w, depth, disparity_and_face.x),
-             visibility(pixel1, view_size1, view_parallax1.w, depth, disparity_and_face.y),
-             visibility(pixel2, view_size2, view_parallax2.w, depth, disparity_and_face.z));
+    vec3 sight0 = sight_of(pixel0);
+    vec3 sight1 = sight_of(pixel1);
+    vec3 sight2 = sight_of(pixel2);
+    vec3 is_before = vec3(greaterThan(vec3(pixel0.z, pixel1.z, pixel2.z), vec3(0.0)));
+    float check = is_guess ? 0.0 : correct_occlusion;
+    vec3 weights = max(side_products_and_plane.xyz, 0.0);
+    weights *= 1.0 / (weights.x + weights.y + weights.z);
+    weights *= vec3(visibility(sight0, is_before.x, view_size0, view_parallax0.w, q,
+                               disparity_and_face.x, check),
+                    visibility(sight1, is_before.y, view_size1, view_parallax1.w, q,
+                               disparity_and_face.y, check),
+                    visibility(sight2, is_before.z, view_size2, view_parallax2.w, q,
+                               disparity_and_face.z, check));
     float sum = weights.x + weights.y + weights.z;
     bool unseen = sum < 1e-4;
-    if (unseen && depth.kind == 3) discard;
-    weights /= max(sum, 1e-4);
+    if (unseen && is_guess) discard;
+    weights *= 1.0 / max(sum, 1e-4);
 #ifdef DEBUG_PICTURE
+    // Two views agree: 1; one has seen it: 0.5; filled: 0.25; stretched: 0.125; a guess: 0.
+    float confidence = depth.kind < 0.5   ? 0.5 * depth.support
+                       : depth.kind < 1.5 ? 0.25
+                       : is_guess         ? 0.0
+                                          : 0.125;
     // White: none of the three sees the point.
     bool marked = unseen && debug_picture == 1;
-    drawn = vec4(marked ? vec3(1.0)
-                        : debug_color(weights, layers_and_face(), q, confidence_of(depth)),
-                 known);
+    drawn = vec4(marked ? vec3(1.0) : debug_color(weights, layers_and_face(), q, confidence),
+                 is_guess ? 0.0 : 1.0);
 #else
-    drawn = vec4(weights.x * photograph(pixel0, view_size0.xy, view_parallax0.w) +
-                     weights.y * photograph(pixel1, view_size1.xy, view_parallax1.w) +
-                     weights.z * photograph(pixel2, view_size2.xy, view_parallax2.w),
-                 known);
-    if (unseen) drawn.rgb = color_of_layer(depth, window);
+    // Unseen by the three: the layer's view takes the first one's place.
+    vec4 ray = vec4(window, 1.0, q);
+    vec4 layer_view = layer_views[4 * depth.layer + 3];
+    vec3 in_layer = sight_of(vec3(dot(layer_views[4 * depth.layer], ray),
+                                  dot(layer_views[4 * depth.layer + 1], ray),
+                                  dot(layer_views[4 * depth.layer + 2], ray)));
+    weights.x = unseen ? 1.0 : weights.x;
+    drawn = vec4(weights.x * seen_color(unseen ? in_layer.xy : sight0.xy,
+                                        unseen ? layer_view.yz : view_size0.xy,
+                                        unseen ? layer_view.x : view_parallax0.w) +
+                     weights.y * seen_color(sight1.xy, view_size1.xy, view_parallax1.w) +
+                     weights.z * seen_color(sight2.xy, view_size2.xy, view_parallax2.w),
+                 is_guess ? 0.0 : 1.0);
 #endif
 }
 #endif

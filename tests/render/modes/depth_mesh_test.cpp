@@ -26,10 +26,13 @@ std::size_t triangle_count(const DepthMesh& mesh, DepthKind kind) {
     return (mesh.kind_begin[index + 1] - mesh.kind_begin[index]) / 3;
 }
 
-/// Sum of the triangles' areas in pixels; each must turn the same way.
-double covered_area(const DepthMesh& mesh) {
+/// Sum of the areas in pixels of the triangles that are seen or filled, or else stretched; each
+/// must turn the same way.
+double covered_area(const DepthMesh& mesh, bool stretched) {
     double area = 0;
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const std::size_t begin = stretched ? mesh.kind_begin[2] : 0;
+    const std::size_t end = stretched ? mesh.kind_begin[3] : mesh.kind_begin[2];
+    for (std::size_t i = begin; i < end; i += 3) {
         const Eigen::Vector3f& a = mesh.vertices[mesh.indices[i]];
         const Eigen::Vector3f& b = mesh.vertices[mesh.indices[i + 1]];
         const Eigen::Vector3f& c = mesh.vertices[mesh.indices[i + 2]];
@@ -64,13 +67,33 @@ TEST(DepthMesh, APlaneNeedsFewTrianglesAndIsExact) {
     }
 }
 
-TEST(DepthMesh, CoversThePhotographOnceWhateverTheSizeOfTheDepthMap) {
+TEST(DepthMesh, CoversThePhotographWhateverTheSizeOfTheDepthMap) {
     for (const auto& [width, height] : {std::pair{61, 47}, {30, 24}, {7, 5}, {1, 1}, {2, 64}}) {
         const DepthMap depth = depth_map(width, height, [&](double x, double y) {
             return 0.3 + 0.1 * std::sin(x / width) + (x + y > 0.8 * width ? 0.4 : 0.0);
         });
-        EXPECT_NEAR(covered_area(triangulate(depth, kCamera, kDisparity_px)), 61 * 47, 0.01)
+        const DepthMesh mesh = triangulate(depth, kCamera, kDisparity_px);
+        // What is stretched lies under the ends of the surfaces on both of its sides.
+        EXPECT_LE(covered_area(mesh, false), 61 * 47 + 0.01) << width << 'x' << height;
+        EXPECT_GE(covered_area(mesh, false) + covered_area(mesh, true), 61 * 47 - 0.01)
             << width << 'x' << height;
+    }
+}
+
+TEST(DepthMesh, EndsASurfaceHalfwayToTheFirstSampleBeyond) {
+    const DepthMap depth =
+        depth_map(61, 47, [](double x, double y) { return x > 20 && y > 11 ? 0.8 : 0.2; });
+    LumigraphView view;
+    view.camera = kCamera;
+    const Image<EyeDepth> drawn = rasterise(triangulate(depth, kCamera, kDisparity_px), view,
+                                            {resized(kCamera, 2 * 61, 2 * 47), {}});
+    for (int y = 0; y < 94; ++y) {
+        for (int x = 0; x < 122; ++x) {
+            if (std::abs(x - 40) < 3 && std::abs(y - 22) < 3) continue;  // The corner is cut.
+            EXPECT_EQ(drawn(x, y).kind, DepthKind::kSeen) << x << ' ' << y;
+            EXPECT_NEAR(drawn(x, y).inverse_depth, depth.inverse_depth(x / 2, y / 2), 1e-6)
+                << x << ' ' << y;
+        }
     }
 }
 

@@ -1,0 +1,52 @@
+#include "render/rivals/heigl.h"
+
+#include <Eigen/LU>
+
+#include "render/modes/pixel_transfer.h"
+#include "render/modes/polygon_clipping.h"
+#include "render/rivals/planar_delaunay.h"
+
+namespace lumi {
+
+std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& eye) {
+    const Eigen::Matrix3d pixel_from_eye = pinhole_matrix(eye.camera);
+    std::vector<Eigen::Vector2d> pixels;
+    std::vector<int> view_of_point;
+    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
+        const Eigen::Vector3d in_eye =
+            eye.cam_from_world * centre_in_world(lumigraph.views[i].cam_from_world);
+        // Centres before the eye and behind it: what counts is the line through both.
+        if (std::abs(in_eye.z()) < 1e-9 * in_eye.norm() || in_eye.norm() == 0) continue;
+        pixels.emplace_back((pixel_from_eye * in_eye).hnormalized());
+        view_of_point.push_back(static_cast<int>(i));
+    }
+    const double width = eye.camera.width_px;
+    const double height = eye.camera.height_px;
+    std::vector<FacePolygon> polygons;
+    for (const auto& triangle : planar_delaunay(pixels)) {
+        Eigen::Matrix3d corners;
+        FacePolygon polygon;
+        polygon.face_index = static_cast<int>(polygons.size());
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto point = static_cast<std::size_t>(triangle[i]);
+            corners.col(static_cast<Eigen::Index>(i)) = pixels[point].homogeneous();
+            polygon.view_indices[i] = view_of_point[point];
+        }
+        const Eigen::Matrix3d weights_from_pixel = corners.inverse();
+        polygon.corners_px = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+        for (std::size_t i = 0; i < 3; ++i) {
+            polygon.side_lines[i] = weights_from_pixel.row(static_cast<Eigen::Index>(i));
+            polygon.corners_px = clipped(polygon.corners_px, polygon.side_lines[i]);
+        }
+        if (polygon.corners_px.size() >= 3) polygons.push_back(std::move(polygon));
+    }
+    return polygons;
+}
+
+Heigl::Heigl(const UploadedLumigraph& uploaded) : uploaded_(uploaded), light_field_(uploaded) {}
+
+DrawStatistics Heigl::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
+    return light_field_.draw_polygons(heigl_polygons(uploaded_.layout, eye), eye, options);
+}
+
+}  // namespace lumi

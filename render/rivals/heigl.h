@@ -1,0 +1,26 @@
+#pragma once
+
+#include "render/modes/light_field.h"
+
+namespace lumi {
+
+/// Polygons of the picture as Heigl, Pollefeys, Denzler and van Gool (1999) choose the views of
+/// each pixel: the optical centres are projected into the eye's picture and triangulated there
+/// anew for each frame; within a triangle the views of its corners are blended with barycentric
+/// weights. What lies outside of all triangles is not drawn. The same ray seen from another place
+/// may be blended from other views, which the paper's static mesh avoids.
+[[nodiscard]] std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& eye);
+
+/// The light field on the scene plane with these polygons in the place of the camera mesh.
+class Heigl : public DrawingMode {
+ public:
+    explicit Heigl(const UploadedLumigraph& uploaded);
+    DrawStatistics draw(const Eye& eye, const RenderOptions& options,
+                        const Viewport& viewport) override;
+
+ private:
+    const UploadedLumigraph& uploaded_;
+    LightField light_field_;
+};
+
+}  // namespace lumi

@@ -1,0 +1,91 @@
+#include "render/rivals/heigl.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "meshing/surface/camera_mesh.h"
+#include "render/rivals/planar_delaunay.h"
+#include "tests/render/analytic_scene.h"
+
+namespace lumi {
+namespace {
+
+TEST(PlanarDelaunay, LeavesNoPointWithinACircle) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> place(-3, 5);
+    std::vector<Eigen::Vector2d> points;
+    for (int i = 0; i < 40; ++i) points.emplace_back(place(random), place(random));
+    const auto triangles = planar_delaunay(points);
+    ASSERT_GT(triangles.size(), 40U);
+    for (const auto& triangle : triangles) {
+        const Eigen::Vector2d& a = points[static_cast<std::size_t>(triangle[0])];
+        const Eigen::Vector2d& b = points[static_cast<std::size_t>(triangle[1])];
+        const Eigen::Vector2d& c = points[static_cast<std::size_t>(triangle[2])];
+        Eigen::Matrix2d sides;
+        sides << (b - a).transpose(), (c - a).transpose();
+        EXPECT_GT(sides.determinant(), 0);
+        const Eigen::Vector2d centre =
+            a + sides.inverse() * Eigen::Vector2d((b - a).squaredNorm(), (c - a).squaredNorm()) / 2;
+        for (const Eigen::Vector2d& point : points)
+            EXPECT_GT((point - centre).norm(), (a - centre).norm() * (1 - 1e-6));
+    }
+}
+
+TEST(PlanarDelaunay, OfALineOrOfTwoPointsIsNothing) {
+    EXPECT_TRUE(planar_delaunay({{0, 0}, {1, 1}}).empty());
+    EXPECT_TRUE(planar_delaunay({{0, 0}, {1, 0}, {2, 0}, {3, 0}}).empty());
+    EXPECT_EQ(planar_delaunay({{0, 0}, {1, 0}, {1, 0}, {0, 1}}).size(), 1U);
+}
+
+std::array<double, 9> weights_of_views(const std::vector<FacePolygon>& polygons,
+                                       const Eigen::Vector2d& pixel) {
+    std::array<double, 9> weights{};
+    for (const FacePolygon& polygon : polygons) {
+        bool inside = true;
+        for (const Eigen::Vector3d& line : polygon.side_lines)
+            inside = inside && line.dot(pixel.homogeneous()) >= 0;
+        if (!inside) continue;
+        const auto at = weights_at(polygon, pixel);
+        for (std::size_t k = 0; k < 3; ++k)
+            weights[static_cast<std::size_t>(polygon.view_indices[k])] = at[k];
+    }
+    return weights;
+}
+
+/// Half of the sum of differences between the weights of one ray, seen from two places on it.
+double inconsistency(const Lumigraph& lumigraph, const Eigen::Vector3d& target, bool heigl) {
+    std::array<std::array<double, 9>, 2> weights{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Eigen::Vector3d far_end(0.17, 0.11, -3.0);
+        const Eigen::Vector3d place = far_end + (i == 0 ? 0.0 : 0.55) * (target - far_end);
+        const Eye eye = eye_at(place, target, pinhole_camera(64, 48, 60));
+        weights[i] = weights_of_views(
+            heigl ? heigl_polygons(lumigraph, eye) : face_polygons(lumigraph.mesh, eye), {32, 24});
+    }
+    double sum = 0;
+    for (std::size_t k = 0; k < 9; ++k) sum += 0.5 * std::abs(weights[0][k] - weights[1][k]);
+    return sum;
+}
+
+TEST(Heigl, BlendsOneRayFromOtherViewsWhenTheEyeMovesAlongItAsTheCameraMeshDoesNot) {
+    const Lumigraph lumigraph = card_before_wall();
+    double heigl = 0;
+    double mesh = 0;
+    for (double x = -0.3; x < 0.35; x += 0.1) {
+        heigl += inconsistency(lumigraph, {x, 0.05, 3}, true);
+        mesh += inconsistency(lumigraph, {x, 0.05, 3}, false);
+    }
+    EXPECT_GT(heigl, 1e-3);
+    EXPECT_LT(mesh, 1e-9);
+}
+
+TEST(Heigl, GivesACameraAllTheWeightWhereItStands) {
+    const Lumigraph lumigraph = card_before_wall();
+    const Eigen::Vector3d camera = centre_in_world(lumigraph.views[0].cam_from_world);
+    const Eye eye = eye_at({0.1, 0.05, -2}, camera, pinhole_camera(64, 48, 60));
+    EXPECT_NEAR(weights_of_views(heigl_polygons(lumigraph, eye), {32, 24})[0], 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace lumi
