@@ -325,7 +325,9 @@ class Benchmark {
             const Eigen::Vector3d eye = target + (2 + 2 * random.uniform()) * away;
             const Eigen::Vector3d other = target + (2 + 2 * random.uniform()) * away;
             heigl_.add_ray(heigl, eye, other, target);
-            unstructured_.add_ray(unstructured, eye, other, target);
+            // Nearer than the cameras, where its penalty for coarse views counts.
+            unstructured_.add_ray(unstructured, target + 0.3 * (eye - target),
+                                  target + 0.15 * (other - target), target);
         }
         const Eigen::Vector3d from = random_direction(random);
         const Eigen::Vector3d to = random_direction(random);
