@@ -6,6 +6,7 @@
 #include "calib/lens_files/lens_files.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "pipeline/config/lens_file.h"
 #include "tests/calib/scratch_folder.h"
 
 namespace lumi {
