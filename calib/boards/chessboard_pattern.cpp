@@ -5,8 +5,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "calib/boards/opencv_picture.h"
 #include "calib/boards/saddle_points.h"
+#include "calib/opencv/opencv_picture.h"
 
 namespace lumi {
 namespace {

@@ -7,8 +7,8 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "calib/boards/opencv_picture.h"
 #include "calib/boards/point_grid.h"
+#include "calib/opencv/opencv_picture.h"
 
 namespace lumi {
 namespace {

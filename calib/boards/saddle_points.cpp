@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "calib/boards/opencv_picture.h"
+#include "calib/opencv/opencv_picture.h"
 
 namespace lumi {
 namespace {

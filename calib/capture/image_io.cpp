@@ -2,11 +2,11 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "calib/capture/cv_matrix.h"
 #include "calib/capture/image_format.h"
 #include "calib/capture/jpeg_decoder.h"
 #include "calib/capture/png_codec.h"
 #include "calib/capture/tiff_io.h"
+#include "calib/opencv/cv_matrix.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 

@@ -7,8 +7,8 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
-#include "calib/capture/cv_matrix.h"
 #include "calib/capture/image_format.h"
+#include "calib/opencv/cv_matrix.h"
 #include "calib/work/error.h"
 
 namespace lumi {

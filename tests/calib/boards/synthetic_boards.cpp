@@ -8,7 +8,7 @@
 #include <random>
 
 #include "calib/boards/board_pose.h"
-#include "calib/boards/opencv_picture.h"
+#include "calib/opencv/opencv_picture.h"
 
 namespace lumi {
 namespace {
