@@ -1,5 +1,5 @@
 # Writes OUTPUT, which defines lumi::code_version_of, from the contents of the libraries in
-# CALIB, MESHING, LUMIGRAPH and STAGES (lists of files). Run as: cmake -DOUTPUT=... -P this file
+# CALIB, MESHING, LUMIGRAPH, STAGES and EVALUATE (lists of files). Run as: cmake -DOUTPUT=... -P this file
 
 function(hash_of result)
   set(text "")
@@ -14,6 +14,7 @@ endfunction()
 hash_of(calib ${CALIB} ${STAGES})
 hash_of(meshing ${MESHING} ${STAGES})
 hash_of(pack ${LUMIGRAPH} ${STAGES})
+hash_of(evaluate ${EVALUATE})
 
 file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [[
 #include "pipeline/line/code_version.h"
@@ -23,6 +24,7 @@ namespace lumi {
 std::string code_version_of(const std::string& stage) {
     if (stage == "ingest" || stage == "calibrate" || stage == "poses") return "@calib@";
     if (stage == "mesh" || stage == "depth") return "@meshing@";
+    if (stage == "evaluate") return "@evaluate@";
     return "@pack@";
 }
 

@@ -111,10 +111,16 @@ ConfigSection ConfigSection::from_text(std::string_view toml, std::string name) 
     return {document, document->top};
 }
 
-ConfigSection ConfigSection::from_file(const std::filesystem::path& path) {
-    ConfigSection section = from_text(read_whole_text(path, std::size_t{1} << 24), path.string());
-    section.document_->folder = std::filesystem::absolute(path).parent_path();
+ConfigSection ConfigSection::from_text(std::string_view toml, std::string name,
+                                       const std::filesystem::path& folder) {
+    ConfigSection section = from_text(toml, std::move(name));
+    section.document_->folder = std::filesystem::absolute(folder);
     return section;
+}
+
+ConfigSection ConfigSection::from_file(const std::filesystem::path& path) {
+    return from_text(read_whole_text(path, std::size_t{1} << 24), path.string(),
+                     std::filesystem::absolute(path).parent_path());
 }
 
 bool ConfigSection::has(const std::string& key) const {
@@ -134,6 +140,8 @@ ConfigSection ConfigSection::section(const std::string& key) const {
     }
     return {document_, child};
 }
+
+void ConfigSection::leave_to_others(const std::string& key) const { table_->asked.insert(key); }
 
 std::vector<ConfigSection> ConfigSection::sections(const std::string& key) const {
     table_->asked.insert(key);

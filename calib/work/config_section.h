@@ -21,10 +21,15 @@ class ConfigSection {
     /// Throws Error (E-CONFIG-SYNTAX) with line and column, or E-FILE-READ.
     [[nodiscard]] static ConfigSection from_file(const std::filesystem::path& path);
     [[nodiscard]] static ConfigSection from_text(std::string_view toml, std::string name);
+    /// Paths in it are relative to `folder`.
+    [[nodiscard]] static ConfigSection from_text(std::string_view toml, std::string name,
+                                                 const std::filesystem::path& folder);
 
     [[nodiscard]] bool has(const std::string& key) const;
     /// The table below `key`; an empty one when it is absent.
     [[nodiscard]] ConfigSection section(const std::string& key) const;
+    /// What stands below `key` is for others to read: none of it is unknown here.
+    void leave_to_others(const std::string& key) const;
     /// The tables of the array of tables `[[key]]`; none when it is absent.
     [[nodiscard]] std::vector<ConfigSection> sections(const std::string& key) const;
 

@@ -12,6 +12,7 @@ void add_build_command(CLI::App& app, CommandContext& context);
 void add_calibrate_command(CLI::App& app, CommandContext& context);
 void add_bench_boards_command(CLI::App& app, CommandContext& context);
 void add_stage_commands(CLI::App& app, CommandContext& context);
+void add_regression_command(CLI::App& app, CommandContext& context);
 void add_render_command(CLI::App& app, CommandContext& context);
 void add_view_command(CLI::App& app, CommandContext& context);
 void add_bench_command(CLI::App& app, CommandContext& context);
@@ -20,9 +21,13 @@ void add_bench_mesh_command(CLI::App& app, CommandContext& context);
 void add_evaluate_command(CLI::App& app, CommandContext& context);
 void add_select_command(CLI::App& app, CommandContext& context);
 void add_plan_command(CLI::App& app, CommandContext& context);
+void add_chart_command(CLI::App& app, CommandContext& context);
+void add_compare_evaluations_command(CLI::App& app, CommandContext& context);
 void add_compare_poses_command(CLI::App& app, CommandContext& context);
+void add_gallery_command(CLI::App& app, CommandContext& context);
 void add_inspect_command(CLI::App& app, CommandContext& context);
 void add_validate_command(CLI::App& app, CommandContext& context);
+void add_stress_command(CLI::App& app, CommandContext& context);
 void add_synth_command(CLI::App& app, CommandContext& context);
 
 /// A subcommand whose help begins with `example`.

@@ -4,20 +4,44 @@
 
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/render_mode_argument.h"
+#include "pipeline/config/config_variant.h"
 #include "pipeline/evaluate/evaluate_workspace.h"
 #include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/line/line.h"
+#include "pipeline/protocol/leave_one_out.h"
 #include "pipeline/report/number_text.h"
 #include "pipeline/report/workspace_report.h"
+#include "pipeline/workspace/json_file.h"
 
 namespace lumi {
 namespace {
+
+struct EvaluateRequest {
+    std::filesystem::path workspace;
+    std::vector<std::string> modes{"perpixel", "lightfield"};
+    bool without_ghost_energy = false;
+    bool leave_one_out = false;
+    bool keep_depth = false;
+};
 
 std::string score_line(const std::string& mode, const ViewScore& score) {
     const std::string covered =
         score.psnr_covered_db ? number_text(*score.psnr_covered_db, 2) : std::string("none");
     return mode + "  " + score.name + "  PSNR " + number_text(score.psnr_db, 2) + " dB  covered " +
-           covered + " dB  SSIM " + number_text(score.ssim, 4) + "  coverage " +
-           number_text(100.0 * score.coverage, 2) + " %  " + number_text(score.ms, 1) + " ms\n";
+           covered + " dB  SSIM " + number_text(score.ssim, 4) + "  FLIP " +
+           number_text(score.flip, 4) + "  coverage " + number_text(100.0 * score.coverage, 2) +
+           " %  " + number_text(score.ms, 1) + " ms\n";
+}
+
+std::string interval_text(const std::vector<ViewScore>& views) {
+    std::string text;
+    for (const ScoreMetric& metric : score_metrics()) {
+        if (const auto interval = interval_of(metric, views)) {
+            text += "  " + std::string(metric.name) + " " + number_text(interval->low, 4) + " to " +
+                    number_text(interval->high, 4);
+        }
+    }
+    return text.empty() ? text : "  95 % intervals of the means:" + text + "\n";
 }
 
 void print_scores(const Evaluation& evaluation, const CommandContext& context) {
@@ -25,16 +49,58 @@ void print_scores(const Evaluation& evaluation, const CommandContext& context) {
         const std::string mode = name_of(scores.mode);
         for (const ViewScore& view : scores.views) context.print_result(score_line(mode, view));
         context.print_result(score_line(mode, mean_score(scores.views)));
+        context.print_result(interval_text(scores.views));
+        if (scores.ghost_between_blocks) {
+            context.print_result("  ghost energy against the true error, rank correlation " +
+                                 number_text(*scores.ghost_between_blocks, 2) + " over blocks\n");
+        }
     }
 }
 
-void run_evaluate(const std::filesystem::path& folder, const std::vector<std::string>& mode_names,
-                  const CommandContext& context) {
+std::vector<RenderMode> modes_of(const EvaluateRequest& request) {
     std::vector<RenderMode> modes;
-    for (const std::string& name : mode_names) modes.push_back(render_mode_from(name));
-    const Workspace workspace(find_workspace(folder));
+    for (const std::string& name : request.modes) modes.push_back(render_mode_from(name));
+    return modes;
+}
+
+nlohmann::ordered_json leave_one_out_json(const LeaveOneOut& result) {
+    const bool is_removed = !result.depth_removed.modes.empty();
+    return {{"schema_version", kEvaluationSchemaVersion},
+            {"protocol", "leave-one-out"},
+            {"photographs", result.photographs},
+            {"depth_kept", evaluation_json(result.depth_kept)},
+            {"depth_removed",
+             is_removed ? evaluation_json(result.depth_removed) : nlohmann::ordered_json()}};
+}
+
+/// Every photograph left out in turn; the request's workspace is a configuration.
+void run_leave_one_out(const EvaluateRequest& request, const CommandContext& context) {
+    const ConfigDocument document = ConfigDocument::open(request.workspace);
+    const BuildConfig config = document.build_config_with({});
+    const std::filesystem::path folder = workspace_of(config).folder().string() + "-leave-one-out";
+    const int threads = context.threads > 0 ? context.threads : config.threads;
+    const LeaveOneOut result = leave_one_out(document, modes_of(request), !request.keep_depth,
+                                             folder, threads, *context.progress);
+    const nlohmann::ordered_json json = leave_one_out_json(result);
+    write_json_file(folder / "leave-one-out.json", json);
+    if (context.json) {
+        context.print_result(json);
+        return;
+    }
+    context.print_result("depth of the others found with each photograph\n");
+    print_scores(result.depth_kept, context);
+    if (request.keep_depth) return;
+    context.print_result("left out of depth, too\n");
+    print_scores(result.depth_removed, context);
+}
+
+void run_evaluate(const EvaluateRequest& request, const CommandContext& context) {
+    EvaluationOptions options;
+    options.ghost_energy = !request.without_ghost_energy;
+    options.modes = modes_of(request);
+    const Workspace workspace(find_workspace(request.workspace));
     const Evaluation evaluation =
-        evaluate_workspace(workspace, modes, context.threads, *context.progress);
+        evaluate_workspace(workspace, options, context.threads, *context.progress);
     write_workspace_report(workspace);
     if (context.json) {
         context.print_result(evaluation_json(evaluation));
@@ -47,18 +113,28 @@ void run_evaluate(const std::filesystem::path& folder, const std::vector<std::st
 }  // namespace
 
 void add_evaluate_command(CLI::App& app, CommandContext& context) {
-    CLI::App& command = add_command(
-        app, "evaluate", "Held-out photographs against renderings: dB, SSIM, coverage, ms",
-        "lumi evaluate work/fountain");
-    const auto folder = std::make_shared<std::filesystem::path>();
-    const auto modes = std::make_shared<std::vector<std::string>>(
-        std::vector<std::string>{"perpixel", "lightfield"});
-    command.add_option("WORKSPACE", *folder, "Folder that lumi build wrote")->required();
-    command.add_option("--mode", *modes, "perpixel, lightfield; may be repeated")
+    CLI::App& command =
+        add_command(app, "evaluate",
+                    "Held-out photographs against renderings: dB, SSIM, FLIP, sharpness, "
+                    "coverage, ms",
+                    "lumi evaluate work/fountain\n"
+                    "         lumi evaluate configs/banana.toml --leave-one-out");
+    const auto request = std::make_shared<EvaluateRequest>();
+    command.add_option("WORKSPACE", request->workspace, "Folder that lumi build wrote")->required();
+    command.add_option("--mode", request->modes, "As in lumi render; may be repeated")
         ->allow_extra_args(false)
         ->capture_default_str();
-    command.callback([folder, modes, &context] {
-        context.chosen = [folder, modes, &context] { run_evaluate(*folder, *modes, context); };
+    command.add_flag("--no-ghost-energy", request->without_ghost_energy,
+                     "Leave out what takes one renderer a camera class");
+    command.add_flag("--leave-one-out", request->leave_one_out,
+                     "WORKSPACE is a configuration: every photograph is left out in turn");
+    command.add_flag("--keep-depth", request->keep_depth,
+                     "With --leave-one-out: only where depth is not found anew");
+    command.callback([request, &context] {
+        context.chosen = [request, &context] {
+            request->leave_one_out ? run_leave_one_out(*request, context)
+                                   : run_evaluate(*request, context);
+        };
     });
 }
 

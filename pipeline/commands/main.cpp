@@ -5,7 +5,7 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/error_report.h"
 #include "pipeline/commands/interruption.h"
-#include "pipeline/commands/versions.h"
+#include "pipeline/report/versions.h"
 
 namespace {
 
@@ -26,6 +26,7 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_calibrate_command(app, context);
     lumi::add_bench_boards_command(app, context);
     lumi::add_stage_commands(app, context);
+    lumi::add_regression_command(app, context);
     lumi::add_render_command(app, context);
     lumi::add_view_command(app, context);
     lumi::add_bench_command(app, context);
@@ -34,9 +35,13 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_evaluate_command(app, context);
     lumi::add_select_command(app, context);
     lumi::add_plan_command(app, context);
+    lumi::add_chart_command(app, context);
+    lumi::add_compare_evaluations_command(app, context);
     lumi::add_compare_poses_command(app, context);
+    lumi::add_gallery_command(app, context);
     lumi::add_inspect_command(app, context);
     lumi::add_validate_command(app, context);
+    lumi::add_stress_command(app, context);
     lumi::add_synth_command(app, context);
 }
 

@@ -6,24 +6,20 @@
 #include "pipeline/line/line.h"
 #include "pipeline/line/stages_file.h"
 #include "pipeline/report/number_text.h"
+#include "pipeline/report/padded.h"
 #include "pipeline/report/workspace_report.h"
 
 namespace lumi {
 namespace {
 
-std::string padded(std::string text, std::size_t width, bool to_the_right) {
-    const std::string spaces(width > text.size() ? width - text.size() : 0, ' ');
-    return to_the_right ? spaces + text : text + spaces;
-}
-
 std::string seconds_table(const std::vector<FinishedStage>& stages) {
     std::string table = "stage    state        seconds      CPU s   peak MiB\n";
     for (const FinishedStage& stage : stages) {
-        table += padded(stage.name, 9, false) +
-                 padded(stage.was_run ? "run" : "up to date", 10, false) +
-                 padded(number_text(stage.cost.wall_s, 2), 10, true) +
-                 padded(number_text(stage.cost.cpu_s, 2), 11, true) +
-                 padded(number_text(stage.cost.peak_mib, 0), 11, true) + "\n";
+        table += padded_right(stage.name, 9) +
+                 padded_right(stage.was_run ? "run" : "up to date", 10) +
+                 padded_left(number_text(stage.cost.wall_s, 2), 10) +
+                 padded_left(number_text(stage.cost.cpu_s, 2), 11) +
+                 padded_left(number_text(stage.cost.peak_mib, 0), 11) + "\n";
     }
     return table;
 }

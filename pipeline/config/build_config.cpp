@@ -115,6 +115,8 @@ BuildConfig read_build_config(const ConfigSection& document, const std::string& 
     config.depth = read_depth_options(document.section("depth"));
     config.package = read_package_options(document.section("package"));
     config.hold_out = read_hold_out_options(document.section("evaluate"));
+    // What to do with a capture beside building it; see `lumi chart` and `lumi stress`.
+    for (const char* other : {"sweep", "growth", "stress"}) document.leave_to_others(other);
     document.expect_all_keys_known();
 
     config.resolved_toml = document.resolved();

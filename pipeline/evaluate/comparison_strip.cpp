@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "calib/work/error.h"
 #include "pipeline/stages/color_scale.h"
 
 namespace lumi {
@@ -51,19 +52,39 @@ void draw_scale(ColorImage& canvas, int left, int width, int top) {
     }
 }
 
+/// The height of the scale below pictures of that height.
+int scale_height(int picture_height) { return std::max(6, picture_height / 50); }
+
+ColorImage cut_out(const ColorImage& strip, int left, int width, int height) {
+    ColorImage picture(width, height);
+    for (int y = 0; y < height; ++y) std::copy_n(strip.row(y) + left, width, picture.row(y));
+    return picture;
+}
+
 }  // namespace
 
 ColorImage comparison_strip(const ColorImage& photograph, const ColorImage& rendering,
                             const GrayImage& coverage, int full_scale) {
     const int width = photograph.width();
-    const int scale_height = std::max(6, photograph.height() / 50);
-    ColorImage strip(3 * width + 2 * kGapPx, photograph.height() + kGapPx + scale_height,
-                     kBackground);
+    ColorImage strip(3 * width + 2 * kGapPx,
+                     photograph.height() + kGapPx + scale_height(photograph.height()), kBackground);
     paste(strip, photograph, 0);
     paste(strip, rendering, width + kGapPx);
     paste(strip, error_picture(photograph, rendering, coverage, full_scale), 2 * (width + kGapPx));
     draw_scale(strip, 2 * (width + kGapPx), width, photograph.height() + kGapPx);
     return strip;
+}
+
+ComparisonPanels panels_of(const ColorImage& strip) {
+    const int width = (strip.width() - 2 * kGapPx) / 3;
+    int height = strip.height();
+    while (height > 0 && height + kGapPx + scale_height(height) > strip.height()) --height;
+    if (width <= 0 || height <= 0 || 3 * width + 2 * kGapPx != strip.width()) {
+        throw Error(ErrorKind::kBadInput, "E-EVAL-SIZE", "a picture is no comparison strip",
+                    "run `lumi evaluate` again");
+    }
+    return {cut_out(strip, 0, width, height), cut_out(strip, width + kGapPx, width, height),
+            cut_out(strip, 2 * (width + kGapPx), width, height)};
 }
 
 }  // namespace lumi

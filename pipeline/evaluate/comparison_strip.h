@@ -10,4 +10,14 @@ namespace lumi {
 [[nodiscard]] ColorImage comparison_strip(const ColorImage& photograph, const ColorImage& rendering,
                                           const GrayImage& coverage, int full_scale = 64);
 
+/// The three pictures of a strip.
+struct ComparisonPanels {
+    ColorImage photograph;
+    ColorImage rendering;
+    ColorImage error;
+};
+
+/// Takes a strip apart again. Throws Error (E-EVAL-SIZE) when the picture is none.
+[[nodiscard]] ComparisonPanels panels_of(const ColorImage& strip);
+
 }  // namespace lumi

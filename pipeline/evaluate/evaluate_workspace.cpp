@@ -7,6 +7,7 @@
 #include "calib/work/whole_folder.h"
 #include "pipeline/evaluate/comparison_strip.h"
 #include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/evaluate/heat_map.h"
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/stages/file_stems.h"
 #include "pipeline/stages/used_views.h"
@@ -18,37 +19,70 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// NAME.png for the mode that stands first, NAME.MODE.png for the others.
-std::string strip_name(const std::string& stem, RenderMode mode, RenderMode first_mode) {
-    return mode == first_mode ? stem + ".png" : stem + '.' + name_of(mode) + ".png";
+/// The names of a view's pictures: those of the mode that stands first have no mode in theirs.
+class PictureNames {
+ public:
+    PictureNames(const Capture& capture, RenderMode first_mode) : first_mode_(first_mode) {
+        const std::vector<std::string> names = view_names(capture);
+        const std::vector<std::string> stems = file_stems_of_views(names);
+        for (std::size_t i = 0; i < names.size(); ++i) stem_of_[names[i]] = stems[i];
+    }
+
+    [[nodiscard]] std::string strip(const std::string& view, RenderMode mode) const {
+        const std::string& stem = stem_of_.at(view);
+        return mode == first_mode_ ? stem + ".png" : stem + '.' + name_of(mode) + ".png";
+    }
+    [[nodiscard]] std::string map(const std::string& view, const std::string& kind) const {
+        return stem_of_.at(view) + '.' + kind + ".png";
+    }
+    [[nodiscard]] bool is_first(RenderMode mode) const { return mode == first_mode_; }
+
+ private:
+    std::map<std::string, std::string> stem_of_;
+    RenderMode first_mode_;
+};
+
+void write_pictures(const fs::path& folder, const PictureNames& names, RenderMode mode,
+                    const JudgedView& view) {
+    write_png(folder / names.strip(view.score.name, mode),
+              comparison_strip(view.photograph, view.rendering.color, view.rendering.coverage));
+    if (!names.is_first(mode)) return;
+    write_png(folder / names.map(view.score.name, "flip"), heat_map(view.flip, kFlipFullScale));
+    if (!view.ghost_energy.empty()) {
+        write_png(folder / names.map(view.score.name, "ghost"),
+                  heat_map(square_root(view.ghost_energy), kGhostFullScale));
+    }
+}
+
+/// Where each view's pictures lie, in evaluation.json.
+void name_pictures(nlohmann::ordered_json& views, const PictureNames& names, RenderMode mode) {
+    for (auto& view : views) {
+        const auto name = view["name"].get<std::string>();
+        view["picture"] = names.strip(name, mode);
+        view["flip_picture"] = names.map(name, "flip");
+        if (!view["ghost_energy"].is_null()) view["ghost_picture"] = names.map(name, "ghost");
+    }
 }
 
 }  // namespace
 
-Evaluation evaluate_workspace(const Workspace& workspace, const std::vector<RenderMode>& modes,
+Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOptions& options,
                               int threads, Progress& progress) {
-    const PackRecord record = finished_pack(workspace);
-    const PosedPhotographs held_out = held_out_photographs(workspace, record, threads);
+    const PosedPhotographs held_out = held_out_photographs(workspace, threads);
     const Lumigraph lumigraph = read_package(workspace.package_folder());
-
-    const std::vector<std::string> names = view_names(held_out.capture);
-    const std::vector<std::string> stems = file_stems_of_views(names);
-    std::map<std::string, std::string> stem_of;
-    for (std::size_t i = 0; i < names.size(); ++i) stem_of[names[i]] = stems[i];
+    const PictureNames names(held_out.capture, options.modes.front());
 
     WholeFolder folder(workspace.evaluation_folder());
-    const auto write_strip = [&](RenderMode mode, const JudgedView& view) {
-        const std::string& stem = stem_of.at(view.score.name);
-        write_png(folder.staging() / strip_name(stem, mode, modes.front()),
-                  comparison_strip(view.photograph, view.rendering.color, view.rendering.coverage));
-    };
-    Evaluation evaluation = evaluate_held_out(lumigraph, held_out, modes, write_strip, progress);
+    Evaluation evaluation = evaluate_held_out(
+        lumigraph, held_out, options,
+        [&](RenderMode mode, const JudgedView& view) {
+            write_pictures(folder.staging(), names, mode, view);
+        },
+        progress);
 
     nlohmann::ordered_json json = evaluation_json(evaluation);
     json["package_sha256"] = package_sha256(workspace);
-    for (auto& view : json["views"]) {
-        view["picture"] = stem_of.at(view["name"].get<std::string>()) + ".png";
-    }
+    name_pictures(json["views"], names, options.modes.front());
     write_json_file(folder.staging() / "evaluation.json", json);
     folder.put_in_place();
     return evaluation;

@@ -7,50 +7,50 @@
 
 #include "calib/capture/posed_photographs.h"
 #include "calib/work/progress.h"
+#include "pipeline/evaluate/view_score.h"
 #include "render/lumigraph/lumigraph.h"
 #include "render/modes/frame.h"
 
 namespace lumi {
-
-/// How close a rendering comes to the photograph that was held out.
-struct ViewScore {
-    std::string name;
-    double psnr_db = 0.0;                   ///< Over the full frame.
-    std::optional<double> psnr_covered_db;  ///< Over covered pixels; empty when none is.
-    double ssim = 0.0;
-    double coverage = 0.0;  ///< Share of pixels drawn, 0 to 1.
-    double ms = 0.0;        ///< Median over repeated frames, one warm-up frame aside.
-};
 
 /// A photograph, what the Lumigraph shows from its place, and how they compare.
 struct JudgedView {
     ViewScore score;
     ColorImage photograph;
     Frame rendering;
+    FloatImage flip;          ///< Error map.
+    FloatImage ghost_energy;  ///< Empty when it was not asked for.
 };
 
 /// Scores of all held-out views in one mode.
 struct ModeScores {
     RenderMode mode = RenderMode::kPerPixel;
     std::vector<ViewScore> views;
+    /// Rank correlation of ghost energy with the true error; empty when it was not measured.
+    std::optional<double> ghost_between_blocks;
+    std::optional<double> ghost_between_views;
 };
-
-/// The mean over views; for `psnr_covered_db` over those that have one. `name` is "mean".
-[[nodiscard]] ViewScore mean_score(const std::vector<ViewScore>& views);
 
 struct Evaluation {
     std::string gl_description;
     std::vector<ModeScores> modes;
 };
 
+struct EvaluationOptions {
+    std::vector<RenderMode> modes{RenderMode::kPerPixel, RenderMode::kLightField};
+    bool ghost_energy = true;  ///< Measured for the first mode.
+    int timed_frames = 5;      ///< Repetitions of each frame.
+};
+
 /// Called once per mode and view, in order, with what is to be kept of it.
 using JudgedViewSink = std::function<void(RenderMode mode, const JudgedView& view)>;
 
 /// Draws every view of `held_out` from the Lumigraph at the view's own pinhole camera, in every
-/// mode, and compares the frame with the photograph. Throws Error (E-GL-...).
+/// mode, and compares the frame with the photograph. Figures of pictures are the same in every run,
+/// times are not. Throws Error (E-GL-...).
 [[nodiscard]] Evaluation evaluate_held_out(const Lumigraph& lumigraph,
                                            const PosedPhotographs& held_out,
-                                           const std::vector<RenderMode>& modes,
+                                           const EvaluationOptions& options,
                                            const JudgedViewSink& keep, Progress& progress);
 
 }  // namespace lumi

@@ -3,41 +3,121 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/content_hash.h"
+#include "calib/work/error.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-Json score_json(const ViewScore& score) {
-    return Json{{"psnr_db", score.psnr_db},
-                {"psnr_covered_db", score.psnr_covered_db ? Json(*score.psnr_covered_db) : Json()},
-                {"ssim", score.ssim},
-                {"coverage", score.coverage},
-                {"ms", score.ms}};
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json view_json(const ViewScore& score) {
+    Json json{{"name", score.name},
+              {"place", score.place == ViewPlace::kInterior ? "interior" : "border"}};
+    for (const ScoreMetric& metric : score_metrics())
+        json[metric.name] = or_null(metric.value(score));
+    json["ms_range"] = {score.fastest_ms, score.slowest_ms};
+    json["gain"] = score.gain;
+    return json;
 }
 
-Json mode_json(const ModeScores& scores) {
-    Json views = Json::array();
-    for (const ViewScore& view : scores.views) {
-        Json entry{{"name", view.name}};
-        entry.update(score_json(view));
-        views.push_back(std::move(entry));
+Json mean_json(const std::vector<ViewScore>& views) {
+    Json json = Json::object();
+    for (const ScoreMetric& metric : score_metrics()) {
+        json[metric.name] = or_null(mean_of(metric, views));
     }
-    return Json{{"mean", score_json(mean_score(scores.views))}, {"views", std::move(views)}};
+    return json;
+}
+
+Json interval_json(const std::vector<ViewScore>& views) {
+    Json json = Json::object();
+    for (const ScoreMetric& metric : score_metrics()) {
+        const auto interval = interval_of(metric, views);
+        json[metric.name] = interval ? Json{interval->low, interval->high} : Json();
+    }
+    return json;
+}
+
+Json group_json(const std::vector<ViewScore>& views) {
+    return Json{
+        {"views", views.size()}, {"mean", mean_json(views)}, {"interval", interval_json(views)}};
+}
+
+void expect_known_version(const Json& evaluation, const fs::path& path) {
+    if (evaluation.is_object() &&
+        evaluation.value("schema_version", 0) == kEvaluationSchemaVersion) {
+        return;
+    }
+    throw Error(ErrorKind::kBadInput, "E-EVAL-SCHEMA",
+                path.string() + ": no evaluation of schema version " +
+                    std::to_string(kEvaluationSchemaVersion),
+                "run `lumi evaluate` again with this version of lumi");
+}
+
+std::optional<double> optional_number(const Json& value) {
+    return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+ViewScore view_score_from(const Json& json) {
+    ViewScore score;
+    score.name = json.at("name");
+    score.place = json.at("place") == "interior" ? ViewPlace::kInterior : ViewPlace::kBorder;
+    score.psnr_db = json.at("psnr_db");
+    score.psnr_covered_db = optional_number(json.at("psnr_covered_db"));
+    score.ssim = json.at("ssim");
+    score.flip = json.at("flip");
+    score.flip_covered = optional_number(json.at("flip_covered"));
+    score.edge_sharpness = optional_number(json.at("edge_sharpness"));
+    score.psnr_gain_fitted_db = optional_number(json.at("psnr_gain_fitted_db"));
+    score.ghost_energy = optional_number(json.at("ghost_energy"));
+    score.coverage = json.at("coverage");
+    score.ms = json.at("ms");
+    score.fastest_ms = json.at("ms_range").at(0);
+    score.slowest_ms = json.at("ms_range").at(1);
+    score.gain = json.at("gain");
+    return score;
 }
 
 }  // namespace
 
+ModeScores mode_scores_from(RenderMode mode, const Json& json) {
+    ModeScores scores{mode, {}, {}, {}};
+    for (const Json& view : json.at("views")) scores.views.push_back(view_score_from(view));
+    const Json& ghost = json.at("ghost_rank_correlation");
+    scores.ghost_between_blocks = optional_number(ghost.at("between_blocks"));
+    scores.ghost_between_views = optional_number(ghost.at("between_views"));
+    return scores;
+}
+
+Json mode_scores_json(const ModeScores& scores) {
+    Json views = Json::array();
+    for (const ViewScore& view : scores.views) views.push_back(view_json(view));
+    return Json{{"mean", mean_json(scores.views)},
+                {"interval", interval_json(scores.views)},
+                {"interior", group_json(views_at(ViewPlace::kInterior, scores.views))},
+                {"border", group_json(views_at(ViewPlace::kBorder, scores.views))},
+                {"ghost_rank_correlation",
+                 {{"between_blocks", or_null(scores.ghost_between_blocks)},
+                  {"between_views", or_null(scores.ghost_between_views)}}},
+                {"views", std::move(views)}};
+}
+
 Json evaluation_json(const Evaluation& evaluation) {
-    Json json{{"schema_version", 1},
+    const BootstrapOptions bootstrap;
+    Json json{{"schema_version", kEvaluationSchemaVersion},
               {"mode", name_of(evaluation.modes.front().mode)},
-              {"gl", evaluation.gl_description}};
-    json.update(mode_json(evaluation.modes.front()));
+              {"gl", evaluation.gl_description},
+              {"bootstrap",
+               {{"level", bootstrap.level},
+                {"resamples", bootstrap.resamples},
+                {"seed", bootstrap.seed}}}};
+    json.update(mode_scores_json(evaluation.modes.front()));
     Json others = Json::object();
     for (std::size_t i = 1; i < evaluation.modes.size(); ++i) {
-        others[name_of(evaluation.modes[i].mode)] = mode_json(evaluation.modes[i]);
+        others[name_of(evaluation.modes[i].mode)] = mode_scores_json(evaluation.modes[i]);
     }
     json["modes"] = std::move(others);
     return json;
@@ -47,14 +127,25 @@ std::string package_sha256(const WorkspaceLayout& workspace) {
     return sha256_hex_of_file(workspace.package_folder() / "lumigraph.json");
 }
 
-Json read_current_evaluation(const WorkspaceLayout& workspace) {
-    const std::filesystem::path path = workspace.evaluation_folder() / "evaluation.json";
+Json read_evaluation(const fs::path& file_or_folder) {
     std::error_code status;
-    if (!std::filesystem::is_regular_file(path, status) ||
-        !std::filesystem::is_directory(workspace.package_folder(), status)) {
+    const fs::path path = fs::is_directory(file_or_folder, status)
+                              ? file_or_folder / "evaluation" / "evaluation.json"
+                              : file_or_folder;
+    Json evaluation = read_json_file(path);
+    expect_known_version(evaluation, path);
+    return evaluation;
+}
+
+Json read_current_evaluation(const WorkspaceLayout& workspace) {
+    const fs::path path = workspace.evaluation_folder() / "evaluation.json";
+    std::error_code status;
+    if (!fs::is_regular_file(path, status) ||
+        !fs::is_directory(workspace.package_folder(), status)) {
         return nullptr;
     }
     Json evaluation = read_json_file(path);
+    if (evaluation.value("schema_version", 0) != kEvaluationSchemaVersion) return nullptr;
     if (evaluation.value("package_sha256", "") != package_sha256(workspace)) return nullptr;
     return evaluation;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 
 #include "pipeline/evaluate/evaluation.h"
@@ -7,12 +8,25 @@
 
 namespace lumi {
 
-/// What evaluation.json says: "mode", "gl", "mean" and "views" of the first mode, and every further
-/// mode under "modes". A covered PSNR without a covered pixel is null.
+/// The version of evaluation.json; evaluation.schema.json beside this file describes it.
+constexpr int kEvaluationSchemaVersion = 2;
+
+/// What evaluation.json says: "mode", "gl", "bootstrap", "mean", "interval", "interior", "border",
+/// "ghost" and "views" of the first mode, and every further mode under "modes". What a view or a
+/// group of views does not have is null.
 [[nodiscard]] nlohmann::ordered_json evaluation_json(const Evaluation& evaluation);
+
+/// The same of one mode.
+[[nodiscard]] nlohmann::ordered_json mode_scores_json(const ModeScores& scores);
+/// The scores of views read back. Throws nlohmann::json::exception.
+[[nodiscard]] ModeScores mode_scores_from(RenderMode mode, const nlohmann::ordered_json& json);
 
 /// What tells one package from another: the hash of its manifest, which has the hash of every file.
 [[nodiscard]] std::string package_sha256(const WorkspaceLayout& workspace);
+
+/// An evaluation from a file, or from the workspace whose folder is named. Throws Error
+/// (E-JSON-READ, E-EVAL-SCHEMA: another version, E-FILE-READ).
+[[nodiscard]] nlohmann::ordered_json read_evaluation(const std::filesystem::path& file_or_folder);
 
 /// The evaluation in the workspace; null when there is none, or when it is of another package than
 /// the one that stands there now.

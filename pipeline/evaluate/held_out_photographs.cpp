@@ -9,7 +9,7 @@ namespace lumi {
 
 namespace fs = std::filesystem;
 
-PackRecord finished_pack(const Workspace& workspace) {
+PackRecord finished_pack(const WorkspaceLayout& workspace) {
     const fs::path pack_folder = workspace.stage_folder("pack");
     std::error_code status;
     if (!fs::is_directory(pack_folder, status)) {
@@ -27,7 +27,7 @@ PackRecord finished_pack(const Workspace& workspace) {
     return record;
 }
 
-PosedPhotographs packed_photographs(const Workspace& workspace, const PackRecord& record,
+PosedPhotographs packed_photographs(const WorkspaceLayout& workspace, const PackRecord& record,
                                     int threads) {
     const fs::path pinhole_folder = workspace.stage_folder("poses") / "pinhole";
     std::vector<ContentEntry> content = content_of(pinhole_folder, threads);
@@ -40,7 +40,7 @@ PosedPhotographs packed_photographs(const Workspace& workspace, const PackRecord
     return read_posed_photographs(pinhole_folder);
 }
 
-PosedPhotographs held_out_photographs(const Workspace& workspace, const PackRecord& record,
+PosedPhotographs held_out_photographs(const WorkspaceLayout& workspace, const PackRecord& record,
                                       int threads) {
     PosedPhotographs held_out =
         only_views(packed_photographs(workspace, record, threads), record.held_out);
@@ -50,6 +50,10 @@ PosedPhotographs held_out_photographs(const Workspace& workspace, const PackReco
                     "hold out photographs that are registered; report.html lists them");
     }
     return held_out;
+}
+
+PosedPhotographs held_out_photographs(const WorkspaceLayout& workspace, int threads) {
+    return held_out_photographs(workspace, finished_pack(workspace), threads);
 }
 
 }  // namespace lumi

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "calib/work/error.h"
+#include "pipeline/evaluate/equal_sizes.h"
 
 namespace lumi {
 namespace {
@@ -16,29 +17,11 @@ constexpr double kPeak = 255.0;
 constexpr double kC1 = (0.01 * kPeak) * (0.01 * kPeak);
 constexpr double kC2 = (0.03 * kPeak) * (0.03 * kPeak);
 
-std::string size_text(int width, int height) {
-    return std::to_string(width) + "x" + std::to_string(height);
-}
-
-template <class A, class B>
-void expect_equal_sizes(const Image<A>& a, const Image<B>& b) {
-    if (a.width() == b.width() && a.height() == b.height()) return;
-    throw Error(ErrorKind::kBadInput, "E-EVAL-SIZE",
-                "pictures to compare differ in size: " + size_text(a.width(), a.height()) +
-                    " and " + size_text(b.width(), b.height()),
-                "compare pictures of one size");
-}
-
 double squared_difference(const Rgb8& a, const Rgb8& b) {
     const double r = static_cast<double>(a.r) - static_cast<double>(b.r);
     const double g = static_cast<double>(a.g) - static_cast<double>(b.g);
     const double blue = static_cast<double>(a.b) - static_cast<double>(b.b);
     return r * r + g * g + blue * blue;
-}
-
-double psnr_of_mean_square(double mean_square) {
-    if (mean_square == 0.0) return kIdenticalPsnrDb;
-    return std::min(kIdenticalPsnrDb, 10.0 * std::log10(kPeak * kPeak / mean_square));
 }
 
 std::array<double, kWindow> gaussian_window() {
@@ -83,6 +66,11 @@ Image<double> product(const Image<double>& a, const Image<double>& b) {
 }
 
 }  // namespace
+
+double psnr_of_mean_square(double mean_square) {
+    if (mean_square == 0.0) return kIdenticalPsnrDb;
+    return std::min(kIdenticalPsnrDb, 10.0 * std::log10(kPeak * kPeak / mean_square));
+}
 
 double psnr_db(const ColorImage& a, const ColorImage& b) {
     expect_equal_sizes(a, b);

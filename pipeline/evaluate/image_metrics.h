@@ -9,6 +9,9 @@ namespace lumi {
 /// What PSNR is said to be when two pictures are equal to the last bit.
 constexpr double kIdenticalPsnrDb = 100.0;
 
+/// The same of a mean squared difference of 8-bit values, in dB.
+[[nodiscard]] double psnr_of_mean_square(double mean_square);
+
 /// Peak signal-to-noise ratio of 8-bit sRGB values over all pixels and channels, in dB. Throws
 /// Error (E-EVAL-SIZE) when sizes differ.
 [[nodiscard]] double psnr_db(const ColorImage& a, const ColorImage& b);

@@ -33,14 +33,19 @@ void append(std::vector<ContentEntry>& entries, const std::vector<ContentEntry>&
 /// the workspace, and by what decides its result.
 class Line {
  public:
-    Line(const BuildConfig& config, const Workspace& workspace, int threads, Progress& progress)
-        : config_(config), workspace_(workspace), threads_(threads), progress_(progress) {}
+    Line(const BuildConfig& config, const Workspace& workspace, int threads, Progress& progress,
+         const StageStore* store)
+        : config_(config),
+          workspace_(workspace),
+          threads_(threads),
+          progress_(progress),
+          store_(store) {}
 
     [[nodiscard]] const std::vector<FinishedStage>& finished() const { return finished_; }
 
     void bring_up_to_date(const std::string& name) {
         finished_.push_back(
-            lumi::bring_up_to_date(workspace_, stage_named(name), threads_, progress_));
+            lumi::bring_up_to_date(workspace_, stage_named(name), threads_, progress_, store_));
         write_stages_file(workspace_.stages_path(), finished_);
     }
 
@@ -195,6 +200,7 @@ class Line {
     const Workspace& workspace_;
     int threads_;
     Progress& progress_;
+    const StageStore* store_;
     std::vector<FinishedStage> finished_;
     std::vector<Photograph> ingested_;
     std::vector<std::string> held_out_;
@@ -218,12 +224,12 @@ const std::vector<std::string>& stages_of_line() {
 }
 
 std::vector<FinishedStage> run_line(const BuildConfig& config, const Workspace& workspace,
-                                    const std::string& last_stage, int threads,
-                                    Progress& progress) {
+                                    const std::string& last_stage, int threads, Progress& progress,
+                                    const StageStore* store) {
     write_whole_text(workspace.config_path(),
                      "# Paths are relative to the configuration file that this was read from.\n" +
                          config.resolved_toml);
-    Line line(config, workspace, threads, progress);
+    Line line(config, workspace, threads, progress, store);
     for (const std::string& stage : stages_for(config)) {
         try {
             line.bring_up_to_date(stage);

@@ -14,11 +14,12 @@ namespace lumi {
 
 /// Brings the line up to date, from photographs to `last_stage`, and keeps config.toml and
 /// stages.json of the workspace. What is up to date is not made again. Throws Error; what was
-/// finished before stays, and stages.json says what failed.
+/// finished before stays, and stages.json says what failed. With a store, workspaces share stages.
 [[nodiscard]] std::vector<FinishedStage> run_line(const BuildConfig& config,
                                                   const Workspace& workspace,
                                                   const std::string& last_stage, int threads,
-                                                  Progress& progress);
+                                                  Progress& progress,
+                                                  const StageStore* store = nullptr);
 
 /// Where the workspace of a configuration lies, unless the command line says otherwise.
 [[nodiscard]] WorkspaceLayout workspace_of(const BuildConfig& config);

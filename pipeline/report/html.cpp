@@ -12,25 +12,33 @@ namespace {
 constexpr int kJpegQuality = 85;
 
 constexpr const char* kStyle = R"(
-:root{color-scheme:light dark}
-body{font:16px/1.5 system-ui,sans-serif;max-width:72rem;margin:0 auto;padding:1rem;
- color:#1a1a1a;background:#fff}
-h1{font-size:1.6rem;margin:.2em 0}h2{font-size:1.2rem;margin:2rem 0 .5rem;
- border-bottom:1px solid #ccc}
+:root{color-scheme:light dark;--ink:#1c1b19;--paper:#fbfaf7;--soft:#6b675f;--line:#ddd8cd;
+ --card:#f1eee6}
+body{font:17px/1.55 Georgia,'Times New Roman',serif;max-width:76rem;margin:0 auto;
+ padding:1rem clamp(.8rem,3vw,2.5rem) 4rem;color:var(--ink);background:var(--paper)}
+h1{font-size:clamp(1.7rem,5vw,2.6rem);font-weight:normal;margin:.4em 0 .5em}
+h2{font-size:1.35rem;font-weight:normal;margin:3rem 0 .6rem;border-bottom:1px solid var(--line);
+ padding-bottom:.2rem}
+h3{font-size:1rem;margin:1.2rem 0 .3rem}
+table,pre,summary,figcaption{font-family:system-ui,sans-serif}
 .wide{overflow-x:auto}
-table{border-collapse:collapse;font-variant-numeric:tabular-nums}
-th,td{padding:.25rem .7rem;border-bottom:1px solid #ddd;text-align:left;vertical-align:top}
-td.number{text-align:right}
-.verdict{padding:.8rem 1rem;border-left:.5rem solid;margin:1rem 0;background:#f4f4f4}
+table{border-collapse:collapse;font-size:.85rem;font-variant-numeric:tabular-nums;margin:.5rem 0}
+th,td{padding:.25rem .7rem;border-bottom:1px solid var(--line);text-align:left;vertical-align:top}
+th{font-weight:600;color:var(--soft)}
+td.number{text-align:right;white-space:nowrap}
+.verdict{padding:.9rem 1.1rem;border-left:.5rem solid;margin:1rem 0 2rem;background:var(--card)}
 .good{border-color:#1b7837}.fair{border-color:#b8860b}.bad{border-color:#b2182b}
-figure{margin:.5rem 0}figcaption{font-size:.85rem;color:#555}
+figure{margin:.6rem 0}figcaption{font-size:.82rem;color:var(--soft);margin-top:.3rem}
 img{max-width:100%;height:auto;display:block}
-.grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(9rem,1fr));gap:.6rem}
-pre{overflow-x:auto;background:#f4f4f4;padding:.7rem;font-size:.8rem}
-summary{cursor:pointer;margin:.5rem 0}
-@media(prefers-color-scheme:dark){body{color:#e6e6e6;background:#161616}
- .verdict,pre{background:#242424}th,td{border-color:#3a3a3a}h2{border-color:#444}
- figcaption{color:#aaa}}
+.pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,22rem),1fr));gap:.4rem 1rem;
+ margin-top:1.2rem}
+.grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,17rem),1fr));gap:.6rem 1rem}
+.grid img,.pair img{width:100%}
+pre{overflow-x:auto;background:var(--card);padding:.7rem;font-family:monospace;font-size:.8rem}
+summary{cursor:pointer;margin:.5rem 0;color:var(--soft);font-size:.9rem}
+@media(prefers-color-scheme:dark){:root{--ink:#e9e6df;--paper:#161513;--soft:#a39d91;
+ --line:#3a3732;--card:#24221f}}
+@media print{details{display:block}summary{display:none}}
 )";
 
 std::string data_uri(const std::string& type, std::span<const std::uint8_t> bytes) {
@@ -126,6 +134,14 @@ std::string html_figure(const ColorImage& picture, int max_width_px, const std::
 std::string html_svg_figure(const std::string& svg, const std::string& caption) {
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(svg.data());
     return figure(data_uri("image/svg+xml", {bytes, svg.size()}), caption);
+}
+
+std::string html_pair(const std::string& left, const std::string& right) {
+    return "<div class=\"pair\">" + left + right + "</div>\n";
+}
+
+std::string html_grid(const std::string& figures) {
+    return "<div class=\"grid\">" + figures + "</div>\n";
 }
 
 std::string html_section(const std::string& heading, const std::string& content) {

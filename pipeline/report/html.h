@@ -24,7 +24,12 @@ namespace lumi {
 /// An SVG drawing inside the page. It is shown as a picture, so that nothing in it can run.
 [[nodiscard]] std::string html_svg_figure(const std::string& svg, const std::string& caption);
 
-/// A part of the page that can be folded, with a heading (escaped here).
+/// Two figures side by side where the screen is wide enough, one below the other where it is not.
+[[nodiscard]] std::string html_pair(const std::string& left, const std::string& right);
+/// Figures in as many columns as the screen has room for.
+[[nodiscard]] std::string html_grid(const std::string& figures);
+
+/// A part of the page, with a heading (escaped here).
 [[nodiscard]] std::string html_section(const std::string& heading, const std::string& content);
 /// Folded at first.
 [[nodiscard]] std::string html_details(const std::string& heading, const std::string& content);

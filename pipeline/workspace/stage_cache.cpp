@@ -1,42 +1,17 @@
 #include "pipeline/workspace/stage_cache.h"
 
-#include <algorithm>
 #include <optional>
 
-#include "calib/work/content_hash.h"
-#include "calib/work/error.h"
-#include "calib/work/parallel_for.h"
 #include "calib/work/stopwatch.h"
 #include "calib/work/whole_folder.h"
+#include "pipeline/workspace/stage_outputs.h"
 
 namespace lumi {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kMarkerName = "done.json";
 constexpr const char* kHarmed = "its files were changed";
-
-bool is_unharmed(const fs::path& workspace_folder, const ContentEntry& output) {
-    const fs::path path = workspace_folder / output.name;
-    std::error_code status;
-    if (!fs::is_regular_file(path, status)) return false;
-    try {
-        return sha256_hex_of_file(path) == output.sha256;
-    } catch (const Error&) {
-        return false;  // Unreadable: as good as lost.
-    }
-}
-
-bool are_unharmed(const fs::path& workspace_folder, const std::vector<ContentEntry>& outputs,
-                  int threads) {
-    std::vector<char> unharmed(outputs.size(), 0);
-    parallel_for(static_cast<int>(outputs.size()), threads, [&](int i) {
-        const auto index = static_cast<std::size_t>(i);
-        unharmed[index] = is_unharmed(workspace_folder, outputs[index]) ? 1 : 0;
-    });
-    return std::all_of(unharmed.begin(), unharmed.end(), [](char ok) { return ok != 0; });
-}
 
 /// Empty when what stands in the workspace can stay.
 std::string reason_to_run(const StageIdentity& now, const std::optional<DoneMarker>& before,
@@ -73,7 +48,7 @@ FinishedStage run_stage(const Workspace& workspace, const Stage& stage, int thre
         append_content(marker.outputs, stage.product, stage.product.filename().string(), threads);
     }
     marker.cost = stopwatch.elapsed();
-    write_done_marker(folder.staging() / kMarkerName, marker);
+    write_done_marker(folder.staging() / kDoneMarkerName, marker);
     folder.put_in_place();
     return {name, true, {}, marker.cost, marker.evidence, std::move(marker.outputs)};
 }
@@ -81,20 +56,29 @@ FinishedStage run_stage(const Workspace& workspace, const Stage& stage, int thre
 }  // namespace
 
 FinishedStage bring_up_to_date(const Workspace& workspace, const Stage& stage, int threads,
-                               Progress& progress) {
+                               Progress& progress, const StageStore* store) {
     const std::string& name = stage.identity.stage;
-    std::optional<DoneMarker> before = read_done_marker(workspace.stage_folder(name) / kMarkerName);
+    std::optional<DoneMarker> before =
+        read_done_marker(workspace.stage_folder(name) / kDoneMarkerName);
     std::string reason = reason_to_run(stage.identity, before, workspace.folder(), threads);
     if (reason.empty()) {
         progress.note(name + ": up to date");
         return {name, false, {}, before->cost, before->evidence, std::move(before->outputs)};
     }
     progress.throw_if_interrupted();
+    const bool is_shared = store != nullptr && stage.product.empty();
+    if (is_shared) {
+        if (auto kept = store->fetch(stage.identity, workspace, threads)) {
+            progress.note(name + ": taken from the store");
+            return {name, false, {}, kept->cost, kept->evidence, std::move(kept->outputs)};
+        }
+    }
     progress.note(name + ": runs (" + reason + ")");
     // What stands there is ours, as the marker says, but no longer what its writer would replace.
     if (reason == kHarmed && !stage.product.empty()) fs::remove_all(stage.product);
     FinishedStage finished = run_stage(workspace, stage, threads);
     finished.reason = std::move(reason);
+    if (is_shared) store->keep(stage.identity, workspace);
     return finished;
 }
 

@@ -7,6 +7,7 @@
 
 #include "calib/work/progress.h"
 #include "pipeline/workspace/done_marker.h"
+#include "pipeline/workspace/stage_store.h"
 #include "pipeline/workspace/workspace.h"
 
 namespace lumi {
@@ -32,7 +33,10 @@ struct FinishedStage {
 
 /// Runs a stage unless a finished result with the same identity and unharmed files stands in the
 /// workspace. A result appears by one rename: killed at any moment, a stage is done or not begun.
+/// With a store, a result that is kept there is taken instead of running a stage without a product,
+/// and what was run is kept there.
 [[nodiscard]] FinishedStage bring_up_to_date(const Workspace& workspace, const Stage& stage,
-                                             int threads, Progress& progress);
+                                             int threads, Progress& progress,
+                                             const StageStore* store = nullptr);
 
 }  // namespace lumi

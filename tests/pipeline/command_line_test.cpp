@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "calib/capture/image_io.h"
@@ -39,9 +40,14 @@ Outcome lumi(const std::string& arguments, const std::string& before = "") {
 
 TEST(CommandLine, HelpBeginsWithAnExample) {
     EXPECT_THAT(lumi("--help").out, StartsWith("Example: lumi "));
-         {"build", "calibrate", "bench-boards", "ingest", "poses", "mesh", "depth", "pack",
-          "render", "view", "bench", "bench-poses", "evaluate", "compare-poses", "inspect",
-          "validate", "synth", "bench-mesh", "plan", "select"}) {
+    for (const std::string command :
+         {"build",       "calibrate",    "ingest",        "poses",
+          "mesh",        "depth",        "pack",          "render",
+          "view",        "evaluate",     "chart",         "stress",
+          "select",      "plan",         "compare-poses", "compare-evaluations",
+          "inspect",     "validate",     "synth",         "bench",
+          "bench-poses", "bench-boards", "bench-mesh",    "regression",
+          "gallery"}) {
         const Outcome help = lumi(command + " --help");
         EXPECT_EQ(help.exit_code, 0) << command;
         EXPECT_THAT(help.out, StartsWith("Example: lumi " + command));
@@ -193,6 +199,38 @@ TEST_F(Line, HeldOutViewsAreInThePosesAndInNothingElse) {
     EXPECT_EQ(stages.at(3).at("evidence").at("views").size(), 6U);
 }
 
+/// Every file of a package with its content.
+std::map<std::string, std::string> files_of(const fs::path& package) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(package)) {
+        if (!entry.is_regular_file()) continue;
+        files[entry.path().lexically_relative(package).string()] = read_whole_text(entry.path());
+    }
+    return files;
+}
+
+TEST_F(Line, PixelsOfHeldOutViewsChangeNoByteOfThePackage) {
+    const fs::path photos = scratch_ / "photos";
+    fs::copy(scene_->path() / "photos", photos);
+    write_whole_text(config_path(), "name = \"box\"\n[capture]\nphotos = \"" + photos.string() +
+                                        "\"\nimport = \"" +
+                                        (scene_->path() / "truth" / "sparse").string() +
+                                        "\"\n[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
+    EXPECT_EQ(build(), "rrrrr");
+    const auto before = files_of(package());
+
+    ColorImage noise = read_color_image(photos / "IMG_0005.png");
+    std::uint32_t state = 1;
+    for (Rgb8& pixel : noise.pixels()) {
+        state = state * 1664525U + 1013904223U;
+        pixel = {static_cast<std::uint8_t>(state >> 24U), static_cast<std::uint8_t>(state >> 16U),
+                 static_cast<std::uint8_t>(state >> 8U)};
+    }
+    write_png(photos / "IMG_0005.png", noise);
+    EXPECT_EQ(build().substr(0, 1), "r");  // The photograph was read anew.
+    EXPECT_EQ(files_of(package()), before);
+}
+
 TEST_F(Line, EvaluatesHeldOutViews) {
     configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n[depth]\nimport_folder = \"" +
               (scene_->path() / "truth" / "depth").string() + "\"\n");
@@ -211,7 +249,17 @@ TEST_F(Line, EvaluatesHeldOutViews) {
     EXPECT_TRUE(evaluation.at("modes").contains("lightfield"));
     const ColorImage strip = read_color_image(workspace() / "evaluation" / "IMG_0005.png");
     EXPECT_EQ(strip.width(), 3 * 160 + 2 * 4);
+    EXPECT_TRUE(fs::exists(workspace() / "evaluation" / "IMG_0005.flip.png"));
+    EXPECT_TRUE(fs::exists(workspace() / "evaluation" / "IMG_0005.ghost.png"));
     EXPECT_THAT(read_whole_text(workspace() / "report.html"), HasSubstr("IMG_0005.png"));
+
+    const Outcome compared = lumi("compare-evaluations --json " + quoted(workspace()) + " " +
+                                  quoted(workspace() / "evaluation" / "evaluation.json"));
+    ASSERT_EQ(compared.exit_code, 0) << compared.talk;
+    const Json psnr =
+        Json::parse(compared.out).at("modes").at("perpixel").at("metrics").at("psnr_db");
+    EXPECT_EQ(psnr.at("difference"), 0.0);
+    EXPECT_EQ(psnr.at("b_is"), "same");
 }
 
 TEST_F(Line, PacksNoMoreViewsThanAreWanted) {

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/quality/qualitymse.hpp>
+#include <opencv2/quality/qualityssim.hpp>
 #include <random>
 
 #include "calib/work/error.h"
@@ -129,6 +132,65 @@ TEST(ImageMetrics, SimilarityEqualsItsDefinitionWindowByWindow) {
     EXPECT_NEAR(similarity, structural_similarity_by_windows(a, b), 1e-9);
     EXPECT_GT(similarity, 0.1);
     EXPECT_LT(similarity, 0.9);
+}
+
+cv::Mat matrix_of(const ColorImage& image) {
+    cv::Mat matrix(image.height(), image.width(), CV_8UC3);
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const Rgb8& pixel = image(x, y);
+            matrix.at<cv::Vec3b>(y, x) = {pixel.b, pixel.g, pixel.r};
+        }
+    }
+    return matrix;
+}
+
+/// Noise of neighbouring pixels averaged, so that it has structure; grey where `grey`.
+ColorImage structured(int width, int height, std::uint32_t seed, bool grey) {
+    const ColorImage fine = noise(width + 3, height + 3, seed);
+    ColorImage image(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            int sum = 0;
+            for (int v = 0; v < 4; ++v) {
+                for (int u = 0; u < 4; ++u) sum += fine(x + u, y + v).g;
+            }
+            const auto value = static_cast<std::uint8_t>(sum / 16);
+            image(x, y) = grey ? Rgb8{value, value, value} : Rgb8{value, fine(x, y).r, 90};
+        }
+    }
+    return image;
+}
+
+TEST(ImageMetrics, PsnrEqualsThatOfOpenCvsQualityModule) {
+    const ColorImage a = structured(120, 80, 1, false);
+    ColorImage b = structured(120, 80, 1, false);
+    for (std::size_t i = 0; i < b.pixels().size(); i += 3) b.pixels()[i].g ^= 9U;
+    // OpenCV averages over channels what each has; the mean square over all is the same thing.
+    const cv::Scalar mean_square =
+        cv::quality::QualityMSE::compute(matrix_of(a), matrix_of(b), cv::noArray());
+    const double expected_db =
+        10.0 * std::log10(255.0 * 255.0 * 3.0 / (mean_square[0] + mean_square[1] + mean_square[2]));
+    EXPECT_NEAR(psnr_db(a, b), expected_db, 1e-6);
+    EXPECT_NEAR(psnr_db(a, b), cv::PSNR(matrix_of(a), matrix_of(b)), 1e-6);
+}
+
+TEST(ImageMetrics, SimilarityEqualsThatOfOpenCvsQualityModuleWithinTheFrame) {
+    // As scikit-image does with gaussian_weights, sigma 1.5 and use_sample_covariance off, windows
+    // that leave the picture do not count; OpenCV mirrors the picture for them.
+    const ColorImage a = structured(120, 80, 1, true);
+    ColorImage b = structured(120, 80, 1, true);
+    for (int y = 20; y < 50; ++y) {
+        for (int x = 30; x < 90; ++x) {
+            const auto value = static_cast<std::uint8_t>((b(x, y).g + 60 + x) / 2);
+            b(x, y) = {value, value, value};
+        }
+    }
+    cv::Mat map;
+    cv::quality::QualitySSIM::compute(matrix_of(a), matrix_of(b), map);
+    const cv::Scalar inside = cv::mean(map(cv::Rect(5, 5, 110, 70)));
+    EXPECT_NEAR(structural_similarity(a, b), inside[0], 1e-5);
+    EXPECT_LT(inside[0], 0.95);
 }
 
 TEST(ImageMetrics, RefusesPicturesOfDifferentSize) {

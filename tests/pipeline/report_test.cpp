@@ -2,10 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/error.h"
 #include "pipeline/evaluate/comparison_strip.h"
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/report/html.h"
 #include "pipeline/report/number_text.h"
+#include "pipeline/report/spread.h"
 #include "pipeline/report/verdict.h"
 #include "pipeline/stages/color_scale.h"
 
@@ -50,10 +52,21 @@ TEST(NumberText, HasFixedDecimals) {
 Evaluation two_modes() {
     Evaluation evaluation;
     evaluation.gl_description = "GL";
-    evaluation.modes = {
-        {RenderMode::kPerPixel,
-         {{"a.jpg", 30.0, 31.0, 0.9, 1.0, 4.0}, {"b.jpg", 20.0, std::nullopt, 0.7, 0.0, 8.0}}},
-        {RenderMode::kLightField, {{"a.jpg", 10.0, 12.0, 0.5, 0.5, 2.0}}}};
+    const ViewScore a{.name = "a.jpg",
+                      .psnr_db = 30.0,
+                      .psnr_covered_db = 31.0,
+                      .ssim = 0.9,
+                      .coverage = 1.0,
+                      .ms = 4.0};
+    const ViewScore b{.name = "b.jpg", .psnr_db = 20.0, .ssim = 0.7, .coverage = 0.0, .ms = 8.0};
+    const ViewScore c{.name = "a.jpg",
+                      .psnr_db = 10.0,
+                      .psnr_covered_db = 12.0,
+                      .ssim = 0.5,
+                      .coverage = 0.5,
+                      .ms = 2.0};
+    evaluation.modes = {{RenderMode::kPerPixel, {a, b}, {}, {}},
+                        {RenderMode::kLightField, {c}, {}, {}}};
     return evaluation;
 }
 
@@ -79,6 +92,27 @@ TEST(ComparisonStrip, ShowsPhotographRenderingAndError) {
     EXPECT_EQ(strip(24 + 3, 4), (Rgb8{164, 100, 100}));
     EXPECT_EQ(strip(48 + 3, 4), color_of_share(1.0F));
     EXPECT_EQ(strip(48 + 4, 4), color_of_share(0.0F));
+}
+
+TEST(ComparisonStrip, ComesApartAgain) {
+    for (const int height : {20, 60, 333, 768}) {
+        ColorImage photograph(31, height, {10, 20, 30});
+        ColorImage rendering(31, height, {40, 50, 60});
+        photograph(30, height - 1) = {1, 2, 3};
+        rendering(0, 0) = {4, 5, 6};
+        const ComparisonPanels panels =
+            panels_of(comparison_strip(photograph, rendering, GrayImage(31, height, 255)));
+        EXPECT_EQ(panels.photograph, photograph) << height;
+        EXPECT_EQ(panels.rendering, rendering) << height;
+        EXPECT_EQ(panels.error.height(), height);
+    }
+    EXPECT_THROW(static_cast<void>(panels_of(ColorImage(10, 10))), Error);
+}
+
+TEST(Spread, TakesTheFirstAndNoMoreThanThereAre) {
+    EXPECT_EQ(spread(3, 5), (std::vector<std::size_t>{0, 1, 2}));
+    EXPECT_EQ(spread(10, 3), (std::vector<std::size_t>{0, 3, 6}));
+    EXPECT_TRUE(spread(0, 3).empty());
 }
 
 TEST(ColorScale, GrowsLighterAllTheWay) {

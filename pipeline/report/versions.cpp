@@ -1,4 +1,4 @@
-#include "pipeline/commands/versions.h"
+#include "pipeline/report/versions.h"
 
 #include <CGAL/version.h>
 #include <OpenImageIO/oiioversion.h>

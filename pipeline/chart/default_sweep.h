@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/config/config_variant.h"
+
+namespace lumi {
+
+/// The values of a list, where ["all"] under depth.model stands for every depth model of this
+/// version.
+[[nodiscard]] ConfigList with_all_spelled_out(ConfigList list);
+
+/// What is tried when a configuration does not say: every depth model that this version has, and
+/// working copies of the configured width, of three quarters and of half of it.
+[[nodiscard]] std::vector<ConfigList> default_sweep(const ConfigDocument& document);
+
+}  // namespace lumi

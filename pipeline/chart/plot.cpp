@@ -1,0 +1,196 @@
+#include "pipeline/chart/plot.h"
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "calib/work/child_process.h"
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Colours that colour-blind eyes tell apart (Okabe and Ito, 2008), grey apart.
+constexpr std::array<const char*, 7> kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                             "#e69f00", "#56b4e9", "#000000"};
+constexpr std::array<int, 7> kPointTypes{7, 5, 9, 13, 11, 6, 4};
+constexpr const char* kGrey = "#b0b0b0";
+constexpr double kTimeLimitS = 60.0;
+
+/// A folder of this process alone, gone with this object.
+class ScratchDirectory {
+ public:
+    ScratchDirectory() {
+        std::string pattern = (fs::temp_directory_path() / "lumi-plot-XXXXXX").string();
+        if (::mkdtemp(pattern.data()) == nullptr) refuse_write(pattern, errno);
+        path_ = pattern;
+    }
+    ~ScratchDirectory() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    ScratchDirectory(const ScratchDirectory&) = delete;
+    ScratchDirectory& operator=(const ScratchDirectory&) = delete;
+
+    [[nodiscard]] fs::path operator/(const char* name) const { return path_ / name; }
+
+ private:
+    fs::path path_;
+};
+
+/// A number as gnuplot reads it, whatever the locale.
+std::string number(double value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
+}
+
+/// A text in gnuplot's double quotes; its markup is switched off.
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        result += c == '\n' ? ' ' : c;
+    }
+    return result + '"';
+}
+
+bool is_drawable(const Plot& plot, const PlotMark& mark) {
+    return std::isfinite(mark.x) && std::isfinite(mark.y) && (!plot.has_log_x || mark.x > 0.0) &&
+           (!plot.has_log_y || mark.y > 0.0);
+}
+
+/// The script's data and the commands that draw them.
+class PlotScript {
+ public:
+    explicit PlotScript(const Plot& plot) : plot_(plot) {
+        for (std::size_t i = 0; i < plot.series.size(); ++i) add_series(i);
+    }
+
+    [[nodiscard]] bool is_empty() const { return drawn_.empty(); }
+
+    [[nodiscard]] std::string text(const fs::path& target) const {
+        std::string script =
+            "set encoding utf8\n"
+            "set terminal svg size 680,520 font 'sans-serif,15' background rgb 'white' noenhanced\n"
+            "set output " +
+            quoted(target.string()) + "\n" + "set title " + quoted(plot_.title) + "\nset xlabel " +
+            quoted(plot_.x_label) + "\nset ylabel " + quoted(plot_.y_label) +
+            "\nset rmargin 12\nset grid lc rgb '#e4e4e4' lt 1 lw 1\nset border 3 lc rgb '#808080'\n"
+            "set tics nomirror\nset key outside top center horizontal maxrows 3\n"
+            "set bars small\n";
+        script += axis('x', plot_.has_log_x, least_.x) + axis('y', plot_.has_log_y, least_.y);
+        for (const PlotLine& line : plot_.vertical_lines) {
+            script += "set arrow from first " + number(line.x) + ", graph 0 to first " +
+                      number(line.x) + ", graph 1 nohead dt 2 lw 1.5 lc rgb '" +
+                      kColors[line.series % kColors.size()] + "'\n";
+        }
+        return script + labels_ + data_ + "plot " + drawn_ + "\n";
+    }
+
+ private:
+    static std::string axis(char name, bool is_logarithmic, double least) {
+        const std::string axis_name(1, name);
+        if (is_logarithmic) return "set logscale " + axis_name + "\n";
+        return least >= 0.0 ? "set " + axis_name + "range [0:*]\n" : "";
+    }
+
+    void add_series(std::size_t index) {
+        const PlotSeries& series = plot_.series[index];
+        std::vector<const PlotMark*> strong;
+        std::vector<const PlotMark*> faint;
+        std::vector<const PlotMark*> all;
+        for (const PlotMark& mark : series.marks) {
+            if (!is_drawable(plot_, mark)) continue;
+            (mark.is_faint ? faint : strong).push_back(&mark);
+            all.push_back(&mark);
+            least_.x = std::min(least_.x, mark.x);
+            least_.y = std::min(least_.y, mark.y);
+        }
+        if (all.empty()) return;
+        const std::string color = kColors[index % kColors.size()];
+        const std::string type = std::to_string(kPointTypes[index % kPointTypes.size()]);
+        if (series.is_stepped) {
+            draw(all, "using 1:2 with steps lw 2 lc rgb '#808080'", series.name);
+            return;
+        }
+        if (series.is_joined) draw(all, "using 1:2 with lines lw 2 lc rgb '" + color + "'", "");
+        const std::string points = "using 1:2:3:4:5:6 with xyerrorbars ps 0.9 pt " + type;
+        if (!faint.empty()) {
+            draw(faint, points + " lc rgb '" + kGrey + "'", strong.empty() ? series.name : "");
+        }
+        if (!strong.empty()) draw(strong, points + " lc rgb '" + color + "'", series.name);
+        for (const PlotMark* mark : all) {
+            if (mark->label.empty()) continue;
+            labels_ += "set label " + quoted(mark->label) + " at " + number(mark->x) + "," +
+                       number(mark->y) + " offset 0.7,0.5 font ',12' tc rgb '#404040'\n";
+        }
+    }
+
+    void draw(const std::vector<const PlotMark*>& marks, const std::string& how,
+              const std::string& name) {
+        const std::string block = "$d" + std::to_string(blocks_++);
+        data_ += block + " << EOD\n";
+        for (const PlotMark* mark : marks) {
+            const Interval x = mark->x_range.value_or(Interval{mark->x, mark->x});
+            const Interval y = mark->y_range.value_or(Interval{mark->y, mark->y});
+            for (const double value : {mark->x, mark->y, x.low, x.high, y.low, y.high}) {
+                data_ += number(value) + " ";
+            }
+            data_ += "\n";
+        }
+        data_ += "EOD\n";
+        drawn_ += (drawn_.empty() ? "" : ", \\\n     ") + block + " " + how +
+                  (name.empty() ? " notitle" : " title " + quoted(name));
+    }
+
+    const Plot& plot_;
+    struct {
+        double x = 0.0;
+        double y = 0.0;
+    } least_;
+    int blocks_ = 0;
+    std::string data_;
+    std::string labels_;
+    std::string drawn_;
+};
+
+}  // namespace
+
+std::string plot_svg(const Plot& plot, const Progress& progress) {
+    const PlotScript script(plot);
+    if (script.is_empty()) {
+        throw Error(ErrorKind::kDegenerateCapture, "E-CHART-EMPTY",
+                    plot.title + ": there is nothing to draw",
+                    "measure at least one setting that can be built");
+    }
+    const ScratchDirectory scratch;
+    write_whole_text(scratch / "plot.gp", script.text(scratch / "plot.svg"));
+    ChildCommand command;
+    command.arguments = {"gnuplot", (scratch / "plot.gp").string()};
+    command.log_path = scratch / "log";
+    command.time_limit_s = kTimeLimitS;
+    command.missing_advice = "install gnuplot (Debian: gnuplot-nox)";
+    const ChildResult result = run_child(command, progress);
+    std::error_code status;
+    const std::string svg = fs::is_regular_file(scratch / "plot.svg", status)
+                                ? read_whole_text(scratch / "plot.svg")
+                                : "";
+    // gnuplot's exit status says nothing about a picture that was cut short.
+    if (result.end != ChildEnd::kExited || result.exit_status != 0 ||
+        svg.find("</svg>") == std::string::npos) {
+        throw Error(ErrorKind::kExternalProgram, "E-CHART-GNUPLOT",
+                    "gnuplot made no picture of \"" + plot.title + "\": " +
+                        description_of(result, command) + ": " + read_whole_text(scratch / "log"),
+                    "check that gnuplot runs and that the disk is not full");
+    }
+    return svg;
+}
+
+}  // namespace lumi

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+
+#include "pipeline/chart/chart_result.h"
+#include "pipeline/workspace/workspace.h"
+
+namespace lumi {
+
+/// Builds every variant of a sweep in `folder` (stages that variants share are made once), draws
+/// each in every mode and compares with the held-out photographs at the largest size of all. What
+/// was made before is not made again. A variant that cannot be built is noted with its error and
+/// the others go on. Throws Error: E-CHART-NONE when none could be built, E-WORKSPACE-BUSY,
+/// E-INTERRUPTED.
+[[nodiscard]] ChartResult run_sweep(const Sweep& sweep, const std::filesystem::path& folder,
+                                    int threads, Progress& progress);
+
+/// Where the package of a variant lies once it is built.
+[[nodiscard]] WorkspaceLayout workspace_of_variant(const Variant& variant,
+                                                   const std::filesystem::path& folder);
+
+/// What has to be handed over.
+[[nodiscard]] double package_mib(const std::filesystem::path& package_folder);
+
+}  // namespace lumi

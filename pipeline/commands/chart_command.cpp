@@ -1,0 +1,85 @@
+#include <CLI/CLI.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/chart/chart_files.h"
+#include "pipeline/chart/growth_files.h"
+#include "pipeline/chart/run_sweep.h"
+#include "pipeline/chart/sweep_plots.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/report/number_text.h"
+#include "pipeline/report/padded.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ChartRequest {
+    fs::path config;
+    fs::path out;
+};
+
+std::string front_table(const ChartResult& result) {
+    const std::vector<ChartPoint> points = points_of(result);
+    std::string table = padded_left("CPU s", 9) + padded_left("ms", 9) + padded_left("MiB", 9) +
+                        padded_left("FLIP", 9) + padded_left("dB", 8) + "  settings\n";
+    for (const std::size_t index : front_by_build_time(points)) {
+        const ChartPoint& point = points[index];
+        table += padded_left(number_text(point.build_cpu_s, 1), 9) +
+                 padded_left(number_text(point.frame_ms, 1), 9) +
+                 padded_left(number_text(point.package_mib, 1), 9) +
+                 padded_left(number_text(point.mean.flip, 4), 9) +
+                 padded_left(number_text(point.mean.psnr_db, 2), 8) + "  " + point.label + "\n";
+    }
+    return table;
+}
+
+/// Where this program lies, to run stages in processes of their own.
+fs::path this_program() { return fs::read_symlink("/proc/self/exe"); }
+
+void measure_growth_if_wanted(const fs::path& config, const fs::path& folder,
+                              const CommandContext& context) {
+    const ConfigDocument document = ConfigDocument::open(config);
+    const GrowthPlan plan = read_growth_plan(document);
+    if (plan.is_empty()) return;
+    const GrowthResult growth = measure_growth(document, plan, this_program(), folder / "growth",
+                                               context.threads, *context.progress);
+    write_growth_files(folder, document.build_config_with({}).name, growth, *context.progress);
+    context.say((folder / "growth.html").string() + "\n");
+}
+
+void run_chart(const ChartRequest& request, const CommandContext& context) {
+    const Sweep sweep = read_sweep(request.config);
+    const fs::path folder =
+        request.out.empty() ? fs::path("work") / (sweep.name + "-chart") : request.out;
+    const ChartResult result = run_sweep(sweep, folder, context.threads, *context.progress);
+    write_chart_files(folder, result, *context.progress);
+    if (context.json) {
+        context.print_result(chart_json(result));
+    } else {
+        context.print_result(front_table(result));
+    }
+    measure_growth_if_wanted(request.config, folder, context);
+    context.say(number_text(100.0 * result.work.cached_share(), 0) +
+                " % of the work came from the cache\n" + (folder / "chart.html").string() + "\n");
+}
+
+}  // namespace
+
+void add_chart_command(CLI::App& app, CommandContext& context) {
+    CLI::App& command = add_command(
+        app, "chart", "Speed against accuracy: builds and measures every combination under [sweep]",
+        "lumi chart configs/demo-chart.toml");
+    const auto request = std::make_shared<ChartRequest>();
+    command
+        .add_option("CONFIG", request->config,
+                    "Configuration file with a table [sweep], or a folder of photographs")
+        ->required();
+    command.add_option("--out", request->out, "Where to work (default: work/NAME-chart)");
+    command.callback([request, &context] {
+        context.chosen = [request, &context] { run_chart(*request, context); };
+    });
+}
+
+}  // namespace lumi

@@ -1,0 +1,103 @@
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "calib/work/error.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/regression/version_figures.h"
+#include "pipeline/report/number_text.h"
+#include "pipeline/report/padded.h"
+#include "pipeline/workspace/json_file.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct RegressionRequest {
+    fs::path workspace;
+    fs::path baseline;
+    fs::path write;
+    int frames = 20;
+    int rounds = 3;
+};
+
+Json moves_json(const std::vector<FigureMove>& moves) {
+    Json list = Json::array();
+    for (const FigureMove& move : moves) {
+        list.push_back({{"name", move.name},
+                        {"before", move.before},
+                        {"now", move.now},
+                        {"noise", move.noise},
+                        {"is", move.is_better ? "better" : "worse"}});
+    }
+    return list;
+}
+
+std::string moves_text(const std::vector<FigureMove>& moves, std::size_t compared) {
+    std::string text = std::to_string(compared) + " figures compared, " +
+                       std::to_string(moves.size()) + " moved beyond noise\n";
+    for (const FigureMove& move : moves) {
+        text += padded_right(move.name, 40) + padded_left(number_text(move.before, 4), 10) + " ->" +
+                padded_left(number_text(move.now, 4), 10) + "  (noise " +
+                number_text(move.noise, 4) + ")  " + (move.is_better ? "better" : "worse") + "\n";
+    }
+    return text;
+}
+
+void compare(const RegressionRequest& request, const VersionFigures& now,
+             const CommandContext& context) {
+    const VersionFigures before = read_version_figures(request.baseline);
+    const std::vector<FigureMove> moves = moves_between(before, now);
+    if (context.json) {
+        Json json = version_figures_json(now);
+        json["moves"] = moves_json(moves);
+        context.print_result(json);
+    } else {
+        context.print_result(moves_text(moves, now.size()));
+    }
+    const auto worse = std::count_if(moves.begin(), moves.end(),
+                                     [](const FigureMove& move) { return !move.is_better; });
+    if (worse == 0) return;
+    throw Error(ErrorKind::kPartialResult, "E-REGRESSION-WORSE",
+                std::to_string(worse) + " figures are worse than in " + request.baseline.string(),
+                "find out what changed, or write a new baseline with --write");
+}
+
+void run_regression(const RegressionRequest& request, const CommandContext& context) {
+    const WorkspaceLayout workspace = find_workspace(request.workspace);
+    const VersionFigures figures = measure_version(workspace, request.frames, request.rounds,
+                                                   context.threads, *context.progress);
+    if (!request.write.empty()) write_json_file(request.write, version_figures_json(figures));
+    if (!request.baseline.empty()) {
+        compare(request, figures, context);
+    } else {
+        context.print_result(version_figures_json(figures));
+    }
+}
+
+}  // namespace
+
+void add_regression_command(CLI::App& app, CommandContext& context) {
+    CLI::App& command = add_command(
+        app, "regression",
+        "Errors and frame-time ratios of this version, and what moved against a baseline",
+        "lumi regression work/demo --baseline configs/bench-baseline.json");
+    const auto request = std::make_shared<RegressionRequest>();
+    command.add_option("WORKSPACE", request->workspace, "Folder that lumi build wrote")->required();
+    command.add_option("--baseline", request->baseline, "Figures of another version");
+    command.add_option("--write", request->write, "Where to write this version's figures");
+    command.add_option("--frames", request->frames, "Along a path from view to view")
+        ->check(CLI::Range(2, 100000))
+        ->capture_default_str();
+    command.add_option("--rounds", request->rounds, "Repetitions of the frame times")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command.callback([request, &context] {
+        context.chosen = [request, &context] { run_regression(*request, context); };
+    });
+}
+
+}  // namespace lumi

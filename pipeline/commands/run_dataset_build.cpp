@@ -1,0 +1,67 @@
+#include "pipeline/commands/run_dataset_build.h"
+
+#include <nlohmann/json.hpp>
+
+#include "calib/work/error.h"
+#include "pipeline/dataset/dataset_files.h"
+#include "pipeline/dataset/run_dataset.h"
+#include "pipeline/report/number_text.h"
+#include "pipeline/report/padded.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string table_of(const std::vector<SceneOutcome>& outcomes) {
+    std::string table = padded_right("scene", 24) + padded_left("CPU s", 9) +
+                        padded_left("MiB", 9) + padded_left("dB", 8) + padded_left("FLIP", 9) +
+                        "\n";
+    for (const SceneOutcome& outcome : outcomes) {
+        table += padded_right(outcome.name, 24);
+        if (!outcome.failure_code.empty()) {
+            table += "  " + outcome.failure_code + ": " + outcome.failure + "\n";
+            continue;
+        }
+        table += padded_left(number_text(outcome.cpu_s, 1), 9) +
+                 padded_left(number_text(outcome.package_mib, 1), 9);
+        if (outcome.mean) {
+            table += padded_left(number_text(outcome.mean->psnr_db, 2), 8) +
+                     padded_left(number_text(outcome.mean->flip, 4), 9);
+        }
+        table += "\n";
+    }
+    return table;
+}
+
+}  // namespace
+
+void run_dataset_build(const BuildRequest& request, const CommandContext& context) {
+    const Dataset dataset = read_dataset(request.config);
+    const fs::path folder =
+        request.workspace.empty() ? fs::path("work") / dataset.name : request.workspace;
+    const std::vector<SceneOutcome> outcomes =
+        run_dataset(dataset, folder, context.threads, *context.progress);
+    write_dataset_files(folder, dataset.name, outcomes, *context.progress);
+    if (context.json) {
+        context.print_result(dataset_json(dataset.name, outcomes));
+    } else {
+        context.print_result(table_of(outcomes));
+    }
+    context.say((folder / "dataset.html").string() + "\n");
+
+    std::string failed;
+    int failures = 0;
+    for (const SceneOutcome& outcome : outcomes) {
+        if (outcome.failure_code.empty()) continue;
+        failed += (failed.empty() ? "" : ", ") + outcome.name + " (" + outcome.failure_code + ")";
+        ++failures;
+    }
+    if (failures == 0) return;
+    throw Error(ErrorKind::kPartialResult, "E-DATASET-PARTIAL",
+                std::to_string(failures) + " of " + std::to_string(outcomes.size()) +
+                    " scenes could not be built: " + failed,
+                "mend them and run the same command again: the others are kept");
+}
+
+}  // namespace lumi

@@ -1,0 +1,60 @@
+#include "pipeline/commands/run_target.h"
+
+#include <nlohmann/json.hpp>
+
+#include "calib/work/error.h"
+#include "pipeline/chart/chart_files.h"
+#include "pipeline/chart/run_sweep.h"
+#include "pipeline/config/config_variant.h"
+#include "pipeline/line/line.h"
+#include "pipeline/report/workspace_report.h"
+#include "pipeline/target/deliver.h"
+#include "pipeline/workspace/json_file.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string told(const Delivery& delivery) {
+    std::string text;
+    for (const std::string& setting : delivery.settings) text += setting + "\n";
+    return text + "draw with --mode " + name_of(delivery.chosen.mode) + "\n" + delivery.wish.text +
+           ": the chart promised " + figure_text(delivery.wish, delivery.promised) +
+           ", the package comes to " + figure_text(delivery.wish, delivery.delivered) + "\n";
+}
+
+}  // namespace
+
+void run_target(const BuildRequest& request, const std::string& wish,
+                const CommandContext& context) {
+    const Wish wanted = wish_from(wish);
+    const Sweep sweep = read_sweep(request.config);
+    const BuildConfig config = ConfigDocument::open(request.config).build_config_with({});
+    const WorkspaceLayout layout = request.workspace.empty()
+                                       ? workspace_of(config)
+                                       : WorkspaceLayout(request.workspace, config.name);
+    const fs::path chart_folder = layout.folder().string() + "-chart";
+    const int threads = context.threads > 0 ? context.threads : config.threads;
+    const ChartResult chart = run_sweep(sweep, chart_folder, threads, *context.progress);
+    write_chart_files(chart_folder, chart, *context.progress);
+    const Delivery delivery =
+        deliver(wanted, chart, chart_folder, layout, threads, *context.progress);
+    write_json_file(layout.folder() / "target.json", delivery_json(delivery));
+    write_workspace_report(layout);
+
+    if (context.json) {
+        context.print_result(delivery_json(delivery));
+    } else {
+        context.print_result(layout.package_folder().string() + "\n" + told(delivery));
+    }
+    if (meets(delivery.wish, delivery.delivered)) return;
+    throw Error(ErrorKind::kPartialResult, "E-TARGET-MISSED",
+                wish + " is out of reach: the nearest is " +
+                    figure_text(delivery.wish, delivery.delivered) + " with " +
+                    delivery.chosen.label,
+                "wish for less, or try more values under [sweep]; " +
+                    (chart_folder / "chart.html").string() + " shows what there is");
+}
+
+}  // namespace lumi

@@ -1,0 +1,68 @@
+#include "pipeline/dataset/dataset.h"
+
+#include <set>
+
+#include "calib/work/error.h"
+#include "pipeline/config/config_variant.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+Scene read_scene(const ConfigSection& section, const std::vector<ConfigChange>& changes) {
+    const fs::path config = section.path("config");
+    const fs::path photos = section.path("photos");
+    if (config.empty() == photos.empty()) {
+        section.refuse("config", "either `config` (a file) or `photos` (a folder)");
+    }
+    const fs::path source = config.empty() ? photos : config;
+    const fs::path named = source.has_filename() ? source : source.parent_path();
+    Scene scene;
+    scene.name = section.text("name", named.stem().string());
+    try {
+        scene.config = ConfigDocument::open(source).build_config_with(changes);
+        scene.config.name = scene.name;
+    } catch (const Error& error) {
+        scene.failure_code = error.code();
+        scene.failure = error.what();
+    }
+    return scene;
+}
+
+}  // namespace
+
+bool is_dataset_file(const fs::path& path) {
+    std::error_code status;
+    if (!fs::is_regular_file(path, status)) return false;
+    return ConfigDocument::open(path).has_tables("scene");
+}
+
+Dataset read_dataset(const fs::path& path) {
+    const ConfigSection file = ConfigSection::from_file(path);
+    const ConfigDocument document = ConfigDocument::open(path);
+    Dataset dataset;
+    dataset.name = file.text("name", path.stem().string());
+    file.leave_to_others("settings");
+    const std::vector<ConfigChange> for_all = document.changes_of("settings");
+    std::set<std::string> names;
+    const std::vector<ConfigSection> sections = file.sections("scene");
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        sections[i].leave_to_others("settings");
+        std::vector<ConfigChange> changes = for_all;
+        for (ConfigChange& change :
+             document.changes_of("scene[" + std::to_string(i) + "].settings")) {
+            changes.push_back(std::move(change));
+        }
+        dataset.scenes.push_back(read_scene(sections[i], changes));
+        if (!names.insert(dataset.scenes.back().name).second) {
+            throw Error(ErrorKind::kUsage, "E-DATASET-NAME",
+                        path.string() + ": two scenes are named " + dataset.scenes.back().name,
+                        "give one of them another name = \"...\"");
+        }
+    }
+    file.expect_all_keys_known();
+    return dataset;
+}
+
+}  // namespace lumi

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/config/build_config.h"
+
+namespace lumi {
+
+/// A scene of a dataset: its configuration, or why it has none.
+struct Scene {
+    std::string name;
+    BuildConfig config;
+    std::string failure_code;  ///< Empty when the configuration could be read.
+    std::string failure;
+};
+
+/// Several scenes that are built with one command:
+///
+///     name = "arena"
+///     [settings]                      # for every scene; any setting of a configuration
+///     depth.model = "sweep"
+///     [[scene]]
+///     config = "fountain.toml"        # relative to this file
+///     [[scene]]
+///     photos = "chair/"               # a folder of photographs, all else as by default
+///     name = "chair"
+///     settings.evaluate.hold_out_every = 8
+struct Dataset {
+    std::string name;
+    std::vector<Scene> scenes;
+};
+
+/// True for a TOML file with [[scene]] tables.
+[[nodiscard]] bool is_dataset_file(const std::filesystem::path& path);
+
+/// Throws Error: E-CONFIG-... about the file itself, E-DATASET-NAME when two scenes have one name.
+/// What is wrong with a scene's own configuration is that scene's failure.
+[[nodiscard]] Dataset read_dataset(const std::filesystem::path& path);
+
+}  // namespace lumi

@@ -1,0 +1,120 @@
+#include "pipeline/dataset/dataset_files.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "calib/work/whole_file.h"
+#include "pipeline/chart/plot.h"
+#include "pipeline/report/csv.h"
+#include "pipeline/report/html.h"
+#include "pipeline/report/number_text.h"
+#include "pipeline/workspace/json_file.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Rows = std::vector<std::vector<std::string>>;
+
+std::vector<std::string> row_of(const SceneOutcome& outcome) {
+    std::vector<std::string> row{outcome.name};
+    if (!outcome.failure_code.empty()) {
+        row.push_back(outcome.failure_code + ": " + outcome.failure);
+        row.resize(9);
+        return row;
+    }
+    row.insert(
+        row.end(),
+        {"built", std::to_string(outcome.placed) + " of " + std::to_string(outcome.photographs),
+         number_text(outcome.cpu_s, 1), number_text(outcome.package_mib, 1)});
+    if (outcome.mean) {
+        row.insert(
+            row.end(),
+            {number_text(outcome.mean->psnr_db, 2), number_text(outcome.mean->ssim, 4),
+             number_text(outcome.mean->flip, 4), number_text(100.0 * outcome.mean->coverage, 1)});
+    }
+    row.resize(9);
+    return row;
+}
+
+const std::vector<std::string>& headings() {
+    static const std::vector<std::string> texts{"scene", "state",         "placed",
+                                                "CPU s", "package (MiB)", "PSNR (dB)",
+                                                "SSIM",  "FLIP",          "covered (%)"};
+    return texts;
+}
+
+Plot plot_of(const std::string& name, const std::vector<SceneOutcome>& outcomes) {
+    Plot plot{"Scenes of " + name,
+              "CPU seconds from photographs to package",
+              "FLIP error of held-out photographs (less is better)",
+              true,
+              false,
+              {},
+              {}};
+    PlotSeries series;
+    for (const SceneOutcome& outcome : outcomes) {
+        if (!outcome.mean) continue;
+        series.marks.push_back(
+            {outcome.cpu_s, outcome.mean->flip, {}, outcome.flip_interval, outcome.name, false});
+    }
+    plot.series.push_back(std::move(series));
+    return plot;
+}
+
+std::string page_of(const std::string& name, const std::vector<SceneOutcome>& outcomes,
+                    const std::string& svg) {
+    const auto failed = std::count_if(outcomes.begin(), outcomes.end(),
+                                      [](const auto& o) { return !o.failure_code.empty(); });
+    Rows rows;
+    for (const SceneOutcome& outcome : outcomes) rows.push_back(row_of(outcome));
+    std::string body = "<div class=\"verdict " + std::string(failed == 0 ? "good" : "fair") +
+                       "\"><strong>" +
+                       std::to_string(outcomes.size() - static_cast<std::size_t>(failed)) + " of " +
+                       std::to_string(outcomes.size()) + " scenes were built.</strong></div>\n";
+    if (!svg.empty()) body += html_svg_figure(svg, "Seconds against error, one mark a scene");
+    return html_page("Dataset: " + name, body + html_table(headings(), rows));
+}
+
+}  // namespace
+
+Json dataset_json(const std::string& name, const std::vector<SceneOutcome>& outcomes) {
+    Json scenes = Json::array();
+    for (const SceneOutcome& outcome : outcomes) {
+        Json scene{{"name", outcome.name},
+                   {"failure_code", outcome.failure_code},
+                   {"failure", outcome.failure},
+                   {"photographs", outcome.photographs},
+                   {"placed", outcome.placed},
+                   {"cpu_s", outcome.cpu_s},
+                   {"wall_s", outcome.wall_s},
+                   {"package_mib", outcome.package_mib},
+                   {"mean", Json()}};
+        if (outcome.mean) {
+            Json mean = Json::object();
+            for (const ScoreMetric& metric : score_metrics()) {
+                const auto value = metric.value(*outcome.mean);
+                mean[metric.name] = value ? Json(*value) : Json();
+            }
+            scene["mean"] = std::move(mean);
+        }
+        scenes.push_back(std::move(scene));
+    }
+    return Json{{"schema_version", 1}, {"name", name}, {"scenes", std::move(scenes)}};
+}
+
+void write_dataset_files(const std::filesystem::path& folder, const std::string& name,
+                         const std::vector<SceneOutcome>& outcomes, const Progress& progress) {
+    write_json_file(folder / "dataset.json", dataset_json(name, outcomes));
+    std::string csv = csv_row(headings());
+    for (const SceneOutcome& outcome : outcomes) csv += csv_row(row_of(outcome));
+    write_whole_text(folder / "dataset.csv", csv);
+    std::string svg;
+    if (std::any_of(outcomes.begin(), outcomes.end(), [](const auto& o) { return o.mean; })) {
+        svg = plot_svg(plot_of(name, outcomes), progress);
+        write_whole_text(folder / "dataset.svg", svg);
+    }
+    write_whole_text(folder / "dataset.html", page_of(name, outcomes, svg));
+}
+
+}  // namespace lumi

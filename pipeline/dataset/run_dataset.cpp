@@ -1,0 +1,89 @@
+#include "pipeline/dataset/run_dataset.h"
+
+#include <nlohmann/json.hpp>
+
+#include "calib/work/error.h"
+#include "pipeline/chart/run_sweep.h"
+#include "pipeline/evaluate/evaluate_workspace.h"
+#include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/line/line.h"
+#include "pipeline/report/workspace_report.h"
+#include "pipeline/stages/pack_stage.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// The first mode's scores of the package that stands in the workspace, measured if need be.
+ModeScores current_scores(const Workspace& workspace, int threads, Progress& progress) {
+    const Json evaluation = read_current_evaluation(workspace);
+    if (!evaluation.is_null()) {
+        const auto mode = render_mode_named(evaluation.at("mode").get<std::string>());
+        if (mode) return mode_scores_from(*mode, evaluation);
+    }
+    return evaluate_workspace(workspace, {}, threads, progress).modes.front();
+}
+
+std::optional<Interval> flip_interval_of(const std::vector<ViewScore>& views) {
+    for (const ScoreMetric& metric : score_metrics()) {
+        if (std::string("flip") == metric.name) return interval_of(metric, views);
+    }
+    return std::nullopt;
+}
+
+void build(const Scene& scene, const fs::path& folder, int threads, SceneOutcome& outcome,
+           Progress& progress) {
+    const Workspace workspace(WorkspaceLayout(folder / scene.name, scene.config.name));
+    const int scene_threads = threads > 0 ? threads : scene.config.threads;
+    const std::vector<FinishedStage> stages =
+        run_line(scene.config, workspace, "pack", scene_threads, progress);
+    for (const FinishedStage& stage : stages) {
+        outcome.cpu_s += stage.cost.cpu_s;
+        outcome.wall_s += stage.cost.wall_s;
+        if (stage.name != "poses") continue;
+        const Json facts = Json::parse(stage.evidence.facts_json);
+        outcome.photographs = facts.value("photographs_total", 0);
+        outcome.placed = facts.value("photographs_registered", 0);
+    }
+    outcome.package_mib = package_mib(workspace.package_folder());
+    if (!read_pack_record(workspace.stage_folder("pack")).held_out.empty()) {
+        const ModeScores scores = current_scores(workspace, scene_threads, progress);
+        outcome.mean = mean_score(scores.views);
+        outcome.flip_interval = flip_interval_of(scores.views);
+    }
+    write_workspace_report(workspace);
+}
+
+}  // namespace
+
+std::vector<SceneOutcome> run_dataset(const Dataset& dataset, const fs::path& folder, int threads,
+                                      Progress& progress) {
+    std::vector<SceneOutcome> outcomes;
+    for (const Scene& scene : dataset.scenes) {
+        progress.note("scene " + std::to_string(outcomes.size() + 1) + " of " +
+                      std::to_string(dataset.scenes.size()) + ": " + scene.name);
+        SceneOutcome outcome;
+        outcome.name = scene.name;
+        outcome.failure_code = scene.failure_code;
+        outcome.failure = scene.failure;
+        if (outcome.failure_code.empty()) {
+            try {
+                build(scene, folder, threads, outcome, progress);
+            } catch (const Error& error) {
+                if (error.kind() == ErrorKind::kInterrupted ||
+                    error.kind() == ErrorKind::kResources) {
+                    throw;
+                }
+                outcome.failure_code = error.code();
+                outcome.failure = error.what();
+                progress.note(scene.name + ": " + error.code() + ": " + error.what());
+            }
+        }
+        outcomes.push_back(std::move(outcome));
+    }
+    return outcomes;
+}
+
+}  // namespace lumi

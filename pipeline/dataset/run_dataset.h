@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calib/work/progress.h"
+#include "pipeline/dataset/dataset.h"
+#include "pipeline/evaluate/view_score.h"
+
+namespace lumi {
+
+/// What became of a scene.
+struct SceneOutcome {
+    std::string name;
+    std::string failure_code;  ///< Empty when it was built.
+    std::string failure;
+    int photographs = 0;
+    int placed = 0;
+    double cpu_s = 0.0;  ///< Of all stages, whenever they were run.
+    double wall_s = 0.0;
+    double package_mib = 0.0;
+    std::optional<ViewScore> mean;  ///< Empty when nothing was held out.
+    std::optional<Interval> flip_interval;
+};
+
+/// Builds every scene in FOLDER/NAME, evaluates those with held-out photographs and writes their
+/// reports. What is up to date is not made again. A scene that fails does not stop the others; only
+/// an interruption and a full disk do.
+[[nodiscard]] std::vector<SceneOutcome> run_dataset(const Dataset& dataset,
+                                                    const std::filesystem::path& folder,
+                                                    int threads, Progress& progress);
+
+}  // namespace lumi

@@ -1,0 +1,104 @@
+#include "pipeline/evaluate/evaluation_comparison.h"
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "calib/work/error.h"
+#include "pipeline/evaluate/view_score.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The views of each mode, by name.
+using ViewsOfMode = std::map<std::string, std::map<std::string, Json>>;
+
+ViewsOfMode views_by_mode(const Json& evaluation) {
+    ViewsOfMode modes;
+    const auto add = [&](const std::string& mode, const Json& scores) {
+        for (const Json& view : scores.at("views")) {
+            modes[mode][view.at("name").get<std::string>()] = view;
+        }
+    };
+    add(evaluation.at("mode").get<std::string>(), evaluation);
+    for (const auto& [mode, scores] : evaluation.at("modes").items()) add(mode, scores);
+    return modes;
+}
+
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+MetricComparison compare_metric(const ScoreMetric& metric, const std::vector<std::string>& names,
+                                const std::map<std::string, Json>& views_a,
+                                const std::map<std::string, Json>& views_b) {
+    std::vector<double> a;
+    std::vector<double> b;
+    std::vector<double> differences;
+    for (const std::string& name : names) {
+        const Json& value_a = views_a.at(name).at(metric.name);
+        const Json& value_b = views_b.at(name).at(metric.name);
+        if (value_a.is_null() || value_b.is_null()) continue;
+        a.push_back(value_a.get<double>());
+        b.push_back(value_b.get<double>());
+        differences.push_back(b.back() - a.back());
+    }
+    MetricComparison comparison{metric.name, {}, {}, {}, {}, metric.higher_is_better};
+    if (a.empty()) return comparison;
+    comparison.mean_a = mean(a);
+    comparison.mean_b = mean(b);
+    comparison.mean_difference = mean(differences);
+    comparison.interval = bootstrap_interval(differences);
+    return comparison;
+}
+
+std::vector<ModeComparison> compare(const Json& a, const Json& b) {
+    const ViewsOfMode modes_a = views_by_mode(a);
+    const ViewsOfMode modes_b = views_by_mode(b);
+    std::vector<ModeComparison> comparisons;
+    for (const auto& [mode, views_a] : modes_a) {
+        const auto views_b = modes_b.find(mode);
+        if (views_b == modes_b.end()) continue;
+        ModeComparison comparison{mode, {}, {}};
+        for (const auto& [name, view] : views_a) {
+            if (views_b->second.contains(name)) comparison.shared_views.push_back(name);
+        }
+        if (comparison.shared_views.empty()) continue;
+        for (const ScoreMetric& metric : score_metrics()) {
+            comparison.metrics.push_back(
+                compare_metric(metric, comparison.shared_views, views_a, views_b->second));
+        }
+        comparisons.push_back(std::move(comparison));
+    }
+    return comparisons;
+}
+
+}  // namespace
+
+std::vector<ModeComparison> compare_evaluations(const Json& a, const Json& b) {
+    std::vector<ModeComparison> comparisons;
+    try {
+        comparisons = compare(a, b);
+    } catch (const Json::exception& error) {
+        throw Error(ErrorKind::kBadInput, "E-JSON-READ",
+                    std::string("an evaluation lacks what it should say: ") + error.what(),
+                    "run `lumi evaluate` again");
+    }
+    if (comparisons.empty()) {
+        throw Error(ErrorKind::kBadInput, "E-EVAL-DISJOINT",
+                    "the two evaluations have no view of one mode in common",
+                    "compare evaluations that hold out the same photographs");
+    }
+    return comparisons;
+}
+
+std::string judgement_of(const MetricComparison& comparison) {
+    if (!comparison.interval) return "same";
+    const Interval& interval = *comparison.interval;
+    if (interval.low <= 0.0 && interval.high >= 0.0) return "same";
+    return (interval.low > 0.0) == comparison.higher_is_better ? "better" : "worse";
+}
+
+}  // namespace lumi

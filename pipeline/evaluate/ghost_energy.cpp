@@ -1,0 +1,115 @@
+#include "pipeline/evaluate/ghost_energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "render/modes/offscreen_renderer.h"
+
+namespace lumi {
+namespace {
+
+/// Sums over the classes at each pixel of one eye.
+struct Moments {
+    FloatImage weight;
+    FloatImage luma;
+    FloatImage squared_luma;
+    GrayImage coverage;
+};
+
+/// The Lumigraph whose photographs tell of one class alone: red is luma, green says "here".
+Lumigraph only_class(const Lumigraph& lumigraph, const std::vector<int>& classes, int wanted) {
+    Lumigraph result = lumigraph;
+    for (std::size_t i = 0; i < result.views.size(); ++i) {
+        const bool is_wanted = classes[i] == wanted;
+        for (Rgb8& pixel : result.views[i].photograph.pixels()) {
+            const double luma = 0.299 * pixel.r + 0.587 * pixel.g + 0.114 * pixel.b;
+            pixel = is_wanted ? Rgb8{static_cast<std::uint8_t>(std::lround(luma)), 255, 0} : Rgb8{};
+        }
+    }
+    return result;
+}
+
+void add_class(Moments& moments, const Frame& frame) {
+    for (std::size_t i = 0; i < frame.color.pixels().size(); ++i) {
+        const Rgb8& pixel = frame.color.pixels()[i];
+        if (pixel.g == 0) continue;
+        const float weight = static_cast<float>(pixel.g) / 255.0F;
+        const float weighted_luma = static_cast<float>(pixel.r);
+        moments.weight.pixels()[i] += weight;
+        moments.luma.pixels()[i] += weighted_luma;
+        moments.squared_luma.pixels()[i] += weighted_luma * weighted_luma / weight;
+    }
+    moments.coverage = frame.coverage;
+}
+
+FloatImage variance(const Moments& moments) {
+    FloatImage result(moments.weight.width(), moments.weight.height());
+    for (std::size_t i = 0; i < result.pixels().size(); ++i) {
+        const float weight = moments.weight.pixels()[i];
+        if (weight <= 0.0F || moments.coverage.pixels()[i] == 0) continue;
+        const float mean = moments.luma.pixels()[i] / weight;
+        result.pixels()[i] =
+            std::max(0.0F, moments.squared_luma.pixels()[i] / weight - mean * mean);
+    }
+    return result;
+}
+
+std::vector<std::set<int>> neighbours_on(const CameraMesh& mesh, int view_count) {
+    std::vector<std::set<int>> neighbours(static_cast<std::size_t>(view_count));
+    const auto view_of = [&](int vertex) {
+        return mesh.vertices[static_cast<std::size_t>(vertex)].view_index;
+    };
+    for (const CameraMesh::Face& face : mesh.faces) {
+        for (const int a : face) {
+            for (const int b : face) {
+                if (view_of(a) == view_of(b)) continue;
+                neighbours[static_cast<std::size_t>(view_of(a))].insert(view_of(b));
+            }
+        }
+    }
+    return neighbours;
+}
+
+}  // namespace
+
+std::vector<int> camera_classes(const CameraMesh& mesh, int view_count) {
+    const std::vector<std::set<int>> neighbours = neighbours_on(mesh, view_count);
+    std::vector<int> classes(static_cast<std::size_t>(view_count), -1);
+    for (std::size_t view = 0; view < classes.size(); ++view) {
+        std::set<int> taken;
+        for (const int other : neighbours[view]) {
+            taken.insert(classes[static_cast<std::size_t>(other)]);
+        }
+        int free_class = 0;
+        while (taken.contains(free_class)) ++free_class;
+        classes[view] = free_class;
+    }
+    return classes;
+}
+
+std::vector<FloatImage> ghost_energies(const Lumigraph& lumigraph, const std::vector<Eye>& eyes,
+                                       RenderMode mode, Progress& progress) {
+    const std::vector<int> classes =
+        camera_classes(lumigraph.mesh, static_cast<int>(lumigraph.views.size()));
+    const int class_count = 1 + *std::max_element(classes.begin(), classes.end());
+    std::vector<Moments> moments;
+    for (const Eye& eye : eyes) {
+        const FloatImage zero(eye.camera.width_px, eye.camera.height_px, 0.0F);
+        moments.push_back({zero, zero, zero, {}});
+    }
+    progress.begin("measuring ghost energy", static_cast<std::size_t>(class_count) * eyes.size());
+    for (int wanted = 0; wanted < class_count; ++wanted) {
+        OffscreenRenderer renderer(only_class(lumigraph, classes, wanted));
+        for (std::size_t i = 0; i < eyes.size(); ++i) {
+            progress.throw_if_interrupted();
+            add_class(moments[i], renderer.draw(eyes[i], {.mode = mode}));
+            progress.advance();
+        }
+    }
+    std::vector<FloatImage> energies;
+    for (const Moments& sums : moments) energies.push_back(variance(sums));
+    return energies;
+}
+
+}  // namespace lumi

@@ -1,0 +1,73 @@
+#include "pipeline/evaluate/view_score.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+namespace lumi {
+
+const std::vector<ScoreMetric>& score_metrics() {
+    using Value = std::optional<double>;
+    static const std::vector<ScoreMetric> metrics{
+        {"psnr_db", [](const ViewScore& s) -> Value { return s.psnr_db; }, true},
+        {"psnr_covered_db", [](const ViewScore& s) { return s.psnr_covered_db; }, true},
+        {"ssim", [](const ViewScore& s) -> Value { return s.ssim; }, true},
+        {"flip", [](const ViewScore& s) -> Value { return s.flip; }, false},
+        {"flip_covered", [](const ViewScore& s) { return s.flip_covered; }, false},
+        {"edge_sharpness", [](const ViewScore& s) { return s.edge_sharpness; }, true},
+        {"psnr_gain_fitted_db", [](const ViewScore& s) { return s.psnr_gain_fitted_db; }, true},
+        {"ghost_energy", [](const ViewScore& s) { return s.ghost_energy; }, false},
+        {"coverage", [](const ViewScore& s) -> Value { return s.coverage; }, true},
+        {"ms", [](const ViewScore& s) -> Value { return s.ms; }, false}};
+    return metrics;
+}
+
+std::vector<double> values_of(const ScoreMetric& metric, const std::vector<ViewScore>& views) {
+    std::vector<double> values;
+    for (const ViewScore& view : views) {
+        if (const auto value = metric.value(view)) values.push_back(*value);
+    }
+    return values;
+}
+
+std::optional<double> mean_of(const ScoreMetric& metric, const std::vector<ViewScore>& views) {
+    const std::vector<double> values = values_of(metric, views);
+    if (values.empty()) return std::nullopt;
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+std::optional<Interval> interval_of(const ScoreMetric& metric,
+                                    const std::vector<ViewScore>& views) {
+    return bootstrap_interval(values_of(metric, views));
+}
+
+ViewScore mean_score(const std::vector<ViewScore>& views) {
+    const auto mean = [&](const std::string& name) {
+        const auto metric =
+            std::find_if(score_metrics().begin(), score_metrics().end(),
+                         [&](const ScoreMetric& candidate) { return name == candidate.name; });
+        return mean_of(*metric, views);
+    };
+    ViewScore score;
+    score.name = "mean";
+    score.psnr_db = mean("psnr_db").value_or(0.0);
+    score.psnr_covered_db = mean("psnr_covered_db");
+    score.ssim = mean("ssim").value_or(0.0);
+    score.coverage = mean("coverage").value_or(0.0);
+    score.ms = mean("ms").value_or(0.0);
+    score.flip = mean("flip").value_or(0.0);
+    score.flip_covered = mean("flip_covered");
+    score.edge_sharpness = mean("edge_sharpness");
+    score.psnr_gain_fitted_db = mean("psnr_gain_fitted_db");
+    score.ghost_energy = mean("ghost_energy");
+    return score;
+}
+
+std::vector<ViewScore> views_at(ViewPlace place, const std::vector<ViewScore>& views) {
+    std::vector<ViewScore> found;
+    std::copy_if(views.begin(), views.end(), std::back_inserter(found),
+                 [&](const ViewScore& view) { return view.place == place; });
+    return found;
+}
+
+}  // namespace lumi

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/evaluate/bootstrap.h"
+#include "pipeline/evaluate/view_place.h"
+
+namespace lumi {
+
+/// How close a rendering comes to the photograph that was held out.
+struct ViewScore {
+    std::string name;
+    double psnr_db = 0.0;                   ///< Over the full frame.
+    std::optional<double> psnr_covered_db;  ///< Over covered pixels; empty when none is.
+    double ssim = 0.0;
+    double coverage = 0.0;  ///< Share of pixels drawn, 0 to 1.
+    double ms = 0.0;        ///< Median over repeated frames, one warm-up frame aside.
+    double flip = 0.0;      ///< Mean FLIP over the full frame, 0 (equal) to 1.
+    std::optional<double> flip_covered;
+    std::optional<double> edge_sharpness;  ///< Gradient energy over the photograph's, covered.
+    /// Covered PSNR after a gain and bias per channel: without exposure and white balance.
+    std::optional<double> psnr_gain_fitted_db;
+    std::array<double, 3> gain{1.0, 1.0, 1.0};  ///< Of that fit.
+    std::optional<double> ghost_energy;         ///< Mean over the frame; squared 8-bit luma.
+    ViewPlace place = ViewPlace::kInterior;
+    double fastest_ms = 0.0;  ///< Of the repeated frames.
+    double slowest_ms = 0.0;
+};
+
+/// A figure of a view's score, by the name it has in JSON.
+struct ScoreMetric {
+    const char* name;
+    std::optional<double> (*value)(const ViewScore& score);
+    bool higher_is_better;
+};
+
+/// All figures that are averaged over views, in the order in which they are told.
+[[nodiscard]] const std::vector<ScoreMetric>& score_metrics();
+
+/// The figure over the views that have it.
+[[nodiscard]] std::vector<double> values_of(const ScoreMetric& metric,
+                                            const std::vector<ViewScore>& views);
+[[nodiscard]] std::optional<double> mean_of(const ScoreMetric& metric,
+                                            const std::vector<ViewScore>& views);
+[[nodiscard]] std::optional<Interval> interval_of(const ScoreMetric& metric,
+                                                  const std::vector<ViewScore>& views);
+
+/// The mean over views; for what not every view has, over those that have it. `name` is "mean".
+[[nodiscard]] ViewScore mean_score(const std::vector<ViewScore>& views);
+
+/// The views that stand there.
+[[nodiscard]] std::vector<ViewScore> views_at(ViewPlace place, const std::vector<ViewScore>& views);
+
+}  // namespace lumi

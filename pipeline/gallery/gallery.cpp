@@ -1,0 +1,113 @@
+#include "pipeline/gallery/gallery.h"
+
+#include <nlohmann/json.hpp>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/gallery/gallery_pictures.h"
+#include "pipeline/report/number_text.h"
+#include "pipeline/workspace/json_file.h"
+#include "render/lumigraph/package.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kStripWidthPx = 1500;
+constexpr int kJpegQuality = 88;
+
+struct KnownChart {
+    fs::path path;
+    std::string name;
+    std::string caption;
+};
+
+std::vector<KnownChart> charts_of(const WorkspaceLayout& workspace) {
+    const fs::path sweep = workspace.folder().string() + "-chart";
+    const fs::path stress = workspace.folder() / "stress";
+    return {
+        {sweep / "end-to-end.svg", "chart-end-to-end.svg",
+         "What each second buys: photographs to the first picture"},
+        {sweep / "drawing.svg", "chart-drawing.svg", "What each millisecond of a frame buys"},
+        {sweep / "stage-depth.svg", "chart-depth.svg", "What each second of depth buys"},
+        {sweep / "growth-cpu-photographs.svg", "growth-cpu.svg",
+         "How the stages grow with the number of photographs"},
+        {stress / "pose_rotation_deg.svg", "stress-poses.svg", "What wrong poses cost"},
+        {stress / "depth_percent.svg", "stress-depth.svg", "What wrong depth costs"},
+        {stress / "views_dropped_percent.svg", "stress-views.svg", "What fewer photographs cost"}};
+}
+
+std::string figure(const std::string& file, const std::string& caption) {
+    return "![" + caption + "](" + file + ")\n\n*" + caption + "*\n\n";
+}
+
+std::string score_row(const std::string& mode, const Json& scores) {
+    const Json& mean = scores.at("mean");
+    const auto cell = [](const Json& value, int decimals, double factor = 1.0) {
+        return (value.is_null() ? std::string("-")
+                                : number_text(factor * value.get<double>(), decimals)) +
+               " | ";
+    };
+    const Json& interval = scores.at("interval").at("flip");
+    const std::string bounds = interval.is_null()
+                                   ? "-"
+                                   : number_text(interval.at(0).get<double>(), 4) + " to " +
+                                         number_text(interval.at(1).get<double>(), 4);
+    return "| `" + mode + "` | " + cell(mean.at("psnr_db"), 2) + cell(mean.at("ssim"), 4) +
+           cell(mean.at("flip"), 4) + bounds + " | " + cell(mean.at("edge_sharpness"), 2) +
+           cell(mean.at("coverage"), 1, 100.0) + cell(mean.at("ms"), 1) + "\n";
+}
+
+std::string table_of(const Json& evaluation) {
+    std::string table =
+        "| mode | PSNR (dB) | SSIM | FLIP | 95 % of FLIP | sharpness | covered (%) | ms |\n"
+        "|---|---|---|---|---|---|---|---|\n";
+    table += score_row(evaluation.at("mode"), evaluation);
+    for (const auto& [mode, scores] : evaluation.at("modes").items()) {
+        table += score_row(mode, scores);
+    }
+    return table + "\n";
+}
+
+}  // namespace
+
+void write_gallery(const WorkspaceLayout& workspace, const fs::path& folder, Progress& progress) {
+    const Json evaluation = read_current_evaluation(workspace);
+    if (evaluation.is_null()) {
+        throw Error(ErrorKind::kUsage, "E-GALLERY-EVALUATION",
+                    workspace.folder().string() + ": its package was not evaluated",
+                    "run `lumi evaluate " + workspace.folder().string() + "` first");
+    }
+    progress.begin("drawing the gallery", 0);
+    const Json& view = evaluation.at("views").at(evaluation.at("views").size() / 2);
+    write_jpeg(folder / "held-out.jpg",
+               fitted_to(read_color_image(workspace.evaluation_folder() /
+                                          view.at("picture").get<std::string>()),
+                         kStripWidthPx),
+               kJpegQuality);
+    write_jpeg(folder / "methods.jpg", methods_picture(read_package(workspace.package_folder())),
+               kJpegQuality);
+
+    std::string page =
+        "# Gallery: " + workspace.name() +
+        "\n\nMade by `lumi gallery`; the figures are those of "
+        "this version.\n\n" +
+        figure("held-out.jpg",
+               "A photograph that was not used; what lumi draws from its place; the error") +
+        table_of(evaluation) +
+        figure("methods.jpg",
+               "One eye: without depth, with depth; blending weights, inverse depth");
+    for (const KnownChart& chart : charts_of(workspace)) {
+        std::error_code status;
+        if (!fs::is_regular_file(chart.path, status)) continue;
+        write_whole_text(folder / chart.name, read_whole_text(chart.path));
+        page += figure(chart.name, chart.caption);
+    }
+    write_whole_text(folder / "gallery.md", page);
+}
+
+}  // namespace lumi

@@ -1,0 +1,50 @@
+#include "pipeline/gallery/gallery_pictures.h"
+
+#include <algorithm>
+#include <array>
+
+#include "calib/capture/image_io.h"
+#include "render/modes/offscreen_renderer.h"
+#include "render/paths/path_through_views.h"
+
+namespace lumi {
+namespace {
+
+constexpr int kGapPx = 4;
+constexpr int kPanelWidthPx = 700;
+constexpr int kPathSteps = 64;
+
+void paste(ColorImage& canvas, const ColorImage& picture, int left, int top) {
+    for (int y = 0; y < picture.height(); ++y) {
+        std::copy_n(picture.row(y), picture.width(), canvas.row(top + y) + left);
+    }
+}
+
+}  // namespace
+
+ColorImage fitted_to(const ColorImage& picture, int max_width_px) {
+    if (picture.width() <= max_width_px) return picture;
+    return resized(picture, max_width_px,
+                   std::max(1, picture.height() * max_width_px / picture.width()));
+}
+
+ColorImage methods_picture(const Lumigraph& lumigraph) {
+    const Camera& camera = lumigraph.views.front().camera;
+    const int height = kPanelWidthPx * camera.height_px / camera.width_px;
+    const std::vector<Eye> path = path_through_views(lumigraph, kPathSteps, kPanelWidthPx, height);
+    const std::array<RenderOptions, 4> panels{
+        {{.mode = RenderMode::kLightField},
+         {.mode = RenderMode::kPerPixel},
+         {.mode = RenderMode::kPerPixel, .debug_picture = DebugPicture::kWeights},
+         {.mode = RenderMode::kPerPixel, .debug_picture = DebugPicture::kDepth}}};
+    OffscreenRenderer renderer(lumigraph);
+    ColorImage canvas(2 * kPanelWidthPx + kGapPx, 2 * height + kGapPx, {255, 255, 255});
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const Frame frame = renderer.draw(path[kPathSteps / 2], panels[i]);
+        paste(canvas, frame.color, static_cast<int>(i % 2) * (kPanelWidthPx + kGapPx),
+              static_cast<int>(i / 2) * (height + kGapPx));
+    }
+    return canvas;
+}
+
+}  // namespace lumi

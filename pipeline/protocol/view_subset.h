@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// The views at `kept` (rising indices) alone, with their depth as it is and a camera mesh over
+/// them.
+[[nodiscard]] Lumigraph only_these_views(const Lumigraph& lumigraph, const std::vector<int>& kept);
+
+}  // namespace lumi

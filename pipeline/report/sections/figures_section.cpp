@@ -1,0 +1,89 @@
+#include "pipeline/report/html.h"
+#include "pipeline/report/number_text.h"
+#include "pipeline/report/sections/sections.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number_or_dash(const Json& value, int decimals, double factor = 1.0) {
+    return value.is_null() ? "-" : number_text(factor * value.get<double>(), decimals);
+}
+
+const std::vector<std::string>& headings() {
+    static const std::vector<std::string> texts{
+        "",          "PSNR (dB)",           "covered (dB)", "SSIM", "FLIP",
+        "sharpness", "dB, exposure fitted", "covered (%)",  "ms"};
+    return texts;
+}
+
+std::vector<std::string> row_of(const std::string& name, const Json& score) {
+    return {name,
+            number_or_dash(score.at("psnr_db"), 2),
+            number_or_dash(score.at("psnr_covered_db"), 2),
+            number_or_dash(score.at("ssim"), 4),
+            number_or_dash(score.at("flip"), 4),
+            number_or_dash(score.at("edge_sharpness"), 3),
+            number_or_dash(score.at("psnr_gain_fitted_db"), 2),
+            number_or_dash(score.at("coverage"), 2, 100.0),
+            number_or_dash(score.at("ms"), 1)};
+}
+
+/// The bounds of an interval as two scores, for a row each.
+Json bound_of(const Json& interval, std::size_t side) {
+    Json bound = Json::object();
+    for (const auto& [key, range] : interval.items()) {
+        bound[key] = range.is_null() ? Json() : range.at(side);
+    }
+    return bound;
+}
+
+TableRows summary_rows(const Json& scores) {
+    TableRows rows{row_of("mean", scores.at("mean")),
+                   row_of("95 %, from", bound_of(scores.at("interval"), 0)),
+                   row_of("95 %, to", bound_of(scores.at("interval"), 1))};
+    for (const char* place : {"interior", "border"}) {
+        const Json& group = scores.at(place);
+        const auto count = group.at("views").get<int>();
+        if (count == 0) continue;
+        rows.push_back(
+            row_of(std::string(place) + " (" + std::to_string(count) + ")", group.at("mean")));
+    }
+    return rows;
+}
+
+std::string mode_tables(const std::string& mode, const Json& scores) {
+    TableRows rows;
+    for (const Json& view : scores.at("views")) {
+        rows.push_back(row_of(text_of(view.at("name")), view));
+    }
+    return "<h3>" + html_escaped(mode) + "</h3>" + html_table(headings(), summary_rows(scores)) +
+           html_details("Every view", html_table(headings(), rows));
+}
+
+std::string ghost_remark(const Json& evaluation) {
+    const Json& correlation = evaluation.at("ghost_rank_correlation").at("between_blocks");
+    if (correlation.is_null()) return {};
+    return "<p>Where the blended cameras disagree, the picture is wrong: the rank correlation of "
+           "ghost energy with the true error is " +
+           number_text(correlation.get<double>(), 2) + " over blocks of 16 pixels.</p>\n";
+}
+
+}  // namespace
+
+std::string figures_section(const ReportSources& sources) {
+    const Json& evaluation = sources.evaluation;
+    if (evaluation.is_null()) return {};
+    std::string html = mode_tables(text_of(evaluation.at("mode")), evaluation);
+    for (const auto& [mode, scores] : evaluation.at("modes").items()) {
+        html += mode_tables(mode, scores);
+    }
+    html += ghost_remark(evaluation) + "<p>Drawn with " +
+            html_escaped(text_of(evaluation.at("gl"))) +
+            ". Intervals are bootstrap intervals of the mean over views. Interior: between "
+            "cameras; border: continued beyond the outermost ones.</p>\n";
+    return html_section("How close it comes", html);
+}
+
+}  // namespace lumi

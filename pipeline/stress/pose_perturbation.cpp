@@ -1,0 +1,75 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "pipeline/stress/perturbation.h"
+#include "pipeline/stress/seeded_normal.h"
+
+namespace lumi {
+namespace {
+
+/// The median distance from a camera to its nearest neighbour.
+double camera_spacing(const Lumigraph& lumigraph) {
+    std::vector<double> nearest;
+    for (const LumigraphView& a : lumigraph.views) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const LumigraphView& b : lumigraph.views) {
+            if (&a == &b) continue;
+            least = std::min(
+                least,
+                (centre_in_world(a.cam_from_world) - centre_in_world(b.cam_from_world)).norm());
+        }
+        nearest.push_back(least);
+    }
+    const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+    std::nth_element(nearest.begin(), middle, nearest.end());
+    return nearest.size() < 2 ? 0.0 : *middle;
+}
+
+}  // namespace
+
+Lumigraph with_turned_poses(const Lumigraph& lumigraph, double sigma_deg, std::uint64_t seed) {
+    const SeededNormal random(seed);
+    Lumigraph result = lumigraph;
+    for (std::size_t i = 0; i < result.views.size(); ++i) {
+        Rigid3& cam_from_world = result.views[i].cam_from_world;
+        const Eigen::Vector3d axis = random.vector(2 * i).normalized();
+        const double angle = sigma_deg * std::numbers::pi / 180.0 * random.value(2 * i + 1, 0);
+        const Eigen::Vector3d centre = centre_in_world(cam_from_world);
+        cam_from_world.rotation =
+            (Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis)) * cam_from_world.rotation)
+                .normalized();
+        cam_from_world.translation = -(cam_from_world.rotation * centre);
+    }
+    return result;
+}
+
+Lumigraph with_moved_poses(const Lumigraph& lumigraph, double share_percent, std::uint64_t seed) {
+    const SeededNormal random(seed);
+    const double sigma = share_percent / 100.0 * camera_spacing(lumigraph);
+    Lumigraph result = lumigraph;
+    std::vector<Eigen::Vector3d> shifts;
+    for (std::size_t i = 0; i < result.views.size(); ++i) {
+        Rigid3& cam_from_world = result.views[i].cam_from_world;
+        shifts.push_back(sigma * random.vector(i));
+        cam_from_world.translation -= cam_from_world.rotation * shifts.back();
+    }
+    // The mesh stands where the cameras are said to stand; its skirt goes with them.
+    for (CameraMesh::Vertex& vertex : result.mesh.vertices) {
+        vertex.position_in_world += shifts[static_cast<std::size_t>(vertex.view_index)];
+    }
+    return result;
+}
+
+Lumigraph with_longer_focal_length(const Lumigraph& lumigraph, double percent,
+                                   std::uint64_t /*seed*/) {
+    Lumigraph result = lumigraph;
+    for (LumigraphView& view : result.views) {
+        view.camera.parameters[0] *= 1.0 + percent / 100.0;  // A pinhole's fx and fy.
+        view.camera.parameters[1] *= 1.0 + percent / 100.0;
+    }
+    return result;
+}
+
+}  // namespace lumi

@@ -1,0 +1,48 @@
+#include "pipeline/stress/stress_subject.h"
+
+#include "calib/capture/image_io.h"
+#include "calib/work/error.h"
+#include "pipeline/evaluate/held_out_photographs.h"
+#include "pipeline/protocol/view_subset.h"
+#include "render/lumigraph/package.h"
+
+namespace lumi {
+
+StressSubject subject_of_workspace(const WorkspaceLayout& workspace, int threads) {
+    const PosedPhotographs held_out = held_out_photographs(workspace, threads);
+    StressSubject subject{read_package(workspace.package_folder()), {}, true};
+    for (std::size_t i = 0; i < held_out.capture.views.size(); ++i) {
+        const View& view = held_out.capture.views[i];
+        subject.views.push_back({view.name,
+                                 {camera_of(held_out.capture, view), view.cam_from_world},
+                                 read_color_image(held_out.picture_paths[i])});
+    }
+    return subject;
+}
+
+StressSubject subject_of_package(const std::filesystem::path& package) {
+    constexpr std::size_t kEvery = 4;
+    Lumigraph whole = read_package(package);
+    if (whole.views.size() <= kEvery) {
+        throw Error(ErrorKind::kDegenerateCapture, "E-STRESS-FEW",
+                    package.string() + ": " + std::to_string(whole.views.size()) +
+                        " views, too few to leave some out",
+                    "stress a package of at least five views, or a workspace with held-out "
+                    "photographs");
+    }
+    StressSubject subject;
+    subject.views_are_held_out = false;
+    std::vector<int> kept;
+    for (std::size_t i = 0; i < whole.views.size(); ++i) {
+        LumigraphView& view = whole.views[i];
+        if (i % kEvery != kEvery / 2) {
+            kept.push_back(static_cast<int>(i));
+            continue;
+        }
+        subject.views.push_back({view.name, {view.camera, view.cam_from_world}, view.photograph});
+    }
+    subject.lumigraph = only_these_views(whole, kept);
+    return subject;
+}
+
+}  // namespace lumi

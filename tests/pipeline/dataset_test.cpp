@@ -1,0 +1,95 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "pipeline/dataset/dataset.h"
+#include "pipeline/dataset/dataset_files.h"
+#include "tests/calib/scratch_folder.h"
+
+namespace lumi {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class DatasetFile : public testing::Test {
+ protected:
+    DatasetFile() {
+        write_whole_text(
+            scratch_ / "one.toml",
+            "name = \"one\"\n[capture]\nphotos = \"p1\"\n[depth]\nmax_width_px = 300\n");
+        write_whole_text(scratch_.path() / "folder" / "a.txt", "no photograph");
+    }
+    Dataset read(const std::string& text) {
+        write_whole_text(path(), text);
+        return read_dataset(path());
+    }
+    [[nodiscard]] std::filesystem::path path() const { return scratch_ / "set.toml"; }
+    ScratchFolder scratch_;
+};
+
+TEST_F(DatasetFile, GivesEverySceneItsSettings) {
+    const Dataset dataset = read(
+        "[settings]\ndepth.model = \"sparse\"\nthreads = 2\n[[scene]]\nconfig = \"one.toml\"\n"
+        "[[scene]]\nphotos = \"folder\"\nname = \"two\"\nsettings.depth.max_neighbours = 2\n");
+    EXPECT_EQ(dataset.name, "set");
+    ASSERT_EQ(dataset.scenes.size(), 2U);
+    EXPECT_EQ(dataset.scenes[0].name, "one");
+    EXPECT_EQ(dataset.scenes[0].config.depth.model, "sparse");
+    EXPECT_EQ(dataset.scenes[0].config.depth.max_width_px, 300);
+    EXPECT_EQ(dataset.scenes[0].config.photographs_or_video, scratch_ / "p1");
+    EXPECT_EQ(dataset.scenes[0].config.threads, 2);
+    EXPECT_EQ(dataset.scenes[1].name, "two");
+    EXPECT_EQ(dataset.scenes[1].config.depth.max_neighbours, 2);
+    EXPECT_EQ(dataset.scenes[1].config.depth.model, "sparse");
+    EXPECT_EQ(dataset.scenes[1].config.photographs_or_video, scratch_ / "folder");
+    EXPECT_TRUE(is_dataset_file(path()));
+    EXPECT_FALSE(is_dataset_file(scratch_ / "one.toml"));
+}
+
+TEST_F(DatasetFile, ASceneThatCannotBeReadIsThatScenesFailure) {
+    write_whole_text(scratch_ / "bad.toml", "[capture]\nfotos = \"p\"\n");
+    const Dataset dataset = read(
+        "[[scene]]\nconfig = \"bad.toml\"\n[[scene]]\nconfig = \"none.toml\"\n[[scene]]\nconfig = "
+        "\"one.toml\"\n");
+    EXPECT_THAT(dataset.scenes[0].failure_code, HasSubstr("E-CONFIG"));
+    EXPECT_EQ(dataset.scenes[1].failure_code, "E-FILE-READ");
+    EXPECT_EQ(dataset.scenes[2].failure_code, "");
+}
+
+TEST_F(DatasetFile, IsReadStrictly) {
+    for (const char* wrong :
+         {"[[scene]]\n", "[[scene]]\nconfig = \"one.toml\"\nphotos = \"p\"\n",
+          "[[scene]]\nconfig = \"one.toml\"\n[[scene]]\nconfig = \"one.toml\"\n",
+          "nmae = \"x\"\n[[scene]]\nconfig = \"one.toml\"\n",
+          "[[scene]]\nconfig = \"one.toml\"\nsetings.depth.model = \"sparse\"\n"}) {
+        EXPECT_THROW(static_cast<void>(read(wrong)), Error) << wrong;
+    }
+}
+
+TEST(DatasetFiles, TellFailuresBesideResultsAndEscapeThem) {
+    const ScratchFolder scratch;
+    SceneOutcome good;
+    good.name = "good";
+    good.cpu_s = 12.5;
+    good.mean = ViewScore{.name = "mean", .psnr_db = 25.0};
+    good.mean->flip = 0.125;
+    SceneOutcome bad;
+    bad.name = "<b>bad";
+    bad.failure_code = "E-POSES-ROTATION";
+    bad.failure = "only turned, on the spot";
+    const SilentProgress progress;
+    write_dataset_files(scratch.path(), "set", {good, bad}, progress);
+    const std::string page = read_whole_text(scratch / "dataset.html");
+    EXPECT_THAT(page, HasSubstr("1 of 2 scenes"));
+    EXPECT_THAT(page, HasSubstr("E-POSES-ROTATION"));
+    EXPECT_THAT(page, Not(HasSubstr("<b>bad")));
+    EXPECT_THAT(read_whole_text(scratch / "dataset.csv"), HasSubstr("\"E-POSES-ROTATION: only"));
+    EXPECT_THAT(read_whole_text(scratch / "dataset.svg"), HasSubstr("</svg>"));
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,215 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "pipeline/evaluate/evaluation.h"
+#include "pipeline/evaluate/evaluation_comparison.h"
+#include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/evaluate/ghost_energy.h"
+#include "tests/calib/scratch_folder.h"
+#include "tests/truth/textured_box_scene.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The textured box from a grid of 3 x 3 cameras, the middle one held out: what is drawn from is
+/// the other eight.
+class HeldOutEvaluation : public testing::Test {
+ protected:
+    static void SetUpTestSuite() { scene_ = new SyntheticCapture(textured_box_scene()); }
+    static void TearDownTestSuite() { delete scene_; }
+
+    static CameraMesh mesh() { return textured_box_camera_mesh(scene_->capture); }
+    static Eye eye_of(int view) {
+        const View& held = scene_->capture.views[static_cast<std::size_t>(view)];
+        return {camera_of(scene_->capture, held), held.cam_from_world};
+    }
+    /// Held-out photographs as files.
+    static PosedPhotographs posed(const ScratchFolder& scratch, const std::vector<int>& views) {
+        PosedPhotographs photographs;
+        photographs.capture.cameras = scene_->capture.cameras;
+        for (const int view : views) {
+            photographs.capture.views.push_back(
+                scene_->capture.views[static_cast<std::size_t>(view)]);
+            photographs.picture_paths.push_back(scratch / (std::to_string(view) + ".png"));
+            write_png(photographs.picture_paths.back(),
+                      scene_->photographs[static_cast<std::size_t>(view)]);
+        }
+        return photographs;
+    }
+
+    static SyntheticCapture* scene_;
+};
+
+SyntheticCapture* HeldOutEvaluation::scene_ = nullptr;
+
+TEST_F(HeldOutEvaluation, CamerasOfAFaceAreInDifferentClasses) {
+    const CameraMesh grid = mesh();
+    const std::vector<int> classes = camera_classes(grid, 9);
+    for (const CameraMesh::Face& face : grid.faces) {
+        const auto class_at = [&](int corner) {
+            const auto vertex = static_cast<std::size_t>(face[static_cast<std::size_t>(corner)]);
+            return classes[static_cast<std::size_t>(grid.vertices[vertex].view_index)];
+        };
+        EXPECT_NE(class_at(0), class_at(1));
+        EXPECT_NE(class_at(1), class_at(2));
+        EXPECT_NE(class_at(2), class_at(0));
+    }
+    EXPECT_LE(*std::max_element(classes.begin(), classes.end()), 4);
+}
+
+TEST_F(HeldOutEvaluation, GhostEnergyIsNothingWhereCamerasAgree) {
+    Lumigraph lumigraph = exact_lumigraph(*scene_, mesh());
+    for (LumigraphView& view : lumigraph.views) {
+        for (Rgb8& pixel : view.photograph.pixels()) pixel = {120, 80, 40};
+    }
+    Eye eye = eye_of(textured_box_view(1, 1));
+    eye.cam_from_world.translation.x() += 0.1;
+    SilentProgress progress;
+    const FloatImage energy =
+        ghost_energies(lumigraph, {eye}, RenderMode::kLightField, progress).at(0);
+    const float largest = *std::max_element(energy.pixels().begin(), energy.pixels().end());
+    EXPECT_LT(largest, 2.0F);  // Squared 8-bit steps: rounding of weights alone.
+}
+
+TEST_F(HeldOutEvaluation, GhostEnergyOfTwoConstantCamerasIsTheirVariance) {
+    Lumigraph lumigraph = exact_lumigraph(*scene_, mesh());
+    const std::vector<int> classes = camera_classes(lumigraph.mesh, 9);
+    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
+        const std::uint8_t grey = classes[i] == 0 ? 200 : 100;
+        for (Rgb8& pixel : lumigraph.views[i].photograph.pixels()) pixel = {grey, grey, grey};
+    }
+    Eye eye = eye_of(textured_box_view(1, 1));
+    eye.cam_from_world.translation.x() += 0.15;
+    SilentProgress progress;
+    const FloatImage energy =
+        ghost_energies(lumigraph, {eye}, RenderMode::kLightField, progress).at(0);
+    // w of the bright class: variance 100^2 w (1 - w), at most 2500.
+    for (const float value : energy.pixels()) EXPECT_LE(value, 2500.0F * 1.05F);
+    const float largest = *std::max_element(energy.pixels().begin(), energy.pixels().end());
+    EXPECT_GT(largest, 1000.0F);
+}
+
+TEST_F(HeldOutEvaluation, GhostsShowWhereDepthIsMissingAndForetellTheError) {
+    const ScratchFolder scratch;
+    const int middle = textured_box_view(1, 1);
+    Lumigraph lumigraph = exact_lumigraph(*scene_, mesh());
+    PosedPhotographs held_out = posed(scratch, {middle});
+    // Between cameras, where three photographs are blended.
+    held_out.capture.views[0].cam_from_world.translation.x() += 0.02;
+    SilentProgress progress;
+    const auto score_in = [&](RenderMode mode) {
+        return evaluate_held_out(
+                   lumigraph, held_out, {.modes = {mode}, .timed_frames = 1},
+                   [](RenderMode, const JudgedView&) {}, progress)
+            .modes.at(0);
+    };
+    const ModeScores with_depth = score_in(RenderMode::kPerPixel);
+    const ModeScores without = score_in(RenderMode::kLightField);
+    EXPECT_LT(*with_depth.views[0].ghost_energy, *without.views[0].ghost_energy);
+    EXPECT_GT(*without.ghost_between_blocks, 0.0);
+}
+
+TEST_F(HeldOutEvaluation, TheMiddleIsInteriorAndOutsideTheGridIsBorder) {
+    const CameraMesh grid = mesh();
+    Eye eye = eye_of(textured_box_view(1, 1));
+    EXPECT_EQ(place_of_view(grid, eye.camera, eye.cam_from_world), ViewPlace::kInterior);
+    eye.cam_from_world.translation.x() += 30.0;
+    EXPECT_EQ(place_of_view(grid, eye.camera, eye.cam_from_world), ViewPlace::kBorder);
+}
+
+TEST_F(HeldOutEvaluation, FiguresOfPicturesAreTheSameInEveryRun) {
+    const ScratchFolder scratch;
+    const Lumigraph lumigraph = exact_lumigraph(*scene_, mesh());
+    const PosedPhotographs held_out = posed(scratch, {0, 4, 8});
+    SilentProgress progress;
+    const auto figures = [&] {
+        Json json = evaluation_json(evaluate_held_out(
+            lumigraph, held_out, {.timed_frames = 1}, [](RenderMode, const JudgedView&) {},
+            progress));
+        for (Json& view : json["views"]) {
+            view.erase("ms");
+            view.erase("ms_range");
+        }
+        return json["views"].dump();
+    };
+    EXPECT_EQ(figures(), figures());
+}
+
+/// Every key that the schema requires of `value` is there, and every key there is in the schema.
+void expect_conforms(const Json& value, const Json& node, const Json& root,
+                     const std::string& where) {
+    const Json& schema =
+        node.contains("$ref")
+            ? root.at(Json::json_pointer(node.at("$ref").get<std::string>().substr(1)))
+            : node;
+    for (const Json& key : schema.value("required", Json::array())) {
+        EXPECT_TRUE(value.contains(key.get<std::string>())) << where << ": " << key;
+    }
+    if (value.is_object() && schema.contains("properties")) {
+        for (const auto& [key, child] : value.items()) {
+            if (where.starts_with("views") &&
+                root["$defs"]["figures"]["properties"].contains(key)) {
+                continue;  // A view has the figures, too.
+            }
+            ASSERT_TRUE(schema["properties"].contains(key)) << where << ": " << key;
+            expect_conforms(child, schema["properties"][key], root, where + "." + key);
+        }
+    }
+    if (value.is_array() && schema.contains("items")) {
+        for (const Json& item : value) {
+            expect_conforms(item, schema["items"], root, where.substr(where.rfind('.') + 1));
+        }
+    }
+}
+
+TEST_F(HeldOutEvaluation, TheFileConformsToItsSchema) {
+    const ScratchFolder scratch;
+    SilentProgress progress;
+    const Json json = evaluation_json(evaluate_held_out(
+        exact_lumigraph(*scene_, mesh()), posed(scratch, {0, 4}), {.timed_frames = 1},
+        [](RenderMode, const JudgedView&) {}, progress));
+    const Json schema = Json::parse(read_whole_text(std::string(LUMI_SOURCE_DIR) +
+                                                    "/pipeline/evaluate/evaluation.schema.json"));
+    EXPECT_EQ(json.at("schema_version"), schema.at("properties").at("schema_version").at("const"));
+    expect_conforms(json, schema, schema, "");
+}
+
+TEST(EvaluationComparison, IsViewByViewAndSaysWhatIsBeyondChance) {
+    Evaluation a;
+    a.modes = {{RenderMode::kPerPixel, {}, {}, {}}};
+    Evaluation b = a;
+    for (int i = 0; i < 8; ++i) {
+        ViewScore view;
+        view.name = std::to_string(i);
+        view.psnr_db = 20.0 + i;
+        view.ssim = 0.5 + 0.01 * i;
+        a.modes[0].views.push_back(view);
+        view.psnr_db += 0.5 + 0.01 * i;        // Better in every view, though views differ by more.
+        view.ssim += i % 2 == 0 ? 0.1 : -0.1;  // Up and down.
+        if (i > 0) b.modes[0].views.push_back(view);
+    }
+    const auto comparisons = compare_evaluations(evaluation_json(a), evaluation_json(b));
+    ASSERT_EQ(comparisons.size(), 1U);
+    EXPECT_EQ(comparisons[0].shared_views.size(), 7U);
+    EXPECT_NEAR(*comparisons[0].metrics[0].mean_difference, 0.54, 1e-9);
+    EXPECT_EQ(judgement_of(comparisons[0].metrics[0]), "better");
+    EXPECT_EQ(judgement_of(comparisons[0].metrics[2]), "same");
+}
+
+TEST(EvaluationComparison, NothingInCommonIsAnError) {
+    Evaluation a;
+    a.modes = {{RenderMode::kPerPixel, {ViewScore{.name = "x"}}, {}, {}}};
+    Evaluation b;
+    b.modes = {{RenderMode::kPerPixel, {ViewScore{.name = "y"}}, {}, {}}};
+    EXPECT_THROW(static_cast<void>(compare_evaluations(evaluation_json(a), evaluation_json(b))),
+                 Error);
+}
+
+}  // namespace
+}  // namespace lumi

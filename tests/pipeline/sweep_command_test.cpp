@@ -1,0 +1,200 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "calib/work/whole_file.h"
+#include "tests/calib/scratch_folder.h"
+#include "tests/truth/textured_box_scene.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+struct Outcome {
+    int exit_code = -1;
+    std::string out;
+    std::string talk;
+};
+
+std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+
+/// The textured box with its true poses, and commands that build many packages of it.
+class Sweeps : public testing::Test {
+ protected:
+    static void SetUpTestSuite() {
+        scene_ = new ScratchFolder();
+        SilentProgress progress;
+        synthesize_into(scene_->path(), textured_box_description(), 0, progress);
+    }
+    static void TearDownTestSuite() { delete scene_; }
+
+    Outcome lumi(const std::string& arguments) const {
+        const std::string command = "cd " + quoted(scratch_.path()) + " && " + quoted(LUMI_BINARY) +
+                                    " " + arguments + " > out 2> talk";
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_whole_text(scratch_ / "out"),
+                read_whole_text(scratch_ / "talk")};
+    }
+    /// A configuration with true poses and one photograph held out.
+    void configure(const std::string& name, const std::string& more) const {
+        write_whole_text(scratch_ / (name + ".toml"),
+                         "[capture]\nphotos = \"" + (scene_->path() / "photos").string() +
+                             "\"\nimport = \"" + (scene_->path() / "truth" / "sparse").string() +
+                             "\"\n[evaluate]\nhold_out = [\"IMG_0005.png\"]\n" + more);
+    }
+    /// Figures of pictures of every point, times aside.
+    static std::map<std::string, Json> errors_of(const Json& chart) {
+        std::map<std::string, Json> errors;
+        for (const Json& variant : chart.at("variants")) {
+            for (const auto& [mode, scores] : variant.at("modes").items()) {
+                for (Json view : scores.at("views")) {
+                    view.erase("ms");
+                    view.erase("ms_range");
+                    errors[variant.at("label").get<std::string>() + mode +
+                           view.at("name").get<std::string>()] = view;
+                }
+            }
+        }
+        return errors;
+    }
+
+    static ScratchFolder* scene_;
+    ScratchFolder scratch_;
+};
+
+ScratchFolder* Sweeps::scene_ = nullptr;
+
+constexpr const char* kSweep =
+    "[sweep]\nrepeats = 2\nmodes = [\"perpixel\", \"lightfield\"]\n"
+    "depth.model = [\"sparse\", \"sweep\"]\ndepth.max_width_px = [80, 160]\n";
+
+TEST_F(Sweeps, AChartComputesNothingTwiceAndGivesTheSameErrorsAgain) {
+    configure("box", kSweep);
+    const Outcome first = lumi("--json chart box.toml");
+    ASSERT_EQ(first.exit_code, 0) << first.talk;
+    const Json chart = Json::parse(first.out);
+    EXPECT_EQ(chart.at("variants").size(), 4U);
+    EXPECT_GT(chart.at("work").at("cached_share").get<double>(), 0.2);
+    for (const Json& variant : chart.at("variants")) {
+        EXPECT_EQ(variant.at("failure"), "");
+        EXPECT_TRUE(variant.at("repeats_are_equal").get<bool>());
+        EXPECT_EQ(variant.at("stages").at("depth").at("cpu_s").size(), 2U);
+    }
+    EXPECT_TRUE(fs::exists(scratch_.path() / "work" / "box-chart" / "chart.html"));
+
+    const Json again = Json::parse(lumi("--json chart box.toml").out);
+    EXPECT_EQ(again.at("work").at("done_cpu_s"), 0.0);
+    EXPECT_EQ(errors_of(again), errors_of(chart));
+    const Json elsewhere = Json::parse(lumi("--json chart box.toml --out elsewhere").out);
+    EXPECT_GT(elsewhere.at("work").at("done_cpu_s").get<double>(), 0.0);
+    EXPECT_EQ(errors_of(elsewhere), errors_of(chart));
+}
+
+TEST_F(Sweeps, AVariantThatCannotBeBuiltIsToldAndTheOthersGoOn) {
+    configure("box", "[sweep]\nmodes = [\"perpixel\"]\ncapture.min_photographs = [2, 50]\n");
+    const Outcome outcome = lumi("--json chart box.toml");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    const Json chart = Json::parse(outcome.out);
+    EXPECT_EQ(chart.at("variants").at(0).at("failure"), "");
+    EXPECT_THAT(chart.at("variants").at(1).at("failure").get<std::string>(),
+                HasSubstr("E-INGEST-TOOFEW"));
+}
+
+TEST_F(Sweeps, ATargetIsMetByWhatIsDeliveredOrTheNearestIsTold) {
+    configure("box", "[sweep]\nmodes = [\"perpixel\"]\ndepth.model = [\"sparse\", \"sweep\"]\n");
+    const Outcome met = lumi("--json build box.toml --target 15dB");
+    ASSERT_EQ(met.exit_code, 0) << met.talk;
+    const Json delivery = Json::parse(met.out);
+    EXPECT_TRUE(delivery.at("is_met").get<bool>());
+    EXPECT_GE(delivery.at("delivered").at("psnr_db").get<double>(), 15.0);
+    EXPECT_EQ(lumi("validate work/box/box.lumi").exit_code, 0);
+
+    const Outcome missed = lumi("build box.toml --target 90dB");
+    EXPECT_EQ(missed.exit_code, 5);
+    EXPECT_THAT(missed.talk, HasSubstr("error E-TARGET-MISSED"));
+    EXPECT_EQ(lumi("build box.toml --target fast").exit_code, 2);
+}
+
+TEST_F(Sweeps, ADatasetBuildsWhatItCanAndOnlyWhatIsMissing) {
+    configure("box", "");
+    write_whole_text(scratch_.path() / "nothing" / "readme.txt", "no photograph");
+    write_whole_text(scratch_ / "set.toml",
+                     "[settings]\ndepth.model = \"sparse\"\n[[scene]]\nphotos = \"nothing\"\n"
+                     "[[scene]]\nconfig = \"box.toml\"\n");
+    const Outcome first = lumi("--json build set.toml");
+    EXPECT_EQ(first.exit_code, 5);
+    EXPECT_THAT(first.talk, HasSubstr("error E-DATASET-PARTIAL"));
+    const Json result =
+        Json::parse(read_whole_text(scratch_.path() / "work" / "set" / "dataset.json"));
+    EXPECT_THAT(result.at("scenes").at(0).at("failure_code").get<std::string>(),
+                HasSubstr("E-INGEST"));
+    EXPECT_GT(result.at("scenes").at(1).at("mean").at("psnr_db").get<double>(), 10.0);
+
+    const Outcome again = lumi("build set.toml");
+    EXPECT_THAT(again.talk, HasSubstr("depth: up to date"));
+    EXPECT_THAT(again.talk, testing::Not(HasSubstr("drawing held-out views")));
+}
+
+TEST_F(Sweeps, LeaveOneOutJudgesEveryPhotographWithAndWithoutItsDepth) {
+    configure("box", "[depth]\nmodel = \"sparse\"\n");
+    const Outcome outcome = lumi("--json evaluate box.toml --leave-one-out --mode perpixel");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    const Json result = Json::parse(outcome.out);
+    EXPECT_EQ(result.at("depth_kept").at("views").size(), 9U);
+    EXPECT_EQ(result.at("depth_removed").at("views").size(), 9U);
+    EXPECT_EQ(result.at("depth_removed").at("views").at(4).at("name"), "IMG_0005.png");
+    // The middle of the grid without its own photograph is what holding it out gives.
+    ASSERT_EQ(lumi("build box.toml").exit_code, 0);
+    const Json held_out = Json::parse(lumi("--json evaluate work/box --mode perpixel").out);
+    EXPECT_EQ(result.at("depth_removed").at("views").at(4).at("psnr_db"),
+              held_out.at("mean").at("psnr_db"));
+}
+
+TEST_F(Sweeps, StressTakesAConfigurationAWorkspaceOrAPackage) {
+    configure(
+        "box",
+        "[stress]\nperturbations = [\"blur_px\"]\nblur_px = [2, 6]\nmodes = [\"perpixel\"]\n");
+    const Outcome of_config = lumi("--json stress box.toml");
+    ASSERT_EQ(of_config.exit_code, 0) << of_config.talk;
+    const Json curve = Json::parse(of_config.out).at("curves").at(0);
+    EXPECT_EQ(curve.at("strengths"), Json({0.0, 2.0, 6.0}));
+    EXPECT_GT(curve.at("psnr_db").at(0).get<double>(), curve.at("psnr_db").at(2).get<double>());
+    EXPECT_TRUE(fs::exists(scratch_.path() / "work" / "box" / "stress" / "stress.html"));
+
+    const Outcome of_package = lumi("--json stress work/box/box.lumi");
+    ASSERT_EQ(of_package.exit_code, 0) << of_package.talk;
+    EXPECT_FALSE(Json::parse(of_package.out).at("views_are_held_out").get<bool>());
+}
+
+TEST_F(Sweeps, RegressionAndGalleryTakeAnEvaluatedWorkspace) {
+    configure("box", "");
+    ASSERT_EQ(lumi("build box.toml").exit_code, 0);
+    EXPECT_EQ(lumi("gallery work/box --out pictures").exit_code, 2);
+    ASSERT_EQ(lumi("evaluate work/box --no-ghost-energy").exit_code, 0);
+    EXPECT_EQ(lumi("gallery work/box --out pictures").exit_code, 0);
+    for (const char* name : {"held-out.jpg", "methods.jpg", "gallery.md"}) {
+        EXPECT_TRUE(fs::exists(scratch_.path() / "pictures" / name)) << name;
+    }
+    const std::string small = " --frames 2 --rounds 1";
+    ASSERT_EQ(lumi("regression work/box --write base.json" + small).exit_code, 0);
+    Json base = Json::parse(read_whole_text(scratch_ / "base.json"));
+    for (Json& figure : base.at("figures")) figure["noise"] = figure["value"];
+    write_whole_text(scratch_ / "base.json", base.dump());
+    EXPECT_EQ(lumi("regression work/box --baseline base.json" + small).exit_code, 0);
+    base["figures"]["error.perpixel.psnr_db"] = {
+        {"value", 99.0}, {"noise", 0.01}, {"higher_is_better", true}};
+    write_whole_text(scratch_ / "base.json", base.dump());
+    const Outcome worse = lumi("regression work/box --baseline base.json" + small);
+    EXPECT_EQ(worse.exit_code, 5);
+    EXPECT_THAT(worse.out, HasSubstr("error.perpixel.psnr_db"));
+}
+
+}  // namespace
+}  // namespace lumi

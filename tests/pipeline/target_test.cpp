@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include "calib/work/error.h"
+#include "pipeline/target/candidates.h"
+#include "pipeline/target/wish.h"
+
+namespace lumi {
+namespace {
+
+TEST(Wish, IsANumberAndAUnit) {
+    EXPECT_EQ(wish_from("30fps").kind, Wish::Kind::kFramesPerSecond);
+    EXPECT_EQ(wish_from("29.5dB").value, 29.5);
+    EXPECT_EQ(wish_from("50 MiB").kind, Wish::Kind::kPackageMib);
+    EXPECT_EQ(wish_from("1.5min").value, 90.0);
+    EXPECT_EQ(wish_from("90s").kind, Wish::Kind::kBuildSeconds);
+    for (const char* wrong : {"", "30", "fps", "-3dB", "0fps", "3db", "3 fps x", "nandB", "infs"}) {
+        EXPECT_THROW(static_cast<void>(wish_from(wrong)), Error) << wrong;
+    }
+}
+
+TEST(Wish, IsMetFromTheRightSide) {
+    const Achievement achievement{
+        .frames_per_second = 20, .psnr_db = 25, .package_mib = 40, .build_s = 100};
+    EXPECT_TRUE(meets(wish_from("20fps"), achievement));
+    EXPECT_FALSE(meets(wish_from("21fps"), achievement));
+    EXPECT_FALSE(meets(wish_from("26dB"), achievement));
+    EXPECT_TRUE(meets(wish_from("40MiB"), achievement));
+    EXPECT_FALSE(meets(wish_from("39MiB"), achievement));
+    EXPECT_TRUE(meets(wish_from("2min"), achievement));
+    EXPECT_FALSE(meets(wish_from("1min"), achievement));
+    EXPECT_NEAR(shortfall(wish_from("50dB"), achievement), 0.5, 1e-12);
+    EXPECT_EQ(shortfall(wish_from("20dB"), achievement), 0.0);
+}
+
+ChartPoint point(const std::string& label, double cpu_s, double ms, double flip, double psnr_db) {
+    ChartPoint made;
+    made.label = label;
+    made.build_cpu_s = cpu_s;
+    made.build_wall_s = cpu_s;
+    made.frame_ms = ms;
+    made.mean.flip = flip;
+    made.mean.psnr_db = psnr_db;
+    return made;
+}
+
+const std::vector<ChartPoint> kPoints{point("quick", 5, 10, 0.3, 20),
+                                      point("middle", 20, 25, 0.2, 25),
+                                      point("good", 60, 50, 0.1, 30)};
+
+TEST(Candidates, AnAccuracyIsReachedByTheQuickestThatHasIt) {
+    EXPECT_EQ(candidates_for(wish_from("24dB"), kPoints)[0].label, "middle");
+    EXPECT_EQ(candidates_for(wish_from("24dB"), kPoints)[1].label, "good");
+    EXPECT_EQ(candidates_for(wish_from("24dB"), kPoints)[2].label, "quick");
+}
+
+TEST(Candidates, ABudgetIsSpentOnTheMostAccurate) {
+    EXPECT_EQ(candidates_for(wish_from("30fps"), kPoints)[0].label, "middle");
+    EXPECT_EQ(candidates_for(wish_from("50s"), kPoints)[0].label, "middle");
+    EXPECT_EQ(candidates_for(wish_from("2min"), kPoints)[0].label, "good");
+}
+
+TEST(Candidates, WhatIsOutOfReachIsApproached) {
+    EXPECT_EQ(candidates_for(wish_from("40dB"), kPoints)[0].label, "good");
+    EXPECT_EQ(candidates_for(wish_from("500fps"), kPoints)[0].label, "quick");
+}
+
+}  // namespace
+}  // namespace lumi
