@@ -95,7 +95,7 @@ class ReprojectionCost final
         const Eigen::Map<const Eigen::Vector3d> translation(blocks[2]);
         const Eigen::Map<const Eigen::Vector3d> point(blocks[3]);
         const Eigen::Vector3d point_in_cam = rotation * point + translation;
-        if (!(point_in_cam.z() > 1e-9)) return false;
+        if (!(point_in_cam.z() > 1e-12)) return false;
         const double inverse_z = 1 / point_in_cam.z();
         const Eigen::Vector2d at_depth_one = point_in_cam.head<2>() * inverse_z;
         constexpr int kCentre = principal_point_index(model);

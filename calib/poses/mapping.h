@@ -37,6 +37,8 @@ struct MatchedPhotographs {
     std::vector<ColmapPhotograph> photographs;
     std::vector<VerifiedPair> pairs;
     MotionEvidence motion;
+    /// Of pairs with enough matches by look to tell: the share of them that was verified.
+    std::vector<double> inlier_shares;
 };
 
 /// Features, matches by look, and their geometric verification, by our own means or, with `[poses]

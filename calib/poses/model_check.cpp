@@ -8,22 +8,18 @@
 #include <limits>
 #include <numbers>
 
-#include "calib/work/error.h"
+#include "calib/doctor/capture_reason.h"
 
 namespace lumi {
 namespace {
 
 constexpr double kRotationShare = 0.7;  ///< So many pairs are rotations: the camera only turned.
-constexpr double kPlanarShare = 0.7;
-constexpr double kMinAngle_deg = 1.0;  ///< Below this depth is a guess.
+constexpr double kMinAngle_deg = 1.0;   ///< Below this depth is a guess.
 constexpr double kWeakAngle_deg = 2.5;
 constexpr double kMinFocalPerSide = 0.3;  ///< 118 degrees across the longer side.
 constexpr double kMaxFocalPerSide = 10.0;
 constexpr double kFlat = 0.005;
 constexpr double kMaxFocalSpread = 2.0;
-
-constexpr const char* kStepSideways =
-    "step sideways between photographs, about a tenth of the distance to the subject";
 
 std::string number(double value) {
     std::array<char, 32> text{};
@@ -73,10 +69,6 @@ std::vector<Eigen::Vector3d> central_points(const Capture& capture) {
     return points;
 }
 
-[[noreturn]] void refuse(const char* code, const std::string& what, const std::string& advice) {
-    throw Error(ErrorKind::kDegenerateCapture, code, what, advice);
-}
-
 void check_focal_lengths(const Capture& capture, bool lens_is_known,
                          std::vector<std::string>& warnings) {
     double smallest = std::numeric_limits<double>::infinity();
@@ -89,12 +81,10 @@ void check_focal_lengths(const Capture& capture, bool lens_is_known,
     }
     if (lens_is_known) return;
     if (smallest < kMinFocalPerSide || largest > kMaxFocalPerSide) {
-        refuse("E-POSES-FOCAL",
-               "the focal length came out as " +
-                   number(smallest < kMinFocalPerSide ? smallest : largest) +
-                   " times the picture's longer side, which no ordinary lens has",
-               "give the lens ([calibration]), keep EXIF data in the photographs, or photograph "
-               "the subject from more sides");
+        refuse_capture(CaptureReason::kFocal,
+                       "the focal length came out as " +
+                           number(smallest < kMinFocalPerSide ? smallest : largest) +
+                           " times the picture's longer side, which no ordinary lens has");
     }
     if (largest > kMaxFocalSpread * smallest) {
         warnings.push_back("focal lengths differ by a factor of " + number(largest / smallest) +
@@ -107,26 +97,11 @@ void check_focal_lengths(const Capture& capture, bool lens_is_known,
 
 void refuse_turning_camera(const MotionEvidence& motion) {
     if (motion.pairs == 0 || motion.rotation_share() < kRotationShare) return;
-    refuse("E-POSES-ROTATION",
-           "the camera only turned on the spot: " + std::to_string(motion.rotation_pairs) + " of " +
-               std::to_string(motion.pairs) +
-               " pairs of photographs show the same view without parallax, and no depth can come "
-               "of them",
-           kStepSideways);
-}
-
-void refuse_without_model(const MotionEvidence& motion, int photographs) {
-    if (motion.pairs > 0 && motion.planar_share() >= kPlanarShare) {
-        refuse("E-POSES-PLANAR",
-               "the photographs show a flat surface, or hardly any parallax: one plane explains " +
-                   std::to_string(motion.planar_pairs) + " of " + std::to_string(motion.pairs) +
-                   " pairs",
-               std::string("include something that stands out of the plane, and ") + kStepSideways);
-    }
-    refuse(
-        "E-POSES-NOPAIR",
-        "no two of the " + std::to_string(photographs) + " photographs share enough to start from",
-        "take sharp photographs that overlap by two thirds with the next one");
+    refuse_capture(CaptureReason::kNoParallax,
+                   "the camera only turned on the spot: " + std::to_string(motion.rotation_pairs) +
+                       " of " + std::to_string(motion.pairs) +
+                       " pairs of photographs show the same view without parallax, and no depth "
+                       "can come of them");
 }
 
 double median_triangulation_angle_deg(const Capture& capture) {
@@ -156,25 +131,29 @@ double relative_thickness(const Capture& capture) {
 
 std::vector<std::string> check_model(const Capture& capture, bool lens_is_known) {
     std::vector<std::string> warnings;
+    if (!lens_is_known && capture.views.size() < 3) {
+        refuse_capture(CaptureReason::kFew,
+                       "two photographs alone do not tell how far a lens of unknown focal length "
+                       "turned and moved");
+    }
     const double angle_deg = median_triangulation_angle_deg(capture);
     if (angle_deg < kMinAngle_deg) {
-        refuse("E-POSES-ROTATION",
-               "the camera hardly moved: rays to the same point meet at " + number(angle_deg) +
-                   " degrees only, and depth cannot be told",
-               kStepSideways);
+        refuse_capture(CaptureReason::kNoParallax,
+                       "the camera hardly moved: rays to the same point meet at " +
+                           number(angle_deg) + " degrees only, and depth cannot be told");
     }
     if (angle_deg < kWeakAngle_deg) {
         warnings.push_back("little parallax: rays to the same point meet at " + number(angle_deg) +
-                           " degrees; depth is uncertain. To improve it, " + kStepSideways);
+                           " degrees; depth is uncertain. To improve it, " +
+                           std::string(advice_for(CaptureReason::kNoParallax)));
     }
     check_focal_lengths(capture, lens_is_known, warnings);
     const double thickness = relative_thickness(capture);
     if (thickness < kFlat) {
         if (!lens_is_known) {
-            refuse("E-POSES-PLANAR",
-                   "all points lie in one plane, from which an unknown focal length cannot be told",
-                   "include something that stands out of the plane, or give the lens "
-                   "([calibration])");
+            refuse_capture(
+                CaptureReason::kPlanar,
+                "all points lie in one plane, from which an unknown focal length cannot be told");
         }
         warnings.push_back("all points lie in one plane");
     }

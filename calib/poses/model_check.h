@@ -13,10 +13,6 @@ namespace lumi {
 /// E-POSES-ROTATION.
 void refuse_turning_camera(const MotionEvidence& motion);
 
-/// Throws Error for the most likely reason why no model was made: E-POSES-PLANAR when homographies
-/// explain most pairs, else E-POSES-NOPAIR.
-[[noreturn]] void refuse_without_model(const MotionEvidence& motion, int photographs);
-
 /// Over points and pairs of views of their tracks: the angle between the two views' rays. Median
 /// over points of the largest angle of each.
 [[nodiscard]] double median_triangulation_angle_deg(const Capture& capture);
@@ -25,10 +21,11 @@ void refuse_turning_camera(const MotionEvidence& motion);
 /// in one plane.
 [[nodiscard]] double relative_thickness(const Capture& capture);
 
-/// Looks at a finished model for success that only looks like one: rays nearly parallel
-/// (E-POSES-ROTATION), focal lengths that no lens has (E-POSES-FOCAL), points in one plane while
-/// the focal length was unknown (E-POSES-PLANAR; Wu, Critical configurations for radial distortion
-/// self-calibration, CVPR 2014). Returns what is suspicious but may be right.
+/// Looks at a finished model for success that only looks like one: two views through an unknown
+/// lens (E-POSES-FEW), rays nearly parallel (E-POSES-ROTATION), focal lengths that no lens has
+/// (E-POSES-FOCAL), points in one plane while the focal length was unknown (E-POSES-PLANAR; Wu,
+/// Critical configurations for radial distortion self-calibration, CVPR 2014). Returns what is
+/// suspicious but may be right.
 [[nodiscard]] std::vector<std::string> check_model(const Capture& capture, bool lens_is_known);
 
 }  // namespace lumi

@@ -4,8 +4,10 @@
 #include <map>
 #include <system_error>
 
+#include "calib/poses/explained_refusal.h"
 #include "calib/poses/mapping.h"
 #include "calib/poses/model_check.h"
+#include "calib/poses/model_doubts.h"
 #include "calib/poses/point_colors.h"
 #include "calib/poses/refinement.h"
 #include "calib/poses/registration.h"
@@ -32,6 +34,25 @@ void expect_photographs(const std::vector<Photograph>& photographs) {
     throw Error(ErrorKind::kBadInput, "E-POSES-FEW",
                 "one photograph is not enough: at least two are needed",
                 "add photographs of the same subject from other places");
+}
+
+/// Runs `work`; what it refuses may be an effect, and the evidence may name the cause.
+template <class Work>
+void or_explain(const MappingJob& job, const MatchedPhotographs& matched, const Work& work) {
+    try {
+        work();
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::kDegenerateCapture) throw;
+        refuse_explained(job, matched,
+                         reason_with_code(error.code()).value_or(CaptureReason::kUncertain),
+                         error.what());
+    }
+}
+
+void refuse_without_model(const std::optional<Capture>& mapped, std::size_t photographs) {
+    if (mapped) return;
+    refuse_capture(CaptureReason::kNoPair, "no two of the " + std::to_string(photographs) +
+                                               " photographs share enough to start from");
 }
 
 void refuse_too_few(const Capture& capture, const std::vector<Photograph>& photographs,
@@ -97,15 +118,25 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
     const MappingJob job{photographs,    groups,  options,  given_lens.has_value(), refine_lens,
                          scratch_folder, threads, progress, result.evidence};
 
-    MatchedPhotographs matched = match_and_verify(job, {options.max_features}, "default");
-    refuse_turning_camera(matched.motion);
-    std::optional<Capture> mapped =
-        options.mapper == "colmap" ? map_by_ladder(job, matched) : map_incrementally(job, matched);
-    if (!mapped) refuse_without_model(matched.motion, static_cast<int>(photographs.size()));
-
-    result.capture = std::move(*mapped);
-    refine(result.capture, lens_policy(given_lens.has_value(), options), options, threads,
-           result.evidence, progress);
+    MatchedPhotographs matched;
+    or_explain(job, {},
+               [&] { matched = match_and_verify(job, {options.max_features}, "default"); });
+    std::optional<Capture> mapped;
+    const LensPolicy policy = lens_policy(given_lens.has_value(), options);
+    or_explain(job, matched, [&] {
+        refuse_turning_camera(matched.motion);
+        mapped = options.mapper == "colmap" ? map_by_ladder(job, matched)
+                                            : map_incrementally(job, matched);
+        refuse_without_model(mapped, photographs.size());
+        result.capture = *mapped;
+        refine(result.capture, policy, options, threads, result.evidence, progress);
+    });
+    if (give_own_lenses(job, *mapped, result.capture)) {
+        result.capture = *mapped;
+        result.evidence.views.clear();
+        refine(result.capture, policy, options, threads, result.evidence, progress);
+    }
+    settle_doubts(job, matched, *mapped, result.capture);
     result.not_registered =
         explain_unregistered(result.capture, photographs, matched.photographs, matched.pairs);
     refuse_too_few(result.capture, photographs, result.not_registered, options);

@@ -8,6 +8,7 @@
 #include "calib/capture/posed_photographs.h"
 #include "calib/ingest/ingest.h"
 #include "calib/lens/lens_choice.h"
+#include "calib/poses/residual_pattern.h"
 #include "calib/work/config_section.h"
 #include "calib/work/progress.h"
 
@@ -71,6 +72,9 @@ struct PoseEvidence {
     double noise_px = 0.0;                  ///< Of one observed coordinate; 0: not known.
     std::vector<LensEvidence> lenses;
     std::vector<ViewUncertainty> views;  ///< Empty: not known.
+    ResidualPattern residual_pattern;    ///< Of the adjusted model.
+    double position_sigma_share = 0.0;   ///< Of the worst camera, over the cameras' spread.
+    double contradicted_share = 0.0;  ///< Of the matches in verified pairs: the model denies them.
     std::vector<ColmapCall> calls;
     std::vector<std::string> warnings;  ///< What to know before trusting these poses.
 };

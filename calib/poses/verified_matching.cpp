@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "calib/doctor/inlier_shares.h"
 #include "calib/poses/mapping.h"
 #include "calib/poses/pair_verification.h"
 #include "calib/poses/photograph_matching.h"
@@ -39,6 +40,7 @@ MatchedPhotographs match_by_ourselves(const MappingJob& job, const SiftOptions& 
         match_photographs(result.features, job.threads, job.progress);
     result.pairs = verify_pairs(matches, job.groups.cameras, result.photographs,
                                 job.lens_is_calibrated, {}, job.threads, job.progress);
+    result.inlier_shares = inlier_shares_of(matches, result.pairs);
     return result;
 }
 

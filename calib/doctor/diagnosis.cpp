@@ -1,0 +1,290 @@
+#include "calib/doctor/diagnosis.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <optional>
+
+namespace lumi {
+namespace {
+
+/// Fewer of the photographs than this in one group: the pose stage refuses.
+constexpr double kUsableShare = 0.4;
+constexpr double kMostShare = 0.7;  ///< "Most" of the pairs or photographs.
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+    std::array<char, 400> line{};
+    std::snprintf(line.data(), line.size(), format, values...);
+    return line.data();
+}
+
+double median_of(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// How the photographs hang together.
+struct Cohesion {
+    std::vector<std::vector<int>> groups;
+    double largest_share = 0.0;
+
+    [[nodiscard]] bool is_usable() const {
+        return largest_share >= kUsableShare && groups.front().size() >= 3;
+    }
+    [[nodiscard]] bool is_whole() const { return largest_share > 0.9; }
+};
+
+Cohesion cohesion_of(const CaptureEvidence& evidence) {
+    Cohesion cohesion{groups_of(match_graph_of(evidence)), 0.0};
+    if (!evidence.photographs.empty()) {
+        cohesion.largest_share = static_cast<double>(cohesion.groups.front().size()) /
+                                 static_cast<double>(evidence.photographs.size());
+    }
+    return cohesion;
+}
+
+Severity severity_of(const Cohesion& cohesion) {
+    if (!cohesion.is_usable()) return Severity::kHopeless;
+    return cohesion.is_whole() ? Severity::kNote : Severity::kRisk;
+}
+
+/// What is wrong with one picture, if anything.
+std::optional<CaptureReason> trouble_with(const PhotographQuality& quality, int width_px) {
+    constexpr double kMaxClipped = 0.5;
+    constexpr double kMinSignalToNoise = 4.0;
+    constexpr double kMinContrast = 2.0;         // Grey levels; features need as much.
+    constexpr double kMaxBlurShare = 1.0 / 160;  // Of the longer side.
+    if (quality.clipped_share > kMaxClipped) return CaptureReason::kExposure;
+    if (quality.noise_sigma > 4 && quality.signal_to_noise < kMinSignalToNoise) {
+        return CaptureReason::kNoise;
+    }
+    if (quality.contrast() < kMinContrast) return CaptureReason::kTexture;
+    if (quality.blur_sigma_px > kMaxBlurShare * width_px) return CaptureReason::kBlur;
+    return std::nullopt;
+}
+
+std::string picture_trouble_text(CaptureReason reason, const CaptureEvidence& evidence,
+                                 std::size_t concerned) {
+    const auto median = [&](auto value) {
+        std::vector<double> values;
+        for (const PhotographQuality& quality : evidence.photographs) {
+            values.push_back(value(quality));
+        }
+        return median_of(std::move(values));
+    };
+    const std::string share =
+        text("%zu of %zu photographs ", concerned, evidence.photographs.size());
+    switch (reason) {
+        case CaptureReason::kExposure:
+            return share + text("are mostly black or white (%.0f %% of the middle one)",
+                                100 * median([](const auto& q) { return q.clipped_share; }));
+        case CaptureReason::kNoise:
+            return share + text("are noisy: %.0f grey levels of noise in the middle one",
+                                median([](const auto& q) { return q.noise_sigma; }));
+        case CaptureReason::kTexture:
+            return share + text(
+                               "show hardly any pattern: contrast of %.1f grey levels in the "
+                               "middle one",
+                               median([](const auto& q) { return q.contrast(); }));
+        default:
+            return share + text("are blurred by about %.1f pixels at a width of %d",
+                                median([](const auto& q) { return q.blur_sigma_px; }),
+                                evidence.width_px);
+    }
+}
+
+void judge_pictures(const CaptureEvidence& evidence, const Cohesion& cohesion,
+                    std::vector<Finding>& findings) {
+    std::map<CaptureReason, std::vector<std::string>> concerned;
+    for (const PhotographQuality& quality : evidence.photographs) {
+        const auto trouble = trouble_with(quality, evidence.width_px);
+        if (trouble) concerned[*trouble].push_back(quality.name);
+    }
+    for (const auto& [reason, names] : concerned) {
+        const double share =
+            static_cast<double>(names.size()) / static_cast<double>(evidence.photographs.size());
+        Severity severity = share < 0.3 ? Severity::kNote : severity_of(cohesion);
+        // What motion looks like in poor pictures says more about the pictures.
+        if (share >= kMostShare && evidence.motion.rotation_share() >= kMostShare) {
+            severity = Severity::kHopeless;
+        }
+        findings.push_back(
+            {reason, severity, picture_trouble_text(reason, evidence, names.size()), names});
+    }
+}
+
+void judge_brightness(const CaptureEvidence& evidence, const Cohesion& cohesion,
+                      std::vector<Finding>& findings) {
+    constexpr double kMaxStops = 2.0;
+    std::vector<double> stops;
+    for (const PhotographQuality& quality : evidence.photographs) {
+        stops.push_back(std::log2(std::max(quality.mean_linear, 1e-4)));
+    }
+    const double middle = median_of(stops);
+    std::vector<std::string> names;
+    double farthest = 0;
+    for (std::size_t index = 0; index < stops.size(); ++index) {
+        const double off = std::abs(stops[index] - middle);
+        farthest = std::max(farthest, off);
+        if (off > kMaxStops) names.push_back(evidence.photographs[index].name);
+    }
+    if (names.empty()) return;
+    findings.push_back({CaptureReason::kExposure, severity_of(cohesion),
+                        text("brightness jumps by up to %.1f stops between photographs", farthest),
+                        std::move(names)});
+}
+
+void judge_motion(const CaptureEvidence& evidence, std::vector<Finding>& findings) {
+    const MotionEvidence& motion = evidence.motion;
+    if (motion.pairs == 0) return;
+    if (motion.rotation_share() >= kMostShare) {
+        findings.push_back({CaptureReason::kNoParallax,
+                            Severity::kHopeless,
+                            text("the camera turned on the spot or hardly moved: %d of %d pairs "
+                                 "of photographs show the same view without parallax",
+                                 motion.rotation_pairs, motion.pairs),
+                            {}});
+        return;
+    }
+    const auto in_view =
+        std::count_if(evidence.pairs.begin(), evidence.pairs.end(),
+                      [](const PairGeometry& pair) { return pair.epipoles_in_view; });
+    const double forward_share =
+        static_cast<double>(in_view) / static_cast<double>(evidence.pairs.size());
+    if (forward_share >= kMostShare) {
+        findings.push_back({CaptureReason::kForward,
+                            Severity::kRisk,
+                            text("the camera moved along its line of sight: %d of %zu pairs of "
+                                 "photographs show the place of the other camera",
+                                 static_cast<int>(in_view), evidence.pairs.size()),
+                            {}});
+    }
+    // A floor or a wall explains most of many pairs of photographs that are in order.
+    constexpr double kNearlyAll = 0.9;
+    if (motion.planar_share() >= kNearlyAll) {
+        findings.push_back({CaptureReason::kPlanar,
+                            evidence.lens_is_known ? Severity::kNote : Severity::kRisk,
+                            text("the photographs show a flat surface: one plane explains %d of "
+                                 "%d pairs",
+                                 motion.planar_pairs, motion.pairs),
+                            {}});
+    }
+}
+
+void judge_clutter(const CaptureEvidence& evidence, const Cohesion& cohesion,
+                   std::vector<Finding>& findings) {
+    constexpr double kMinInlierShare = 0.4;
+    if (evidence.inlier_shares.size() + 1 < evidence.photographs.size()) return;
+    const double share = median_of(evidence.inlier_shares);
+    if (share >= kMinInlierShare) return;
+    findings.push_back({CaptureReason::kClutter,
+                        cohesion.is_usable() ? Severity::kRisk : Severity::kHopeless,
+                        text("only %.0f %% of what looks alike in two photographs stands still "
+                             "between them",
+                             100 * share),
+                        {}});
+}
+
+void judge_cohesion(const CaptureEvidence& evidence, const Cohesion& cohesion,
+                    std::vector<Finding>& findings) {
+    if (cohesion.is_whole()) return;
+    std::vector<std::string> names;
+    for (std::size_t group = 1; group < cohesion.groups.size(); ++group) {
+        for (const int index : cohesion.groups[group]) {
+            names.push_back(evidence.photographs[static_cast<std::size_t>(index)].name);
+        }
+    }
+    if (evidence.pairs.empty()) {
+        findings.push_back({CaptureReason::kNoPair,
+                            Severity::kHopeless,
+                            "no two photographs show the same things",
+                            {}});
+        return;
+    }
+    findings.push_back(
+        {CaptureReason::kSplit, cohesion.is_usable() ? Severity::kRisk : Severity::kHopeless,
+         text("the photographs fall into %zu groups that share nothing; the "
+              "largest has %zu of %zu",
+              cohesion.groups.size(), cohesion.groups.front().size(), evidence.photographs.size()),
+         std::move(names)});
+}
+
+void judge_duplicates(const CaptureEvidence& evidence, std::vector<Finding>& findings) {
+    const auto kept = static_cast<int>(evidence.photographs.size());
+    if (evidence.duplicates_left_out == 0) return;
+    Severity severity = Severity::kNote;
+    if (evidence.duplicates_left_out > kept) severity = Severity::kRisk;
+    if (kept < 3) severity = Severity::kHopeless;
+    findings.push_back({CaptureReason::kDuplicates,
+                        severity,
+                        text("%d photographs repeat another one; %d different ones are left",
+                             evidence.duplicates_left_out, kept),
+                        {}});
+}
+
+void judge_loops(const CaptureEvidence& evidence, std::vector<Finding>& findings) {
+    constexpr double kMaxConflictShare = 0.15;
+    constexpr int kMinLoops = 100;
+    const MatchLoops& loops = evidence.loops;
+    if (loops.closed + loops.conflicts < kMinLoops) return;
+    if (loops.conflict_share() <= kMaxConflictShare) return;
+    findings.push_back({CaptureReason::kRepeated,
+                        Severity::kRisk,
+                        text("things that look alike are taken for one another: %.0f %% of the "
+                             "features that are followed through three photographs come back "
+                             "elsewhere",
+                             100 * loops.conflict_share()),
+                        {}});
+}
+
+/// Causes before their effects: a photograph without features has no pair.
+int rank_of(CaptureReason reason) {
+    constexpr std::array kOrder{
+        CaptureReason::kExposure, CaptureReason::kNoise,      CaptureReason::kTexture,
+        CaptureReason::kBlur,     CaptureReason::kDuplicates, CaptureReason::kNoParallax,
+        CaptureReason::kRepeated, CaptureReason::kClutter,    CaptureReason::kForward,
+        CaptureReason::kPlanar,   CaptureReason::kSplit,      CaptureReason::kNoPair};
+    return static_cast<int>(std::find(kOrder.begin(), kOrder.end(), reason) - kOrder.begin());
+}
+
+}  // namespace
+
+MatchGraph match_graph_of(const CaptureEvidence& evidence) {
+    MatchGraph graph{static_cast<int>(evidence.photographs.size()), {}};
+    for (const PairGeometry& pair : evidence.pairs) {
+        graph.pairs.emplace_back(pair.pair.first, pair.pair.second);
+    }
+    return graph;
+}
+
+double median_angle_deg(const CaptureEvidence& evidence) {
+    std::vector<double> angles;
+    for (const PairGeometry& pair : evidence.pairs) angles.push_back(pair.median_angle_deg);
+    return median_of(std::move(angles));
+}
+
+std::vector<Finding> diagnose(const CaptureEvidence& evidence) {
+    std::vector<Finding> findings;
+    judge_duplicates(evidence, findings);
+    if (!evidence.photographs.empty()) {
+        const Cohesion cohesion = cohesion_of(evidence);
+        judge_pictures(evidence, cohesion, findings);
+        judge_brightness(evidence, cohesion, findings);
+        judge_motion(evidence, findings);
+        judge_loops(evidence, findings);
+        judge_clutter(evidence, cohesion, findings);
+        judge_cohesion(evidence, cohesion, findings);
+    }
+    std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
+        if (a.severity != b.severity) return a.severity > b.severity;
+        return rank_of(a.reason) < rank_of(b.reason);
+    });
+    return findings;
+}
+
+}  // namespace lumi

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "calib/capture/camera.h"
+#include "calib/doctor/diagnosis.h"
+#include "calib/ingest/ingest.h"
+#include "calib/work/progress.h"
+#include "calib/work/stopwatch.h"
+
+namespace lumi {
+
+/// How closely the doctor looks.
+struct ExaminationOptions {
+    int width_px = 800;         ///< Longer sides are scaled down to this. >= 64.
+    int max_features = 1500;    ///< Per photograph. > 0.
+    int build_width_px = 1600;  ///< What a build scales longer sides down to; 0: not at all.
+    double video_fps = 2.0;     ///< Frames taken from each second of a video. > 0.
+    std::optional<double> told_focal_length_px;  ///< For the size looked at, instead of EXIF's.
+};
+
+/// What a build of these photographs will probably take, within a factor of two or so.
+struct ExpectedCost {
+    double cpu_s = 0.0;
+    double peak_mib = 0.0;
+};
+
+/// What the doctor saw, and what to do about it.
+struct Examination {
+    CaptureEvidence evidence;
+    std::vector<LeftOut> left_out;
+    std::vector<Finding> findings;  ///< The worst first.
+    ExpectedCost build;
+    Cost cost;  ///< Of the examination.
+
+    [[nodiscard]] Severity verdict() const {
+        return findings.empty() ? Severity::kNote : findings.front().severity;
+    }
+};
+
+/// Looks at photographs (or a video) before the long step: ingest, features, matches and two-view
+/// geometry on small copies, without placing anything. `given_lens`, if any, is the lens of all
+/// photographs. `scratch_folder` is emptied and used. Throws Error (E-INGEST-...).
+[[nodiscard]] Examination examine_capture(const std::filesystem::path& photographs_or_video,
+                                          const std::optional<Camera>& given_lens,
+                                          const ExaminationOptions& options,
+                                          const std::filesystem::path& scratch_folder, int threads,
+                                          Progress& progress);
+
+}  // namespace lumi

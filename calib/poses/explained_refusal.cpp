@@ -1,0 +1,66 @@
+#include "calib/poses/explained_refusal.h"
+
+#include <algorithm>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/parallel_for.h"
+
+namespace lumi {
+namespace {
+
+constexpr std::size_t kMinInliers = 15;
+
+/// Pictures are judged at the size that the doctor looks at.
+std::vector<PhotographQuality> qualities_of(const MappingJob& job, int longer_side_px) {
+    std::vector<PhotographQuality> qualities(job.photographs.size());
+    parallel_for(static_cast<int>(job.photographs.size()), job.threads, [&](int position) {
+        job.progress.throw_if_interrupted();
+        const auto index = static_cast<std::size_t>(position);
+        const Photograph& photograph = job.photographs[index];
+        const double scale = std::min(1.0, static_cast<double>(longer_side_px) /
+                                               std::max(photograph.width_px, photograph.height_px));
+        const auto scaled = [&](int side) { return std::max(1, static_cast<int>(scale * side)); };
+        const ColorImage picture = read_color_image(photograph.picture_path);
+        qualities[index] =
+            quality_of(resized(picture, scaled(photograph.width_px), scaled(photograph.height_px)));
+        qualities[index].name = photograph.name;
+    });
+    return qualities;
+}
+
+}  // namespace
+
+CaptureEvidence evidence_of(const MappingJob& job, const MatchedPhotographs& matched) {
+    constexpr int kLongerSide_px = 800;
+    CaptureEvidence evidence;
+    evidence.width_px = 0;
+    for (const Photograph& photograph : job.photographs) {
+        evidence.width_px =
+            std::max({evidence.width_px, photograph.width_px, photograph.height_px});
+    }
+    evidence.width_px = std::min(evidence.width_px, kLongerSide_px);
+    evidence.photographs = qualities_of(job, kLongerSide_px);
+    evidence.motion = matched.motion;
+    evidence.lens_is_known = job.lens_is_calibrated;
+    std::vector<const VerifiedPair*> pairs;
+    for (const VerifiedPair& pair : matched.pairs) {
+        if (pair.inliers.size() < kMinInliers) continue;
+        evidence.pairs.push_back(pair_geometry_of(pair, matched.photographs, job.groups.cameras));
+        pairs.push_back(&pair);
+    }
+    evidence.loops = follow_matches(matched.photographs, pairs);
+    evidence.inlier_shares = matched.inlier_shares;
+    return evidence;
+}
+
+void refuse_explained(const MappingJob& job, const MatchedPhotographs& matched,
+                      CaptureReason fallback, const std::string& what) {
+    for (const Finding& finding : diagnose(evidence_of(job, matched))) {
+        const bool says_no_more_than_we_know = finding.reason == CaptureReason::kNoPair;
+        if (finding.severity < Severity::kRisk || says_no_more_than_we_know) continue;
+        refuse_capture(finding.reason, finding.what);
+    }
+    refuse_capture(fallback, what);
+}
+
+}  // namespace lumi

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calib/doctor/diagnosis.h"
+#include "calib/ingest/ingest.h"
+#include "calib/poses/mapping.h"
+
+namespace lumi {
+
+/// What the doctor would have seen, from what the pose stage has found out; `matched` may be empty
+/// (no photographs) when not even pairs came out.
+[[nodiscard]] CaptureEvidence evidence_of(const MappingJob& job, const MatchedPhotographs& matched);
+
+/// Throws Error (E-POSES-...) for what the evidence names as the worst trouble; `fallback` with
+/// `what` when it names none.
+[[noreturn]] void refuse_explained(const MappingJob& job, const MatchedPhotographs& matched,
+                                   CaptureReason fallback, const std::string& what);
+
+}  // namespace lumi

@@ -1,0 +1,74 @@
+#include "calib/poses/pair_agreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace lumi {
+namespace {
+
+constexpr std::size_t kMinInliers = 30;   ///< Fewer are in doubt themselves.
+constexpr double kToleranceShare = 0.01;  ///< Of the longer side.
+constexpr double kMostShare = 0.5;
+
+/// The angle between the second ray and the plane that the first ray and the base line span.
+double epipolar_angle_rad(const Eigen::Vector3d& first_ray, const Eigen::Vector3d& second_ray,
+                          const Rigid3& second_from_first) {
+    const Eigen::Vector3d turned = (second_from_first.rotation * first_ray).normalized();
+    const Eigen::Vector3d normal = second_from_first.translation.normalized().cross(turned);
+    // Along the base line every ray is in the plane.
+    if (normal.norm() < 1e-6) return 0.0;
+    return std::asin(std::min(1.0, std::abs(normal.normalized().dot(second_ray.normalized()))));
+}
+
+bool is_denied(const VerifiedPair& pair, const Capture& capture, const View& first,
+               const View& second, const std::vector<ColmapPhotograph>& features) {
+    const Camera& first_lens = camera_of(capture, first);
+    const Camera& second_lens = camera_of(capture, second);
+    const Rigid3 second_from_first = second.cam_from_world * inverse(first.cam_from_world);
+    const double longer_px = std::max(second_lens.width_px, second_lens.height_px);
+    const double tolerance_rad = kToleranceShare * longer_px / focal_length_px(second_lens).mean();
+    const auto& first_px = features[static_cast<std::size_t>(pair.first)].keypoints_px;
+    const auto& second_px = features[static_cast<std::size_t>(pair.second)].keypoints_px;
+    std::size_t agreeing = 0;
+    for (const FeatureMatch& match : pair.inliers) {
+        const Eigen::Vector3d ray = unproject(first_lens, first_px[match.first].cast<double>());
+        const Eigen::Vector3d seen = unproject(second_lens, second_px[match.second].cast<double>());
+        if (epipolar_angle_rad(ray, seen, second_from_first) <= tolerance_rad) ++agreeing;
+    }
+    return static_cast<double>(agreeing) < kMostShare * static_cast<double>(pair.inliers.size());
+}
+
+}  // namespace
+
+PairAgreement compare_with_pairs(const Capture& capture, const std::vector<Photograph>& photographs,
+                                 const std::vector<ColmapPhotograph>& features,
+                                 const std::vector<VerifiedPair>& pairs) {
+    std::map<std::string, const View*> view_of_name;
+    for (const View& view : capture.views) view_of_name.emplace(view.name, &view);
+    const auto view_of = [&](int photograph) -> const View* {
+        const auto view = view_of_name.find(photographs[static_cast<std::size_t>(photograph)].name);
+        return view == view_of_name.end() ? nullptr : view->second;
+    };
+    PairAgreement agreement;
+    std::size_t matches = 0;
+    std::size_t denied = 0;
+    for (const VerifiedPair& pair : pairs) {
+        const View* const first = view_of(pair.first);
+        const View* const second = view_of(pair.second);
+        if (first == nullptr || second == nullptr || pair.inliers.size() < kMinInliers) continue;
+        ++agreement.pairs;
+        matches += pair.inliers.size();
+        if (!is_denied(pair, capture, *first, *second, features)) continue;
+        ++agreement.contradicted;
+        denied += pair.inliers.size();
+    }
+    if (matches > 0) {
+        agreement.contradicted_share =
+            std::max(static_cast<double>(denied) / static_cast<double>(matches),
+                     static_cast<double>(agreement.contradicted) / agreement.pairs);
+    }
+    return agreement;
+}
+
+}  // namespace lumi

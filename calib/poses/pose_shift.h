@@ -1,0 +1,27 @@
+#pragma once
+
+#include "calib/capture/capture.h"
+#include "calib/poses/pose_comparison.h"
+
+namespace lumi {
+
+/// How far poses are from others of the same photographs.
+struct PoseShift {
+    int placed = 0;  ///< Photographs that both have.
+    /// Of the worst camera, as a share of the cameras' spread: the root mean square distance of the
+    /// others' centres from their middle.
+    double position_share = 0.0;
+    double rotation_deg = 0.0;  ///< Of the worst camera.
+};
+
+/// After the similarity that fits `poses` to `others`: its rotation is the mean of what the
+/// cameras' attitudes say (the chordal mean; Hartley et al., Rotation averaging, IJCV 2013), so
+/// that it is defined for cameras on a line and for two cameras as well; scale and translation are
+/// then least squares over the centres. Cameras that stand at one place have no spread: the share
+/// is infinite.
+[[nodiscard]] PoseShift pose_shift(const NamedPoses& poses, const NamedPoses& others);
+
+/// The poses of a capture by the names of its views.
+[[nodiscard]] NamedPoses named_poses(const Capture& capture);
+
+}  // namespace lumi

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "calib/capture/capture.h"
+
+namespace lumi {
+
+/// Whether what the adjustment could not explain has a shape that a cause would leave.
+///
+/// In each view the residuals are regressed on what a small wrong does to them; the ratio is that
+/// of the variance taken away, per parameter, to the variance left (Fisher's F over all views): 1
+/// on average where there is nothing but noise.
+struct ResidualPattern {
+    double shutter_ratio = 1.0;  ///< A turn that grows from the first row to the last; 3 a view.
+    double zoom_ratio = 1.0;     ///< A focal length of the view's own; 1 a view.
+};
+[[nodiscard]] ResidualPattern residual_pattern(const Capture& capture);
+
+/// The sum over `observations` of squared residuals, those that were dropped as outliers counted
+/// with the square of the limit: what two models of the same observations are compared by.
+[[nodiscard]] double truncated_cost_px2(const Capture& capture, std::size_t observations,
+                                        double limit_px);
+[[nodiscard]] std::size_t count_observations(const Capture& capture);
+
+/// The Bayesian information criterion's verdict (Schwarz 1978): true when the smaller cost is worth
+/// `more_parameters`.
+[[nodiscard]] bool explains_better(double cost_px2, double richer_cost_px2, int more_parameters,
+                                   std::size_t observations);
+
+}  // namespace lumi

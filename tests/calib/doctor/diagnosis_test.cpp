@@ -1,0 +1,177 @@
+#include "calib/doctor/diagnosis.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "calib/doctor/match_graph_picture.h"
+
+namespace lumi {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+constexpr int kPhotographs = 8;
+
+PairGeometry pair_between(int first, int second) {
+    PairGeometry pair;
+    pair.pair = {first, second, PairConfiguration::kUncalibrated, std::vector<FeatureMatch>(200)};
+    pair.median_angle_deg = 5;
+    return pair;
+}
+
+/// Sharp, well lit photographs that all show the same things from different places.
+CaptureEvidence good_capture() {
+    CaptureEvidence evidence;
+    evidence.width_px = 800;
+    PhotographQuality quality;
+    quality.mean_linear = 0.2;
+    quality.noise_sigma = 1;
+    quality.signal_to_noise = 40;
+    quality.detail = {10, 12, 12, 12};
+    quality.features = 900;
+    for (int index = 0; index < kPhotographs; ++index) {
+        quality.name = "p" + std::to_string(index) + ".jpg";
+        evidence.photographs.push_back(quality);
+        for (int other = 0; other < index; ++other) {
+            evidence.pairs.push_back(pair_between(other, index));
+            evidence.inlier_shares.push_back(0.8);
+        }
+    }
+    evidence.motion.pairs = static_cast<int>(evidence.pairs.size());
+    evidence.loops.closed = 5000;
+    return evidence;
+}
+
+void lose_all_pairs(CaptureEvidence& evidence) {
+    evidence.pairs.clear();
+    evidence.inlier_shares.clear();
+    evidence.motion = {};
+    evidence.loops = {};
+}
+
+Finding first_finding(const CaptureEvidence& evidence) {
+    const std::vector<Finding> findings = diagnose(evidence);
+    EXPECT_THAT(findings, Not(IsEmpty()));
+    return findings.empty() ? Finding{} : findings.front();
+}
+
+TEST(Diagnosis, HasNothingAgainstAGoodCapture) { EXPECT_THAT(diagnose(good_capture()), IsEmpty()); }
+
+TEST(Diagnosis, NamesTheCauseBeforeTheEffect) {
+    CaptureEvidence evidence = good_capture();
+    lose_all_pairs(evidence);
+    for (PhotographQuality& quality : evidence.photographs) quality.detail = {0.2, 0.3, 0.4, 0.4};
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kTexture);
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
+}
+
+TEST(Diagnosis, WithoutACauseItSaysThatNoPairIsThere) {
+    CaptureEvidence evidence = good_capture();
+    lose_all_pairs(evidence);
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kNoPair);
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
+}
+
+TEST(Diagnosis, PoorPicturesThatStillMatchAreOnlyANote) {
+    CaptureEvidence evidence = good_capture();
+    for (PhotographQuality& quality : evidence.photographs) quality.blur_sigma_px = 9;
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kBlur);
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kNote);
+    lose_all_pairs(evidence);
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kBlur);
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
+}
+
+TEST(Diagnosis, TellsNoiseFromBlackAndWhite) {
+    CaptureEvidence noisy = good_capture();
+    lose_all_pairs(noisy);
+    for (PhotographQuality& quality : noisy.photographs) {
+        quality.noise_sigma = 60;
+        quality.signal_to_noise = 1.5;
+    }
+    EXPECT_EQ(first_finding(noisy).reason, CaptureReason::kNoise);
+    CaptureEvidence overexposed = good_capture();
+    lose_all_pairs(overexposed);
+    for (PhotographQuality& quality : overexposed.photographs) quality.clipped_share = 0.8;
+    EXPECT_EQ(first_finding(overexposed).reason, CaptureReason::kExposure);
+}
+
+TEST(Diagnosis, NamesThePhotographsWhoseBrightnessJumps) {
+    CaptureEvidence evidence = good_capture();
+    evidence.photographs[3].mean_linear = 0.01;
+    const Finding finding = first_finding(evidence);
+    EXPECT_EQ(finding.reason, CaptureReason::kExposure);
+    EXPECT_THAT(finding.photographs, testing::ElementsAre("p3.jpg"));
+}
+
+TEST(Diagnosis, NamesThePhotographsOutsideOfTheLargestGroup) {
+    CaptureEvidence evidence = good_capture();
+    std::erase_if(evidence.pairs, [](const PairGeometry& pair) {
+        return (pair.pair.first < 5) != (pair.pair.second < 5);
+    });
+    const Finding finding = first_finding(evidence);
+    EXPECT_EQ(finding.reason, CaptureReason::kSplit);
+    EXPECT_EQ(finding.severity, Severity::kRisk);
+    EXPECT_THAT(finding.photographs, testing::ElementsAre("p5.jpg", "p6.jpg", "p7.jpg"));
+}
+
+TEST(Diagnosis, ACameraThatOnlyTurnedIsHopeless) {
+    CaptureEvidence evidence = good_capture();
+    evidence.motion.rotation_pairs = evidence.motion.planar_pairs = evidence.motion.pairs;
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kNoParallax);
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
+}
+
+TEST(Diagnosis, AFlatSurfaceIsARiskUnlessTheLensIsKnown) {
+    CaptureEvidence evidence = good_capture();
+    evidence.motion.planar_pairs = evidence.motion.pairs;
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kPlanar);
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kRisk);
+    evidence.lens_is_known = true;
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kNote);
+}
+
+TEST(Diagnosis, TellsThingsThatMoveFromThingsThatLookAlike) {
+    CaptureEvidence moving = good_capture();
+    moving.inlier_shares.assign(moving.inlier_shares.size(), 0.2);
+    EXPECT_EQ(first_finding(moving).reason, CaptureReason::kClutter);
+    CaptureEvidence alike = good_capture();
+    alike.loops = {3000, 2000};
+    EXPECT_EQ(first_finding(alike).reason, CaptureReason::kRepeated);
+}
+
+TEST(Diagnosis, FewPlacesPhotographedManyTimesAreDuplicates) {
+    CaptureEvidence evidence = good_capture();
+    evidence.duplicates_left_out = 20;
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kDuplicates);
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kRisk);
+    evidence.duplicates_left_out = 2;
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kNote);
+}
+
+TEST(Diagnosis, EveryReasonHasACodeAndAdviceOfItsOwn) {
+    for (int index = 0; index <= static_cast<int>(CaptureReason::kUncertain); ++index) {
+        const auto reason = static_cast<CaptureReason>(index);
+        EXPECT_EQ(reason_with_code(code_of(reason)), reason);
+        EXPECT_THAT(std::string(code_of(reason)), testing::StartsWith("E-POSES-"));
+        EXPECT_FALSE(advice_for(reason).empty());
+    }
+    EXPECT_FALSE(reason_with_code("E-INGEST-TOOFEW").has_value());
+}
+
+TEST(MatchGraphPicture, ShowsEveryPhotographAndPairAndEscapesNames) {
+    CaptureEvidence evidence = good_capture();
+    evidence.photographs[0].name = "<a&b>.jpg";
+    const std::string svg = match_graph_svg(evidence);
+    EXPECT_THAT(svg, HasSubstr("&lt;a&amp;b&gt;.jpg"));
+    std::size_t lines = 0;
+    for (std::size_t at = svg.find("<path"); at != std::string::npos;
+         at = svg.find("<path", at + 1))
+        ++lines;
+    EXPECT_EQ(lines, evidence.pairs.size());
+}
+
+}  // namespace
+}  // namespace lumi

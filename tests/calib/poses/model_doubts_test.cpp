@@ -1,0 +1,180 @@
+// What a model that looks right and is wrong gives away.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "calib/poses/pair_agreement.h"
+#include "calib/poses/pose_shift.h"
+#include "calib/poses/residual_pattern.h"
+#include "calib/poses/shutter_adjustment.h"
+#include "tests/calib/adjust/synthetic_capture.h"
+
+namespace lumi {
+namespace {
+
+const Camera kCamera = pinhole_camera(1000, 800, 900);
+
+Capture noisy_capture(unsigned seed) {
+    SyntheticCaptureOptions scene;
+    scene.noise_px = 0.5;
+    scene.seed = seed;
+    return synthetic_capture(kCamera, scene);
+}
+
+/// Moves what each view saw as if the camera had turned by `skew_px` while the rows were read.
+void skew(Capture& capture, double skew_px) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> heading(0.0, 6.28);
+    std::vector<Eigen::Vector3d> turns;
+    for (std::size_t index = 0; index < capture.views.size(); ++index) {
+        const double angle = heading(random);
+        turns.emplace_back(skew_px / 900 * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0));
+    }
+    for (ScenePoint& point : capture.points) {
+        for (Observation& seen : point.track) {
+            const auto view = static_cast<std::size_t>(seen.view_index);
+            const Eigen::Vector3d at_middle =
+                capture.views[view].cam_from_world * point.position_in_world;
+            const double time = seen.pixel.y() / 800 - 0.5;
+            const Eigen::Vector3d turned = at_middle + time * turns[view].cross(at_middle);
+            seen.pixel += *project(kCamera, turned) - *project(kCamera, at_middle);
+        }
+    }
+}
+
+TEST(ResidualPattern, NoiseHasNone) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        const ResidualPattern pattern = residual_pattern(noisy_capture(seed));
+        EXPECT_LT(pattern.shutter_ratio, 2.0) << seed;
+        EXPECT_LT(pattern.zoom_ratio, 3.0) << seed;
+    }
+}
+
+TEST(ResidualPattern, TellsARollingShutterFromZoom) {
+    Capture skewed = noisy_capture(1);
+    skew(skewed, 6);
+    EXPECT_GT(residual_pattern(skewed).shutter_ratio, 10.0);
+    Capture zoomed = noisy_capture(1);
+    for (ScenePoint& point : zoomed.points) {
+        for (Observation& seen : point.track) {
+            if (seen.view_index % 2 == 0) continue;
+            seen.pixel += 0.02 * (seen.pixel - principal_point_px(kCamera));
+        }
+    }
+    EXPECT_GT(residual_pattern(zoomed).zoom_ratio, 10.0);
+    EXPECT_GT(residual_pattern(zoomed).zoom_ratio, residual_pattern(zoomed).shutter_ratio);
+}
+
+TEST(ResidualPattern, TheCriterionAsksForMoreThanChanceGives) {
+    // Thirty parameters that explain nothing take away thirty residuals' worth of a thousand.
+    EXPECT_FALSE(explains_better(1000, 970, 30, 500));
+    EXPECT_TRUE(explains_better(1000, 500, 30, 500));
+}
+
+TEST(ShutterAdjustment, FindsTheSkewAndTheTruePoses) {
+    Capture capture = noisy_capture(4);
+    const NamedPoses truth = named_poses(capture);
+    skew(capture, 30);
+    SilentProgress progress;
+    const ShutterAdjustment adjusted = adjust_for_shutter(capture, 2.0, progress);
+    EXPECT_NEAR(adjusted.skew_px, 30, 6);
+    const PoseShift shift = pose_shift(named_poses(adjusted.capture), truth);
+    EXPECT_EQ(shift.placed, 8);
+    EXPECT_LT(shift.position_share, 0.02);
+    EXPECT_LT(adjusted.cost_px2, 2 * 0.3 * static_cast<double>(count_observations(capture)));
+}
+
+TEST(PoseShift, IsNothingAfterASimilarity) {
+    const Capture capture = synthetic_capture(kCamera, {});
+    NamedPoses moved;
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
+    for (const auto& [name, pose] : named_poses(capture)) {
+        const Eigen::Quaterniond rotation = pose.rotation * turn.conjugate();
+        const Eigen::Vector3d centre =
+            3.0 * (turn * centre_in_world(pose)) + turn * Eigen::Vector3d::UnitX();
+        moved[name] = {rotation, -(rotation * centre)};
+    }
+    const PoseShift shift = pose_shift(moved, named_poses(capture));
+    EXPECT_LT(shift.position_share, 1e-9);
+    EXPECT_LT(shift.rotation_deg, 1e-5);
+}
+
+TEST(PoseShift, SeesOneCameraThatIsElsewhere) {
+    const Capture capture = synthetic_capture(kCamera, {});
+    NamedPoses moved = named_poses(capture);
+    moved.begin()->second.translation += Eigen::Vector3d(0.8, 0, 0);
+    EXPECT_GT(pose_shift(moved, named_poses(capture)).position_share, 0.1);
+}
+
+TEST(PoseShift, CamerasOnALineAreComparedAsWell) {
+    NamedPoses line;
+    for (int index = 0; index < 5; ++index) {
+        line["v" + std::to_string(index)] = {Eigen::Quaterniond::Identity(),
+                                             Eigen::Vector3d(-index, 0, 0)};
+    }
+    EXPECT_LT(pose_shift(line, line).rotation_deg, 1e-6);
+}
+
+/// All pairs of views, matched by the points they share.
+struct PairsOfCapture {
+    std::vector<Photograph> photographs;
+    std::vector<ColmapPhotograph> features;
+    std::vector<VerifiedPair> pairs;
+
+    explicit PairsOfCapture(const Capture& capture) {
+        for (const View& view : capture.views) {
+            Photograph photograph;
+            photograph.name = view.name;
+            photographs.push_back(photograph);
+        }
+        features.resize(capture.views.size());
+        std::vector<std::vector<int>> feature_of(capture.views.size(),
+                                                 std::vector<int>(capture.points.size(), -1));
+        for (std::size_t point = 0; point < capture.points.size(); ++point) {
+            for (const Observation& seen : capture.points[point].track) {
+                const auto view = static_cast<std::size_t>(seen.view_index);
+                feature_of[view][point] = static_cast<int>(features[view].keypoints_px.size());
+                features[view].keypoints_px.push_back(seen.pixel.cast<float>());
+            }
+        }
+        for (int first = 0; first < static_cast<int>(capture.views.size()); ++first) {
+            for (int second = first + 1; second < static_cast<int>(capture.views.size());
+                 ++second) {
+                VerifiedPair pair{first, second, PairConfiguration::kUncalibrated, {}};
+                for (std::size_t point = 0; point < capture.points.size(); ++point) {
+                    const int a = feature_of[static_cast<std::size_t>(first)][point];
+                    const int b = feature_of[static_cast<std::size_t>(second)][point];
+                    if (a < 0 || b < 0) continue;
+                    pair.inliers.push_back(
+                        {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+                }
+                pairs.push_back(pair);
+            }
+        }
+    }
+    [[nodiscard]] PairAgreement with(const Capture& capture) const {
+        return compare_with_pairs(capture, photographs, features, pairs);
+    }
+};
+
+TEST(PairAgreement, ATrueModelDeniesNoPair) {
+    const Capture capture = noisy_capture(6);
+    const PairAgreement agreement = PairsOfCapture(capture).with(capture);
+    EXPECT_EQ(agreement.pairs, 28);
+    EXPECT_EQ(agreement.contradicted, 0);
+}
+
+TEST(PairAgreement, ACameraPutElsewhereDeniesItsPairs) {
+    const Capture capture = noisy_capture(6);
+    const PairsOfCapture pairs(capture);
+    Capture wrong = capture;
+    // Where the camera opposite stands, with the height of its own.
+    wrong.views[0].cam_from_world = capture.views[5].cam_from_world;
+    wrong.views[0].cam_from_world.translation.y() += 1.0;
+    const PairAgreement agreement = pairs.with(wrong);
+    EXPECT_GE(agreement.contradicted, 5);
+    EXPECT_GT(agreement.contradicted_share, 0.15);
+}
+
+}  // namespace
+}  // namespace lumi
