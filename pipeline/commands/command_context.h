@@ -18,6 +18,7 @@ struct CommandContext {
     std::function<void()> chosen;  ///< What the command line asks for; set while it is parsed.
     std::unique_ptr<Progress> progress;  ///< Present while `chosen` runs.
     std::function<void()> clear_bar;     ///< Clears the terminal's line for other words.
+    int exit_code = 0;  ///< Of a command that did its work; an Error brings its own.
 
     void print_result(const std::string& text) const;
     void print_result(const nlohmann::ordered_json& json_result) const;

@@ -27,10 +27,12 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_bench_boards_command(app, context);
     lumi::add_stage_commands(app, context);
     lumi::add_regression_command(app, context);
+    lumi::add_doctor_command(app, context);
     lumi::add_render_command(app, context);
     lumi::add_view_command(app, context);
     lumi::add_bench_command(app, context);
     lumi::add_bench_poses_command(app, context);
+    lumi::add_bench_hazards_command(app, context);
     lumi::add_bench_mesh_command(app, context);
     lumi::add_evaluate_command(app, context);
     lumi::add_select_command(app, context);
@@ -69,5 +71,6 @@ int main(int argc, char** argv) {
         const lumi::Interruption interruption(*context.progress);
         context.chosen();
     };
-    return lumi::run_and_report_errors(run_chosen, context);
+    const int failure = lumi::run_and_report_errors(run_chosen, context);
+    return failure != 0 ? failure : context.exit_code;
 }

@@ -1,5 +1,6 @@
 #include "pipeline/synth/material.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -157,6 +158,16 @@ LinearColor pattern_at(const Material& material, const Eigen::Vector3d& point,
     return material.colors[0];
 }
 
+/// The turn about the z axis that brings what faces along `normal` into the first sector.
+Eigen::AngleAxisd into_first_sector(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+                                    int sectors) {
+    const bool faces_up = std::abs(normal.z()) > 0.9;
+    const Eigen::Vector3d& heading = faces_up ? point : normal;
+    const double sector_rad = 2.0 * std::numbers::pi / sectors;
+    const double turns = std::round(std::atan2(heading.y(), heading.x()) / sector_rad);
+    return {-turns * sector_rad, Eigen::Vector3d::UnitZ()};
+}
+
 }  // namespace
 
 LinearColor linear_from_srgb(const Eigen::Vector3f& srgb) {
@@ -175,6 +186,13 @@ Eigen::Vector3f srgb_from_linear(const LinearColor& linear) {
 
 LinearColor albedo_at(const Material& material, const Eigen::Vector3d& point_in_world,
                       const Eigen::Vector3d& normal, double footprint) {
+    if (material.copies_around > 1) {
+        const Eigen::AngleAxisd turn =
+            into_first_sector(point_in_world, normal, material.copies_around);
+        Material plain = material;
+        plain.copies_around = 1;
+        return albedo_at(plain, turn * point_in_world, turn * normal, footprint);
+    }
     const LinearColor color = pattern_at(material, point_in_world, normal, footprint);
     const double detail = fractal_noise(point_in_world, footprint,
                                         {1.0 / material.detail_size, 4, 0.6}, material.seed + 7);

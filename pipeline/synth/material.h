@@ -42,6 +42,9 @@ struct Material {
     double detail_size = 0.02;     ///< Of its largest grain, world units. > 0.
     double gloss = 0.0;            ///< Strength of the highlight. >= 0.
     std::uint32_t seed = 0;
+    /// The pattern repeats itself so many times around the world's z axis, sector by sector as
+    /// surfaces face: a box around the axis looks the same from so many sides. >= 1.
+    int copies_around = 1;
 };
 
 /// The share of light that is reflected at a place, averaged over a sample of size `footprint`

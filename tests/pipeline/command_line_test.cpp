@@ -40,14 +40,33 @@ Outcome lumi(const std::string& arguments, const std::string& before = "") {
 
 TEST(CommandLine, HelpBeginsWithAnExample) {
     EXPECT_THAT(lumi("--help").out, StartsWith("Example: lumi "));
-    for (const std::string command :
-         {"build",       "calibrate",    "ingest",        "poses",
-          "mesh",        "depth",        "pack",          "render",
-          "view",        "evaluate",     "chart",         "stress",
-          "select",      "plan",         "compare-poses", "compare-evaluations",
-          "inspect",     "validate",     "synth",         "bench",
-          "bench-poses", "bench-boards", "bench-mesh",    "regression",
-          "gallery"}) {
+    for (const std::string command : {"build",
+                                      "calibrate",
+                                      "doctor",
+                                      "ingest",
+                                      "poses",
+                                      "mesh",
+                                      "depth",
+                                      "pack",
+                                      "render",
+                                      "view",
+                                      "evaluate",
+                                      "chart",
+                                      "stress",
+                                      "select",
+                                      "plan",
+                                      "compare-poses",
+                                      "compare-evaluations",
+                                      "inspect",
+                                      "validate",
+                                      "synth",
+                                      "bench",
+                                      "bench-poses",
+                                      "bench-boards",
+                                      "bench-mesh",
+                                      "bench-hazards",
+                                      "regression",
+                                      "gallery"}) {
         const Outcome help = lumi(command + " --help");
         EXPECT_EQ(help.exit_code, 0) << command;
         EXPECT_THAT(help.out, StartsWith("Example: lumi " + command));
@@ -110,6 +129,24 @@ TEST(CommandLine, AMissingInputIsBadInput) {
     EXPECT_EQ(lumi("validate " + quoted(scratch / "no.lumi")).exit_code, 3);
     EXPECT_EQ(
         lumi("compare-poses " + quoted(scratch / "a") + " " + quoted(scratch / "b")).exit_code, 3);
+}
+
+TEST(CommandLine, DoctorNamesWhatMakesACaptureHopeless) {
+    const ScratchFolder scratch;
+    for (const int shade : {60, 110, 160}) {
+        const auto level = static_cast<std::uint8_t>(shade);
+        write_png(scratch / "photos" / (std::to_string(shade) + ".png"),
+                  ColorImage(320, 240, {level, level, level}));
+    }
+    const Outcome outcome = lumi("doctor --json " + quoted(scratch / "photos") + " --workspace " +
+                                 quoted(scratch / "work"));
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.talk;
+    const Json seen = Json::parse(outcome.out);
+    EXPECT_EQ(seen.at("verdict"), "hopeless");
+    EXPECT_EQ(seen.at("findings").at(0).at("code"), "E-POSES-TEXTURE");
+    EXPECT_FALSE(seen.at("findings").at(0).at("advice").get<std::string>().empty());
+    EXPECT_THAT(read_whole_text(scratch / "work" / "doctor" / "match_graph.svg"),
+                HasSubstr("160.png"));
 }
 
 TEST(CommandLine, AnInterruptionEndsWith130) {

@@ -1,0 +1,182 @@
+#include <CLI/CLI.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "calib/doctor/examination.h"
+#include "calib/doctor/match_graph_picture.h"
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/config/build_config.h"
+#include "pipeline/line/line.h"
+#include "pipeline/report/number_text.h"
+#include "pipeline/stages/left_out_json.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct DoctorRequest {
+    fs::path config;
+    fs::path workspace;
+};
+
+const char* verdict_word(Severity verdict) {
+    switch (verdict) {
+        case Severity::kNote:
+            return "good";
+        case Severity::kRisk:
+            return "at risk";
+        case Severity::kHopeless:
+            return "hopeless";
+    }
+    return "";
+}
+
+int exit_code_of(Severity verdict) {
+    switch (verdict) {
+        case Severity::kNote:
+            return 0;
+        case Severity::kRisk:
+            return static_cast<int>(ErrorKind::kPartialResult);
+        case Severity::kHopeless:
+            return static_cast<int>(ErrorKind::kDegenerateCapture);
+    }
+    return 0;
+}
+
+Json findings_json(const std::vector<Finding>& findings) {
+    Json json = Json::array();
+    for (const Finding& finding : findings) {
+        json.push_back({{"code", code_of(finding.reason)},
+                        {"severity", verdict_word(finding.severity)},
+                        {"what", finding.what},
+                        {"advice", advice_for(finding.reason)},
+                        {"photographs", finding.photographs}});
+    }
+    return json;
+}
+
+Json photographs_json(const std::vector<PhotographQuality>& photographs) {
+    Json json = Json::array();
+    for (const PhotographQuality& quality : photographs) {
+        json.push_back({{"name", quality.name},
+                        {"features", quality.features},
+                        {"blur_sigma_px", quality.blur_sigma_px},
+                        {"noise_sigma", quality.noise_sigma},
+                        {"contrast", quality.contrast()},
+                        {"clipped_share", quality.clipped_share},
+                        {"mean_linear", quality.mean_linear}});
+    }
+    return json;
+}
+
+Json pairs_json(const CaptureEvidence& evidence) {
+    Json json = Json::array();
+    for (const PairGeometry& pair : evidence.pairs) {
+        json.push_back({{"photographs", {pair.pair.first, pair.pair.second}},
+                        {"inliers", pair.pair.inliers.size()},
+                        {"median_angle_deg", pair.median_angle_deg},
+                        {"epipoles_in_view", pair.epipoles_in_view}});
+    }
+    return json;
+}
+
+Json examination_json(const Examination& seen, const fs::path& picture) {
+    const MotionEvidence& motion = seen.evidence.motion;
+    return Json{
+        {"verdict", verdict_word(seen.verdict())},
+        {"exit_code", exit_code_of(seen.verdict())},
+        {"findings", findings_json(seen.findings)},
+        {"photographs", photographs_json(seen.evidence.photographs)},
+        {"left_out", left_out_json(seen.left_out)},
+        {"pairs", pairs_json(seen.evidence)},
+        {"rotation_share", motion.rotation_share()},
+        {"planar_share", motion.planar_share()},
+                {"loop_conflict_share", seen.evidence.loops.conflict_share()},
+        {"median_angle_deg", median_angle_deg(seen.evidence)},
+        {"groups", groups_of(match_graph_of(seen.evidence))},
+        {"match_graph", picture.string()},
+        {"expected_build", {{"cpu_s", seen.build.cpu_s}, {"peak_mib", seen.build.peak_mib}}},
+        {"cpu_s", seen.cost.cpu_s},
+        {"wall_s", seen.cost.wall_s}};
+}
+
+std::string concerned_text(const Finding& finding) {
+    constexpr std::size_t kMaxNamed = 6;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kMaxNamed, finding.photographs.size()); ++i) {
+        text += (i == 0 ? "     " : ", ") + finding.photographs[i];
+    }
+    if (finding.photographs.size() > kMaxNamed) {
+        text += " and " + std::to_string(finding.photographs.size() - kMaxNamed) + " more";
+    }
+    return text.empty() ? text : text + "\n";
+}
+
+std::string examination_text(const Examination& seen, const fs::path& picture) {
+    std::string text = std::string("verdict: ") + verdict_word(seen.verdict()) + "\n";
+    for (const Finding& finding : seen.findings) {
+        text += std::string(finding.severity == Severity::kNote ? "note " : "") +
+                std::string(code_of(finding.reason)) + ": " + finding.what + "\n" +
+                concerned_text(finding) + "  -> " + std::string(advice_for(finding.reason)) + "\n";
+    }
+    for (const LeftOut& left_out : seen.left_out) {
+        text += "left out " + left_out.name + " (" + left_out.code + "): " + left_out.reason + "\n";
+    }
+    const CaptureEvidence& evidence = seen.evidence;
+    text += std::to_string(evidence.photographs.size()) + " photographs, " +
+            std::to_string(evidence.pairs.size()) + " pairs that show the same things; rays meet " +
+            "at " + number_text(median_angle_deg(evidence), 1) + " degrees in the middle pair\n";
+    text += "a build will take about " + number_text(seen.build.cpu_s, 0) + " CPU s and " +
+            number_text(seen.build.peak_mib, 0) + " MiB; looking took " +
+            number_text(seen.cost.cpu_s, 1) + " CPU s\n";
+    return text + picture.string() + "\n";
+}
+
+/// The lens for the size the doctor looks at is scaled by the stage itself.
+void run_doctor(const DoctorRequest& request, CommandContext& context) {
+    const BuildConfig config = load_build_config(request.config);
+    const WorkspaceLayout layout = request.workspace.empty()
+                                       ? workspace_of(config)
+                                       : WorkspaceLayout(request.workspace, config.name);
+    const fs::path folder = layout.folder() / "doctor";
+    ExaminationOptions options;
+    options.video_fps = config.ingest.video_fps;
+    options.build_width_px = config.ingest.max_width_px;
+    const int threads = context.threads > 0 ? context.threads : config.threads;
+    const Examination seen =
+        examine_capture(config.photographs_or_video, config.given_lens, options, folder / "scratch",
+                        threads, *context.progress);
+    const fs::path picture = folder / "match_graph.svg";
+    write_whole_text(picture, match_graph_svg(seen.evidence));
+    const Json json = examination_json(seen, picture);
+    write_whole_text(folder / "doctor.json", json.dump(2) + "\n");
+    if (context.json) {
+        context.print_result(json);
+    } else {
+        context.print_result(examination_text(seen, picture));
+    }
+    context.exit_code = exit_code_of(seen.verdict());
+}
+
+}  // namespace
+
+void add_doctor_command(CLI::App& app, CommandContext& context) {
+    CLI::App& command =
+        add_command(app, "doctor",
+                    "Looks at the photographs before the long step: what will go wrong, and what "
+                    "to do about it. Exit code 0: good, 5: at risk, 4: hopeless",
+                    "lumi doctor configs/fountain.toml\n         lumi doctor photos/");
+    const auto request = std::make_shared<DoctorRequest>();
+    command.add_option("CONFIG", request->config, "Configuration file, or a folder of photographs")
+        ->required();
+    command.add_option("--workspace", request->workspace, "Where to work (default: work/NAME)");
+    command.callback([request, &context] {
+        context.chosen = [request, &context] { run_doctor(*request, context); };
+    });
+}
+
+}  // namespace lumi
