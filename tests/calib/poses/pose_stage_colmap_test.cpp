@@ -183,7 +183,7 @@ TEST(PoseStageWithColmap, RefusesPhotographsThatShowNothing) {
             estimate_poses(photographs, std::nullopt, {}, folder / "scratch", 2, progress));
         ADD_FAILURE() << "expected a refusal";
     } catch (const Error& error) {
-        EXPECT_EQ(error.code(), "E-POSES-NOPAIR");
+        EXPECT_EQ(error.code(), "E-POSES-TEXTURE");
         EXPECT_EQ(error.kind(), ErrorKind::kDegenerateCapture);
     }
 }
