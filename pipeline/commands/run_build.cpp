@@ -13,9 +13,9 @@ namespace lumi {
 namespace {
 
 std::string seconds_table(const std::vector<FinishedStage>& stages) {
-    std::string table = "stage    state        seconds      CPU s   peak MiB\n";
+    std::string table = "stage      state        seconds      CPU s   peak MiB\n";
     for (const FinishedStage& stage : stages) {
-        table += padded_right(stage.name, 9) +
+        table += padded_right(stage.name, 11) +
                  padded_right(stage.was_run ? "run" : "up to date", 10) +
                  padded_left(number_text(stage.cost.wall_s, 2), 10) +
                  padded_left(number_text(stage.cost.cpu_s, 2), 11) +
