@@ -13,6 +13,7 @@ namespace {
 /// Fewer of the photographs than this in one group: the pose stage refuses.
 constexpr double kUsableShare = 0.4;
 constexpr double kMostShare = 0.7;  ///< "Most" of the pairs or photographs.
+constexpr double kNearlyAll = 0.9;
 
 template <class... Values>
 std::string text(const char* format, Values... values) {
@@ -110,7 +111,7 @@ void judge_pictures(const CaptureEvidence& evidence, const Cohesion& cohesion,
             static_cast<double>(names.size()) / static_cast<double>(evidence.photographs.size());
         Severity severity = share < 0.3 ? Severity::kNote : severity_of(cohesion);
         // What motion looks like in poor pictures says more about the pictures.
-        if (share >= kMostShare && evidence.motion.rotation_share() >= kMostShare) {
+        if (share >= kMostShare && evidence.motion.rotation_share() >= kNearlyAll) {
             severity = Severity::kHopeless;
         }
         findings.push_back(
@@ -142,7 +143,7 @@ void judge_brightness(const CaptureEvidence& evidence, const Cohesion& cohesion,
 void judge_motion(const CaptureEvidence& evidence, std::vector<Finding>& findings) {
     const MotionEvidence& motion = evidence.motion;
     if (motion.pairs == 0) return;
-    if (motion.rotation_share() >= kMostShare) {
+    if (motion.rotation_share() >= kNearlyAll) {
         findings.push_back({CaptureReason::kNoParallax,
                             Severity::kHopeless,
                             text("the camera turned on the spot or hardly moved: %d of %d pairs "
@@ -164,9 +165,9 @@ void judge_motion(const CaptureEvidence& evidence, std::vector<Finding>& finding
                                  static_cast<int>(in_view), evidence.pairs.size()),
                             {}});
     }
-    // A floor or a wall explains most of many pairs of photographs that are in order.
-    constexpr double kNearlyAll = 0.9;
-    if (motion.planar_share() >= kNearlyAll) {
+    // A floor or a wall explains most of many pairs of photographs that are in order: only where
+    // hardly a match lies outside of the plane is there nothing else.
+    if (motion.planar_share() >= kNearlyAll && median_of(evidence.inlier_shares) >= kNearlyAll) {
         findings.push_back({CaptureReason::kPlanar,
                             evidence.lens_is_known ? Severity::kNote : Severity::kRisk,
                             text("the photographs show a flat surface: one plane explains %d of "

@@ -9,7 +9,6 @@
 
 #include "calib/adjust/bundle_adjustment.h"
 #include "calib/poses/explained_refusal.h"
-#include "calib/poses/model_check.h"
 #include "calib/poses/pair_agreement.h"
 #include "calib/poses/pose_shift.h"
 #include "calib/poses/residual_pattern.h"
@@ -25,8 +24,6 @@ constexpr double kSuspiciousRatio = 4.0;
 /// Poses that another model of the same photographs moves farther are not known.
 constexpr double kMaxShiftShare = 0.05;
 constexpr double kMaxTurn_deg = 1.0;
-/// Three standard deviations of a camera's place reach a tenth of the cameras' spread.
-constexpr double kMaxSigmaShare = 0.1 / 3.0;
 /// Nobody shakes a camera by more while a frame is read out: then it is something else.
 constexpr double kMaxSkewShare = 0.15;
 /// Of all pairs: such that the model denies. Chance verifies no pair with so many
@@ -130,41 +127,6 @@ void settle_shutter(const MappingJob& job, const MatchedPhotographs& matched, co
                                     "; " + std::string(advice_for(CaptureReason::kShutter)));
 }
 
-/// The spread of the cameras: root mean square distance of their centres from their middle.
-double spread_of(const Capture& capture) {
-    const double count = static_cast<double>(capture.views.size());
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const View& view : capture.views) middle += centre_in_world(view.cam_from_world) / count;
-    double square = 0;
-    for (const View& view : capture.views) {
-        square += (centre_in_world(view.cam_from_world) - middle).squaredNorm() / count;
-    }
-    return std::sqrt(square);
-}
-
-void settle_uncertainty(const MappingJob& job, const MatchedPhotographs& matched,
-                        const Capture& refined) {
-    double sigma = 0;
-    for (const ViewUncertainty& view : job.evidence.views) {
-        sigma = std::max(sigma, view.position_sigma);
-    }
-    job.evidence.position_sigma_share = sigma / spread_of(refined);
-    if (job.evidence.position_sigma_share <= kMaxSigmaShare) return;
-    const std::string what = text(
-        "the photographs leave it open where the cameras stood: by %.0f %% of the distance "
-        "between them (one standard deviation)",
-        100 * job.evidence.position_sigma_share);
-    constexpr double kLittleAngle_deg = 3.0;
-    constexpr double kThin = 0.02;
-    if (median_triangulation_angle_deg(refined) < kLittleAngle_deg) {
-        refuse_capture(CaptureReason::kNoParallax, what);
-    }
-    if (!job.lens_is_calibrated && relative_thickness(refined) < kThin) {
-        refuse_capture(CaptureReason::kPlanar, what);
-    }
-    refuse_explained(job, matched, CaptureReason::kUncertain, what);
-}
-
 }  // namespace
 
 bool give_own_lenses(const MappingJob& job, Capture& mapped, const Capture& refined) {
@@ -205,7 +167,6 @@ void settle_doubts(const MappingJob& job, const MatchedPhotographs& matched, con
         settle_shutter(job, matched, mapped, refined);
     }
     settle_contradictions(job, matched, refined);
-    settle_uncertainty(job, matched, refined);
 }
 
 }  // namespace lumi

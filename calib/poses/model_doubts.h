@@ -16,8 +16,6 @@ namespace lumi {
 /// - Residuals that look like a rolling shutter, where an adjustment with a turning rate for each
 ///   view explains more and moves a camera by more than poses may be wrong: E-POSES-SHUTTER.
 /// - Verified pairs that the model denies: E-POSES-REPEATED, or what else the evidence names.
-/// - Cameras that the observations leave uncertain by a good part of their spread:
-///   E-POSES-ROTATION, E-POSES-PLANAR or E-POSES-UNCERTAIN.
 void settle_doubts(const MappingJob& job, const MatchedPhotographs& matched, const Capture& mapped,
                    const Capture& refined);
 

@@ -73,7 +73,6 @@ struct PoseEvidence {
     std::vector<LensEvidence> lenses;
     std::vector<ViewUncertainty> views;  ///< Empty: not known.
     ResidualPattern residual_pattern;    ///< Of the adjusted model.
-    double position_sigma_share = 0.0;   ///< Of the worst camera, over the cameras' spread.
     double contradicted_share = 0.0;  ///< Of the matches in verified pairs: the model denies them.
     std::vector<ColmapCall> calls;
     std::vector<std::string> warnings;  ///< What to know before trusting these poses.

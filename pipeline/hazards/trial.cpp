@@ -69,7 +69,6 @@ void try_lumi(Trial& trial, const HazardCapture& capture, const fs::path& folder
         const PoseEvidence& evidence = result.evidence;
         trial.lumi.evidence = {evidence.residual_pattern.shutter_ratio,
                                evidence.residual_pattern.zoom_ratio, evidence.contradicted_share,
-                               evidence.position_sigma_share,
                                evidence.median_triangulation_angle_deg};
     } catch (const Error& error) {
         if (error.kind() == ErrorKind::kInterrupted) throw;

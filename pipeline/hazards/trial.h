@@ -39,7 +39,6 @@ struct Attempt {
         double shutter_ratio = 0.0;
         double zoom_ratio = 0.0;
         double contradicted_share = 0.0;
-        double position_sigma_share = 0.0;
         double median_angle_deg = 0.0;
     };
     Evidence evidence;

@@ -95,7 +95,6 @@ Json facts_json(const PoseResult& result) {
                 {"largest_jitter_px", largest_jitter_px(evidence.views)},
                 {"shutter_variance_ratio", evidence.residual_pattern.shutter_ratio},
                 {"zoom_variance_ratio", evidence.residual_pattern.zoom_ratio},
-                {"position_sigma_share", evidence.position_sigma_share},
                 {"contradicted_share", evidence.contradicted_share},
                 {"warnings", evidence.warnings},
                 {"lenses", lenses_json(result.capture.cameras, evidence.lenses)},
