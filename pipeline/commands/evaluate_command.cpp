@@ -87,10 +87,10 @@ void run_leave_one_out(const EvaluateRequest& request, const CommandContext& con
         context.print_result(json);
         return;
     }
-    context.print_result("depth of the others found with each photograph\n");
+    context.print_result(std::string("depth of the others found with each photograph\n"));
     print_scores(result.depth_kept, context);
     if (request.keep_depth) return;
-    context.print_result("left out of depth, too\n");
+    context.print_result(std::string("left out of depth, too\n"));
     print_scores(result.depth_removed, context);
 }
 
