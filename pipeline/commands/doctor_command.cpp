@@ -95,7 +95,7 @@ Json examination_json(const Examination& seen, const fs::path& picture) {
         {"pairs", pairs_json(seen.evidence)},
         {"rotation_share", motion.rotation_share()},
         {"planar_share", motion.planar_share()},
-                {"loop_conflict_share", seen.evidence.loops.conflict_share()},
+        {"loop_conflict_share", seen.evidence.loops.conflict_share()},
         {"median_angle_deg", median_angle_deg(seen.evidence)},
         {"groups", groups_of(match_graph_of(seen.evidence))},
         {"match_graph", picture.string()},
