@@ -13,18 +13,18 @@ namespace lumi {
 /// How close a rendering comes to the photograph that was held out.
 struct ViewScore {
     std::string name;
-    double psnr_db = 0.0;                   ///< Over the full frame.
-    std::optional<double> psnr_covered_db;  ///< Over covered pixels; empty when none is.
+    double psnr_db = 0.0;                        ///< Over the full frame.
+    std::optional<double> psnr_covered_db = {};  ///< Over covered pixels; empty when none is.
     double ssim = 0.0;
     double coverage = 0.0;  ///< Share of pixels drawn, 0 to 1.
     double ms = 0.0;        ///< Median over repeated frames, one warm-up frame aside.
     double flip = 0.0;      ///< Mean FLIP over the full frame, 0 (equal) to 1.
-    std::optional<double> flip_covered;
-    std::optional<double> edge_sharpness;  ///< Gradient energy over the photograph's, covered.
+    std::optional<double> flip_covered = {};
+    std::optional<double> edge_sharpness = {};  ///< Gradient energy over the photograph's, covered.
     /// Covered PSNR after a gain and bias per channel: without exposure and white balance.
-    std::optional<double> psnr_gain_fitted_db;
+    std::optional<double> psnr_gain_fitted_db = {};
     std::array<double, 3> gain{1.0, 1.0, 1.0};  ///< Of that fit.
-    std::optional<double> ghost_energy;         ///< Mean over the frame; squared 8-bit luma.
+    std::optional<double> ghost_energy = {};    ///< Mean over the frame; squared 8-bit luma.
     ViewPlace place = ViewPlace::kInterior;
     double fastest_ms = 0.0;  ///< Of the repeated frames.
     double slowest_ms = 0.0;

@@ -21,7 +21,7 @@ ColorImage smooth_noise(int width, int height, std::uint32_t seed) {
         for (int x = 0; x < width; ++x) {
             const auto wave = [&](double period) {
                 const double value = 0.5 + 0.4 * std::sin(2 * kPi * (x + 0.7 * y) / period);
-                return static_cast<std::uint8_t>(255 * value + (random() % 20));
+                return static_cast<std::uint8_t>(255 * value + static_cast<double>(random() % 20));
             };
             image(x, y) = {wave(17), wave(29), wave(11)};
         }
