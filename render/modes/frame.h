@@ -59,7 +59,7 @@ struct Frame {
     /// 255 where the picture is known, 0 where it is not: there it is black, or, where a camera may
     /// see something but nobody knows how far, a guess on the scene plane.
     GrayImage coverage;
-    DrawStatistics statistics;
+    DrawStatistics statistics{};
 };
 
 }  // namespace lumi
