@@ -9,6 +9,10 @@
 namespace lumi {
 namespace {
 
+/// Frames have 8 bits: the luma of a camera whose weight is less than a sixteenth is lost in them,
+/// and what it adds to the variance is noise.
+constexpr std::uint8_t kLeastWeight = 16;
+
 /// Sums over the classes at each pixel of one eye.
 struct Moments {
     FloatImage weight;
@@ -33,7 +37,7 @@ Lumigraph only_class(const Lumigraph& lumigraph, const std::vector<int>& classes
 void add_class(Moments& moments, const Frame& frame) {
     for (std::size_t i = 0; i < frame.color.pixels().size(); ++i) {
         const Rgb8& pixel = frame.color.pixels()[i];
-        if (pixel.g == 0) continue;
+        if (pixel.g < kLeastWeight) continue;
         const float weight = static_cast<float>(pixel.g) / 255.0F;
         const float weighted_luma = static_cast<float>(pixel.r);
         moments.weight.pixels()[i] += weight;

@@ -16,8 +16,8 @@ namespace lumi {
 /// in squared 8-bit luma. It is 0 where the cameras agree or one counts alone, needs no truth, and
 /// tells where wrong depth doubles edges. Works with any mode that blends the cameras of a face:
 /// cameras are sorted into classes so that no face has two of one class, and one frame a class
-/// shows the weight and the luma of each. Pixels that are not covered are 0. Throws Error
-/// (E-GL-...).
+/// shows the weight and the luma of each; weights below a sixteenth do not count. Pixels that are
+/// not covered are 0. Throws Error (E-GL-...).
 [[nodiscard]] std::vector<FloatImage> ghost_energies(const Lumigraph& lumigraph,
                                                      const std::vector<Eye>& eyes, RenderMode mode,
                                                      Progress& progress);
