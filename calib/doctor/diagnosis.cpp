@@ -111,7 +111,7 @@ void judge_pictures(const CaptureEvidence& evidence, const Cohesion& cohesion,
             static_cast<double>(names.size()) / static_cast<double>(evidence.photographs.size());
         Severity severity = share < 0.3 ? Severity::kNote : severity_of(cohesion);
         // What motion looks like in poor pictures says more about the pictures.
-        if (share >= kMostShare && evidence.motion.rotation_share() >= kNearlyAll) {
+        if (share >= kMostShare && evidence.motion.rotation_share() >= kMostShare) {
             severity = Severity::kHopeless;
         }
         findings.push_back(
@@ -143,7 +143,7 @@ void judge_brightness(const CaptureEvidence& evidence, const Cohesion& cohesion,
 void judge_motion(const CaptureEvidence& evidence, std::vector<Finding>& findings) {
     const MotionEvidence& motion = evidence.motion;
     if (motion.pairs == 0) return;
-    if (motion.rotation_share() >= kNearlyAll) {
+    if (motion.rotation_share() >= kMostShare) {
         findings.push_back({CaptureReason::kNoParallax,
                             Severity::kHopeless,
                             text("the camera turned on the spot or hardly moved: %d of %d pairs "

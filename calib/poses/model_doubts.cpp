@@ -67,12 +67,12 @@ double zoom_factor(const Capture& own, const Capture& shared) {
 /// Where nearly all that moves in the pictures is a turn, poses follow any small wrong.
 void refuse_low_parallax(const MotionEvidence& motion) {
     constexpr double kMostShare = 0.7;
-    if (motion.low_parallax_share() < kMostShare) return;
+    if (motion.rotation_share() < kMostShare) return;
     refuse_capture(CaptureReason::kNoParallax,
                    text("the camera moved too little against its turning: most of what is seen in "
                         "%d of %d pairs of photographs moves as if it had only turned, and the "
                         "poses contradict themselves",
-                        motion.low_parallax_pairs, motion.pairs));
+                        motion.rotation_pairs, motion.pairs));
 }
 
 void settle_contradictions(const MappingJob& job, const MatchedPhotographs& matched,

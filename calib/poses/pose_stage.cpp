@@ -123,8 +123,8 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
                [&] { matched = match_and_verify(job, {options.max_features}, "default"); });
     std::optional<Capture> mapped;
     const LensPolicy policy = lens_policy(given_lens.has_value(), options);
+    refuse_turning_camera(matched.motion);
     or_explain(job, matched, [&] {
-        refuse_turning_camera(matched.motion);
         mapped = options.mapper == "colmap" ? map_by_ladder(job, matched)
                                             : map_incrementally(job, matched);
         refuse_without_model(mapped, photographs.size());

@@ -133,7 +133,6 @@ MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
     }
     for (const auto& [lenses, group] : pairs_of_lenses) {
         std::ptrdiff_t most = 0;
-        std::ptrdiff_t most_on_planes = 0;
         for (const double factor : focal_length_factors(lens_is_calibrated)) {
             const auto lens = [&](int index) {
                 const Camera& camera = cameras[static_cast<std::size_t>(index)].camera;
@@ -141,19 +140,11 @@ MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
             };
             const Camera first = lens(lenses.first);
             const Camera second = lens(lenses.second);
-            std::ptrdiff_t turned = 0;
-            std::ptrdiff_t turned_on_planes = 0;
-            for (const VerifiedPair* pair : group) {
-                if (!pair_is_rotation(*pair, first, second, photographs)) continue;
-                ++turned;
-                // A turn is a homography for every lens that keeps lines straight.
-                if (is_homography(pair->configuration)) ++turned_on_planes;
-            }
-            most = std::max(most, turned);
-            most_on_planes = std::max(most_on_planes, turned_on_planes);
+            most = std::max(most, std::count_if(group.begin(), group.end(), [&](const auto* pair) {
+                                return pair_is_rotation(*pair, first, second, photographs);
+                            }));
         }
-        evidence.low_parallax_pairs += static_cast<int>(most);
-        evidence.rotation_pairs += static_cast<int>(most_on_planes);
+        evidence.rotation_pairs += static_cast<int>(most);
     }
     return evidence;
 }

@@ -12,15 +12,9 @@ struct MotionEvidence {
     int pairs = 0;           ///< Verified pairs with enough matches to tell.
     int rotation_pairs = 0;  ///< Of these, explained by a camera that turned on the spot.
     int planar_pairs = 0;    ///< Of these, explained by a homography, in COLMAP's judgement.
-    /// Of all pairs: most matches move as if the camera had only turned. A far background does so,
-    /// too: no ground for a refusal, but the likely reason where poses do not come out.
-    int low_parallax_pairs = 0;
 
     [[nodiscard]] double rotation_share() const {
         return pairs == 0 ? 0.0 : static_cast<double>(rotation_pairs) / pairs;
-    }
-    [[nodiscard]] double low_parallax_share() const {
-        return pairs == 0 ? 0.0 : static_cast<double>(low_parallax_pairs) / pairs;
     }
     [[nodiscard]] double planar_share() const {
         return pairs == 0 ? 0.0 : static_cast<double>(planar_pairs) / pairs;

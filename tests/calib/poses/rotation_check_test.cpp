@@ -86,16 +86,6 @@ TEST(RotationCheck, SeesACameraThatStepsSideways) {
     }
 }
 
-TEST(RotationCheck, AFarBackgroundAloneIsNoGroundForARefusal) {
-    Views views = views_of_a_cloud(kCamera, walk(8, 0), 0.7);
-    // As verification says when matches before the background have parallax.
-    for (VerifiedPair& pair : views.pairs) pair.configuration = PairConfiguration::kUncalibrated;
-    const MotionEvidence evidence =
-        check_motion({{kCamera, false}}, views.photographs, views.pairs, false);
-    EXPECT_EQ(evidence.rotation_share(), 0.0);
-    EXPECT_EQ(evidence.low_parallax_share(), 1.0);
-}
-
 TEST(RotationCheck, IgnoresPairsWithFewMatches) {
     Views views = views_of_a_cloud(kCamera, walk(8, 0), 0.7);
     for (VerifiedPair& pair : views.pairs) pair.inliers.resize(19);
