@@ -119,7 +119,8 @@ std::string repairs_text(const CameraMeshEvidence& evidence) {
                 (evidence.cameras_slid == 1 ? " camera" : " cameras") +
                 " are those of a place up to " + percent(evidence.largest_slide_share) +
                 " nearer or farther, and of their own rays they leave up to " +
-                percent(evidence.worst_epipole_loss) + " to others";
+                percent(evidence.worst_epipole_loss) + " to others (" +
+                percent(evidence.rms_epipole_loss) + " rms over all cameras)";
     }
     return text;
 }
@@ -182,7 +183,10 @@ BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>
             evidence.cameras_slid = repair.slide.cameras_slid;
             evidence.largest_slide_share = repair.slide.largest_share;
             evidence.rms_slide_share = repair.slide.rms_share;
-            evidence.worst_epipole_loss = repair.worst_epipole_loss;
+            evidence.worst_epipole_loss = repair.epipole_loss.worst;
+            evidence.rms_epipole_loss = repair.epipole_loss.rms;
+            evidence.epipole_loss_bound = repair.epipole_loss.worst_bound;
+            evidence.epipole_loss_over_bound = repair.epipole_loss.worst_over_bound;
         }
     }
     evidence.cameras_total = static_cast<int>(view_indices.size());

@@ -35,7 +35,10 @@ struct CameraMeshEvidence {
     double rms_slide_share = 0.0;
     /// Of its own weight that a slid camera loses on its rays to the scene.
     double worst_epipole_loss = 0.0;
-    std::string explanation;  ///< One sentence: which construction, and why.
+    double rms_epipole_loss = 0.0;         ///< Over all cameras, each with its worst ray.
+    double epipole_loss_bound = 0.0;       ///< What the worst may come to (epipole_loss.h).
+    double epipole_loss_over_bound = 0.0;  ///< The largest share of its bound: at most 1.
+    std::string explanation;               ///< One sentence: which construction, and why.
 };
 
 struct BuiltCameraMesh {

@@ -30,11 +30,9 @@ RepairReport repair_kernel(CameraMesh& mesh, const RepairRules& rules) {
         CameraMesh slid = mesh;
         const SlideReport slide = slide_into_kernel(slid, hull);
         if (!slide.reached || scene_clearance(slid, hull) < 0) continue;
-        const double loss = worst_epipole_loss(slid, rules.centre_of_view, hull);
-        if (loss > rules.most_epipole_loss) continue;
         mesh = std::move(slid);
         report.slide = slide;
-        report.worst_epipole_loss = loss;
+        report.epipole_loss = epipole_loss(mesh, rules.centre_of_view, hull);
         return report;
     }
     return report;

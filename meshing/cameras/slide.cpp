@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace lumi {
@@ -282,21 +281,6 @@ SlideReport move_vertices(CameraMesh& mesh, const StarShape& shape,
     return report;
 }
 
-/// Of the ray from the scene's corner to the view's centre, in one face; 0 when it does not cross
-/// it.
-double weight_of_view(const CameraMesh& mesh, std::size_t face_index, int view_index,
-                      const Eigen::Vector3d& corner, const Eigen::Vector3d& centre) {
-    const CameraMesh::Face& face = mesh.faces[face_index];
-    const Eigen::Vector3d sides = side_products(mesh, face, corner, corner - centre);
-    if (sides.minCoeff() < 0 || !(sides.sum() > 0)) return 0;
-    double weight = 0;
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        const auto vertex = static_cast<std::size_t>(face[static_cast<std::size_t>(i)]);
-        if (mesh.vertices[vertex].view_index == view_index) weight += sides[i] / sides.sum();
-    }
-    return weight;
-}
-
 }  // namespace
 
 SlideReport slide_into_kernel(CameraMesh& mesh,
@@ -317,29 +301,6 @@ SlideReport slide_into_kernel(CameraMesh& mesh,
     Programme programme(shape, std::move(scene), options);
     if (!programme.solve()) return {};
     return move_vertices(mesh, shape, programme.inverse_distances(), unit);
-}
-
-double worst_epipole_loss(const CameraMesh& mesh,
-                          const std::function<Eigen::Vector3d(int view_index)>& centre_of_view,
-                          const std::vector<Eigen::Vector3d>& scene_hull_in_world) {
-    std::map<int, std::set<std::size_t>> faces_of_view;
-    for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
-        for (const int corner : mesh.faces[face]) {
-            faces_of_view[mesh.vertices[static_cast<std::size_t>(corner)].view_index].insert(face);
-        }
-    }
-    double worst = 0;
-    for (const auto& [view_index, faces] : faces_of_view) {
-        const Eigen::Vector3d centre = centre_of_view(view_index);
-        for (const Eigen::Vector3d& corner : scene_hull_in_world) {
-            double own = 0;
-            for (const std::size_t face : faces) {
-                own = std::max(own, weight_of_view(mesh, face, view_index, corner, centre));
-            }
-            worst = std::max(worst, 1.0 - own);
-        }
-    }
-    return worst;
 }
 
 }  // namespace lumi

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <vector>
 
 #include "meshing/surface/camera_mesh.h"
@@ -18,13 +17,13 @@ struct SlideReport {
 
 struct SlideOptions {
     double room = 0.02;            ///< The scene is grown by this share about the scene centre.
-    double longest_slide = 0.25;   ///< A camera moves by at most this share of its distance.
+    double longest_slide = 0.5;    ///< A camera moves by at most this share of its distance.
     double virtual_weight = 1e-6;  ///< What moving a virtual vertex costs against a camera.
 };
 
 /// Moves vertices along their directions from the scene centre, as little as possible, so that the
 /// scene's hull comes to lie in the kernel: the last repair, for the weights of a camera that was
-/// slid are no longer 1 on all of its own rays (see `worst_epipole_loss`). Photographs are looked
+/// slid are no longer 1 on all of its own rays (see epipole_loss.h). Photographs are looked
 /// up from where they were taken all the same.
 ///
 /// With inverse distances q = 1 / rho and unit directions d, the plane of a face is m . (x - o) = 1
@@ -37,12 +36,5 @@ struct SlideOptions {
 [[nodiscard]] SlideReport slide_into_kernel(CameraMesh& mesh,
                                             const std::vector<Eigen::Vector3d>& scene_hull_in_world,
                                             const SlideOptions& options = {});
-
-/// How much of its own weight a camera loses to others at most on its rays to the corners of the
-/// scene's hull: 0 unless it was slid, up to rounding. `centre_of_view` gives each view's true
-/// centre.
-[[nodiscard]] double worst_epipole_loss(
-    const CameraMesh& mesh, const std::function<Eigen::Vector3d(int view_index)>& centre_of_view,
-    const std::vector<Eigen::Vector3d>& scene_hull_in_world);
 
 }  // namespace lumi

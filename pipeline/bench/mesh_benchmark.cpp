@@ -221,6 +221,7 @@ class Benchmark {
             return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0.0;
         };
         result_.rms_slide_share = root_mean(slide_squares_, result_.cameras);
+        result_.rms_epipole_loss = root_mean(loss_squares_, result_.cameras);
         result_.convex_rms_push_share = root_mean(push_squares_, result_.cameras);
         result_.weights = {ours_.figures(), heigl_.figures(), unstructured_.figures()};
         time_growth();
@@ -272,6 +273,9 @@ class Benchmark {
             std::max(result_.largest_slide_share, evidence.largest_slide_share);
         result_.worst_epipole_loss =
             std::max(result_.worst_epipole_loss, evidence.worst_epipole_loss);
+        loss_squares_ += evidence.rms_epipole_loss * evidence.rms_epipole_loss * cameras;
+        result_.worst_epipole_loss_over_bound =
+            std::max(result_.worst_epipole_loss_over_bound, evidence.epipole_loss_over_bound);
     }
 
     /// Of cameras that stand where they stood.
@@ -383,6 +387,7 @@ class Benchmark {
     Progress& progress_;
     MeshBenchmark result_;
     double slide_squares_ = 0.0;
+    double loss_squares_ = 0.0;
     double push_squares_ = 0.0;
     WeightsMeasurement ours_;
     WeightsMeasurement heigl_;

@@ -47,7 +47,9 @@ struct MeshBenchmark {
     long cameras_slid = 0;
     double rms_slide_share = 0.0;
     double largest_slide_share = 0.0;
-    double worst_epipole_loss = 0.0;         ///< Of cameras that were slid.
+    double worst_epipole_loss = 0.0;  ///< Of cameras that were slid.
+    double rms_epipole_loss = 0.0;    ///< Over all cameras, each with its worst ray.
+    double worst_epipole_loss_over_bound = 0.0;
     double worst_unslid_epipole_loss = 0.0;  ///< Of the others.
     long convex_cameras_kept = 0;            ///< By the paper's convex mesh.
     double convex_rms_push_share = 0.0;

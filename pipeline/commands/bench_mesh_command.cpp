@@ -37,6 +37,8 @@ Json report_json(const MeshBenchmark& result) {
                 {"rms_slide_share", result.rms_slide_share},
                 {"largest_slide_share", result.largest_slide_share},
                 {"worst_epipole_loss", result.worst_epipole_loss},
+                {"rms_epipole_loss", result.rms_epipole_loss},
+                {"worst_epipole_loss_over_bound", result.worst_epipole_loss_over_bound},
                 {"worst_unslid_epipole_loss", result.worst_unslid_epipole_loss},
                 {"convex_cameras_kept", result.convex_cameras_kept},
                 {"convex_rms_push_share", result.convex_rms_push_share},
@@ -68,7 +70,11 @@ std::string report_text(const MeshBenchmark& result) {
             std::to_string(result.captures_not_repaired) +
             "; slid: " + share_text(result.cameras_slid, result.cameras) + " by " +
             percent(result.rms_slide_share, 2) + " rms, " + percent(result.largest_slide_share, 1) +
-            " at most, own weight lost " + number_text(result.worst_epipole_loss, 3) + " at most\n";
+            " at most\nown weight lost on own rays   " +
+            number_text(result.worst_unslid_epipole_loss, 12) +
+            " where not slid; over all cameras " + number_text(result.rms_epipole_loss, 3) +
+            " rms, " + number_text(result.worst_epipole_loss, 3) + " at most, " +
+            number_text(result.worst_epipole_loss_over_bound, 3) + " of its bound at most\n";
     for (const WeightsFigures& way : result.weights) {
         text += way.name + ": inconsistency " + number_text(way.mean_inconsistency, 4) +
                 " (mean), " + number_text(way.largest_inconsistency, 4) +

@@ -33,6 +33,8 @@ StageEvidence run_mesh_stage(const Capture& capture, const CameraMeshOptions& op
         {"largest_slide_share", evidence.largest_slide_share},
         {"rms_slide_share", evidence.rms_slide_share},
         {"worst_epipole_loss", evidence.worst_epipole_loss},
+        {"rms_epipole_loss", evidence.rms_epipole_loss},
+        {"epipole_loss_bound", evidence.epipole_loss_bound},
         {"explanation", evidence.explanation}};
     return {json_text(facts), "{}"};
 }

@@ -102,7 +102,7 @@ TEST(ClosedMeshKernel, ReportsASceneThatReachesBeyondIt) {
     // The icosahedron-like hull of 12 cameras has an inner radius of about 0.75.
     const Capture capture = capture_of(centres, Eigen::Vector3d::Zero(),
                                        points_in_ball(2000, Eigen::Vector3d::Zero(), 0.97, random));
-    const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
+    const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {.repair = false});
     EXPECT_EQ(built.mesh.construction, MeshConstruction::kClosed);
     EXPECT_LT(built.evidence.kernel_radius_over_scene_radius, 1.0);
     EXPECT_GT(built.evidence.kernel_radius_over_scene_radius, 0.6);
