@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "calib/adjust/bundle_problem.h"
+#include "calib/lens/lens_faults.h"
 #include "calib/work/error.h"
 
 namespace lumi {
@@ -73,6 +74,22 @@ FittedForm fit_form(const LensForm& form, const Capture& start, const Camera& or
     return fitted;
 }
 
+/// lens_fault as far out as the camera's photographs show points.
+std::string fault_within(const Capture& capture, int camera_index) {
+    const Camera& lens = capture.cameras[static_cast<std::size_t>(camera_index)];
+    double farthest = 0;
+    for (const ScenePoint& point : capture.points) {
+        for (const Observation& seen : point.track) {
+            const View& view = capture.views[static_cast<std::size_t>(seen.view_index)];
+            if (view.camera_index != camera_index) continue;
+            farthest = std::max(farthest, (seen.pixel - principal_point_px(lens))
+                                              .cwiseQuotient(focal_length_px(lens))
+                                              .norm());
+        }
+    }
+    return lens_fault(lens, farthest);
+}
+
 double bic_of(const LensTrial& trial) { return choose_lens({trial}).trials.front().bic; }
 
 /// Cross-validates the form of least BIC, then the simpler ones from rich to simple.
@@ -89,6 +106,8 @@ void predict(std::vector<FittedForm>& fitted, int camera_index,
     const int most_parameters = free_parameters(fitted[order.front()].trial.form);
     for (const std::size_t index : order) {
         FittedForm& form = fitted[index];
+        form.trial.not_predicted = fault_within(form.capture, camera_index);
+        if (!form.trial.not_predicted.empty()) continue;
         if (free_parameters(form.trial.form) > most_parameters) {
             form.trial.not_predicted = "more than BIC asks for";
             continue;

@@ -101,10 +101,8 @@ LensTrial trial_of(const BoardViews& board, const LensFit& fit) {
         trial.not_predicted = "the fit failed";
         return trial;
     }
-    if (!is_one_to_one(board, fit.solution)) {
-        trial.not_predicted = "folds over within the picture";
-        return trial;
-    }
+    trial.not_predicted = fault_within(board, fit.solution.lens);
+    if (!trial.not_predicted.empty()) return trial;
     const std::vector<ReducedView> views = reduced_views(board, fit.solution);
     const LensCertainty certainty = lens_certainty(views, fit.solution.form);
     if (certainty.covariance.size() == 0) {
@@ -165,7 +163,7 @@ const BoardSolution& chosen_solution(const FittedModels& fitted) {
 std::optional<BoardSolution> refitted(const BoardViews& board, const BoardSolution& solution,
                                       const LensForm& form, const Camera& start) {
     const LensFit fit = fit_lens(board, in_form(solution, form, start));
-    if (!fit.is_usable || !is_one_to_one(board, fit.solution)) return std::nullopt;
+    if (!fit.is_usable || !fault_within(board, fit.solution.lens).empty()) return std::nullopt;
     return fit.solution;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "calib/boards/board_pose.h"
+#include "calib/lens/lens_faults.h"
 
 namespace lumi {
 namespace {
@@ -101,47 +102,18 @@ void add_warnings(BoardCalibration& result) {
     }
 }
 
-/// Radius at depth 1 (or the angle, for a fisheye) after distortion, without tangential terms.
-double bent_radius(const Camera& lens, double radius) {
-    const std::vector<double>& p = lens.parameters;
-    const std::size_t first = first_distortion_parameter(lens.model);
-    const auto k = [&](std::size_t index) {
-        return first + index < p.size() ? p[first + index] : 0.0;
-    };
-    const double r2 = radius * radius;
-    if (lens.model == LensModel::kOpenCvFisheye) {
-        return radius * (1 + r2 * (k(0) + r2 * (k(1) + r2 * (k(2) + r2 * k(3)))));
-    }
-    const double third = lens.model == LensModel::kFullOpenCv ? k(4) : 0.0;
-    double divisor = 1;
-    if (lens.model == LensModel::kFullOpenCv) {
-        divisor = 1 + r2 * (k(5) + r2 * (k(6) + r2 * k(7)));
-    }
-    return radius * (1 + r2 * (k(0) + r2 * (k(1) + r2 * third))) / divisor;
-}
-
 }  // namespace
 
-bool is_one_to_one(const BoardViews& board, const BoardSolution& solution) {
-    double farthest_px = 0;
-    const Eigen::Vector2d centre_px = principal_point_px(solution.lens);
-    const Eigen::Vector2d focal_px = focal_length_px(solution.lens);
+std::string fault_within(const BoardViews& board, const Camera& lens) {
+    double farthest = 0;
+    const Eigen::Vector2d centre_px = principal_point_px(lens);
+    const Eigen::Vector2d focal_px = focal_length_px(lens);
     for (const BoardView& view : board.views) {
         for (const BoardPoint& point : view.points) {
-            farthest_px =
-                std::max(farthest_px, (point.px - centre_px).cwiseQuotient(focal_px).norm());
+            farthest = std::max(farthest, (point.px - centre_px).cwiseQuotient(focal_px).norm());
         }
     }
-    constexpr double kStep = 0.005;
-    constexpr double kMaxRadius = 20.0;
-    double before = 0;
-    for (double radius = kStep; radius < kMaxRadius; radius += kStep * (1 + radius)) {
-        const double bent = bent_radius(solution.lens, radius);
-        if (!(bent > before)) return false;
-        if (bent >= farthest_px) return true;
-        before = bent;
-    }
-    return false;
+    return lens_fault(lens, farthest);
 }
 
 void add_evidence(const BoardViews& board, const BoardSolution& solution,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "calib/boards/board_calibration.h"
 
 namespace lumi {
@@ -9,8 +11,7 @@ namespace lumi {
 void add_evidence(const BoardViews& board, const BoardSolution& solution,
                   const std::vector<HeldOutFold>& held_out, BoardCalibration& result);
 
-/// True when different directions go to different pixels as far out as points were seen: the
-/// distortion grows with the angle all the way.
-[[nodiscard]] bool is_one_to_one(const BoardViews& board, const BoardSolution& solution);
+/// lens_fault as far out as points were seen.
+[[nodiscard]] std::string fault_within(const BoardViews& board, const Camera& lens);
 
 }  // namespace lumi
