@@ -31,6 +31,7 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_render_command(app, context);
     lumi::add_view_command(app, context);
     lumi::add_bench_command(app, context);
+    lumi::add_bench_depth_command(app, context);
     lumi::add_bench_poses_command(app, context);
     lumi::add_bench_hazards_command(app, context);
     lumi::add_bench_mesh_command(app, context);

@@ -63,6 +63,7 @@ TEST(CommandLine, HelpBeginsWithAnExample) {
                                       "bench",
                                       "bench-poses",
                                       "bench-boards",
+                                      "bench-depth",
                                       "bench-mesh",
                                       "bench-hazards",
                                       "regression",

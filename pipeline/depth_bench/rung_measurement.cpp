@@ -1,0 +1,165 @@
+#include "pipeline/depth_bench/rung_measurement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/parallel_for.h"
+#include "meshing/depth/depth_scene.h"
+#include "meshing/depth/imported_depth.h"
+#include "pipeline/stages/depth_range.h"
+
+namespace lumi {
+namespace {
+
+std::vector<int> all_views(const PosedPhotographs& photographs) {
+    std::vector<int> indices(photographs.capture.views.size());
+    std::iota(indices.begin(), indices.end(), 0);
+    return indices;
+}
+
+Lumigraph lumigraph_of(const DepthBenchScene& scene, std::vector<DepthMap> depth_maps,
+                       int threads) {
+    const Capture& capture = scene.used.capture;
+    Lumigraph lumigraph;
+    lumigraph.name = scene.name;
+    lumigraph.mesh = scene.mesh;
+    lumigraph.views.resize(capture.views.size());
+    parallel_for(static_cast<int>(capture.views.size()), threads, [&](int i) {
+        const auto index = static_cast<std::size_t>(i);
+        const View& view = capture.views[index];
+        lumigraph.views[index] = {view.name,
+                                  camera_of(capture, view),
+                                  view.cam_from_world,
+                                  1,
+                                  read_color_image(scene.used.picture_paths[index]),
+                                  std::move(depth_maps[index])};
+    });
+    const DepthRange range = depth_range_of(lumigraph.views);
+    lumigraph.near_depth = range.near_depth;
+    lumigraph.far_depth = range.far_depth;
+    return lumigraph;
+}
+
+/// Mean squared errors of tiles, over what was drawn.
+class TileErrors {
+ public:
+    void add(const JudgedView& view) {
+        constexpr int kTile = 64;
+        const ColorImage& photograph = view.photograph;
+        for (int top = 0; top < photograph.height(); top += kTile) {
+            for (int left = 0; left < photograph.width(); left += kTile) {
+                add_tile(view, left, top, std::min(left + kTile, photograph.width()),
+                         std::min(top + kTile, photograph.height()));
+            }
+        }
+    }
+    [[nodiscard]] double mean() const {
+        return std::accumulate(errors_.begin(), errors_.end(), 0.0) /
+               std::max<double>(1, static_cast<double>(errors_.size()));
+    }
+    [[nodiscard]] double standard_error() const {
+        if (errors_.size() < 2) return 0;
+        const double middle = mean();
+        double sum = 0;
+        for (const double error : errors_) sum += (error - middle) * (error - middle);
+        const auto count = static_cast<double>(errors_.size());
+        return std::sqrt(sum / (count * (count - 1)));
+    }
+
+ private:
+    void add_tile(const JudgedView& view, int left, int top, int right, int bottom) {
+        double sum = 0;
+        int count = 0;
+        for (int y = top; y < bottom; ++y) {
+            for (int x = left; x < right; ++x) {
+                if (view.rendering.coverage(x, y) == 0) continue;
+                const Rgb8& a = view.photograph(x, y);
+                const Rgb8& b = view.rendering.color(x, y);
+                for (const int difference : {a.r - b.r, a.g - b.g, a.b - b.b}) {
+                    sum += difference * difference;
+                }
+                count += 3;
+            }
+        }
+        if (count > 0) errors_.push_back(sum / count);
+    }
+    std::vector<double> errors_;
+};
+
+/// Share of confident pixels within one pixel of disparity of the truth.
+double right_share(const DepthBenchScene& scene, const DepthOptions& options,
+                   const std::vector<DepthMap>& depth_maps, int threads, Progress& progress) {
+    const DepthScene depth_scene =
+        make_depth_scene(scene.used, all_views(scene.used), options, threads, progress);
+    std::size_t confident = 0;
+    std::size_t right = 0;
+    for (std::size_t i = 0; i < depth_maps.size(); ++i) {
+        const DepthView& view = depth_scene.views[i];
+        const DepthMap truth = imported_depth(view, scene.truth_folder);
+        for (std::size_t p = 0; p < truth.confidence.pixels().size(); ++p) {
+            if (truth.confidence.pixels()[p] == 0) continue;
+            if (depth_maps[i].confidence.pixels()[p] == 0) continue;
+            const double error = static_cast<double>(std::abs(
+                truth.inverse_depth.pixels()[p] - depth_maps[i].inverse_depth.pixels()[p]));
+            ++confident;
+            if (error * view.disparity_px_per_inverse_depth <= 1) ++right;
+        }
+    }
+    return confident == 0 ? 0.0 : static_cast<double>(right) / static_cast<double>(confident);
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+void take_evidence(const DepthResult& result, RungMeasurement& measured) {
+    double cpu_s = 0;
+    double megapixels = 0;
+    std::vector<double> residuals;
+    for (std::size_t i = 0; i < result.evidence.size(); ++i) {
+        cpu_s += result.evidence[i].cpu_s;
+        megapixels += 1e-6 * static_cast<double>(result.depth_maps[i].confidence.pixels().size());
+        residuals.push_back(result.evidence[i].sparse_residual_px);
+        measured.confident_share +=
+            result.evidence[i].confident_share / static_cast<double>(result.evidence.size());
+    }
+    measured.cpu_s_per_megapixel = megapixels > 0 ? cpu_s / megapixels : 0;
+    measured.sparse_residual_px = median(std::move(residuals));
+}
+
+}  // namespace
+
+RungMeasurement measure_rung(const DepthBenchScene& scene, const DepthOptions& options, int threads,
+                             const JudgedViewSink& keep, Progress& progress) {
+    RungMeasurement measured;
+    measured.scene = scene.name;
+    measured.model = options.model;
+    DepthResult result =
+        estimate_depth(scene.used, all_views(scene.used), options, threads, progress);
+    take_evidence(result, measured);
+    if (!scene.truth_folder.empty()) {
+        measured.right_share = right_share(scene, options, result.depth_maps, threads, progress);
+    }
+    TileErrors tiles;
+    const Evaluation evaluation = evaluate_held_out(
+        lumigraph_of(scene, std::move(result.depth_maps), threads), scene.held_out,
+        {.modes = {RenderMode::kPerPixel}, .ghost_energy = false, .timed_frames = 1},
+        [&](RenderMode mode, const JudgedView& view) {
+            tiles.add(view);
+            keep(mode, view);
+        },
+        progress);
+    measured.held_out = mean_score(evaluation.modes.front().views);
+    measured.rms_error = std::sqrt(tiles.mean());
+    // Of a root: half the relative error of its square.
+    measured.rms_standard_error =
+        measured.rms_error > 0 ? tiles.standard_error() / (2 * measured.rms_error) : 0;
+    return measured;
+}
+
+}  // namespace lumi
