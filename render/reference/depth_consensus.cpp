@@ -23,8 +23,10 @@ ConsensusDepth consensus_of(const std::vector<EyeDepth>& layers, double agreeing
             layers.begin(), layers.end(),
             [&](const EyeDepth& other) { return agrees(other, candidate.inverse_depth); });
         const int support = std::min(2, static_cast<int>(agreeing));
-        if (support > chosen.support ||
-            (support == chosen.support && candidate.inverse_depth > chosen.inverse_depth)) {
+        // What was seen hides what is behind it; a fill continues the background.
+        const bool nearer = candidate.inverse_depth > chosen.inverse_depth;
+        const bool better = chosen.support == 0 || nearer == (chosen.kind == DepthKind::kSeen);
+        if (support > chosen.support || (support == chosen.support && better)) {
             chosen.support = support;
             chosen.inverse_depth = candidate.inverse_depth;
         }

@@ -15,8 +15,8 @@ struct ConsensusDepth {
 };
 
 /// The nearest depth that two views agree on, or else the nearest; only the most reliable kind
-/// counts. Those that agree are averaged. A surface that one view imagines in front of what others
-/// see is thus left out.
+/// counts, and of fills the farthest, because a fill continues the background. Those that agree are
+/// averaged. A surface that one view imagines in front of what others see is thus left out.
 [[nodiscard]] ConsensusDepth consensus_of(const std::vector<EyeDepth>& layers,
                                           double agreeing_inverse_depth);
 

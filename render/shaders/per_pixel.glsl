@@ -47,7 +47,8 @@ vec4 layer_depths(ivec2 pixel) {
 }
 
 // The nearest depth that two views agree on, or else the nearest; only the most reliable kind
-// counts. A surface that one view imagines before those that others see is thus left out.
+// counts, and of fills the farthest, because a fill continues the background. A surface that one
+// view imagines before those that others see is thus left out.
 Depth consensus(ivec2 pixel) {
     vec4 depths = layer_depths(pixel);
     // Kinds are kept apart in ranges of the depth buffer; see depth_layers.h.
@@ -64,8 +65,10 @@ Depth consensus(ivec2 pixel) {
                        2.0) *
                    counts;
     float most = largest(support);
-    float nearest = largest(mix(vec4(-1e15), q, vec4(equal(support, vec4(most)))));
-    vec4 agreeing = agree(q, nearest);
+    vec4 most_agreed = vec4(equal(support, vec4(most)));
+    float chosen = kind < 0.5 ? largest(mix(vec4(-1e15), q, most_agreed))
+                              : smallest(mix(vec4(1e15), q, most_agreed));
+    vec4 agreeing = agree(q, chosen);
     int layer = agreeing.x > 0.0 ? 0 : agreeing.y > 0.0 ? 1 : agreeing.z > 0.0 ? 2 : 3;
     return Depth(max(0.0, dot(agreeing, q) / dot(agreeing, vec4(1.0))), kind, most, layer);
 }

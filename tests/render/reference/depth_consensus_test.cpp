@@ -36,6 +36,12 @@ TEST(DepthConsensus, FilledDepthNeverHidesWhatWasSeen) {
     EXPECT_EQ(depth.kind, DepthKind::kSeen);
 }
 
+TEST(DepthConsensus, OfFillsTheFarthestContinuesTheBackground) {
+    const ConsensusDepth depth = consensus_of({filled(0.9), filled(0.2), kNothing}, 0.02);
+    EXPECT_NEAR(depth.inverse_depth, 0.2, 1e-12);
+    EXPECT_EQ(consensus_of({filled(0.2), filled(0.9)}, 0.02).best_layer, 0);
+}
+
 TEST(DepthConsensus, KnowsAnInfinitelyFarSky) {
     const ConsensusDepth depth = consensus_of({seen(0), seen(0)}, 0.02);
     EXPECT_EQ(depth.inverse_depth, 0);
