@@ -40,6 +40,12 @@ void Framebuffer::attach_depth_layer(const TextureArray& depth, int layer) {
     require_complete();
 }
 
+void Framebuffer::attach_color_layer(const TextureArray& color, int layer) {
+    bind();
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, color.name(), 0, layer);
+    require_complete();
+}
+
 void Framebuffer::attach_color(int width_px, int height_px) {
     bind();
     color_ = ObjectName<delete_renderbuffer>(new_renderbuffer());
@@ -56,16 +62,6 @@ std::vector<unsigned char> Framebuffer::read_rgba_bottom_up(int width_px, int he
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, width_px, height_px, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
     return rgba;
-}
-
-void Framebuffer::halve_into(const Framebuffer& smaller, int smaller_width_px,
-                             int smaller_height_px) const {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, name_.get());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, smaller.name_.get());
-    // Linear filtering meets the corner that four pixels share.
-    glBlitFramebuffer(0, 0, 2 * smaller_width_px, 2 * smaller_height_px, 0, 0, smaller_width_px,
-                      smaller_height_px, GL_COLOR_BUFFER_BIT, GL_LINEAR);
-    smaller.bind();
 }
 
 void Framebuffer::copy_to_window(int width_px, int height_px, int window_width_px,

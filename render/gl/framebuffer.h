@@ -9,22 +9,21 @@ namespace lumi {
 void delete_framebuffer(unsigned name);
 void delete_renderbuffer(unsigned name);
 
-/// Somewhere to draw to that is not a window: one layer of a depth array, or an RGBA8 picture.
+/// Somewhere to draw to that is not a window: one layer of a texture array, or an RGBA8 picture.
 class Framebuffer {
  public:
     Framebuffer();
 
     /// Draws go to this depth layer, with no colour. Binds the framebuffer.
     void attach_depth_layer(const TextureArray& depth, int layer);
+    /// Draws go to this colour layer. Binds the framebuffer.
+    void attach_color_layer(const TextureArray& color, int layer);
     /// Draws go to an own RGBA8 raster of this size. Binds the framebuffer.
     void attach_color(int width_px, int height_px);
     void bind() const;
 
     /// The colour raster as rows from the bottom, four bytes a pixel. Throws nothing.
     [[nodiscard]] std::vector<unsigned char> read_rgba_bottom_up(int width_px, int height_px) const;
-    /// Each pixel of `smaller` becomes the mean of four of this, which is twice as wide and high.
-    /// Leaves `smaller` bound.
-    void halve_into(const Framebuffer& smaller, int smaller_width_px, int smaller_height_px) const;
     /// Scales the colour raster to the window's framebuffer and binds that.
     void copy_to_window(int width_px, int height_px, int window_width_px,
                         int window_height_px) const;

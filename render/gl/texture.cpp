@@ -64,6 +64,15 @@ void TextureArray::upload(int layer, const ColorImage& image) {
                     GL_UNSIGNED_BYTE, rgba.data());
 }
 
+void TextureArray::upload_rgba(int layer, const std::vector<unsigned char>& rgba) {
+    assert(rgba.size() ==
+           4 * static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, width_px_, height_px_, 1, GL_RGBA,
+                    GL_UNSIGNED_BYTE, rgba.data());
+}
+
 void TextureArray::upload(int layer, const FloatImage& image) {
     assert(image.width() <= width_px_ && image.height() <= height_px_ && layer < layers_);
     glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "calib/capture/image.h"
 #include "render/gl/object_name.h"
 
@@ -24,6 +26,8 @@ class TextureArray {
 
     /// Row 0 of the image is row 0 of the layer. The image must fit.
     void upload(int layer, const ColorImage& image);
+    /// All texels of a layer, four bytes each.
+    void upload_rgba(int layer, const std::vector<unsigned char>& rgba);
     void upload(int layer, const FloatImage& image);
     void bind(unsigned unit) const;
 

@@ -16,8 +16,10 @@ using Box = Eigen::AlignedBox2d;
 /// Affine errors are not chased further than this.
 constexpr double kSmallest_px = 4.0;
 
-/// A photograph on a piece; in between its border fades.
-enum class Coverage { kInside, kOutside, kMixed };
+/// What is nearer to the view's focal plane than this share of its depth in the eye is behind it.
+constexpr double kLeastRatio = 1e-3;
+/// So far beyond its border a photograph counts nothing (uploaded_lumigraph.h).
+constexpr double kBeyond_px = 1.0;
 
 Box bounds(const Corners& corners) {
     Box box;
@@ -37,14 +39,14 @@ struct Range {
     [[nodiscard]] double half_spread() const { return 0.5 * (high - low) / (high + low); }
 };
 
-/// The piece within a photograph's border moved inwards by `border_px`, as lines of the eye's
-/// picture: where all are positive.
-std::array<Eigen::Vector3d, 4> border_lines(const PlaneView& view, double border_px) {
-    const Eigen::Vector3d x = view.view_from_eye.row(0);
-    const Eigen::Vector3d y = view.view_from_eye.row(1);
-    const Eigen::Vector3d w = view.view_from_eye.row(2);
-    return {x - border_px * w, y - border_px * w, (view.width_px - border_px) * w - x,
-            (view.height_px - border_px) * w - y};
+/// True when no corner's photograph pixel can be seen: all lie beyond the same border.
+bool is_beyond(const Corners& corners, const PlaneView& view) {
+    Box pixels;
+    for (const Eigen::Vector2d& corner : corners)
+        pixels.extend((view.view_from_eye * corner.homogeneous()).eval().hnormalized().eval());
+    return pixels.max().x() < -kBeyond_px || pixels.max().y() < -kBeyond_px ||
+           pixels.min().x() > view.width_px + kBeyond_px ||
+           pixels.min().y() > view.height_px + kBeyond_px;
 }
 
 class PieceCutter {
@@ -59,46 +61,42 @@ class PieceCutter {
           affine_(affine),
           exact_(exact) {}
 
-    void cut() { cut_by_borders(polygon_.corners_px, {}, 0); }
+    void cut() { cut_where_behind(polygon_.corners_px, {}, 0); }
 
  private:
-    using Coverages = std::array<Coverage, 3>;
+    /// Which of the three photographs can be seen on a piece.
+    using Visible = std::array<bool, 3>;
 
-    /// Splits a piece by the borders of photograph `k` and of those after it.
-    void cut_by_borders(Corners corners, Coverages coverages, std::size_t k) {
+    /// Splits a piece where it comes to lie behind view `k` and those after it.
+    void cut_where_behind(const Corners& corners, Visible visible, std::size_t k) {
         if (corners.size() < 3) return;
-        if (k == 3) return cut_by_error(corners, coverages);
-        coverages[k] = Coverage::kOutside;
-        if (polygon_.side_lines[k].isZero(0))
-            return cut_by_borders(std::move(corners), coverages, k + 1);
+        if (k == 3) return cut_by_error(corners, visible);
+        visible[k] = false;
+        if (polygon_.side_lines[k].isZero(0)) return cut_where_behind(corners, visible, k + 1);
         const PlaneView& view = views_[static_cast<std::size_t>(polygon_.view_indices[k])];
-        for (const double border_px : {0.0, options_.border_px}) {
-            for (const Eigen::Vector3d& line : border_lines(view, border_px)) {
-                cut_by_borders(clipped(corners, -line), coverages, k + 1);
-                corners = clipped(corners, line);
-            }
-            coverages[k] = Coverage::kMixed;
-        }
-        coverages[k] = Coverage::kInside;
-        cut_by_borders(std::move(corners), coverages, k + 1);
+        const Eigen::Vector3d before =
+            view.view_from_eye.row(2).transpose() - kLeastRatio * Eigen::Vector3d::UnitZ();
+        cut_where_behind(clipped(corners, -before), visible, k + 1);
+        visible[k] = true;
+        cut_where_behind(clipped(corners, before), visible, k + 1);
     }
 
-    void cut_by_error(const Corners& corners, const Coverages& coverages) {
+    void cut_by_error(const Corners& corners, Visible visible) {
         if (corners.size() < 3) return;
-        const auto has = [&](Coverage coverage) {
-            return std::find(coverages.begin(), coverages.end(), coverage) != coverages.end();
-        };
-        if (has(Coverage::kMixed)) return keep_exact(corners);
-        if (!has(Coverage::kInside)) return;
-        const std::vector<BlendVertex> vertices = vertices_of(corners, coverages);
-        if (is_affine(vertices, coverages)) return keep_affine(vertices);
+        for (std::size_t k = 0; k < 3; ++k)
+            visible[k] =
+                visible[k] &&
+                !is_beyond(corners, views_[static_cast<std::size_t>(polygon_.view_indices[k])]);
+        if (visible == Visible{}) return;
+        const std::vector<BlendVertex> vertices = vertices_of(corners, visible);
+        if (is_affine(vertices, visible)) return keep_affine(vertices);
         const Eigen::Vector2d size = bounds(corners).sizes();
         if (size.maxCoeff() <= kSmallest_px) return keep_exact(corners);
         const Eigen::Vector2d middle = bounds(corners).center();
         const bool wide = size.x() >= size.y();
         const Eigen::Vector3d line(wide ? 1 : 0, wide ? 0 : 1, wide ? -middle.x() : -middle.y());
-        cut_by_error(clipped(corners, line), coverages);
-        cut_by_error(clipped(corners, -line), coverages);
+        cut_by_error(clipped(corners, line), visible);
+        cut_by_error(clipped(corners, -line), visible);
     }
 
     void keep_exact(const Corners& corners) const {
@@ -109,7 +107,7 @@ class PieceCutter {
     /// Weights of photographs that see nothing of the piece are 0. The depth is that for
     /// which the mean of the others is affine.
     [[nodiscard]] std::vector<BlendVertex> vertices_of(const Corners& corners,
-                                                       const Coverages& coverages) const {
+                                                       const Visible& visible) const {
         std::vector<BlendVertex> vertices;
         for (const Eigen::Vector2d& corner : corners) {
             BlendVertex& vertex = vertices.emplace_back();
@@ -119,7 +117,7 @@ class PieceCutter {
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto view = static_cast<std::size_t>(polygon_.view_indices[k]);
                 vertex.view_layers[k] = static_cast<float>(view);
-                if (coverages[k] != Coverage::kInside) continue;
+                if (!visible[k]) continue;
                 const Eigen::Vector3d pixel = views_[view].view_from_eye * corner.homogeneous();
                 vertex.view_pixels[k] = {static_cast<float>(pixel.x() / pixel.z()),
                                          static_cast<float>(pixel.y() / pixel.z())};
@@ -139,13 +137,13 @@ class PieceCutter {
 
     /// Weights are still side products here.
     [[nodiscard]] bool is_affine(const std::vector<BlendVertex>& vertices,
-                                 const Coverages& coverages) const {
+                                 const Visible& visible) const {
         Range sums;
         for (const BlendVertex& vertex : vertices)
             sums.extend(sum_of_weights(vertex) * static_cast<double>(vertex.depth));
         if (!(sums.low > 0)) return false;
         for (std::size_t k = 0; k < 3; ++k) {
-            if (coverages[k] != Coverage::kInside) continue;
+            if (!visible[k]) continue;
             Range weights;
             Range ratios;
             Box pixels;

@@ -18,7 +18,6 @@ struct PlaneView {
 struct AffinePieceOptions {
     double max_error_px = 0.04;  ///< Of where a photograph is looked up, times its weight.
     double max_weight_error = 0.01;
-    double border_px = 8.0;  ///< A photograph fades in over this many pixels (shaders/face.glsl).
 };
 
 /// A face polygon, cut into pieces that are drawn faster than pixel by pixel.
@@ -26,9 +25,9 @@ struct AffinePieceOptions {
 /// A homography is affine on a piece that is small enough: with homogeneous third coordinates
 /// between W and W' and pixels within a diameter d, linear interpolation is wrong by at most
 /// d / 2 * (W' - W) / (W' + W). What the photographs have in common of W is left to the
-/// rasteriser's perspective, so that pieces are large. `affine` gets those on which each photograph
-/// is either fully in or out; `exact` those on which one fades: polygons as they were, with fewer
-/// corners.
+/// rasteriser's perspective, so that pieces are large. `affine` gets them; `exact` gets the few
+/// small ones that are not affine even so: polygons as they were, with fewer corners. What lies
+/// beyond the borders of all three photographs is left out.
 void cut_into_affine_pieces(const FacePolygon& polygon, const std::vector<PlaneView>& views,
                             const Eigen::Vector3d& plane_inverse_depth,
                             const AffinePieceOptions& options, BlendTriangles& affine,

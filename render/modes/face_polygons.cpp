@@ -130,7 +130,7 @@ std::vector<FacePolygon> face_polygons(const CameraMesh& mesh, const Eye& eye) {
         normalise(polygon);
         if (polygon.corners_px.size() >= 3) polygons.push_back(std::move(polygon));
     }
-    return in_paint_order(std::move(polygons));
+    return without_overlaps(std::move(polygons));
 }
 
 std::array<double, 3> weights_at(const FacePolygon& polygon, const Eigen::Vector2d& pixel) {

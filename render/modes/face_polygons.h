@@ -23,14 +23,12 @@ struct FacePolygon {
     /// Along the eye's ray through (x, y), in units of its depth, the face is crossed at
     /// `crossing_numerator` / (sum of side products).
     double crossing_numerator = 0.0;
-    /// Some polygon painted before covers a part of it: only where the mesh is no kernel mesh.
-    bool overlaps_earlier = false;
     std::vector<Eigen::Vector2d> corners_px;  ///< Convex, without a fixed sense of rotation.
 };
 
-/// The polygons of all faces that are seen in the picture, in the order in which they must be
-/// painted: where several faces cover a pixel the last one painted is the one that weights_of_ray
-/// chooses. Neighbours overlap by about a hundredth of a pixel, so that no crack opens.
+/// The polygons of all faces that are seen in the picture: at each pixel that of the face that
+/// weights_of_ray chooses. Neighbours overlap by about a hundredth of a pixel, so that no crack
+/// opens. A face can come in several pieces (paint_order.h).
 [[nodiscard]] std::vector<FacePolygon> face_polygons(const CameraMesh& mesh, const Eye& eye);
 
 /// Blending weights at a pixel of the polygon: side products, clamped at zero, over their sum.

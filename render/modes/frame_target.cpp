@@ -16,14 +16,12 @@ DrawStatistics FrameTarget::draw(LumigraphRenderer& renderer, const Eye& eye,
         framebuffer_.bind();
         return renderer.draw(eye, options, {0, 0, width_px_, height_px_});
     }
-    const Viewport doubled{0, 0, 2 * width_px_, 2 * height_px_};
-    if (!supersampled_) {
-        supersampled_.emplace();
-        supersampled_->attach_color(doubled.width_px, doubled.height_px);
-    }
+    if (!supersampled_) supersampled_.emplace(width_px_, height_px_);
     supersampled_->bind();
-    const DrawStatistics statistics = renderer.draw(eye, options, doubled);
-    supersampled_->halve_into(framebuffer_, width_px_, height_px_);
+    const DrawStatistics statistics =
+        renderer.draw(eye, options, {0, 0, 2 * width_px_, 2 * height_px_});
+    framebuffer_.bind();
+    supersampled_->halve();
     return statistics;
 }
 

@@ -5,6 +5,7 @@
 #include "render/gl/framebuffer.h"
 #include "render/modes/frame.h"
 #include "render/modes/lumigraph_renderer.h"
+#include "render/modes/supersampled_target.h"
 
 namespace lumi {
 
@@ -21,7 +22,7 @@ class FrameTarget {
 
  private:
     Framebuffer framebuffer_;
-    std::optional<Framebuffer> supersampled_;
+    std::optional<SupersampledTarget> supersampled_;
     int width_px_ = 0;
     int height_px_ = 0;
 };

@@ -44,9 +44,9 @@ DrawStatistics LightField::draw_polygons(std::vector<FacePolygon> polygons, cons
                                       : scene_plane_inverse_depth(layout, eye);
     const std::vector<PlaneView> on_plane = plane_views(layout, eye, plane);
     const std::vector<PlaneView> beyond = plane_views(layout, eye, Eigen::Vector3d::Zero());
-    DrawStatistics statistics;
+    affine_.clear();
+    exact_.clear();
     for (FacePolygon& polygon : polygons) {
-        if (polygon.overlaps_earlier) statistics.triangles += flush(eye, options, plane);
         // A wide picture also shows what is no longer on the plane, but infinitely far.
         const std::vector<Eigen::Vector2d> corners = polygon.corners_px;
         polygon.corners_px = clipped(corners, plane);
@@ -54,21 +54,12 @@ DrawStatistics LightField::draw_polygons(std::vector<FacePolygon> polygons, cons
         polygon.corners_px = clipped(corners, -plane);
         cut_into_affine_pieces(polygon, beyond, plane, {}, affine_, exact_);
     }
-    statistics.triangles += flush(eye, options, plane);
-    return statistics;
-}
-
-std::size_t LightField::flush(const Eye& eye, const RenderOptions& options,
-                              const Eigen::Vector3d& plane) {
-    std::size_t triangles = affine_.count();
     blend_.draw(affine_, eye, options);
-    if (!exact_.empty()) {
-        program_.use(uploaded_, eye, options);
-        triangles += faces_.draw(exact_, eye, plane);
-    }
-    affine_.clear();
-    exact_.clear();
-    return triangles;
+    DrawStatistics statistics{affine_.count()};
+    if (exact_.empty()) return statistics;
+    program_.use(uploaded_, eye, options);
+    statistics.triangles += faces_.draw(exact_, eye, plane);
+    return statistics;
 }
 
 }  // namespace lumi

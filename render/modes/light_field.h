@@ -24,8 +24,6 @@ class LightField : public DrawingMode {
                                  const RenderOptions& options);
 
  private:
-    std::size_t flush(const Eye& eye, const RenderOptions& options, const Eigen::Vector3d& plane);
-
     const UploadedLumigraph& uploaded_;
     BlendPainter blend_;
     FacePainter faces_;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -12,6 +13,8 @@ namespace {
 
 /// Overlaps narrower than this are the seams between neighbours, not overlaps.
 constexpr double kSeam_px = 0.05;
+/// Pieces reach less than that under what is painted after them, but enough to close every crack.
+constexpr double kSeamsBeyond = 5.0;
 
 using Box = Eigen::AlignedBox2d;
 
@@ -62,13 +65,32 @@ double crossing_at(const FacePolygon& polygon, const Eigen::Vector2d& pixel) {
 struct Constraints {
     std::vector<std::vector<std::size_t>> later;
     std::vector<int> waiting_for;
+    std::vector<std::vector<std::size_t>> overlapped;  ///< In either order.
 };
+
+/// What of a polygon remains beside one that is painted after it: each side of that one parts off a
+/// piece. Pieces reach into it by a seam.
+std::vector<FacePolygon> pieces_beside(const FacePolygon& polygon, const FacePolygon& later) {
+    std::vector<FacePolygon> pieces;
+    std::vector<Eigen::Vector2d> rest = polygon.corners_px;
+    for (const Eigen::Vector3d& line : later.side_lines) {
+        if (line.isZero(0)) continue;
+        const Eigen::Vector3d seam(0, 0, kSeam_px * line.head<2>().norm());
+        if (clipped(rest, -line - seam).size() < 3) continue;
+        pieces.push_back(polygon);
+        pieces.back().corners_px = clipped(rest, -line + seam / kSeamsBeyond);
+        rest = clipped(rest, line);
+        if (rest.size() < 3) break;
+    }
+    return pieces;
+}
 
 Constraints constraints_between(const std::vector<FacePolygon>& polygons) {
     std::vector<Box> boxes;
     for (const FacePolygon& polygon : polygons) boxes.push_back(bounds(polygon));
     Constraints found{std::vector<std::vector<std::size_t>>(polygons.size()),
-                      std::vector<int>(polygons.size(), 0)};
+                      std::vector<int>(polygons.size(), 0),
+                      std::vector<std::vector<std::size_t>>(polygons.size())};
     for (std::size_t i = 0; i < polygons.size(); ++i) {
         for (std::size_t j = i + 1; j < polygons.size(); ++j) {
             if (!boxes[i].intersects(boxes[j]) || separates(polygons[i], polygons[j]) ||
@@ -80,6 +102,8 @@ Constraints constraints_between(const std::vector<FacePolygon>& polygons) {
                 crossing_at(polygons[i], *pixel) < crossing_at(polygons[j], *pixel);
             found.later[i_first ? i : j].push_back(i_first ? j : i);
             ++found.waiting_for[i_first ? j : i];
+            found.overlapped[i].push_back(j);
+            found.overlapped[j].push_back(i);
         }
     }
     return found;
@@ -87,11 +111,11 @@ Constraints constraints_between(const std::vector<FacePolygon>& polygons) {
 
 }  // namespace
 
-std::vector<FacePolygon> in_paint_order(std::vector<FacePolygon> polygons) {
+std::vector<FacePolygon> without_overlaps(std::vector<FacePolygon> polygons) {
     Constraints constraints = constraints_between(polygons);
-    std::vector<FacePolygon> sorted;
+    std::vector<std::size_t> order;
     std::vector<bool> painted(polygons.size(), false);
-    while (sorted.size() < polygons.size()) {
+    while (order.size() < polygons.size()) {
         std::optional<std::size_t> next;
         for (std::size_t i = 0; i < polygons.size(); ++i) {
             if (painted[i]) continue;
@@ -101,13 +125,25 @@ std::vector<FacePolygon> in_paint_order(std::vector<FacePolygon> polygons) {
             break;
         }
         painted[*next] = true;
-        for (const std::size_t later : constraints.later[*next]) {
-            --constraints.waiting_for[later];
-            polygons[later].overlaps_earlier = true;
-        }
-        sorted.push_back(std::move(polygons[*next]));
+        for (const std::size_t later : constraints.later[*next]) --constraints.waiting_for[later];
+        order.push_back(*next);
     }
-    return sorted;
+    std::vector<std::size_t> place(polygons.size());
+    for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+    std::vector<FacePolygon> result;
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        std::vector<FacePolygon> pieces{polygons[i]};
+        for (const std::size_t other : constraints.overlapped[i]) {
+            if (place[other] < place[i]) continue;
+            std::vector<FacePolygon> kept;
+            for (const FacePolygon& piece : pieces)
+                for (FacePolygon& beside : pieces_beside(piece, polygons[other]))
+                    kept.push_back(std::move(beside));
+            pieces = std::move(kept);
+        }
+        std::move(pieces.begin(), pieces.end(), std::back_inserter(result));
+    }
+    return result;
 }
 
 }  // namespace lumi

@@ -2,10 +2,6 @@
 
 #include <epoxy/gl.h>
 
-#include <utility>
-
-#include <utility>
-
 #include "render/modes/blend_painter.h"
 #include "render/modes/paper_subdivision.h"
 #include "render/modes/scene_plane.h"
@@ -25,37 +21,21 @@ DrawStatistics Paper2001::draw(const Eye& eye, const RenderOptions& options, con
         .depth_threshold_share = options.depth_threshold_share,
         .min_size_px = options.min_triangle_px,
         .max_size_px = options.max_triangle_px};
-    DrawStatistics statistics;
-    std::vector<FacePolygon> batch;
-    const auto flush = [&] {
-        const BlendTriangles triangles =
-            paper_subdivision(batch, search, scene_plane_inverse_depth(layout, eye),
-                              inverse_depth_range(layout), options.correct_occlusion, subdivision);
-        draw_batch(triangles, batch.front().overlaps_earlier, eye, options);
-        statistics.triangles += 3 * triangles.count();
-        batch.clear();
-    };
-    for (FacePolygon& polygon : face_polygons(layout.mesh, eye)) {
-        if (polygon.overlaps_earlier && !batch.empty()) flush();
-        batch.push_back(std::move(polygon));
-    }
-    if (!batch.empty()) flush();
-    return statistics;
+    const BlendTriangles triangles = paper_subdivision(
+        face_polygons(layout.mesh, eye), search, scene_plane_inverse_depth(layout, eye),
+        inverse_depth_range(layout), options.correct_occlusion, subdivision);
+    draw_passes(triangles, eye, options);
+    return {3 * triangles.count()};
 }
 
-void Paper2001::draw_batch(const BlendTriangles& triangles, bool replaces, const Eye& eye,
-                           const RenderOptions& options) {
+void Paper2001::draw_passes(const BlendTriangles& triangles, const Eye& eye,
+                            const RenderOptions& options) {
     triangles_.upload(triangles.vertices.data(), triangles.vertices.size() * sizeof(BlendVertex),
                       triangles.indices);
     const Program& program = program_.use(uploaded_, eye, options);
     program.set("layer_size",
                 glm::vec2(uploaded_.photographs.width_px(), uploaded_.photographs.height_px()));
     glEnable(GL_BLEND);
-    if (replaces) {
-        program.set("chosen", glm::vec3(1, 0, 0));
-        glBlendFunc(GL_ZERO, GL_ZERO);
-        triangles_.draw(0, triangles.indices.size());
-    }
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE, GL_ONE, GL_ONE);
     for (const glm::vec3& chosen : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)}) {
         program.set("chosen", chosen);

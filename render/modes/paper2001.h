@@ -17,9 +17,8 @@ class Paper2001 : public DrawingMode {
                         const Viewport& viewport) override;
 
  private:
-    /// Adds up three passes, in place of what was there when it `replaces` that.
-    void draw_batch(const BlendTriangles& triangles, bool replaces, const Eye& eye,
-                    const RenderOptions& options);
+    /// Adds up three passes.
+    void draw_passes(const BlendTriangles& triangles, const Eye& eye, const RenderOptions& options);
 
     const UploadedLumigraph& uploaded_;
     PictureProgram program_;

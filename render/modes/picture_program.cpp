@@ -16,10 +16,11 @@ PictureProgram::PictureProgram(std::string name, std::vector<std::string_view> s
 const Program& PictureProgram::use(const UploadedLumigraph& uploaded, const Eye& eye,
                                    const RenderOptions& options) {
     const bool is_debug = options.debug_picture != DebugPicture::kNone;
-    std::optional<Program>& program = is_debug ? debug_ : picture_;
+    std::optional<Program>& program = versions_[options.supersample ? 1 : 0][is_debug ? 1 : 0];
     if (!program) {
         std::vector<std::string> definitions = definitions_;
         if (is_debug) definitions.emplace_back("DEBUG_PICTURE");
+        if (options.supersample) definitions.emplace_back("FOUR_SAMPLES");
         program.emplace(name_, sources_, definitions);
     }
     program->use();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,8 +12,8 @@
 
 namespace lumi {
 
-/// A program in two versions, for the picture and for debug pictures, so that the picture does not
-/// pay for the others. Both are compiled when they are first used.
+/// A program in several versions, for the picture and for debug pictures, of one sample a pixel and
+/// of four, so that none pays for the others. Each is compiled when it is first used.
 class PictureProgram {
  public:
     /// `sources` follow shaders/photographs.glsl; see Program.
@@ -28,8 +29,8 @@ class PictureProgram {
     std::string name_;
     std::vector<std::string_view> sources_;
     std::vector<std::string> definitions_;
-    std::optional<Program> picture_;
-    std::optional<Program> debug_;
+    /// First of one sample a pixel, then of four; in each the picture, then debug pictures.
+    std::array<std::array<std::optional<Program>, 2>, 2> versions_;
 };
 
 }  // namespace lumi

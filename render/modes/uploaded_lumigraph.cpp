@@ -4,6 +4,7 @@
 #include <string>
 
 #include "calib/work/error.h"
+#include "render/modes/photograph_opacity.h"
 
 namespace lumi {
 namespace {
@@ -28,7 +29,8 @@ void require_fits(const Capabilities& capabilities, const Lumigraph& lumigraph) 
                         std::to_string(capabilities.max_array_layers),
                     "make the package with [package] max_views, or use another GL driver");
     for (const LumigraphView& view : lumigraph.views) {
-        const int size_px = std::max(view.photograph.width(), view.photograph.height());
+        const int size_px =
+            std::max(view.photograph.width(), view.photograph.height()) + 2 * kGutter_px;
         if (size_px > capabilities.max_texture_size_px)
             throw Error(ErrorKind::kResources, "E-GL-LIMIT",
                         view.name + " is " + std::to_string(size_px) + " pixels long, but " +
@@ -38,17 +40,43 @@ void require_fits(const Capabilities& capabilities, const Lumigraph& lumigraph) 
     }
 }
 
-TextureArray upload_photographs(const std::vector<LumigraphView>& views) {
+/// A whole layer with a photograph in it.
+std::vector<unsigned char> layer_with(const ColorImage& photograph, const GrayImage& opacity,
+                                      int layer_width, int layer_height) {
+    std::vector<unsigned char> rgba(4 * static_cast<std::size_t>(layer_width) *
+                                    static_cast<std::size_t>(layer_height));
+    for (int y = -kGutter_px; y < photograph.height() + kGutter_px; ++y) {
+        unsigned char* texel = rgba.data() + 4 * static_cast<std::size_t>(y + kGutter_px) *
+                                                 static_cast<std::size_t>(layer_width);
+        for (int x = -kGutter_px; x < photograph.width() + kGutter_px; ++x, texel += 4) {
+            const int column = std::clamp(x, 0, photograph.width() - 1);
+            const int row = std::clamp(y, 0, photograph.height() - 1);
+            const Rgb8& pixel = photograph(column, row);
+            texel[0] = pixel.r;
+            texel[1] = pixel.g;
+            texel[2] = pixel.b;
+            texel[3] = photograph.contains(x, y) ? opacity(x, y) : 0;
+        }
+    }
+    return rgba;
+}
+
+TextureArray upload_photographs(const Lumigraph& lumigraph) {
+    const std::vector<LumigraphView>& views = lumigraph.views;
+    const std::vector<GrayImage> opacities = photograph_opacities(lumigraph);
     int width = 1;
     int height = 1;
     for (const LumigraphView& view : views) {
         width = std::max(width, view.photograph.width());
         height = std::max(height, view.photograph.height());
     }
+    width += 2 * kGutter_px;
+    height += 2 * kGutter_px;
     TextureArray array(TexelFormat::kColor, TexelFilter::kLinear, width, height,
                        static_cast<int>(views.size()));
     for (std::size_t i = 0; i < views.size(); ++i)
-        array.upload(static_cast<int>(i), views[i].photograph);
+        array.upload_rgba(static_cast<int>(i),
+                          layer_with(views[i].photograph, opacities[i], width, height));
     return array;
 }
 
@@ -75,7 +103,7 @@ UploadedLumigraph::UploadedLumigraph(const Lumigraph& lumigraph)
       layout(without_photographs(lumigraph)),
       geometries(view_geometries(lumigraph)) {
     require_fits(capabilities, lumigraph);
-    photographs = upload_photographs(lumigraph.views);
+    photographs = upload_photographs(lumigraph);
     depth_maps = upload_depth_maps(lumigraph.views);
     for (const LumigraphView& view : lumigraph.views)
         depth_sizes_px.emplace_back(view.depth.inverse_depth.width(),

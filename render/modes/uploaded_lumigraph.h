@@ -9,6 +9,9 @@
 
 namespace lumi {
 
+/// Texels around each photograph that continue it and count nothing, so that it ends where it ends.
+inline constexpr int kGutter_px = 1;
+
 /// A Lumigraph whose pictures lie in GL textures: what every mode draws from.
 struct UploadedLumigraph {
     /// Throws Error (E-GL-CONTEXT, E-GL-LIMIT).
@@ -18,8 +21,10 @@ struct UploadedLumigraph {
     /// The Lumigraph without its photographs: cameras, poses, depth, the camera mesh.
     Lumigraph layout;
     std::vector<ViewGeometry> geometries;
-    TextureArray photographs;  ///< One layer a view, at its top left.
-    TextureArray depth_maps;   ///< The same for inverse depth; empty when no view has depth.
+    /// One layer a view, kGutter_px from its top left; alpha is how much a pixel counts
+    /// (photograph_opacity.h), 0 beyond the photograph.
+    TextureArray photographs;
+    TextureArray depth_maps;  ///< The same for inverse depth; empty when no view has depth.
     /// Sizes of the depth maps, (0, 0) without.
     std::vector<Eigen::Vector2i> depth_sizes_px;
 

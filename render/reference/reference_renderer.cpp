@@ -11,6 +11,7 @@
 #include "render/modes/depth_mesh.h"
 #include "render/modes/depth_view_choice.h"
 #include "render/modes/occlusion.h"
+#include "render/modes/photograph_opacity.h"
 #include "render/modes/scene_plane.h"
 #include "render/modes/view_geometry.h"
 #include "render/reference/depth_consensus.h"
@@ -53,6 +54,8 @@ class ReferenceFrame {
     [[nodiscard]] ConsensusDepth depth_at(int x, int y) const;
     [[nodiscard]] std::optional<Sight> sight_of(int view_index, const RayPoint& point) const;
     [[nodiscard]] double visibility(int view_index, const RayPoint& point, bool check_depth) const;
+    /// How much its photograph counts there, 0 to 255.
+    [[nodiscard]] double opacity(int view_index, const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d color_in(int view_index, const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d debug_color(const RayWeights& ray, bool unseen,
                                               const ConsensusDepth& depth) const;
@@ -68,6 +71,7 @@ class ReferenceFrame {
     Eigen::Vector3d eye_in_world_;
     Eigen::Vector3d plane_;
     std::vector<ViewGeometry> geometries_;
+    std::vector<GrayImage> opacities_;
     std::vector<int> depth_views_;
     double agreeing_inverse_depth_ = 0.0;
     std::vector<Image<EyeDepth>> layers_;
@@ -86,7 +90,8 @@ ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
       uses_depth_(options.mode == RenderMode::kPerPixel && has_depth(lumigraph)),
       eye_in_world_(centre_in_world(eye.cam_from_world)),
       plane_(scene_plane_inverse_depth(lumigraph, eye)),
-      geometries_(view_geometries(lumigraph)) {
+      geometries_(view_geometries(lumigraph)),
+      opacities_(photograph_opacities(lumigraph)) {
     if (uses_depth_) draw_depth_layers();
 }
 
@@ -126,8 +131,9 @@ double ReferenceFrame::visibility(int view_index, const RayPoint& point, bool ch
     const std::optional<Sight> sight = sight_of(view_index, point);
     if (!sight) return 0;
     const LumigraphView& seen_by = view(view_index);
-    const double inside = border_fade(border_distance_px(seen_by.camera, sight->pixel));
-    if (!check_depth) return inside;
+    if (!uses_depth_) return 1;
+    const bool is_inside = border_distance_px(seen_by.camera, sight->pixel) >= 0;
+    if (!check_depth || !is_inside) return is_inside ? 1 : 0;
     const FloatImage& depth = seen_by.depth.inverse_depth;
     const Eigen::Vector2d in_depth_map(
         sight->pixel.x() * depth.width() / seen_by.camera.width_px,
@@ -136,7 +142,13 @@ double ReferenceFrame::visibility(int view_index, const RayPoint& point, bool ch
         std::abs(sight->inverse_depth - nearest(depth, in_depth_map)) *
         disparity_px_per_inverse_depth(geometries_[static_cast<std::size_t>(view_index)],
                                        eye_in_world_);
-    return inside * visibility_of(difference_px, options_.occlusion_tolerance_px);
+    return visibility_of(difference_px, options_.occlusion_tolerance_px);
+}
+
+double ReferenceFrame::opacity(int view_index, const RayPoint& point) const {
+    const std::optional<Sight> sight = sight_of(view_index, point);
+    return sight ? bilinear_to_zero(opacities_[static_cast<std::size_t>(view_index)], sight->pixel)
+                 : 0.0;
 }
 
 Eigen::Vector3d ReferenceFrame::color_in(int view_index, const RayPoint& point) const {
@@ -157,7 +169,13 @@ std::optional<DrawnPixel> ReferenceFrame::color_at(int x, int y) const {
         if (ray->weights[i] > 0)
             seen[i] =
                 visibility(ray->view_indices[i], point, has_depth && options_.correct_occlusion);
-    const auto weights = redistributed(ray->weights, seen);
+    std::optional<std::array<double, 3>> weights = redistributed(ray->weights, seen);
+    if (weights) {
+        std::array<double, 3> opacities{};
+        for (std::size_t i = 0; i < 3; ++i)
+            if ((*weights)[i] > 0) opacities[i] = opacity(ray->view_indices[i], point) / 255;
+        weights = redistributed(*weights, opacities);
+    }
     if (!weights && !has_depth) return std::nullopt;
     const bool is_known = has_depth || !uses_depth_;
     ray->weights = weights.value_or(std::array<double, 3>{});

@@ -5,11 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
+#include "render/modes/photograph_opacity.h"
 #include "render/reference/sampling.h"
 
 namespace lumi {
 namespace {
+
+/// As in shaders/photographs.glsl.
+constexpr double kLeastWeight = 1e-4;
 
 std::uint8_t to_byte(double value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
@@ -24,15 +29,22 @@ auto interpolated(const std::array<const BlendVertex*, 3>& corners, const Eigen:
         .eval();
 }
 
+/// What triangles are blended from.
+struct Photographs {
+    const Lumigraph& lumigraph;
+    PlaceInterpolation places;
+    std::vector<GrayImage> opacities;
+};
+
 void draw_pixel(const std::array<const BlendVertex*, 3>& corners, const Eigen::Vector3d& shares,
-                const Lumigraph& lumigraph, PlaceInterpolation places, int x, int y, Frame& frame) {
-    const Eigen::Vector3d weights = interpolated(corners, shares, [](const BlendVertex& vertex) {
+                const Photographs& photographs, int x, int y, Frame& frame) {
+    Eigen::Vector3d weights = interpolated(corners, shares, [](const BlendVertex& vertex) {
         return Eigen::Vector3d(vertex.weights[0], vertex.weights[1], vertex.weights[2]);
     });
     Eigen::Vector3d color = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
         const Eigen::Vector3d at = interpolated(corners, shares, [&](const BlendVertex& vertex) {
-            const double scale = places == PlaceInterpolation::kProjective
+            const double scale = photographs.places == PlaceInterpolation::kProjective
                                      ? static_cast<double>(vertex.depth) *
                                            static_cast<double>(vertex.depth_ratios[k])
                                      : 1.0;
@@ -41,15 +53,23 @@ void draw_pixel(const std::array<const BlendVertex*, 3>& corners, const Eigen::V
         });
         if (!(at.z() > 0)) continue;
         const auto view = static_cast<std::size_t>(corners[0]->view_layers[k]);
-        color += weights[static_cast<Eigen::Index>(k)] *
-                 bilinear(lumigraph.views[view].photograph, at.hnormalized());
+        double& weight = weights[static_cast<Eigen::Index>(k)];
+        if (photographs.places == PlaceInterpolation::kLinear)
+            weight *= bilinear_to_zero(photographs.opacities[view], at.hnormalized()) / 255;
+        color += weight * bilinear(photographs.lumigraph.views[view].photograph, at.hnormalized());
+    }
+    if (photographs.places == PlaceInterpolation::kLinear) {
+        const double sum = weights.sum();
+        if (sum < kLeastWeight) return;
+        color /= sum;
+        weights /= sum;
     }
     frame.color(x, y) = {to_byte(color.x()), to_byte(color.y()), to_byte(color.z())};
     frame.coverage(x, y) = to_byte(255 * weights.sum());
 }
 
-void draw_triangle(const std::array<const BlendVertex*, 3>& corners, const Lumigraph& lumigraph,
-                   PlaceInterpolation places, Frame& frame) {
+void draw_triangle(const std::array<const BlendVertex*, 3>& corners, const Photographs& photographs,
+                   Frame& frame) {
     Eigen::Matrix3d pixels;
     Eigen::Array3d inverse_depths;
     for (Eigen::Index i = 0; i < 3; ++i) {
@@ -69,7 +89,7 @@ void draw_triangle(const std::array<const BlendVertex*, 3>& corners, const Lumig
                 shares_from_pixel * Eigen::Vector3d(x + 0.5, y + 0.5, 1);
             if (in_picture.minCoeff() < 0) continue;
             const Eigen::Array3d in_space = in_picture * inverse_depths;
-            draw_pixel(corners, in_space / in_space.sum(), lumigraph, places, x, y, frame);
+            draw_pixel(corners, in_space / in_space.sum(), photographs, x, y, frame);
         }
     }
 }
@@ -81,11 +101,12 @@ Frame draw_reference(const BlendTriangles& triangles, const Lumigraph& lumigraph
     Frame frame{ColorImage(eye_camera.width_px, eye_camera.height_px),
                 GrayImage(eye_camera.width_px, eye_camera.height_px),
                 {triangles.count()}};
+    const Photographs photographs{lumigraph, places, photograph_opacities(lumigraph)};
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
         draw_triangle({&triangles.vertices[triangles.indices[i]],
                        &triangles.vertices[triangles.indices[i + 1]],
                        &triangles.vertices[triangles.indices[i + 2]]},
-                      lumigraph, places, frame);
+                      photographs, frame);
     }
     return frame;
 }

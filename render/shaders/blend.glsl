@@ -23,8 +23,8 @@ layout(location = 4) in vec2 in_inverse_depth_and_confidence;
 layout(location = 5) in vec4 in_layers_and_face;
 
 void main() {
-    on_layers01 = in_view_pixels01 / layer_size.xyxy;
-    on_layer2_and_weights = vec4(in_view_pixel2 / layer_size, in_weights.xy);
+    on_layers01 = (in_view_pixels01 + kGutter_px) / layer_size.xyxy;
+    on_layer2_and_weights = vec4((in_view_pixel2 + kGutter_px) / layer_size, in_weights.xy);
     weight2_and_depth = vec3(in_weights.z, in_inverse_depth_and_confidence);
     layers_and_face = in_layers_and_face;
     vec3 pixel = vec3(in_pixel_and_depth.xy, 1.0) * in_pixel_and_depth.z;
@@ -36,15 +36,19 @@ void main() {
 out vec4 drawn;
 
 void main() {
-    vec3 weights = vec3(on_layer2_and_weights.zw, weight2_and_depth.x);
+    vec4 color0 = photograph_at(on_layers01.xy, layers_and_face.x);
+    vec4 color1 = photograph_at(on_layers01.zw, layers_and_face.y);
+    vec4 color2 = photograph_at(on_layer2_and_weights.xy, layers_and_face.z);
+    vec3 weights = vec3(on_layer2_and_weights.zw, weight2_and_depth.x) *
+                   vec3(color0.a, color1.a, color2.a);
+    float sum = weights.x + weights.y + weights.z;
+    if (sum < kLeastWeight) discard;
+    weights *= 1.0 / sum;
 #ifdef DEBUG_PICTURE
     drawn = vec4(debug_color(weights, layers_and_face, weight2_and_depth.y, weight2_and_depth.z),
                  1.0);
 #else
-    drawn = vec4(weights.x * photograph_at(on_layers01.xy, layers_and_face.x) +
-                     weights.y * photograph_at(on_layers01.zw, layers_and_face.y) +
-                     weights.z * photograph_at(on_layer2_and_weights.xy, layers_and_face.z),
-                 1.0);
+    drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb + weights.z * color2.rgb, 1.0);
 #endif
 }
 #endif

@@ -59,19 +59,8 @@ void main() {
 #ifdef LUMI_FRAGMENT
 out vec4 drawn;
 
-// A view fades in over this many pixels from the border of its photograph.
-const float kFeather_px = 8.0;
-
-// How much a view counts at a homogeneous pixel: 0 outside of its photograph.
-float feather(vec3 pixel, vec2 size) {
-    if (pixel.z <= 0.0) return 0.0;
-    vec2 to_border = min(pixel.xy / pixel.z, size - pixel.xy / pixel.z);
-    return clamp(min(to_border.x, to_border.y) / kFeather_px, 0.0, 1.0);
-}
-
-vec3 photograph(vec3 pixel, vec2 size, float layer) {
-    vec2 on_layer = clamp(pixel.xy / max(pixel.z, 1e-20), vec2(0.5), size - 0.5);
-    return photograph_at(on_layer / vec2(textureSize(photographs, 0).xy), layer);
+vec4 photograph_at_pixel(vec2 pixel, float layer) {
+    return photograph_at((pixel + kGutter_px) / vec2(textureSize(photographs, 0).xy), layer);
 }
 
 vec3 blending_weights() {

@@ -1,25 +1,25 @@
 // The paper without geometry (sections 3 and 4): the scene is a plane, each face blends its three
-// photographs with barycentric weights. A view that the point lies outside of counts nothing.
+// photographs with barycentric weights.
 
 #ifdef LUMI_FRAGMENT
+vec4 seen(vec3 pixel, float layer) {
+    vec4 color = photograph_at_pixel(pixel.xy / max(pixel.z, 1e-20), layer);
+    return vec4(color.rgb, pixel.z > 0.0 ? color.a : 0.0);
+}
+
 void main() {
     float inverse_depth = max(0.0, side_products_and_plane.w);
-    vec3 pixel0 = view_pixel0 + inverse_depth * view_parallax0.xyz;
-    vec3 pixel1 = view_pixel1 + inverse_depth * view_parallax1.xyz;
-    vec3 pixel2 = view_pixel2 + inverse_depth * view_parallax2.xyz;
-    vec3 weights = blending_weights() * vec3(feather(pixel0, view_size0.xy),
-                                             feather(pixel1, view_size1.xy),
-                                             feather(pixel2, view_size2.xy));
+    vec4 color0 = seen(AT_CENTRE(view_pixel0) + inverse_depth * view_parallax0.xyz, view_parallax0.w);
+    vec4 color1 = seen(AT_CENTRE(view_pixel1) + inverse_depth * view_parallax1.xyz, view_parallax1.w);
+    vec4 color2 = seen(AT_CENTRE(view_pixel2) + inverse_depth * view_parallax2.xyz, view_parallax2.w);
+    vec3 weights = blending_weights() * vec3(color0.a, color1.a, color2.a);
     float sum = weights.x + weights.y + weights.z;
-    if (sum < 1e-4) discard;
+    if (sum < kLeastWeight) discard;
     weights /= sum;
 #ifdef DEBUG_PICTURE
     drawn = vec4(debug_color(weights, layers_and_face(), inverse_depth, 0.0), 1.0);
 #else
-    drawn = vec4(weights.x * photograph(pixel0, view_size0.xy, view_parallax0.w) +
-                     weights.y * photograph(pixel1, view_size1.xy, view_parallax1.w) +
-                     weights.z * photograph(pixel2, view_size2.xy, view_parallax2.w),
-                 1.0);
+    drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb + weights.z * color2.rgb, 1.0);
 #endif
 }
 #endif

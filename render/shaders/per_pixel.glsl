@@ -84,16 +84,11 @@ vec3 sight_of(vec3 pixel) {
 float visibility(vec3 sight, float is_before, vec4 size, float layer, float inverse_depth,
                  float disparity_px, float check) {
     vec2 to_border = min(sight.xy, size.xy - sight.xy);
-    float inside = clamp(min(to_border.x, to_border.y) / kFeather_px, 0.0, 1.0) * is_before;
+    float inside = step(0.0, min(to_border.x, to_border.y)) * is_before;
     vec2 sample_at = clamp(sight.xy * size.zw / size.xy, vec2(0.0), size.zw - 1.0);
     float seen = texelFetch(depth_maps, ivec3(ivec2(sample_at), int(layer)), 0).r;
     float difference_px = abs(inverse_depth * sight.z - seen) * disparity_px;
     return inside * clamp(2.0 - check * difference_px / tolerance_px, 0.0, 1.0);
-}
-
-vec3 seen_color(vec2 pixel, vec2 size, float layer) {
-    vec2 layer_size = vec2(textureSize(photographs, 0).xy);
-    return photograph_at(clamp(pixel, vec2(0.5), size - 0.5) / layer_size, layer);
 }
 
 void main() {
@@ -102,9 +97,9 @@ void main() {
     // Where no depth is known the scene plane is a guess: drawn, but not counted as covered.
     bool is_guess = depth.kind > 2.5;
     float q = is_guess ? max(0.0, side_products_and_plane.w) : depth.inverse_depth;
-    vec3 pixel0 = view_pixel0 + q * view_parallax0.xyz;
-    vec3 pixel1 = view_pixel1 + q * view_parallax1.xyz;
-    vec3 pixel2 = view_pixel2 + q * view_parallax2.xyz;
+    vec3 pixel0 = AT_CENTRE(view_pixel0) + q * view_parallax0.xyz;
+    vec3 pixel1 = AT_CENTRE(view_pixel1) + q * view_parallax1.xyz;
+    vec3 pixel2 = AT_CENTRE(view_pixel2) + q * view_parallax2.xyz;
     vec3 sight0 = sight_of(pixel0);
     vec3 sight1 = sight_of(pixel1);
     vec3 sight2 = sight_of(pixel2);
@@ -121,7 +116,18 @@ void main() {
     float sum = weights.x + weights.y + weights.z;
     bool unseen = sum < 1e-4;
     if (unseen && is_guess) discard;
-    weights *= 1.0 / max(sum, 1e-4);
+    // Unseen by the three: the layer's view takes the first one's place.
+    vec4 ray = vec4(window, 1.0, q);
+    vec3 in_layer = sight_of(vec3(dot(layer_views[4 * depth.layer], ray),
+                                  dot(layer_views[4 * depth.layer + 1], ray),
+                                  dot(layer_views[4 * depth.layer + 2], ray)));
+    vec4 color0 = photograph_at_pixel(
+        unseen ? in_layer.xy : sight0.xy,
+        unseen ? layer_views[4 * depth.layer + 3].x : view_parallax0.w);
+    vec4 color1 = photograph_at_pixel(sight1.xy, view_parallax1.w);
+    vec4 color2 = photograph_at_pixel(sight2.xy, view_parallax2.w);
+    weights = unseen ? vec3(1.0, 0.0, 0.0) : weights * vec3(color0.a, color1.a, color2.a);
+    weights *= 1.0 / max(weights.x + weights.y + weights.z, 1e-9);
 #ifdef DEBUG_PICTURE
     // Two views agree: 1; one has seen it: 0.5; filled: 0.25; stretched: 0.125; a guess: 0.
     float confidence = depth.kind < 0.5   ? 0.5 * depth.support
@@ -133,18 +139,7 @@ void main() {
     drawn = vec4(marked ? vec3(1.0) : debug_color(weights, layers_and_face(), q, confidence),
                  is_guess ? 0.0 : 1.0);
 #else
-    // Unseen by the three: the layer's view takes the first one's place.
-    vec4 ray = vec4(window, 1.0, q);
-    vec4 layer_view = layer_views[4 * depth.layer + 3];
-    vec3 in_layer = sight_of(vec3(dot(layer_views[4 * depth.layer], ray),
-                                  dot(layer_views[4 * depth.layer + 1], ray),
-                                  dot(layer_views[4 * depth.layer + 2], ray)));
-    weights.x = unseen ? 1.0 : weights.x;
-    drawn = vec4(weights.x * seen_color(unseen ? in_layer.xy : sight0.xy,
-                                        unseen ? layer_view.yz : view_size0.xy,
-                                        unseen ? layer_view.x : view_parallax0.w) +
-                     weights.y * seen_color(sight1.xy, view_size1.xy, view_parallax1.w) +
-                     weights.z * seen_color(sight2.xy, view_size2.xy, view_parallax2.w),
+    drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb + weights.z * color2.rgb,
                  is_guess ? 0.0 : 1.0);
 #endif
 }

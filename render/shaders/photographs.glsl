@@ -1,12 +1,28 @@
 // Colours of the photographs, and the colours of debug pictures: what all programs share.
 
+// Photographs lie so many texels from the top left of their layers (uploaded_lumigraph.h).
+const float kGutter_px = 1.0;
+
 #ifdef LUMI_FRAGMENT
+// A pixel that all views together count less for is empty.
+const float kLeastWeight = 1e-4;
+
 uniform sampler2DArray photographs;
 
-// A colour of a layer, whose coordinates run from 0 to 1; encoded sRGB, blended as such.
-vec3 photograph_at(vec2 on_layer, float layer) {
-    return textureLod(photographs, vec3(on_layer, layer), 0.0).rgb;
+// A colour of a layer, whose coordinates run from 0 to 1; encoded sRGB, blended as such. Alpha is
+// how much it counts: 0 beyond the photograph.
+vec4 photograph_at(vec2 on_layer, float layer) {
+    return textureLod(photographs, vec3(on_layer, layer), 0.0);
 }
+
+#ifdef FOUR_SAMPLES
+// Four samples a pixel tell surfaces apart; photographs are looked up for its centre, so that the
+// mean of the four does not blur them. For what is affine in the picture, or nearly.
+vec2 to_centre() { return 0.5 - mod(floor(gl_FragCoord.xy), 2.0); }
+#define AT_CENTRE(v) ((v) + to_centre().x * dFdx(v) + to_centre().y * dFdy(v))
+#else
+#define AT_CENTRE(v) (v)
+#endif
 
 #ifdef DEBUG_PICTURE
 uniform int debug_picture;         // DebugPicture in frame.h

@@ -30,7 +30,7 @@ void main() {
                       chosen.z * in_view_pixel2;
     // Vertices at their true places: what is linear in space is interpolated linearly there.
     float depth = in_pixel_and_depth.z;
-    on_layer = vec3(view_pixel / layer_size, 1.0) * dot(chosen, in_depth_ratios) * depth;
+    on_layer = vec3((view_pixel + kGutter_px) / layer_size, 1.0) * dot(chosen, in_depth_ratios) * depth;
     weight = dot(chosen, in_weights);
     layer = dot(chosen, in_layers_and_face.xyz);
     layers_and_face = in_layers_and_face;
@@ -51,7 +51,7 @@ void main() {
                                                   inverse_depth_and_confidence.y),
                  weight);
 #else
-    drawn = vec4(photograph_at(on_layer.xy / on_layer.z, layer), weight);
+    drawn = vec4(photograph_at(on_layer.xy / on_layer.z, layer).rgb, weight);
 #endif
 }
 #endif
