@@ -23,13 +23,15 @@ struct RoundTrip {
 /// Inverse depth at a pixel of a map: bilinear on one surface, the nearest pixel's at a jump. Empty
 /// outside the map and where the map does not claim to know.
 std::optional<double> sample(const DepthMap& map, const Eigen::Vector2d& pixel, double max_step) {
-    const int nearest_x = static_cast<int>(std::floor(pixel.x()));
-    const int nearest_y = static_cast<int>(std::floor(pixel.y()));
-    if (!map.confidence.contains(nearest_x, nearest_y)) return std::nullopt;
+    const bool is_inside = pixel.x() >= 0 && pixel.x() < map.confidence.width() && pixel.y() >= 0 &&
+                           pixel.y() < map.confidence.height();
+    if (!is_inside) return std::nullopt;
+    const int nearest_x = static_cast<int>(pixel.x());
+    const int nearest_y = static_cast<int>(pixel.y());
     if (map.confidence(nearest_x, nearest_y) == 0) return std::nullopt;
     const double nearest = static_cast<double>(map.inverse_depth(nearest_x, nearest_y));
-    const int x = static_cast<int>(std::floor(pixel.x() - 0.5));
-    const int y = static_cast<int>(std::floor(pixel.y() - 0.5));
+    const int x = static_cast<int>(pixel.x() + 0.5) - 1;  // Of the pixel to the upper left.
+    const int y = static_cast<int>(pixel.y() + 0.5) - 1;
     if (x < 0 || y < 0 || !map.confidence.contains(x + 1, y + 1)) return nearest;
     const double right = pixel.x() - 0.5 - x;
     const double down = pixel.y() - 0.5 - y;
@@ -54,7 +56,8 @@ std::optional<double> confirmation(const RoundTrip& trip, const Eigen::Vector2d&
     if (!found) return std::nullopt;
     const Eigen::Vector3d back = trip.back(pixel_there, *found);
     if (back.z() <= 0) return std::nullopt;
-    if ((back.hnormalized() - pixel).norm() > kMaxDisagreementPx) return std::nullopt;
+    constexpr double kMaxSquaredPx = kMaxDisagreementPx * kMaxDisagreementPx;
+    if ((back.hnormalized() - pixel).squaredNorm() > kMaxSquaredPx) return std::nullopt;
     return *found / back.z();
 }
 

@@ -13,7 +13,7 @@
 namespace lumi {
 namespace {
 
-constexpr int kCountUnit = 16;  // The path kernel works on this many planes at a time.
+constexpr int kCountUnit = 8;  // The path kernel works on this many planes at a time.
 constexpr std::size_t kMaxCells = std::size_t{96} << 20;
 
 int level_count(const Camera& camera) {

@@ -88,6 +88,7 @@ TEST(SemiGlobalMatching, OnARowEqualsDynamicProgrammingByDefinition) {
 
 TEST(SemiGlobalMatching, TilesMayHaveDifferentRanges) {
     expect_brute_force_sums(random_row({{10, 32}, {3, 48}, {60, 16}}, 2));
+    expect_brute_force_sums(random_row({{10, 8}, {3, 24}, {60, 40}}, 2));
 }
 
 TEST(SemiGlobalMatching, ASlopingTileContinuesItsSlopeInTheNext) {
