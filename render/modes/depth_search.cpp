@@ -14,6 +14,8 @@ namespace {
 constexpr double kShortestStep_px = 1.0;
 constexpr double kLongestStep_px = 16.0;
 constexpr int kMaxSteps = 256;
+/// In tiles: a ray that leaves one is put so far into the next.
+constexpr double kBeyondTile = 1e-4;
 constexpr int kRefinements = 4;
 /// The nearest an eye can look at lies this many times before the scene's near end.
 constexpr double kNearMargin = 100.0;
@@ -49,6 +51,7 @@ double speed_px(const EpipolarLine& line, const Eigen::Vector3d& at) {
 DepthSearch::DepthSearch(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
                          const Eye& eye, double tolerance_px)
     : lumigraph_(lumigraph),
+      geometries_(geometries),
       tolerance_px_(tolerance_px),
       max_inverse_depth_(kNearMargin * inverse_depth_range(lumigraph).y()),
       least_inverse_depth_(kFarShare * inverse_depth_range(lumigraph).y()) {
@@ -131,6 +134,39 @@ DepthSearch::Stretch DepthSearch::visible_stretch(int view_index, const Epipolar
     return stretch;
 }
 
+double DepthSearch::past_free_tiles(int view_index, const EpipolarLine& line, double q,
+                                    double far_end) const {
+    const auto index = static_cast<std::size_t>(view_index);
+    const FloatImage& tiles = geometries_[index].tile_max_inverse_depth;
+    const Eigen::Vector2d per_tile = targets_[index].samples_per_pixel / kDepthTile;
+    const Eigen::Vector2d start = line.at_infinity.head<2>().cwiseProduct(per_tile);
+    const Eigen::Vector2d step = line.per_inverse_depth.head<2>().cwiseProduct(per_tile);
+    const double start_z = line.at_infinity.z();
+    const double step_z = line.per_inverse_depth.z();
+    for (int i = 0; i < tiles.width() + tiles.height(); ++i) {
+        const double z = start_z + q * step_z;
+        const Eigen::Vector2d at = (start + q * step) / z;
+        const int column = static_cast<int>(clamped(at.x(), tiles.width() - 1));
+        const int row = static_cast<int>(clamped(at.y(), tiles.height() - 1));
+        const double nearest = tiles(column, row);
+        if (q <= nearest * z) return q;
+        // Where the ray is as far away as what is nearest in the tile, or leaves the tile.
+        const double meets = nearest * start_z / (1 - nearest * step_z);
+        double leaves = far_end;
+        for (Eigen::Index axis = 0; axis < 2; ++axis) {
+            const int tile = axis == 0 ? column : row;
+            const bool falls = step[axis] > at[axis] * step_z;
+            const double border = falls ? tile - kBeyondTile : tile + 1 + kBeyondTile;
+            const double there = (border * start_z - start[axis]) / (step[axis] - border * step_z);
+            if (there < q) leaves = std::max(leaves, there);
+        }
+        if (meets < q && meets >= leaves) return std::max(far_end, meets);
+        if (leaves <= far_end) return far_end;
+        q = leaves;
+    }
+    return q;
+}
+
 std::optional<RayHit> DepthSearch::refined(int view_index, const EpipolarLine& line,
                                            const Stretch& bracket) const {
     const Target& target = targets_[static_cast<std::size_t>(view_index)];
@@ -171,6 +207,10 @@ std::optional<RayHit> DepthSearch::first_hit_in(int view_index,
     double last_before = q;
     bool is_before = true;  // Nothing is nearer than where the stretch begins.
     for (int step = 0; step < kMaxSteps; ++step) {
+        if (is_before) {
+            const double free_to = past_free_tiles(view_index, line, q, stretch.far_end);
+            if (free_to < q) last_before = q = free_to;
+        }
         const Eigen::Vector3d at = line.at(q);
         const double ahead = q / at.z() - sample_at(view_index, at.hnormalized());
         const double speed = speed_px(line, at);
@@ -204,6 +244,10 @@ std::optional<RayHit> DepthSearch::first_hit(const Eigen::Vector2d& pixel,
             std::find(view_indices.begin(), view_indices.begin() + static_cast<std::ptrdiff_t>(k),
                       view_indices[k]) == view_indices.begin() + static_cast<std::ptrdiff_t>(k);
         if (is_new) hits[k] = first_hit_in(view_indices[k], pixel);
+        if (k == 1 && hits[0] && hits[1] && hits[0]->kind == DepthKind::kSeen &&
+            hits[1]->kind == DepthKind::kSeen &&
+            std::abs(hits[0]->inverse_depth - hits[1]->inverse_depth) <= agreeing_inverse_depth_)
+            break;
     }
     DepthKind best_kind = DepthKind::kStretched;
     for (const auto& hit : hits)

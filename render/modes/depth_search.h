@@ -34,13 +34,14 @@ struct EpipolarLine {
 /// (section 4), here along the epipolar line from near to far.
 class DepthSearch {
  public:
-    /// `views` need depth maps; keeps references.
+    /// `views` need depth maps; keeps references to both.
     DepthSearch(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
                 const Eye& eye, double tolerance_px);
 
     /// What the ray through `pixel` meets first in the depth maps of three views (a view may be
     /// named twice): the nearest that two agree on, or else the nearest, of the most reliable kind.
-    /// Empty when it meets nothing in any of them.
+    /// The third is not asked when the first two have both seen it. Empty when it meets nothing in
+    /// any of them.
     [[nodiscard]] std::optional<RayHit> first_hit(const Eigen::Vector2d& pixel,
                                                   const std::array<int, 3>& view_indices) const;
 
@@ -76,6 +77,10 @@ class DepthSearch {
         double far_end;
     };
     [[nodiscard]] Stretch visible_stretch(int view_index, const EpipolarLine& line) const;
+    /// The first inverse depth from `q` on at which the ray might meet something in the view: what
+    /// lies before all that a tile of its depth map holds is skipped.
+    [[nodiscard]] double past_free_tiles(int view_index, const EpipolarLine& line, double q,
+                                         double far_end) const;
     [[nodiscard]] std::optional<RayHit> first_hit_in(int view_index,
                                                      const Eigen::Vector2d& pixel) const;
     /// The hit between a point in front of the surface and one behind it; empty at a tear.
@@ -87,6 +92,7 @@ class DepthSearch {
     [[nodiscard]] double sample_at(int view_index, const Eigen::Vector2d& pixel) const;
 
     const Lumigraph& lumigraph_;
+    const std::vector<ViewGeometry>& geometries_;
     double tolerance_px_;
     double agreeing_inverse_depth_;
     double max_inverse_depth_;  ///< Of the eye: nothing nearer is looked for.

@@ -10,11 +10,21 @@ PatchSampler::PatchSampler(const FacePolygon& polygon, const DepthSearch& search
                            const Eigen::Vector3d& scene_plane, const Options& options)
     : polygon_(polygon), search_(search), scene_plane_(scene_plane), options_(options) {}
 
+/// The views of the face, those that count most first: faces that share an edge ask the same views
+/// there.
+std::array<int, 3> PatchSampler::by_weight(const std::array<double, 3>& weights) const {
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return weights[a] > weights[b]; });
+    return {polygon_.view_indices[order[0]], polygon_.view_indices[order[1]],
+            polygon_.view_indices[order[2]]};
+}
+
 PatchSample PatchSampler::at(const Eigen::Vector2d& pixel) const {
     PatchSample sample;
     sample.pixel = pixel;
     sample.ray_weights = weights_at(polygon_, pixel);
-    const std::optional<RayHit> hit = search_.first_hit(pixel, polygon_.view_indices);
+    const std::optional<RayHit> hit = search_.first_hit(pixel, by_weight(sample.ray_weights));
     sample.hits = hit.has_value();
     sample.inverse_depth =
         hit ? hit->inverse_depth : std::max(0.0, scene_plane_.dot(pixel.homogeneous()));

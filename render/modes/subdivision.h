@@ -51,6 +51,8 @@ class PatchSampler {
     [[nodiscard]] const FacePolygon& polygon() const { return polygon_; }
 
  private:
+    [[nodiscard]] std::array<int, 3> by_weight(const std::array<double, 3>& weights) const;
+
     const FacePolygon& polygon_;
     const DepthSearch& search_;
     Eigen::Vector3d scene_plane_;

@@ -20,6 +20,18 @@ std::vector<std::set<int>> neighbours_in(const CameraMesh& mesh, std::size_t vie
     return neighbours;
 }
 
+FloatImage tile_maxima(const FloatImage& samples) {
+    FloatImage tiles((samples.width() + kDepthTile - 1) / kDepthTile,
+                     (samples.height() + kDepthTile - 1) / kDepthTile);
+    for (int y = 0; y < samples.height(); ++y) {
+        for (int x = 0; x < samples.width(); ++x) {
+            float& tile = tiles(x / kDepthTile, y / kDepthTile);
+            tile = std::max(tile, samples(x, y));
+        }
+    }
+    return tiles;
+}
+
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
@@ -42,11 +54,13 @@ Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph) {
 std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph) {
     std::vector<ViewGeometry> geometries;
     for (const LumigraphView& view : lumigraph.views) {
-        const std::vector<float>& depths = view.depth.inverse_depth.pixels();
-        const auto nearest = std::max_element(depths.begin(), depths.end());
+        FloatImage tiles = tile_maxima(view.depth.inverse_depth);
+        const auto nearest = std::max_element(tiles.pixels().begin(), tiles.pixels().end());
+        const double max_inverse_depth =
+            nearest == tiles.pixels().end() ? 0.0 : static_cast<double>(*nearest);
         geometries.push_back({centre_in_world(view.cam_from_world),
-                              focal_length_px(view.camera).mean(), 0.0,
-                              nearest == depths.end() ? 0.0 : static_cast<double>(*nearest)});
+                              focal_length_px(view.camera).mean(), 0.0, max_inverse_depth,
+                              std::move(tiles)});
     }
     const auto neighbours = neighbours_in(lumigraph.mesh, geometries.size());
     for (std::size_t i = 0; i < geometries.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "calib/capture/image.h"
 #include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
@@ -10,6 +11,9 @@ namespace lumi {
 /// Inverse depths of the scene's far and near end, as the views see them; from the distance of the
 /// scene's centre when the Lumigraph does not say.
 [[nodiscard]] Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph);
+
+/// Samples along a side of a tile.
+inline constexpr int kDepthTile = 16;
 
 /// What turns differences of inverse depth into pixels, the same for every eye.
 struct ViewGeometry {
@@ -19,6 +23,8 @@ struct ViewGeometry {
     /// any.
     double baseline = 0.0;
     double max_inverse_depth = 0.0;  ///< Of its depth map; 0 without one.
+    /// The same for each square of kDepthTile samples.
+    FloatImage tile_max_inverse_depth{};
 };
 
 [[nodiscard]] std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph);

@@ -49,7 +49,8 @@ TEST(DepthSearch, AtACameraIsItsDepthMap) {
     const Lumigraph lumigraph = ball_in_sky();
     const LumigraphView& view = lumigraph.views[4];
     const Eye eye{view.camera, view.cam_from_world};
-    const DepthSearch search(lumigraph, view_geometries(lumigraph), eye, 1.0);
+    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    const DepthSearch search(lumigraph, geometries, eye, 1.0);
     for (int y = 0; y < 48; y += 5) {
         for (int x = 0; x < 64; x += 5) {
             const auto hit = search.first_hit({x + 0.5, y + 0.5}, {4, 4, 4});
@@ -62,7 +63,8 @@ TEST(DepthSearch, AtACameraIsItsDepthMap) {
 TEST(DepthSearch, MeetsNothingWhereNoPhotographLooks) {
     const Lumigraph lumigraph = card_before_wall();
     const Eye eye = eye_at({0, 0, 0}, {0, 0, -4}, pinhole_camera(64, 48, 60));
-    const DepthSearch search(lumigraph, view_geometries(lumigraph), eye, 1.0);
+    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    const DepthSearch search(lumigraph, geometries, eye, 1.0);
     EXPECT_FALSE(search.first_hit({32, 24}, {0, 1, 2}).has_value());
 }
 
@@ -71,7 +73,8 @@ TEST(DepthSearch, KnowsWhoSeesTheWallBehindTheCard) {
     // From the left, the wall right behind the card's left edge; cameras on the right do not see
     // it.
     const Eye eye = eye_at({-1.4, 0, 0}, {-1, 0, 6}, pinhole_camera(64, 48, 60));
-    const DepthSearch search(lumigraph, view_geometries(lumigraph), eye, 1.0);
+    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    const DepthSearch search(lumigraph, geometries, eye, 1.0);
     const Eigen::Vector3d on_wall(-0.9, 0, 6);
     const Eigen::Vector3d in_eye = eye.cam_from_world * on_wall;
     const auto pixel = project(eye.camera, in_eye);
