@@ -35,15 +35,32 @@ Camera camera_from(const Json& json, const std::filesystem::path& path) {
     return camera;
 }
 
+Eye eye_from(const Json& json, const std::filesystem::path& path) {
+    return {camera_from(json.at("camera"), path), pose_from(json.at("cam_from_world"), path)};
+}
+
 }  // namespace
 
 Eye read_eye_file(const std::filesystem::path& path) {
     const Json json = read_json_file(path);
     try {
-        Eye eye;
-        eye.camera = camera_from(json.at("camera"), path);
-        eye.cam_from_world = pose_from(json.at("cam_from_world"), path);
-        return eye;
+        return eye_from(json, path);
+    } catch (const Json::exception& error) {
+        refuse_json(path, error.what());
+    }
+}
+
+std::vector<Eye> read_path_file(const std::filesystem::path& path) {
+    const Json json = read_json_file(path);
+    try {
+        std::vector<Eye> eyes;
+        for (const Json& eye : json.at("eyes")) eyes.push_back(eye_from(eye, path));
+        if (eyes.empty()) refuse_json(path, "eyes: a path needs one at least");
+        for (const Eye& eye : eyes)
+            if (eye.camera.width_px != eyes.front().camera.width_px ||
+                eye.camera.height_px != eyes.front().camera.height_px)
+                refuse_json(path, "eyes: all must have the size of the first");
+        return eyes;
     } catch (const Json::exception& error) {
         refuse_json(path, error.what());
     }

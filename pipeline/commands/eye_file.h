@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "render/lumigraph/lumigraph.h"
 
@@ -15,5 +16,9 @@ namespace lumi {
 /// Pixels as everywhere: (0.5, 0.5) is the centre of the top-left one. Throws Error (E-JSON-READ,
 /// E-CAMERA-INVALID) naming the file.
 [[nodiscard]] Eye read_eye_file(const std::filesystem::path& path);
+
+/// A path of eyes of one size, as the window records: {"eyes": [ ... ]}, each as above. Throws
+/// Error (E-JSON-READ, E-CAMERA-INVALID) naming the file.
+[[nodiscard]] std::vector<Eye> read_path_file(const std::filesystem::path& path);
 
 }  // namespace lumi

@@ -6,13 +6,16 @@
 #include "calib/capture/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/stopwatch.h"
+#include "calib/work/whole_folder.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/eye_file.h"
 #include "pipeline/commands/frame_size.h"
 #include "pipeline/commands/render_mode_argument.h"
+#include "pipeline/commands/video_file.h"
 #include "pipeline/stages/file_stems.h"
 #include "render/lumigraph/package.h"
 #include "render/modes/offscreen_renderer.h"
+#include "render/paths/path_through_views.h"
 #include "render/reference/reference_renderer.h"
 
 namespace lumi {
@@ -25,6 +28,10 @@ struct RenderRequest {
     fs::path package;
     std::string view;
     fs::path eye;
+    std::string path;
+    int frames = 120;
+    double video_fps = 30.0;
+    double stereo_baseline = 0.0;
     bool all_views = false;
     std::string mode = "perpixel";
     std::string debug = "none";
@@ -34,6 +41,10 @@ struct RenderRequest {
     bool reference = false;
     fs::path out;
 };
+
+/// The word for a path from photograph to photograph.
+constexpr const char* kViewsPath = "views";
+constexpr FrameSize kPathSize{1280, 720};
 
 /// A frame to draw and the file it goes to.
 struct Job {
@@ -75,13 +86,83 @@ Camera camera_of_size(const Camera& camera, const std::string& size) {
 
 using Draw = std::function<Frame(const Eye&)>;
 
-Json draw_to_file(const Job& job, const std::string& size, const Draw& draw) {
-    const Eye eye{camera_of_size(job.eye.camera, size), job.eye.cam_from_world};
+/// The eye moved along its own x axis.
+Eye moved_right(const Eye& eye, double distance) {
+    Eye moved = eye;
+    moved.cam_from_world.translation.x() -= distance;
+    return moved;
+}
+
+ColorImage side_by_side(const ColorImage& left, const ColorImage& right) {
+    ColorImage both(left.width() + right.width(), left.height());
+    for (int y = 0; y < left.height(); ++y) {
+        std::copy_n(left.row(y), left.width(), both.row(y));
+        std::copy_n(right.row(y), right.width(), both.row(y) + left.width());
+    }
+    return both;
+}
+
+/// One picture, or the left and the right eye's beside each other.
+ColorImage picture_of(const Eye& eye, double stereo_baseline, const Draw& draw) {
+    if (stereo_baseline <= 0) return draw(eye).color;
+    return side_by_side(draw(moved_right(eye, -0.5 * stereo_baseline)).color,
+                        draw(moved_right(eye, 0.5 * stereo_baseline)).color);
+}
+
+Json draw_to_file(const Job& job, const RenderRequest& request, const Draw& draw) {
+    const Eye eye{camera_of_size(job.eye.camera, request.size), job.eye.cam_from_world};
     const Stopwatch stopwatch;
-    const Frame frame = draw(eye);
+    const ColorImage picture = picture_of(eye, request.stereo_baseline, draw);
     const double ms = 1000.0 * stopwatch.elapsed().wall_s;
-    write_png(job.out, frame.color);
+    write_png(job.out, picture);
     return Json{{"file", job.out.string()}, {"ms", ms}};
+}
+
+std::vector<Eye> path_of(const RenderRequest& request, const Lumigraph& lumigraph) {
+    if (request.path != kViewsPath) return read_path_file(request.path);
+    const FrameSize size = request.size.empty() ? kPathSize : frame_size_from(request.size);
+    return path_through_views(lumigraph, request.frames, size.width_px, size.height_px);
+}
+
+/// Draws a path into a folder of numbered frames or into a video; either whole or not at all.
+Json draw_path(const RenderRequest& request, const Lumigraph& lumigraph, const Draw& draw,
+               const CommandContext& context) {
+    const std::vector<Eye> path = path_of(request, lumigraph);
+    const bool is_video = request.out.extension() == ".mp4";
+    WholeFolder folder(is_video ? fs::path(request.out.string() + ".frames") : request.out);
+    Json frames = Json::array();
+    context.progress->begin("drawing", path.size());
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        context.progress->throw_if_interrupted();
+        Json frame =
+            draw_to_file({path[i], folder.staging() / sequence_frame_name(i)}, request, draw);
+        frame["file"] = (request.out / sequence_frame_name(i)).string();
+        if (is_video) frame.erase("file");
+        frames.push_back(std::move(frame));
+        context.progress->advance();
+    }
+    if (is_video) {
+        write_video(folder.staging(), path.size(), request.video_fps, request.out,
+                    *context.progress);
+    } else {
+        folder.put_in_place();
+    }
+    if (!context.json) context.print_result(request.out.string() + "\n");
+    return frames;
+}
+
+Json draw_jobs(const RenderRequest& request, const Lumigraph& lumigraph, const Draw& draw,
+               const CommandContext& context) {
+    const std::vector<Job> jobs = jobs_of(request, lumigraph);
+    Json frames = Json::array();
+    context.progress->begin("drawing", jobs.size());
+    for (const Job& job : jobs) {
+        context.progress->throw_if_interrupted();
+        frames.push_back(draw_to_file(job, request, draw));
+        context.progress->advance();
+        if (!context.json) context.print_result(job.out.string() + "\n");
+    }
+    return frames;
 }
 
 void run_render(const RenderRequest& request, const CommandContext& context) {
@@ -90,21 +171,14 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
                                 .focal_depth = request.focal_depth,
                                 .supersample = request.supersample};
     const Lumigraph lumigraph = read_package(request.package);
-    const std::vector<Job> jobs = jobs_of(request, lumigraph);
     std::unique_ptr<OffscreenRenderer> renderer;
     if (!request.reference) renderer = std::make_unique<OffscreenRenderer>(lumigraph);
     const Draw draw = [&](const Eye& eye) {
         return renderer ? renderer->draw(eye, options) : draw_reference(lumigraph, eye, options);
     };
 
-    Json frames = Json::array();
-    context.progress->begin("drawing", jobs.size());
-    for (const Job& job : jobs) {
-        context.progress->throw_if_interrupted();
-        frames.push_back(draw_to_file(job, request.size, draw));
-        context.progress->advance();
-        if (!context.json) context.print_result(job.out.string() + "\n");
-    }
+    Json frames = request.path.empty() ? draw_jobs(request, lumigraph, draw, context)
+                                       : draw_path(request, lumigraph, draw, context);
     if (!context.json) return;
     context.print_result(Json{{"mode", request.mode},
                               {"renderer", renderer ? renderer->gl_description() : "reference"},
@@ -114,9 +188,10 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
 }  // namespace
 
 void add_render_command(CLI::App& app, CommandContext& context) {
-    CLI::App& command =
-        add_command(app, "render", "Frames from a package to PNG files, without a window",
-                    "lumi render work/fountain/fountain.lumi --view 0005.jpg --out frame.png");
+    CLI::App& command = add_command(
+        app, "render", "Frames from a package to PNG files or a video, without a window",
+        "lumi render work/fountain/fountain.lumi --view 0005.jpg --out frame.png\n"
+        "         lumi render work/fountain/fountain.lumi --path views --out tour.mp4");
     const auto request = std::make_shared<RenderRequest>();
     command.add_option("PACKAGE", request->package, "Folder NAME.lumi")->required();
     CLI::Option_group* where = command.add_option_group("where from", "Exactly one of");
@@ -124,7 +199,20 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     where->add_option("--eye", request->eye, "From an eye described in a JSON file");
     where->add_flag("--all-views", request->all_views,
                     "From every photograph's place; --out names a folder");
+    where->add_option("--path", request->path,
+                      "Along a path that the window recorded (a JSON file), or from photograph to "
+                      "photograph (the word views); --out names a folder or an .mp4 file");
     where->require_option(1);
+    command.add_option("--frames", request->frames, "Of the path `views`")
+        ->check(CLI::Range(2, 100000))
+        ->capture_default_str();
+    command.add_option("--video-fps", request->video_fps, "Frames a second of a video")
+        ->check(CLI::Range(1.0, 240.0))
+        ->capture_default_str();
+    command
+        .add_option("--stereo", request->stereo_baseline,
+                    "A pair side by side, left eye first, this far apart in world units")
+        ->check(CLI::PositiveNumber);
     command.add_option("--mode", request->mode, render_mode_names())->capture_default_str();
     command.add_option("--debug", request->debug, debug_picture_names())->capture_default_str();
     command.add_option("--size", request->size, "Such as 1280x720 (default: the photograph's)");
@@ -135,7 +223,10 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     command.add_flag("--supersample", request->supersample,
                      "Four samples a pixel: smooth edges, about four times the work");
     command.add_flag("--reference", request->reference, "By the plain-code renderer; slow");
-    command.add_option("--out", request->out, "PNG file, or folder with --all-views")->required();
+    command
+        .add_option("--out", request->out,
+                    "PNG file; folder with --all-views; folder or .mp4 file with --path")
+        ->required();
     command.callback([request, &context] {
         context.chosen = [request, &context] { run_render(*request, context); };
     });

@@ -34,6 +34,8 @@ constexpr std::array kBindings{
     KeyBinding{GLFW_KEY_F, false, Command::kFrameAll, "F", "frame the whole scene"},
     KeyBinding{GLFW_KEY_F12, false, Command::kScreenshot, "F12", "screenshot: PNG and pose"},
     KeyBinding{GLFW_KEY_S, true, Command::kScreenshot, "Ctrl+S", "screenshot: PNG and pose"},
+    KeyBinding{GLFW_KEY_R, false, Command::kRecordPath, "R",
+               "record the eye's path, and write it on the second press"},
     KeyBinding{GLFW_KEY_H, false, Command::kHelp, "H", "this help"},
     KeyBinding{GLFW_KEY_F1, false, Command::kHelp, "F1", "this help"},
     KeyBinding{GLFW_KEY_TAB, false, Command::kPanel, "Tab", "panel on or off"},
@@ -116,6 +118,9 @@ void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
             break;
         case Command::kScreenshot:
             state.wants_screenshot = true;
+            break;
+        case Command::kRecordPath:
+            state.records_path = !state.records_path;
             break;
         case Command::kHelp:
             state.shows_help = !state.shows_help;

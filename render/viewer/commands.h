@@ -24,6 +24,7 @@ enum class Command {
     kNearestPhotograph,
     kFrameAll,
     kScreenshot,
+    kRecordPath,
     kHelp,
     kPanel,
     kVsync,
@@ -50,6 +51,7 @@ struct ViewerState {
     bool shows_panel = true;
     bool waits_for_vsync = true;
     bool wants_screenshot = false;
+    bool records_path = false;
     bool wants_to_close = false;
 };
 

@@ -12,6 +12,7 @@
 #include "render/modes/frame_target.h"
 #include "render/viewer/glfw_window.h"
 #include "render/viewer/moving_resolution.h"
+#include "render/viewer/path_recording.h"
 #include "render/viewer/photograph_eye.h"
 #include "render/viewer/screenshot.h"
 
@@ -87,6 +88,7 @@ struct ViewerWindow::Implementation {
     void take_in(WindowInput input);
     void draw(double scale);
     void draw_where_needed();
+    void record_path();
     void present();
     [[nodiscard]] double scale_now() const;
 
@@ -104,6 +106,8 @@ struct ViewerWindow::Implementation {
     Clock::time_point last_step = Clock::now();
     bool steers = false;  ///< A drag that began on the picture goes on.
     bool holds_button = false;
+    std::vector<Eye> recorded;  ///< Of the path that is being recorded.
+    Eigen::Vector2i recorded_size_px = Eigen::Vector2i::Zero();
 };
 
 void ViewerWindow::Implementation::take_in(WindowInput input) {
@@ -150,6 +154,28 @@ void ViewerWindow::Implementation::draw_where_needed() {
     draw(scale_now());
 }
 
+/// Appends each eye that differs from the last; writes the path when the recording has ended.
+void ViewerWindow::Implementation::record_path() {
+    const Eye eye = fitted_to(state.navigation.eye, size_px.x(), size_px.y());
+    if (state.records_path) {
+        if (recorded.empty()) recorded_size_px = size_px;
+        // A path has one size.
+        if (size_px == recorded_size_px && (recorded.empty() || !same(recorded.back(), eye)))
+            recorded.push_back(eye);
+        statistics.message = "recording: " + std::to_string(recorded.size()) + " eyes";
+        return;
+    }
+    if (recorded.empty()) return;
+    const auto path = next_path_file(std::filesystem::current_path());
+    try {
+        write_path_file(path, recorded);
+        statistics.message = "wrote " + path.filename().string();
+    } catch (const Error& error) {
+        statistics.message = error.what();
+    }
+    recorded.clear();
+}
+
 void ViewerWindow::Implementation::present() {
     target.show_in_window(size_px.x(), size_px.y());
     glViewport(0, 0, size_px.x(), size_px.y());
@@ -181,6 +207,7 @@ bool ViewerWindow::step() {
         }
     }
     viewer.draw_where_needed();
+    viewer.record_path();
     viewer.present();
     return !viewer.state.wants_to_close;
 }

@@ -300,6 +300,55 @@ TEST_F(Line, EvaluatesHeldOutViews) {
     EXPECT_EQ(psnr.at("b_is"), "same");
 }
 
+TEST_F(Line, DrawsPathsToFramesVideosAndPairs) {
+    configure("");
+    static_cast<void>(build());
+    const std::string draw = "render " + quoted(package()) + " --size 96x64 ";
+    const fs::path frames = workspace() / "frames";
+    const std::string path = "--path views --frames 3 --out ";
+    ASSERT_EQ(lumi(draw + path + quoted(frames)).exit_code, 0);
+    EXPECT_EQ(std::distance(fs::directory_iterator(frames), fs::directory_iterator()), 3);
+    const ColorImage first = read_color_image(frames / "frame-000001.png");
+    EXPECT_EQ(first.width(), 96);
+
+    const fs::path video = workspace() / "tour.mp4";
+    const Outcome outcome = lumi(draw + path + quoted(video));
+    if (outcome.exit_code == 0) {
+        EXPECT_EQ(read_whole_text(video).substr(4, 4), "ftyp");
+    } else {
+        EXPECT_THAT(outcome.talk, HasSubstr("error E-CHILD-MISSING"));  // No ffmpeg here.
+    }
+
+    const fs::path eye = workspace() / "eye.json";
+    const std::string text =
+        R"({"camera": {"model": "PINHOLE", "width_px": 64, "height_px": 48,
+                       "parameters": [60, 60, 32, 24]},
+            "cam_from_world": {"rotation_wxyz": [1, 0, 0, 0], "translation": [0, 0, 0]}})";
+    write_whole_text(eye, text);
+    write_whole_text(workspace() / "path.json", R"({"eyes": [)" + text + "," + text + "]}");
+    const fs::path replayed = workspace() / "replayed";
+    const std::string from = "render " + quoted(package());
+    ASSERT_EQ(
+        lumi(from + " --eye " + quoted(eye) + " --out " + quoted(workspace() / "e.png")).exit_code,
+        0);
+    ASSERT_EQ(
+        lumi(from + " --path " + quoted(workspace() / "path.json") + " --out " + quoted(replayed))
+            .exit_code,
+        0);
+    const ColorImage still = read_color_image(workspace() / "e.png");
+    EXPECT_EQ(read_color_image(replayed / "frame-000002.png"), still);
+
+    const fs::path pair = workspace() / "pair.png";
+    ASSERT_EQ(
+        lumi(from + " --stereo 0.1 --eye " + quoted(eye) + " --out " + quoted(pair)).exit_code, 0);
+    EXPECT_EQ(read_color_image(pair).width(), 128);
+    write_whole_text(workspace() / "path.json", R"({"eyes": []})");
+    EXPECT_EQ(
+        lumi(from + " --path " + quoted(workspace() / "path.json") + " --out " + quoted(replayed))
+            .exit_code,
+        3);
+}
+
 TEST_F(Line, PacksNoMoreViewsThanAreWanted) {
     const auto views_packed = [&] {
         return Json::parse(lumi("inspect --json " + quoted(package())).out).at("views").size();
