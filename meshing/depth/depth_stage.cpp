@@ -22,11 +22,13 @@ namespace {
 // A view in flight takes up to 300 MB of matching costs.
 constexpr int kMaxViewsInFlight = 8;
 
-double thread_cpu_s() {
+double seconds_of(clockid_t clock) {
     timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    clock_gettime(clock, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
+
+double thread_cpu_s() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
 
 /// Calls `work(view)` for each view, adds its CPU time to the view's evidence and reports progress.
 void for_each_view(const std::string& step, DepthResult& result, int threads, Progress& progress,
@@ -141,8 +143,10 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
     DepthResult result;
     result.depth_maps.resize(scene.views.size());
     result.evidence.resize(scene.views.size());
+    const double before_choice = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
     const std::unique_ptr<DepthModel> model =
         model_of(scene, options, rendered_loss, threads, progress, result.choice);
+    result.choice_cpu_s = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - before_choice;
     const std::vector<GrayImage> masks = scene_masks(scene, options, threads);
     std::vector<DepthEstimate> estimates(scene.views.size());
 

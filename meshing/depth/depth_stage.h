@@ -47,7 +47,8 @@ struct DepthEvidence {
 struct DepthResult {
     std::vector<DepthMap> depth_maps;  ///< One per entry of `view_indices`.
     std::vector<DepthEvidence> evidence;
-    std::string choice;  ///< Of "auto": one line, what was chosen and why; else empty.
+    std::string choice;         ///< Of "auto": one line, what was chosen and why; else empty.
+    double choice_cpu_s = 0.0;  ///< What choosing took.
 };
 
 /// Errors of held-out renderings with one rung, the same tiles in the same order for each: given by

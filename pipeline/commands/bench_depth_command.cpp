@@ -49,7 +49,14 @@ std::string line_of(const RungMeasurement& rung) {
            " dB  full " + number_text(rung.held_out.psnr_db, 2) + " dB" +
            (rung.right_share ? "  right " + number_text(100 * *rung.right_share, 1) + " %"
                              : std::string()) +
-           "\n";
+           (rung.choice.empty() ? "" : "  " + rung.choice) + "\n";
+}
+
+/// The rungs, and what chooses among them.
+std::vector<std::string> model_names() {
+    std::vector<std::string> names = depth_model_names();
+    names.push_back("auto");
+    return names;
 }
 
 void run_bench_depth(const BenchDepthRequest& request, const CommandContext& context) {
@@ -77,14 +84,14 @@ void add_bench_depth_command(CLI::App& app, CommandContext& context) {
         app, "bench-depth", "What each depth model costs and brings, on built workspaces",
         "lumi bench-depth work/fountain work/kettle --out work/depth-chart");
     const auto request = std::make_shared<BenchDepthRequest>();
-    request->models = depth_model_names();
+    request->models = model_names();
     command.add_option("WORKSPACES", request->workspaces, "Folders that lumi build wrote")
         ->required();
     command.add_option("--out", request->out, "Folder for rungs.svg, rungs.csv and rungs.json")
         ->required();
     command.add_option("--model", request->models, "Models to measure; may be repeated")
         ->allow_extra_args(false)
-        ->check(CLI::IsMember(depth_model_names()));
+        ->check(CLI::IsMember(model_names()));
     command.add_option("--truth", request->truth_folder, "Folder of exact depth, by photograph");
     command.callback([request, &context] {
         context.chosen = [request, &context] { run_bench_depth(*request, context); };

@@ -98,6 +98,7 @@ Json rungs_json(const std::vector<RungMeasurement>& measured) {
                   {"confident_share", rung.confident_share}};
         if (rung.held_out.psnr_covered_db) json["psnr_covered_db"] = *rung.held_out.psnr_covered_db;
         if (rung.right_share) json["right_share"] = *rung.right_share;
+        if (!rung.choice.empty()) json["choice"] = rung.choice;
         rungs.push_back(std::move(json));
     }
     return Json{{"rungs", std::move(rungs)}};

@@ -118,7 +118,8 @@ double median(std::vector<double> values) {
 }
 
 void take_evidence(const DepthResult& result, RungMeasurement& measured) {
-    double cpu_s = 0;
+    measured.choice = result.choice;
+    double cpu_s = result.choice_cpu_s;
     double megapixels = 0;
     std::vector<double> residuals;
     for (std::size_t i = 0; i < result.evidence.size(); ++i) {

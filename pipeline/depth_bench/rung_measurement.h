@@ -24,7 +24,8 @@ struct DepthBenchScene {
 struct RungMeasurement {
     std::string scene;
     std::string model;
-    double cpu_s_per_megapixel = 0.0;  ///< Of depth map, photographs once read.
+    std::string choice;                ///< Of "auto": what was chosen and why; else empty.
+    double cpu_s_per_megapixel = 0.0;  ///< Of depth map, choice included, photographs once read.
     ViewScore held_out;                ///< Mean over the held-out views.
     /// Root of the mean squared error over covered pixels, 8-bit levels, and its standard error
     /// over tiles of 64 pixels.
