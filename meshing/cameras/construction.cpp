@@ -137,15 +137,17 @@ CameraMesh construct_with_room(const std::vector<OpticalAxis>& axes, const Eigen
         return std::min(scene_clearance(mesh, rules.scene_hull_in_world) / camera_distance,
                         kEnoughClearance);
     };
-    if (enough_room_in(first) >= kEnoughClearance) return first;
+    const int affordable = kSearchWork / static_cast<int>(axes.size());
+    // Where one construction takes long, a scene that is inside is inside enough.
+    const double enough = affordable < kLeastConstructions ? 0.0 : kEnoughClearance;
+    if (enough_room_in(first) >= enough) return first;
     const int views = distinct_views(first);
     const auto room_about = [&](const Eigen::Vector3d& centre) {
         const CameraMesh mesh = construct(axes, centre, rules);
         return distinct_views(mesh) < views ? -std::numeric_limits<double>::infinity()
                                             : enough_room_in(mesh);
     };
-    const int constructions = std::clamp(kSearchWork / static_cast<int>(axes.size()),
-                                         kLeastConstructions, kMostConstructions);
+    const int constructions = std::clamp(affordable, kLeastConstructions, kMostConstructions);
     return construct(
         axes, improve_scene_centre(start, reach, kLeastGain, constructions, room_about), rules);
 }

@@ -23,7 +23,8 @@ struct ConstructionRules {
 
 /// The same about the centre within `reach` of `start` that gives the scene the most room in the
 /// kernel without losing a camera. The search stops at a quarter of the camera distance, which is
-/// enough, and is given a fixed amount of work, so that many cameras mean fewer steps.
+/// enough (for thousands of cameras where the scene is inside at all), and is given a fixed amount
+/// of work, so that many cameras mean fewer steps.
 [[nodiscard]] CameraMesh construct_with_room(const std::vector<OpticalAxis>& axes,
                                              const Eigen::Vector3d& start, double reach,
                                              const ConstructionRules& rules);
