@@ -10,6 +10,7 @@
 #include "calib/work/error.h"
 #include "meshing/cameras/arrangement.h"
 #include "meshing/cameras/camera_star.h"
+#include "meshing/cameras/close_ups.h"
 #include "meshing/cameras/construction.h"
 #include "meshing/cameras/kernel.h"
 #include "meshing/cameras/repair.h"
@@ -144,17 +145,21 @@ std::string explain(const CameraMesh& mesh, const Arrangement& arrangement, bool
     return text + repairs_text(evidence) + ".";
 }
 
-}  // namespace
+void note_repair(const RepairReport& repair, CameraMeshEvidence& evidence) {
+    evidence.edges_flipped = repair.edges_flipped;
+    evidence.cameras_slid = repair.slide.cameras_slid;
+    evidence.largest_slide_share = repair.slide.largest_share;
+    evidence.rms_slide_share = repair.slide.rms_share;
+    evidence.worst_epipole_loss = repair.epipole_loss.worst;
+    evidence.rms_epipole_loss = repair.epipole_loss.rms;
+    evidence.epipole_loss_bound = repair.epipole_loss.worst_bound;
+    evidence.epipole_loss_over_bound = repair.epipole_loss.worst_over_bound;
+}
 
-BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>& view_indices,
-                                  const CameraMeshOptions& options) {
-    validate(options);
-    if (view_indices.empty()) {
-        throw Error(ErrorKind::kDegenerateCapture, "E-MESH-NOVIEW",
-                    "no view is left to build the camera mesh from",
-                    "register more photographs, or hold fewer of them out");
-    }
-    const std::vector<OpticalAxis> axes = optical_axes(capture, view_indices);
+/// The mesh over the given cameras, with what speaks for it.
+BuiltCameraMesh build_surface(const Capture& capture, const std::vector<OpticalAxis>& axes,
+                              const std::vector<Eigen::Vector3d>& points,
+                              const CameraMeshOptions& options) {
     const auto centre_of_view = [&](int view) {
         return centre_in_world(capture.views[static_cast<std::size_t>(view)].cam_from_world);
     };
@@ -172,24 +177,15 @@ BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>
         const Eigen::Vector3d centre = estimate_scene_centre(axes);
         rules.arrangement = chosen_arrangement(axes, centre, options);
         if (!rules.arrangement.inside_out) {
-            scene = foreground(visible_points(capture, view_indices, kMaxScenePoints), centre,
-                               median_distance(axes, centre));
+            scene = foreground(points, centre, median_distance(axes, centre));
         }
         rules.scene_hull_in_world = scene_hull(scene, 1.0);
         built.mesh = construct_with_room(axes, centre, reach_within(scene, centre), rules);
         if (options.repair && !rules.convex) {
-            const RepairReport repair = repair_kernel(built.mesh, {scene, centre_of_view});
-            evidence.edges_flipped = repair.edges_flipped;
-            evidence.cameras_slid = repair.slide.cameras_slid;
-            evidence.largest_slide_share = repair.slide.largest_share;
-            evidence.rms_slide_share = repair.slide.rms_share;
-            evidence.worst_epipole_loss = repair.epipole_loss.worst;
-            evidence.rms_epipole_loss = repair.epipole_loss.rms;
-            evidence.epipole_loss_bound = repair.epipole_loss.worst_bound;
-            evidence.epipole_loss_over_bound = repair.epipole_loss.worst_over_bound;
+            note_repair(repair_kernel(built.mesh, {scene, centre_of_view}), evidence);
         }
     }
-    evidence.cameras_total = static_cast<int>(view_indices.size());
+    evidence.cameras_total = static_cast<int>(axes.size());
     evidence.cameras_kept = distinct_views(built.mesh);
     judge_kernel(built.mesh, scene, rules.scene_hull_in_world, evidence);
     evidence.explanation = explain(built.mesh, rules.arrangement, rules.convex,
@@ -198,6 +194,65 @@ BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>
     if (rules.arrangement.inside_out) {
         for (CameraMesh::Face& face : built.mesh.faces) std::swap(face[1], face[2]);
     }
+    return built;
+}
+
+/// The axes of the views in no group.
+std::vector<OpticalAxis> without_close_ups(const std::vector<OpticalAxis>& axes,
+                                           const std::vector<CloseUpGroup>& groups) {
+    std::vector<char> is_close_up(axes.size(), 0);
+    for (const CloseUpGroup& group : groups) {
+        for (const int axis : group.axes) is_close_up[static_cast<std::size_t>(axis)] = 1;
+    }
+    std::vector<OpticalAxis> others;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        if (!is_close_up[i]) others.push_back(axes[i]);
+    }
+    return others;
+}
+
+void add_shells(const Capture& capture, const std::vector<OpticalAxis>& axes,
+                const std::vector<CloseUpGroup>& groups, const std::vector<Eigen::Vector3d>& points,
+                BuiltCameraMesh& built) {
+    CameraMeshEvidence& evidence = built.evidence;
+    for (const CloseUpGroup& group : groups) {
+        std::vector<OpticalAxis> group_axes;
+        for (const int axis : group.axes) {
+            group_axes.push_back(axes[static_cast<std::size_t>(axis)]);
+        }
+        built.mesh.shells.push_back(
+            close_up_shell(group_axes, points_in_view(capture, group_axes, points)));
+        evidence.close_ups += distinct_views(built.mesh.shells.back());
+    }
+    if (groups.empty()) return;
+    evidence.cameras_total = static_cast<int>(axes.size());
+    evidence.cameras_kept += evidence.close_ups;
+    evidence.shells = static_cast<int>(groups.size());
+    evidence.explanation.pop_back();
+    evidence.explanation += "; " + std::to_string(evidence.close_ups) +
+                            (evidence.close_ups == 1 ? " close-up refines" : " close-ups refine") +
+                            " what they see, in " + std::to_string(evidence.shells) +
+                            (evidence.shells == 1 ? " shell." : " shells.");
+}
+
+}  // namespace
+
+BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>& view_indices,
+                                  const CameraMeshOptions& options) {
+    validate(options);
+    if (view_indices.empty()) {
+        throw Error(ErrorKind::kDegenerateCapture, "E-MESH-NOVIEW",
+                    "no view is left to build the camera mesh from",
+                    "register more photographs, or hold fewer of them out");
+    }
+    const std::vector<OpticalAxis> axes = optical_axes(capture, view_indices);
+    const std::vector<Eigen::Vector3d> points =
+        visible_points(capture, view_indices, kMaxScenePoints);
+    std::vector<CloseUpGroup> groups;
+    if (options.shells && options.shape != "convex") groups = find_close_ups(capture, axes, points);
+    BuiltCameraMesh built =
+        build_surface(capture, without_close_ups(axes, groups), points, options);
+    add_shells(capture, axes, groups, points, built);
     return built;
 }
 

@@ -17,6 +17,7 @@ struct CameraMeshOptions {
     std::string shape = "star";
     bool repair =
         true;  ///< Flip edges and slide vertices when the scene reaches out of the kernel.
+    bool shells = true;  ///< Close-ups refine what they see in shells of their own; not if convex.
 };
 
 void validate(const CameraMeshOptions& options);
@@ -25,7 +26,9 @@ void validate(const CameraMeshOptions& options);
 /// What speaks for the mesh.
 struct CameraMeshEvidence {
     int cameras_total = 0;
-    int cameras_kept = 0;
+    int cameras_kept = 0;  ///< Vertices of the mesh or of one of its shells.
+    int close_ups = 0;     ///< Those of shells.
+    int shells = 0;
     double kernel_radius_over_scene_radius = 0.0;  ///< >= 1: every ray crosses exactly one face.
     int faces_with_scene_outside = 0;              ///< Faces whose plane cuts the scene.
     double scene_share_in_kernel = 0.0;            ///< Of the scene's points.
@@ -49,7 +52,8 @@ struct BuiltCameraMesh {
 /// The kernel-star camera mesh over the given views of the capture (indices into capture.views):
 /// spherical hull of the directions from a scene centre, so that every camera is a vertex. Where
 /// the scene reaches out of the kernel, edges are flipped, and then vertices slid, until it does
-/// not: the whole scene if that can be had, else the largest inner part of it. Vertices name views
+/// not: the whole scene if that can be had, else the largest inner part of it. Close-ups that see a
+/// part of the scene only are no vertices of it, but of shells (close_ups.h). Vertices name views
 /// by their index in capture.views. Throws Error (E-MESH-NOVIEW) when `view_indices` is empty.
 [[nodiscard]] BuiltCameraMesh build_camera_mesh(const Capture& capture,
                                                 const std::vector<int>& view_indices,

@@ -37,6 +37,7 @@ CameraMeshOptions read_camera_mesh_options(const ConfigSection& section) {
     options.construction = section.text("construction", options.construction);
     options.shape = section.text("shape", options.shape);
     options.repair = section.boolean("repair", options.repair);
+    options.shells = section.boolean("shells", options.shells);
     if (!is_known(kConstructions, options.construction)) section.refuse("construction", kExpected);
     if (!is_known(kShapes, options.shape)) section.refuse("shape", kExpectedShape);
     return options;

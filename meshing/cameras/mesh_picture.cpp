@@ -21,6 +21,7 @@ constexpr double kFootline = 26;
 constexpr std::size_t kMaxNames = 14;
 constexpr std::size_t kMaxPoints = 2500;
 constexpr const char* kFaceStroke = "#2f6fb0";
+constexpr const char* kShellStroke = "#d68910";
 constexpr const char* kCameraStroke = "#c0392b";
 constexpr const char* kLeftOutStroke = "#999999";
 constexpr const char* kSuggestedStroke = "#1e8449";
@@ -139,30 +140,25 @@ void draw_points(std::string& svg, const Panel& panel, const Drawing& drawing) {
     }
 }
 
-/// Whether each vertex stands where its camera stands.
-std::vector<char> camera_vertices(const Drawing& drawing) {
-    std::vector<char> at_camera;
-    for (const CameraMesh::Vertex& vertex : drawing.mesh.vertices) {
-        const Eigen::Vector3d centre =
-            centre_in_world(view_of(drawing, vertex.view_index).cam_from_world);
-        at_camera.push_back((vertex.position_in_world - centre).norm() <
-                            1e-6 * drawing.camera_size);
-    }
-    return at_camera;
+/// A strip's vertices stand far above and below its cameras.
+bool is_strip(const CameraMesh& mesh) {
+    return mesh.construction == MeshConstruction::kLine ||
+           mesh.construction == MeshConstruction::kPair;
 }
 
-void draw_faces(std::string& svg, const Panel& panel, const Drawing& drawing) {
-    const std::vector<char> at_camera = camera_vertices(drawing);
-    for (const CameraMesh::Face& face : drawing.mesh.faces) {
-        const bool real = std::all_of(face.begin(), face.end(), [&](int vertex) {
-            return at_camera[static_cast<std::size_t>(vertex)] != 0;
-        });
+void draw_faces(std::string& svg, const Panel& panel, const CameraMesh& mesh, const char* stroke) {
+    const auto vertex = [&mesh](int index) -> const CameraMesh::Vertex& {
+        return mesh.vertices[static_cast<std::size_t>(index)];
+    };
+    for (const CameraMesh::Face& face : mesh.faces) {
+        const bool pale = is_strip(mesh) || std::any_of(face.begin(), face.end(), [&](int index) {
+                              return vertex(index).is_virtual;
+                          });
         append(svg,
                "<path fill=\"%s\" fill-opacity=\"%s\" stroke=\"%s\" stroke-opacity=\"%s\" d=\"",
-               kFaceStroke, real ? "0.06" : "0.02", kFaceStroke, real ? "0.7" : "0.18");
+               stroke, pale ? "0.02" : "0.06", stroke, pale ? "0.18" : "0.7");
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            const Eigen::Vector2d at = panel.at(
-                drawing.mesh.vertices[static_cast<std::size_t>(face[corner])].position_in_world);
+            const Eigen::Vector2d at = panel.at(vertex(face[corner]).position_in_world);
             append(svg, "%s%.1f %.1f", corner == 0 ? "M" : "L", at.x(), at.y());
         }
         svg += "Z\"/>\n";
@@ -194,6 +190,9 @@ void draw_frustum(std::string& svg, const Panel& panel, const Drawing& drawing,
 void draw_cameras(std::string& svg, const Panel& panel, const Drawing& drawing) {
     std::set<int> kept;
     for (const CameraMesh::Vertex& vertex : drawing.mesh.vertices) kept.insert(vertex.view_index);
+    for (const CameraMesh& shell : drawing.mesh.shells) {
+        for (const CameraMesh::Vertex& vertex : shell.vertices) kept.insert(vertex.view_index);
+    }
     const std::size_t name_every = 1 + (drawing.view_indices.size() - 1) / kMaxNames;
     for (std::size_t i = 0; i < drawing.view_indices.size(); ++i) {
         const int index = drawing.view_indices[i];
@@ -227,7 +226,10 @@ std::string panel_svg(const Panel& panel, const Drawing& drawing, const char* ti
            "</clipPath>\n<g clip-path=\"url(#%s)\">\n",
            id, panel.left, kHeadline, kPanelWidth, kPanelHeight, id);
     draw_points(svg, panel, drawing);
-    draw_faces(svg, panel, drawing);
+    draw_faces(svg, panel, drawing.mesh, kFaceStroke);
+    for (const CameraMesh& shell : drawing.mesh.shells) {
+        draw_faces(svg, panel, shell, kShellStroke);
+    }
     draw_cameras(svg, panel, drawing);
     draw_suggestions(svg, panel, drawing);
     const Eigen::Vector2d centre = panel.at(drawing.mesh.scene_centre_in_world);
@@ -284,6 +286,7 @@ std::string camera_mesh_svg(const Capture& capture, const std::vector<int>& view
     svg +=
         "blue: faces, pale where they go on beyond the cameras; red: cameras; grey: cameras "
         "that are no vertex; +: scene centre" +
+        std::string(mesh.shells.empty() ? "" : "; orange: shells over close-ups") +
         std::string(suggested.empty() ? "" : "; green: where to photograph next") +
         "</text>\n</svg>\n";
     return svg;

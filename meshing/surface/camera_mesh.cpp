@@ -112,6 +112,13 @@ double capture_fade(const RayWeights& weights) {
     return 1.0 - share * share * (3.0 - 2.0 * share);
 }
 
+void renumber_views(CameraMesh& mesh, const std::vector<int>& new_index) {
+    for (CameraMesh::Vertex& vertex : mesh.vertices) {
+        vertex.view_index = new_index[static_cast<std::size_t>(vertex.view_index)];
+    }
+    for (CameraMesh& shell : mesh.shells) renumber_views(shell, new_index);
+}
+
 void validate(const CameraMesh& mesh, int view_count, const std::string& where) {
     const auto refuse = [&](const std::string& what) {
         throw Error(ErrorKind::kBadInput, "E-MESH-INVALID", where + ": " + what,
@@ -131,6 +138,10 @@ void validate(const CameraMesh& mesh, int view_count, const std::string& where) 
         for (const int index : face) {
             if (index < 0 || index >= count) refuse("a face names a vertex that does not exist");
         }
+    }
+    for (const CameraMesh& shell : mesh.shells) {
+        if (!shell.shells.empty()) refuse("a shell has shells of its own");
+        validate(shell, view_count, where);
     }
 }
 

@@ -38,6 +38,9 @@ struct CameraMesh {
     Eigen::Vector3d scene_centre_in_world = Eigen::Vector3d::Zero();
     std::vector<Vertex> vertices;
     std::vector<Face> faces;
+    /// Meshes over close-ups, coarse before fine: each refines what its cameras see, as far as
+    /// their weights say (see `capture_fade`), and its own cameras are vertices of it alone.
+    std::vector<CameraMesh> shells;
 };
 
 /// Which views a ray is blended from, and how much of each; the weights sum to 1.
@@ -68,7 +71,11 @@ struct RayWeights {
 /// `beyond_border`. Continuous, like the weights.
 [[nodiscard]] double capture_fade(const RayWeights& weights);
 
-/// Throws Error (E-MESH-INVALID) unless indices are in range and every number is finite.
+/// Gives every vertex of the mesh and of its shells the view that `new_index` has for its old one.
+void renumber_views(CameraMesh& mesh, const std::vector<int>& new_index);
+
+/// Throws Error (E-MESH-INVALID) unless indices are in range and every number is finite, in the
+/// shells as well.
 void validate(const CameraMesh& mesh, int view_count, const std::string& where);
 
 }  // namespace lumi

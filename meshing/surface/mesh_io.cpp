@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <optional>
 #include <sstream>
 
 #include "calib/work/error.h"
@@ -41,23 +42,54 @@ Value take(const Bytes& bytes, std::size_t& offset) {
 
 Bytes header_bytes(const std::string& header) { return {header.begin(), header.end()}; }
 
+/// Shells stand in the same lists, behind the mesh that they belong to, each announced by a line
+/// "comment shell CONSTRUCTION CENTRE VERTICES FACES".
 std::string camera_mesh_header(const CameraMesh& mesh) {
+    std::size_t vertices = mesh.vertices.size();
+    std::size_t faces = mesh.faces.size();
     std::ostringstream header;
     header.precision(17);
+    const auto put_centre = [&header](const Eigen::Vector3d& centre) {
+        header << centre.x() << " " << centre.y() << " " << centre.z();
+    };
     header
         << "ply\nformat binary_little_endian 1.0\ncomment lumi camera mesh\ncomment construction "
-        << name_of(mesh.construction) << "\ncomment scene_centre " << mesh.scene_centre_in_world.x()
-        << " " << mesh.scene_centre_in_world.y() << " " << mesh.scene_centre_in_world.z()
-        << "\nelement vertex " << mesh.vertices.size() << "\n";
-    header << kVertexLayout << kVirtualLayout << "element face " << mesh.faces.size()
+        << name_of(mesh.construction) << "\ncomment scene_centre ";
+    put_centre(mesh.scene_centre_in_world);
+    for (const CameraMesh& shell : mesh.shells) {
+        vertices += shell.vertices.size();
+        faces += shell.faces.size();
+        header << "\ncomment shell " << name_of(shell.construction) << " ";
+        put_centre(shell.scene_centre_in_world);
+        header << " " << shell.vertices.size() << " " << shell.faces.size();
+    }
+    header << "\nelement vertex " << vertices << "\n"
+           << kVertexLayout << kVirtualLayout << "element face " << faces
            << "\nproperty list uchar int vertex_indices\nend_header\n";
     return header.str();
+}
+
+void put_vertices(Bytes& bytes, const CameraMesh& mesh) {
+    for (const CameraMesh::Vertex& vertex : mesh.vertices) {
+        for (int axis = 0; axis < 3; ++axis) put(bytes, vertex.position_in_world[axis]);
+        put(bytes, static_cast<std::int32_t>(vertex.view_index));
+        put(bytes, static_cast<std::uint8_t>(vertex.is_virtual ? 1 : 0));
+    }
+}
+
+void put_faces(Bytes& bytes, const CameraMesh& mesh, std::size_t first_vertex) {
+    for (const CameraMesh::Face& face : mesh.faces) {
+        put(bytes, std::uint8_t{3});
+        for (const int index : face) {
+            put(bytes, static_cast<std::int32_t>(index) + static_cast<std::int32_t>(first_vertex));
+        }
+    }
 }
 
 /// The header's lines up to and including end_header; `offset` is set behind them.
 std::vector<std::string> header_lines(const Bytes& bytes, std::size_t& offset,
                                       const std::filesystem::path& path) {
-    constexpr std::size_t kMaxLines = 64;
+    constexpr std::size_t kMaxLines = 100'000;
     std::vector<std::string> lines;
     while (lines.size() < kMaxLines) {
         const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(offset);
@@ -70,11 +102,46 @@ std::vector<std::string> header_lines(const Bytes& bytes, std::size_t& offset,
     refuse(path, "expected a PLY header");
 }
 
-struct ParsedHeader {
-    bool names_virtual_vertices = false;
+/// How many entries of the lists belong to one surface.
+struct Part {
     std::size_t vertices = 0;
     std::size_t faces = 0;
 };
+
+struct ParsedHeader {
+    bool names_virtual_vertices = false;
+    std::size_t vertices = 0;  ///< Of all parts.
+    std::size_t faces = 0;
+    std::vector<Part> shells;  ///< In the order of the mesh's.
+};
+
+/// Reads "CONSTRUCTION CENTRE VERTICES FACES"; the file's counts must hold what they say.
+bool read_shell(std::istringstream& words, CameraMesh& mesh, ParsedHeader& header) {
+    std::string name;
+    Eigen::Vector3d centre;
+    Part part;
+    if (!(words >> name >> centre.x() >> centre.y() >> centre.z() >> part.vertices >> part.faces)) {
+        return false;
+    }
+    const auto construction = mesh_construction_named(name);
+    if (!construction) return false;
+    CameraMesh& shell = mesh.shells.emplace_back();
+    shell.construction = *construction;
+    shell.scene_centre_in_world = centre;
+    header.shells.push_back(part);
+    return true;
+}
+
+/// What is left for the mesh itself; empty when the shells are said to have more than there is.
+std::optional<Part> base_part(const ParsedHeader& header) {
+    Part base{header.vertices, header.faces};
+    for (const Part& shell : header.shells) {
+        if (shell.vertices > base.vertices || shell.faces > base.faces) return std::nullopt;
+        base.vertices -= shell.vertices;
+        base.faces -= shell.faces;
+    }
+    return base;
+}
 
 ParsedHeader parse_header(const std::vector<std::string>& lines, CameraMesh& mesh,
                           const std::filesystem::path& path) {
@@ -95,6 +162,8 @@ ParsedHeader parse_header(const std::vector<std::string>& lines, CameraMesh& mes
         } else if (first == "comment" && second == "scene_centre") {
             Eigen::Vector3d& centre = mesh.scene_centre_in_world;
             read = static_cast<bool>(words >> centre.x() >> centre.y() >> centre.z());
+        } else if (first == "comment" && second == "shell") {
+            read = read_shell(words, mesh, header);
         } else if (first == "element" && second == "vertex") {
             read = static_cast<bool>(words >> header.vertices);
         } else if (first == "element" && second == "face") {
@@ -113,18 +182,55 @@ ParsedHeader parse_header(const std::vector<std::string>& lines, CameraMesh& mes
     return header;
 }
 
+void take_vertices(const Bytes& bytes, std::size_t& offset, std::size_t count, bool names_virtual,
+                   CameraMesh& mesh, const std::filesystem::path& path) {
+    for (std::size_t i = 0; i < count; ++i) {
+        CameraMesh::Vertex vertex;
+        for (int axis = 0; axis < 3; ++axis) {
+            vertex.position_in_world[axis] = take<double>(bytes, offset);
+        }
+        vertex.view_index = take<std::int32_t>(bytes, offset);
+        if (names_virtual) {
+            const auto is_virtual = take<std::uint8_t>(bytes, offset);
+            if (is_virtual > 1) refuse(path, "a vertex is neither virtual nor not");
+            vertex.is_virtual = is_virtual == 1;
+        }
+        if (!vertex.position_in_world.allFinite()) refuse(path, "a vertex is not finite");
+        if (vertex.view_index < 0) refuse(path, "a vertex names a negative view");
+        mesh.vertices.push_back(vertex);
+    }
+}
+
+/// Indices count from the first vertex of all; those of a part begin at `first_vertex`.
+void take_faces(const Bytes& bytes, std::size_t& offset, std::size_t count,
+                std::size_t first_vertex, CameraMesh& mesh, const std::filesystem::path& path) {
+    const auto first = static_cast<std::int64_t>(first_vertex);
+    const auto vertices = static_cast<std::int64_t>(mesh.vertices.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        if (take<std::uint8_t>(bytes, offset) != 3) refuse(path, "a face is not a triangle");
+        CameraMesh::Face face{};
+        for (int& index : face) {
+            const std::int64_t own = std::int64_t{take<std::int32_t>(bytes, offset)} - first;
+            if (own < 0 || own >= vertices) {
+                refuse(path, "a face names a vertex that does not exist");
+            }
+            index = static_cast<int>(own);
+        }
+        mesh.faces.push_back(face);
+    }
+}
+
 }  // namespace
 
 Bytes camera_mesh_ply(const CameraMesh& mesh) {
     Bytes bytes = header_bytes(camera_mesh_header(mesh));
-    for (const CameraMesh::Vertex& vertex : mesh.vertices) {
-        for (int axis = 0; axis < 3; ++axis) put(bytes, vertex.position_in_world[axis]);
-        put(bytes, static_cast<std::int32_t>(vertex.view_index));
-        put(bytes, static_cast<std::uint8_t>(vertex.is_virtual ? 1 : 0));
-    }
-    for (const CameraMesh::Face& face : mesh.faces) {
-        put(bytes, std::uint8_t{3});
-        for (const int index : face) put(bytes, static_cast<std::int32_t>(index));
+    put_vertices(bytes, mesh);
+    for (const CameraMesh& shell : mesh.shells) put_vertices(bytes, shell);
+    put_faces(bytes, mesh, 0);
+    std::size_t first_vertex = mesh.vertices.size();
+    for (const CameraMesh& shell : mesh.shells) {
+        put_faces(bytes, shell, first_vertex);
+        first_vertex += shell.vertices.size();
     }
     return bytes;
 }
@@ -146,31 +252,20 @@ CameraMesh parse_camera_mesh_ply(const Bytes& bytes, const std::filesystem::path
     const bool fits = header.vertices <= body / vertex_bytes && header.faces <= body / kFaceBytes &&
                       header.vertices * vertex_bytes + header.faces * kFaceBytes == body;
     if (!fits) refuse(path, "the file's size does not match its counts");
-    for (std::size_t i = 0; i < header.vertices; ++i) {
-        CameraMesh::Vertex vertex;
-        for (int axis = 0; axis < 3; ++axis) {
-            vertex.position_in_world[axis] = take<double>(bytes, offset);
-        }
-        vertex.view_index = take<std::int32_t>(bytes, offset);
-        if (header.names_virtual_vertices) {
-            const auto is_virtual = take<std::uint8_t>(bytes, offset);
-            if (is_virtual > 1) refuse(path, "a vertex is neither virtual nor not");
-            vertex.is_virtual = is_virtual == 1;
-        }
-        if (!vertex.position_in_world.allFinite()) refuse(path, "a vertex is not finite");
-        if (vertex.view_index < 0) refuse(path, "a vertex names a negative view");
-        mesh.vertices.push_back(vertex);
+    const std::optional<Part> base = base_part(header);
+    if (!base) refuse(path, "its shells have more vertices or faces than there are");
+    const auto vertices_of = [&](std::size_t count, CameraMesh& part) {
+        take_vertices(bytes, offset, count, header.names_virtual_vertices, part, path);
+    };
+    vertices_of(base->vertices, mesh);
+    for (std::size_t i = 0; i < mesh.shells.size(); ++i) {
+        vertices_of(header.shells[i].vertices, mesh.shells[i]);
     }
-    for (std::size_t i = 0; i < header.faces; ++i) {
-        if (take<std::uint8_t>(bytes, offset) != 3) refuse(path, "a face is not a triangle");
-        CameraMesh::Face face{};
-        for (int& index : face) {
-            index = take<std::int32_t>(bytes, offset);
-            if (index < 0 || static_cast<std::size_t>(index) >= header.vertices) {
-                refuse(path, "a face names a vertex that does not exist");
-            }
-        }
-        mesh.faces.push_back(face);
+    take_faces(bytes, offset, base->faces, 0, mesh, path);
+    std::size_t first_vertex = base->vertices;
+    for (std::size_t i = 0; i < mesh.shells.size(); ++i) {
+        take_faces(bytes, offset, header.shells[i].faces, first_vertex, mesh.shells[i], path);
+        first_vertex += header.shells[i].vertices;
     }
     return mesh;
 }

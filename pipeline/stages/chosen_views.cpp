@@ -19,9 +19,7 @@ Lumigraph lumigraph_of_views(const Lumigraph& lumigraph, const Capture& capture,
         chosen.views.push_back(lumigraph.views[static_cast<std::size_t>(view)]);
     }
     chosen.mesh = build_camera_mesh(capture, views, mesh_options).mesh;
-    for (CameraMesh::Vertex& vertex : chosen.mesh.vertices) {
-        vertex.view_index = new_index[static_cast<std::size_t>(vertex.view_index)];
-    }
+    renumber_views(chosen.mesh, new_index);
     return chosen;
 }
 

@@ -23,6 +23,8 @@ StageEvidence run_mesh_stage(const Capture& capture, const CameraMeshOptions& op
         {"construction", name_of(built.mesh.construction)},
         {"cameras_total", evidence.cameras_total},
         {"cameras_kept", evidence.cameras_kept},
+        {"close_ups", evidence.close_ups},
+        {"shells", evidence.shells},
         {"vertices", built.mesh.vertices.size()},
         {"faces", built.mesh.faces.size()},
         {"kernel_radius_over_scene_radius", evidence.kernel_radius_over_scene_radius},

@@ -27,6 +27,13 @@ double camera_spacing(const Lumigraph& lumigraph) {
     return nearest.size() < 2 ? 0.0 : *middle;
 }
 
+void move_vertices(CameraMesh& mesh, const std::vector<Eigen::Vector3d>& shift_of_view) {
+    for (CameraMesh::Vertex& vertex : mesh.vertices) {
+        vertex.position_in_world += shift_of_view[static_cast<std::size_t>(vertex.view_index)];
+    }
+    for (CameraMesh& shell : mesh.shells) move_vertices(shell, shift_of_view);
+}
+
 }  // namespace
 
 Lumigraph with_turned_poses(const Lumigraph& lumigraph, double sigma_deg, std::uint64_t seed) {
@@ -56,9 +63,7 @@ Lumigraph with_moved_poses(const Lumigraph& lumigraph, double share_percent, std
         cam_from_world.translation -= cam_from_world.rotation * shifts.back();
     }
     // The mesh stands where the cameras are said to stand; its skirt goes with them.
-    for (CameraMesh::Vertex& vertex : result.mesh.vertices) {
-        vertex.position_in_world += shifts[static_cast<std::size_t>(vertex.view_index)];
-    }
+    move_vertices(result.mesh, shifts);
     return result;
 }
 

@@ -128,7 +128,7 @@ std::vector<ArrangedCapture> arranged_captures() {
     const Points coincident(5, Eigen::Vector3d(3, 0, 0));
     ArrangedCapture close_ups =
         around_the_origin("close-ups among far views", far_and_close(), kClosed, 46, x, 180, 0.6);
-    close_ups.least_targets = 15;  // what close-ups in one surface with the rest cost
+    close_ups.least_targets = 50;
     const auto patch_size = static_cast<int>(patch.size());
     const auto hemisphere_size = static_cast<int>(hemisphere.size());
     return {

@@ -55,6 +55,40 @@ TEST_F(CameraMeshFile, KeepsEveryBit) {
     }
 }
 
+TEST_F(CameraMeshFile, KeepsShellsApart) {
+    CameraMesh mesh = tiny_mesh();
+    mesh.shells = {tiny_mesh(), tiny_mesh()};
+    mesh.shells[1].vertices.emplace_back(CameraMesh::Vertex{{7, 7, 7}, 1});
+    mesh.shells[1].faces = {{4, 0, 1}};
+    write_camera_mesh_ply(path(), mesh);
+    const CameraMesh again = read_camera_mesh_ply(path());
+    EXPECT_EQ(again.faces, mesh.faces);
+    ASSERT_EQ(again.shells.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(again.shells[i].construction, mesh.shells[i].construction);
+        EXPECT_EQ(again.shells[i].scene_centre_in_world, mesh.shells[i].scene_centre_in_world);
+        EXPECT_EQ(again.shells[i].faces, mesh.shells[i].faces);
+        ASSERT_EQ(again.shells[i].vertices.size(), mesh.shells[i].vertices.size());
+        EXPECT_EQ(again.shells[i].vertices.back().position_in_world,
+                  mesh.shells[i].vertices.back().position_in_world);
+    }
+}
+
+TEST_F(CameraMeshFile, IsRefusedWhoseShellsTakeMoreThanThereIs) {
+    CameraMesh mesh = tiny_mesh();
+    mesh.shells = {tiny_mesh()};
+    Bytes bytes = camera_mesh_ply(mesh);
+    std::string text(bytes.begin(), bytes.end());
+    const std::size_t at = text.find(" 4 2\nelement");
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, 4, " 9 2");
+    EXPECT_THROW(static_cast<void>(parse_camera_mesh_ply(Bytes(text.begin(), text.end()), path())),
+                 Error);
+    text.replace(at, 4, " 3 2");  // The shell's faces then name a vertex of the mesh.
+    EXPECT_THROW(static_cast<void>(parse_camera_mesh_ply(Bytes(text.begin(), text.end()), path())),
+                 Error);
+}
+
 /// As files were written before vertices said whether they are virtual.
 TEST_F(CameraMeshFile, IsReadWithoutVirtualVerticesToo) {
     const CameraMesh mesh = tiny_mesh();
