@@ -107,8 +107,8 @@ std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
     return best;
 }
 
-double capture_fade(const RayWeights& weights) {
-    const double share = std::clamp(weights.beyond_border, 0.0, 1.0);
+double capture_fade(const RayWeights& weights, double faded_share) {
+    const double share = std::clamp(weights.beyond_border / faded_share, 0.0, 1.0);
     return 1.0 - share * share * (3.0 - 2.0 * share);
 }
 

@@ -67,9 +67,14 @@ struct RayWeights {
                                                        const Eigen::Vector3d& eye_in_world,
                                                        const Eigen::Vector3d& direction);
 
+/// Shares of virtual vertices at which what lies beyond the border has faded out, about 35 degrees
+/// beyond it: skirts and the ends of strips reach eight camera distances out, shells end there.
+inline constexpr double kSkirtFadedShare = 0.7 / 8;
+inline constexpr double kShellFadedShare = 1.0;
+
 /// How much a ray counts when what lies beyond the capture is to fade out: 1 - smoothstep of
-/// `beyond_border`. Continuous, like the weights.
-[[nodiscard]] double capture_fade(const RayWeights& weights);
+/// `beyond_border` over `faded_share`. Continuous, like the weights.
+[[nodiscard]] double capture_fade(const RayWeights& weights, double faded_share = kSkirtFadedShare);
 
 /// Gives every vertex of the mesh and of its shells the view that `new_index` has for its old one.
 void renumber_views(CameraMesh& mesh, const std::vector<int>& new_index);

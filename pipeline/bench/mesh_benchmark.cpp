@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <numeric>
 
 #include "calib/work/stopwatch.h"
 #include "meshing/cameras/camera_mesh_builder.h"
@@ -15,15 +14,14 @@
 #include "meshing/cameras/slide.h"
 #include "meshing/rivals/heigl_weights.h"
 #include "meshing/rivals/unstructured_weights.h"
+#include "pipeline/bench/synthetic_captures.h"
 #include "pipeline/synth/hand_held_path.h"
-#include "pipeline/synth/hashed_random.h"
 
 namespace lumi {
 namespace {
 
 constexpr int kLeastCameras = 20;
 constexpr int kMostCameras = 200;
-constexpr int kScenePoints = 500;
 /// Each rival is measured on so many of the captures, with so many rays and steps of a path.
 constexpr int kComparedCaptures = 20;
 constexpr int kComparedRays = 500;
@@ -35,71 +33,6 @@ constexpr int kHalvings = 36;
 constexpr double kSlid = 1e-9;
 
 using Points = std::vector<Eigen::Vector3d>;
-
-Eigen::Vector3d random_direction(HashedRandom& random) {
-    const double x = random.gaussian();
-    const double y = random.gaussian();
-    return Eigen::Vector3d(x, y, random.gaussian()).normalized();
-}
-
-Eigen::Vector3d random_in_ball(HashedRandom& random, double radius) {
-    const double distance = radius * std::cbrt(random.uniform());
-    return distance * random_direction(random);
-}
-
-/// A hand that goes all around: places on a spiral (Fibonacci), each off by a third of the spacing,
-/// at distances that vary on their own.
-Points hand_held_centres(int count, double roughness, HashedRandom& random) {
-    const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
-    const double spacing = std::sqrt(4 * std::numbers::pi / count);
-    Points centres;
-    for (int i = 0; i < count; ++i) {
-        const double z = 1 - 2 * (i + 0.5) / count;
-        const double radius = std::sqrt(1 - z * z);
-        const Eigen::Vector3d even(radius * std::cos(golden_angle * i),
-                                   radius * std::sin(golden_angle * i), z);
-        const Eigen::Vector3d direction =
-            (even + spacing / 3 * random.uniform() * random_direction(random)).normalized();
-        centres.emplace_back((1 + roughness * random.symmetric()) * direction);
-    }
-    return centres;
-}
-
-/// Every point is seen by a few cameras only, so that large captures stay small.
-Capture capture_around(const Points& centres, double scene_radius, HashedRandom& random) {
-    Capture capture;
-    capture.cameras.push_back({640, 480, LensModel::kPinhole, {600, 600, 320, 240}});
-    for (const Eigen::Vector3d& centre : centres) {
-        View view;
-        view.name = std::to_string(capture.views.size());
-        view.cam_from_world = looking_at(centre, Eigen::Vector3d::Zero());
-        capture.views.push_back(view);
-    }
-    for (int i = 0; i < kScenePoints; ++i) {
-        ScenePoint point;
-        point.position_in_world = random_in_ball(random, scene_radius);
-        for (int seen = 0; seen < 4; ++seen) {
-            const auto view = static_cast<int>(random.below(centres.size()));
-            point.track.push_back({view, Eigen::Vector2d::Zero()});
-        }
-        capture.points.push_back(point);
-    }
-    return capture;
-}
-
-std::vector<int> all_views(const Capture& capture) {
-    std::vector<int> views(capture.views.size());
-    std::iota(views.begin(), views.end(), 0);
-    return views;
-}
-
-/// A place between two of the scene's points.
-Eigen::Vector3d random_target(const Capture& capture, HashedRandom& random) {
-    const double share = random.uniform();
-    const auto& a = capture.points[random.below(capture.points.size())].position_in_world;
-    const auto& b = capture.points[random.below(capture.points.size())].position_in_world;
-    return share * a + (1 - share) * b;
-}
 
 int faces_entered(const CameraMesh& mesh, const Eigen::Vector3d& point,
                   const Eigen::Vector3d& direction) {

@@ -1,7 +1,11 @@
 #include <CLI/CLI.hpp>
 
+#include <array>
+#include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/bench/arrangement_benchmark.h"
 #include "pipeline/bench/mesh_benchmark.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/report/number_text.h"
@@ -10,6 +14,29 @@ namespace lumi {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+using Arrangements = std::vector<ArrangementFigures>;
+
+Json arrangements_json(const Arrangements& arrangements) {
+    Json rows = Json::array();
+    for (const ArrangementFigures& row : arrangements) {
+        rows.push_back({{"name", row.name},
+                        {"cameras", row.cameras},
+                        {"construction", row.construction},
+                        {"cameras_kept", row.cameras_kept},
+                        {"shells", row.shells},
+                        {"rays", row.rays},
+                        {"rays_answered", row.rays_answered},
+                        {"rays_with_one_face", row.rays_with_one_face},
+                        {"most_cameras_a_ray", row.most_cameras_a_ray},
+                        {"worst_sum_error", row.worst_sum_error},
+                        {"worst_inconsistency", row.worst_inconsistency},
+                        {"largest_jump", row.largest_jump},
+                        {"worst_unslid_epipole_loss", row.worst_unslid_epipole_loss},
+                        {"cpu_s", row.cpu_s}});
+    }
+    return rows;
+}
 
 Json report_json(const MeshBenchmark& result) {
     Json weights = Json::array();
@@ -55,6 +82,32 @@ std::string share_text(long part, long whole) {
     return std::to_string(part) + " of " + std::to_string(whole) + " (" + percent(share, 4) + ")";
 }
 
+std::string scientific(double value) {
+    std::array<char, 20> text{};
+    std::snprintf(text.data(), text.size(), "%.0e", value);
+    return value == 0 ? "0" : text.data();
+}
+
+/// One line an arrangement and number of cameras.
+std::string arrangements_text(const Arrangements& arrangements) {
+    std::string text =
+        "arrangement                 cameras kept shells mesh    one face  a ray  inconsistency  "
+        "jump   epipole  CPU ms\n";
+    for (const ArrangementFigures& row : arrangements) {
+        std::array<char, 240> line{};
+        std::snprintf(
+            line.data(), line.size(),
+            "%-27s %7d %4d %6d %-7s %6.1f %%  %5d  %13s  %-6s %-8s %6.1f\n", row.name.c_str(),
+            row.cameras, row.cameras_kept, row.shells, row.construction.c_str(),
+            100.0 * static_cast<double>(row.rays_with_one_face) / static_cast<double>(row.rays),
+            row.most_cameras_a_ray, scientific(row.worst_inconsistency).c_str(),
+            scientific(row.largest_jump).c_str(), scientific(row.worst_unslid_epipole_loss).c_str(),
+            1000 * row.cpu_s);
+        text += line.data();
+    }
+    return text;
+}
+
 std::string report_text(const MeshBenchmark& result) {
     std::string text = std::to_string(result.captures) + " random captures\n";
     text += "cameras that are vertices     " + share_text(result.cameras_kept, result.cameras) +
@@ -89,12 +142,21 @@ std::string report_text(const MeshBenchmark& result) {
            "\n";
 }
 
-void run_bench_mesh(const MeshBenchmarkOptions& options, const CommandContext& context) {
+void run_bench_mesh(const MeshBenchmarkOptions& options, const std::filesystem::path& pictures,
+                    const CommandContext& context) {
+    if (!pictures.empty()) {
+        draw_arrangements(pictures, options.seed);
+        context.say(pictures.string() + "\n");
+        return;
+    }
     const MeshBenchmark result = benchmark_mesh(options, *context.progress);
+    const Arrangements arrangements = benchmark_arrangements(options.seed, *context.progress);
     if (context.json) {
-        context.print_result(report_json(result));
+        Json report = report_json(result);
+        report["arrangements"] = arrangements_json(arrangements);
+        context.print_result(report);
     } else {
-        context.print_result(report_text(result));
+        context.print_result(report_text(result) + arrangements_text(arrangements));
     }
 }
 
@@ -123,8 +185,13 @@ void add_bench_mesh_command(CLI::App& app, CommandContext& context) {
         ->check(CLI::Range(1000, 10000000))
         ->capture_default_str();
     command.add_option("--seed", options->seed, "Of all randomness")->capture_default_str();
-    command.callback([options, &context] {
-        context.chosen = [options, &context] { run_bench_mesh(*options, context); };
+    const auto pictures = std::make_shared<std::filesystem::path>();
+    command.add_option("--pictures", *pictures,
+                       "Measure nothing: draw the mesh of every arrangement into this folder");
+    command.callback([options, pictures, &context] {
+        context.chosen = [options, pictures, &context] {
+            run_bench_mesh(*options, *pictures, context);
+        };
     });
 }
 

@@ -37,6 +37,7 @@ struct RenderRequest {
     std::string debug = "none";
     std::string size;
     bool supersample = false;
+    bool fade = false;
     double focal_depth = 0.0;
     bool reference = false;
     fs::path out;
@@ -169,7 +170,8 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
     const RenderOptions options{.mode = render_mode_from(request.mode),
                                 .debug_picture = debug_picture_from(request.debug),
                                 .focal_depth = request.focal_depth,
-                                .supersample = request.supersample};
+                                .supersample = request.supersample,
+                                .fade_beyond_capture = request.fade};
     const Lumigraph lumigraph = read_package(request.package);
     std::unique_ptr<OffscreenRenderer> renderer;
     if (!request.reference) renderer = std::make_unique<OffscreenRenderer>(lumigraph);
@@ -222,6 +224,8 @@ void add_render_command(CLI::App& app, CommandContext& context) {
         ->check(CLI::PositiveNumber);
     command.add_flag("--supersample", request->supersample,
                      "Four samples a pixel: smooth edges, about four times the work");
+    command.add_flag("--fade", request->fade,
+                     "Fade to black what lies beyond the capture (perpixel) instead of guessing");
     command.add_flag("--reference", request->reference, "By the plain-code renderer; slow");
     command
         .add_option("--out", request->out,

@@ -15,12 +15,14 @@ struct ViewRequest {
     std::string mode = "perpixel";
     std::string size;
     std::filesystem::path screenshot;
+    bool fade = false;
 };
 
 void run_view(const ViewRequest& request, const CommandContext& context) {
     WindowOptions options;
     options.view_name = request.view;
     options.render.mode = render_mode_from(request.mode);
+    options.render.fade_beyond_capture = request.fade;
     options.screenshot_path = request.screenshot;
     if (!request.size.empty()) {
         const FrameSize size = frame_size_from(request.size);
@@ -41,6 +43,8 @@ void add_view_command(CLI::App& app, CommandContext& context) {
     command.add_option("--view", request->view, "Begin where this photograph was taken");
     command.add_option("--mode", request->mode, "perpixel or lightfield")->capture_default_str();
     command.add_option("--size", request->size, "Such as 1280x720 (default: the photograph's)");
+    command.add_flag("--fade", request->fade,
+                     "Fade to black what lies beyond the capture instead of guessing");
     command.add_option("--screenshot", request->screenshot,
                        "Write one frame to this PNG file, its eye beside it, and end");
     command.callback([request, &context] {

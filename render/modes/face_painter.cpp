@@ -9,8 +9,9 @@ namespace lumi {
 namespace {
 
 /// The attributes of shaders/face.glsl.
-const std::vector<VertexAttribute> kFaceVertex{{0, 2}, {1, 4}, {2, 3}, {3, 3}, {4, 3},  {5, 4},
-                                               {6, 4}, {7, 4}, {8, 4}, {9, 4}, {10, 4}, {11, 4}};
+const std::vector<VertexAttribute> kFaceVertex{{0, 2},  {1, 4},  {2, 3}, {3, 3}, {4, 3},
+                                               {5, 4},  {6, 4},  {7, 4}, {8, 4}, {9, 4},
+                                               {10, 4}, {11, 4}, {12, 3}};
 
 /// What one corner of a face needs to know of its view, for one eye.
 struct ViewForEye {
@@ -61,6 +62,7 @@ class VertexWriter {
         for (const int view : polygon.view_indices) append_sizes(vertices, view);
         for (const int view : polygon.view_indices) append(vertices, of(view).disparity_px);
         append(vertices, polygon.face_index);
+        for (const float beyond : polygon.beyond_border) vertices.push_back(beyond);
     }
 
  private:

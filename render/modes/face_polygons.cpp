@@ -12,10 +12,6 @@
 namespace lumi {
 namespace {
 
-/// How far polygons reach beyond their edges. GL snaps corners to 1/256 of a pixel, so this closes
-/// every crack, and is too little to cover a pixel's centre that belongs to a neighbour visibly.
-constexpr double kOverlap_px = 0.01;
-
 /// Side products below this share of the face's extent vanish: the eye stands on the edge.
 constexpr double kVanishingShare = 1e-10;
 
@@ -74,11 +70,12 @@ std::array<Eigen::Vector3d, 3> side_lines(const std::array<Eigen::Vector3d, 3>& 
 }
 
 /// The line moved outwards by the overlap.
-Eigen::Vector3d widened(const Eigen::Vector3d& line) {
-    return line + Eigen::Vector3d(0, 0, kOverlap_px * line.head<2>().norm());
+Eigen::Vector3d widened(const Eigen::Vector3d& line, double overlap_px) {
+    return line + Eigen::Vector3d(0, 0, overlap_px * line.head<2>().norm());
 }
 
-FacePolygon polygon_of(const CameraMesh& mesh, int face_index, const EyeRays& rays) {
+FacePolygon polygon_of(const CameraMesh& mesh, int face_index, const EyeRays& rays,
+                       double overlap_px) {
     const CameraMesh::Face& face = mesh.faces[static_cast<std::size_t>(face_index)];
     FacePolygon polygon;
     polygon.face_index = face_index;
@@ -86,13 +83,14 @@ FacePolygon polygon_of(const CameraMesh& mesh, int face_index, const EyeRays& ra
     for (std::size_t i = 0; i < 3; ++i) {
         const CameraMesh::Vertex& vertex = mesh.vertices[static_cast<std::size_t>(face[i])];
         polygon.view_indices[i] = vertex.view_index;
+        polygon.beyond_border[i] = vertex.is_virtual ? 1.0F : 0.0F;
         from_eye[i] = vertex.position_in_world - rays.eye_in_world;
     }
     polygon.side_lines = side_lines(from_eye, rays);
     polygon.crossing_numerator = -from_eye[0].dot(from_eye[1].cross(from_eye[2]));
     polygon.corners_px = rays.picture;
     for (const Eigen::Vector3d& line : polygon.side_lines)
-        polygon.corners_px = clipped(polygon.corners_px, widened(line));
+        polygon.corners_px = clipped(polygon.corners_px, widened(line, overlap_px));
     return polygon;
 }
 
@@ -120,13 +118,13 @@ FacePolygon single_view_polygon(int view_index, const EyeRays& rays) {
 
 }  // namespace
 
-std::vector<FacePolygon> face_polygons(const CameraMesh& mesh, const Eye& eye) {
+std::vector<FacePolygon> face_polygons(const CameraMesh& mesh, const Eye& eye, double overlap_px) {
     const EyeRays rays = eye_rays(eye);
     std::vector<FacePolygon> polygons;
     if (mesh.faces.empty() && !mesh.vertices.empty())
         polygons.push_back(single_view_polygon(mesh.vertices.front().view_index, rays));
     for (std::size_t index = 0; index < mesh.faces.size(); ++index) {
-        FacePolygon polygon = polygon_of(mesh, static_cast<int>(index), rays);
+        FacePolygon polygon = polygon_of(mesh, static_cast<int>(index), rays, overlap_px);
         normalise(polygon);
         if (polygon.corners_px.size() >= 3) polygons.push_back(std::move(polygon));
     }

@@ -9,6 +9,12 @@
 
 namespace lumi {
 
+/// How far polygons reach beyond their edges. GL snaps corners to 1/256 of a pixel, so this closes
+/// every crack, and is too little to cover a pixel's centre that belongs to a neighbour visibly.
+inline constexpr double kOverlap_px = 0.01;
+/// For what is laid over the picture with blending, which must not happen twice.
+inline constexpr double kNoOverlap_px = 0.0;
+
 /// The part of the picture in which one face of the camera mesh is looked through.
 ///
 /// The side products of a face (camera_mesh.h) are linear in the ray's direction, and a pinhole's
@@ -17,6 +23,8 @@ namespace lumi {
 struct FacePolygon {
     int face_index = -1;  ///< -1: no face; the whole picture comes from one view.
     std::array<int, 3> view_indices{};
+    /// 1 for corners beyond the border of the mesh, 0 for cameras.
+    std::array<float, 3> beyond_border{};
     /// Side product i at pixel (x, y) is `side_lines[i]` . (x, y, 1); its largest value on the
     /// polygon is about 1. Their ratios are the blending weights.
     std::array<Eigen::Vector3d, 3> side_lines;
@@ -29,7 +37,8 @@ struct FacePolygon {
 /// The polygons of all faces that are seen in the picture: at each pixel that of the face that
 /// weights_of_ray chooses. Neighbours overlap by about a hundredth of a pixel, so that no crack
 /// opens. A face can come in several pieces (paint_order.h).
-[[nodiscard]] std::vector<FacePolygon> face_polygons(const CameraMesh& mesh, const Eye& eye);
+[[nodiscard]] std::vector<FacePolygon> face_polygons(const CameraMesh& mesh, const Eye& eye,
+                                                     double overlap_px = kOverlap_px);
 
 /// Blending weights at a pixel of the polygon: side products, clamped at zero, over their sum.
 [[nodiscard]] std::array<double, 3> weights_at(const FacePolygon& polygon,

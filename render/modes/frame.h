@@ -41,6 +41,9 @@ struct RenderOptions {
     /// (frame_target.h) take their mean; other framebuffers must be twice as wide and high, and
     /// hold the samples.
     bool supersample = false;
+    /// Rays that leave the capture fade to black instead of being drawn from its border's cameras
+    /// (see `capture_fade`). Heeded by `perpixel` and the reference.
+    bool fade_beyond_capture = false;
     /// For modes that subdivide.
     double triangle_error_px = 0.7;       ///< `adaptive`: of where photographs are looked up.
     double depth_threshold_share = 0.02;  ///< `paper2001`: of the scene's depth range.

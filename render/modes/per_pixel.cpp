@@ -13,13 +13,24 @@
 
 namespace lumi {
 
+namespace {
+
+void set_shell(const Program& program, bool is_shell) {
+    program.set("is_shell", is_shell ? 1.0F : 0.0F);
+    program.set("faded_share", static_cast<float>(is_shell ? kShellFadedShare : kSkirtFadedShare));
+}
+
+}  // namespace
+
 PerPixel::PerPixel(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded),
       layer_count_(std::min(kMaxDepthViews, static_cast<int>(uploaded.layout.views.size()))),
       depth_(uploaded, layer_count_),
       faces_(uploaded),
       program_("per_pixel", {shader_source("face"), shader_source("per_pixel")},
-               {"LAYERS " + std::to_string(layer_count_)}) {}
+               {"LAYERS " + std::to_string(layer_count_)}),
+      fading_("per_pixel", {shader_source("face"), shader_source("per_pixel")},
+              {"LAYERS " + std::to_string(layer_count_), "FADES"}) {}
 
 DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
                               const Viewport& viewport) {
@@ -29,7 +40,25 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
         depth_.draw(eye, views);
     }
     glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
-    const Program& program = program_.use(uploaded_, eye, options);
+    const Eigen::Vector3d plane = scene_plane_inverse_depth(uploaded_.layout, eye);
+    const CameraMesh& mesh = uploaded_.layout.mesh;
+    const Program& program =
+        use(options.fade_beyond_capture ? fading_ : program_, eye, options, viewport, views);
+    if (options.fade_beyond_capture) set_shell(program, false);
+    std::size_t triangles = faces_.draw(face_polygons(mesh, eye), eye, plane);
+    if (mesh.shells.empty()) return {triangles};
+    set_shell(use(fading_, eye, options, viewport, views), true);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for (const CameraMesh& shell : mesh.shells)
+        triangles += faces_.draw(face_polygons(shell, eye, kNoOverlap_px), eye, plane);
+    glDisable(GL_BLEND);
+    return {triangles};
+}
+
+const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const RenderOptions& options,
+                             const Viewport& viewport, const std::vector<int>& views) {
+    const Program& program = picture.use(uploaded_, eye, options);
     uploaded_.depth_maps.bind(1);
     depth_.texture().bind(2);
     program.set("depth_maps", 1);
@@ -42,8 +71,7 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
     program.set("tolerance_px", static_cast<float>(options.occlusion_tolerance_px));
     program.set("correct_occlusion", options.correct_occlusion ? 1.0F : 0.0F);
     set_layer_views(eye, views, program);
-    return {faces_.draw(face_polygons(uploaded_.layout.mesh, eye), eye,
-                        scene_plane_inverse_depth(uploaded_.layout, eye))};
+    return program;
 }
 
 /// Four vectors a layer, as shaders/per_pixel.glsl expects them.

@@ -9,8 +9,8 @@ namespace lumi {
 
 /// Depth, weights and visibility at each pixel: first the depth maps of the views nearest to the
 /// eye are drawn, each into a layer; then each face blends its three photographs at the depth that
-/// the layers agree on, with the paper's occlusion correction (section 4). The cost does not depend
-/// on the scene.
+/// the layers agree on, with the paper's occlusion correction (section 4). Shells over close-ups
+/// are laid over that. The cost does not depend on the scene.
 class PerPixel : public DrawingMode {
  public:
     explicit PerPixel(const UploadedLumigraph& uploaded);
@@ -18,6 +18,9 @@ class PerPixel : public DrawingMode {
                         const Viewport& viewport) override;
 
  private:
+    /// Puts the program in use, with all that both of them need.
+    const Program& use(PictureProgram& picture, const Eye& eye, const RenderOptions& options,
+                       const Viewport& viewport, const std::vector<int>& views);
     void set_layer_views(const Eye& eye, const std::vector<int>& view_indices,
                          const Program& program) const;
 
@@ -26,6 +29,7 @@ class PerPixel : public DrawingMode {
     DepthLayers depth_;
     FacePainter faces_;
     PictureProgram program_;
+    PictureProgram fading_;  ///< For shells, and for what fades beyond the capture.
 };
 
 }  // namespace lumi

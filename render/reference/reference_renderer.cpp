@@ -13,6 +13,7 @@
 #include "render/modes/occlusion.h"
 #include "render/modes/photograph_opacity.h"
 #include "render/modes/scene_plane.h"
+#include "render/modes/shell_opacity.h"
 #include "render/modes/view_geometry.h"
 #include "render/reference/depth_consensus.h"
 #include "render/reference/depth_raster.h"
@@ -39,19 +40,29 @@ double border_distance_px(const Camera& camera, const Eigen::Vector2d& pixel) {
 }
 
 struct DrawnPixel {
-    Eigen::Vector3d color;
-    bool is_known = true;  ///< False for a guess.
+    Eigen::Vector3d color = Eigen::Vector3d::Zero();
+    double coverage = 0.0;  ///< 0 for a guess.
 };
 
 /// The frame in the making, and what does not change from pixel to pixel.
 class ReferenceFrame {
  public:
     ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options);
-    [[nodiscard]] std::optional<DrawnPixel> color_at(int x, int y) const;
+    [[nodiscard]] DrawnPixel color_at(int x, int y) const;
 
  private:
     void draw_depth_layers();
     [[nodiscard]] ConsensusDepth depth_at(int x, int y) const;
+    [[nodiscard]] std::optional<DrawnPixel> base_at(const RayPoint& point,
+                                                    const ConsensusDepth& depth) const;
+    void lay_over(DrawnPixel& drawn, const CameraMesh& shell, const RayPoint& point,
+                  const ConsensusDepth& depth) const;
+    [[nodiscard]] std::array<double, 3> visibilities(const RayWeights& ray, const RayPoint& point,
+                                                     const ConsensusDepth& depth) const;
+    [[nodiscard]] std::array<double, 3> opacities(const std::array<double, 3>& weights,
+                                                  const RayWeights& ray,
+                                                  const RayPoint& point) const;
+    [[nodiscard]] Eigen::Vector3d blended(const RayWeights& ray, const RayPoint& point) const;
     [[nodiscard]] std::optional<Sight> sight_of(int view_index, const RayPoint& point) const;
     [[nodiscard]] double visibility(int view_index, const RayPoint& point, bool check_depth) const;
     /// How much its photograph counts there, 0 to 255.
@@ -156,37 +167,92 @@ Eigen::Vector3d ReferenceFrame::color_in(int view_index, const RayPoint& point) 
     return sight ? bilinear(view(view_index).photograph, sight->pixel) : Eigen::Vector3d::Zero();
 }
 
-std::optional<DrawnPixel> ReferenceFrame::color_at(int x, int y) const {
-    const Eigen::Vector3d direction =
-        eye_.cam_from_world.rotation.conjugate() * unproject(eye_.camera, {x + 0.5, y + 0.5});
-    std::optional<RayWeights> ray = weights_of_ray(lumigraph_.mesh, eye_in_world_, direction);
-    if (!ray) return std::nullopt;
-    const ConsensusDepth depth = depth_at(x, y);
-    const bool has_depth = depth.support > 0;
-    const RayPoint point{direction, depth.inverse_depth};
+std::array<double, 3> ReferenceFrame::visibilities(const RayWeights& ray, const RayPoint& point,
+                                                   const ConsensusDepth& depth) const {
     std::array<double, 3> seen{};
     for (std::size_t i = 0; i < 3; ++i)
-        if (ray->weights[i] > 0)
-            seen[i] =
-                visibility(ray->view_indices[i], point, has_depth && options_.correct_occlusion);
-    std::optional<std::array<double, 3>> weights = redistributed(ray->weights, seen);
-    if (weights) {
-        std::array<double, 3> opacities{};
-        for (std::size_t i = 0; i < 3; ++i)
-            if ((*weights)[i] > 0) opacities[i] = opacity(ray->view_indices[i], point) / 255;
-        weights = redistributed(*weights, opacities);
-    }
+        if (ray.weights[i] > 0)
+            seen[i] = visibility(ray.view_indices[i], point,
+                                 depth.support > 0 && options_.correct_occlusion);
+    return seen;
+}
+
+std::array<double, 3> ReferenceFrame::opacities(const std::array<double, 3>& weights,
+                                                const RayWeights& ray,
+                                                const RayPoint& point) const {
+    std::array<double, 3> result{};
+    for (std::size_t i = 0; i < 3; ++i)
+        if (weights[i] > 0) result[i] = opacity(ray.view_indices[i], point) / 255;
+    return result;
+}
+
+Eigen::Vector3d ReferenceFrame::blended(const RayWeights& ray, const RayPoint& point) const {
+    Eigen::Vector3d color = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+        if (ray.weights[i] > 0) color += ray.weights[i] * color_in(ray.view_indices[i], point);
+    return color;
+}
+
+std::optional<DrawnPixel> ReferenceFrame::base_at(const RayPoint& point,
+                                                  const ConsensusDepth& depth) const {
+    std::optional<RayWeights> ray =
+        weights_of_ray(lumigraph_.mesh, eye_in_world_, point.direction_in_world);
+    if (!ray) return std::nullopt;
+    const bool has_depth = depth.support > 0;
+    std::optional<std::array<double, 3>> weights =
+        redistributed(ray->weights, visibilities(*ray, point, depth));
+    if (weights) weights = redistributed(*weights, opacities(*weights, *ray, point));
     if (!weights && !has_depth) return std::nullopt;
-    const bool is_known = has_depth || !uses_depth_;
+    const double fade = options_.fade_beyond_capture && uses_depth_ ? capture_fade(*ray) : 1.0;
+    DrawnPixel drawn;
+    drawn.coverage = has_depth || !uses_depth_ ? fade : 0.0;
     ray->weights = weights.value_or(std::array<double, 3>{});
     if (options_.debug_picture != DebugPicture::kNone)
-        return DrawnPixel{debug_color(*ray, !weights, depth), is_known};
-    if (!weights)
-        return DrawnPixel{color_in(depth_views_[static_cast<std::size_t>(depth.best_layer)], point),
-                          is_known};
-    DrawnPixel drawn{Eigen::Vector3d::Zero(), is_known};
-    for (std::size_t i = 0; i < 3; ++i)
-        if ((*weights)[i] > 0) drawn.color += (*weights)[i] * color_in(ray->view_indices[i], point);
+        drawn.color = fade * debug_color(*ray, !weights, depth);
+    else if (weights)
+        drawn.color = fade * blended(*ray, point);
+    else
+        drawn.color =
+            fade * color_in(depth_views_[static_cast<std::size_t>(depth.best_layer)], point);
+    return drawn;
+}
+
+void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell, const RayPoint& point,
+                              const ConsensusDepth& depth) const {
+    std::optional<RayWeights> ray = weights_of_ray(shell, eye_in_world_, point.direction_in_world);
+    if (!ray || depth.support == 0) return;
+    std::array<double, 3> seen = visibilities(*ray, point, depth);
+    const std::array<double, 3> opaque = opacities(ray->weights, *ray, point);
+    for (std::size_t i = 0; i < 3; ++i) seen[i] *= opaque[i];
+    const auto weights = redistributed(ray->weights, seen);
+    if (!weights) return;
+    double sum = 0;
+    double inside = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto sight = sight_of(ray->view_indices[i], point);
+        if (!sight || !(ray->weights[i] > 0)) continue;
+        const Camera& camera = view(ray->view_indices[i]).camera;
+        sum += ray->weights[i] * seen[i];
+        inside += ray->weights[i] * inner_share(border_distance_px(camera, sight->pixel),
+                                                std::min(camera.width_px, camera.height_px));
+    }
+    const double opacity = shell_opacity(capture_fade(*ray, kShellFadedShare), sum, inside);
+    ray->weights = *weights;
+    const Eigen::Vector3d color = options_.debug_picture != DebugPicture::kNone
+                                      ? debug_color(*ray, false, depth)
+                                      : blended(*ray, point);
+    drawn.color = opacity * color + (1 - opacity) * drawn.color;
+    drawn.coverage = opacity + (1 - opacity) * drawn.coverage;
+}
+
+DrawnPixel ReferenceFrame::color_at(int x, int y) const {
+    const Eigen::Vector3d direction =
+        eye_.cam_from_world.rotation.conjugate() * unproject(eye_.camera, {x + 0.5, y + 0.5});
+    const ConsensusDepth depth = depth_at(x, y);
+    const RayPoint point{direction, depth.inverse_depth};
+    DrawnPixel drawn = base_at(point, depth).value_or(DrawnPixel{});
+    if (!uses_depth_) return drawn;
+    for (const CameraMesh& shell : lumigraph_.mesh.shells) lay_over(drawn, shell, point, depth);
     return drawn;
 }
 
@@ -235,11 +301,10 @@ Frame draw_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOpt
                 {}};
     for (int y = 0; y < eye.camera.height_px; ++y) {
         for (int x = 0; x < eye.camera.width_px; ++x) {
-            const std::optional<DrawnPixel> drawn = reference.color_at(x, y);
-            if (!drawn) continue;
-            const Eigen::Vector3d& color = drawn->color;
+            const DrawnPixel drawn = reference.color_at(x, y);
+            const Eigen::Vector3d& color = drawn.color;
             frame.color(x, y) = {to_byte(color.x()), to_byte(color.y()), to_byte(color.z())};
-            frame.coverage(x, y) = drawn->is_known ? 255 : 0;
+            frame.coverage(x, y) = to_byte(255 * drawn.coverage);
         }
     }
     return frame;

@@ -25,6 +25,11 @@ flat LUMI_VARYING vec4 view_size2;
 // Pixels of disparity for each unit of inverse depth in the three views, and the face's index.
 flat LUMI_VARYING vec4 disparity_and_face;
 
+#ifdef FADES
+// 1 for corners of the face beyond the border of the mesh.
+flat LUMI_VARYING vec3 beyond_border;
+#endif
+
 #ifdef LUMI_VERTEX
 uniform mat4 clip_from_eye_pixel;
 layout(location = 0) in vec2 in_pixel;
@@ -39,6 +44,7 @@ layout(location = 8) in vec4 in_view_size0;
 layout(location = 9) in vec4 in_view_size1;
 layout(location = 10) in vec4 in_view_size2;
 layout(location = 11) in vec4 in_disparity_and_face;
+layout(location = 12) in vec3 in_beyond_border;
 
 void main() {
     side_products_and_plane = in_side_products_and_plane;
@@ -52,6 +58,9 @@ void main() {
     view_size1 = in_view_size1;
     view_size2 = in_view_size2;
     disparity_and_face = in_disparity_and_face;
+#ifdef FADES
+    beyond_border = in_beyond_border;
+#endif
     gl_Position = clip_from_eye_pixel * vec4(in_pixel, 1.0, 0.5);
 }
 #endif

@@ -91,6 +91,26 @@ float visibility(vec3 sight, float is_before, vec4 size, float layer, float inve
     return inside * clamp(2.0 - check * difference_px / tolerance_px, 0.0, 1.0);
 }
 
+#ifdef FADES
+uniform float is_shell;     // 1 or 0
+uniform float faded_share;  // see camera_mesh.h
+
+// How far inside of a photograph the point lies: 1 from a tenth of the shorter side on.
+float inner(vec3 sight, vec2 size) {
+    vec2 to_border = min(sight.xy, size - sight.xy);
+    return clamp(10.0 * min(to_border.x, to_border.y) / min(size.x, size.y), 0.0, 1.0);
+}
+
+// What is seen beyond the border fades out. A shell (CameraMesh::shells) is also drawn only as far
+// as its views see the point, away from the borders of their photographs. The same as
+// shell_opacity in render/modes/shell_opacity.h.
+float opacity_of(vec3 ray_weights, vec3 inside, float seen, float is_known) {
+    float fade = 1.0 - smoothstep(0.0, faded_share, dot(ray_weights, beyond_border));
+    float refined = is_known * smoothstep(0.0, 0.5, seen) * dot(ray_weights, inside);
+    return fade * mix(1.0, refined, is_shell);
+}
+#endif
+
 void main() {
     vec2 window = gl_FragCoord.xy - viewport_origin;
     Depth depth = consensus(ivec2(window));
@@ -107,6 +127,9 @@ void main() {
     float check = is_guess ? 0.0 : correct_occlusion;
     vec3 weights = max(side_products_and_plane.xyz, 0.0);
     weights *= 1.0 / (weights.x + weights.y + weights.z);
+#ifdef FADES
+    vec3 ray_weights = weights;
+#endif
     weights *= vec3(visibility(sight0, is_before.x, view_size0, view_parallax0.w, q,
                                disparity_and_face.x, check),
                     visibility(sight1, is_before.y, view_size1, view_parallax1.w, q,
@@ -127,6 +150,9 @@ void main() {
     vec4 color1 = photograph_at_pixel(sight1.xy, view_parallax1.w);
     vec4 color2 = photograph_at_pixel(sight2.xy, view_parallax2.w);
     weights = unseen ? vec3(1.0, 0.0, 0.0) : weights * vec3(color0.a, color1.a, color2.a);
+#ifdef FADES
+    float seen = unseen ? 0.0 : weights.x + weights.y + weights.z;
+#endif
     weights *= 1.0 / max(weights.x + weights.y + weights.z, 1e-9);
 #ifdef DEBUG_PICTURE
     // Two views agree: 1; one has seen it: 0.5; filled: 0.25; stretched: 0.125; a guess: 0.
@@ -141,6 +167,11 @@ void main() {
 #else
     drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb + weights.z * color2.rgb,
                  is_guess ? 0.0 : 1.0);
+#endif
+#ifdef FADES
+    vec3 inside = vec3(inner(sight0, view_size0.xy), inner(sight1, view_size1.xy),
+                       inner(sight2, view_size2.xy));
+    drawn *= opacity_of(ray_weights, inside, seen, is_guess ? 0.0 : 1.0);
 #endif
 }
 #endif

@@ -25,6 +25,7 @@ void show_modes(RenderOptions& render) {
     }
     ImGui::Separator();
     ImGui::Checkbox("occlusion correction", &render.correct_occlusion);
+    ImGui::Checkbox("fade beyond the capture", &render.fade_beyond_capture);
 }
 
 void show_photographs(const Lumigraph& lumigraph, ViewerState& state) {

@@ -46,6 +46,7 @@ bool same(const DrawnFrame& a, const DrawnFrame& b) {
     return same(a.eye, b.eye) && a.scale == b.scale && a.options.mode == b.options.mode &&
            a.options.debug_picture == b.options.debug_picture &&
            a.options.correct_occlusion == b.options.correct_occlusion &&
+           a.options.fade_beyond_capture == b.options.fade_beyond_capture &&
            a.options.occlusion_tolerance_px == b.options.occlusion_tolerance_px;
 }
 

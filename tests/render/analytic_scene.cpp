@@ -20,11 +20,13 @@ Eigen::Vector3d smooth_color(double u, double v, double phase) {
             128 + 60 * std::sin(2 * (u + v) + 3 * phase)};
 }
 
-Hit hit_card_or_wall(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
+/// `pattern` waves of print in each unit of length; 0: none.
+Hit hit_card_or_wall(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
+                     double pattern) {
     const double to_card = (3 - from.z()) / direction.z();
     const Eigen::Vector3d on_card = from + to_card * direction;
     if (to_card > 0 && std::abs(on_card.x()) < 0.7 && std::abs(on_card.y()) < 0.5)
-        return {to_card, smooth_color(on_card.x(), on_card.y(), 2)};
+        return {to_card, smooth_color((1 + pattern) * on_card.x(), (1 + pattern) * on_card.y(), 2)};
     const double to_wall = (6 - from.z()) / direction.z();
     if (to_wall <= 0) return {0, Eigen::Vector3d::Zero()};
     const Eigen::Vector3d on_wall = from + to_wall * direction;
@@ -45,8 +47,8 @@ Hit hit_ball_or_sky(const Eigen::Vector3d& from, const Eigen::Vector3d& directio
 }
 
 Hit hit(AnalyticScene scene, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
-    return scene == AnalyticScene::kCardBeforeWall ? hit_card_or_wall(from, direction)
-                                                   : hit_ball_or_sky(from, direction);
+    if (scene == AnalyticScene::kBallInSky) return hit_ball_or_sky(from, direction);
+    return hit_card_or_wall(from, direction, scene == AnalyticScene::kPrintedCard ? 9 : 0);
 }
 
 Hit hit_at_pixel(AnalyticScene scene, const Eye& eye, int x, int y) {
@@ -114,8 +116,8 @@ Lumigraph photographed(AnalyticScene scene, const std::vector<Eye>& cameras) {
                                    exact_depth(scene, camera)});
     }
     lumigraph.mesh = build_camera_mesh(capture_of(scene, cameras), indices, {}).mesh;
-    lumigraph.near_depth = scene == AnalyticScene::kCardBeforeWall ? 2.5 : 1.5;
-    lumigraph.far_depth = scene == AnalyticScene::kCardBeforeWall ? 6.5 : 5.0;
+    lumigraph.near_depth = scene == AnalyticScene::kBallInSky ? 1.5 : 2.5;
+    lumigraph.far_depth = scene == AnalyticScene::kBallInSky ? 5.0 : 6.5;
     return lumigraph;
 }
 
@@ -131,14 +133,33 @@ Eye eye_at(const Eigen::Vector3d& position, const Eigen::Vector3d& target, const
     return {camera, {rotation, -(rotation * position)}};
 }
 
-Lumigraph card_before_wall() {
+namespace {
+
+std::vector<Eye> cameras_before_wall() {
     std::vector<Eye> cameras{eye_at({0.05, -0.04, -0.06}, {0, 0, 4}, pinhole_camera(64, 48, 60))};
     for (int i = 0; i < 8; ++i) {
         const double angle = 0.25 * 3.14159265 * i;
         cameras.push_back(eye_at({0.6 * std::cos(angle), 0.45 * std::sin(angle), 0.02 * (i % 3)},
                                  {0.1 * std::cos(angle), 0, 4}, pinhole_camera(64, 48, 60)));
     }
-    return photographed(AnalyticScene::kCardBeforeWall, cameras);
+    return cameras;
+}
+
+}  // namespace
+
+Lumigraph card_before_wall() {
+    return photographed(AnalyticScene::kCardBeforeWall, cameras_before_wall());
+}
+
+Lumigraph card_with_close_ups() {
+    std::vector<Eye> cameras = cameras_before_wall();
+    for (const Eigen::Vector3d& place :
+         {Eigen::Vector3d(0.15, 0.05, 2.2), Eigen::Vector3d(-0.15, 0, 2.2),
+          Eigen::Vector3d(0, 0.15, 2.1)})
+        cameras.push_back(eye_at(place, {0.5 * place.x(), 0, 3}, pinhole_camera(64, 48, 60)));
+    Lumigraph lumigraph = photographed(AnalyticScene::kPrintedCard, cameras);
+    lumigraph.near_depth = 0.7;
+    return lumigraph;
 }
 
 Lumigraph ball_in_sky() {

@@ -10,6 +10,7 @@ namespace lumi {
 /// tested against.
 enum class AnalyticScene {
     kCardBeforeWall,  ///< A rectangle at z = 3 before a wall at z = 6.
+    kPrintedCard,     ///< The same with a fine pattern on the card.
     kBallInSky,       ///< A ball of radius 1 around the origin before an infinitely far sky.
 };
 
@@ -25,6 +26,9 @@ enum class AnalyticScene {
 
 /// A ring of eight cameras around one, before the wall (an open mesh); 64 x 48 pixels.
 [[nodiscard]] Lumigraph card_before_wall();
+
+/// The same cameras before the printed card, and three close-ups of it, which are in a shell.
+[[nodiscard]] Lumigraph card_with_close_ups();
 
 /// Twelve cameras all around the ball, at uneven distances (a closed mesh that is not convex).
 [[nodiscard]] Lumigraph ball_in_sky();

@@ -50,7 +50,7 @@ std::vector<double> shell_share(const CameraMesh& shell, const Eigen::Vector3d& 
     const auto ray = weights_of_ray(shell, eye, target - eye);
     if (!ray) return std::vector<double>(views, 0.0);
     std::vector<double> weights = weights_by_view(*ray, views);
-    for (double& weight : weights) weight *= capture_fade(*ray);
+    for (double& weight : weights) weight *= capture_fade(*ray, kShellFadedShare);
     return weights;
 }
 

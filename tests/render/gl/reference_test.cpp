@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "render/modes/offscreen_renderer.h"
 #include "render/reference/reference_renderer.h"
@@ -60,6 +61,19 @@ void expect_gl_equals_reference(const Lumigraph& lumigraph, const std::vector<Na
     }
 }
 
+ColorImage as_color(const GrayImage& gray) {
+    ColorImage color(gray.width(), gray.height());
+    for (int y = 0; y < gray.height(); ++y)
+        for (int x = 0; x < gray.width(); ++x) color(x, y) = {gray(x, y), gray(x, y), gray(x, y)};
+    return color;
+}
+
+double mean_of(const ColorImage& image) {
+    double sum = 0;
+    for (const auto& color : image.pixels()) sum += color.r + color.g + color.b;
+    return sum / static_cast<double>(3 * image.pixels().size());
+}
+
 TEST(GlAgainstReference, LightFieldBeforeAWall) {
     const Lumigraph lumigraph = card_before_wall();
     expect_gl_equals_reference(lumigraph, eyes_before_wall(lumigraph),
@@ -89,6 +103,65 @@ TEST(GlAgainstReference, PerPixelWithoutOcclusionCorrection) {
     expect_gl_equals_reference(lumigraph, eyes_before_wall(lumigraph),
                                {.mode = RenderMode::kPerPixel, .correct_occlusion = false},
                                GlApi::kAny);
+}
+
+std::vector<NamedEye> eyes_near_card() {
+    const Eigen::Vector3d centre(0, 0, 3);
+    return {{"between the close-ups", eye_at({0.02, 0.06, 2.25}, centre, kEyeCamera)},
+            {"behind them", eye_at({0.05, 0, 1.2}, centre, kEyeCamera)},
+            {"beside them", eye_at({0.5, 0.1, 2.0}, centre, kEyeCamera)},
+            {"among the far cameras", eye_at({0.2, 0.1, 0}, centre, kEyeCamera)}};
+}
+
+TEST(GlAgainstReference, PerPixelWithCloseUpsInAShell) {
+    const Lumigraph lumigraph = card_with_close_ups();
+    ASSERT_EQ(lumigraph.mesh.shells.size(), 1U);
+    expect_gl_equals_reference(lumigraph, eyes_near_card(), {.mode = RenderMode::kPerPixel},
+                               GlApi::kAny);
+}
+
+TEST(GlAgainstReference, PerPixelFadingBeyondTheCapture) {
+    const Lumigraph lumigraph = card_before_wall();
+    const std::vector<NamedEye> eyes = eyes_before_wall(lumigraph);
+    OffscreenRenderer renderer(lumigraph);
+    const RenderOptions fading{.mode = RenderMode::kPerPixel, .fade_beyond_capture = true};
+    double darkest = 1;
+    for (const auto& [name, eye] : eyes) {
+        const Frame drawn = renderer.draw(eye, fading);
+        const Frame expected = draw_reference(lumigraph, eye, fading);
+        const FrameDifference difference = difference_between(drawn.color, expected.color);
+        EXPECT_LE(difference.mean, 1.0) << name;
+        EXPECT_LE(difference.share_beyond_two, 0.02) << name;
+        EXPECT_LE(difference_between(as_color(drawn.coverage), as_color(expected.coverage)).mean,
+                  1.5)
+            << name;
+        const Frame plain = renderer.draw(eye, {.mode = RenderMode::kPerPixel});
+        if (mean_of(plain.color) > 0)
+            darkest = std::min(darkest, mean_of(drawn.color) / mean_of(plain.color));
+        if (std::string(name) == "at a camera") {
+            // The middle of the picture is the camera's own ray.
+            EXPECT_EQ(drawn.color(40, 30), plain.color(40, 30));
+        }
+    }
+    EXPECT_LT(darkest, 0.9);
+}
+
+/// What a shell is for: the print that far cameras cannot resolve is there, and nothing is lost
+/// where the close-ups see nothing.
+TEST(Shells, ShowTheDetailThatTheirCloseUpsSaw) {
+    const Lumigraph with_shell = card_with_close_ups();
+    Lumigraph without = with_shell;
+    without.mesh.shells.clear();
+    const auto error_at = [](const Lumigraph& lumigraph, const Eye& eye) {
+        const Frame frame = draw_reference(lumigraph, eye, {.mode = RenderMode::kPerPixel});
+        return difference_between(frame.color, ideal_photograph(AnalyticScene::kPrintedCard, eye))
+            .mean;
+    };
+    const std::vector<NamedEye> eyes = eyes_near_card();
+    EXPECT_LT(error_at(with_shell, eyes[0].eye), 0.5 * error_at(without, eyes[0].eye));
+    EXPECT_LT(error_at(with_shell, eyes[1].eye), 0.8 * error_at(without, eyes[1].eye));
+    for (const auto& [name, eye] : eyes)
+        EXPECT_LE(error_at(with_shell, eye), 1.02 * error_at(without, eye) + 0.2) << name;
 }
 
 TEST(GlAgainstReference, PerPixelOnOpenGlEs) {
