@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/chart/view_curve_plots.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/evaluate/view_curve.h"
@@ -23,6 +24,7 @@ Json curve_json(const ViewCurve& curve) {
                           {"texture_mib", point.texture_mib},
                           {"ms", point.ms},
                           {"random_psnr_db", point.random_psnr_db},
+                          {"random_deviation_db", point.random_deviation_db},
                           {"best_random_psnr_db", point.best_random_psnr_db}});
     }
     return Json{{"auto_views", curve.auto_views},
@@ -31,12 +33,13 @@ Json curve_json(const ViewCurve& curve) {
 }
 
 std::string curve_text(const ViewCurve& curve) {
-    std::string text = "views   PSNR dB   MiB     ms    random choices: mean, best dB\n";
+    std::string text = "views   PSNR dB   MiB     ms    random choices: mean, deviation, best dB\n";
     for (const ViewCurvePoint& point : curve.points) {
         text += std::to_string(point.views) + "  " + number_text(point.psnr_db, 2) + "  " +
                 number_text(point.texture_mib, 1) + "  " + number_text(point.ms, 1);
         if (point.random_psnr_db > 0) {
             text += "  " + number_text(point.random_psnr_db, 2) + "  " +
+                    number_text(point.random_deviation_db, 2) + "  " +
                     number_text(point.best_random_psnr_db, 2);
         }
         text += "\n";
@@ -47,7 +50,7 @@ std::string curve_text(const ViewCurve& curve) {
 }
 
 void run_select(const std::filesystem::path& folder, const ViewCurveOptions& options,
-                const CommandContext& context) {
+                const std::filesystem::path& chart, const CommandContext& context) {
     const Workspace workspace(find_workspace(folder));
     const PackRecord record = finished_pack(workspace);
     const Lumigraph lumigraph = read_package(workspace.package_folder());
@@ -59,6 +62,7 @@ void run_select(const std::filesystem::path& folder, const ViewCurveOptions& opt
     const ViewCurve curve = measure_view_curve(
         lumigraph, capture, held_out_photographs(workspace, record, context.threads), options,
         *context.progress);
+    if (!chart.empty()) draw_view_curve(chart, curve, *context.progress);
     if (context.json) {
         context.print_result(curve_json(curve));
     } else {
@@ -83,8 +87,12 @@ void add_select_command(CLI::App& app, CommandContext& context) {
                     "Random choices at each number, to compare with")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
-    command.callback([folder, options, &context] {
-        context.chosen = [folder, options, &context] { run_select(*folder, *options, context); };
+    const auto chart = std::make_shared<std::filesystem::path>();
+    command.add_option("--chart", *chart, "Draw the curve into this folder: dB, MiB, ms");
+    command.callback([folder, options, chart, &context] {
+        context.chosen = [folder, options, chart, &context] {
+            run_select(*folder, *options, *chart, context);
+        };
     });
 }
 

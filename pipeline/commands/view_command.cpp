@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
 
+#include "calib/work/error.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/frame_size.h"
 #include "pipeline/commands/render_mode_argument.h"
+#include "pipeline/plan/planned_views.h"
 #include "render/lumigraph/package.h"
 #include "render/viewer/window.h"
 
@@ -16,6 +18,7 @@ struct ViewRequest {
     std::string size;
     std::filesystem::path screenshot;
     bool fade = false;
+    int planned = 0;
 };
 
 void run_view(const ViewRequest& request, const CommandContext& context) {
@@ -28,6 +31,14 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
         const FrameSize size = frame_size_from(request.size);
         options.width_px = size.width_px;
         options.height_px = size.height_px;
+    }
+    options.planned = planned_views_beside(request.package);
+    options.planned_index = request.planned - 1;
+    if (request.planned > static_cast<int>(options.planned.size())) {
+        throw Error(ErrorKind::kUsage, "E-VIEW-PLAN",
+                    "photograph " + std::to_string(request.planned) + " of a plan was asked for, " +
+                        std::to_string(options.planned.size()) + " are planned",
+                    "run `lumi plan` on the workspace first");
     }
     run_window(read_package(request.package), options);
     if (!request.screenshot.empty()) context.print_result(request.screenshot.string() + "\n");
@@ -45,6 +56,10 @@ void add_view_command(CLI::App& app, CommandContext& context) {
     command.add_option("--size", request->size, "Such as 1280x720 (default: the photograph's)");
     command.add_flag("--fade", request->fade,
                      "Fade to black what lies beyond the capture instead of guessing");
+    command
+        .add_option("--planned", request->planned,
+                    "Begin where this photograph of `lumi plan` would be taken: 1, 2, ...")
+        ->check(CLI::PositiveNumber);
     command.add_option("--screenshot", request->screenshot,
                        "Write one frame to this PNG file, its eye beside it, and end");
     command.callback([request, &context] {

@@ -85,12 +85,16 @@ double mean_psnr_db(const std::vector<double>& losses) {
 void draw_random_choices(ViewCurvePoint& point, std::size_t all_views,
                          const ViewCurveOptions& options, ChoiceJudge& judge) {
     HashedRandom random(options.seed, static_cast<std::uint64_t>(point.views));
+    double squares = 0;
     for (int i = 0; i < options.random_choices; ++i) {
         const double psnr = mean_psnr_db(judge.losses_of(
             random_views(all_views, static_cast<std::size_t>(point.views), random)));
         point.random_psnr_db += psnr / options.random_choices;
+        squares += psnr * psnr / options.random_choices;
         point.best_random_psnr_db = std::max(point.best_random_psnr_db, psnr);
     }
+    const double mean = point.random_psnr_db;
+    point.random_deviation_db = std::sqrt(std::max(0.0, squares - mean * mean));
 }
 
 }  // namespace

@@ -17,8 +17,10 @@ struct ViewCurvePoint {
     double psnr_db = 0.0;  ///< Mean over the held-out photographs, full frame.
     double texture_mib = 0.0;
     double ms = 0.0;  ///< Median time of a frame.
-    /// Mean and best over random choices of the same number; 0 where none was drawn.
+    /// Mean, standard deviation and best over random choices of the same number; 0 where none was
+    /// drawn.
     double random_psnr_db = 0.0;
+    double random_deviation_db = 0.0;
     double best_random_psnr_db = 0.0;
 };
 

@@ -77,6 +77,14 @@ void go_to_photograph(int view_index, const Lumigraph& lumigraph, ViewerState& s
     state.navigation = snap_to(state.navigation, lumigraph, state.view_index);
 }
 
+void go_to_planned(int planned_index, const Lumigraph& lumigraph, ViewerState& state) {
+    if (planned_index < 0 || planned_index >= static_cast<int>(state.planned.size())) return;
+    state.planned_index = planned_index;
+    state.navigation.eye.cam_from_world =
+        state.planned[static_cast<std::size_t>(planned_index)].cam_from_world;
+    state.navigation.pivot_in_world = lumigraph.mesh.scene_centre_in_world;
+}
+
 void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
     RenderOptions& render = state.render;
     switch (command) {

@@ -2,6 +2,8 @@
 
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "render/lumigraph/lumigraph.h"
 #include "render/modes/frame.h"
@@ -42,9 +44,17 @@ struct KeyBinding {
 [[nodiscard]] std::span<const KeyBinding> key_bindings();
 [[nodiscard]] std::optional<Command> command_of(int key, bool with_control);
 
+/// Where the next photograph would help, and how to get there in words.
+struct PlannedView {
+    Rigid3 cam_from_world;
+    std::string words;
+};
+
 /// All that keys and panels change.
 struct ViewerState {
     Navigation navigation;
+    std::vector<PlannedView> planned;  ///< The most helpful first; may be empty.
+    int planned_index = -1;            ///< The one that was last stood at, -1: none yet.
     RenderOptions render;
     int view_index = 0;  ///< The photograph that was last stood at.
     bool shows_help = false;
@@ -60,6 +70,10 @@ struct ViewerState {
 
 /// Carries out a command. A debug picture that is shown already is put away.
 void apply(Command command, const Lumigraph& lumigraph, ViewerState& state);
+
+/// Stands where a photograph is planned and turns about the scene's centre; an index that does not
+/// exist does nothing.
+void go_to_planned(int planned_index, const Lumigraph& lumigraph, ViewerState& state);
 
 /// Stands at a photograph; indices wrap around.
 void go_to_photograph(int view_index, const Lumigraph& lumigraph, ViewerState& state);

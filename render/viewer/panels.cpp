@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <string>
 
 #include "calib/work/printable.h"
 
@@ -41,6 +42,22 @@ void show_photographs(const Lumigraph& lumigraph, ViewerState& state) {
     ImGui::EndCombo();
 }
 
+/// One button for each planned photograph, and the way to the one that is stood at.
+void show_plan(const Lumigraph& lumigraph, ViewerState& state) {
+    if (state.planned.empty()) return;
+    ImGui::Separator();
+    ImGui::TextUnformatted("photograph next");
+    for (int i = 0; i < static_cast<int>(state.planned.size()); ++i) {
+        if (i > 0) ImGui::SameLine();
+        if (ImGui::Button(std::to_string(i + 1).c_str())) go_to_planned(i, lumigraph, state);
+    }
+    if (state.planned_index < 0) return;
+    ImGui::PushTextWrapPos(240);
+    ImGui::TextUnformatted(
+        printable(state.planned[static_cast<std::size_t>(state.planned_index)].words).c_str());
+    ImGui::PopTextWrapPos();
+}
+
 void show_statistics(const Lumigraph& lumigraph, const FrameStatistics& statistics) {
     ImGui::Text("%.1f ms a frame", statistics.frame_ms);
     ImGui::Text("%d x %d pixels", statistics.width_px, statistics.height_px);
@@ -59,6 +76,7 @@ void show_panel(const Lumigraph& lumigraph, const FrameStatistics& statistics, V
         show_modes(state.render);
         ImGui::Separator();
         show_photographs(lumigraph, state);
+        show_plan(lumigraph, state);
         ImGui::Separator();
         show_statistics(lumigraph, statistics);
         ImGui::Separator();

@@ -55,6 +55,8 @@ ViewerState beginning(const Lumigraph& lumigraph, const WindowOptions& options) 
     if (!options.view_name.empty()) {
         go_to_photograph(index_of_view(lumigraph, options.view_name), lumigraph, state);
     }
+    state.planned = options.planned;
+    go_to_planned(options.planned_index, lumigraph, state);
     return state;
 }
 

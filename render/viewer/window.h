@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "render/lumigraph/lumigraph.h"
 #include "render/modes/frame.h"
@@ -17,6 +18,8 @@ struct WindowOptions {
     int height_px = 0;
     std::string view_name;  ///< The photograph it begins at; empty: the first.
     RenderOptions render;
+    std::vector<PlannedView> planned;  ///< Offered in the panel.
+    int planned_index = -1;            ///< The one it begins at; -1: at the photograph.
     /// Not empty: one frame is drawn, without panels, and written here as PNG with its pose as JSON
     /// beside it; nobody sees a window.
     std::filesystem::path screenshot_path;

@@ -55,6 +55,21 @@ TEST(KeyBindings, LeaveTheLettersThatFlyAlone) {
     EXPECT_EQ(command_of(GLFW_KEY_S, true), Command::kScreenshot);
 }
 
+TEST_F(ViewerStateTest, StandsWhereAPhotographIsPlanned) {
+    go_to_planned(0, lumigraph_, state_);
+    EXPECT_EQ(state_.planned_index, -1);  // There is no plan.
+    const Rigid3 pose{Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY())),
+                      {0.2, -0.1, 4}};
+    state_.planned = {{Rigid3{}, "go left"}, {pose, "go up"}};
+    go_to_planned(1, lumigraph_, state_);
+    EXPECT_EQ(state_.planned_index, 1);
+    EXPECT_LT((place(state_) - centre_in_world(pose)).norm(), 1e-12);
+    EXPECT_EQ(state_.navigation.pivot_in_world, lumigraph_.mesh.scene_centre_in_world);
+    const Eigen::Vector3d there = place(state_);
+    go_to_planned(2, lumigraph_, state_);
+    EXPECT_EQ(place(state_), there);
+}
+
 TEST_F(ViewerStateTest, StepsThroughThePhotographsAndWrapsAround) {
     EXPECT_EQ(state_.view_index, 0);
     apply_command(Command::kPreviousPhotograph);
