@@ -41,11 +41,14 @@ void append_errors(VersionFigures& figures, const Evaluation& evaluation) {
 void append_ratios(VersionFigures& figures, const Lumigraph& lumigraph,
                    const std::vector<RenderMode>& modes, int frames, int rounds,
                    Progress& progress) {
+    std::vector<RenderOptions> options;
+    for (const RenderMode mode : modes) options.push_back({.mode = mode});
     std::map<RenderMode, std::vector<double>> ratios;
     for (int round = 0; round < rounds; ++round) {
-        const FrameTimingReport report = time_frames(
-            lumigraph, path_through_views(lumigraph, frames, kWidthPx, kHeightPx), modes, progress);
-        for (const ModeCost& cost : report.modes) ratios[cost.mode].push_back(cost.ratio);
+        const FrameTimingReport report =
+            time_frames(lumigraph, path_through_views(lumigraph, frames, kWidthPx, kHeightPx),
+                        options, progress);
+        for (const ModeCost& cost : report.modes) ratios[cost.options.mode].push_back(cost.ratio);
     }
     for (auto& [mode, values] : ratios) {
         std::sort(values.begin(), values.end());

@@ -49,7 +49,7 @@ void time_one(const std::function<void()>& draw, bool counted, Times& times) {
 }  // namespace
 
 FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>& path,
-                              const std::vector<RenderMode>& modes, Progress& progress) {
+                              const std::vector<RenderOptions>& modes, Progress& progress) {
     assert(!path.empty());
     const HeadlessContext context;
     FrameTimingReport report;
@@ -66,6 +66,7 @@ FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>
 
     Times base_times;
     std::vector<Times> mode_times(modes.size());
+    std::vector<double> triangles(modes.size(), 0.0);
     const int rounds = kWarmUpRounds + report.frames;
     progress.begin("drawing", static_cast<std::size_t>(rounds));
     for (int round = 0; round < rounds; ++round) {
@@ -75,9 +76,11 @@ FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>
         framebuffer.bind();
         time_one([&] { blend.draw(viewport); }, counted, base_times);
         for (std::size_t i = 0; i < modes.size(); ++i) {
-            const RenderOptions options{.mode = modes[i]};
             framebuffer.bind();
-            time_one([&] { renderer.draw(eye, options, viewport); }, counted, mode_times[i]);
+            DrawStatistics statistics;
+            time_one([&] { statistics = renderer.draw(eye, modes[i], viewport); }, counted,
+                     mode_times[i]);
+            if (counted) triangles[i] += static_cast<double>(statistics.triangles) / report.frames;
         }
         progress.advance();
     }
@@ -85,7 +88,8 @@ FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>
     report.base = cost_of(base_times);
     for (std::size_t i = 0; i < modes.size(); ++i) {
         const FrameCost cost = cost_of(mode_times[i]);
-        report.modes.push_back({modes[i], cost, cost.median_ms / report.base.median_ms,
+        report.modes.push_back({modes[i], cost, triangles[i],
+                                cost.median_ms / report.base.median_ms,
                                 cost.cpu_ms / report.base.cpu_ms});
     }
     return report;

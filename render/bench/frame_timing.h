@@ -17,8 +17,9 @@ struct FrameCost {
 };
 
 struct ModeCost {
-    RenderMode mode = RenderMode::kPerPixel;
+    RenderOptions options;
     FrameCost cost;
+    double triangles = 0.0;  ///< Mean over the frames.
     double ratio = 0.0;      ///< Of the median wall times, to the three-texture blend.
     double cpu_ratio = 0.0;  ///< The same of CPU times.
 };
@@ -37,7 +38,7 @@ struct FrameTimingReport {
 /// of warming up are not counted. Throws Error (E-GL-...).
 [[nodiscard]] FrameTimingReport time_frames(const Lumigraph& lumigraph,
                                             const std::vector<Eye>& path,
-                                            const std::vector<RenderMode>& modes,
+                                            const std::vector<RenderOptions>& modes,
                                             Progress& progress);
 
 }  // namespace lumi

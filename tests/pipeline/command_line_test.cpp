@@ -65,6 +65,7 @@ TEST(CommandLine, HelpBeginsWithAnExample) {
                                       "bench-boards",
                                       "bench-depth",
                                       "bench-mesh",
+                                      "bench-rivals",
                                       "bench-hazards",
                                       "regression",
                                       "gallery"}) {

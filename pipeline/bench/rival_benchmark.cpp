@@ -1,0 +1,228 @@
+#include "pipeline/bench/rival_benchmark.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "calib/work/stopwatch.h"
+#include "pipeline/bench/rival_scenes.h"
+#include "pipeline/evaluate/image_metrics.h"
+#include "render/bench/frame_timing.h"
+#include "render/modes/offscreen_renderer.h"
+#include "render/rivals/forward_warping.h"
+#include "render/rivals/spherical_light_field.h"
+#include "render/rivals/two_plane.h"
+#include "render/rivals/unstructured_lumigraph.h"
+#include "render/rivals/view_dependent_texture.h"
+
+namespace lumi {
+namespace {
+
+constexpr int kGrossError = 51;      // A fifth of the range.
+constexpr int kSilhouette_px = 2;    // Around which pixels may show either surface.
+constexpr double kDepthStep = 0.03;  // Share of the inverse depth that makes a silhouette.
+
+using Draw = std::function<Frame(const Eye&)>;
+
+bool is_by_a_silhouette(const FloatImage& z, int x, int y) {
+    float nearest = 0;
+    float farthest = 1e30F;
+    for (int row = y - kSilhouette_px; row <= y + kSilhouette_px; ++row) {
+        for (int column = x - kSilhouette_px; column <= x + kSilhouette_px; ++column) {
+            if (!z.contains(column, row)) continue;
+            const float q = z(column, row) > 0 ? 1 / z(column, row) : 0.0F;
+            nearest = std::max(nearest, q);
+            farthest = std::min(farthest, q);
+        }
+    }
+    return static_cast<double>(nearest - farthest) > kDepthStep * static_cast<double>(nearest);
+}
+
+double wrong_layer_share(const Frame& drawn, const TrueFrame& truth) {
+    long wrong = 0;
+    for (int y = 0; y < truth.picture.height(); ++y) {
+        for (int x = 0; x < truth.picture.width(); ++x) {
+            const Rgb8& a = drawn.color(x, y);
+            const Rgb8& b = truth.picture(x, y);
+            const int error =
+                std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+            if (error > kGrossError && drawn.coverage(x, y) != 0 &&
+                !is_by_a_silhouette(truth.depth, x, y))
+                ++wrong;
+        }
+    }
+    return static_cast<double>(wrong) / static_cast<double>(truth.picture.pixels().size());
+}
+
+/// Mean |(a - a_before) - (b - b_before)| over pixels and channels.
+double unlike_change(const ColorImage& a, const ColorImage& a_before, const ColorImage& b,
+                     const ColorImage& b_before) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.pixels().size(); ++i) {
+        const auto unlike = [&](auto channel) {
+            return std::abs((a.pixels()[i].*channel - a_before.pixels()[i].*channel) -
+                            (b.pixels()[i].*channel - b_before.pixels()[i].*channel));
+        };
+        sum += unlike(&Rgb8::r) + unlike(&Rgb8::g) + unlike(&Rgb8::b);
+    }
+    return sum / (3.0 * static_cast<double>(a.pixels().size()));
+}
+
+RivalFigures measured(const std::string& method, const std::string& settings, std::size_t pictures,
+                      const RivalCapture& capture, const Draw& draw) {
+    RivalFigures figures;
+    figures.method = method;
+    figures.settings = settings;
+    figures.pictures = static_cast<int>(pictures);
+    const auto count = static_cast<double>(capture.held_out.size());
+    for (const TrueFrame& truth : capture.held_out) {
+        const Frame drawn = draw(truth.eye);
+        figures.psnr_db += psnr_db(drawn.color, truth.picture) / count;
+        figures.psnr_covered_db +=
+            psnr_db(drawn.color, truth.picture, drawn.coverage).value_or(0) / count;
+        figures.coverage += covered_share(drawn.coverage) / count;
+        figures.wrong_layer_share += wrong_layer_share(drawn, truth) / count;
+    }
+    if (capture.path.size() < 2) return figures;
+    ColorImage before = draw(capture.path.front().eye).color;
+    double flicker = 0;
+    for (std::size_t i = 1; i < capture.path.size(); ++i) {
+        ColorImage now = draw(capture.path[i].eye).color;
+        flicker += unlike_change(now, before, capture.path[i].picture, capture.path[i - 1].picture);
+        before = std::move(now);
+    }
+    figures.flicker = flicker / static_cast<double>(capture.path.size() - 1);
+    return figures;
+}
+
+struct NamedOptions {
+    std::string settings;
+    RenderOptions options;
+};
+
+std::vector<NamedOptions> settings_of_free_form() {
+    std::vector<NamedOptions> all{
+        {"", {.mode = RenderMode::kLightField}},
+        {"", {.mode = RenderMode::kHeigl}},
+        {"", {.mode = RenderMode::kPerPixel}},
+        {"no occlusion correction", {.mode = RenderMode::kPerPixel, .correct_occlusion = false}}};
+    for (const std::size_t triangles : {std::size_t{500}, std::size_t{1000}, std::size_t{5000}})
+        all.push_back({"<= " + std::to_string(triangles),
+                       {.mode = RenderMode::kAdaptive, .max_triangles = triangles}});
+    all.push_back(
+        {"no occlusion correction", {.mode = RenderMode::kAdaptive, .correct_occlusion = false}});
+    for (const double min_px : {24.0, 12.0, 6.0})
+        all.push_back({"triangles >= " + std::to_string(static_cast<int>(min_px)) + " px",
+                       {.mode = RenderMode::kPaper2001, .min_triangle_px = min_px}});
+    return all;
+}
+
+std::vector<Eye> timed_path(const RivalCapture& capture, int frames) {
+    std::vector<Eye> eyes;
+    for (int i = 0; i < frames; ++i)
+        eyes.push_back(capture.held_out[static_cast<std::size_t>(i) % capture.held_out.size()].eye);
+    return eyes;
+}
+
+/// Measures one Lumigraph in some modes and appends the figures.
+void append_modes(const std::string& prefix, const Lumigraph& lumigraph,
+                  const std::vector<NamedOptions>& modes, const RivalCapture& capture, int frames,
+                  Progress& progress, std::vector<RivalFigures>& rivals) {
+    std::vector<RenderOptions> options;
+    for (const NamedOptions& mode : modes) options.push_back(mode.options);
+    const FrameTimingReport timing =
+        time_frames(lumigraph, timed_path(capture, frames), options, progress);
+    OffscreenRenderer renderer(lumigraph);
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+        progress.throw_if_interrupted();
+        RivalFigures figures =
+            measured(prefix + name_of(options[i].mode), modes[i].settings, lumigraph.views.size(),
+                     capture, [&](const Eye& eye) { return renderer.draw(eye, options[i]); });
+        figures.triangles = timing.modes[i].triangles;
+        figures.cpu_ms = timing.modes[i].cost.cpu_ms;
+        figures.cpu_ratio = timing.modes[i].cpu_ratio;
+        rivals.push_back(std::move(figures));
+    }
+}
+
+/// Of the frame's time, from the figures of a mode with and without occlusion correction.
+double occlusion_share(const std::vector<RivalFigures>& rivals, RenderMode mode,
+                       const std::string& settings_with) {
+    const auto cpu_ms = [&](const std::string& settings) {
+        const auto found =
+            std::find_if(rivals.begin(), rivals.end(), [&](const RivalFigures& figures) {
+                return figures.method == name_of(mode) && figures.settings == settings;
+            });
+        return found->cpu_ms.value_or(0);
+    };
+    const double with = cpu_ms(settings_with);
+    return with > 0 ? (with - cpu_ms("no occlusion correction")) / with : 0;
+}
+
+RivalScene measured_scene(const std::string& name, const RivalBenchmarkOptions& options,
+                          Progress& progress) {
+    const RivalCapture capture = rival_capture(name,
+                                               {.size_px = options.size_px,
+                                                .held_out = options.held_out,
+                                                .path_frames = options.flicker_frames},
+                                               progress);
+    const Lumigraph& lumigraph = capture.lumigraph;
+    RivalScene scene;
+    scene.name = capture.name;
+    scene.paper = capture.paper;
+    scene.photographs = static_cast<int>(lumigraph.views.size());
+    append_modes("", lumigraph, settings_of_free_form(), capture, options.frames, progress,
+                 scene.rivals);
+    scene.per_pixel_occlusion_share = occlusion_share(scene.rivals, RenderMode::kPerPixel, "");
+    scene.adaptive_occlusion_share =
+        occlusion_share(scene.rivals, RenderMode::kAdaptive, "<= 5000");
+
+    OffscreenRenderer source(lumigraph);
+    const Draw draw_source = [&](const Eye& eye) { return source.draw(eye, {}); };
+    const Stopwatch stopwatch;
+    // About as many pictures as there are photographs.
+    const double side = std::sqrt(scene.photographs / (capture.is_all_around ? 6.0 : 1.0));
+    const TwoPlaneOptions grid{.columns = std::max(2, static_cast<int>(std::lround(side))),
+                               .rows = std::max(2, static_cast<int>(std::lround(side))),
+                               .size_px = options.size_px};
+    const Lumigraph two_plane = resampled(
+        lumigraph,
+        capture.is_all_around ? two_plane_cube(lumigraph, grid) : two_plane_slab(lumigraph, grid),
+        draw_source);
+    scene.resampling_cpu_s = stopwatch.elapsed().cpu_s;
+    const std::vector<NamedOptions> resampled_modes{{"", {.mode = RenderMode::kLightField}},
+                                                    {"<= 5000", {.mode = RenderMode::kAdaptive}}};
+    append_modes("two-plane ", two_plane, resampled_modes, capture, options.frames, progress,
+                 scene.rivals);
+    if (capture.is_all_around) {
+        const Lumigraph spherical = resampled(
+            lumigraph, spherical_light_field(lumigraph, {.size_px = options.size_px}), draw_source);
+        append_modes("spherical ", spherical, resampled_modes, capture, options.frames, progress,
+                     scene.rivals);
+    }
+    const auto append_plain = [&](const std::string& method, const Draw& draw) {
+        progress.throw_if_interrupted();
+        scene.rivals.push_back(
+            measured(method, "plain code", lumigraph.views.size(), capture, draw));
+    };
+    append_plain("unstructured lumigraph",
+                 [&](const Eye& eye) { return draw_unstructured_lumigraph(lumigraph, eye); });
+    append_plain("view-dependent texture",
+                 [&](const Eye& eye) { return draw_view_dependent_texture(lumigraph, eye); });
+    append_plain("forward warping",
+                 [&](const Eye& eye) { return draw_forward_warping(lumigraph, eye); });
+    return scene;
+}
+
+}  // namespace
+
+std::vector<RivalScene> benchmark_rivals(const RivalBenchmarkOptions& options,
+                                         const std::vector<std::string>& scenes,
+                                         Progress& progress) {
+    std::vector<RivalScene> measured;
+    for (const std::string& name : scenes)
+        measured.push_back(measured_scene(name, options, progress));
+    return measured;
+}
+
+}  // namespace lumi

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calib/work/progress.h"
+#include "pipeline/synth/scene.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// A picture that is known without being photographed, and where the surfaces end in it.
+struct TrueFrame {
+    Eye eye;
+    ColorImage picture;
+    FloatImage depth;  ///< z; 0: nothing there.
+};
+
+/// A Lumigraph of a synthetic scene with exact poses and depth.
+struct RivalCapture {
+    std::string name;
+    std::string paper;
+    bool is_all_around = false;
+    Lumigraph lumigraph;
+    std::vector<TrueFrame> held_out;
+    std::vector<TrueFrame> path;  ///< Even steps between two places that are held out.
+};
+
+struct RivalCaptureOptions {
+    int size_px = 256;
+    int held_out = 8;
+    int path_frames = 24;
+};
+
+/// Scenes after the paper's figures 7 (33 hand-held photographs), 8 (169) and 9 (107, all around):
+/// the demo's cat, from three paths.
+[[nodiscard]] std::vector<std::string> rival_scene_names();
+[[nodiscard]] RivalCapture rival_capture(const std::string& name,
+                                         const RivalCaptureOptions& options, Progress& progress);
+
+}  // namespace lumi

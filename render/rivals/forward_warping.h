@@ -1,0 +1,20 @@
+#pragma once
+
+#include "render/lumigraph/lumigraph.h"
+#include "render/modes/frame.h"
+
+namespace lumi {
+
+struct ForwardWarpingOptions {
+    int views = 3;             ///< Those that see the scene most as the eye does.
+    double splat_px = 0.75;    ///< Half the side of the square that a sample covers.
+    double same_share = 0.01;  ///< Depths that differ by less are of one surface and are blended.
+};
+
+/// Forward warping of depth images (Schirmacher, Heidrich, Seidel 2000) in plain code: every pixel
+/// of the nearest views goes to where the eye sees it; the nearest surface stays, what several
+/// views say about it is blended. Holes stay open.
+[[nodiscard]] Frame draw_forward_warping(const Lumigraph& lumigraph, const Eye& eye,
+                                         const ForwardWarpingOptions& options = {});
+
+}  // namespace lumi

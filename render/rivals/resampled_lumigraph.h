@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+
+#include "render/lumigraph/lumigraph.h"
+#include "render/modes/frame.h"
+
+namespace lumi {
+
+/// Draws a frame of the Lumigraph that is resampled.
+using DrawEye = std::function<Frame(const Eye&)>;
+
+/// Where the pictures of a parameterised light field are taken from, and its camera mesh.
+struct LightFieldLayout {
+    std::vector<Eye> eyes;
+    CameraMesh mesh;  ///< Its view indices point into `eyes`.
+};
+
+/// The Lumigraph whose pictures a regular parameterisation asks for, drawn from another one
+/// ("rebinned"): what capture by hand costs such parameterisations, in time and in sharpness. Depth
+/// is resampled, too, where the source has any.
+[[nodiscard]] Lumigraph resampled(const Lumigraph& source, LightFieldLayout layout,
+                                  const DrawEye& draw);
+
+}  // namespace lumi

@@ -1,0 +1,39 @@
+#include "render/rivals/seen_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/reference/sampling.h"
+
+namespace lumi {
+
+Eigen::Vector3d SeenPoint::color() const { return bilinear(view->photograph, pixel); }
+
+double SeenPoint::depth_difference_share() const { return std::abs(depth - map_depth) / depth; }
+
+std::optional<SeenPoint> seen_point(const LumigraphView& view,
+                                    const Eigen::Vector3d& point_in_world) {
+    const Eigen::Vector3d in_view = view.cam_from_world * point_in_world;
+    const auto pixel = project(view.camera, in_view);
+    if (!pixel || !is_inside(view.camera, *pixel)) return std::nullopt;
+    const FloatImage& map = view.depth.inverse_depth;
+    const double inverse_depth = nearest(map, {pixel->x() * map.width() / view.camera.width_px,
+                                               pixel->y() * map.height() / view.camera.height_px});
+    return SeenPoint{&view, *pixel, in_view.z(), 1 / std::max(inverse_depth, 1e-12)};
+}
+
+Frame empty_frame(const Eye& eye) {
+    return {ColorImage(eye.camera.width_px, eye.camera.height_px),
+            GrayImage(eye.camera.width_px, eye.camera.height_px),
+            {}};
+}
+
+void set_pixel(Frame& frame, int x, int y, const Eigen::Vector3d& color) {
+    const auto byte = [](double value) {
+        return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+    };
+    frame.color(x, y) = {byte(color.x()), byte(color.y()), byte(color.z())};
+    frame.coverage(x, y) = 255;
+}
+
+}  // namespace lumi

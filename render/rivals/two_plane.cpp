@@ -1,0 +1,147 @@
+#include "render/rivals/two_plane.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace lumi {
+namespace {
+
+/// A plane's frame: x and y along it, z towards the scene.
+struct PlaneFrame {
+    Eigen::Matrix3d plane_from_world;
+    Eigen::Vector3d scene_centre_in_world;
+};
+
+/// The view through `eye_in_world` whose picture is the square of half width `half` around the
+/// scene's centre on the plane through it.
+Eye sheared_view(const PlaneFrame& plane, const Eigen::Vector3d& eye_in_world, double half,
+                 int size_px) {
+    const Eigen::Vector3d to_centre =
+        plane.plane_from_world * (plane.scene_centre_in_world - eye_in_world);
+    const double focal_px = 0.5 * size_px * to_centre.z() / half;
+    Camera camera = pinhole_camera(size_px, size_px, focal_px);
+    camera.parameters[2] = 0.5 * size_px - focal_px * to_centre.x() / to_centre.z();
+    camera.parameters[3] = 0.5 * size_px - focal_px * to_centre.y() / to_centre.z();
+    Rigid3 cam_from_world;
+    cam_from_world.rotation = Eigen::Quaterniond(plane.plane_from_world);
+    cam_from_world.translation = -(cam_from_world.rotation * eye_in_world);
+    return {camera, cam_from_world};
+}
+
+std::vector<Eigen::Vector3d> centres_of(const Lumigraph& source) {
+    std::vector<Eigen::Vector3d> centres;
+    for (const LumigraphView& view : source.views)
+        centres.push_back(centre_in_world(view.cam_from_world));
+    return centres;
+}
+
+Eigen::Matrix3d rotation_with_axis(const Eigen::Vector3d& z, const Eigen::Vector3d& down) {
+    const Eigen::Vector3d x = down.cross(z).normalized();
+    Eigen::Matrix3d rotation;
+    rotation.row(0) = x;
+    rotation.row(1) = z.cross(x);
+    rotation.row(2) = z;
+    return rotation;
+}
+
+/// Half the width that all photographs show at the scene's centre, at most.
+double seen_half_width(const Lumigraph& source) {
+    double half = 0;
+    for (const LumigraphView& view : source.views) {
+        const Eigen::Vector3d centre = view.cam_from_world * source.mesh.scene_centre_in_world;
+        half = std::max(
+            half, 0.5 * view.camera.width_px * centre.z() / focal_length_px(view.camera).mean());
+    }
+    return half;
+}
+
+/// Two triangles a square; seen from outside they turn counter-clockwise.
+void append_square(CameraMesh& mesh, int a, int b, int c, int d) {
+    for (CameraMesh::Face face : {CameraMesh::Face{a, b, c}, CameraMesh::Face{a, c, d}}) {
+        const auto at = [&](std::size_t i) {
+            return mesh.vertices[static_cast<std::size_t>(face[i])].position_in_world;
+        };
+        const Eigen::Vector3d normal = (at(1) - at(0)).cross(at(2) - at(0));
+        if (normal.dot(at(0) - mesh.scene_centre_in_world) < 0) std::swap(face[1], face[2]);
+        mesh.faces.push_back(face);
+    }
+}
+
+}  // namespace
+
+LightFieldLayout two_plane_slab(const Lumigraph& source, const TwoPlaneOptions& options) {
+    const std::vector<Eigen::Vector3d> centres = centres_of(source);
+    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+    Eigen::Vector3d down = Eigen::Vector3d::Zero();
+    for (const LumigraphView& view : source.views) {
+        axis += view.cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitZ();
+        down += view.cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitY();
+    }
+    const PlaneFrame plane{rotation_with_axis(axis.normalized(), down),
+                           source.mesh.scene_centre_in_world};
+    Eigen::AlignedBox3d extent;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& centre : centres) {
+        extent.extend((plane.plane_from_world * centre).eval());
+        mean += plane.plane_from_world * centre / static_cast<double>(centres.size());
+    }
+    LightFieldLayout layout;
+    layout.mesh.construction = MeshConstruction::kOpen;
+    layout.mesh.scene_centre_in_world = plane.scene_centre_in_world;
+    const double half = seen_half_width(source);
+    for (int row = 0; row < options.rows; ++row) {
+        for (int column = 0; column < options.columns; ++column) {
+            const Eigen::Vector3d share(static_cast<double>(column) / (options.columns - 1),
+                                        static_cast<double>(row) / (options.rows - 1), 0);
+            Eigen::Vector3d at = extent.min() + share.cwiseProduct(extent.sizes());
+            at.z() = mean.z();
+            const Eigen::Vector3d eye_in_world = plane.plane_from_world.transpose() * at;
+            layout.mesh.vertices.push_back(
+                {eye_in_world, static_cast<int>(layout.mesh.vertices.size())});
+            layout.eyes.push_back(sheared_view(plane, eye_in_world, half, options.size_px));
+            if (row == 0 || column == 0) continue;
+            const int here = static_cast<int>(layout.mesh.vertices.size()) - 1;
+            append_square(layout.mesh, here, here - 1, here - 1 - options.columns,
+                          here - options.columns);
+        }
+    }
+    return layout;
+}
+
+LightFieldLayout two_plane_cube(const Lumigraph& source, const TwoPlaneOptions& options) {
+    LightFieldLayout layout;
+    layout.mesh.construction = MeshConstruction::kClosed;
+    const Eigen::Vector3d centre = source.mesh.scene_centre_in_world;
+    layout.mesh.scene_centre_in_world = centre;
+    double distance = 0;
+    for (const Eigen::Vector3d& at : centres_of(source))
+        distance += (at - centre).norm() / static_cast<double>(source.views.size());
+    const double half = seen_half_width(source);
+    const int last = options.columns - 1;
+    for (int side = 0; side < 6; ++side) {
+        const int axis = side / 2;
+        const double sign = side % 2 == 0 ? 1 : -1;
+        const Eigen::Vector3d outwards = sign * Eigen::Vector3d::Unit(axis);
+        const Eigen::Vector3d u = Eigen::Vector3d::Unit((axis + 1) % 3);
+        const Eigen::Vector3d v = Eigen::Vector3d::Unit((axis + 2) % 3);
+        const PlaneFrame plane{rotation_with_axis(-outwards, v), centre};
+        const auto first = static_cast<int>(layout.mesh.vertices.size());
+        for (int row = 0; row <= last; ++row) {
+            for (int column = 0; column <= last; ++column) {
+                // The mean distance lies between that of the sides and that of the corners.
+                const Eigen::Vector3d at = centre + 0.75 * distance *
+                                                        (outwards + (2.0 * column / last - 1) * u +
+                                                         (2.0 * row / last - 1) * v);
+                layout.mesh.vertices.push_back({at, static_cast<int>(layout.mesh.vertices.size())});
+                layout.eyes.push_back(sheared_view(plane, at, half, options.size_px));
+                if (row == 0 || column == 0) continue;
+                const int here = first + row * options.columns + column;
+                append_square(layout.mesh, here, here - 1, here - 1 - options.columns,
+                              here - options.columns);
+            }
+        }
+    }
+    return layout;
+}
+
+}  // namespace lumi
