@@ -408,6 +408,25 @@ TEST_F(Line, PlansWhereToPhotographNext) {
     EXPECT_THAT(lumi("plan --wish 0.01 " + quoted(workspace())).out, HasSubstr("0.01 px"));
 }
 
+TEST(CommandLine, MeasuresTheRivalsOnAPaperScene) {
+    const Outcome outcome = lumi(
+        "bench-rivals --json --scene coke --size 64 --frames 2 --held-out 2 --flicker-frames 2");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    const Json scene = Json::parse(outcome.out).at("scenes").at(0);
+    EXPECT_EQ(scene.at("photographs"), 33);
+    std::map<std::string, double> covered_db;
+    for (const Json& rival : scene.at("rivals"))
+        covered_db.try_emplace(rival.at("method"), rival.at("psnr_covered_db"));
+    for (const char* method :
+         {"lightfield", "heigl", "adaptive", "paper2001", "two-plane lightfield",
+          "unstructured lumigraph", "view-dependent texture", "forward warping"})
+        EXPECT_GT(covered_db[method], 10.0) << method;
+    // What depth is worth, and what resampling costs.
+    EXPECT_GT(covered_db["perpixel"], covered_db["lightfield"] + 3);
+    EXPECT_GT(covered_db["adaptive"], covered_db["two-plane adaptive"]);
+    EXPECT_EQ(lumi("bench-rivals --scene pepsi").exit_code, 2);
+}
+
 TEST(CommandLine, MeasuresTheCameraMeshOverRandomCaptures) {
     const Outcome outcome = lumi("bench-mesh --json --captures 3 --rays 300 --most-cameras 1000");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
