@@ -57,7 +57,7 @@ Severity severity_of(const Cohesion& cohesion) {
 /// What is wrong with one picture, if anything.
 std::optional<CaptureReason> trouble_with(const PhotographQuality& quality, int width_px) {
     constexpr double kMaxClipped = 0.5;
-    constexpr double kMinSignalToNoise = 4.0;
+    constexpr double kMinSignalToNoise = 10.0;   // At the best scale; features are finer.
     constexpr double kMinContrast = 2.0;         // Grey levels; features need as much.
     constexpr double kMaxBlurShare = 1.0 / 160;  // Of the longer side.
     if (quality.clipped_share > kMaxClipped) return CaptureReason::kExposure;
@@ -143,13 +143,20 @@ void judge_brightness(const CaptureEvidence& evidence, const Cohesion& cohesion,
 void judge_motion(const CaptureEvidence& evidence, std::vector<Finding>& findings) {
     const MotionEvidence& motion = evidence.motion;
     if (motion.pairs == 0) return;
-    if (motion.rotation_share() >= kMostShare) {
+    // A pair or two among many photographs are an accident.
+    const int min_pairs = static_cast<int>(evidence.photographs.size()) / 2;
+    const bool only_turned = motion.rotation_share() >= kNearlyAll;
+    if (motion.rotation_share() >= kMostShare && motion.pairs >= min_pairs) {
+        // Sideways before a wall looks much the same: only where hardly a pair says otherwise, no
+        // parallax can be hoped for.
         findings.push_back({CaptureReason::kNoParallax,
-                            Severity::kHopeless,
+                            only_turned ? Severity::kHopeless : Severity::kNote,
                             text("the camera turned on the spot or hardly moved: %d of %d pairs "
                                  "of photographs show the same view without parallax",
                                  motion.rotation_pairs, motion.pairs),
                             {}});
+    }
+    if (only_turned) {
         return;
     }
     const auto in_view =

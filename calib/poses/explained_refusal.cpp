@@ -1,6 +1,7 @@
 #include "calib/poses/explained_refusal.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "calib/capture/image_io.h"
 #include "calib/work/parallel_for.h"
@@ -26,6 +27,12 @@ std::vector<PhotographQuality> qualities_of(const MappingJob& job, int longer_si
         qualities[index].name = photograph.name;
     });
     return qualities;
+}
+
+bool spoils_matches(CaptureReason reason) {
+    return reason == CaptureReason::kExposure || reason == CaptureReason::kNoise ||
+           reason == CaptureReason::kTexture || reason == CaptureReason::kBlur ||
+           reason == CaptureReason::kClutter;
 }
 
 }  // namespace
@@ -59,6 +66,27 @@ void refuse_explained(const MappingJob& job, const MatchedPhotographs& matched,
         const bool says_no_more_than_we_know = finding.reason == CaptureReason::kNoPair;
         if (finding.severity < Severity::kRisk || says_no_more_than_we_know) continue;
         refuse_capture(finding.reason, finding.what);
+    }
+    refuse_capture(fallback, what);
+}
+
+void refuse_contradiction(const MappingJob& job, const MatchedPhotographs& matched,
+                          CaptureReason fallback, const std::string& what) {
+    // Matches by look that are true mostly agree with one motion. Where few do, the rest will have
+    // let some pairs pass by chance.
+    constexpr double kMinInlierShare = 0.6;
+    for (const Finding& finding : diagnose(evidence_of(job, matched))) {
+        if (finding.severity >= Severity::kRisk && spoils_matches(finding.reason)) {
+            refuse_capture(finding.reason, finding.what);
+        }
+    }
+    std::vector<double> shares = matched.inlier_shares;
+    std::sort(shares.begin(), shares.end());
+    if (!shares.empty() && shares[shares.size() / 2] < kMinInlierShare) {
+        const int percent = static_cast<int>(std::lround(100 * shares[shares.size() / 2]));
+        refuse_capture(CaptureReason::kClutter,
+                       what + ", and only " + std::to_string(percent) +
+                           " % of what looks alike in two photographs stands still between them");
     }
     refuse_capture(fallback, what);
 }

@@ -13,7 +13,7 @@
 namespace lumi {
 namespace {
 
-constexpr double kRotationShare = 0.7;  ///< So many pairs are rotations: the camera only turned.
+constexpr double kRotationShare = 0.9;  ///< So many pairs are rotations: the camera only turned.
 constexpr double kMinAngle_deg = 1.0;   ///< Below this depth is a guess.
 constexpr double kWeakAngle_deg = 2.5;
 constexpr double kMinFocalPerSide = 0.3;  ///< 118 degrees across the longer side.

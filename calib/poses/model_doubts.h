@@ -5,17 +5,16 @@
 
 namespace lumi {
 
-/// Where residuals look like zoom: gives each view of `mapped` a lens of its own, if the
-/// information criterion asks for it, and warns. True when it did: `mapped` is then to be refined
-/// again. `mapped` is the model before the refinement, with the observations that the refinement
-/// dropped.
-[[nodiscard]] bool give_own_lenses(const MappingJob& job, Capture& mapped, const Capture& refined);
-
 /// Asks of a refined model what would make it look right and be wrong. Throws Error:
 ///
+/// - Verified pairs that the model denies, and that see things from another side altogether:
+///   E-POSES-REPEATED, unless poor pictures or clutter explain it.
 /// - Residuals that look like a rolling shutter, where an adjustment with a turning rate for each
 ///   view explains more and moves a camera by more than poses may be wrong: E-POSES-SHUTTER.
-/// - Verified pairs that the model denies: E-POSES-REPEATED, or what else the evidence names.
+/// - Pairs that are denied for no such cause: E-POSES-UNCERTAIN.
+/// - Most pairs seem to have only turned, and rays to the same point hardly meet: E-POSES-ROTATION.
+///
+/// `mapped` is the model before the refinement, with the observations that it dropped.
 void settle_doubts(const MappingJob& job, const MatchedPhotographs& matched, const Capture& mapped,
                    const Capture& refined);
 

@@ -15,6 +15,17 @@ struct PairAgreement {
     int contradicted = 0;  ///< Of these, such whose matches the model denies.
     /// Of all these pairs, or of their matches, whichever is more: those that are denied.
     double contradicted_share = 0.0;
+    /// Of the matches in these pairs: those that lie where the model says they should.
+    double agreeing_share = 1.0;
+    /// Of the contradicted pairs: the median angle between the rotation that their own matches tell
+    /// and the model's. What was taken for another thing is seen from another side altogether;
+    /// pictures that are bent, or lenses that differ, turn a pair by a few degrees.
+    double contradicted_turn_deg = 0.0;
+
+    /// True when more is denied than chance lets pass.
+    [[nodiscard]] bool is_contradiction() const;
+    /// True when some of what is denied is seen from another side altogether.
+    [[nodiscard]] bool is_mistaken() const;
 };
 
 /// A pair was verified because many of its matches agree with one motion of the camera. Where the

@@ -12,6 +12,9 @@ struct PoseShift {
     /// others' centres from their middle.
     double position_share = 0.0;
     double rotation_deg = 0.0;  ///< Of the worst camera.
+
+    /// True when poses that move so far between two models of the same photographs are not known.
+    [[nodiscard]] bool matters() const { return position_share > 0.05 || rotation_deg > 1.0; }
 };
 
 /// After the similarity that fits `poses` to `others`: its rotation is the mean of what the

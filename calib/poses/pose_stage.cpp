@@ -8,6 +8,7 @@
 #include "calib/poses/mapping.h"
 #include "calib/poses/model_check.h"
 #include "calib/poses/model_doubts.h"
+#include "calib/poses/own_lenses.h"
 #include "calib/poses/point_colors.h"
 #include "calib/poses/refinement.h"
 #include "calib/poses/registration.h"
@@ -131,10 +132,9 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
         result.capture = *mapped;
         refine(result.capture, policy, options, threads, result.evidence, progress);
     });
-    if (give_own_lenses(job, *mapped, result.capture)) {
-        result.capture = *mapped;
-        result.evidence.views.clear();
-        refine(result.capture, policy, options, threads, result.evidence, progress);
+    if (auto own = find_own_lenses(job, matched, policy, result.capture)) {
+        mapped = std::move(own->mapped);
+        result.capture = std::move(own->refined);
     }
     settle_doubts(job, matched, *mapped, result.capture);
     result.not_registered =

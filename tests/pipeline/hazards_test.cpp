@@ -29,16 +29,17 @@ Trial try_at(const Place& place) {
                      folder / "trial", progress);
 }
 
-class HarmlessCapture : public testing::TestWithParam<Place> {};
+class UsableCapture : public testing::TestWithParam<Place> {};
 
-TEST_P(HarmlessCapture, IsPlacedRight) {
+TEST_P(UsableCapture, IsPlacedRight) {
     const Trial trial = try_at(GetParam());
     EXPECT_EQ(trial.lumi.ending, Ending::kRight)
         << trial.lumi.code << " " << trial.lumi.what << " " << trial.lumi.error.position_share;
 }
 
-INSTANTIATE_TEST_SUITE_P(Stress, HarmlessCapture,
-                         testing::Values(Place{Hazard::kBlur, 0}, Place{Hazard::kForward, 0}),
+INSTANTIATE_TEST_SUITE_P(Stress, UsableCapture,
+                         testing::Values(Place{Hazard::kBlur, 0}, Place{Hazard::kForward, 0},
+                                         Place{Hazard::kZoom, 2}),
                          name_of_place);
 
 class HopelessCapture : public testing::TestWithParam<Place> {};
@@ -53,6 +54,7 @@ TEST_P(HopelessCapture, IsRefusedForTheTrueReason) {
 
 INSTANTIATE_TEST_SUITE_P(Stress, HopelessCapture,
                          testing::Values(Place{Hazard::kRotation, 4}, Place{Hazard::kTexture, 3},
+                                         Place{Hazard::kNoise, 4}, Place{Hazard::kShutter, 3},
                                          Place{Hazard::kRepetition, 4},
                                          Place{Hazard::kDuplicates, 4}),
                          name_of_place);

@@ -124,6 +124,20 @@ TEST(Diagnosis, ACameraThatOnlyTurnedIsHopeless) {
     EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
 }
 
+TEST(Diagnosis, WhereSomePairsShowParallaxSeemingRotationsAreANote) {
+    CaptureEvidence evidence = good_capture();
+    evidence.motion.rotation_pairs = evidence.motion.pairs * 4 / 5;
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kNoParallax);
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kNote);
+}
+
+TEST(Diagnosis, OnePairAmongManyPhotographsSaysNothingOfTheMotion) {
+    CaptureEvidence evidence = good_capture();
+    evidence.pairs.resize(1);
+    evidence.motion = {1, 1, 1};
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kSplit);
+}
+
 TEST(Diagnosis, AFlatSurfaceIsARiskUnlessTheLensIsKnown) {
     CaptureEvidence evidence = good_capture();
     evidence.motion.planar_pairs = evidence.motion.pairs;

@@ -76,12 +76,25 @@ TEST(ShutterAdjustment, FindsTheSkewAndTheTruePoses) {
     const NamedPoses truth = named_poses(capture);
     skew(capture, 30);
     SilentProgress progress;
-    const ShutterAdjustment adjusted = adjust_for_shutter(capture, 2.0, progress);
+    const ShutterAdjustment adjusted = adjust_for_shutter(capture, true, 2.0, progress);
     EXPECT_NEAR(adjusted.skew_px, 30, 6);
-    const PoseShift shift = pose_shift(named_poses(adjusted.capture), truth);
+    const PoseShift shift = pose_shift(named_poses(adjusted.turning), truth);
     EXPECT_EQ(shift.placed, 8);
     EXPECT_LT(shift.position_share, 0.02);
-    EXPECT_LT(adjusted.cost_px2, 2 * 0.3 * static_cast<double>(count_observations(capture)));
+    EXPECT_LT(adjusted.turning_cost_px2, 2 * 0.3 * static_cast<double>(adjusted.observations));
+    EXPECT_TRUE(explains_better(adjusted.steady_cost_px2, adjusted.turning_cost_px2,
+                                adjusted.parameters, adjusted.observations));
+}
+
+TEST(ShutterAdjustment, IsNotAskedForByCamerasThatStoodStill) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        SilentProgress progress;
+        const ShutterAdjustment adjusted =
+            adjust_for_shutter(noisy_capture(seed), false, 2.0, progress);
+        EXPECT_FALSE(explains_better(adjusted.steady_cost_px2, adjusted.turning_cost_px2,
+                                     adjusted.parameters, adjusted.observations))
+            << seed;
+    }
 }
 
 TEST(PoseShift, IsNothingAfterASimilarity) {
@@ -162,6 +175,8 @@ TEST(PairAgreement, ATrueModelDeniesNoPair) {
     const PairAgreement agreement = PairsOfCapture(capture).with(capture);
     EXPECT_EQ(agreement.pairs, 28);
     EXPECT_EQ(agreement.contradicted, 0);
+    EXPECT_GT(agreement.agreeing_share, 0.99);
+    EXPECT_FALSE(agreement.is_contradiction());
 }
 
 TEST(PairAgreement, ACameraPutElsewhereDeniesItsPairs) {
@@ -174,6 +189,21 @@ TEST(PairAgreement, ACameraPutElsewhereDeniesItsPairs) {
     const PairAgreement agreement = pairs.with(wrong);
     EXPECT_GE(agreement.contradicted, 5);
     EXPECT_GT(agreement.contradicted_share, 0.15);
+    EXPECT_TRUE(agreement.is_contradiction());
+    EXPECT_TRUE(agreement.is_mistaken());
+}
+
+TEST(PairAgreement, ACameraThatIsTurnedALittleIsDeniedButNotMistaken) {
+    const Capture capture = noisy_capture(6);
+    const PairsOfCapture pairs(capture);
+    Capture bent = capture;
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX()));
+    Rigid3& pose = bent.views[0].cam_from_world;
+    pose = {turn * pose.rotation, turn * pose.translation};
+    const PairAgreement agreement = pairs.with(bent);
+    EXPECT_TRUE(agreement.is_contradiction());
+    EXPECT_NEAR(agreement.contradicted_turn_deg, 5.7, 1.0);
+    EXPECT_FALSE(agreement.is_mistaken());
 }
 
 }  // namespace

@@ -1,0 +1,211 @@
+#include "calib/poses/own_lenses.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "calib/doctor/capture_reason.h"
+#include "calib/poses/model_check.h"
+#include "calib/poses/pair_agreement.h"
+#include "calib/poses/pose_shift.h"
+#include "calib/poses/residual_pattern.h"
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+/// Largest over smallest focal length of views that shared a lens before.
+double zoom_factor(const Capture& own, const Capture& shared) {
+    std::map<std::string, double> own_focal_px;
+    for (const View& view : own.views) {
+        own_focal_px[view.name] = focal_length_px(camera_of(own, view)).mean();
+    }
+    double factor = 1.0;
+    for (int lens = 0; lens < static_cast<int>(shared.cameras.size()); ++lens) {
+        double least = std::numeric_limits<double>::infinity();
+        double most = 0;
+        for (const View& view : shared.views) {
+            const auto focal = own_focal_px.find(view.name);
+            if (view.camera_index != lens || focal == own_focal_px.end()) continue;
+            least = std::min(least, focal->second);
+            most = std::max(most, focal->second);
+        }
+        if (most > 0) factor = std::max(factor, most / least);
+    }
+    return factor;
+}
+
+/// What a photograph saw, by its name and place in the picture, with the squared residual.
+using SquaredResiduals = std::map<std::tuple<std::string, double, double>, double>;
+
+SquaredResiduals squared_residuals_px2(const Capture& capture) {
+    SquaredResiduals squares;
+    for (const ScenePoint& point : capture.points) {
+        for (const Observation& seen : point.track) {
+            const View& view = capture.views[static_cast<std::size_t>(seen.view_index)];
+            const auto pixel =
+                project(camera_of(capture, view), view.cam_from_world * point.position_in_world);
+            if (!pixel) continue;
+            squares[{view.name, seen.pixel.x(), seen.pixel.y()}] =
+                (*pixel - seen.pixel).squaredNorm();
+        }
+    }
+    return squares;
+}
+
+bool own_explains_better(const Capture& shared, const Capture& own) {
+    constexpr int kParametersOfLens = 2;  // Focal length and one of distortion.
+    const SquaredResiduals of_shared = squared_residuals_px2(shared);
+    const SquaredResiduals of_own = squared_residuals_px2(own);
+    double shared_px2 = 0;
+    double own_px2 = 0;
+    std::size_t observations = 0;
+    for (const auto& [seen, square_px2] : of_shared) {
+        const auto same = of_own.find(seen);
+        if (same == of_own.end()) continue;
+        shared_px2 += square_px2;
+        own_px2 += same->second;
+        ++observations;
+    }
+    const int more = kParametersOfLens * (static_cast<int>(own.cameras.size()) -
+                                          static_cast<int>(shared.cameras.size()));
+    return explains_better(shared_px2, own_px2, more, observations);
+}
+
+/// Whether focal lengths of photographs that shared a lens differ by more than they are uncertain:
+/// three standard deviations, root mean square.
+bool focal_lengths_differ(const OwnLensModel& own, const PoseEvidence& evidence,
+                          const Capture& shared) {
+    constexpr double kMinSquare = 9.0;
+    std::map<std::string, int> shared_lens;
+    for (const View& view : shared.views) shared_lens[view.name] = view.camera_index;
+    struct Sums {
+        double weight = 0, log_focal = 0, square = 0;
+        int count = 0;
+    };
+    std::map<int, Sums> sums;
+    for (const View& view : own.refined.views) {
+        const auto lens = shared_lens.find(view.name);
+        const auto index = static_cast<std::size_t>(view.camera_index);
+        if (lens == shared_lens.end() || index >= evidence.lenses.size() ||
+            evidence.lenses[index].sigma.empty() || !(evidence.lenses[index].sigma[0] > 0)) {
+            continue;
+        }
+        const double focal_px = focal_length_px(own.refined.cameras[index]).x();
+        const double sigma = evidence.lenses[index].sigma[0] / focal_px;
+        Sums& sum = sums[lens->second];
+        sum.weight += 1 / (sigma * sigma);
+        sum.log_focal += std::log(focal_px) / (sigma * sigma);
+        sum.square += std::log(focal_px) * std::log(focal_px) / (sigma * sigma);
+        ++sum.count;
+    }
+    double square = 0;
+    int redundant = 0;
+    for (const auto& [lens, sum] : sums) {
+        if (sum.count < 2) continue;
+        square += sum.square - sum.log_focal * sum.log_focal / sum.weight;
+        redundant += sum.count - 1;
+    }
+    return redundant > 0 && square > kMinSquare * redundant;
+}
+
+/// A capture that nothing is told of, small enough to be mapped twice; what contradicts itself is.
+bool is_worth_asking(const MappingJob& job, const Capture& refined, bool is_contradicted) {
+    constexpr std::size_t kMinViews = 4;
+    constexpr std::size_t kMaxViews = 30;
+    if (job.lens_is_calibrated || job.options.mapper != "lumi" ||
+        refined.views.size() < kMinViews || refined.cameras.size() == refined.views.size()) {
+        return false;
+    }
+    const bool is_guessed =
+        std::any_of(job.groups.cameras.begin(), job.groups.cameras.end(),
+                    [](const ColmapCamera& camera) { return !camera.focal_length_is_known; });
+    return is_contradicted || (is_guessed && job.photographs.size() <= kMaxViews);
+}
+
+/// Empty where no model comes of it.
+std::optional<OwnLensModel> model_of(const MappingJob& job, MatchedPhotographs& matched,
+                                     LensPolicy policy) {
+    OwnLensModel model;
+    try {
+        std::optional<Capture> mapped = map_incrementally(job, matched);
+        if (!mapped) return std::nullopt;
+        model.mapped = *mapped;
+        model.refined = std::move(*mapped);
+        refine(model.refined, policy, job.options, job.threads, job.evidence, job.progress);
+        (void)check_model(model.refined, false);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::kDegenerateCapture) throw;
+        return std::nullopt;
+    }
+    return model;
+}
+
+std::string warning_of(double factor) {
+    std::array<char, 160> what{};
+    std::snprintf(what.data(), what.size(),
+                  ": focal lengths differ by a factor of %.2f between photographs of one camera; "
+                  "each was given a lens of its own. Next time, ",
+                  factor);
+    return std::string(code_of(CaptureReason::kZoom)) + what.data() +
+           std::string(advice_for(CaptureReason::kZoom));
+}
+
+void tell(PoseEvidence& evidence, PoseEvidence of_model, double factor) {
+    evidence.lenses = std::move(of_model.lenses);
+    evidence.views = std::move(of_model.views);
+    evidence.noise_px = of_model.noise_px;
+    evidence.models_found = of_model.models_found;
+    evidence.start = std::move(of_model.start);
+    evidence.warnings = std::move(of_model.warnings);
+    evidence.warnings.push_back(warning_of(factor));
+}
+
+}  // namespace
+
+std::optional<OwnLensModel> find_own_lenses(const MappingJob& job,
+                                            const MatchedPhotographs& matched, LensPolicy policy,
+                                            const Capture& refined) {
+    constexpr double kMinZoom = 1.01;
+    const PairAgreement agreement =
+        compare_with_pairs(refined, job.photographs, matched.photographs, matched.pairs);
+    if (!is_worth_asking(job, refined, agreement.is_contradiction())) return std::nullopt;
+
+    PoseOptions own_options = job.options;
+    own_options.shared_lens = false;
+    const CameraGroups own_groups = group_cameras(job.photographs, std::nullopt, own_options);
+    PoseEvidence evidence;
+    const MappingJob own_job{job.photographs, own_groups,      job.options,
+                             false,           job.refine_lens, job.scratch_folder,
+                             job.threads,     job.progress,    evidence};
+    MatchedPhotographs own_matched;  // Without features: what was matched has to do.
+    own_matched.name = matched.name;
+    own_matched.photographs = matched.photographs;
+    own_matched.pairs = matched.pairs;
+    for (std::size_t index = 0; index < own_matched.photographs.size(); ++index) {
+        own_matched.photographs[index].camera_index = own_groups.camera_of_photograph[index];
+    }
+    std::optional<OwnLensModel> own = model_of(own_job, own_matched, policy);
+    if (!own || own->refined.views.size() < refined.views.size()) return std::nullopt;
+
+    const double factor = zoom_factor(own->refined, refined);
+    const PoseShift shift = pose_shift(named_poses(refined), named_poses(own->refined));
+    const bool agrees =
+        !compare_with_pairs(own->refined, job.photographs, matched.photographs, matched.pairs)
+             .is_contradiction();
+    // Small zooms leave two models that explain the photographs about equally, and whose poses
+    // differ: then the one counts that assumes less, if its focal lengths are sure to differ.
+    const bool is_better =
+        own_explains_better(refined, own->refined) || focal_lengths_differ(*own, evidence, refined);
+    if (!agrees || factor < kMinZoom || !shift.matters() || !is_better) return std::nullopt;
+    tell(job.evidence, std::move(evidence), factor);
+    return own;
+}
+
+}  // namespace lumi
