@@ -175,8 +175,9 @@ void judge_motion(const CaptureEvidence& evidence, std::vector<Finding>& finding
     // A floor or a wall explains most of many pairs of photographs that are in order: only where
     // hardly a match lies outside of the plane is there nothing else.
     if (motion.planar_share() >= kNearlyAll && median_of(evidence.inlier_shares) >= kNearlyAll) {
+        // One lens and several sides are enough to tell its focal length even so.
         findings.push_back({CaptureReason::kPlanar,
-                            evidence.lens_is_known ? Severity::kNote : Severity::kRisk,
+                            Severity::kNote,
                             text("the photographs show a flat surface: one plane explains %d of "
                                  "%d pairs",
                                  motion.planar_pairs, motion.pairs),
