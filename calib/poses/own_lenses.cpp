@@ -172,7 +172,8 @@ void tell(PoseEvidence& evidence, PoseEvidence of_model, double factor) {
 std::optional<OwnLensModel> find_own_lenses(const MappingJob& job,
                                             const MatchedPhotographs& matched, LensPolicy policy,
                                             const Capture& refined) {
-    constexpr double kMinZoom = 1.01;
+    constexpr double kMinZoom =
+        1.025;  // Focusing alone changes focal lengths by a per cent or two.
     const PairAgreement agreement =
         compare_with_pairs(refined, job.photographs, matched.photographs, matched.pairs);
     if (!is_worth_asking(job, refined, agreement.is_contradiction())) return std::nullopt;
