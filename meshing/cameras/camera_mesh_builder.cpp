@@ -156,10 +156,15 @@ void note_repair(const RepairReport& repair, CameraMeshEvidence& evidence) {
     evidence.epipole_loss_over_bound = repair.epipole_loss.worst_over_bound;
 }
 
+struct BuiltSurface {
+    BuiltCameraMesh built;
+    bool inside_out = false;
+};
+
 /// The mesh over the given cameras, with what speaks for it.
-BuiltCameraMesh build_surface(const Capture& capture, const std::vector<OpticalAxis>& axes,
-                              const std::vector<Eigen::Vector3d>& points,
-                              const CameraMeshOptions& options) {
+BuiltSurface build_surface(const Capture& capture, const std::vector<OpticalAxis>& axes,
+                           const std::vector<Eigen::Vector3d>& points,
+                           const CameraMeshOptions& options) {
     const auto centre_of_view = [&](int view) {
         return centre_in_world(capture.views[static_cast<std::size_t>(view)].cam_from_world);
     };
@@ -194,7 +199,7 @@ BuiltCameraMesh build_surface(const Capture& capture, const std::vector<OpticalA
     if (rules.arrangement.inside_out) {
         for (CameraMesh::Face& face : built.mesh.faces) std::swap(face[1], face[2]);
     }
-    return built;
+    return {std::move(built), rules.arrangement.inside_out};
 }
 
 /// The axes of the views in no group.
@@ -250,10 +255,14 @@ BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>
         visible_points(capture, view_indices, kMaxScenePoints);
     std::vector<CloseUpGroup> groups;
     if (options.shells && options.shape != "convex") groups = find_close_ups(capture, axes, points);
-    BuiltCameraMesh built =
-        build_surface(capture, without_close_ups(axes, groups), points, options);
-    add_shells(capture, axes, groups, points, built);
-    return built;
+    BuiltSurface surface = build_surface(capture, without_close_ups(axes, groups), points, options);
+    // From the middle of a room every camera sees a part of it only: near walls are no close-ups.
+    if (surface.inside_out && !groups.empty()) {
+        groups.clear();
+        surface = build_surface(capture, axes, points, options);
+    }
+    add_shells(capture, axes, groups, points, surface.built);
+    return std::move(surface.built);
 }
 
 }  // namespace lumi

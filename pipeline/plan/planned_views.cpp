@@ -23,7 +23,7 @@ std::string words_of(const Json& suggestion) {
                         number_text(suggestion.at("worst_error_after_px").get<double>(), 2) +
                         " px at worst with a photograph";
     for (const Json& from : suggestion.at("from")) {
-        words += "\nfrom where " + from.at("name").get<std::string>() + " was taken " +
+        words += "; from where " + from.at("name").get<std::string>() + " was taken " +
                  from.at("steps").get<std::string>();
     }
     return words;

@@ -103,6 +103,24 @@ TEST(CloseUps, AreNotThoseThatSeeTheWholeScene) {
     EXPECT_TRUE(build_camera_mesh(capture, all_views(capture), {}).mesh.shells.empty());
 }
 
+/// From the middle of a long room: the near walls are no close-ups.
+TEST(CloseUps, AreNotFoundFromTheMiddleOfARoom) {
+    Points walls;
+    for (const Eigen::Vector3d& direction : sphere_directions(600, -1)) {
+        walls.emplace_back(8 * direction.x(), 2 * direction.y(), 2 * direction.z());
+    }
+    Capture capture = capture_of(sphere_directions(40, -1), Eigen::Vector3d::Zero(), walls);
+    for (View& view : capture.views) {
+        const Eigen::Vector3d centre = centre_in_world(view.cam_from_world);
+        view.cam_from_world.rotation =
+            Eigen::Quaterniond::FromTwoVectors(centre, Eigen::Vector3d::UnitZ());
+        view.cam_from_world.translation = -(view.cam_from_world.rotation * centre);
+    }
+    const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
+    EXPECT_TRUE(built.mesh.shells.empty());
+    EXPECT_EQ(built.evidence.cameras_kept, 40);
+}
+
 TEST(CloseUps, CountFullyOnTheirOwnRaysAndTheSameFromEveryEyeOnARay) {
     const Scene scene = far_and_near();
     const BuiltCameraMesh built = mesh_of(scene);
