@@ -5,13 +5,14 @@
 #include <numeric>
 
 #include "calib/work/parallel_for.h"
-#include "meshing/depth/tile_search.h"
+#include "meshing/depth/photograph_loss.h"
 
 namespace lumi {
 namespace {
 
 constexpr std::size_t kMinPoints = 40;
 constexpr std::size_t kMaxSampledViews = 4;
+constexpr std::size_t kMaxComparedViews = 2;  // Of those, for rungs that compare photographs.
 constexpr int kFolds = 4;
 constexpr int kBlocksAlong = 4;  // Of a picture: errors in one block are not independent.
 
@@ -105,47 +106,79 @@ bool compares_photographs(const std::string& model) {
     return model == "pair_stereo" || model == "sweep" || model == "patch_match";
 }
 
-/// Asks the model for what it was not told, on the sampled views.
-class PointTrial {
+/// What one rung got wrong on the sampled views.
+struct Trial {
+    RungLoss loss;
+    /// Of the photographs kept back, view by view in the order of the sample; maybe of fewer views.
+    std::vector<double> tiles;
+};
+
+/// Asks a model for what it was not told: points of the view, and the photograph of a neighbour.
+class HeldOutTrial {
  public:
-    PointTrial(const DepthScene& scene, int threads)
+    HeldOutTrial(const DepthScene& scene, int threads)
         : scene_(scene), threads_(threads), views_(sampled_views(scene)) {}
 
     [[nodiscard]] bool is_possible() const { return !views_.empty(); }
 
-    [[nodiscard]] RungLoss loss(const std::string& name, const Progress& progress) const {
+    [[nodiscard]] Trial of(const std::string& name, const Progress& progress) const {
         const std::unique_ptr<DepthModel> model = depth_model_named(name);
-        // What compares photographs hardly looks at the points: one part says enough.
-        const int folds = compares_photographs(name) ? 1 : kFolds;
-        std::vector<std::vector<Residual>> by_view(views_.size());
-        parallel_for(static_cast<int>(views_.size()), threads_, [&](int k) {
+        // What compares photographs costs more, and hardly looks at the points: one part of them
+        // and fewer views say enough.
+        const bool is_costly = compares_photographs(name);
+        const std::size_t views =
+            is_costly ? std::min(views_.size(), kMaxComparedViews) : views_.size();
+        std::vector<ViewTrial> by_view(views);
+        parallel_for(static_cast<int>(views), threads_, [&](int k) {
             const auto index = static_cast<std::size_t>(k);
-            for (int fold = 0; fold < folds; ++fold) {
+            for (int fold = 0; fold < (is_costly ? 1 : kFolds); ++fold) {
                 progress.throw_if_interrupted();
-                add_fold(*model, views_[index], k * kBlocksAlong * kBlocksAlong, fold,
-                         by_view[index]);
+                add_fold(*model, k, fold, by_view[index]);
             }
         });
-        std::vector<Residual> all;
-        for (const auto& residuals : by_view)
-            all.insert(all.end(), residuals.begin(), residuals.end());
-        return loss_of(name, std::move(all));
+        std::vector<Residual> residuals;
+        Trial trial;
+        for (const ViewTrial& view : by_view) {
+            residuals.insert(residuals.end(), view.residuals.begin(), view.residuals.end());
+            trial.tiles.insert(trial.tiles.end(), view.tiles.begin(), view.tiles.end());
+        }
+        trial.loss = loss_of(name, std::move(residuals));
+        trial.loss.photograph = mean_loss(trial.tiles);
+        return trial;
     }
 
  private:
-    void add_fold(const DepthModel& model, int view_index, int first_block, int fold,
-                  std::vector<Residual>& residuals) const {
-        // A scene of its own: the view with its neighbours.
-        const DepthView& source = scene_.views[static_cast<std::size_t>(view_index)];
+    struct ViewTrial {
+        std::vector<Residual> residuals;
+        std::vector<double> tiles;
+    };
+
+    void add_fold(const DepthModel& model, int sample, int fold, ViewTrial& result) const {
+        // A scene of its own: the view with its neighbours, but for the second best, whose
+        // photograph is to be predicted. The best stays: without it nobody would photograph.
+        constexpr std::size_t kKeptBack = 1;
+        const DepthView& source =
+            scene_.views[static_cast<std::size_t>(views_[static_cast<std::size_t>(sample)])];
+        const DepthView* kept_back = nullptr;
         DepthScene trial;
         trial.views.push_back(source);
-        for (int& neighbour : trial.views.front().neighbours) {
-            trial.views.push_back(scene_.views[static_cast<std::size_t>(neighbour)]);
-            neighbour = static_cast<int>(trial.views.size()) - 1;
+        trial.views.front().neighbours.clear();
+        for (std::size_t n = 0; n < source.neighbours.size(); ++n) {
+            const DepthView& other = scene_.views[static_cast<std::size_t>(source.neighbours[n])];
+            if (n == kKeptBack) {
+                kept_back = &other;
+                continue;
+            }
+            trial.views.front().neighbours.push_back(static_cast<int>(trial.views.size()));
+            trial.views.push_back(other);
         }
         const std::vector<SparsePoint> back = keep_back(trial.views.front(), fold);
         const DepthEstimate estimate = model.estimate(trial, 0);
-        add_residuals(estimate.map, source, back, first_block, residuals);
+        add_residuals(estimate.map, source, back, sample * kBlocksAlong * kBlocksAlong,
+                      result.residuals);
+        if (kept_back != nullptr && fold == 0) {
+            result.tiles = photograph_loss(source, estimate.map.inverse_depth, *kept_back);
+        }
     }
 
     const DepthScene& scene_;
@@ -153,100 +186,70 @@ class PointTrial {
     std::vector<int> views_;
 };
 
-std::string in_px(double value) {
+std::string with_two_digits(double value) {
     const std::string text = std::to_string(value);
     return text.substr(0, text.find('.') + 3);
-}
-
-/// True when the errors of `next` are smaller by more than a standard error of the difference.
-bool is_clearly_better(const std::vector<double>& next, const std::vector<double>& current) {
-    if (next.size() != current.size() || next.size() < 2) return false;
-    const auto count = static_cast<double>(next.size());
-    double mean = 0;
-    for (std::size_t i = 0; i < next.size(); ++i) mean += (current[i] - next[i]) / count;
-    double squares = 0;
-    for (std::size_t i = 0; i < next.size(); ++i) {
-        squares += std::pow(current[i] - next[i] - mean, 2);
-    }
-    return mean > std::sqrt(squares / (count * (count - 1)));
 }
 
 /// Climbs from rung to rung.
 class Climb {
  public:
-    Climb(const PointTrial& trial, const RenderedLoss& rendered_loss, const Progress& progress)
-        : trial_(trial), rendered_loss_(rendered_loss), progress_(progress) {}
+    Climb(const HeldOutTrial& trial, const Progress& progress)
+        : trial_(trial), progress_(progress) {}
 
     DepthChoice run(const std::vector<std::string>& rungs) {
-        accept(trial_.loss(rungs.front(), progress_));
-        choice_.losses.push_back(accepted_);
-        std::size_t since = 0;
-        for (std::size_t i = 1; i < rungs.size(); ++i) {
-            if (accepted_.p95_px < kEnoughPx) {
-                choice_.explanation = accepted_.model +
-                                      ": 95 % of the points kept back lie within " +
-                                      in_px(accepted_.p95_px) + " px of it";
+        for (const std::string& rung : rungs) {
+            Trial next = trial_.of(rung, progress_);
+            choice_.losses.push_back(next.loss);
+            // One rung may fail where the next succeeds: pairs that cannot be rectified, points too
+            // few to fill between. All are asked.
+            if (choice_.model.empty() || is_better(next)) {
+                choice_.model = rung;
+                accepted_ = std::move(next);
+            }
+            if (accepted_.loss.p95_px < kEnoughPx) {
+                choice_.explanation = choice_.model + ": 95 % of the points kept back lie within " +
+                                      with_two_digits(accepted_.loss.p95_px) + " px of it";
                 return choice_;
             }
-            const RungLoss loss = trial_.loss(rungs[i], progress_);
-            choice_.losses.push_back(loss);
-            const bool better = is_better(loss);
-            since = better ? 0 : since + 1;
-            if (better) accept(loss);
-            // One rung may fail where the next succeeds: pairs that cannot be rectified, points too
-            // few to fill between. Photographs are always asked.
-            if (since > 1 && compares_photographs(rungs[i])) break;
         }
-        if (choice_.explanation.empty() || since > 0) {
-            choice_.explanation = accepted_.model + ": off by " + in_px(accepted_.mean_px) +
-                                  " px on average at points kept back, and no rung tried above it "
-                                  "is better by more than a standard error";
-        }
-        if (since == 0) {
-            choice_.explanation = accepted_.model + ": the last rung tried, off by " +
-                                  in_px(accepted_.mean_px) +
-                                  " px on average at points kept back, and better than those below";
-        }
+        choice_.explanation =
+            choice_.model + ": " + evidence_of(accepted_.loss) +
+            (choice_.model == rungs.back() ? ", clearly closer than the rungs below"
+                                           : ", and no rung above it is clearly closer");
         return choice_;
     }
 
  private:
     static constexpr double kEnoughPx = 1.0;
 
-    void accept(const RungLoss& loss) {
-        accepted_ = loss;
-        choice_.model = loss.model;
+    [[nodiscard]] static std::string evidence_of(const RungLoss& loss) {
+        if (loss.photograph > 0) {
+            return "predicts photographs kept back to " + with_two_digits(loss.photograph) +
+                   " grey levels";
+        }
+        return "off by " + with_two_digits(loss.mean_px) + " px at points kept back";
     }
 
-    bool is_better(const RungLoss& loss) {
-        const bool at_points =
-            loss.mean_px + std::max(loss.standard_error_px, accepted_.standard_error_px) <
-            accepted_.mean_px;
-        if (!rendered_loss_ || !compares_photographs(loss.model)) return at_points;
-        if (!compares_photographs(accepted_.model) && !at_points) return false;
-        const std::vector<double> next = rendered_loss_(loss.model);
-        if (next.empty()) return at_points;
-        if (rendered_of_ != accepted_.model) rendered_ = rendered_loss_(accepted_.model);
-        if (!is_clearly_better(next, rendered_)) return false;
-        rendered_ = next;
-        rendered_of_ = loss.model;
-        return true;
+    /// Points lie on texture, where any rung does well: between them the photographs tell.
+    [[nodiscard]] bool is_better(const Trial& next) const {
+        if (!next.tiles.empty()) return is_clearly_closer(next.tiles, accepted_.tiles);
+        return next.loss.mean_px +
+                   std::max(next.loss.standard_error_px, accepted_.loss.standard_error_px) <
+               accepted_.loss.mean_px;
     }
 
-    const PointTrial& trial_;
-    const RenderedLoss& rendered_loss_;
+    const HeldOutTrial& trial_;
     const Progress& progress_;
     DepthChoice choice_;
-    RungLoss accepted_;
-    std::vector<double> rendered_;
-    std::string rendered_of_;
+    Trial accepted_;
 };
 
 }  // namespace
 
-DepthChoice choose_depth_model(const DepthScene& scene, const std::string& highest,
-                               const RenderedLoss& rendered_loss, int threads, Progress& progress) {
-    const PointTrial trial(scene, threads);
+DepthChoice choose_depth_model(const DepthScene& scene, const std::string& highest, int threads,
+                               Progress& progress) {
+    const HeldOutTrial trial(scene, threads);
     if (!trial.is_possible()) {
         return {highest,
                 highest + ": no view has " + std::to_string(kMinPoints) +
@@ -256,7 +259,7 @@ DepthChoice choose_depth_model(const DepthScene& scene, const std::string& highe
     std::vector<std::string> rungs = depth_model_names();
     rungs.erase(std::find(rungs.begin(), rungs.end(), highest) + 1, rungs.end());
     progress.begin("depth: choosing a model", 0);
-    return Climb(trial, rendered_loss, progress).run(rungs);
+    return Climb(trial, progress).run(rungs);
 }
 
 }  // namespace lumi

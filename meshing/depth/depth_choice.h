@@ -15,6 +15,9 @@ struct RungLoss {
     double mean_px = 0.0;            ///< Of at most kMaxLossPx a point.
     double standard_error_px = 0.0;  ///< Over blocks of the pictures.
     double p95_px = 0.0;             ///< 95th percentile over the points.
+    /// Grey levels by which photographs kept back differ from their prediction (photograph_loss.h),
+    /// mean over tiles; 0 where none could be kept back.
+    double photograph = 0.0;
 };
 constexpr double kMaxLossPx = 4.0;
 
@@ -27,14 +30,13 @@ struct DepthChoice {
 /// The cheapest rung that is enough: climbs while the next one's held-out error is lower by more
 /// than one standard error (Breiman et al. 1984, section 3.4.3, applied rung by rung).
 ///
-/// First without drawing: a quarter of each sampled view's points is kept back, each quarter in
-/// turn for the rungs that know points alone, and the model is asked for their inverse depths; the
-/// loss is the distance in pixels of disparity. A rung whose 95th percentile is below one pixel is
-/// enough. Among the rungs that compare photographs the rendered loss decides, where there is one.
-/// Rungs above `highest` are not tried. With fewer than 40 points in every view the points tell
-/// nothing, and `highest` is taken.
+/// A quarter of each sampled view's points is kept back, each quarter in turn for the rungs that
+/// know points alone, and one of its neighbours. A rung is enough when it puts 95 % of these points
+/// within a pixel of disparity. If none is, the rung counts that predicts the neighbours'
+/// photographs best (photograph_loss.h); without two neighbours, the one nearest to the points.
+/// Rungs above `highest` are not tried. With fewer than 40 points in every view nothing can be
+/// kept back, and `highest` is taken.
 [[nodiscard]] DepthChoice choose_depth_model(const DepthScene& scene, const std::string& highest,
-                                             const RenderedLoss& rendered_loss, int threads,
-                                             Progress& progress);
+                                             int threads, Progress& progress);
 
 }  // namespace lumi

@@ -120,14 +120,13 @@ double put_at_infinity(const GrayImage& mask, DepthMap& map) {
 }
 
 std::unique_ptr<DepthModel> model_of(const DepthScene& scene, const DepthOptions& options,
-                                     const RenderedLoss& rendered_loss, int threads,
-                                     Progress& progress, std::string& choice) {
+                                     int threads, Progress& progress, std::string& choice) {
     if (!options.import_folder.empty()) {
         return imported_depth_model(options.import_folder, options.import_png_unit);
     }
     if (!options.import_mesh.empty()) return mesh_depth_model(options.import_mesh);
     if (options.model != "auto") return depth_model_named(options.model);
-    const DepthChoice chosen = choose_depth_model(scene, "sweep", rendered_loss, threads, progress);
+    const DepthChoice chosen = choose_depth_model(scene, "sweep", threads, progress);
     choice = chosen.explanation;
     return depth_model_named(chosen.model);
 }
@@ -136,7 +135,7 @@ std::unique_ptr<DepthModel> model_of(const DepthScene& scene, const DepthOptions
 
 DepthResult estimate_depth(const PosedPhotographs& photographs,
                            const std::vector<int>& view_indices, const DepthOptions& options,
-                           int threads, Progress& progress, const RenderedLoss& rendered_loss) {
+                           int threads, Progress& progress) {
     validate(options);
     const DepthScene scene =
         make_depth_scene(photographs, view_indices, options, threads, progress);
@@ -145,7 +144,7 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
     result.evidence.resize(scene.views.size());
     const double before_choice = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
     const std::unique_ptr<DepthModel> model =
-        model_of(scene, options, rendered_loss, threads, progress, result.choice);
+        model_of(scene, options, threads, progress, result.choice);
     result.choice_cpu_s = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - before_choice;
     const std::vector<GrayImage> masks = scene_masks(scene, options, threads);
     std::vector<DepthEstimate> estimates(scene.views.size());

@@ -51,16 +51,11 @@ struct DepthResult {
     double choice_cpu_s = 0.0;  ///< What choosing took.
 };
 
-/// Errors of held-out renderings with one rung, the same tiles in the same order for each: given by
-/// whoever can draw. Empty: it cannot be said.
-using RenderedLoss = std::function<std::vector<double>(const std::string& model)>;
-
 /// Depth of the listed views, from these views alone: held-out views take no part. The same bytes
 /// for any number of threads. Memory is bounded by the views in flight.
 [[nodiscard]] DepthResult estimate_depth(const PosedPhotographs& photographs,
                                          const std::vector<int>& view_indices,
                                          const DepthOptions& options, int threads,
-                                         Progress& progress,
-                                         const RenderedLoss& rendered_loss = {});
+                                         Progress& progress);
 
 }  // namespace lumi

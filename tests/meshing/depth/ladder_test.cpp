@@ -6,6 +6,7 @@
 #include "meshing/depth/depth_model.h"
 #include "meshing/depth/pair_stereo.h"
 #include "meshing/depth/patch_match.h"
+#include "meshing/depth/photograph_loss.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
@@ -69,7 +70,7 @@ double share_right(const DepthMap& map, const KnownDepthScene& known, bool only_
 
 std::string chosen(const KnownDepthScene& known) {
     SilentProgress progress;
-    return choose_depth_model(known.scene, "sweep", {}, 2, progress).model;
+    return choose_depth_model(known.scene, "sweep", 2, progress).model;
 }
 
 TEST(DepthLadder, EveryRungSaysSomethingFiniteOfEveryPixel) {
@@ -147,12 +148,40 @@ TEST(DepthChoice, SparsePointsForASmoothScene) {
     EXPECT_EQ(chosen(known), "sparse");
 }
 
+TEST(DepthChoice, ThePhotographsDecideWherePointsLieOnOneSurfaceOnly) {
+    // The boards have texture but no points: each point's surroundings are the wall's.
+    KnownDepthScene known = boards();
+    for (std::size_t i = 0; i < known.scene.views.size(); ++i) {
+        std::erase_if(known.scene.views[i].points, [&](const SparsePoint& point) {
+            return std::abs(point.inverse_depth - 1.0 / 3) > 1e-3;
+        });
+        // One of them is wrong by a dozen pixels, so that points alone are never enough.
+        for (std::size_t k = 0; k < known.scene.views[i].points.size(); k += 12) {
+            known.scene.views[i].points[k].inverse_depth += 0.3;
+        }
+    }
+    EXPECT_EQ(chosen(known), "sweep");
+}
+
+TEST(PhotographLoss, IsLeastForTheTruth) {
+    const KnownDepthScene known = boards();
+    const DepthView& view = known.scene.views[0];
+    const auto loss = [&](double factor) {
+        FloatImage depth = known.inverse_depths[0];
+        for (float& value : depth.pixels()) value *= static_cast<float>(factor);
+        return photograph_loss(view, depth, known.scene.views[1]);
+    };
+    EXPECT_TRUE(is_clearly_closer(loss(1), loss(1.05)));
+    EXPECT_TRUE(is_clearly_closer(loss(1), loss(0.95)));
+    EXPECT_FALSE(is_clearly_closer(loss(1), loss(1)));
+}
+
 TEST(DepthChoice, WithoutPointsTakesTheHighestRungAndSaysWhy) {
     const KnownDepthScene known =
         known_depth_scene({{{0, 0, 2}, {0, 0, 1}, everywhere, noise_texture(0.03, 5)}},
                           cross_of_centres(0.12), {0.1, 1.2});
     SilentProgress progress;
-    const DepthChoice choice = choose_depth_model(known.scene, "sweep", {}, 1, progress);
+    const DepthChoice choice = choose_depth_model(known.scene, "sweep", 1, progress);
     EXPECT_EQ(choice.model, "sweep");
     EXPECT_NE(choice.explanation.find("no view has"), std::string::npos) << choice.explanation;
 }
