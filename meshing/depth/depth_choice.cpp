@@ -143,7 +143,7 @@ class HeldOutTrial {
             trial.tiles.insert(trial.tiles.end(), view.tiles.begin(), view.tiles.end());
         }
         trial.loss = loss_of(name, std::move(residuals));
-        trial.loss.photograph = mean_loss(trial.tiles);
+        trial.loss.photograph = rms_of(trial.tiles);
         return trial;
     }
 

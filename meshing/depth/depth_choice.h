@@ -16,7 +16,7 @@ struct RungLoss {
     double standard_error_px = 0.0;  ///< Over blocks of the pictures.
     double p95_px = 0.0;             ///< 95th percentile over the points.
     /// Grey levels by which photographs kept back differ from their prediction (photograph_loss.h),
-    /// mean over tiles; 0 where none could be kept back.
+    /// root mean square; 0 where none could be kept back.
     double photograph = 0.0;
 };
 constexpr double kMaxLossPx = 4.0;

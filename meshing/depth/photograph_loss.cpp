@@ -13,7 +13,7 @@ constexpr int kTile = 32;
 constexpr int kStride = 2;  // Every fourth pixel says enough.
 constexpr int kMinPixelsOfTile = 64;
 constexpr std::size_t kMinTiles = 30;
-constexpr double kMaxDifference = 40.0;
+constexpr double kMaxDifference = 80.0;
 
 /// A pixel of the view and what the other photograph shows there.
 struct PixelPair {
@@ -73,7 +73,8 @@ std::vector<double> photograph_loss(const DepthView& view, const FloatImage& inv
     std::vector<double> sums(static_cast<std::size_t>(across * down), 0.0);
     std::vector<int> counts(sums.size(), 0);
     for (const PixelPair& pair : pairs) {
-        sums[pair.tile] += std::min(kMaxDifference, std::abs(pair.own - gain * pair.other));
+        const double difference = std::min(kMaxDifference, std::abs(pair.own - gain * pair.other));
+        sums[pair.tile] += difference * difference;
         ++counts[pair.tile];
     }
     for (std::size_t i = 0; i < sums.size(); ++i) {
@@ -101,7 +102,7 @@ bool is_clearly_closer(const std::vector<double>& next, const std::vector<double
            mean > kLeastGain * current_sum / count;
 }
 
-double mean_loss(const std::vector<double>& tiles) {
+double rms_of(const std::vector<double>& tiles) {
     double sum = 0;
     int count = 0;
     for (const double tile : tiles) {
@@ -109,7 +110,7 @@ double mean_loss(const std::vector<double>& tiles) {
         sum += tile;
         ++count;
     }
-    return count == 0 ? 0.0 : sum / count;
+    return count == 0 ? 0.0 : std::sqrt(sum / count);
 }
 
 }  // namespace lumi

@@ -74,7 +74,8 @@ std::string gnuplot_script(const std::vector<RungMeasurement>& measured, const f
            "set output \"" +
            plain(svg.string()) +
            "\"\n"
-           "set logscale x\nset grid\nset key outside right noenhanced\n"
+           "set logscale x\nset offsets 0, 0, graph 0.06, 0\nset grid\nset key outside right "
+           "noenhanced\n"
            "set xlabel \"CPU seconds per megapixel of depth map\"\n"
            "set ylabel \"held-out error, root mean square of 8-bit levels\"\n"
            "set title \"What each depth model costs and brings\"\nset termoption noenhanced\n" +
