@@ -29,11 +29,14 @@ Json trial_json(const PoseTrial& trial) {
     Json json{{"means", name_of(trial.means)},
               {"max_features", trial.means.max_features},
               {"max_width_px", trial.means.max_width_px},
+              {"lens_model", trial.means.lens_model},
               {"cpu_s", trial.cost.cpu_s},
               {"wall_s", trial.cost.wall_s},
               {"photographs", trial.photographs},
               {"placed", trial.placed},
-              {"points", trial.points}};
+              {"points", trial.points},
+              {"lens", trial.lens},
+              {"focal_px", trial.focal_px}};
     if (trial.difference) {
         json["position_error"] = {{"median", trial.difference->median_position},
                                   {"mean", trial.difference->mean_position},
@@ -55,6 +58,9 @@ std::string trial_text(const PoseTrial& trial) {
     if (trial.difference) {
         text += ", position error median " + number_text(trial.difference->median_position, 5) +
                 " mean " + number_text(trial.difference->mean_position, 5);
+    }
+    if (!trial.lens.empty()) {
+        text += ", " + trial.lens + ", focal length " + number_text(trial.focal_px, 1) + " px";
     }
     return text + "\n";
 }
@@ -117,7 +123,9 @@ void run_bench_poses(const BenchPosesRequest& request, const CommandContext& con
         {config.poses.front_end, config.poses.mapper, false, config.poses.max_features, width_px}};
     if (request.with_colmap) means.push_back({"colmap", "colmap", true, 8192, width_px});
     if (!request.chart_folder.empty()) {
-        for (PoseMeans& one : chart_means(width_px)) means.push_back(std::move(one));
+        for (PoseMeans& one : chart_means(width_px)) {
+            if (one != means.front()) means.push_back(std::move(one));
+        }
     }
     BenchPosesReport report{time_matching(kMatchedFeatures), {}};
     for (const PoseMeans& one : means) {

@@ -1,6 +1,7 @@
 #include "pipeline/pose_bench/pose_chart.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "calib/work/child_process.h"
@@ -29,8 +30,32 @@ std::optional<double> height_of(const PoseTrial& trial, bool by_truth) {
     return kMillimetresAMetre * trial.difference->median_position;
 }
 
-/// The features kept; the series says the rest.
-std::string label_of(const PoseMeans& means) { return std::to_string(means.max_features); }
+bool is_lens_trial(const PoseMeans& means) { return means.lens_model != "auto"; }
+
+/// The features kept, or the lens model; the series says the rest.
+std::string label_of(const PoseMeans& means) {
+    return is_lens_trial(means) ? means.lens_model : std::to_string(means.max_features);
+}
+
+std::string series_of(const PoseMeans& means) {
+    if (means.is_colmap_alone) return name_of(means);
+    if (is_lens_trial(means)) {
+        return "lens models, " + std::to_string(means.max_features) + " features";
+    }
+    return name_of(means) + ", " + std::to_string(means.max_width_px) + " px";
+}
+
+/// A little more than the trials take, because gnuplot rounds a logarithmic axis far outwards.
+std::string time_range(const std::vector<PoseTrial>& trials) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0;
+    for (const PoseTrial& trial : trials) {
+        least = std::min(least, trial.cost.cpu_s);
+        most = std::max(most, trial.cost.cpu_s);
+    }
+    return "[" + number_text(std::max(least, 0.01) / 1.3, 3) + ":" +
+           number_text(1.8 * std::max(most, 0.01), 3) + "]";
+}
 
 std::string data_text(const std::vector<const PoseTrial*>& trials, bool by_truth) {
     std::string text;
@@ -52,11 +77,7 @@ std::string script_text(const std::vector<PoseTrial>& trials, const std::string&
     const bool by_truth = has_truth(trials);
     std::map<std::string, std::vector<const PoseTrial*>> series;
     for (const PoseTrial& trial : trials) {
-        series[name_of(trial.means) +
-               (trial.means.is_colmap_alone
-                    ? ""
-                    : ", " + std::to_string(trial.means.max_width_px) + " px")]
-            .push_back(&trial);
+        series[series_of(trial.means)].push_back(&trial);
     }
     std::string script =
         "set terminal svg size 1000,640 font 'sans,13' background 'white'\n"
@@ -66,8 +87,8 @@ std::string script_text(const std::vector<PoseTrial>& trials, const std::string&
         "5000)\n"
         "set grid\nset bmargin 8\nset key below maxcols 2\n"
         "set xlabel 'CPU seconds from photographs to poses; at each mark the features kept of a "
-        "photograph'\nset offsets graph 0.03, graph 0.12, "
-        "graph 0.05, graph 0.05\nset ylabel '" +
+        "photograph, or the lens model'\nset xrange " +
+        time_range(trials) + "\nset offsets 0, 0, graph 0.05, graph 0.05\nset ylabel '" +
         (by_truth ? "median position error, mm" : "photographs not placed, %") + "'\nplot ";
     int number = 0;
     for (const auto& [name, members] : series) {
@@ -101,20 +122,28 @@ std::vector<PoseMeans> chart_means(int max_width_px) {
             means.push_back({"colmap", mapper, false, features, max_width_px});
         }
     }
+    for (const char* const model :
+         {"SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "FULL_OPENCV", "OPENCV_FISHEYE"}) {
+        means.push_back({"lumi", "lumi", false, 4096, max_width_px, model});
+    }
     return means;
 }
 
 std::string trials_csv(const std::vector<PoseTrial>& trials) {
     std::string text =
-        "front_end,mapper,colmap_alone,max_features,max_width_px,cpu_s,wall_s,photographs,placed,"
-        "points,median_position_error,mean_position_error,max_position_error,refusal\n";
+        "front_end,mapper,colmap_alone,max_features,max_width_px,lens_model,cpu_s,wall_s,"
+        "photographs,placed,"
+        "points,lens,focal_px,median_position_error,mean_position_error,max_position_error,"
+        "refusal\n";
     for (const PoseTrial& trial : trials) {
         const PoseMeans& means = trial.means;
         text += means.front_end + "," + means.mapper + "," + (means.is_colmap_alone ? "1" : "0") +
                 "," + std::to_string(means.max_features) + "," +
-                std::to_string(means.max_width_px) + "," + number_text(trial.cost.cpu_s, 3) + "," +
-                number_text(trial.cost.wall_s, 3) + "," + std::to_string(trial.photographs) + "," +
-                std::to_string(trial.placed) + "," + std::to_string(trial.points) + ",";
+                std::to_string(means.max_width_px) + "," + means.lens_model + "," +
+                number_text(trial.cost.cpu_s, 3) + "," + number_text(trial.cost.wall_s, 3) + "," +
+                std::to_string(trial.photographs) + "," + std::to_string(trial.placed) + "," +
+                std::to_string(trial.points) + ",\"" + trial.lens + "\"," +
+                number_text(trial.focal_px, 2) + ",";
         if (trial.difference) {
             text += number_text(trial.difference->median_position, 6) + "," +
                     number_text(trial.difference->mean_position, 6) + "," +

@@ -9,7 +9,7 @@
 namespace lumi {
 
 /// What the chart of this stage is drawn from: features kept by size of the pictures by mapper with
-/// our own front end, and some with COLMAP's.
+/// our own front end, some with COLMAP's, and each lens model.
 [[nodiscard]] std::vector<PoseMeans> chart_means(int max_width_px);
 
 /// One line a trial.

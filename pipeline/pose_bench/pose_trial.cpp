@@ -11,21 +11,23 @@ namespace lumi {
 namespace {
 
 /// Poses and points, whoever found them.
-Capture capture_by(const PoseTrialSetting& setting, const PoseMeans& means,
-                   const std::vector<Photograph>& photographs, Progress& progress) {
+PoseResult poses_by(const PoseTrialSetting& setting, const PoseMeans& means,
+                    const std::vector<Photograph>& photographs, Progress& progress) {
     const std::filesystem::path scratch = setting.scratch_folder / "poses";
     if (means.is_colmap_alone) {
-        return reconstruct_with_colmap(photographs, setting.given_lens, setting.options, scratch,
-                                       setting.threads, progress)
-            .capture.value_or(Capture{});
+        PoseResult result;
+        result.capture = reconstruct_with_colmap(photographs, setting.given_lens, setting.options,
+                                                 scratch, setting.threads, progress)
+                             .capture.value_or(Capture{});
+        return result;
     }
     PoseOptions options = setting.options;
     options.front_end = means.front_end;
     options.mapper = means.mapper;
     options.max_features = means.max_features;
+    options.lens_model = means.lens_model;
     return estimate_poses(photographs, setting.given_lens, options, scratch, setting.threads,
-                          progress)
-        .capture;
+                          progress);
 }
 
 NamedPoses poses_of(const Capture& capture) {
@@ -62,10 +64,17 @@ PoseTrial try_poses(const PoseTrialSetting& setting, const PoseMeans& means, Pro
     trial.photographs = static_cast<int>(photographs.size());
     const Stopwatch stopwatch;
     try {
-        const Capture capture = capture_by(setting, means, photographs, progress);
+        const PoseResult result = poses_by(setting, means, photographs, progress);
+        const Capture& capture = result.capture;
         trial.cost = stopwatch.elapsed();
         trial.placed = static_cast<int>(capture.views.size());
         trial.points = static_cast<int>(capture.points.size());
+        if (!capture.views.empty()) {
+            trial.focal_px = focal_length_px(camera_of(capture, capture.views.front())).mean();
+        }
+        if (!result.evidence.lenses.empty()) {
+            trial.lens = text_of(result.evidence.lenses.front().form);
+        }
         constexpr int kNeededToCompare = 3;
         if (!setting.truth.empty() && trial.placed >= kNeededToCompare) {
             trial.difference = compare_poses(poses_of(capture), setting.truth);

@@ -17,7 +17,10 @@ struct PoseMeans {
     std::string mapper = "lumi";
     bool is_colmap_alone = false;  ///< COLMAP with its defaults, and nothing of ours.
     int max_features = 4096;
-    int max_width_px = 1600;  ///< Of the working copies.
+    int max_width_px = 1600;          ///< Of the working copies.
+    std::string lens_model = "auto";  ///< As in PoseOptions; tells nothing where a lens is given.
+
+    friend bool operator==(const PoseMeans&, const PoseMeans&) = default;
 };
 [[nodiscard]] std::string name_of(const PoseMeans& means);
 
@@ -28,6 +31,8 @@ struct PoseTrial {
     int photographs = 0;
     int placed = 0;
     int points = 0;
+    std::string lens;     ///< Form of the first lens, as it came out; empty for COLMAP alone.
+    double focal_px = 0;  ///< Of that lens; 0 without poses.
     std::optional<PoseComparison> difference;  ///< From the truth, where that is known.
     std::string refusal;                       ///< Code of the error, when there were no poses.
 };

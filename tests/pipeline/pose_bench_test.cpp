@@ -26,9 +26,16 @@ PoseTrial trial(const PoseMeans& means, double cpu_s, int placed, double median_
 TEST(PoseBench, TableHasALineForEachTrial) {
     PoseTrial refused = trial({"lumi", "colmap", false, 1024, 800}, 2, 0, 0);
     refused.refusal = "E-POSES-NOPAIR";
-    const std::string csv = trials_csv({trial({}, 7.5, 11, 0.0025), refused});
-    EXPECT_THAT(csv, HasSubstr("\nlumi,lumi,0,4096,1600,7.500,0.000,11,11,0,0.002500,"));
-    EXPECT_THAT(csv, HasSubstr("\nlumi,colmap,0,1024,800,2.000,0.000,11,0,0,,,,E-POSES-NOPAIR\n"));
+    PoseTrial placed = trial({}, 7.5, 11, 0.0025);
+    placed.lens = "RADIAL";
+    placed.focal_px = 500;
+    const std::string csv = trials_csv({placed, refused});
+    EXPECT_THAT(
+        csv,
+        HasSubstr("\nlumi,lumi,0,4096,1600,auto,7.500,0.000,11,11,0,\"RADIAL\",500.00,0.002500,"));
+    EXPECT_THAT(
+        csv, HasSubstr(
+                 "\nlumi,colmap,0,1024,800,auto,2.000,0.000,11,0,0,\"\",0.00,,,,E-POSES-NOPAIR\n"));
 }
 
 TEST(PoseBench, ChartShowsWhatWasTried) {
@@ -37,6 +44,7 @@ TEST(PoseBench, ChartShowsWhatWasTried) {
     const std::vector<PoseTrial> trials{
         trial({"lumi", "lumi", false, 2048, 1600}, 5, 11, 0.003),
         trial({"lumi", "lumi", false, 8192, 1600}, 12, 11, 0.0024),
+        trial({"lumi", "lumi", false, 4096, 1600, "RADIAL"}, 8, 11, 0.003),
         trial({"colmap", "colmap", true, 8192, 1600}, 90, 10, 0.0026)};
     draw_pose_chart(trials, "the title", scratch / "poses.svg", scratch.path(), progress);
     const std::string svg = read_whole_text(scratch / "poses.svg");
@@ -45,6 +53,8 @@ TEST(PoseBench, ChartShowsWhatWasTried) {
     EXPECT_THAT(svg, HasSubstr("median position error, mm"));
     EXPECT_THAT(svg, HasSubstr(">8192<"));
     EXPECT_THAT(svg, HasSubstr("8192, 10 placed"));
+    EXPECT_THAT(svg, HasSubstr(">RADIAL<"));
+    EXPECT_THAT(svg, HasSubstr("lens models, 4096 features"));
 }
 
 TEST(PoseBench, ChartWithoutTruthShowsWhatWasNotPlaced) {
