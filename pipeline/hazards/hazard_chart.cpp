@@ -100,25 +100,46 @@ std::string panel_script(const HazardCurve& curve, const std::vector<const Trial
     return script.str();
 }
 
-std::string chart_script(const std::filesystem::path& svg, const std::vector<Trial>& trials) {
+/// Panels of one size, five to a row, however many there are.
+std::string page_script(const std::filesystem::path& svg, std::size_t panels) {
+    constexpr std::size_t kColumns = 5;
+    constexpr double kAbove_px = 130;
+    constexpr double kPanel_px = 230;
+    constexpr double kBetween_px = 92;
+    constexpr double kBelow_px = 76;
+    const std::size_t rows = std::max<std::size_t>(1, (panels + kColumns - 1) / kColumns);
+    const auto count = static_cast<double>(rows);
+    const double height_px = kAbove_px + count * kPanel_px + (count - 1) * kBetween_px + kBelow_px;
     std::ostringstream script;
-    script << "set terminal svg size 1500,1080 font \"sans-serif,11\" background \"#ffffff\"\n"
+    script << "set terminal svg size 1500," << std::lround(height_px)
+           << " font \"sans-serif,11\" background \"#ffffff\"\n"
            << "set output \"" << svg.string() << "\"\n"
-           << "set multiplot layout 3,5 margins 0.045,0.99,0.07,0.88 spacing 0.03,0.085 title "
-              "\"Error of the worst camera against strength, harmless to hopeless (blue: lumi, "
-              "orange: COLMAP 3.8 alone)\\ndots: poses; crosses: false successes; squares above: "
-              "no poses; dashed: bound; red: breaking point of lumi\"\n"
-           << "set logscale y\nset yrange [" << kLeastError << ":80]\n"
-           << "set ytics (\"0.1 %%\" 0.001, \"1 %%\" 0.01, \"10 %%\" 0.1, \"100 %%\" 1, \"none\" "
-           << kRefusedLine << ")\nset grid y lc rgb \"#eeeeee\"\n";
+           << "set multiplot layout " << rows << "," << kColumns << " margins 0.045,0.99,"
+           << kBelow_px / height_px << "," << 1 - kAbove_px / height_px << " spacing 0.03,"
+           << kBetween_px / height_px
+           << " title \"Error of the worst camera against strength, harmless to hopeless (blue: "
+              "lumi, orange: COLMAP 3.8 alone)\\ndots: poses; crosses: false successes; squares "
+              "above: no poses; dashed: bound; red: breaking point of lumi\"\n";
+    return script.str();
+}
+
+std::string chart_script(const std::filesystem::path& svg, const std::vector<Trial>& trials) {
+    std::string panels;
+    std::size_t count = 0;
     for (const HazardCurve& curve : hazard_curves()) {
         std::vector<const Trial*> own;
         for (const Trial& trial : trials) {
             if (trial.hazard == curve.hazard) own.push_back(&trial);
         }
-        if (!own.empty()) script << panel_script(curve, own);
+        if (own.empty()) continue;
+        panels += panel_script(curve, own);
+        ++count;
     }
-    script << "unset multiplot\n";
+    std::ostringstream script;
+    script << page_script(svg, count) << "set logscale y\nset yrange [" << kLeastError << ":80]\n"
+           << "set ytics (\"0.1 %%\" 0.001, \"1 %%\" 0.01, \"10 %%\" 0.1, \"100 %%\" 1, \"none\" "
+           << kRefusedLine << ")\nset grid y lc rgb \"#eeeeee\"\n";
+    script << panels << "unset multiplot\n";
     return script.str();
 }
 
