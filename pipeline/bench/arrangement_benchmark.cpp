@@ -13,6 +13,7 @@
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "meshing/cameras/kernel.h"
 #include "meshing/cameras/mesh_picture.h"
+#include "pipeline/bench/faces_entered.h"
 #include "pipeline/bench/synthetic_captures.h"
 
 namespace lumi {
@@ -46,15 +47,6 @@ double difference(const Weights& a, const Weights& b) {
     }
     for (const auto& [view, weight] : b) sum += a.contains(view) ? 0.0 : weight;
     return sum;
-}
-
-int faces_entered(const CameraMesh& mesh, const Eigen::Vector3d& point,
-                  const Eigen::Vector3d& direction) {
-    return static_cast<int>(
-        std::count_if(mesh.faces.begin(), mesh.faces.end(), [&](const CameraMesh::Face& face) {
-            const Eigen::Vector3d sides = side_products(mesh, face, point, direction);
-            return sides.minCoeff() >= 0 && sides.sum() > 0;
-        }));
 }
 
 class ArrangementMeasurement {

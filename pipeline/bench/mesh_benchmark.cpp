@@ -14,6 +14,7 @@
 #include "meshing/cameras/slide.h"
 #include "meshing/rivals/heigl_weights.h"
 #include "meshing/rivals/unstructured_weights.h"
+#include "pipeline/bench/faces_entered.h"
 #include "pipeline/bench/synthetic_captures.h"
 #include "pipeline/synth/hand_held_path.h"
 
@@ -33,15 +34,6 @@ constexpr int kHalvings = 36;
 constexpr double kSlid = 1e-9;
 
 using Points = std::vector<Eigen::Vector3d>;
-
-int faces_entered(const CameraMesh& mesh, const Eigen::Vector3d& point,
-                  const Eigen::Vector3d& direction) {
-    return static_cast<int>(
-        std::count_if(mesh.faces.begin(), mesh.faces.end(), [&](const CameraMesh::Face& face) {
-            const Eigen::Vector3d sides = side_products(mesh, face, point, direction);
-            return sides.minCoeff() >= 0 && sides.sum() > 0;
-        }));
-}
 
 /// Weights of the ray from the eye to the target, one a camera, in the frame of that eye.
 using WayOfWeighing =

@@ -1,5 +1,6 @@
 #include "render/rivals/resampled_lumigraph.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <string>
 
@@ -36,6 +37,15 @@ DepthMap depth_of(const Lumigraph& source, const Eye& eye) {
 }
 
 }  // namespace
+
+Eigen::Matrix3d rotation_with_axis(const Eigen::Vector3d& z, const Eigen::Vector3d& down) {
+    const Eigen::Vector3d x = down.cross(z).normalized();
+    Eigen::Matrix3d rotation;
+    rotation.row(0) = x;
+    rotation.row(1) = z.cross(x);
+    rotation.row(2) = z;
+    return rotation;
+}
 
 Lumigraph resampled(const Lumigraph& source, LightFieldLayout layout, const DrawEye& draw) {
     Lumigraph result;

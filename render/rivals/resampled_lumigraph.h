@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 
 #include "render/lumigraph/lumigraph.h"
@@ -15,6 +16,11 @@ struct LightFieldLayout {
     std::vector<Eye> eyes;
     CameraMesh mesh;  ///< Its view indices point into `eyes`.
 };
+
+/// The frame of a picture whose z axis is `z` (unit), with `down` as its y axis as far as that
+/// goes: its rows are the axes in the world.
+[[nodiscard]] Eigen::Matrix3d rotation_with_axis(const Eigen::Vector3d& z,
+                                                 const Eigen::Vector3d& down);
 
 /// The Lumigraph whose pictures a regular parameterisation asks for, drawn from another one
 /// ("rebinned"): what capture by hand costs such parameterisations, in time and in sharpness. Depth

@@ -65,13 +65,8 @@ Sphere halved(const Sphere& coarse) {
 Rigid3 looking_along(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
     const Eigen::Vector3d down =
         std::abs(direction.z()) < 0.9 ? Eigen::Vector3d(0, 0, -1) : Eigen::Vector3d(0, 1, 0);
-    const Eigen::Vector3d x = down.cross(direction).normalized();
-    Eigen::Matrix3d rotation;
-    rotation.row(0) = x;
-    rotation.row(1) = direction.cross(x);
-    rotation.row(2) = direction;
     Rigid3 pose;
-    pose.rotation = Eigen::Quaterniond(rotation);
+    pose.rotation = Eigen::Quaterniond(rotation_with_axis(direction, down));
     pose.translation = -(pose.rotation * from);
     return pose;
 }

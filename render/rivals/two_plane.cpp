@@ -35,15 +35,6 @@ std::vector<Eigen::Vector3d> centres_of(const Lumigraph& source) {
     return centres;
 }
 
-Eigen::Matrix3d rotation_with_axis(const Eigen::Vector3d& z, const Eigen::Vector3d& down) {
-    const Eigen::Vector3d x = down.cross(z).normalized();
-    Eigen::Matrix3d rotation;
-    rotation.row(0) = x;
-    rotation.row(1) = z.cross(x);
-    rotation.row(2) = z;
-    return rotation;
-}
-
 /// Half the width that all photographs show at the scene's centre, at most.
 double seen_half_width(const Lumigraph& source) {
     double half = 0;
