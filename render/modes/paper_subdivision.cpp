@@ -117,9 +117,21 @@ class PaperPatch {
                border.contains(0.5 * (vertices_[a].pixel + vertices_[b].pixel));
     }
 
+    /// Thinner than polygons overlap, so that nothing is seen of it. Halves of such a triangle need
+    /// not be smaller: without this end they could return to where they began.
+    [[nodiscard]] bool is_sliver(const Triangle& triangle) const {
+        const auto [a, b, c] = triangle;
+        const Eigen::Vector2d ab = vertices_[b].pixel - vertices_[a].pixel;
+        const Eigen::Vector2d ac = vertices_[c].pixel - vertices_[a].pixel;
+        const double twice_area = std::abs(ab.x() * ac.y() - ab.y() * ac.x());
+        const double longest = std::max({ab.norm(), ac.norm(), vertices_.length_px(b, c)});
+        return !(twice_area > kOverlap_px * longest);
+    }
+
+    /// Each step halves the area, and edges never grow: slivers are reached, and end it.
     void split_where_neighbours_did(const Triangle& triangle, const BorderVertices& border,
                                     std::vector<Triangle>& whole) {
-        for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t i = 0; i < 3 && !is_sliver(triangle); ++i) {
             const std::uint32_t a = triangle[i];
             const std::uint32_t b = triangle[(i + 1) % 3];
             const std::uint32_t c = triangle[(i + 2) % 3];

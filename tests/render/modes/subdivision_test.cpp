@@ -90,6 +90,26 @@ TEST_F(Subdivision, NoVertexOfThePapersTrianglesLiesWithinAnEdge) {
     }
 }
 
+/// The same area, cut off the first corner by triangles without any area.
+FacePolygon with_corners_within_its_edges(const FacePolygon& polygon) {
+    FacePolygon same = polygon;
+    same.corners_px.clear();
+    for (std::size_t i = 0; i < polygon.corners_px.size(); ++i) {
+        const Eigen::Vector2d& corner = polygon.corners_px[i];
+        const Eigen::Vector2d& next = polygon.corners_px[(i + 1) % polygon.corners_px.size()];
+        same.corners_px.push_back(corner);
+        for (const double share : {0.3, 0.71})
+            same.corners_px.push_back((1 - share) * corner + share * next);
+    }
+    return same;
+}
+
+TEST_F(Subdivision, ThePapersEndsOnPolygonsWithCornersWithinTheirEdges) {
+    const double error = error_of(paper({.min_size_px = 3}), PlaceInterpolation::kProjective);
+    for (FacePolygon& polygon : polygons_) polygon = with_corners_within_its_edges(polygon);
+    EXPECT_NEAR(error_of(paper({.min_size_px = 3}), PlaceInterpolation::kProjective), error, 0.2);
+}
+
 TEST_F(Subdivision, WeightsAreAllOrNothing) {
     for (const BlendTriangles& triangles : {adaptive({}), paper({})}) {
         for (const BlendVertex& vertex : triangles.vertices) {
