@@ -30,13 +30,16 @@ struct DepthChoice {
 /// The cheapest rung that is enough: climbs while the next one's held-out error is lower by more
 /// than one standard error (Breiman et al. 1984, section 3.4.3, applied rung by rung).
 ///
+/// What is compared is what would be delivered (held_out_trial.h), `masks` (scene_masks) included.
 /// A quarter of each sampled view's points is kept back, each quarter in turn for the rungs that
 /// know points alone, and one of its neighbours. A rung is enough when it puts 95 % of these points
 /// within a pixel of disparity. If none is, the rung counts that predicts the neighbours'
 /// photographs best (photograph_loss.h); without two neighbours, the one nearest to the points.
 /// Rungs above `highest` are not tried. With fewer than 40 points in every view nothing can be
 /// kept back, and `highest` is taken.
-[[nodiscard]] DepthChoice choose_depth_model(const DepthScene& scene, const std::string& highest,
-                                             int threads, Progress& progress);
+[[nodiscard]] DepthChoice choose_depth_model(const DepthScene& scene,
+                                             const std::vector<GrayImage>& masks,
+                                             const std::string& highest, int threads,
+                                             Progress& progress);
 
 }  // namespace lumi

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "calib/capture/gray.h"
 #include "meshing/depth/inverse_depth_warp.h"
@@ -15,13 +16,6 @@ constexpr int kMinPixelsOfTile = 64;
 constexpr std::size_t kMinTiles = 30;
 constexpr double kMaxDifference = 80.0;
 
-/// A pixel of the view and what the other photograph shows there.
-struct PixelPair {
-    std::size_t tile = 0;
-    double own = 0.0;
-    double other = 0.0;
-};
-
 double bilinear(const GrayImage& gray, double u, double v) {
     const int x = static_cast<int>(u);
     const int y = static_cast<int>(v);
@@ -32,25 +26,112 @@ double bilinear(const GrayImage& gray, double u, double v) {
     return upper * (1 - down) + lower * down;
 }
 
-std::vector<PixelPair> pairs_of(const DepthView& view, const FloatImage& inverse_depth,
-                                const DepthView& other, int tiles_across) {
-    const InverseDepthWarp warp =
-        warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world);
-    const GrayImage own = gray_of(view.photograph);
-    const GrayImage there = gray_of(other.photograph);
+/// Where a pixel of one view lies in another.
+struct Place {
+    double u = 0.0;  ///< 0 is the centre of the first pixel.
+    double v = 0.0;
+    double inverse_depth = 0.0;  ///< There.
+};
+std::optional<Place> place_of(const InverseDepthWarp& warp, int x, int y, double inverse_depth,
+                              const Camera& there) {
+    const Eigen::Vector3d p = warp(Eigen::Vector2d(x + 0.5, y + 0.5), inverse_depth);
+    if (p.z() <= 0) return std::nullopt;
+    const Place place{p.x() / p.z() - 0.5, p.y() / p.z() - 0.5, inverse_depth / p.z()};
+    const bool is_inside = place.u >= 0 && place.v >= 0 && place.u < there.width_px - 1 &&
+                           place.v < there.height_px - 1;
+    return is_inside ? std::optional(place) : std::nullopt;
+}
+
+/// What one view says of the photograph.
+class Prediction {
+ public:
+    Prediction(const PredictingView& from, const DepthView& photograph)
+        : gray_(gray_of(from.view->photograph)),
+          back_(warp_b_from_a(photograph.camera, photograph.cam_from_world, from.view->camera,
+                              from.view->cam_from_world)),
+          camera_(from.view->camera),
+          nearest_(photograph.camera.width_px, photograph.camera.height_px, kNothing) {
+        const InverseDepthWarp there = warp_b_from_a(from.view->camera, from.view->cam_from_world,
+                                                     photograph.camera, photograph.cam_from_world);
+        for (int y = 0; y < gray_.height(); ++y) {
+            for (int x = 0; x < gray_.width(); ++x) {
+                const auto inverse_depth = static_cast<double>((*from.inverse_depth)(x, y));
+                const auto place = place_of(there, x, y, inverse_depth, photograph.camera);
+                if (place) splat(*place);
+            }
+        }
+    }
+
+    /// Inverse depth of the nearest surface before a pixel of the photograph; kNothing: none.
+    [[nodiscard]] float nearest(int x, int y) const { return nearest_(x, y); }
+
+    /// Grey level of that surface.
+    [[nodiscard]] std::optional<double> gray(int x, int y) const {
+        const auto place = place_of(back_, x, y, static_cast<double>(nearest_(x, y)), camera_);
+        if (!place) return std::nullopt;
+        return bilinear(gray_, place->u, place->v);
+    }
+
+    static constexpr float kNothing = -1.0F;
+
+ private:
+    /// Onto the four pixels around, so that a surface seen from farther off has no gaps.
+    void splat(const Place& place) {
+        for (int i = 0; i < 4; ++i) {
+            float& nearest =
+                nearest_(static_cast<int>(place.u) + i % 2, static_cast<int>(place.v) + i / 2);
+            nearest = std::max(nearest, static_cast<float>(place.inverse_depth));
+        }
+    }
+
+    GrayImage gray_;
+    InverseDepthWarp back_;
+    Camera camera_;
+    FloatImage nearest_;
+};
+
+/// A pixel of the photograph, and what is predicted there.
+struct PixelPair {
+    std::size_t tile = 0;
+    double own = 0.0;
+    double predicted = 0.0;
+};
+
+std::optional<double> mean_gray(const std::vector<Prediction>& predictions, int x, int y,
+                                double one_pixel) {
+    constexpr double kSameSurfacePx = 2.0;
+    float nearest = Prediction::kNothing;
+    for (const Prediction& prediction : predictions) {
+        nearest = std::max(nearest, prediction.nearest(x, y));
+    }
+    if (nearest < 0) return std::nullopt;
+    const double farthest = static_cast<double>(nearest) - kSameSurfacePx * one_pixel;
+    double sum = 0;
+    int count = 0;
+    for (const Prediction& prediction : predictions) {
+        const float own = prediction.nearest(x, y);
+        if (own < 0 || static_cast<double>(own) < farthest) continue;
+        const auto gray = prediction.gray(x, y);
+        if (!gray) continue;
+        sum += *gray;
+        ++count;
+    }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+std::vector<PixelPair> pairs_of(const std::vector<PredictingView>& views,
+                                const DepthView& photograph, int tiles_across) {
+    std::vector<Prediction> predictions;
+    for (const PredictingView& view : views) predictions.emplace_back(view, photograph);
+    const GrayImage own = gray_of(photograph.photograph);
+    const double one_pixel = 1.0 / photograph.disparity_px_per_inverse_depth;
     std::vector<PixelPair> pairs;
     for (int y = 0; y < own.height(); y += kStride) {
         for (int x = 0; x < own.width(); x += kStride) {
-            const Eigen::Vector3d p =
-                warp(Eigen::Vector2d(x + 0.5, y + 0.5), static_cast<double>(inverse_depth(x, y)));
-            if (p.z() <= 0) continue;
-            const double u = p.x() / p.z() - 0.5;
-            const double v = p.y() / p.z() - 0.5;
-            const bool is_inside =
-                u >= 0 && v >= 0 && u < there.width() - 1 && v < there.height() - 1;
-            if (!is_inside) continue;
-            const auto tile = static_cast<std::size_t>(y / kTile * tiles_across + x / kTile);
-            pairs.push_back({tile, static_cast<double>(own(x, y)), bilinear(there, u, v)});
+            const auto predicted = mean_gray(predictions, x, y, one_pixel);
+            if (!predicted) continue;
+            pairs.push_back({static_cast<std::size_t>(y / kTile * tiles_across + x / kTile),
+                             static_cast<double>(own(x, y)), *predicted});
         }
     }
     return pairs;
@@ -58,22 +139,23 @@ std::vector<PixelPair> pairs_of(const DepthView& view, const FloatImage& inverse
 
 }  // namespace
 
-std::vector<double> photograph_loss(const DepthView& view, const FloatImage& inverse_depth,
-                                    const DepthView& other) {
-    const int across = (view.camera.width_px + kTile - 1) / kTile;
-    const int down = (view.camera.height_px + kTile - 1) / kTile;
-    const std::vector<PixelPair> pairs = pairs_of(view, inverse_depth, other, across);
+std::vector<double> photograph_loss(const std::vector<PredictingView>& views,
+                                    const DepthView& photograph) {
+    const int across = (photograph.camera.width_px + kTile - 1) / kTile;
+    const int down = (photograph.camera.height_px + kTile - 1) / kTile;
+    const std::vector<PixelPair> pairs = pairs_of(views, photograph, across);
     double own = 0;
-    double there = 0;
+    double predicted = 0;
     for (const PixelPair& pair : pairs) {
         own += pair.own;
-        there += pair.other;
+        predicted += pair.predicted;
     }
-    const double gain = own > 0 && there > 0 ? own / there : 1.0;
+    const double gain = own > 0 && predicted > 0 ? own / predicted : 1.0;
     std::vector<double> sums(static_cast<std::size_t>(across * down), 0.0);
     std::vector<int> counts(sums.size(), 0);
     for (const PixelPair& pair : pairs) {
-        const double difference = std::min(kMaxDifference, std::abs(pair.own - gain * pair.other));
+        const double difference =
+            std::min(kMaxDifference, std::abs(pair.own - gain * pair.predicted));
         sums[pair.tile] += difference * difference;
         ++counts[pair.tile];
     }

@@ -10,16 +10,22 @@ namespace lumi {
 /// What a tile counts that the other photograph does not see.
 constexpr double kTileUnseen = -1.0;
 
-/// How far another photograph is from showing what `view` shows, by the surface that
-/// `inverse_depth` says: mean squared difference in grey levels, at most 80 levels a pixel, of each
-/// tile of 32 x 32 pixels, row by row. Squares are what drawings are judged by, too: silhouettes
-/// count. The exposures are evened by one factor first. The other view must have had no part in the
-/// depth: the difference then tells how well depth predicts a photograph (compare Waechter et al.
-/// 2017, virtual rephotography). What is hidden from the other view is wrong for every surface
-/// alike.
-[[nodiscard]] std::vector<double> photograph_loss(const DepthView& view,
-                                                  const FloatImage& inverse_depth,
-                                                  const DepthView& other);
+/// One of the views that a photograph is predicted from, with its finished depth.
+struct PredictingView {
+    const DepthView* view = nullptr;
+    const FloatImage* inverse_depth = nullptr;
+};
+
+/// How far a photograph is from what `views` and their depth predict of it: mean squared difference
+/// in grey levels, at most 80 levels a pixel, of each tile of 32 x 32 pixels of `photograph`, row
+/// by row. Squares are what drawings are judged by, too: silhouettes count. The exposures are
+/// evened by one factor first. The view must have had no part in the depth: the difference then
+/// tells how well depth predicts a photograph (virtual rephotography, Waechter et al. 2017).
+///
+/// Predicted is the nearest surface that any of the views puts before a pixel, in the mean grey of
+/// the views that see it: what one view hides another shows, as in a drawing.
+[[nodiscard]] std::vector<double> photograph_loss(const std::vector<PredictingView>& views,
+                                                  const DepthView& photograph);
 
 /// True when the tiles of `next` are closer than those of `current` by more than a standard error
 /// of the difference, and by more than a fiftieth. False with fewer than 30 tiles that both know.

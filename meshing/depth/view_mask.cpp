@@ -7,6 +7,7 @@
 
 #include "calib/capture/image_io.h"
 #include "calib/work/error.h"
+#include "calib/work/parallel_for.h"
 
 namespace lumi {
 namespace {
@@ -149,6 +150,39 @@ GrayImage mask_of_background(const DepthView& view, Rgb8 background) {
         }
     }
     return mask;
+}
+
+std::vector<GrayImage> scene_masks(const DepthScene& scene, const std::filesystem::path& folder,
+                                   bool looks_for_background, int threads) {
+    std::vector<GrayImage> masks(scene.views.size());
+    const bool is_drawn = !folder.empty();
+    const auto background =
+        !is_drawn && looks_for_background ? plain_background(scene) : std::nullopt;
+    if (!is_drawn && !background) return masks;
+    parallel_for(static_cast<int>(masks.size()), threads, [&](int i) {
+        const auto index = static_cast<std::size_t>(i);
+        const DepthView& view = scene.views[index];
+        masks[index] = is_drawn ? drawn_mask(view, folder) : mask_of_background(view, *background);
+    });
+    return masks;
+}
+
+void claim_nothing_beyond(const GrayImage& mask, DepthMap& map) {
+    for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
+        if (mask.pixels()[i] == 0) map.confidence.pixels()[i] = 0;
+    }
+}
+
+double put_at_infinity(const GrayImage& mask, DepthMap& map) {
+    std::size_t beyond = 0;
+    for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
+        if (mask.pixels()[i] != 0) continue;
+        map.inverse_depth.pixels()[i] = 0.0F;
+        map.confidence.pixels()[i] = 255;
+        ++beyond;
+    }
+    return static_cast<double>(beyond) /
+           static_cast<double>(std::max<std::size_t>(1, map.confidence.pixels().size()));
 }
 
 }  // namespace lumi

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "meshing/depth/depth_scene.h"
+#include "meshing/surface/depth_map.h"
 
 namespace lumi {
 
@@ -21,5 +22,17 @@ namespace lumi {
 
 /// The view without its plain background: what is connected to the border by pixels of this colour.
 [[nodiscard]] GrayImage mask_of_background(const DepthView& view, Rgb8 background);
+
+/// The masks of all views: drawn ones where a folder is given, else of a plain background if one
+/// is looked for and found. Empty images where every pixel belongs to the scene.
+[[nodiscard]] std::vector<GrayImage> scene_masks(const DepthScene& scene,
+                                                 const std::filesystem::path& folder,
+                                                 bool looks_for_background, int threads);
+
+/// Nothing is claimed of what does not belong to the scene. An empty mask changes nothing.
+void claim_nothing_beyond(const GrayImage& mask, DepthMap& map);
+
+/// What does not belong to the scene is known to be behind all of it. Returns its share.
+double put_at_infinity(const GrayImage& mask, DepthMap& map);
 
 }  // namespace lumi

@@ -68,9 +68,13 @@ double share_right(const DepthMap& map, const KnownDepthScene& known, bool only_
     return all == 0 ? 0.0 : static_cast<double>(right) / all;
 }
 
+std::vector<GrayImage> no_masks(const KnownDepthScene& known) {
+    return std::vector<GrayImage>(known.scene.views.size());
+}
+
 std::string chosen(const KnownDepthScene& known) {
     SilentProgress progress;
-    return choose_depth_model(known.scene, "sweep", 2, progress).model;
+    return choose_depth_model(known.scene, no_masks(known), "sweep", 2, progress).model;
 }
 
 TEST(DepthLadder, EveryRungSaysSomethingFiniteOfEveryPixel) {
@@ -165,15 +169,32 @@ TEST(DepthChoice, ThePhotographsDecideWherePointsLieOnOneSurfaceOnly) {
 
 TEST(PhotographLoss, IsLeastForTheTruth) {
     const KnownDepthScene known = boards();
-    const DepthView& view = known.scene.views[0];
     const auto loss = [&](double factor) {
-        FloatImage depth = known.inverse_depths[0];
-        for (float& value : depth.pixels()) value *= static_cast<float>(factor);
-        return photograph_loss(view, depth, known.scene.views[1]);
+        std::vector<FloatImage> depths = known.inverse_depths;
+        std::vector<PredictingView> views;
+        for (const std::size_t i : {0U, 2U, 3U, 4U}) {
+            for (float& value : depths[i].pixels()) value *= static_cast<float>(factor);
+            views.push_back({&known.scene.views[i], &depths[i]});
+        }
+        return photograph_loss(views, known.scene.views[1]);
     };
     EXPECT_TRUE(is_clearly_closer(loss(1), loss(1.05)));
     EXPECT_TRUE(is_clearly_closer(loss(1), loss(0.95)));
     EXPECT_FALSE(is_clearly_closer(loss(1), loss(1)));
+}
+
+TEST(PhotographLoss, WhatOneViewHidesAnotherShows) {
+    const KnownDepthScene known = boards();
+    const auto loss = [&](const std::vector<std::size_t>& from) {
+        std::vector<PredictingView> views;
+        for (const std::size_t i : from) {
+            views.push_back({&known.scene.views[i], &known.inverse_depths[i]});
+        }
+        return rms_of(photograph_loss(views, known.scene.views[0]));
+    };
+    // One view alone cannot know what lies behind the boards, and leaves it out.
+    EXPECT_LT(loss({1, 2, 3, 4}), 8.0);
+    EXPECT_LT(loss({1}), 8.0);
 }
 
 TEST(DepthChoice, WithoutPointsTakesTheHighestRungAndSaysWhy) {
@@ -181,7 +202,8 @@ TEST(DepthChoice, WithoutPointsTakesTheHighestRungAndSaysWhy) {
         known_depth_scene({{{0, 0, 2}, {0, 0, 1}, everywhere, noise_texture(0.03, 5)}},
                           cross_of_centres(0.12), {0.1, 1.2});
     SilentProgress progress;
-    const DepthChoice choice = choose_depth_model(known.scene, "sweep", 1, progress);
+    const DepthChoice choice =
+        choose_depth_model(known.scene, no_masks(known), "sweep", 1, progress);
     EXPECT_EQ(choice.model, "sweep");
     EXPECT_NE(choice.explanation.find("no view has"), std::string::npos) << choice.explanation;
 }
