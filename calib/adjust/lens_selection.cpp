@@ -74,6 +74,22 @@ FittedForm fit_form(const LensForm& form, const Capture& start, const Camera& or
     return fitted;
 }
 
+/// Distance of a pixel from the principal point in focal lengths.
+double distance_in_focal_lengths(const Camera& lens, const Eigen::Vector2d& pixel) {
+    return (pixel - principal_point_px(lens)).cwiseQuotient(focal_length_px(lens)).norm();
+}
+
+/// lens_fault as far out as the picture reaches.
+std::string fault_in_picture(const Camera& lens) {
+    double farthest = 0;
+    for (const int x : {0, lens.width_px}) {
+        for (const int y : {0, lens.height_px}) {
+            farthest = std::max(farthest, distance_in_focal_lengths(lens, Eigen::Vector2d(x, y)));
+        }
+    }
+    return lens_fault(lens, farthest);
+}
+
 /// lens_fault as far out as the camera's photographs show points.
 std::string fault_within(const Capture& capture, int camera_index) {
     const Camera& lens = capture.cameras[static_cast<std::size_t>(camera_index)];
@@ -82,9 +98,7 @@ std::string fault_within(const Capture& capture, int camera_index) {
         for (const Observation& seen : point.track) {
             const View& view = capture.views[static_cast<std::size_t>(seen.view_index)];
             if (view.camera_index != camera_index) continue;
-            farthest = std::max(farthest, (seen.pixel - principal_point_px(lens))
-                                              .cwiseQuotient(focal_length_px(lens))
-                                              .norm());
+            farthest = std::max(farthest, distance_in_focal_lengths(lens, seen.pixel));
         }
     }
     return lens_fault(lens, farthest);
@@ -108,6 +122,7 @@ void predict(std::vector<FittedForm>& fitted, int camera_index,
         FittedForm& form = fitted[index];
         form.trial.not_predicted = fault_within(form.capture, camera_index);
         if (!form.trial.not_predicted.empty()) continue;
+        form.trial.fault_beyond_seen = fault_in_picture(form.trial.lens);
         if (free_parameters(form.trial.form) > most_parameters) {
             form.trial.not_predicted = "more than BIC asks for";
             continue;

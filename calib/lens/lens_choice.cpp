@@ -88,7 +88,26 @@ std::string verdict_of(const LensChoice& choice, std::size_t index) {
     if (choice.trials[index].folds.empty() && !choice.trials[index].not_predicted.empty()) {
         add(choice.trials[index].not_predicted);
     }
+    if (!choice.trials[index].fault_beyond_seen.empty()) {
+        add(choice.trials[index].fault_beyond_seen + " beyond what was seen");
+    }
     return verdict;
+}
+
+constexpr double kSureStandardErrors = 3.0;
+
+/// Of the forms without a fault beyond what was seen, the simplest that does not surely predict
+/// worse than the best; the chosen one where there is none.
+std::size_t sound_choice(const LensChoice& choice) {
+    if (choice.choice().fault_beyond_seen.empty()) return choice.chosen;
+    for (std::size_t index = 0; index < choice.trials.size(); ++index) {
+        const LensTrial& trial = choice.trials[index];
+        if (!trial.folds.empty() && trial.fault_beyond_seen.empty() &&
+            trial.excess_px2 <= kSureStandardErrors * trial.excess_sigma_px2) {
+            return index;
+        }
+    }
+    return choice.chosen;
 }
 
 template <class... Values>
@@ -133,14 +152,14 @@ LensChoice choose_lens(std::vector<LensTrial> trials) {
             trial.held_out_rms_px < choice.choice().held_out_rms_px;
         if (predicts_as_well && (is_simpler || is_better_equal)) choice.chosen = index;
     }
+    choice.chosen = sound_choice(choice);
     return choice;
 }
 
 bool predicts_worse_surely(const std::vector<HeldOutFold>& fitted,
                            const std::vector<HeldOutFold>& best) {
-    constexpr double kStandardErrors = 3.0;
     const Excess excess = excess_of(fitted, best);
-    return excess.mean_px2 > kStandardErrors * excess.sigma_px2 && excess.mean_px2 > 0;
+    return excess.mean_px2 > kSureStandardErrors * excess.sigma_px2 && excess.mean_px2 > 0;
 }
 
 std::string lens_choice_table(const LensChoice& choice) {

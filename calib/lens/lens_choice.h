@@ -24,6 +24,9 @@ struct LensTrial {
     int residuals = 0;               ///< Of that fit: two for each point.
     std::vector<HeldOutFold> folds;  ///< The same groups in every trial; empty: not predicted.
     std::string not_predicted;       ///< Why `folds` is empty.
+    /// What speaks against the lens in those parts of the picture where nothing was seen
+    /// (lens_fault); empty: nothing.
+    std::string fault_beyond_seen;
 
     // Set by choose_lens:
     double rms_px = 0.0;            ///< Root mean square of a residual (one coordinate), fitted.
@@ -51,7 +54,9 @@ struct LensChoice {
 /// them. Folds count by their residuals (ratio estimator: Cochran, Sampling Techniques, 1977,
 /// section 2.11). Forms without folds are not chosen unless none has any: then the least BIC
 /// decides. BIC stands beside it in any case; it prefers too many parameters where errors of
-/// neighbouring pixels are alike. Expects at least one trial, and folds of equal number.
+/// neighbouring pixels are alike. What is seen in the middle of the picture alone says nothing of
+/// its corners: a form with a fault there gives way to the simplest without that does not surely
+/// predict worse (three standard errors). Expects at least one trial, and folds of equal number.
 [[nodiscard]] LensChoice choose_lens(std::vector<LensTrial> trials);
 
 /// True when a form surely predicts worse than `best`, so that its folds need not be fitted: the

@@ -84,7 +84,9 @@ bool own_explains_better(const Capture& shared, const Capture& own) {
 }
 
 /// Whether focal lengths of photographs that shared a lens differ by more than they are uncertain:
-/// three standard deviations, root mean square.
+/// three standard deviations, root mean square. Where they are less certain than the smallest zoom
+/// asked for (a small subject, seen from afar), focal length and distance make up for each other
+/// along a curve that linear standard deviations are too small for, and nothing can be said.
 bool focal_lengths_differ(const OwnLensModel& own, const PoseEvidence& evidence,
                           const Capture& shared) {
     constexpr double kMinSquare = 9.0;
@@ -92,6 +94,7 @@ bool focal_lengths_differ(const OwnLensModel& own, const PoseEvidence& evidence,
     for (const View& view : shared.views) shared_lens[view.name] = view.camera_index;
     struct Sums {
         double weight = 0, log_focal = 0, square = 0;
+        double variance = 0;
         int count = 0;
     };
     std::map<int, Sums> sums;
@@ -108,12 +111,13 @@ bool focal_lengths_differ(const OwnLensModel& own, const PoseEvidence& evidence,
         sum.weight += 1 / (sigma * sigma);
         sum.log_focal += std::log(focal_px) / (sigma * sigma);
         sum.square += std::log(focal_px) * std::log(focal_px) / (sigma * sigma);
+        sum.variance += sigma * sigma;
         ++sum.count;
     }
     double square = 0;
     int redundant = 0;
     for (const auto& [lens, sum] : sums) {
-        if (sum.count < 2) continue;
+        if (sum.count < 2 || std::sqrt(sum.variance / sum.count) > kMinZoom - 1) continue;
         square += sum.square - sum.log_focal * sum.log_focal / sum.weight;
         redundant += sum.count - 1;
     }

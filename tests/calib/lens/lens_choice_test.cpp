@@ -87,6 +87,16 @@ TEST(LensChoice, AFormWithoutFoldsIsNotChosenBesideOthers) {
     EXPECT_NE(lens_choice_table(choice).find("not tried"), std::string::npos);
 }
 
+TEST(LensChoice, AFaultInTheUnseenCornersIsAvoidedWhereNothingSurelyPredictsWorse) {
+    // Differences 0.1, 0.3, 0.2: 3.5 standard errors of their mean. 0.1, 0.3, 0.0: 1.5 of them.
+    LensTrial folding = trial_of(kRich, 100, folds_of({0.1, 0.1, 0.1}));
+    folding.fault_beyond_seen = "folds over within the picture";
+    const LensTrial worse = trial_of(kSimple, 300, folds_of({0.2, 0.4, 0.3}));
+    const LensTrial doubtful = trial_of(kMiddle, 110, folds_of({0.2, 0.4, 0.1}));
+    EXPECT_EQ(choose_lens({folding, worse}).choice().form, kRich);
+    EXPECT_EQ(choose_lens({folding, worse, doubtful}).choice().form, kMiddle);
+}
+
 TEST(LensChoice, SkipsFoldsOnlyWhereTheFitItselfIsWorse) {
     const std::vector<HeldOutFold> best = folds_of({0.10, 0.50, 0.11, 0.20});
     EXPECT_TRUE(predicts_worse_surely(folds_of({0.13, 0.54, 0.14, 0.24}), best));
