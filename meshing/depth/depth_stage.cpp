@@ -114,13 +114,14 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
         evidence.view_name = scene.views[index].name;
         evidence.model = estimates[index].model;
         evidence.confident_share = confident_share(map);
-        evidence.background_share = put_at_infinity(masks[index], map);
     });
     const std::vector<DepthMap> confirmed_maps = result.depth_maps;
     for_each_view("depth: filling", result, threads, progress, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         DepthMap& map = result.depth_maps[index];
         if (!estimates[index].is_complete) fill_unknown_depth(scene, confirmed_maps, i, map);
+        // After filling: what belongs to the scene is not continued from what does not.
+        result.evidence[index].background_share = separate_background(masks[index], map);
         result.evidence[index].sparse_residual_px = sparse_residual_px(map, scene.views[index]);
     });
     return result;

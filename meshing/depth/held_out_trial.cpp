@@ -166,13 +166,14 @@ class Exhibit {
             const auto index = static_cast<std::size_t>(i);
             if (estimates[index].map.confidence.empty()) continue;
             confirmed[index] = confirmed_depth(scene_, estimates, i);
-            put_at_infinity(masks_[index], confirmed[index]);
         }
         std::vector<DepthMap> maps(confirmed.begin(),
                                    confirmed.begin() + (with_neighbours ? witnesses_ : 1));
         for (std::size_t i = 0; i < maps.size(); ++i) {
-            if (estimates[i].is_complete) continue;
-            fill_unknown_depth(scene_, confirmed, static_cast<int>(i), maps[i]);
+            if (!estimates[i].is_complete) {
+                fill_unknown_depth(scene_, confirmed, static_cast<int>(i), maps[i]);
+            }
+            separate_background(masks_[i], maps[i]);
         }
         return maps;
     }

@@ -173,12 +173,16 @@ void claim_nothing_beyond(const GrayImage& mask, DepthMap& map) {
     }
 }
 
-double put_at_infinity(const GrayImage& mask, DepthMap& map) {
+double separate_background(const GrayImage& mask, DepthMap& map) {
     std::size_t beyond = 0;
     for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
-        if (mask.pixels()[i] != 0) continue;
+        std::uint8_t& confidence = map.confidence.pixels()[i];
+        if (mask.pixels()[i] != 0) {
+            confidence = std::max<std::uint8_t>(confidence, 1);
+            continue;
+        }
         map.inverse_depth.pixels()[i] = 0.0F;
-        map.confidence.pixels()[i] = 255;
+        confidence = 255;
         ++beyond;
     }
     return static_cast<double>(beyond) /

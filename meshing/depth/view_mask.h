@@ -32,7 +32,10 @@ namespace lumi {
 /// Nothing is claimed of what does not belong to the scene. An empty mask changes nothing.
 void claim_nothing_beyond(const GrayImage& mask, DepthMap& map);
 
-/// What does not belong to the scene is known to be behind all of it. Returns its share.
-double put_at_infinity(const GrayImage& mask, DepthMap& map);
+/// What does not belong to the scene is known to be behind all of it: infinitely far, and certain.
+/// What belongs to it and was filled is at least known to stand before that: it gets the least
+/// confidence that counts as seen, or the background would show through. Returns the background's
+/// share; an empty mask changes nothing.
+double separate_background(const GrayImage& mask, DepthMap& map);
 
 }  // namespace lumi

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "calib/capture/image_io.h"
@@ -118,6 +119,37 @@ TEST(DepthStage, WhatAMaskLeavesOutIsInfinitelyFarAndTheRestIsUnharmed) {
     EXPECT_EQ(map.inverse_depth(40, 90), 0.0F);
     EXPECT_EQ(map.confidence(40, 90), 255);
     EXPECT_NEAR(map.inverse_depth(160, 90), known.inverse_depths[0](160, 90), 0.01F);
+}
+
+TEST(DepthStage, APlainPartOfTheSubjectIsNotContinuedFromTheBackground) {
+    const ScratchFolder folder;
+    // A card whose right third is without texture, before nothing.
+    const auto is_card = [](const Eigen::Vector3d& at) {
+        return std::abs(at.x()) < 0.5 && std::abs(at.y()) < 0.4;
+    };
+    const auto gray = [noise = noise_texture(0.03, 5)](const Eigen::Vector3d& at) {
+        return at.x() > 0.17 ? 120.0 : noise(at);
+    };
+    const KnownDepthScene known =
+        known_depth_scene({{{0, 0, 2}, {0, 0, 1}, is_card, gray}}, cross_of_centres(0.12), {});
+    const PosedPhotographs photographs = written(known, folder.path());
+    for (std::size_t i = 0; i < photographs.capture.views.size(); ++i) {
+        GrayImage mask(240, 180, 255);
+        for (std::size_t at = 0; at < mask.pixels().size(); ++at) {
+            if (known.inverse_depths[i].pixels()[at] == 0) mask.pixels()[at] = 0;
+        }
+        write_png(folder.path() / "masks" / photographs.capture.views[i].name, mask);
+    }
+    SilentProgress progress;
+    DepthOptions options;
+    options.mask_folder = folder.path() / "masks";
+    const DepthResult result = estimate_depth(photographs, {0, 1, 2, 3, 4}, options, 2, progress);
+    for (std::size_t at = 0; at < result.depth_maps[0].confidence.pixels().size(); ++at) {
+        const float truth = known.inverse_depths[0].pixels()[at];
+        if (truth == 0) continue;
+        ASSERT_NEAR(result.depth_maps[0].inverse_depth.pixels()[at], truth, 0.05F) << at;
+        ASSERT_GT(result.depth_maps[0].confidence.pixels()[at], 0) << at;
+    }
 }
 
 }  // namespace
