@@ -88,8 +88,13 @@ void sweep_tile(const SweepView& view, const std::vector<Comparison>& comparison
 
 }  // namespace
 
-CostVolume::CostVolume(int width, int height, std::vector<TilePlanes> tiles)
-    : width_(width), height_(height), tiles_(std::move(tiles)), mean_seen_costs_(width, height) {
+CostVolume::CostVolume(int width, int height, std::vector<TilePlanes> tiles,
+                       std::vector<std::uint8_t> memory)
+    : width_(width),
+      height_(height),
+      tiles_(std::move(tiles)),
+      costs_(std::move(memory)),
+      mean_seen_costs_(width, height) {
     assert(static_cast<int>(tiles_.size()) == tiles_along(width) * tiles_along(height));
     std::size_t total = 0;
     for (const TilePlanes& tile : tiles_) {
@@ -99,18 +104,20 @@ CostVolume::CostVolume(int width, int height, std::vector<TilePlanes> tiles)
             static_cast<std::size_t>(kTileSide * kTileSide) * static_cast<std::size_t>(tile.count);
         max_count_ = std::max(max_count_, tile.count);
     }
+    if (costs_.capacity() < total) costs_.clear();  // Nothing in it is worth copying.
     costs_.resize(total);
 }
 
 CostVolume sweep_costs(const SweepView& view, const std::vector<SweepView>& neighbours,
-                       const SweepPlanes& planes, std::vector<TilePlanes> tiles) {
+                       const SweepPlanes& planes, std::vector<TilePlanes> tiles,
+                       std::vector<std::uint8_t> memory) {
     std::vector<Comparison> comparisons;
     for (const SweepView& other : neighbours) {
         comparisons.push_back(
             {warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world),
              packed(other.gray)});
     }
-    CostVolume volume(view.gray.width(), view.gray.height(), std::move(tiles));
+    CostVolume volume(view.gray.width(), view.gray.height(), std::move(tiles), std::move(memory));
     for (int top = 0; top < volume.height(); top += kTileSide) {
         for (int left = 0; left < volume.width(); left += kTileSide) {
             sweep_tile(view, comparisons, planes, left, top, volume);

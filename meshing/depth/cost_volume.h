@@ -42,8 +42,10 @@ struct TilePlanes {
 /// Matching cost of each pixel at each plane of its tile; 0 fits, kMaxMatchingCost does not.
 class CostVolume {
  public:
-    /// `tiles`: one per tile of kTileSide x kTileSide pixels, row by row; counts > 0.
-    CostVolume(int width, int height, std::vector<TilePlanes> tiles);
+    /// `tiles`: one per tile of kTileSide x kTileSide pixels, row by row; counts > 0. The costs are
+    /// still to be written; they lie in `memory`, which may have held others.
+    CostVolume(int width, int height, std::vector<TilePlanes> tiles,
+               std::vector<std::uint8_t> memory = {});
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
@@ -90,6 +92,7 @@ constexpr int kMaxMatchingCost = 48;
 /// neighbours, so that a view from which the pixel is hidden is not asked.
 [[nodiscard]] CostVolume sweep_costs(const SweepView& view,
                                      const std::vector<SweepView>& neighbours,
-                                     const SweepPlanes& planes, std::vector<TilePlanes> tiles);
+                                     const SweepPlanes& planes, std::vector<TilePlanes> tiles,
+                                     std::vector<std::uint8_t> memory = {});
 
 }  // namespace lumi

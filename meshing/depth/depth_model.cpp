@@ -79,8 +79,14 @@ class SweepModel : public DepthModel {
         if (view_of(scene, view_index).disparity_px_per_inverse_depth <= 0) {
             return without_parallax(scene, view_index);
         }
-        return {multi_view_sweep(scene, view_index), "sweep", true, false};
+        SweepMemory memory = pool_.take();
+        DepthEstimate estimate{multi_view_sweep(scene, view_index, memory), "sweep", true, false};
+        pool_.give_back(std::move(memory));
+        return estimate;
     }
+
+ private:
+    mutable SweepMemoryPool pool_;
 };
 
 class PatchMatchModel final : public SweepModel {

@@ -88,7 +88,7 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
     const std::vector<GrayImage> masks =
         scene_masks(scene, options.mask_folder, options.background == "auto", threads);
     const double before_choice = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
-    const std::unique_ptr<DepthModel> model =
+    std::unique_ptr<DepthModel> model =
         model_of(scene, masks, options, threads, progress, result.choice);
     result.choice_cpu_s = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - before_choice;
     std::vector<DepthEstimate> estimates(scene.views.size());
@@ -106,6 +106,7 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
             claim_nothing_beyond(masks[index], estimates[index].map);
         });
     }
+    model.reset();  // And the memory it matched in.
     for_each_view("depth: agreement of views", result, threads, progress, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         DepthMap& map = result.depth_maps[index];

@@ -116,7 +116,7 @@ GrayImage told_apart(const GrayImage& mean_costs, const GrayImage& chosen_costs)
 }
 
 DepthMap match_level(const DepthScene& scene, const DepthView& view, int level,
-                     const std::vector<TileSurface>& surfaces) {
+                     const std::vector<TileSurface>& surfaces, SweepMemory& memory) {
     const SweepView own = at_level(view, level);
     std::vector<SweepView> others;
     for (const int j : view.neighbours) {
@@ -124,8 +124,11 @@ DepthMap match_level(const DepthScene& scene, const DepthView& view, int level,
     }
     const double level_scale = static_cast<double>(own.camera.width_px) / view.camera.width_px;
     Search search = search_of(view, level_scale, level == 0 ? 0.75 : 1.0, surfaces);
-    const CostVolume volume = sweep_costs(own, others, search.planes, std::move(search.tiles));
-    MatchedPlanes matched = semi_global_matching(volume, own.gray, SmoothnessPenalty{});
+    CostVolume volume =
+        sweep_costs(own, others, search.planes, std::move(search.tiles), std::move(memory.costs));
+    MatchedPlanes matched =
+        semi_global_matching(volume, own.gray, SmoothnessPenalty{}, memory.sums);
+    memory.costs = std::move(volume.costs());
     for (float& plane : matched.plane.pixels()) {
         const double inverse_depth = search.planes.inverse_depth(static_cast<double>(plane));
         plane = static_cast<float>(std::max(0.0, inverse_depth));
@@ -157,26 +160,28 @@ double one_pixel_at(const DepthView& view, double level_scale) {
 
 /// The whole range, first along the slopes that the points suggest, then along those it found: a
 /// floor comes out in shreds first, which lie on the floor's plane all the same.
-DepthMap match_coarsest(const DepthScene& scene, const DepthView& view, int level) {
+DepthMap match_coarsest(const DepthScene& scene, const DepthView& view, int level,
+                        SweepMemory& memory) {
     constexpr int kRounds = 2;
     constexpr double kFollowPx = 5.0;
     const int width = view.camera.width_px >> level;
     const int height = view.camera.height_px >> level;
     const double one_pixel = one_pixel_at(view, static_cast<double>(width) / view.camera.width_px);
-    DepthMap found = match_level(scene, view, level,
-                                 search_whole_range(view.range, width, height, slope_guide(view)));
+    DepthMap found =
+        match_level(scene, view, level,
+                    search_whole_range(view.range, width, height, slope_guide(view)), memory);
     for (int round = 0; round < kRounds; ++round) {
         std::vector<TileSurface> surfaces =
             search_around(found.inverse_depth, width, height, kFollowPx * one_pixel);
         for (TileSurface& surface : surfaces) surface.at_centre = view.range;
-        found = match_level(scene, view, level, surfaces);
+        found = match_level(scene, view, level, surfaces, memory);
     }
     return found;
 }
 
 /// One level finer, around what the coarser level found.
 DepthMap match_finer(const DepthScene& scene, const DepthView& view, int level,
-                     const DepthMap& coarser) {
+                     const DepthMap& coarser, SweepMemory& memory) {
     constexpr double kFollowPx = 2.0;
     const int width = view.camera.width_px >> level;
     const int height = view.camera.height_px >> level;
@@ -184,19 +189,32 @@ DepthMap match_finer(const DepthScene& scene, const DepthView& view, int level,
     std::vector<TileSurface> surfaces =
         search_around(coarser.inverse_depth, width, height, kFollowPx * one_pixel_at(view, scale));
     include_points(view, scale, width, surfaces);
-    DepthMap finer = match_level(scene, view, level, surfaces);
+    DepthMap finer = match_level(scene, view, level, surfaces, memory);
     add_coarser(finer.confidence, coarser.confidence);
     return finer;
 }
 
 }  // namespace
 
-DepthMap multi_view_sweep(const DepthScene& scene, int view_index) {
+SweepMemory SweepMemoryPool::take() {
+    const std::lock_guard lock(mutex_);
+    if (spare_.empty()) return {};
+    SweepMemory memory = std::move(spare_.back());
+    spare_.pop_back();
+    return memory;
+}
+
+void SweepMemoryPool::give_back(SweepMemory memory) {
+    const std::lock_guard lock(mutex_);
+    spare_.push_back(std::move(memory));
+}
+
+DepthMap multi_view_sweep(const DepthScene& scene, int view_index, SweepMemory& memory) {
     const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
     const int coarsest = level_count(view.camera) - 1;
-    DepthMap found = match_coarsest(scene, view, coarsest);
+    DepthMap found = match_coarsest(scene, view, coarsest, memory);
     for (int level = coarsest - 1; level >= 0; --level) {
-        found = match_finer(scene, view, level, found);
+        found = match_finer(scene, view, level, found, memory);
     }
     return found;
 }

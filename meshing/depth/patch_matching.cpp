@@ -27,8 +27,11 @@ constexpr std::array<int, kCensusBits> kCensusOffsets = census_offsets();
 
 // Kernels work on plain pointers: the vectoriser then knows what aliases and what does not.
 
-/// Where each pixel is sampled, and how: grey values between four pixels, in 1/64 pixel.
+/// Where each pixel is sampled, and how: grey values between four pixels, in 1/64 pixel. Sixty-four
+/// pixels at a time; the last block overlaps the one before it.
 struct WarpPixels {
+    static constexpr int kLanes = 64;
+
     LUMI_KERNEL void run(const std::uint32_t* quads, int width, int height,
                          const float* __restrict ray_x, const float* __restrict ray_y,
                          const float* __restrict ray_z, const float* shift,
@@ -40,29 +43,33 @@ struct WarpPixels {
         const float shift_x = shift[0];
         const float shift_y = shift[1];
         const float shift_z = shift[2];
-        int index[kPatchPixels], right[kPatchPixels], down[kPatchPixels];
-        for (int i = 0; i < kPatchPixels; ++i) {
-            const float z = ray_z[i] + shift_z;
-            const float scale = kSubpixels / z;
-            const float u = (ray_x[i] + shift_x) * scale - 0.5F * kSubpixels;
-            const float v = (ray_y[i] + shift_y) * scale - 0.5F * kSubpixels;
-            const int inside = (z > 1e-6F) & (u >= 0) & (u <= max_u) & (v >= 0) & (v <= max_v);
-            // A pixel that is not inside reads the corner: in bounds, and never used.
-            const int fixed_u = static_cast<int>(inside != 0 ? u : 0.0F);
-            const int fixed_v = static_cast<int>(inside != 0 ? v : 0.0F);
-            index[i] = (fixed_v >> kSubpixelBits) * width + (fixed_u >> kSubpixelBits);
-            right[i] = fixed_u & (kOne - 1);
-            down[i] = fixed_v & (kOne - 1);
-            hidden[i] = static_cast<std::uint8_t>(inside != 0 ? 0 : kNotSeen);
-        }
-        for (int i = 0; i < kPatchPixels; ++i) index[i] = static_cast<int>(quads[index[i]]);
-        for (int i = 0; i < kPatchPixels; ++i) {
-            const int quad = index[i];
-            const int upper = (quad & 255) * (kOne - right[i]) + ((quad >> 8) & 255) * right[i];
-            const int lower =
-                ((quad >> 16) & 255) * (kOne - right[i]) + ((quad >> 24) & 255) * right[i];
-            const int value = upper * (kOne - down[i]) + lower * down[i];
-            gray[i] = static_cast<std::uint8_t>((value + kOne * kOne / 2) >> (2 * kSubpixelBits));
+        for (int block = 0; block < kPatchPixels; block += kLanes) {
+            const int begin = block + kLanes <= kPatchPixels ? block : kPatchPixels - kLanes;
+            int index[kLanes], right[kLanes], down[kLanes];
+            for (int i = 0; i < kLanes; ++i) {
+                const float z = ray_z[begin + i] + shift_z;
+                const float scale = kSubpixels / z;
+                const float u = (ray_x[begin + i] + shift_x) * scale - 0.5F * kSubpixels;
+                const float v = (ray_y[begin + i] + shift_y) * scale - 0.5F * kSubpixels;
+                const int inside = (z > 1e-6F) & (u >= 0) & (u <= max_u) & (v >= 0) & (v <= max_v);
+                // A pixel that is not inside reads the corner: in bounds, and never used.
+                const int fixed_u = static_cast<int>(inside != 0 ? u : 0.0F);
+                const int fixed_v = static_cast<int>(inside != 0 ? v : 0.0F);
+                index[i] = (fixed_v >> kSubpixelBits) * width + (fixed_u >> kSubpixelBits);
+                right[i] = fixed_u & (kOne - 1);
+                down[i] = fixed_v & (kOne - 1);
+                hidden[begin + i] = static_cast<std::uint8_t>(inside != 0 ? 0 : kNotSeen);
+            }
+            for (int i = 0; i < kLanes; ++i) index[i] = static_cast<int>(quads[index[i]]);
+            for (int i = 0; i < kLanes; ++i) {
+                const int quad = index[i];
+                const int upper = (quad & 255) * (kOne - right[i]) + ((quad >> 8) & 255) * right[i];
+                const int lower =
+                    ((quad >> 16) & 255) * (kOne - right[i]) + ((quad >> 24) & 255) * right[i];
+                const int value = upper * (kOne - down[i]) + lower * down[i];
+                gray[begin + i] =
+                    static_cast<std::uint8_t>((value + kOne * kOne / 2) >> (2 * kSubpixelBits));
+            }
         }
     }
 };

@@ -146,21 +146,21 @@ float parabola_offset(int below, int best, int above) {
 
 }  // namespace
 
-std::vector<std::uint16_t> aggregate_paths(const CostVolume& volume, const GrayImage& gray,
-                                           const SmoothnessPenalty& penalty) {
+void aggregate_paths(const CostVolume& volume, const GrayImage& gray,
+                     const SmoothnessPenalty& penalty, std::vector<std::uint16_t>& sums) {
     assert(penalty.one_plane <= penalty.jump_at_edge && penalty.jump_at_edge <= penalty.jump);
     assert(kMaxMatchingCost + penalty.one_plane + penalty.jump < kUnreachable);
     assert(kUnreachable + penalty.one_plane <= 255);
-    std::vector<std::uint16_t> sums(volume.costs().size(), 0);
+    sums.assign(volume.costs().size(), 0);
     PathSweep sweep(volume, gray, penalty, sums);
     sweep.run(+1);
     sweep.run(-1);
-    return sums;
 }
 
 MatchedPlanes semi_global_matching(const CostVolume& volume, const GrayImage& gray,
-                                   const SmoothnessPenalty& penalty) {
-    const std::vector<std::uint16_t> sums = aggregate_paths(volume, gray, penalty);
+                                   const SmoothnessPenalty& penalty,
+                                   std::vector<std::uint16_t>& sums) {
+    aggregate_paths(volume, gray, penalty, sums);
     MatchedPlanes result{FloatImage(volume.width(), volume.height()),
                          GrayImage(volume.width(), volume.height())};
     for (int y = 0; y < volume.height(); ++y) {

@@ -23,13 +23,15 @@ struct MatchedPlanes {
 
 /// Semi-global matching (Hirschmueller 2008): eight paths, P2 lowered at edges of the photograph,
 /// the winner refined by a parabola through its two neighbours. Ranges may differ from tile to
-/// tile; a plane outside the previous pixel's range is reached by a jump.
+/// tile; a plane outside the previous pixel's range is reached by a jump. `sums` is memory for the
+/// work (aggregate_paths), which may have held other sums.
 [[nodiscard]] MatchedPlanes semi_global_matching(const CostVolume& volume, const GrayImage& gray,
-                                                 const SmoothnessPenalty& penalty);
+                                                 const SmoothnessPenalty& penalty,
+                                                 std::vector<std::uint16_t>& sums);
 
-/// The sums over the paths from which the winner is taken, in the layout of the volume's costs.
-[[nodiscard]] std::vector<std::uint16_t> aggregate_paths(const CostVolume& volume,
-                                                         const GrayImage& gray,
-                                                         const SmoothnessPenalty& penalty);
+/// Writes the sums over the paths from which the winner is taken into `sums`, in the layout of the
+/// volume's costs.
+void aggregate_paths(const CostVolume& volume, const GrayImage& gray,
+                     const SmoothnessPenalty& penalty, std::vector<std::uint16_t>& sums);
 
 }  // namespace lumi

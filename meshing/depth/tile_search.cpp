@@ -109,6 +109,25 @@ Eigen::Vector2d supported_slope(const std::vector<Sample>& samples, double toler
     return fitted_slope(best);
 }
 
+/// Where the values of the samples lie: all in the tile itself, and of those around it all but a
+/// twentieth at either end. What is farther off there is a mismatch more often than a surface, and
+/// nine tiles would be searched that far for it.
+InverseDepthRange range_of(const std::vector<Sample>& samples, const std::vector<double>& values) {
+    std::vector<double> sorted = values;
+    const auto cut = static_cast<std::ptrdiff_t>(sorted.size() / 20);
+    const auto far = sorted.begin() + cut;
+    std::nth_element(sorted.begin(), far, sorted.end());
+    const auto near = sorted.end() - 1 - cut;
+    std::nth_element(far, near, sorted.end());
+    InverseDepthRange range{*far, *near};
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (samples[i].offset_px.cwiseAbs().maxCoeff() > 0.5 * kTileSide) continue;
+        range.far = std::min(range.far, values[i]);
+        range.near = std::max(range.near, values[i]);
+    }
+    return range;
+}
+
 }  // namespace
 
 std::vector<TileSurface> search_around(const FloatImage& found, int width, int height,
@@ -118,9 +137,7 @@ std::vector<TileSurface> search_around(const FloatImage& found, int width, int h
         for (int column = 0; column < tiles_along(width); ++column) {
             const std::vector<Sample> samples = samples_around(found, width, height, column, row);
             const Eigen::Vector2d slope = supported_slope(samples, tolerance);
-            const std::vector<double> at_centre = residuals(samples, slope);
-            const auto [far, near] = std::minmax_element(at_centre.begin(), at_centre.end());
-            tiles.push_back({{*far, *near}, slope});
+            tiles.push_back({range_of(samples, residuals(samples, slope)), slope});
         }
     }
     return tiles;

@@ -27,9 +27,10 @@ struct TileSurface {
 [[nodiscard]] std::vector<TileSurface> search_whole_range(const InverseDepthRange& range, int width,
                                                           int height, const FloatImage& guide);
 
-/// Around each tile, the slope that most of `found` follows and the range that all of it spans.
-/// `found` is a map of the same field of view, of at most this size; `tolerance` is the inverse
-/// depth within which a pixel follows a surface.
+/// Around each tile, the slope that most of `found` follows and the range that is spanned by all
+/// in the tile and nine tenths of what lies within half a tile around. `found` is a map of the same
+/// field of view, of at most this size; `tolerance` is the inverse depth within which a pixel
+/// follows a surface.
 [[nodiscard]] std::vector<TileSurface> search_around(const FloatImage& found, int width, int height,
                                                      double tolerance);
 

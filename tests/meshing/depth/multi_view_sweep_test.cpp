@@ -5,10 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meshing/depth/tile_search.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
 namespace {
+
+DepthMap swept(const KnownDepthScene& known) {
+    SweepMemory memory{std::vector<std::uint8_t>(99, 5), {3, 4}};  // As another sweep left it.
+    return multi_view_sweep(known.scene, 0, memory);
+}
 
 constexpr int kMargin = 16;  // Pixels at the border that most neighbours do not see.
 
@@ -28,7 +34,7 @@ TEST(MultiViewSweep, FindsASlantedWallToAFractionOfAPixel) {
     const KnownDepthScene known = known_depth_scene(
         {{{0, 0, 2}, {0.5, 0.4, 1}, [](const auto&) { return true; }, noise_texture(0.03, 5)}},
         cross_of_centres(0.12), {0.1, 1.2});
-    const DepthMap map = multi_view_sweep(known.scene, 0);
+    const DepthMap map = swept(known);
     const FloatImage errors = errors_px(map, known.inverse_depths[0], known.scene.views[0]);
     EXPECT_GT(share_within(errors, 0.5F), 0.97);
     EXPECT_GT(share_within(errors, 0.2F), 0.90) << "no staircase";
@@ -45,8 +51,8 @@ TEST(MultiViewSweep, FindsTheSameInMillimetresAndKilometres) {
     };
     for (const double unit : {1e-6, 1e6}) {
         const KnownDepthScene known = wall(unit);
-        const FloatImage errors = errors_px(multi_view_sweep(known.scene, 0),
-                                            known.inverse_depths[0], known.scene.views[0]);
+        const FloatImage errors =
+            errors_px(swept(known), known.inverse_depths[0], known.scene.views[0]);
         EXPECT_GT(share_within(errors, 0.5F), 0.97) << unit;
     }
 }
@@ -59,7 +65,7 @@ TEST(MultiViewSweep, BlursAStepByNoMoreThanItsWindow) {
          {{0, 0, 1.5}, {0, 0, 1}, board, noise_texture(0.02, 8)}},
         cross_of_centres(0.2), {0.1, 1.0});
     const FloatImage errors =
-        errors_px(multi_view_sweep(known.scene, 0), known.inverse_depths[0], known.scene.views[0]);
+        errors_px(swept(known), known.inverse_depths[0], known.scene.views[0]);
     int wrong_near = 0;
     int wrong_far = 0;
     for (int y = 2 * kMargin; y < errors.height() - 2 * kMargin; ++y) {
@@ -79,9 +85,26 @@ TEST(MultiViewSweep, ClaimsNothingWhereThereIsNoTexture) {
                                                       [](const auto&) { return true; },
                                                       [](const auto&) { return 128.0; }}},
                                                     cross_of_centres(0.12), {0.1, 1.2});
-    const DepthMap map = multi_view_sweep(known.scene, 0);
+    const DepthMap map = swept(known);
     EXPECT_EQ(map.confidence, GrayImage(240, 180, 0));
     for (const float value : map.inverse_depth.pixels()) ASSERT_TRUE(std::isfinite(value));
+}
+
+TEST(TileSearch, AMismatchWidensItsOwnTileAloneButASurfaceItsNeighboursToo) {
+    FloatImage found(48, 48, 0.5F);
+    found(20, 20) = 3.0F;
+    const auto near_of = [&](std::size_t tile) {
+        return search_around(found, 48, 48, 0.01)[tile].at_centre.near;
+    };
+    EXPECT_NEAR(near_of(4), 3.0, 1e-5);
+    for (const std::size_t tile : {0U, 1U, 2U, 3U, 5U, 6U, 7U, 8U}) {
+        EXPECT_NEAR(near_of(tile), 0.5, 1e-5) << tile;
+    }
+    // A pole, four pixels wide, beside the first column of tiles.
+    for (int y = 0; y < 48; ++y) {
+        for (int x = 18; x < 22; ++x) found(x, y) = 1.0F;
+    }
+    EXPECT_NEAR(near_of(0), 1.0, 1e-5);
 }
 
 }  // namespace
