@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "meshing/cameras/kernel.h"
 #include "meshing/cameras/spherical_triangulation.h"
@@ -78,15 +77,6 @@ Eigen::Vector3d skirt_direction(const Eigen::Vector3d& camera_direction,
     return (tangent - approach * from_axis).normalized();
 }
 
-bool is_thin_over(const std::vector<Eigen::Vector3d>& directions, double thin_altitude, int from,
-                  int to, int tip) {
-    const Eigen::Vector3d edge =
-        directions[static_cast<std::size_t>(to)] - directions[static_cast<std::size_t>(from)];
-    const Eigen::Vector3d side =
-        directions[static_cast<std::size_t>(tip)] - directions[static_cast<std::size_t>(from)];
-    return edge.cross(side).norm() < thin_altitude * edge.squaredNorm();
-}
-
 /// The bisector of the outward normals at each border camera, as a tangent of the sphere.
 std::map<int, Eigen::Vector3d> border_bisectors(const CameraStar& star,
                                                 const std::vector<std::array<int, 2>>& edges,
@@ -128,44 +118,30 @@ std::vector<std::array<int, 3>> open_triangulation(const std::vector<Eigen::Vect
     return faces;
 }
 
-void peel_thin_border(const std::vector<Eigen::Vector3d>& directions, double thin_altitude,
-                      std::vector<std::array<int, 3>>& faces) {
-    for (bool peeled = true; peeled;) {
-        peeled = false;
-        std::set<std::array<int, 2>> border;
-        std::set<int> on_border;
-        for (const auto& edge : border_edges(faces)) {
-            border.insert(edge);
-            on_border.insert(edge.begin(), edge.end());
-        }
-        std::erase_if(faces, [&](const std::array<int, 3>& face) {
-            for (std::size_t i = 0; i < 3; ++i) {
-                const int from = face[i];
-                const int to = face[(i + 1) % 3];
-                const int tip = face[(i + 2) % 3];
-                if (!border.contains({from, to}) || on_border.contains(tip)) continue;
-                if (!is_thin_over(directions, thin_altitude, from, to, tip)) continue;
-                // The next thin triangle at this tip must not pinch the border.
-                on_border.insert(tip);
-                peeled = true;
-                return true;
-            }
-            return false;
-        });
-    }
-}
-
 std::vector<std::array<int, 2>> border_edges(const std::vector<std::array<int, 3>>& faces) {
-    std::set<std::array<int, 2>> edges;
+    // Both directions of an edge come to stand side by side: (lesser end, greater end, from).
+    std::vector<std::array<int, 3>> edges;
+    edges.reserve(3 * faces.size());
     for (const auto& face : faces) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            edges.insert({face[corner], face[(corner + 1) % 3]});
+            const int from = face[corner];
+            const int to = face[(corner + 1) % 3];
+            edges.push_back({std::min(from, to), std::max(from, to), from});
         }
     }
+    std::sort(edges.begin(), edges.end());
     std::vector<std::array<int, 2>> border;
-    for (const auto& [from, to] : edges) {
-        if (!edges.contains({to, from})) border.push_back({from, to});
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const auto& [lesser, greater, from] = edges[i];
+        const bool has_opposite =
+            i + 1 < edges.size() && edges[i + 1][0] == lesser && edges[i + 1][1] == greater;
+        if (has_opposite) {
+            ++i;
+        } else {
+            border.push_back({from, from == lesser ? greater : lesser});
+        }
     }
+    std::sort(border.begin(), border.end());
     return border;
 }
 
@@ -179,7 +155,7 @@ void append_skirt(const CameraStar& star, const Eigen::Vector3d& gap_direction, 
         mesh.vertices.push_back(mesh.vertices[static_cast<std::size_t>(camera)]);
         mesh.vertices.back().is_virtual = true;
     }
-    const auto first_skirt_face = static_cast<std::ptrdiff_t>(mesh.faces.size());
+    const std::size_t first_skirt_face = mesh.faces.size();
     for (const auto& [from, to] : edges) {
         mesh.faces.push_back({to, from, virtual_of.at(from)});
         mesh.faces.push_back({to, virtual_of.at(from), virtual_of.at(to)});
@@ -210,8 +186,10 @@ void append_skirt(const CameraStar& star, const Eigen::Vector3d& gap_direction, 
     double most_room = -std::numeric_limits<double>::infinity();
     for (const double share : {1.0, 0.75, 0.5, 0.25, 0.0}) {
         place(share);
-        auto planes = face_planes(mesh);
-        planes.erase(planes.begin(), planes.begin() + first_skirt_face);
+        std::vector<FacePlane> planes;
+        for (std::size_t face = first_skirt_face; face < mesh.faces.size(); ++face) {
+            planes.push_back(face_plane(mesh, mesh.faces[face]));
+        }
         const double room = room_within(planes);
         if (room <= most_room) continue;
         most_room = room;

@@ -15,13 +15,6 @@ namespace lumi {
 [[nodiscard]] std::vector<std::array<int, 3>> open_triangulation(
     const std::vector<Eigen::Vector3d>& directions, const Eigen::Vector3d& gap_direction);
 
-/// Takes thin triangles off the border until there is none whose altitude over a border edge is
-/// below `thin_altitude` of that edge: what is between three cameras that stand nearly in one line
-/// is no surface, and its plane may point anywhere. The camera at its tip comes to stand on the
-/// border. A triangle stays when its tip already does.
-void peel_thin_border(const std::vector<Eigen::Vector3d>& directions, double thin_altitude,
-                      std::vector<std::array<int, 3>>& faces);
-
 /// Directed edges of the triangles that have no opposite edge, in the order of their first vertex.
 [[nodiscard]] std::vector<std::array<int, 2>> border_edges(
     const std::vector<std::array<int, 3>>& faces);

@@ -12,6 +12,7 @@
 #include "meshing/cameras/kernel.h"
 #include "meshing/cameras/line_strip.h"
 #include "meshing/cameras/spherical_triangulation.h"
+#include "meshing/cameras/thin_border.h"
 
 namespace lumi {
 namespace {

@@ -194,6 +194,34 @@ std::vector<ArrangementFigures> benchmark_arrangements(std::uint64_t seed, Progr
     return all;
 }
 
+std::vector<ArrangementGrowth> time_arrangements(int most_cameras, std::uint64_t seed,
+                                                 Progress& progress) {
+    constexpr int kLeastCameras = 1000;
+    std::vector<ArrangementGrowth> all;
+    std::vector<int> counts;
+    for (int count = kLeastCameras; count <= most_cameras; count *= 10) counts.push_back(count);
+    progress.begin("growth of each arrangement", counts.size());
+    for (const int count : counts) {
+        // Places are off by the same share of the spacing: the shape of the faces is the same.
+        const double unsteady = 0.02 * std::sqrt(static_cast<double>(kLeastCameras) / count);
+        std::size_t row = 0;
+        for (const ArrangedCapture& arranged : arranged_captures(count, seed, unsteady)) {
+            progress.throw_if_interrupted();
+            if (static_cast<int>(arranged.capture.views.size()) < count / 2) continue;
+            const Stopwatch stopwatch;
+            const BuiltCameraMesh built =
+                build_camera_mesh(arranged.capture, all_views(arranged.capture), {});
+            if (row == all.size()) all.push_back({arranged.name, {}, 0.0});
+            all[row++].timings.push_back({count, stopwatch.elapsed().cpu_s});
+        }
+        progress.advance();
+    }
+    for (ArrangementGrowth& growth : all) {
+        growth.growth_exponent = growth_exponent(growth.timings);
+    }
+    return all;
+}
+
 void draw_arrangements(const std::filesystem::path& folder, std::uint64_t seed) {
     constexpr int kCameras = 40;
     WholeFolder whole(folder);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calib/work/progress.h"
+#include "pipeline/bench/mesh_benchmark.h"
 
 namespace lumi {
 
@@ -27,9 +28,21 @@ struct ArrangementFigures {
     double cpu_s = 0.0;  ///< Of making the mesh.
 };
 
+/// How long the mesh of one arrangement takes against its number of cameras.
+struct ArrangementGrowth {
+    std::string name;
+    std::vector<MeshTiming> timings;
+    double growth_exponent = 0.0;
+};
+
 /// Every arrangement (synthetic_captures.h) with 1, 10, 100 and 1000 cameras.
 [[nodiscard]] std::vector<ArrangementFigures> benchmark_arrangements(std::uint64_t seed,
                                                                      Progress& progress);
+
+/// Every arrangement with 1000 cameras, and ten times as many as long as there are at most
+/// `most_cameras`. Those that do not grow with the number are left out.
+[[nodiscard]] std::vector<ArrangementGrowth> time_arrangements(int most_cameras, std::uint64_t seed,
+                                                               Progress& progress);
 
 /// A picture of the mesh of each arrangement of 40 cameras, as SVG files named after them.
 void draw_arrangements(const std::filesystem::path& folder, std::uint64_t seed);

@@ -265,7 +265,7 @@ class Benchmark {
         unstructured_.add_path(unstructured, from, to, target);
     }
 
-    /// Time against number of cameras: the exponent is fitted by least squares in logarithms.
+    /// Time against number of cameras.
     void time_growth() {
         std::vector<int> counts;
         for (int count = 100; count <= options_.most_cameras_timed; count *= 10) {
@@ -273,7 +273,6 @@ class Benchmark {
             if (3 * count <= options_.most_cameras_timed) counts.push_back(3 * count);
         }
         progress_.begin("growth with cameras", counts.size());
-        std::vector<Eigen::Vector2d> logarithms;
         for (const int count : counts) {
             progress_.throw_if_interrupted();
             HashedRandom random(options_.seed, 1'000'000 + static_cast<std::uint64_t>(count));
@@ -286,26 +285,9 @@ class Benchmark {
             const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
             const double cpu_s = stopwatch.elapsed().cpu_s;
             result_.timings.push_back({count, cpu_s});
-            if (count >= 1000 && cpu_s > 0) {
-                logarithms.emplace_back(std::log(count), std::log(cpu_s));
-            }
             progress_.advance();
         }
-        result_.growth_exponent = slope_of(logarithms);
-    }
-
-    static double slope_of(const std::vector<Eigen::Vector2d>& points) {
-        if (points.size() < 2) return 0.0;
-        Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-        for (const Eigen::Vector2d& point : points) mean += point;
-        mean /= static_cast<double>(points.size());
-        double across = 0;
-        double along = 0;
-        for (const Eigen::Vector2d& point : points) {
-            across += (point.x() - mean.x()) * (point.y() - mean.y());
-            along += std::pow(point.x() - mean.x(), 2);
-        }
-        return across / along;
+        result_.growth_exponent = growth_exponent(result_.timings);
     }
 
     const MeshBenchmarkOptions& options_;
@@ -320,6 +302,26 @@ class Benchmark {
 };
 
 }  // namespace
+
+double growth_exponent(const std::vector<MeshTiming>& timings) {
+    constexpr int kLeastCamerasFitted = 1000;
+    std::vector<Eigen::Vector2d> points;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const MeshTiming& timing : timings) {
+        if (timing.cameras < kLeastCamerasFitted || !(timing.cpu_s > 0)) continue;
+        points.emplace_back(std::log(timing.cameras), std::log(timing.cpu_s));
+        mean += points.back();
+    }
+    if (points.size() < 2) return 0.0;
+    mean /= static_cast<double>(points.size());
+    double across = 0;
+    double along = 0;
+    for (const Eigen::Vector2d& point : points) {
+        across += (point.x() - mean.x()) * (point.y() - mean.y());
+        along += std::pow(point.x() - mean.x(), 2);
+    }
+    return across / along;
+}
 
 MeshBenchmark benchmark_mesh(const MeshBenchmarkOptions& options, Progress& progress) {
     return Benchmark(options, progress).run();

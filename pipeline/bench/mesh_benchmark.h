@@ -33,6 +33,10 @@ struct MeshTiming {
     double cpu_s = 0.0;
 };
 
+/// p of cpu_s ~ cameras^p, by least squares in logarithms from 1000 cameras on; 0 for fewer than
+/// two timings.
+[[nodiscard]] double growth_exponent(const std::vector<MeshTiming>& timings);
+
 /// What the kernel-star mesh is worth over random captures all around a scene.
 struct MeshBenchmark {
     int captures = 0;
@@ -56,7 +60,7 @@ struct MeshBenchmark {
     double convex_largest_push_share = 0.0;
     std::vector<WeightsFigures> weights;
     std::vector<MeshTiming> timings;
-    double growth_exponent = 0.0;  ///< p of cpu_s ~ cameras^p, fitted from 1000 cameras on.
+    double growth_exponent = 0.0;
 };
 
 [[nodiscard]] MeshBenchmark benchmark_mesh(const MeshBenchmarkOptions& options, Progress& progress);

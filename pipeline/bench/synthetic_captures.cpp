@@ -14,16 +14,14 @@ using Points = std::vector<Eigen::Vector3d>;
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kScenePoints = 500;
-/// How far a hand is off its place, as a share of the distance.
-constexpr double kUnsteady = 0.02;
 
 Eigen::Vector3d random_in_ball(HashedRandom& random, double radius) {
     const double distance = radius * std::cbrt(random.uniform());
     return distance * random_direction(random);
 }
 
-Points shaken(Points places, HashedRandom& random) {
-    for (Eigen::Vector3d& place : places) place += kUnsteady * random_in_ball(random, 1.0);
+Points shaken(Points places, double unsteady, HashedRandom& random) {
+    for (Eigen::Vector3d& place : places) place += unsteady * random_in_ball(random, 1.0);
     return places;
 }
 
@@ -164,12 +162,13 @@ Eigen::Vector3d random_target(const Capture& capture, HashedRandom& random) {
     return share * a + (1 - share) * b;
 }
 
-std::vector<ArrangedCapture> arranged_captures(int cameras, std::uint64_t seed) {
+std::vector<ArrangedCapture> arranged_captures(int cameras, std::uint64_t seed, double unsteady) {
     HashedRandom random(seed, 7'000'000);
     std::vector<ArrangedCapture> arranged;
     const auto add = [&](const std::string& name, const Points& centres, double spread_deg,
                          double scene_radius) {
-        arranged.push_back({name, capture_around(shaken(centres, random), scene_radius, random),
+        arranged.push_back({name,
+                            capture_around(shaken(centres, unsteady, random), scene_radius, random),
                             Eigen::Vector3d::UnitX(), spread_deg, false});
     };
     add("all around", cap(cameras, 180), 180, 0.25);

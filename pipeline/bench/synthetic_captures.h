@@ -37,7 +37,9 @@ struct ArrangedCapture {
 };
 
 /// Every arrangement that the camera mesh has a construction for, with about `cameras` cameras each
-/// (where its name does not say how many): places are off by a few percent, as in a hand.
-[[nodiscard]] std::vector<ArrangedCapture> arranged_captures(int cameras, std::uint64_t seed);
+/// (where its name does not say how many). As in a hand, places are off by up to the share
+/// `unsteady` of the distance.
+[[nodiscard]] std::vector<ArrangedCapture> arranged_captures(int cameras, std::uint64_t seed,
+                                                             double unsteady = 0.02);
 
 }  // namespace lumi

@@ -38,6 +38,24 @@ Json arrangements_json(const Arrangements& arrangements) {
     return rows;
 }
 
+Json timings_json(const std::vector<MeshTiming>& timings) {
+    Json rows = Json::array();
+    for (const MeshTiming& timing : timings) {
+        rows.push_back({{"cameras", timing.cameras}, {"cpu_s", timing.cpu_s}});
+    }
+    return rows;
+}
+
+Json growth_json(const std::vector<ArrangementGrowth>& all) {
+    Json rows = Json::array();
+    for (const ArrangementGrowth& growth : all) {
+        rows.push_back({{"name", growth.name},
+                        {"timings", timings_json(growth.timings)},
+                        {"growth_exponent", growth.growth_exponent}});
+    }
+    return rows;
+}
+
 Json report_json(const MeshBenchmark& result) {
     Json weights = Json::array();
     for (const WeightsFigures& way : result.weights) {
@@ -46,10 +64,6 @@ Json report_json(const MeshBenchmark& result) {
                            {"largest_inconsistency", way.largest_inconsistency},
                            {"largest_jump", way.largest_jump},
                            {"jumps_per_path", way.jumps_per_path}});
-    }
-    Json timings = Json::array();
-    for (const MeshTiming& timing : result.timings) {
-        timings.push_back({{"cameras", timing.cameras}, {"cpu_s", timing.cpu_s}});
     }
     return Json{{"captures", result.captures},
                 {"cameras", result.cameras},
@@ -71,7 +85,7 @@ Json report_json(const MeshBenchmark& result) {
                 {"convex_rms_push_share", result.convex_rms_push_share},
                 {"convex_largest_push_share", result.convex_largest_push_share},
                 {"weights", std::move(weights)},
-                {"timings", std::move(timings)},
+                {"timings", timings_json(result.timings)},
                 {"growth_exponent", result.growth_exponent}};
 }
 
@@ -104,6 +118,22 @@ std::string arrangements_text(const Arrangements& arrangements) {
             scientific(row.largest_jump).c_str(), scientific(row.worst_unslid_epipole_loss).c_str(),
             1000 * row.cpu_s);
         text += line.data();
+    }
+    return text;
+}
+
+std::string growth_text(const std::vector<ArrangementGrowth>& all) {
+    std::string text =
+        "CPU ms of the mesh of ever more cameras, and their power that it grows by\n";
+    for (const ArrangementGrowth& growth : all) {
+        std::array<char, 240> name{};
+        std::snprintf(name.data(), name.size(), "%-27s", growth.name.c_str());
+        text += name.data();
+        for (const MeshTiming& timing : growth.timings) {
+            text +=
+                "  " + std::to_string(timing.cameras) + ": " + number_text(1000 * timing.cpu_s, 1);
+        }
+        text += "  power " + number_text(growth.growth_exponent, 2) + "\n";
     }
     return text;
 }
@@ -151,12 +181,16 @@ void run_bench_mesh(const MeshBenchmarkOptions& options, const std::filesystem::
     }
     const MeshBenchmark result = benchmark_mesh(options, *context.progress);
     const Arrangements arrangements = benchmark_arrangements(options.seed, *context.progress);
+    const std::vector<ArrangementGrowth> growth =
+        time_arrangements(options.most_cameras_timed, options.seed, *context.progress);
     if (context.json) {
         Json report = report_json(result);
         report["arrangements"] = arrangements_json(arrangements);
+        report["arrangement_growth"] = growth_json(growth);
         context.print_result(report);
     } else {
-        context.print_result(report_text(result) + arrangements_text(arrangements));
+        context.print_result(report_text(result) + arrangements_text(arrangements) +
+                             growth_text(growth));
     }
 }
 

@@ -9,6 +9,7 @@
 #include "meshing/cameras/border.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "meshing/cameras/kernel.h"
+#include "meshing/cameras/thin_border.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
 
 namespace lumi {
