@@ -215,7 +215,10 @@ void add_render_command(CLI::App& app, CommandContext& context) {
         .add_option("--stereo", request->stereo_baseline,
                     "A pair side by side, left eye first, this far apart in world units")
         ->check(CLI::PositiveNumber);
-    command.add_option("--mode", request->mode, render_mode_names())->capture_default_str();
+    command
+        .add_option("--mode", request->mode,
+                    render_mode_names() + "; paper2001 and heigl leave shells of close-ups out")
+        ->capture_default_str();
     command.add_option("--debug", request->debug, debug_picture_names())->capture_default_str();
     command.add_option("--size", request->size, "Such as 1280x720 (default: the photograph's)");
     command
@@ -225,7 +228,8 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     command.add_flag("--supersample", request->supersample,
                      "Four samples a pixel: smooth edges, about four times the work");
     command.add_flag("--fade", request->fade,
-                     "Fade to black what lies beyond the capture (perpixel) instead of guessing");
+                     "Fade to black what lies beyond the capture instead of guessing (perpixel, "
+                     "adaptive, lightfield)");
     command.add_flag("--reference", request->reference, "By the plain-code renderer; slow");
     command
         .add_option("--out", request->out,

@@ -83,6 +83,10 @@ void add_select_command(CLI::App& app, CommandContext& context) {
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
     command
+        .add_option("--size", options->sizes,
+                    "Numbers of views to try; by default each time a quarter less")
+        ->check(CLI::Range(1, 10000));
+    command
         .add_option("--random", options->random_choices,
                     "Random choices at each number, to compare with")
         ->check(CLI::Range(0, 1000))

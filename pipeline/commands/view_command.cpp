@@ -52,10 +52,11 @@ void add_view_command(CLI::App& app, CommandContext& context) {
     const auto request = std::make_shared<ViewRequest>();
     command.add_option("PACKAGE", request->package, "Folder NAME.lumi")->required();
     command.add_option("--view", request->view, "Begin where this photograph was taken");
-    command.add_option("--mode", request->mode, "perpixel or lightfield")->capture_default_str();
+    command.add_option("--mode", request->mode, "As in lumi render")->capture_default_str();
     command.add_option("--size", request->size, "Such as 1280x720 (default: the photograph's)");
     command.add_flag("--fade", request->fade,
-                     "Fade to black what lies beyond the capture instead of guessing");
+                     "Fade to black what lies beyond the capture instead of guessing (perpixel, "
+                     "adaptive, lightfield)");
     command
         .add_option("--planned", request->planned,
                     "Begin where this photograph of `lumi plan` would be taken: 1, 2, ...")

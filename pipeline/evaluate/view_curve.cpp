@@ -16,6 +16,8 @@ namespace lumi {
 namespace {
 
 constexpr double kTolerableLoss_db = 0.3;
+/// Share of the views to which the fewest that are enough are looked for.
+constexpr double kFineShare = 0.05;
 constexpr int kLeastToChooseFrom = 12;
 constexpr int kValidateEvery = 6;
 
@@ -97,6 +99,35 @@ void draw_random_choices(ViewCurvePoint& point, std::size_t all_views,
     point.random_deviation_db = std::sqrt(std::max(0.0, squares - mean * mean));
 }
 
+std::vector<int> sizes_to_try(int all_views, const ViewCurveOptions& options) {
+    if (options.sizes.empty()) return selection_sizes(all_views, options.least_views);
+    std::vector<int> sizes = options.sizes;
+    std::erase_if(sizes, [&](int size) { return size >= all_views; });
+    sizes.push_back(all_views);
+    std::sort(sizes.rbegin(), sizes.rend());
+    return sizes;
+}
+
+/// The fewest views that lose little against the best number.
+int fewest_tolerable(const std::vector<ViewCurvePoint>& points) {
+    double best_db = points.front().psnr_db;
+    for (const ViewCurvePoint& point : points) best_db = std::max(best_db, point.psnr_db);
+    int fewest = points.front().views;
+    for (const ViewCurvePoint& point : points) {
+        if (point.psnr_db >= best_db - kTolerableLoss_db) fewest = std::min(fewest, point.views);
+    }
+    return fewest;
+}
+
+/// The greatest number below `views` that was tried; `views` when there is none.
+int next_fewer(const std::vector<ViewCurvePoint>& points, int views) {
+    int next = 0;
+    for (const ViewCurvePoint& point : points) {
+        if (point.views < views) next = std::max(next, point.views);
+    }
+    return next > 0 ? next : views;
+}
+
 }  // namespace
 
 ViewCurve measure_view_curve(const Lumigraph& lumigraph, const Capture& capture,
@@ -110,27 +141,31 @@ ViewCurve measure_view_curve(const Lumigraph& lumigraph, const Capture& capture,
     }
     ChoiceJudge judge(lumigraph, capture, std::move(pictures), options.mesh);
     const std::vector<OpticalAxis> axes = optical_axes(capture, all_of(capture.views.size()));
-    const std::vector<int> sizes =
-        selection_sizes(static_cast<int>(axes.size()), options.least_views);
+    const Eigen::Vector3d centre = estimate_scene_centre(axes);
+    const std::vector<int> sizes = sizes_to_try(static_cast<int>(axes.size()), options);
     ViewCurve curve;
+    const auto measure = [&](const std::vector<int>& views) {
+        progress.throw_if_interrupted();
+        std::vector<double> losses = judge.losses_of(views);
+        curve.points.push_back({static_cast<int>(views.size()), mean_psnr_db(losses),
+                                texture_mib(lumigraph, views), judge.last_ms(), 0.0, 0.0});
+        if (views.size() < axes.size()) {
+            draw_random_choices(curve.points.back(), axes.size(), options, judge);
+        }
+        progress.advance();
+        return losses;
+    };
     progress.begin("drawing from ever fewer views", sizes.size());
-    const ViewSelection selection =
-        select_views(axes, estimate_scene_centre(axes), sizes, [&](const std::vector<int>& views) {
-            progress.throw_if_interrupted();
-            std::vector<double> losses = judge.losses_of(views);
-            curve.points.push_back({static_cast<int>(views.size()), mean_psnr_db(losses),
-                                    texture_mib(lumigraph, views), judge.last_ms(), 0.0, 0.0});
-            if (views.size() < axes.size()) {
-                draw_random_choices(curve.points.back(), axes.size(), options, judge);
-            }
-            progress.advance();
-            return losses;
-        });
+    const ViewSelection selection = select_views(axes, centre, sizes, measure);
     curve.auto_views = static_cast<int>(selection.curve[selection.chosen].views.size());
-    double best_db = curve.points.front().psnr_db;
-    for (const ViewCurvePoint& point : curve.points) best_db = std::max(best_db, point.psnr_db);
-    for (const ViewCurvePoint& point : curve.points) {
-        if (point.psnr_db >= best_db - kTolerableLoss_db) curve.third_db_views = point.views;
+    curve.third_db_views = fewest_tolerable(curve.points);
+    while (options.sizes.empty()) {
+        const int next = next_fewer(curve.points, curve.third_db_views);
+        if (curve.third_db_views - next <= std::max(1.0, kFineShare * curve.third_db_views)) break;
+        measure(representative_views(axes, centre, (next + curve.third_db_views) / 2));
+        std::sort(curve.points.begin(), curve.points.end(),
+                  [](const auto& a, const auto& b) { return a.views > b.views; });
+        curve.third_db_views = fewest_tolerable(curve.points);
     }
     return curve;
 }

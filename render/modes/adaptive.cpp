@@ -1,23 +1,75 @@
 #include "render/modes/adaptive.h"
 
+#include <algorithm>
+#include <array>
+
+#include "render/modes/depth_view_choice.h"
 #include "render/modes/scene_plane.h"
 
 namespace lumi {
+namespace {
+
+/// The three that see most of what the eye sees; some may be named twice.
+std::array<int, 3> views_before_shells(const Lumigraph& layout, const Eye& eye) {
+    const std::vector<int> chosen = choose_depth_views(layout, eye, 3);
+    std::array<int, 3> views{};
+    for (std::size_t i = 0; i < 3; ++i) views[i] = chosen[std::min(i, chosen.size() - 1)];
+    return views;
+}
+
+/// Without the triangles that nothing is seen of.
+BlendTriangles without_unseen(BlendTriangles triangles) {
+    std::vector<std::uint32_t> seen;
+    for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
+        const auto first = triangles.indices.begin() + static_cast<std::ptrdiff_t>(i);
+        const bool is_seen = std::any_of(first, first + 3, [&](std::uint32_t vertex) {
+            return triangles.vertices[vertex].opacity > 0;
+        });
+        if (is_seen) seen.insert(seen.end(), first, first + 3);
+    }
+    triangles.indices = std::move(seen);
+    return triangles;
+}
+
+}  // namespace
+
+std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
+                                            const std::vector<ViewGeometry>& geometries,
+                                            const Eye& eye, const RenderOptions& options) {
+    const DepthSearch search(layout, geometries, eye, options.occlusion_tolerance_px);
+    const Eigen::Vector3d plane = scene_plane_inverse_depth(layout, eye);
+    PatchSampler::Options sampling{.correct_occlusion = options.correct_occlusion,
+                                   .fade_beyond_border = options.fade_beyond_capture,
+                                   .before_shell = {}};
+    const auto subdivided = [&](const CameraMesh& mesh, double overlap_px) {
+        return adaptive_subdivision(face_polygons(mesh, eye, overlap_px), search, plane, sampling,
+                                    {.max_error_px = options.triangle_error_px,
+                                     .min_edge_px = options.min_triangle_px,
+                                     .max_edge_px = options.max_triangle_px,
+                                     .max_triangles = options.max_triangles})
+            .triangles;
+    };
+    std::vector<BlendTriangles> layers{subdivided(layout.mesh, kOverlap_px)};
+    if (layout.mesh.shells.empty()) return layers;
+    sampling.before_shell = views_before_shells(layout, eye);
+    for (const CameraMesh& shell : layout.mesh.shells)
+        layers.push_back(without_unseen(subdivided(shell, kNoOverlap_px)));
+    return layers;
+}
 
 Adaptive::Adaptive(const UploadedLumigraph& uploaded) : uploaded_(uploaded), blend_(uploaded) {}
 
 DrawStatistics Adaptive::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
-    const Lumigraph& layout = uploaded_.layout;
-    const DepthSearch search(layout, uploaded_.geometries, eye, options.occlusion_tolerance_px);
-    const AdaptiveSubdivision subdivision =
-        adaptive_subdivision(face_polygons(layout.mesh, eye), search,
-                             scene_plane_inverse_depth(layout, eye), options.correct_occlusion,
-                             {.max_error_px = options.triangle_error_px,
-                              .min_edge_px = options.min_triangle_px,
-                              .max_edge_px = options.max_triangle_px,
-                              .max_triangles = options.max_triangles});
-    blend_.draw(subdivision.triangles, eye, options);
-    return {subdivision.triangles.count()};
+    DrawStatistics statistics;
+    bool is_base = true;
+    for (const BlendTriangles& layer :
+         adaptive_layers(uploaded_.layout, uploaded_.geometries, eye, options)) {
+        const bool is_opaque = is_base && !options.fade_beyond_capture;
+        blend_.draw(layer, eye, options, is_opaque ? Opacity::kOpaque : Opacity::kOfVertices);
+        statistics.triangles += layer.count();
+        is_base = false;
+    }
+    return statistics;
 }
 
 }  // namespace lumi

@@ -28,7 +28,7 @@ double edge_error_px(const PatchSample& a, const PatchSample& b, const PatchSamp
     const double share_a = b.affine_depth / (a.affine_depth + b.affine_depth);
     const double share_b = 1 - share_a;
     double error_px = 0;
-    double weight_error = 0;
+    double weight_error = std::abs(middle.opacity - (share_a * a.opacity + share_b * b.opacity));
     for (std::size_t k = 0; k < 3; ++k) {
         const Eigen::Vector2d between = share_a * a.view_pixels[k] + share_b * b.view_pixels[k];
         error_px += middle.weights[k] * (middle.view_pixels[k] - between).norm();
@@ -42,10 +42,10 @@ double edge_error_px(const PatchSample& a, const PatchSample& b, const PatchSamp
 class AdaptivePatch {
  public:
     AdaptivePatch(const FacePolygon& polygon, const DepthSearch& search,
-                  const Eigen::Vector3d& scene_plane, bool correct_occlusion,
+                  const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
                   const AdaptiveSubdivisionOptions& options)
         : options_(options),
-          sampler_(polygon, search, scene_plane, {.correct_occlusion = correct_occlusion}),
+          sampler_(polygon, search, scene_plane, sampling),
           vertices_(sampler_) {}
 
     /// Keeps what was sampled before: relaxed errors need a part of it.
@@ -151,7 +151,8 @@ class AdaptivePatch {
 
 AdaptiveSubdivision adaptive_subdivision(const std::vector<FacePolygon>& polygons,
                                          const DepthSearch& search,
-                                         const Eigen::Vector3d& scene_plane, bool correct_occlusion,
+                                         const Eigen::Vector3d& scene_plane,
+                                         const PatchSampler::Options& sampling,
                                          const AdaptiveSubdivisionOptions& options) {
     std::vector<std::unique_ptr<AdaptivePatch>> patches(polygons.size());
     AdaptiveSubdivision result;
@@ -159,9 +160,8 @@ AdaptiveSubdivision adaptive_subdivision(const std::vector<FacePolygon>& polygon
         parallel_for(static_cast<int>(polygons.size()), 0, [&](int i) {
             auto& patch = patches[static_cast<std::size_t>(i)];
             if (!patch)
-                patch =
-                    std::make_unique<AdaptivePatch>(polygons[static_cast<std::size_t>(i)], search,
-                                                    scene_plane, correct_occlusion, options);
+                patch = std::make_unique<AdaptivePatch>(polygons[static_cast<std::size_t>(i)],
+                                                        search, scene_plane, sampling, options);
             patch->subdivide(result.relaxation);
         });
         std::size_t count = 0;

@@ -30,7 +30,7 @@ struct AdaptiveSubdivision {
 /// plane is split only for the perspective in it, and cameras that are close together ask for less.
 [[nodiscard]] AdaptiveSubdivision adaptive_subdivision(
     const std::vector<FacePolygon>& polygons, const DepthSearch& search,
-    const Eigen::Vector3d& scene_plane, bool correct_occlusion,
+    const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
     const AdaptiveSubdivisionOptions& options = {});
 
 }  // namespace lumi

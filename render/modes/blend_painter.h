@@ -9,16 +9,21 @@ namespace lumi {
 /// The attributes of a BlendVertex as shaders/blend.glsl reads them.
 [[nodiscard]] const std::vector<VertexAttribute>& blend_vertex_attributes();
 
+/// Whether the opacity of the vertices counts.
+enum class Opacity { kOpaque, kOfVertices };
+
 /// Draws triangles that blend three photographs each (shaders/blend.glsl), in one pass.
 class BlendPainter {
  public:
     explicit BlendPainter(const UploadedLumigraph& uploaded);
 
-    void draw(const BlendTriangles& triangles, const Eye& eye, const RenderOptions& options);
+    void draw(const BlendTriangles& triangles, const Eye& eye, const RenderOptions& options,
+              Opacity opacity = Opacity::kOpaque);
 
  private:
     const UploadedLumigraph& uploaded_;
     PictureProgram program_;
+    PictureProgram see_through_;
     VertexBuffer triangles_;
 };
 

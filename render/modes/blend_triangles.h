@@ -20,6 +20,7 @@ struct BlendVertex {
     std::array<float, 3> view_layers{};  ///< Indices of the views; the same on a triangle.
     float face_index = -1.0F;
     std::array<float, 3> depth_ratios{};  ///< Depth in each view over depth in the eye.
+    float opacity = 1.0F;                 ///< What is behind shows through the rest.
 };
 
 /// Triangles that are drawn by the blend of shaders/blend.glsl, in this order.

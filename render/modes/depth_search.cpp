@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "render/modes/occlusion.h"
+#include "render/modes/shell_opacity.h"
 
 namespace lumi {
 namespace {
@@ -278,6 +279,13 @@ double DepthSearch::inside(int view_index, const Eigen::Vector2d& view_pixel) co
     return border_fade(kBorderSlack_px +
                        std::min({view_pixel.x(), view_pixel.y(), camera.width_px - view_pixel.x(),
                                  camera.height_px - view_pixel.y()}));
+}
+
+double DepthSearch::inner_share_of(int view_index, const Eigen::Vector2d& view_pixel) const {
+    const Camera& camera = lumigraph_.views[static_cast<std::size_t>(view_index)].camera;
+    return inner_share(std::min({view_pixel.x(), view_pixel.y(), camera.width_px - view_pixel.x(),
+                                 camera.height_px - view_pixel.y()}),
+                       std::min(camera.width_px, camera.height_px));
 }
 
 double DepthSearch::visibility(const Eigen::Vector2d& pixel, double inverse_depth,

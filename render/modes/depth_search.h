@@ -53,6 +53,14 @@ class DepthSearch {
     /// How much a view counts at a pixel near the border of its photograph; 0 outside.
     [[nodiscard]] double inside(int view_index, const Eigen::Vector2d& view_pixel) const;
 
+    /// How far inside of its photograph a view sees it (shell_opacity.h).
+    [[nodiscard]] double inner_share_of(int view_index, const Eigen::Vector2d& view_pixel) const;
+
+    /// Whether one hit lies before another by more than two views of one surface may differ.
+    [[nodiscard]] bool is_before(const RayHit& hit, const RayHit& other) const {
+        return hit.inverse_depth > other.inverse_depth + agreeing_inverse_depth_;
+    }
+
     /// What is farther is as good as infinitely far.
     [[nodiscard]] double least_inverse_depth() const { return least_inverse_depth_; }
 

@@ -86,6 +86,11 @@ class VertexWriter {
 
 }  // namespace
 
+void set_fade(const Program& program, bool is_shell) {
+    program.set("is_shell", is_shell ? 1.0F : 0.0F);
+    program.set("faded_share", static_cast<float>(is_shell ? kShellFadedShare : kSkirtFadedShare));
+}
+
 FacePainter::FacePainter(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded), polygons_(kFaceVertex) {}
 

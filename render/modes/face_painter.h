@@ -1,10 +1,15 @@
 #pragma once
 
+#include "render/gl/program.h"
 #include "render/gl/vertex_buffer.h"
 #include "render/modes/face_polygons.h"
 #include "render/modes/uploaded_lumigraph.h"
 
 namespace lumi {
+
+/// Sets how a program that is made from face.glsl with FADES fades: a shell (CameraMesh::shells),
+/// or what lies beyond the border of the mesh.
+void set_fade(const Program& program, bool is_shell);
 
 /// Draws the faces of the camera mesh as polygons of the picture, with what shaders/face.glsl
 /// needs of the three views of each.

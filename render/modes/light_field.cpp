@@ -1,5 +1,7 @@
 #include "render/modes/light_field.h"
 
+#include <epoxy/gl.h>
+
 #include "render/modes/affine_pieces.h"
 #include "render/modes/pixel_transfer.h"
 #include "render/modes/polygon_clipping.h"
@@ -30,18 +32,44 @@ LightField::LightField(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded),
       blend_(uploaded),
       faces_(uploaded),
-      program_("light_field", {shader_source("face"), shader_source("light_field")}) {}
+      program_("light_field", {shader_source("face"), shader_source("light_field")}),
+      fading_("light_field", {shader_source("face"), shader_source("light_field")}, {"FADES"}) {}
 
 DrawStatistics LightField::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
-    return draw_polygons(face_polygons(uploaded_.layout.mesh, eye), eye, options);
+    const CameraMesh& mesh = uploaded_.layout.mesh;
+    DrawStatistics statistics;
+    if (options.fade_beyond_capture) {
+        statistics.triangles = draw_fading(mesh, eye, options, false);
+    } else {
+        statistics = draw_polygons(face_polygons(mesh, eye), eye, options);
+    }
+    if (mesh.shells.empty()) return statistics;
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for (const CameraMesh& shell : mesh.shells)
+        statistics.triangles += draw_fading(shell, eye, options, true);
+    glDisable(GL_BLEND);
+    return statistics;
+}
+
+/// Pixel by pixel: how much of what lies behind shows through is far from affine.
+std::size_t LightField::draw_fading(const CameraMesh& mesh, const Eye& eye,
+                                    const RenderOptions& options, bool is_shell) {
+    const Eigen::Vector3d plane = plane_of(eye, options);
+    set_fade(fading_.use(uploaded_, eye, options), is_shell);
+    return faces_.draw(face_polygons(mesh, eye, is_shell ? kNoOverlap_px : kOverlap_px), eye,
+                       plane);
+}
+
+Eigen::Vector3d LightField::plane_of(const Eye& eye, const RenderOptions& options) const {
+    return options.focal_depth > 0 ? Eigen::Vector3d(0, 0, 1 / options.focal_depth)
+                                   : scene_plane_inverse_depth(uploaded_.layout, eye);
 }
 
 DrawStatistics LightField::draw_polygons(std::vector<FacePolygon> polygons, const Eye& eye,
                                          const RenderOptions& options) {
     const Lumigraph& layout = uploaded_.layout;
-    const Eigen::Vector3d plane = options.focal_depth > 0
-                                      ? Eigen::Vector3d(0, 0, 1 / options.focal_depth)
-                                      : scene_plane_inverse_depth(layout, eye);
+    const Eigen::Vector3d plane = plane_of(eye, options);
     const std::vector<PlaneView> on_plane = plane_views(layout, eye, plane);
     const std::vector<PlaneView> beyond = plane_views(layout, eye, Eigen::Vector3d::Zero());
     affine_.clear();

@@ -24,10 +24,15 @@ class LightField : public DrawingMode {
                                  const RenderOptions& options);
 
  private:
+    std::size_t draw_fading(const CameraMesh& mesh, const Eye& eye, const RenderOptions& options,
+                            bool is_shell);
+    [[nodiscard]] Eigen::Vector3d plane_of(const Eye& eye, const RenderOptions& options) const;
+
     const UploadedLumigraph& uploaded_;
     BlendPainter blend_;
     FacePainter faces_;
     PictureProgram program_;
+    PictureProgram fading_;
     BlendTriangles affine_;
     std::vector<FacePolygon> exact_;
 };

@@ -50,7 +50,9 @@ class PaperPatch {
         : options_(options),
           depth_threshold_(depth_threshold),
           sampler_(polygon, search, scene_plane,
-                   {.correct_occlusion = correct_occlusion, .unseen_is_black = true}),
+                   {.correct_occlusion = correct_occlusion,
+                    .unseen_is_black = true,
+                    .before_shell = {}}),
           vertices_(sampler_) {}
 
     void subdivide(BorderVertices& border) {

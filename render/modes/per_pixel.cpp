@@ -13,15 +13,6 @@
 
 namespace lumi {
 
-namespace {
-
-void set_shell(const Program& program, bool is_shell) {
-    program.set("is_shell", is_shell ? 1.0F : 0.0F);
-    program.set("faded_share", static_cast<float>(is_shell ? kShellFadedShare : kSkirtFadedShare));
-}
-
-}  // namespace
-
 PerPixel::PerPixel(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded),
       layer_count_(std::min(kMaxDepthViews, static_cast<int>(uploaded.layout.views.size()))),
@@ -44,10 +35,10 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
     const CameraMesh& mesh = uploaded_.layout.mesh;
     const Program& program =
         use(options.fade_beyond_capture ? fading_ : program_, eye, options, viewport, views);
-    if (options.fade_beyond_capture) set_shell(program, false);
+    if (options.fade_beyond_capture) set_fade(program, false);
     std::size_t triangles = faces_.draw(face_polygons(mesh, eye), eye, plane);
     if (mesh.shells.empty()) return {triangles};
-    set_shell(use(fading_, eye, options, viewport, views), true);
+    set_fade(use(fading_, eye, options, viewport, views), true);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     for (const CameraMesh& shell : mesh.shells)

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/modes/occlusion.h"
+#include "render/modes/shell_opacity.h"
 
 namespace lumi {
 
@@ -20,11 +21,38 @@ std::array<int, 3> PatchSampler::by_weight(const std::array<double, 3>& weights)
             polygon_.view_indices[order[2]]};
 }
 
+/// A shell's views may not see what stands between it and the eye.
+std::optional<RayHit> PatchSampler::first_hit(const PatchSample& sample) const {
+    const auto hit = search_.first_hit(sample.pixel, by_weight(sample.ray_weights));
+    if (!hit || !options_.before_shell) return hit;
+    const auto before = search_.first_hit(sample.pixel, *options_.before_shell);
+    return before && before->kind == DepthKind::kSeen && search_.is_before(*before, *hit) ? before
+                                                                                          : hit;
+}
+
+double PatchSampler::opacity_of(const PatchSample& sample,
+                                const std::array<double, 3>& visible) const {
+    RayWeights ray{polygon_.face_index, polygon_.view_indices, sample.ray_weights, 0.0};
+    for (std::size_t k = 0; k < 3; ++k)
+        ray.beyond_border += sample.ray_weights[k] * static_cast<double>(polygon_.beyond_border[k]);
+    if (!options_.before_shell) return options_.fade_beyond_border ? capture_fade(ray) : 1.0;
+    if (!sample.hits) return 0.0;
+    double seen = 0;
+    double inside = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (sample.depth_ratios[k] <= 0) continue;
+        seen += sample.ray_weights[k] * visible[k];
+        inside += sample.ray_weights[k] *
+                  search_.inner_share_of(polygon_.view_indices[k], sample.view_pixels[k]);
+    }
+    return shell_opacity(capture_fade(ray, kShellFadedShare), seen, inside);
+}
+
 PatchSample PatchSampler::at(const Eigen::Vector2d& pixel) const {
     PatchSample sample;
     sample.pixel = pixel;
     sample.ray_weights = weights_at(polygon_, pixel);
-    const std::optional<RayHit> hit = search_.first_hit(pixel, by_weight(sample.ray_weights));
+    const std::optional<RayHit> hit = first_hit(sample);
     sample.hits = hit.has_value();
     sample.inverse_depth =
         hit ? hit->inverse_depth : std::max(0.0, scene_plane_.dot(pixel.homogeneous()));
@@ -45,6 +73,7 @@ PatchSample PatchSampler::at(const Eigen::Vector2d& pixel) const {
                          : search_.inside(view, sample.view_pixels[k]);
     }
     if (ratio > 0) sample.affine_depth = 1 / ratio;
+    sample.opacity = opacity_of(sample, visible);
     if (const auto weights = redistributed(sample.ray_weights, visible)) {
         sample.weights = *weights;
         return sample;
@@ -109,6 +138,7 @@ void SubdividedPatch::append_to(BlendTriangles& drawn,
                 corner.inverse_depth = static_cast<float>(sample.inverse_depth);
                 corner.confidence = static_cast<float>(sample.confidence);
                 corner.face_index = static_cast<float>(polygon.face_index);
+                corner.opacity = static_cast<float>(sample.opacity);
             }
             drawn.indices.push_back(index_of[vertex]);
         }

@@ -26,7 +26,8 @@ struct PatchSample {
     std::array<double, 3> depth_ratios{};  ///< Depth in each view over depth in the eye.
     /// For interpolation in the picture: one over the mean of these ratios.
     double affine_depth = 1.0;
-    double depth = 1.0;  ///< One over the inverse depth, not infinite.
+    double depth = 1.0;    ///< One over the inverse depth, not infinite.
+    double opacity = 1.0;  ///< What is behind shows through the rest.
 };
 
 /// Which depth vertices are drawn with.
@@ -43,6 +44,10 @@ class PatchSampler {
         /// The paper's rule for points that none of the three sees is weight 0; otherwise such
         /// points keep the weights of their ray.
         bool unseen_is_black = false;
+        bool fade_beyond_border = false;
+        /// For faces of a shell (CameraMesh::shells), the views that are asked whether something
+        /// stands before what the shell's views see.
+        std::optional<std::array<int, 3>> before_shell;
     };
     PatchSampler(const FacePolygon& polygon, const DepthSearch& search,
                  const Eigen::Vector3d& scene_plane, const Options& options);
@@ -52,6 +57,9 @@ class PatchSampler {
 
  private:
     [[nodiscard]] std::array<int, 3> by_weight(const std::array<double, 3>& weights) const;
+    [[nodiscard]] std::optional<RayHit> first_hit(const PatchSample& sample) const;
+    [[nodiscard]] double opacity_of(const PatchSample& sample,
+                                    const std::array<double, 3>& visible) const;
 
     const FacePolygon& polygon_;
     const DepthSearch& search_;

@@ -203,7 +203,7 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const RayPoint& point,
         redistributed(ray->weights, visibilities(*ray, point, depth));
     if (weights) weights = redistributed(*weights, opacities(*weights, *ray, point));
     if (!weights && !has_depth) return std::nullopt;
-    const double fade = options_.fade_beyond_capture && uses_depth_ ? capture_fade(*ray) : 1.0;
+    const double fade = options_.fade_beyond_capture ? capture_fade(*ray) : 1.0;
     DrawnPixel drawn;
     drawn.coverage = has_depth || !uses_depth_ ? fade : 0.0;
     ray->weights = weights.value_or(std::array<double, 3>{});
@@ -220,7 +220,7 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const RayPoint& point,
 void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell, const RayPoint& point,
                               const ConsensusDepth& depth) const {
     std::optional<RayWeights> ray = weights_of_ray(shell, eye_in_world_, point.direction_in_world);
-    if (!ray || depth.support == 0) return;
+    if (!ray || (uses_depth_ && depth.support == 0)) return;
     std::array<double, 3> seen = visibilities(*ray, point, depth);
     const std::array<double, 3> opaque = opacities(ray->weights, *ray, point);
     for (std::size_t i = 0; i < 3; ++i) seen[i] *= opaque[i];
@@ -251,7 +251,6 @@ DrawnPixel ReferenceFrame::color_at(int x, int y) const {
     const ConsensusDepth depth = depth_at(x, y);
     const RayPoint point{direction, depth.inverse_depth};
     DrawnPixel drawn = base_at(point, depth).value_or(DrawnPixel{});
-    if (!uses_depth_) return drawn;
     for (const CameraMesh& shell : lumigraph_.mesh.shells) lay_over(drawn, shell, point, depth);
     return drawn;
 }

@@ -64,8 +64,17 @@ void draw_pixel(const std::array<const BlendVertex*, 3>& corners, const Eigen::V
         color /= sum;
         weights /= sum;
     }
-    frame.color(x, y) = {to_byte(color.x()), to_byte(color.y()), to_byte(color.z())};
-    frame.coverage(x, y) = to_byte(255 * weights.sum());
+    const double opacity =
+        interpolated(corners, shares, [](const BlendVertex& vertex) {
+            return Eigen::Matrix<double, 1, 1>(static_cast<double>(vertex.opacity));
+        }).value();
+    const auto over = [opacity](double front, std::uint8_t back) {
+        return to_byte(opacity * front + (1 - opacity) * back);
+    };
+    const Rgb8 behind = frame.color(x, y);
+    frame.color(x, y) = {over(color.x(), behind.r), over(color.y(), behind.g),
+                         over(color.z(), behind.b)};
+    frame.coverage(x, y) = over(255 * weights.sum(), frame.coverage(x, y));
 }
 
 void draw_triangle(const std::array<const BlendVertex*, 3>& corners, const Photographs& photographs,

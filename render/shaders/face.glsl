@@ -82,4 +82,24 @@ vec3 blending_weights() {
 vec4 layers_and_face() {
     return vec4(view_parallax0.w, view_parallax1.w, view_parallax2.w, disparity_and_face.w);
 }
+
+#ifdef FADES
+uniform float is_shell;     // 1 or 0
+uniform float faded_share;  // see camera_mesh.h
+
+// How far inside of a photograph the point lies: 1 from a tenth of the shorter side on.
+float inner(vec2 pixel, vec2 size) {
+    vec2 to_border = min(pixel, size - pixel);
+    return clamp(10.0 * min(to_border.x, to_border.y) / min(size.x, size.y), 0.0, 1.0);
+}
+
+// What is seen beyond the border fades out. A shell (CameraMesh::shells) is also drawn only as far
+// as its views see the point, away from the borders of their photographs. The same as
+// shell_opacity in render/modes/shell_opacity.h.
+float opacity_of(vec3 ray_weights, vec3 inside, float seen, float is_known) {
+    float fade = 1.0 - smoothstep(0.0, faded_share, dot(ray_weights, beyond_border));
+    float refined = is_known * smoothstep(0.0, 0.5, seen) * dot(ray_weights, inside);
+    return fade * mix(1.0, refined, is_shell);
+}
+#endif
 #endif

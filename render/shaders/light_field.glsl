@@ -9,9 +9,12 @@ vec4 seen(vec3 pixel, float layer) {
 
 void main() {
     float inverse_depth = max(0.0, side_products_and_plane.w);
-    vec4 color0 = seen(AT_CENTRE(view_pixel0) + inverse_depth * view_parallax0.xyz, view_parallax0.w);
-    vec4 color1 = seen(AT_CENTRE(view_pixel1) + inverse_depth * view_parallax1.xyz, view_parallax1.w);
-    vec4 color2 = seen(AT_CENTRE(view_pixel2) + inverse_depth * view_parallax2.xyz, view_parallax2.w);
+    vec3 pixel0 = AT_CENTRE(view_pixel0) + inverse_depth * view_parallax0.xyz;
+    vec3 pixel1 = AT_CENTRE(view_pixel1) + inverse_depth * view_parallax1.xyz;
+    vec3 pixel2 = AT_CENTRE(view_pixel2) + inverse_depth * view_parallax2.xyz;
+    vec4 color0 = seen(pixel0, view_parallax0.w);
+    vec4 color1 = seen(pixel1, view_parallax1.w);
+    vec4 color2 = seen(pixel2, view_parallax2.w);
     vec3 weights = blending_weights() * vec3(color0.a, color1.a, color2.a);
     float sum = weights.x + weights.y + weights.z;
     if (sum < kLeastWeight) discard;
@@ -20,6 +23,13 @@ void main() {
     drawn = vec4(debug_color(weights, layers_and_face(), inverse_depth, 0.0), 1.0);
 #else
     drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb + weights.z * color2.rgb, 1.0);
+#endif
+#ifdef FADES
+    vec3 inside = vec3(inner(pixel0.xy / max(pixel0.z, 1e-20), view_size0.xy),
+                       inner(pixel1.xy / max(pixel1.z, 1e-20), view_size1.xy),
+                       inner(pixel2.xy / max(pixel2.z, 1e-20), view_size2.xy)) *
+                  vec3(greaterThan(vec3(pixel0.z, pixel1.z, pixel2.z), vec3(0.0)));
+    drawn *= opacity_of(blending_weights(), inside, sum, 1.0);
 #endif
 }
 #endif

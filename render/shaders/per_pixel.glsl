@@ -100,26 +100,6 @@ float visibility(vec3 sight, float is_before, vec4 size, float layer, float inve
     return inside * clamp(2.0 - check * difference_px * per_tolerance_px, 0.0, 1.0);
 }
 
-#ifdef FADES
-uniform float is_shell;     // 1 or 0
-uniform float faded_share;  // see camera_mesh.h
-
-// How far inside of a photograph the point lies: 1 from a tenth of the shorter side on.
-float inner(vec3 sight, vec2 size) {
-    vec2 to_border = min(sight.xy, size - sight.xy);
-    return clamp(10.0 * min(to_border.x, to_border.y) / min(size.x, size.y), 0.0, 1.0);
-}
-
-// What is seen beyond the border fades out. A shell (CameraMesh::shells) is also drawn only as far
-// as its views see the point, away from the borders of their photographs. The same as
-// shell_opacity in render/modes/shell_opacity.h.
-float opacity_of(vec3 ray_weights, vec3 inside, float seen, float is_known) {
-    float fade = 1.0 - smoothstep(0.0, faded_share, dot(ray_weights, beyond_border));
-    float refined = is_known * smoothstep(0.0, 0.5, seen) * dot(ray_weights, inside);
-    return fade * mix(1.0, refined, is_shell);
-}
-#endif
-
 void main() {
     vec2 window = gl_FragCoord.xy - viewport_origin;
     Depth depth = consensus(ivec2(window));
@@ -178,8 +158,8 @@ void main() {
                  is_guess ? 0.0 : 1.0);
 #endif
 #ifdef FADES
-    vec3 inside = vec3(inner(sight0, view_size0.xy), inner(sight1, view_size1.xy),
-                       inner(sight2, view_size2.xy));
+    vec3 inside = vec3(inner(sight0.xy, view_size0.xy), inner(sight1.xy, view_size1.xy),
+                       inner(sight2.xy, view_size2.xy));
     drawn *= opacity_of(ray_weights, inside, seen, is_guess ? 0.0 : 1.0);
 #endif
 }

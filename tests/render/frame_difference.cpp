@@ -6,6 +6,13 @@
 
 namespace lumi {
 
+ColorImage as_color(const GrayImage& gray) {
+    ColorImage color(gray.width(), gray.height());
+    for (int y = 0; y < gray.height(); ++y)
+        for (int x = 0; x < gray.width(); ++x) color(x, y) = {gray(x, y), gray(x, y), gray(x, y)};
+    return color;
+}
+
 FrameDifference difference_between(const ColorImage& a, const ColorImage& b) {
     assert(a.width() == b.width() && a.height() == b.height());
     FrameDifference difference;

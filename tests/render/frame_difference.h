@@ -13,6 +13,8 @@ struct FrameDifference {
     int largest = 0;
 };
 
+[[nodiscard]] ColorImage as_color(const GrayImage& gray);
+
 [[nodiscard]] FrameDifference difference_between(const ColorImage& a, const ColorImage& b);
 
 }  // namespace lumi

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "render/modes/adaptive.h"
 #include "render/modes/adaptive_subdivision.h"
 #include "render/modes/offscreen_renderer.h"
 #include "render/modes/paper_subdivision.h"
@@ -30,7 +33,7 @@ void expect_gl_equals_reference(GlApi api) {
         const auto polygons = face_polygons(lumigraph.mesh, eye);
         const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
         OffscreenRenderer renderer(lumigraph, api);
-        const auto adaptive = adaptive_subdivision(polygons, search, plane, true,
+        const auto adaptive = adaptive_subdivision(polygons, search, plane, {},
                                                    {.max_error_px = defaults.triangle_error_px,
                                                     .min_edge_px = defaults.min_triangle_px,
                                                     .max_edge_px = defaults.max_triangle_px,
@@ -47,6 +50,79 @@ void expect_gl_equals_reference(GlApi api) {
         expect_equal(renderer.draw(eye, {.mode = RenderMode::kPaper2001}),
                      draw_reference(paper, lumigraph, eye.camera, PlaceInterpolation::kProjective),
                      "paper2001");
+    }
+}
+
+/// The layers of the mode in plain code, each over those before.
+Frame adaptive_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
+    BlendTriangles all;
+    for (const BlendTriangles& layer :
+         adaptive_layers(lumigraph, view_geometries(lumigraph), eye, options)) {
+        const auto first = static_cast<std::uint32_t>(all.vertices.size());
+        all.vertices.insert(all.vertices.end(), layer.vertices.begin(), layer.vertices.end());
+        for (const std::uint32_t index : layer.indices) all.indices.push_back(first + index);
+    }
+    return draw_reference(all, lumigraph, eye.camera, PlaceInterpolation::kLinear);
+}
+
+const Camera kShellEyeCamera = pinhole_camera(160, 120, 140);
+
+TEST(SubdivisionGl, AdaptiveLaysShellsOverTheMesh) {
+    const Lumigraph lumigraph = card_with_close_ups();
+    Lumigraph without = lumigraph;
+    without.mesh.shells.clear();
+    OffscreenRenderer renderer(lumigraph);
+    OffscreenRenderer plain_renderer(without);
+    const RenderOptions options{.mode = RenderMode::kAdaptive};
+    for (const Eigen::Vector3d& place :
+         {Eigen::Vector3d(0.02, 0.06, 2.25), Eigen::Vector3d(0.05, 0, 1.2),
+          Eigen::Vector3d(0.5, 0.1, 2.0), Eigen::Vector3d(0.2, 0.1, 0)}) {
+        const Eye eye = eye_at(place, {0, 0, 3}, kShellEyeCamera);
+        const Frame drawn = renderer.draw(eye, options);
+        expect_equal(drawn, adaptive_reference(lumigraph, eye, options), "with a shell");
+        const ColorImage truth = ideal_photograph(AnalyticScene::kPrintedCard, eye);
+        const double error = difference_between(drawn.color, truth).mean;
+        const double plain_error =
+            difference_between(plain_renderer.draw(eye, options).color, truth).mean;
+        EXPECT_LE(error, 1.02 * plain_error + 0.2) << place.transpose();
+        // Between the close-ups the print is theirs.
+        if (place.z() > 2.2) {
+            EXPECT_LT(error, 0.5 * plain_error);
+        }
+    }
+}
+
+/// The picture as it fades ray by ray.
+ColorImage faded(ColorImage picture, const CameraMesh& mesh, const Eye& eye) {
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const Eigen::Vector3d direction =
+                eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, {x + 0.5, y + 0.5});
+            const auto ray = weights_of_ray(mesh, centre_in_world(eye.cam_from_world), direction);
+            const double fade = ray ? capture_fade(*ray) : 0.0;
+            const auto dimmed = [fade](std::uint8_t value) {
+                return static_cast<std::uint8_t>(std::lround(fade * value));
+            };
+            Rgb8& color = picture(x, y);
+            color = {dimmed(color.r), dimmed(color.g), dimmed(color.b)};
+        }
+    }
+    return picture;
+}
+
+TEST(SubdivisionGl, AdaptiveFadesBeyondTheCapture) {
+    const Lumigraph lumigraph = card_before_wall();
+    OffscreenRenderer renderer(lumigraph);
+    const RenderOptions fading{.mode = RenderMode::kAdaptive, .fade_beyond_capture = true};
+    for (const Eigen::Vector3d& place :
+         {Eigen::Vector3d(0.21, 0.13, 0.02), Eigen::Vector3d(2.4, 0.3, 0.2)}) {
+        const Eye eye = eye_at(place, {0, 0, 4}, kShellEyeCamera);
+        const Frame drawn = renderer.draw(eye, fading);
+        expect_equal(drawn, adaptive_reference(lumigraph, eye, fading), "fading");
+        const Frame plain = renderer.draw(eye, {.mode = RenderMode::kAdaptive});
+        EXPECT_LT(difference_between(drawn.color, faded(plain.color, lumigraph.mesh, eye)).mean,
+                  1.5)
+            << place.transpose();
     }
 }
 

@@ -18,7 +18,7 @@ const Eye kEye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, pinhole_camera(128, 96, 1
 class Subdivision : public testing::Test {
  protected:
     [[nodiscard]] BlendTriangles adaptive(const AdaptiveSubdivisionOptions& options) const {
-        return adaptive_subdivision(polygons_, search_, plane_, true, options).triangles;
+        return adaptive_subdivision(polygons_, search_, plane_, {}, options).triangles;
     }
     [[nodiscard]] BlendTriangles paper(const PaperSubdivisionOptions& options) const {
         return paper_subdivision(polygons_, search_, plane_, inverse_depth_range(lumigraph_), true,
@@ -132,7 +132,7 @@ TEST_F(Subdivision, APlaneWithoutAnythingBeforeItIsHardlySplit) {
     const auto geometries = view_geometries(wall);
     const DepthSearch search(wall, geometries, kEye, 1.0);
     const AdaptiveSubdivision planar =
-        adaptive_subdivision(polygons_, search, plane_, true, {.min_edge_px = 1});
+        adaptive_subdivision(polygons_, search, plane_, {}, {.min_edge_px = 1});
     EXPECT_LT(planar.triangles.count(), 120U);
     EXPECT_EQ(planar.relaxation, 1.0);
 }
