@@ -387,12 +387,44 @@ TEST_F(Line, DrawsTheCurveOfViewsAgainstError) {
     const Outcome outcome = lumi("select --json --random 1 " + quoted(workspace()));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
     const Json curve = Json::parse(outcome.out);
-    ASSERT_EQ(curve.at("curve").size(), 2U);  // 7 and 5 views; 3 are too few.
+    ASSERT_GE(curve.at("curve").size(), 2U);  // 7 and 5 views, perhaps 6; 3 are too few.
     EXPECT_EQ(curve.at("curve").at(0).at("views"), 7);
+    EXPECT_EQ(curve.at("curve").back().at("views"), 5);
     EXPECT_GT(curve.at("curve").at(0).at("psnr_db").get<double>(), 15.0);
     EXPECT_GT(curve.at("curve").at(0).at("texture_mib").get<double>(),
               curve.at("curve").at(1).at("texture_mib").get<double>());
     EXPECT_LE(curve.at("auto_views").get<int>(), 7);
+    const Json two = Json::parse(lumi("select --json --size 4 " + quoted(workspace())).out);
+    ASSERT_EQ(two.at("curve").size(), 2U);
+    EXPECT_EQ(two.at("curve").at(1).at("views"), 4);
+}
+
+/// Sixteen views of the box so close together that not all are needed.
+TEST(CommandLine, AutoPacksAsManyViewsAsAreEnough) {
+    const ScratchFolder scratch;
+    SceneDescription scene = textured_box_description();
+    scene.path.count = 16;
+    scene.path.rows = 4;
+    scene.path.length_share = 0.25;
+    SilentProgress progress;
+    synthesize_into(scratch.path(), scene, 0, progress);
+    write_whole_text(scratch / "box.toml",
+                     "name = \"box\"\n[capture]\nphotos = \"photos\"\nimport = \"truth/sparse\"\n"
+                     "[depth]\nimport_folder = \"truth/depth\"\n[evaluate]\nhold_out = "
+                     "[\"IMG_0006.png\"]\n[package]\nviews = \"auto\"\n");
+    const fs::path workspace = scratch / "work";
+    const Outcome build =
+        lumi("build " + quoted(scratch / "box.toml") + " --workspace " + quoted(workspace));
+    ASSERT_EQ(build.exit_code, 0) << build.talk;
+    const std::size_t packed =
+        Json::parse(lumi("inspect --json " + quoted(workspace / "box.lumi")).out)
+            .at("views")
+            .size();
+    EXPECT_GE(packed, 4U);
+    EXPECT_LT(packed, 15U);
+    const Outcome evaluation = lumi("evaluate --json " + quoted(workspace));
+    ASSERT_EQ(evaluation.exit_code, 0) << evaluation.talk;
+    EXPECT_THAT(read_whole_text(workspace / "report.html"), HasSubstr("IMG_0006"));
 }
 
 TEST_F(Line, PlansWhereToPhotographNext) {
