@@ -7,9 +7,9 @@
 namespace lumi {
 
 const std::vector<VertexAttribute>& blend_vertex_attributes() {
-    static_assert(sizeof(BlendVertex) == 22 * sizeof(float));
+    static_assert(sizeof(BlendVertex) == 23 * sizeof(float));
     static const std::vector<VertexAttribute> attributes{{0, 3}, {1, 4}, {2, 2}, {3, 3},
-                                                         {4, 2}, {5, 4}, {6, 3}, {7, 1}};
+                                                         {4, 3}, {5, 4}, {6, 3}, {7, 1}};
     return attributes;
 }
 

@@ -17,6 +17,7 @@ struct BlendVertex {
     std::array<float, 3> weights{};                     ///< Of the photographs; sum 1, or all 0.
     float inverse_depth = 0.0F;
     float confidence = 0.0F;             ///< 0 to 1, of the depth.
+    float occluded = 0.0F;               ///< Share of the ray's weight that occlusion takes.
     std::array<float, 3> view_layers{};  ///< Indices of the views; the same on a triangle.
     float face_index = -1.0F;
     std::array<float, 3> depth_ratios{};  ///< Depth in each view over depth in the eye.

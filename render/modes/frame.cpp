@@ -13,12 +13,13 @@ constexpr std::array<std::pair<RenderMode, const char*>, 5> kModeNames{
      {RenderMode::kPaper2001, "paper2001"},
      {RenderMode::kHeigl, "heigl"}}};
 
-constexpr std::array<std::pair<DebugPicture, const char*>, 5> kDebugPictureNames{
+constexpr std::array<std::pair<DebugPicture, const char*>, 6> kDebugPictureNames{
     {{DebugPicture::kNone, "none"},
      {DebugPicture::kWeights, "weights"},
      {DebugPicture::kFaces, "faces"},
      {DebugPicture::kDepth, "depth"},
-     {DebugPicture::kConfidence, "confidence"}}};
+     {DebugPicture::kConfidence, "confidence"},
+     {DebugPicture::kOcclusion, "occlusion"}}};
 
 template <class Names, class Value>
 std::string name_in(const Names& names, Value value) {

@@ -19,7 +19,14 @@ enum class RenderMode {
 };
 
 /// What is shown instead of the picture.
-enum class DebugPicture { kNone, kWeights, kFaces, kDepth, kConfidence };
+enum class DebugPicture {
+    kNone,
+    kWeights,
+    kFaces,
+    kDepth,
+    kConfidence,
+    kOcclusion,  ///< The share of a ray's weight that views lose that do not see the point.
+};
 
 /// In the order in which they are offered.
 [[nodiscard]] std::vector<RenderMode> all_render_modes();

@@ -72,6 +72,8 @@ PatchSample PatchSampler::at(const Eigen::Vector2d& pixel) const {
                          ? search_.visibility(pixel, sample.inverse_depth, view)
                          : search_.inside(view, sample.view_pixels[k]);
     }
+    sample.occluded = 1;
+    for (std::size_t k = 0; k < 3; ++k) sample.occluded -= sample.ray_weights[k] * visible[k];
     if (ratio > 0) sample.affine_depth = 1 / ratio;
     sample.opacity = opacity_of(sample, visible);
     if (const auto weights = redistributed(sample.ray_weights, visible)) {
@@ -137,6 +139,7 @@ void SubdividedPatch::append_to(BlendTriangles& drawn,
                 }
                 corner.inverse_depth = static_cast<float>(sample.inverse_depth);
                 corner.confidence = static_cast<float>(sample.confidence);
+                corner.occluded = static_cast<float>(sample.occluded);
                 corner.face_index = static_cast<float>(polygon.face_index);
                 corner.opacity = static_cast<float>(sample.opacity);
             }

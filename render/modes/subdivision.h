@@ -20,6 +20,7 @@ struct PatchSample {
     double inverse_depth = 0.0;
 
     double confidence = 0.0;              ///< As in the confidence picture.
+    double occluded = 0.0;                ///< Share of the ray's weight that is not seen.
     std::array<double, 3> ray_weights{};  ///< Barycentric: from the ray alone.
     std::array<double, 3> weights{};      ///< After occlusion correction; sum 1 or all 0.
     std::array<Eigen::Vector2d, 3> view_pixels{};

@@ -69,7 +69,7 @@ class ReferenceFrame {
     [[nodiscard]] double opacity(int view_index, const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d color_in(int view_index, const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d debug_color(const RayWeights& ray, bool unseen,
-                                              const ConsensusDepth& depth) const;
+                                              const ConsensusDepth& depth, double occluded) const;
 
     [[nodiscard]] const LumigraphView& view(int index) const {
         return lumigraph_.views[static_cast<std::size_t>(index)];
@@ -87,6 +87,13 @@ class ReferenceFrame {
     double agreeing_inverse_depth_ = 0.0;
     std::vector<Image<EyeDepth>> layers_;
 };
+
+/// Of a ray's weight, what views do not see.
+double occluded_share(const RayWeights& ray, const std::array<double, 3>& seen) {
+    double lost = 1;
+    for (std::size_t i = 0; i < 3; ++i) lost -= ray.weights[i] * seen[i];
+    return lost;
+}
 
 bool has_depth(const Lumigraph& lumigraph) {
     return std::any_of(lumigraph.views.begin(), lumigraph.views.end(),
@@ -199,8 +206,9 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const RayPoint& point,
         weights_of_ray(lumigraph_.mesh, eye_in_world_, point.direction_in_world);
     if (!ray) return std::nullopt;
     const bool has_depth = depth.support > 0;
-    std::optional<std::array<double, 3>> weights =
-        redistributed(ray->weights, visibilities(*ray, point, depth));
+    const std::array<double, 3> seen = visibilities(*ray, point, depth);
+    std::optional<std::array<double, 3>> weights = redistributed(ray->weights, seen);
+    const double occluded = weights ? occluded_share(*ray, seen) : 1.0;
     if (weights) weights = redistributed(*weights, opacities(*weights, *ray, point));
     if (!weights && !has_depth) return std::nullopt;
     const double fade = options_.fade_beyond_capture ? capture_fade(*ray) : 1.0;
@@ -208,7 +216,7 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const RayPoint& point,
     drawn.coverage = has_depth || !uses_depth_ ? fade : 0.0;
     ray->weights = weights.value_or(std::array<double, 3>{});
     if (options_.debug_picture != DebugPicture::kNone)
-        drawn.color = fade * debug_color(*ray, !weights, depth);
+        drawn.color = fade * debug_color(*ray, !weights, depth, occluded);
     else if (weights)
         drawn.color = fade * blended(*ray, point);
     else
@@ -222,6 +230,7 @@ void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell, const 
     std::optional<RayWeights> ray = weights_of_ray(shell, eye_in_world_, point.direction_in_world);
     if (!ray || (uses_depth_ && depth.support == 0)) return;
     std::array<double, 3> seen = visibilities(*ray, point, depth);
+    const double occluded = occluded_share(*ray, seen);
     const std::array<double, 3> opaque = opacities(ray->weights, *ray, point);
     for (std::size_t i = 0; i < 3; ++i) seen[i] *= opaque[i];
     const auto weights = redistributed(ray->weights, seen);
@@ -239,7 +248,7 @@ void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell, const 
     const double opacity = shell_opacity(capture_fade(*ray, kShellFadedShare), sum, inside);
     ray->weights = *weights;
     const Eigen::Vector3d color = options_.debug_picture != DebugPicture::kNone
-                                      ? debug_color(*ray, false, depth)
+                                      ? debug_color(*ray, false, depth, occluded)
                                       : blended(*ray, point);
     drawn.color = opacity * color + (1 - opacity) * drawn.color;
     drawn.coverage = opacity + (1 - opacity) * drawn.coverage;
@@ -272,9 +281,10 @@ double confidence_of(const ConsensusDepth& depth) {
 }
 
 Eigen::Vector3d ReferenceFrame::debug_color(const RayWeights& ray, bool unseen,
-                                            const ConsensusDepth& depth) const {
+                                            const ConsensusDepth& depth, double occluded) const {
     const Eigen::Vector3d white = Eigen::Vector3d::Constant(255);
     if (options_.debug_picture == DebugPicture::kFaces) return index_color(ray.face_index);
+    if (options_.debug_picture == DebugPicture::kOcclusion) return occluded * white;
     if (options_.debug_picture == DebugPicture::kConfidence) return confidence_of(depth) * white;
     if (options_.debug_picture == DebugPicture::kDepth) {
         const Eigen::Vector2d range = inverse_depth_range(lumigraph_);

@@ -10,7 +10,7 @@
 LUMI_VARYING vec4 on_layers01;  // where photographs 0 and 1 are looked up, 0 to 1 over a layer
 LUMI_VARYING vec4 on_layer2_and_weights;  // the same for photograph 2, weights of 0 and 1
 flat LUMI_VARYING vec4 layers_and_face;
-LUMI_VARYING vec3 weight2_and_depth;  // weight of 2, inverse depth, confidence
+LUMI_VARYING vec4 weight2_and_depth;  // weight of 2, inverse depth, confidence, occlusion
 #ifdef FADES
 LUMI_VARYING float opacity;
 #endif
@@ -22,14 +22,14 @@ layout(location = 0) in vec3 in_pixel_and_depth;
 layout(location = 1) in vec4 in_view_pixels01;
 layout(location = 2) in vec2 in_view_pixel2;
 layout(location = 3) in vec3 in_weights;
-layout(location = 4) in vec2 in_inverse_depth_and_confidence;
+layout(location = 4) in vec3 in_inverse_depth_and_confidence;
 layout(location = 5) in vec4 in_layers_and_face;
 layout(location = 7) in float in_opacity;
 
 void main() {
     on_layers01 = (in_view_pixels01 + kGutter_px) / layer_size.xyxy;
     on_layer2_and_weights = vec4((in_view_pixel2 + kGutter_px) / layer_size, in_weights.xy);
-    weight2_and_depth = vec3(in_weights.z, in_inverse_depth_and_confidence);
+    weight2_and_depth = vec4(in_weights.z, in_inverse_depth_and_confidence);
     layers_and_face = in_layers_and_face;
 #ifdef FADES
     opacity = in_opacity;
@@ -52,7 +52,8 @@ void main() {
     if (sum < kLeastWeight) discard;
     weights *= 1.0 / sum;
 #ifdef DEBUG_PICTURE
-    drawn = vec4(debug_color(weights, layers_and_face, weight2_and_depth.y, weight2_and_depth.z),
+    drawn = vec4(debug_color(weights, layers_and_face, weight2_and_depth.y, weight2_and_depth.z,
+                             weight2_and_depth.w),
                  1.0);
 #else
     drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb + weights.z * color2.rgb, 1.0);

@@ -20,7 +20,7 @@ void main() {
     if (sum < kLeastWeight) discard;
     weights /= sum;
 #ifdef DEBUG_PICTURE
-    drawn = vec4(debug_color(weights, layers_and_face(), inverse_depth, 0.0), 1.0);
+    drawn = vec4(debug_color(weights, layers_and_face(), inverse_depth, 0.0, 0.0), 1.0);
 #else
     drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb + weights.z * color2.rgb, 1.0);
 #endif

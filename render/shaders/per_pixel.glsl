@@ -127,6 +127,9 @@ void main() {
                                disparity_and_face.z, check));
     float sum = weights.x + weights.y + weights.z;
     bool unseen = sum < 1e-4;
+#ifdef DEBUG_PICTURE
+    float occluded = unseen ? 1.0 : 1.0 - sum;
+#endif
     if (unseen && is_guess) discard;
     // Unseen by the three: the layer's view takes the first one's place.
     vec4 ray = vec4(window, 1.0, q);
@@ -151,7 +154,7 @@ void main() {
                                           : 0.125;
     // White: none of the three sees the point.
     bool marked = unseen && debug_picture == 1;
-    drawn = vec4(marked ? vec3(1.0) : debug_color(weights, layers_and_face(), q, confidence),
+    drawn = vec4(marked ? vec3(1.0) : debug_color(weights, layers_and_face(), q, confidence, occluded),
                  is_guess ? 0.0 : 1.0);
 #else
     drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb + weights.z * color2.rgb,

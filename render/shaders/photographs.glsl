@@ -33,7 +33,8 @@ vec3 index_color(float index) {
     return 0.5 + 0.5 * cos(6.2831853 * (fract(0.618034 * index) + vec3(0.0, 0.3333333, 0.6666667)));
 }
 
-vec3 debug_color(vec3 weights, vec4 layers_and_face, float inverse_depth, float confidence) {
+vec3 debug_color(vec3 weights, vec4 layers_and_face, float inverse_depth, float confidence,
+                 float occluded) {
     if (debug_picture == 1)
         return weights.x * index_color(layers_and_face.x) +
                weights.y * index_color(layers_and_face.y) +
@@ -43,7 +44,7 @@ vec3 debug_color(vec3 weights, vec4 layers_and_face, float inverse_depth, float 
         return vec3(clamp((inverse_depth - inverse_depth_range.x) /
                               (inverse_depth_range.y - inverse_depth_range.x),
                           0.0, 1.0));
-    return vec3(confidence);
+    return vec3(debug_picture == 4 ? confidence : occluded);
 }
 #endif
 #endif

@@ -10,7 +10,7 @@
 LUMI_VARYING vec3 on_layer;  // homogeneous
 LUMI_VARYING float weight;
 flat LUMI_VARYING vec4 layers_and_face;
-LUMI_VARYING vec2 inverse_depth_and_confidence;
+LUMI_VARYING vec3 inverse_depth_and_confidence;
 flat LUMI_VARYING float layer;
 
 #ifdef LUMI_VERTEX
@@ -21,7 +21,7 @@ layout(location = 0) in vec3 in_pixel_and_depth;
 layout(location = 1) in vec4 in_view_pixels01;
 layout(location = 2) in vec2 in_view_pixel2;
 layout(location = 3) in vec3 in_weights;
-layout(location = 4) in vec2 in_inverse_depth_and_confidence;
+layout(location = 4) in vec3 in_inverse_depth_and_confidence;
 layout(location = 5) in vec4 in_layers_and_face;
 layout(location = 6) in vec3 in_depth_ratios;
 
@@ -48,7 +48,8 @@ void main() {
     drawn = vec4(debug_picture == 1 ? index_color(layer)
                                     : debug_color(vec3(0.0), layers_and_face,
                                                   inverse_depth_and_confidence.x,
-                                                  inverse_depth_and_confidence.y),
+                                                  inverse_depth_and_confidence.y,
+                                                  inverse_depth_and_confidence.z),
                  weight);
 #else
     drawn = vec4(photograph_at(on_layer.xy / on_layer.z, layer).rgb, weight);

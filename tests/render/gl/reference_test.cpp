@@ -193,10 +193,34 @@ TEST(GlAgainstReference, LightFieldOnOpenGlEs) {
 TEST(GlAgainstReference, EveryDebugPicture) {
     const Lumigraph lumigraph = card_before_wall();
     const std::vector<NamedEye> eyes{eyes_before_wall(lumigraph).front()};
-    for (const DebugPicture picture : {DebugPicture::kWeights, DebugPicture::kFaces,
-                                       DebugPicture::kDepth, DebugPicture::kConfidence}) {
+    for (const DebugPicture picture :
+         {DebugPicture::kWeights, DebugPicture::kFaces, DebugPicture::kDepth,
+          DebugPicture::kConfidence, DebugPicture::kOcclusion}) {
         SCOPED_TRACE(name_of(picture));
         expect_gl_equals_reference(lumigraph, eyes, {.debug_picture = picture}, GlApi::kAny);
+    }
+}
+
+TEST(GlDebugPictures, OcclusionIsSeenBesideTheCardAndNowhereElse) {
+    const Lumigraph lumigraph = card_before_wall();
+    const Eye eye = eyes_before_wall(lumigraph).front().eye;
+    OffscreenRenderer renderer(lumigraph);
+    for (const RenderMode mode : {RenderMode::kPerPixel, RenderMode::kAdaptive}) {
+        SCOPED_TRACE(name_of(mode));
+        const auto share_lit = [&](bool correct_occlusion) {
+            const Frame drawn = renderer.draw(eye, {.mode = mode,
+                                                    .debug_picture = DebugPicture::kOcclusion,
+                                                    .correct_occlusion = correct_occlusion});
+            const auto& pixels = drawn.color.pixels();
+            return static_cast<double>(std::count_if(pixels.begin(), pixels.end(),
+                                                     [](const Rgb8& p) { return p.r > 25; })) /
+                   static_cast<double>(pixels.size());
+        };
+        const double corrected = share_lit(true);
+        const double uncorrected = share_lit(false);
+        EXPECT_GT(corrected, uncorrected + 0.005);
+        // Triangles spread it as far as they reach.
+        EXPECT_LT(corrected, mode == RenderMode::kPerPixel ? 0.5 : 0.9);
     }
 }
 
