@@ -145,7 +145,7 @@ void judge_motion(const CaptureEvidence& evidence, std::vector<Finding>& finding
     if (motion.pairs == 0) return;
     // A pair or two among many photographs are an accident.
     const int min_pairs = static_cast<int>(evidence.photographs.size()) / 2;
-    const bool only_turned = motion.rotation_share() >= kNearlyAll;
+    const bool only_turned = motion.only_turned();
     if (motion.rotation_share() >= kMostShare && motion.pairs >= min_pairs) {
         // Sideways before a wall looks much the same: only where hardly a pair says otherwise, no
         // parallax can be hoped for.

@@ -64,9 +64,11 @@ void refuse_explained(const MappingJob& job, const MatchedPhotographs& matched,
                       CaptureReason fallback, const std::string& what) {
     for (const Finding& finding : diagnose(evidence_of(job, matched))) {
         const bool says_no_more_than_we_know = finding.reason == CaptureReason::kNoPair;
-        // A plane harms few captures; where one failed, it is the likely cause.
-        const bool is_likely =
-            finding.severity >= Severity::kRisk || finding.reason == CaptureReason::kPlanar;
+        // A plane, or what looks like a turn, harms few captures; where one failed, it is the
+        // likely cause.
+        const bool is_likely = finding.severity >= Severity::kRisk ||
+                               finding.reason == CaptureReason::kPlanar ||
+                               finding.reason == CaptureReason::kNoParallax;
         if (!is_likely || says_no_more_than_we_know) continue;
         refuse_capture(finding.reason, finding.what);
     }

@@ -18,8 +18,9 @@ namespace lumi {
 [[noreturn]] void refuse_explained(const MappingJob& job, const MatchedPhotographs& matched,
                                    CaptureReason fallback, const std::string& what);
 
-/// The same where matches contradict one another: only what spoils matches explains that. Throws
-/// Error (E-POSES-...) for poor pictures or clutter, else for `fallback`.
+/// The same where matches contradict one another, or are too few in places: only what spoils
+/// matches explains that. Throws Error (E-POSES-...) for poor pictures or clutter, else for
+/// `fallback`.
 [[noreturn]] void refuse_contradiction(const MappingJob& job, const MatchedPhotographs& matched,
                                        CaptureReason fallback, const std::string& what);
 

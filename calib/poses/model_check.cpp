@@ -13,8 +13,7 @@
 namespace lumi {
 namespace {
 
-constexpr double kRotationShare = 0.9;  ///< So many pairs are rotations: the camera only turned.
-constexpr double kMinAngle_deg = 1.0;   ///< Below this depth is a guess.
+constexpr double kMinAngle_deg = 1.0;  ///< Below this depth is a guess.
 constexpr double kWeakAngle_deg = 2.5;
 constexpr double kMinFocalPerSide = 0.3;  ///< 118 degrees across the longer side.
 constexpr double kMaxFocalPerSide = 10.0;
@@ -96,7 +95,7 @@ void check_focal_lengths(const Capture& capture, bool lens_is_known,
 }  // namespace
 
 void refuse_turning_camera(const MotionEvidence& motion) {
-    if (motion.pairs == 0 || motion.rotation_share() < kRotationShare) return;
+    if (!motion.only_turned()) return;
     refuse_capture(CaptureReason::kNoParallax,
                    "the camera only turned on the spot: " + std::to_string(motion.rotation_pairs) +
                        " of " + std::to_string(motion.pairs) +

@@ -21,11 +21,6 @@ namespace {
 /// Of noise alone the ratio is 1, and with three parameters for each of ten views beyond 2 once in
 /// ten thousand captures; lens models that do not fit quite raise it a little.
 constexpr double kSuspiciousRatio = 4.0;
-/// Poses that another model of the same photographs moves farther are not known: three quarters of
-/// what a success may be off (a tenth of the cameras' spread, two degrees), because the shift is an
-/// estimate itself.
-constexpr double kMaxShiftShare = 0.075;
-constexpr double kMaxTurn_deg = 1.5;
 
 template <class... Values>
 std::string text(const char* format, Values... values) {
@@ -47,14 +42,10 @@ bool mostly_turned(const MotionEvidence& motion) {
                        besides);
 }
 
-/// Before a wall a camera that steps sideways seems to turn, too: rays that meet tell.
 void settle_parallax(const MatchedPhotographs& matched, const Capture& refined) {
-    constexpr double kClearAngle_deg = 6.0;
-    if (!mostly_turned(matched.motion)) return;
-    const double angle_deg = median_triangulation_angle_deg(refined);
-    if (angle_deg >= kClearAngle_deg) return;
-    refuse_low_parallax(matched.motion,
-                        text("rays to the same point meet at %.1f degrees only", angle_deg));
+    if (!lacks_parallax(matched.motion, refined)) return;
+    refuse_low_parallax(matched.motion, text("rays to the same point meet at %.1f degrees only",
+                                             median_triangulation_angle_deg(refined)));
 }
 
 /// Empty where the residuals do not look like a shutter, or are explained as well without.
@@ -84,15 +75,11 @@ void settle_shutter(const MappingJob& job, const MatchedPhotographs& matched,
     const std::string what =
         text("the pictures are skewed by about %.1f pixels from the first row to the last",
              shutter.skew_px);
-    const auto moves_beyond = [&](double factor) {
-        return shift.position_share > factor * kMaxShiftShare ||
-               shift.rotation_deg > factor * kMaxTurn_deg;
-    };
     // Where more is left than is explained, something else is at work, and what is made of the
     // shutter follows that. Poses that follow it far are not held by the photographs.
     constexpr double kFar = 3.0;
     const bool is_main_cause = shutter.turning_cost_px2 < 0.5 * shutter.steady_cost_px2;
-    if (!is_main_cause && moves_beyond(kFar)) {
+    if (!is_main_cause && shift.exceeds(kFar)) {
         constexpr double kManyShare = 0.5;
         const std::string unheld = text(
             "another model of the same photographs moves cameras by %.0f %% of "
@@ -103,7 +90,7 @@ void settle_shutter(const MappingJob& job, const MatchedPhotographs& matched,
         }
         refuse_explained(job, matched, CaptureReason::kUncertain, unheld);
     }
-    if (is_main_cause && moves_beyond(1.0)) {
+    if (is_main_cause && shift.matters()) {
         refuse_capture(CaptureReason::kShutter,
                        what + text(", which moves cameras by up to %.0f %% of their spread",
                                    100 * shift.position_share));
@@ -120,6 +107,11 @@ std::string text_of(const PairAgreement& agreement) {
 }
 
 }  // namespace
+
+bool lacks_parallax(const MotionEvidence& motion, const Capture& model) {
+    constexpr double kClearAngle_deg = 6.0;
+    return mostly_turned(motion) && median_triangulation_angle_deg(model) < kClearAngle_deg;
+}
 
 void settle_doubts(const MappingJob& job, const MatchedPhotographs& matched, const Capture& mapped,
                    const Capture& refined) {

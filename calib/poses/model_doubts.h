@@ -5,6 +5,10 @@
 
 namespace lumi {
 
+/// True when most pairs seem to have only turned, and rays to the same point hardly meet: before a
+/// wall a camera that steps sideways seems to turn, too.
+[[nodiscard]] bool lacks_parallax(const MotionEvidence& motion, const Capture& model);
+
 /// Asks of a refined model what would make it look right and be wrong. Throws Error:
 ///
 /// - Verified pairs that the model denies, and that see things from another side altogether:

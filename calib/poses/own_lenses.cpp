@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "calib/doctor/capture_reason.h"
+#include "calib/poses/firm_joints.h"
 #include "calib/poses/model_check.h"
 #include "calib/poses/pair_agreement.h"
 #include "calib/poses/pose_shift.h"
@@ -146,6 +147,7 @@ std::optional<OwnLensModel> model_of(const MappingJob& job, MatchedPhotographs& 
     try {
         std::optional<Capture> mapped = map_incrementally(job, matched);
         if (!mapped || zoom_factor(*mapped, shared) < kMinZoom - kMostRefined) return std::nullopt;
+        mapped = with_firm_joints(job, *mapped).mapped;
         model.mapped = *mapped;
         model.refined = std::move(*mapped);
         refine(model.refined, policy, job.options, job.threads, job.evidence, job.progress);

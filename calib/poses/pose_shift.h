@@ -5,6 +5,12 @@
 
 namespace lumi {
 
+/// Poses that another model of the same photographs moves farther are not known: three quarters of
+/// what a success may be off (a tenth of the cameras' spread, two degrees), because the shift is an
+/// estimate itself.
+inline constexpr double kMaxShiftShare = 0.075;
+inline constexpr double kMaxTurn_deg = 1.5;
+
 /// How far poses are from others of the same photographs.
 struct PoseShift {
     int placed = 0;  ///< Photographs that both have.
@@ -14,7 +20,11 @@ struct PoseShift {
     double rotation_deg = 0.0;  ///< Of the worst camera.
 
     /// True when poses that move so far between two models of the same photographs are not known.
-    [[nodiscard]] bool matters() const { return position_share > 0.05 || rotation_deg > 1.0; }
+    [[nodiscard]] bool matters() const { return exceeds(1.0); }
+    /// The same for limits that are `factor` times as wide.
+    [[nodiscard]] bool exceeds(double factor) const {
+        return position_share > factor * kMaxShiftShare || rotation_deg > factor * kMaxTurn_deg;
+    }
 };
 
 /// After the similarity that fits `poses` to `others`: its rotation is the mean of what the

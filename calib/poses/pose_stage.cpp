@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "calib/poses/explained_refusal.h"
+#include "calib/poses/firm_joints.h"
 #include "calib/poses/mapping.h"
 #include "calib/poses/model_check.h"
 #include "calib/poses/model_doubts.h"
@@ -123,12 +124,18 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
     or_explain(job, {},
                [&] { matched = match_and_verify(job, {options.max_features}, "default"); });
     std::optional<Capture> mapped;
+    std::string joint_trouble;
     const LensPolicy policy = lens_policy(given_lens.has_value(), options);
     refuse_turning_camera(matched.motion);
     or_explain(job, matched, [&] {
         mapped = options.mapper == "colmap" ? map_by_ladder(job, matched)
                                             : map_incrementally(job, matched);
         refuse_without_model(mapped, photographs.size());
+        if (!lacks_parallax(matched.motion, *mapped)) {
+            JointCheck joints = with_firm_joints(job, *mapped);
+            mapped = std::move(joints.mapped);
+            joint_trouble = std::move(joints.trouble);
+        }
         result.capture = *mapped;
         refine(result.capture, policy, options, threads, result.evidence, progress);
     });
@@ -137,6 +144,9 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
         result.capture = std::move(own->refined);
     }
     settle_doubts(job, matched, *mapped, result.capture);
+    if (!joint_trouble.empty()) {
+        refuse_contradiction(job, matched, CaptureReason::kSplit, joint_trouble);
+    }
     result.not_registered =
         explain_unregistered(result.capture, photographs, matched.photographs, matched.pairs);
     refuse_too_few(result.capture, photographs, result.not_registered, options);

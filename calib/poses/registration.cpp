@@ -36,10 +36,16 @@ void drop_weak_views(Capture& capture, std::size_t min_points) {
             ++points_of_view[static_cast<std::size_t>(observation.view_index)];
         }
     }
+    std::vector<char> is_dropped;
+    for (const std::size_t points : points_of_view) is_dropped.push_back(points < min_points);
+    drop_views(capture, is_dropped);
+}
+
+void drop_views(Capture& capture, const std::vector<char>& is_dropped) {
     std::vector<int> new_index(capture.views.size(), -1);
     std::vector<View> kept;
     for (std::size_t index = 0; index < capture.views.size(); ++index) {
-        if (points_of_view[index] < min_points) continue;
+        if (is_dropped[index] != 0) continue;
         new_index[index] = static_cast<int>(kept.size());
         kept.push_back(std::move(capture.views[index]));
     }

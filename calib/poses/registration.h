@@ -8,6 +8,9 @@
 
 namespace lumi {
 
+/// Drops the views with `is_dropped`, what they saw, and the points that fewer than two others see.
+void drop_views(Capture& capture, const std::vector<char>& is_dropped);
+
 /// Drops views that see fewer than `min_points` points: too few to hold a pose.
 void drop_weak_views(Capture& capture, std::size_t min_points);
 

@@ -59,8 +59,8 @@ std::vector<double> angles_rad(const DirectionPairs& directions,
     return angles;
 }
 
-bool pair_is_rotation(const VerifiedPair& pair, const Camera& first, const Camera& second,
-                      const std::vector<ColmapPhotograph>& photographs) {
+double turned_share(const VerifiedPair& pair, const Camera& first, const Camera& second,
+                    const std::vector<ColmapPhotograph>& photographs) {
     DirectionPairs directions;
     const auto& first_pixels = photographs[static_cast<std::size_t>(pair.first)].keypoints_px;
     const auto& second_pixels = photographs[static_cast<std::size_t>(pair.second)].keypoints_px;
@@ -70,7 +70,26 @@ bool pair_is_rotation(const VerifiedPair& pair, const Camera& first, const Camer
         directions.first.push_back(unproject(first, first_pixels[match.first].cast<double>()));
         directions.second.push_back(unproject(second, second_pixels[match.second].cast<double>()));
     }
-    return is_rotation(directions, first, second);
+    return turned_share(directions, first, second);
+}
+
+/// Of the pairs of two lenses: how many are turns, and the sum of their shares of turned matches.
+struct Turns {
+    int pairs = 0;
+    double shares = 0.0;
+
+    auto operator<=>(const Turns&) const = default;
+};
+
+Turns turns_among(const std::vector<const VerifiedPair*>& pairs, const Camera& first,
+                  const Camera& second, const std::vector<ColmapPhotograph>& photographs) {
+    Turns turns;
+    for (const VerifiedPair* pair : pairs) {
+        const double share = turned_share(*pair, first, second, photographs);
+        if (share >= kRotationInlierShare) ++turns.pairs;
+        turns.shares += share;
+    }
+    return turns;
 }
 
 /// Focal lengths as multiples of what is believed: EXIF is wrong by a factor of three where a
@@ -110,17 +129,22 @@ RotationFit fit_rotation(const DirectionPairs& directions, double tolerance_rad)
     return fit;
 }
 
-bool is_rotation(const DirectionPairs& directions, const Camera& first, const Camera& second) {
+double turned_share(const DirectionPairs& directions, const Camera& first, const Camera& second) {
     const double tolerance_px =
         kToleranceShare * std::max(longer_side_px(first), longer_side_px(second));
     const double tolerance_rad = tolerance_px / focal_length_px(first).mean();
-    return fit_rotation(directions, tolerance_rad).inlier_share >= kRotationInlierShare;
+    return fit_rotation(directions, tolerance_rad).inlier_share;
+}
+
+bool is_rotation(const DirectionPairs& directions, const Camera& first, const Camera& second) {
+    return turned_share(directions, first, second) >= kRotationInlierShare;
 }
 
 MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
                             const std::vector<ColmapPhotograph>& photographs,
                             const std::vector<VerifiedPair>& pairs, bool lens_is_calibrated) {
     MotionEvidence evidence;
+    double turned_shares = 0;
     std::map<std::pair<int, int>, std::vector<const VerifiedPair*>> pairs_of_lenses;
     const auto lens_index = [&](int photograph) {
         return photographs[static_cast<std::size_t>(photograph)].camera_index;
@@ -132,7 +156,7 @@ MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
         pairs_of_lenses[{lens_index(pair.first), lens_index(pair.second)}].push_back(&pair);
     }
     for (const auto& [lenses, group] : pairs_of_lenses) {
-        std::ptrdiff_t most = 0;
+        Turns most;
         for (const double factor : focal_length_factors(lens_is_calibrated)) {
             const auto lens = [&](int index) {
                 const Camera& camera = cameras[static_cast<std::size_t>(index)].camera;
@@ -140,12 +164,12 @@ MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
             };
             const Camera first = lens(lenses.first);
             const Camera second = lens(lenses.second);
-            most = std::max(most, std::count_if(group.begin(), group.end(), [&](const auto* pair) {
-                                return pair_is_rotation(*pair, first, second, photographs);
-                            }));
+            most = std::max(most, turns_among(group, first, second, photographs));
         }
-        evidence.rotation_pairs += static_cast<int>(most);
+        evidence.rotation_pairs += most.pairs;
+        turned_shares += most.shares;
     }
+    evidence.turned_share = turned_shares / std::max(1, evidence.pairs);
     return evidence;
 }
 

@@ -9,15 +9,22 @@ namespace lumi {
 
 /// What the verified pairs say about the motion of the camera.
 struct MotionEvidence {
-    int pairs = 0;           ///< Verified pairs with enough matches to tell.
-    int rotation_pairs = 0;  ///< Of these, explained by a camera that turned on the spot.
-    int planar_pairs = 0;    ///< Of these, explained by a homography, in COLMAP's judgement.
+    int pairs = 0;              ///< Verified pairs with enough matches to tell.
+    int rotation_pairs = 0;     ///< Of these, explained by a camera that turned on the spot.
+    int planar_pairs = 0;       ///< Of these, explained by a homography, in COLMAP's judgement.
+    double turned_share = 0.0;  ///< Of the matches in a pair, as a turn moves them: mean.
 
     [[nodiscard]] double rotation_share() const {
         return pairs == 0 ? 0.0 : static_cast<double>(rotation_pairs) / pairs;
     }
     [[nodiscard]] double planar_share() const {
         return pairs == 0 ? 0.0 : static_cast<double>(planar_pairs) / pairs;
+    }
+    /// Nearly all pairs are explained by a turn, and nearly all of what is seen in them. Sideways
+    /// before a wall, most pairs are explained so, too, but not what stands before the wall.
+    [[nodiscard]] bool only_turned() const {
+        constexpr double kNearlyAll = 0.9;
+        return rotation_share() >= kNearlyAll && turned_share >= kNearlyAll;
     }
 };
 
@@ -36,8 +43,10 @@ struct RotationFit {
 };
 [[nodiscard]] RotationFit fit_rotation(const DirectionPairs& directions, double tolerance_rad);
 
-/// True when one rotation moves most of the directions onto one another, within what lens
-/// distortion and the sway of a hand leave.
+/// The share of the directions that one rotation moves onto one another, within what lens
+/// distortion and the sway of a hand leave; and whether these are most.
+[[nodiscard]] double turned_share(const DirectionPairs& directions, const Camera& first,
+                                  const Camera& second);
 [[nodiscard]] bool is_rotation(const DirectionPairs& directions, const Camera& first,
                                const Camera& second);
 

@@ -42,7 +42,7 @@ TEST_P(UsableCapture, IsPlacedRight) {
 
 INSTANTIATE_TEST_SUITE_P(Stress, UsableCapture,
                          testing::Values(Place{Hazard::kBlur, 0}, Place{Hazard::kForward, 0},
-                                         Place{Hazard::kZoom, 2}),
+                                         Place{Hazard::kZoom, 2}, Place{Hazard::kOverlap, 0}),
                          name_of_place);
 
 class HopelessCapture : public testing::TestWithParam<Place> {};

@@ -120,6 +120,7 @@ TEST(Diagnosis, NamesThePhotographsOutsideOfTheLargestGroup) {
 TEST(Diagnosis, ACameraThatOnlyTurnedIsHopeless) {
     CaptureEvidence evidence = good_capture();
     evidence.motion.rotation_pairs = evidence.motion.planar_pairs = evidence.motion.pairs;
+    evidence.motion.turned_share = 0.95;
     EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kNoParallax);
     EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
 }

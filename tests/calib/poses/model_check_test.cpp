@@ -85,8 +85,9 @@ TEST(ModelCheck, WarnsWhenOneLensCameOutAsTwo) {
 }
 
 TEST(ModelCheck, TellsTurningFromWalking) {
-    EXPECT_EQ(refusal_of([] { refuse_turning_camera({10, 9, 10}); }), "E-POSES-ROTATION");
-    EXPECT_EQ(refusal_of([] { refuse_turning_camera({10, 3, 10}); }), "none");
+    EXPECT_EQ(refusal_of([] { refuse_turning_camera({10, 9, 10, 0.95}); }), "E-POSES-ROTATION");
+    EXPECT_EQ(refusal_of([] { refuse_turning_camera({10, 10, 10, 0.8}); }), "none");
+    EXPECT_EQ(refusal_of([] { refuse_turning_camera({10, 3, 10, 0.5}); }), "none");
     EXPECT_EQ(refusal_of([] { refuse_turning_camera({}); }), "none");
 }
 

@@ -72,6 +72,12 @@ TEST(RotationCheck, SeesACameraThatTurnsOnTheSpot) {
     EXPECT_EQ(evidence_of(walk(8, 0), 900, true).rotation_share(), 1.0);
 }
 
+TEST(RotationCheck, NearlyAllThatATurningCameraSeesMovesAlike) {
+    EXPECT_TRUE(evidence_of(walk(8, 0), 900).only_turned());
+    EXPECT_GT(evidence_of(walk(8, 0), 900).turned_share, 0.95);
+    EXPECT_LT(evidence_of(walk(4, 0.3), 900).turned_share, 0.7);
+}
+
 TEST(RotationCheck, SeesItWithAWrongFocalLengthToo) {
     for (const double believed_px : {400.0, 650.0, 1300.0, 2700.0}) {
         EXPECT_EQ(evidence_of(walk(8, 0), believed_px).rotation_share(), 1.0) << believed_px;
