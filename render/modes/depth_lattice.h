@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -37,8 +36,6 @@ class DepthLattice {
     [[nodiscard]] bool tears_below(int column, int row) const;
 
     [[nodiscard]] double disparity_px() const { return disparity_px_; }
-    /// Pixels of the photograph between two samples, along the axis that has more of them.
-    [[nodiscard]] double least_pitch_px() const { return std::min(pitch_x_px_, pitch_y_px_); }
 
  private:
     [[nodiscard]] std::size_t index(int column, int row) const {

@@ -5,17 +5,9 @@
 
 #include "render/modes/depth_lattice.h"
 #include "render/modes/split_errors.h"
-#include "render/modes/vertex_removal.h"
 
 namespace lumi {
 namespace {
-
-/// Of the error: what the network may be wrong, and the mesh after that at the vertices that it
-/// leaves out. Between them it can be wrong by more.
-constexpr double kNetworkShare = 0.25;
-constexpr double kRemovalShare = 0.5;
-/// What spans a tear reaches this far under the surfaces on both of its sides.
-constexpr double kOverlap_samples = 0.5;
 
 /// A right triangle on the lattice; its long side runs from `a` to `b`.
 struct RightTriangle {
@@ -65,6 +57,20 @@ DepthKind kind_of(const DepthLattice& lattice, const RightTriangle& triangle) {
     for (const LatticeNode& node : {a, b, c})
         if (!lattice.is_seen(node.column, node.row)) return DepthKind::kFilled;
     return DepthKind::kSeen;
+}
+
+/// The smallest error, doubling from the wanted one, for which there are not too many triangles.
+float affordable_error_px(const SplitErrors& errors, const DepthLattice& lattice,
+                          const DepthMeshOptions& options) {
+    double error_px = options.max_error_px;
+    while (true) {
+        std::size_t count = 0;
+        visit_network(errors, lattice, static_cast<float>(error_px),
+                      [&](const RightTriangle&) { ++count; });
+        if (count <= options.max_triangles || 2 * error_px > options.max_coarse_error_px)
+            return static_cast<float>(error_px);
+        error_px *= 2;
+    }
 }
 
 /// Gathers the vertices that triangles name.
@@ -163,41 +169,6 @@ void append_torn(const DepthLattice& lattice, const RightTriangle& triangle, Ver
     }
 }
 
-/// Leaves out what the rest tells, surfaces and the pieces between them each for itself.
-void simplify(std::vector<Eigen::Vector3f>& vertices, IndicesByKind& by_kind, const Camera& camera,
-              const DepthLattice& lattice, const DepthMeshOptions& options) {
-    auto& [seen, filled, stretched] = by_kind;
-    weld(vertices, {&seen, &filled, &stretched});
-    VertexRemovalOptions removal{
-        .max_height_error = kRemovalShare * options.max_error_px / lattice.disparity_px(),
-        .max_border_error = options.max_edge_error_samples * lattice.least_pitch_px(),
-        .enough_triangles = options.max_triangles,
-        .max_relaxation = options.max_coarse_error_px / (kRemovalShare * options.max_error_px),
-        .frame = Eigen::Vector2d(camera.width_px, camera.height_px)};
-    remove_vertices(vertices, {&seen, &filled}, removal);
-    // These reach half a sample under the ends of the others: no gap opens.
-    removal.max_border_error =
-        (kOverlap_samples - options.max_edge_error_samples) * lattice.least_pitch_px();
-    remove_vertices(vertices, {&stretched}, removal);
-}
-
-/// Vertices that no triangle names are left out.
-void append_used(const std::vector<Eigen::Vector3f>& vertices, const IndicesByKind& by_kind,
-                 DepthMesh& mesh) {
-    constexpr std::uint32_t kNone = 0xffffffffU;
-    std::vector<std::uint32_t> used(vertices.size(), kNone);
-    for (std::size_t kind = 0; kind < by_kind.size(); ++kind) {
-        for (const std::uint32_t index : by_kind[kind]) {
-            if (used[index] == kNone) {
-                used[index] = static_cast<std::uint32_t>(mesh.vertices.size());
-                mesh.vertices.push_back(vertices[index]);
-            }
-            mesh.indices.push_back(used[index]);
-        }
-        mesh.kind_begin[kind + 1] = mesh.indices.size();
-    }
-}
-
 }  // namespace
 
 DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double disparity_px,
@@ -206,10 +177,9 @@ DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double dispar
     if (depth.inverse_depth.empty()) return mesh;
     const DepthLattice lattice(depth, camera, disparity_px);
     const SplitErrors errors(lattice);
-    std::vector<Eigen::Vector3f> fine;
-    VertexTable vertices(lattice, fine);
+    VertexTable vertices(lattice, mesh.vertices);
     IndicesByKind by_kind;
-    visit_network(errors, lattice, static_cast<float>(kNetworkShare * options.max_error_px),
+    visit_network(errors, lattice, affordable_error_px(errors, lattice, options),
                   [&](const RightTriangle& triangle) {
                       const DepthKind kind = kind_of(lattice, triangle);
                       if (kind == DepthKind::kStretched)
@@ -218,8 +188,10 @@ DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double dispar
                       for (const LatticeNode& node : {triangle.a, triangle.b, triangle.c})
                           indices.push_back(vertices.index_of(node));
                   });
-    simplify(fine, by_kind, camera, lattice, options);
-    append_used(fine, by_kind, mesh);
+    for (std::size_t kind = 0; kind < by_kind.size(); ++kind) {
+        mesh.indices.insert(mesh.indices.end(), by_kind[kind].begin(), by_kind[kind].end());
+        mesh.kind_begin[kind + 1] = mesh.indices.size();
+    }
     return mesh;
 }
 

@@ -20,11 +20,9 @@ enum class DepthKind : int {
 inline constexpr int kDepthKinds = 3;
 
 struct DepthMeshOptions {
-    double max_error_px = 0.2;         ///< The mesh follows the depth map this closely.
-    double max_coarse_error_px = 0.8;  ///< Allowed instead while there are too many triangles.
+    double max_error_px = 0.1;         ///< The mesh follows the depth map this closely.
+    double max_coarse_error_px = 0.8;  ///< Allowed instead when there would be too many triangles.
     std::size_t max_triangles = 8'000;
-    /// Where a surface ends; less than half a sample, as which it is not known better.
-    double max_edge_error_samples = 0.35;
 };
 
 /// A view's depth map as triangles over its photograph.
@@ -39,11 +37,9 @@ struct DepthMesh {
     std::array<std::size_t, kDepthKinds + 1> kind_begin{};
 };
 
-/// A right-triangulated irregular network (Evans, Kirkpatrick, Townsend 2001) that stays within the
-/// error, down to single samples along tears and at the edges of what was seen, from which the
-/// vertices that the others tell are left out (vertex_removal.h): edges become polygons. Each
-/// surface is simplified for itself; what spans the tear between two reaches under both. No cracks.
-/// `disparity_px` turns inverse depth into pixels (view_geometry.h).
+/// The coarsest right-triangulated irregular network (Evans, Kirkpatrick, Townsend 2001) that stays
+/// within the error: without cracks, and down to single samples along tears and at the edges of
+/// what was seen. `disparity_px` turns inverse depth into pixels (view_geometry.h).
 [[nodiscard]] DepthMesh triangulate(const DepthMap& depth, const Camera& camera,
                                     double disparity_px, const DepthMeshOptions& options = {});
 

@@ -72,11 +72,10 @@ class VertexWriter {
 
     void append_sizes(std::vector<float>& vertices, int view) const {
         const auto index = static_cast<std::size_t>(view);
-        const Camera& camera = uploaded_.layout.views[index].camera;
-        const Eigen::Vector2d size(camera.width_px, camera.height_px);
-        append_all(vertices, size);
-        append_all(vertices,
-                   uploaded_.depth_sizes_px[index].cast<double>().cwiseQuotient(size).eval());
+        append(vertices, uploaded_.layout.views[index].camera.width_px);
+        append(vertices, uploaded_.layout.views[index].camera.height_px);
+        append(vertices, uploaded_.depth_sizes_px[index].x());
+        append(vertices, uploaded_.depth_sizes_px[index].y());
     }
 
     const UploadedLumigraph& uploaded_;

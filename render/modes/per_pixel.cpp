@@ -59,7 +59,7 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
     program.set("agreeing_inverse_depth",
                 static_cast<float>(agreeing_inverse_depth(uploaded_.geometries, views,
                                                           options.occlusion_tolerance_px)));
-    program.set("per_tolerance_px", static_cast<float>(1 / options.occlusion_tolerance_px));
+    program.set("tolerance_px", static_cast<float>(options.occlusion_tolerance_px));
     program.set("correct_occlusion", options.correct_occlusion ? 1.0F : 0.0F);
     set_layer_views(eye, views, program);
     return program;

@@ -26,8 +26,6 @@ const Program& PictureProgram::use(const UploadedLumigraph& uploaded, const Eye&
     program->use();
     uploaded.photographs.bind(0);
     program->set("photographs", 0);
-    program->set("per_layer_size", 1.0F / glm::vec2(uploaded.photographs.width_px(),
-                                                    uploaded.photographs.height_px()));
     program->set("clip_from_eye_pixel",
                  to_glm(clip_from_pixel(eye.camera.width_px, eye.camera.height_px, 1.0)));
     if (is_debug) {

@@ -10,9 +10,6 @@
 namespace lumi {
 namespace {
 
-/// Pixels on the edge of two triangles belong to one of them, whatever the rounding.
-constexpr double kEdgeSlack = 1e-7;
-
 /// A triangle in homogeneous pixels of the eye; columns are corners.
 struct EyeTriangle {
     Eigen::Matrix3d corners;
@@ -50,7 +47,7 @@ void draw(const EyeTriangle& triangle, const Camera& camera, Image<EyeDepth>& dr
     for (int y = box.begin_y; y < box.end_y; ++y) {
         for (int x = box.begin_x; x < box.end_x; ++x) {
             const Eigen::Vector3d b = b_from_pixel * Eigen::Vector3d(x + 0.5, y + 0.5, 1);
-            if (b.minCoeff() < -kEdgeSlack) continue;
+            if (b.minCoeff() < 0) continue;
             const double inverse_depth = b.dot(triangle.inverse_depths_in_view);
             EyeDepth& known = drawn(x, y);
             const bool wins = !known.is_known() || triangle.kind < known.kind ||

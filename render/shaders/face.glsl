@@ -18,7 +18,7 @@ LUMI_VARYING vec3 view_pixel2;
 flat LUMI_VARYING vec4 view_parallax0;
 flat LUMI_VARYING vec4 view_parallax1;
 flat LUMI_VARYING vec4 view_parallax2;
-// Size of the photograph (xy), and samples of the depth map to a pixel (zw).
+// Size of the photograph (xy) and of the depth map (zw).
 flat LUMI_VARYING vec4 view_size0;
 flat LUMI_VARYING vec4 view_size1;
 flat LUMI_VARYING vec4 view_size2;
@@ -68,10 +68,8 @@ void main() {
 #ifdef LUMI_FRAGMENT
 out vec4 drawn;
 
-uniform vec2 per_layer_size;  // one over the size of a layer in texels
-
 vec4 photograph_at_pixel(vec2 pixel, float layer) {
-    return photograph_at((pixel + kGutter_px) * per_layer_size, layer);
+    return photograph_at((pixel + kGutter_px) / vec2(textureSize(photographs, 0).xy), layer);
 }
 
 vec3 blending_weights() {

@@ -12,7 +12,7 @@ uniform sampler2DArray depth_layers;
 uniform vec2 viewport_origin;
 uniform float max_inverse_depth;
 uniform float agreeing_inverse_depth;    // depths that differ by no more are of one surface
-uniform float per_tolerance_px;
+uniform float tolerance_px;
 uniform float correct_occlusion;         // 1 or 0
 // For each layer its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
 // in window coordinates, then (layer of the photograph, its width, its height, unused).
@@ -27,7 +27,9 @@ struct Depth {
 
 float largest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
 float smallest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
-float agree(float a, float b) { return abs(a - b) <= agreeing_inverse_depth ? 1.0 : 0.0; }
+vec4 agree(vec4 depths, float depth) {
+    return vec4(lessThanEqual(abs(depths - depth), vec4(agreeing_inverse_depth)));
+}
 
 vec4 layer_depths(ivec2 pixel) {
     vec4 depths = vec4(1.0);
@@ -50,34 +52,23 @@ vec4 layer_depths(ivec2 pixel) {
 Depth consensus(ivec2 pixel) {
     vec4 depths = layer_depths(pixel);
     // Kinds are kept apart in ranges of the depth buffer; see depth_layers.h.
-    float first = smallest(depths);
-    bool is_seen = first < 0.5;
-    bool is_filled = first < 0.75;
-    float kind = is_seen ? 0.0 : is_filled ? 1.0 : first < 0.995 ? 2.0 : 3.0;
-    float begin = is_seen ? 0.0 : is_filled ? 0.5 : 0.75;
-    float end = is_seen ? 0.5 : is_filled ? 0.75 : 0.995;
-    float scale = is_seen ? max_inverse_depth / 0.49 : max_inverse_depth / 0.24;
-    vec4 counts = vec4(lessThan(depths, vec4(end)));
+    vec4 kinds = step(0.5, depths) + step(0.75, depths) + step(0.995, depths);
+    float kind = smallest(kinds);
+    float begin = kind < 0.5 ? 0.0 : kind < 1.5 ? 0.5 : 0.75;
+    float scale = kind < 0.5 ? 1.0 / 0.49 : 1.0 / 0.24;
+    vec4 counts = vec4(equal(kinds, vec4(kind)));
     // Nothing agrees with what is of another kind.
-    vec4 q = mix(vec4(-1e15, -2e15, -3e15, -4e15), max_inverse_depth - (depths - begin) * scale,
+    vec4 q = mix(vec4(-1e15, -2e15, -3e15, -4e15), max_inverse_depth * (1.0 - (depths - begin) * scale),
                  counts);
-    vec4 support = vec4(1.0);
-    support.xy += agree(q.x, q.y);
-#if LAYERS > 2
-    support.xz += agree(q.x, q.z);
-    support.yz += agree(q.y, q.z);
-#endif
-#if LAYERS > 3
-    support.xw += agree(q.x, q.w);
-    support.yw += agree(q.y, q.w);
-    support.zw += agree(q.z, q.w);
-#endif
-    support = min(support, 2.0) * counts;
+    vec4 support = min(vec4(dot(agree(q, q.x), vec4(1.0)), dot(agree(q, q.y), vec4(1.0)),
+                            dot(agree(q, q.z), vec4(1.0)), dot(agree(q, q.w), vec4(1.0))),
+                       2.0) *
+                   counts;
     float most = largest(support);
     vec4 most_agreed = vec4(equal(support, vec4(most)));
-    float chosen = is_seen ? largest(mix(vec4(-1e15), q, most_agreed))
-                           : smallest(mix(vec4(1e15), q, most_agreed));
-    vec4 agreeing = vec4(lessThanEqual(abs(q - chosen), vec4(agreeing_inverse_depth)));
+    float chosen = kind < 0.5 ? largest(mix(vec4(-1e15), q, most_agreed))
+                              : smallest(mix(vec4(1e15), q, most_agreed));
+    vec4 agreeing = agree(q, chosen);
     int layer = agreeing.x > 0.0 ? 0 : agreeing.y > 0.0 ? 1 : agreeing.z > 0.0 ? 2 : 3;
     return Depth(max(0.0, dot(agreeing, q) / dot(agreeing, vec4(1.0))), kind, most, layer);
 }
@@ -89,15 +80,15 @@ vec3 sight_of(vec3 pixel) {
 }
 
 // 1 when the view sees the point, 0 when it sees something else; in between a ramp. `size` is that
-// of the photograph, and depth samples to a pixel.
+// of the photograph and of the depth map.
 float visibility(vec3 sight, float is_before, vec4 size, float layer, float inverse_depth,
                  float disparity_px, float check) {
     vec2 to_border = min(sight.xy, size.xy - sight.xy);
     float inside = step(0.0, min(to_border.x, to_border.y)) * is_before;
-    vec2 sample_at = clamp(sight.xy * size.zw, vec2(0.0), size.xy * size.zw - 0.5);
+    vec2 sample_at = clamp(sight.xy * size.zw / size.xy, vec2(0.0), size.zw - 1.0);
     float seen = texelFetch(depth_maps, ivec3(ivec2(sample_at), int(layer)), 0).r;
     float difference_px = abs(inverse_depth * sight.z - seen) * disparity_px;
-    return inside * clamp(2.0 - check * difference_px * per_tolerance_px, 0.0, 1.0);
+    return inside * clamp(2.0 - check * difference_px / tolerance_px, 0.0, 1.0);
 }
 
 void main() {
