@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "calib/work/formatted.h"
 
 namespace lumi {
 namespace {
@@ -11,14 +12,6 @@ namespace {
 constexpr double kPictureWidth = 640;
 constexpr double kSide = 300;  ///< Of the two plots to the right.
 constexpr double kMargin = 30;
-
-/// The numbers of a drawing, rounded to what can be seen.
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-    std::array<char, 512> text{};
-    std::snprintf(text.data(), text.size(), format, values...);
-    return text.data();
-}
 
 std::string label(double x, double y, const std::string& text, const char* anchor = "start") {
     return formatted("<text x='%.1f' y='%.1f' text-anchor='%s'>", x, y, anchor) + text +

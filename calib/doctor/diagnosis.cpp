@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
+
+#include "calib/work/formatted.h"
 
 namespace lumi {
 namespace {
@@ -14,13 +15,6 @@ namespace {
 constexpr double kUsableShare = 0.4;
 constexpr double kMostShare = 0.7;  ///< "Most" of the pairs or photographs.
 constexpr double kNearlyAll = 0.9;
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-    std::array<char, 400> line{};
-    std::snprintf(line.data(), line.size(), format, values...);
-    return line.data();
-}
 
 double median_of(std::vector<double> values) {
     if (values.empty()) return 0.0;
@@ -79,23 +73,23 @@ std::string picture_trouble_text(CaptureReason reason, const CaptureEvidence& ev
         return median_of(std::move(values));
     };
     const std::string share =
-        text("%zu of %zu photographs ", concerned, evidence.photographs.size());
+        formatted("%zu of %zu photographs ", concerned, evidence.photographs.size());
     switch (reason) {
         case CaptureReason::kExposure:
-            return share + text("are mostly black or white (%.0f %% of the middle one)",
-                                100 * median([](const auto& q) { return q.clipped_share; }));
+            return share + formatted("are mostly black or white (%.0f %% of the middle one)",
+                                     100 * median([](const auto& q) { return q.clipped_share; }));
         case CaptureReason::kNoise:
-            return share + text("are noisy: %.0f grey levels of noise in the middle one",
-                                median([](const auto& q) { return q.noise_sigma; }));
+            return share + formatted("are noisy: %.0f grey levels of noise in the middle one",
+                                     median([](const auto& q) { return q.noise_sigma; }));
         case CaptureReason::kTexture:
-            return share + text(
+            return share + formatted(
                                "show hardly any pattern: contrast of %.1f grey levels in the "
                                "middle one",
                                median([](const auto& q) { return q.contrast(); }));
         default:
-            return share + text("are blurred by about %.1f pixels at a width of %d",
-                                median([](const auto& q) { return q.blur_sigma_px; }),
-                                evidence.width_px);
+            return share + formatted("are blurred by about %.1f pixels at a width of %d",
+                                     median([](const auto& q) { return q.blur_sigma_px; }),
+                                     evidence.width_px);
     }
 }
 
@@ -135,9 +129,10 @@ void judge_brightness(const CaptureEvidence& evidence, const Cohesion& cohesion,
         if (off > kMaxStops) names.push_back(evidence.photographs[index].name);
     }
     if (names.empty()) return;
-    findings.push_back({CaptureReason::kExposure, severity_of(cohesion),
-                        text("brightness jumps by up to %.1f stops between photographs", farthest),
-                        std::move(names)});
+    findings.push_back(
+        {CaptureReason::kExposure, severity_of(cohesion),
+         formatted("brightness jumps by up to %.1f stops between photographs", farthest),
+         std::move(names)});
 }
 
 void judge_motion(const CaptureEvidence& evidence, std::vector<Finding>& findings) {
@@ -149,12 +144,13 @@ void judge_motion(const CaptureEvidence& evidence, std::vector<Finding>& finding
     if (motion.rotation_share() >= kMostShare && motion.pairs >= min_pairs) {
         // Sideways before a wall looks much the same: only where hardly a pair says otherwise, no
         // parallax can be hoped for.
-        findings.push_back({CaptureReason::kNoParallax,
-                            only_turned ? Severity::kHopeless : Severity::kNote,
-                            text("the camera turned on the spot or hardly moved: %d of %d pairs "
-                                 "of photographs show the same view without parallax",
-                                 motion.rotation_pairs, motion.pairs),
-                            {}});
+        findings.push_back(
+            {CaptureReason::kNoParallax,
+             only_turned ? Severity::kHopeless : Severity::kNote,
+             formatted("the camera turned on the spot or hardly moved: %d of %d pairs "
+                       "of photographs show the same view without parallax",
+                       motion.rotation_pairs, motion.pairs),
+             {}});
     }
     if (only_turned) {
         return;
@@ -165,23 +161,25 @@ void judge_motion(const CaptureEvidence& evidence, std::vector<Finding>& finding
     const double forward_share =
         static_cast<double>(in_view) / static_cast<double>(evidence.pairs.size());
     if (forward_share >= kMostShare) {
-        findings.push_back({CaptureReason::kForward,
-                            Severity::kRisk,
-                            text("the camera moved along its line of sight: %d of %zu pairs of "
-                                 "photographs show the place of the other camera",
-                                 static_cast<int>(in_view), evidence.pairs.size()),
-                            {}});
+        findings.push_back(
+            {CaptureReason::kForward,
+             Severity::kRisk,
+             formatted("the camera moved along its line of sight: %d of %zu pairs of "
+                       "photographs show the place of the other camera",
+                       static_cast<int>(in_view), evidence.pairs.size()),
+             {}});
     }
     // A floor or a wall explains most of many pairs of photographs that are in order: only where
     // hardly a match lies outside of the plane is there nothing else.
     if (motion.planar_share() >= kNearlyAll && median_of(evidence.inlier_shares) >= kNearlyAll) {
         // One lens and several sides are enough to tell its focal length even so.
-        findings.push_back({CaptureReason::kPlanar,
-                            Severity::kNote,
-                            text("the photographs show a flat surface: one plane explains %d of "
-                                 "%d pairs",
-                                 motion.planar_pairs, motion.pairs),
-                            {}});
+        findings.push_back(
+            {CaptureReason::kPlanar,
+             Severity::kNote,
+             formatted("the photographs show a flat surface: one plane explains %d of "
+                       "%d pairs",
+                       motion.planar_pairs, motion.pairs),
+             {}});
     }
 }
 
@@ -191,12 +189,13 @@ void judge_clutter(const CaptureEvidence& evidence, const Cohesion& cohesion,
     if (evidence.inlier_shares.size() + 1 < evidence.photographs.size()) return;
     const double share = median_of(evidence.inlier_shares);
     if (share >= kMinInlierShare) return;
-    findings.push_back({CaptureReason::kClutter,
-                        cohesion.is_usable() ? Severity::kRisk : Severity::kHopeless,
-                        text("only %.0f %% of what looks alike in two photographs stands still "
-                             "between them",
-                             100 * share),
-                        {}});
+    findings.push_back(
+        {CaptureReason::kClutter,
+         cohesion.is_usable() ? Severity::kRisk : Severity::kHopeless,
+         formatted("only %.0f %% of what looks alike in two photographs stands still "
+                   "between them",
+                   100 * share),
+         {}});
 }
 
 void judge_cohesion(const CaptureEvidence& evidence, const Cohesion& cohesion,
@@ -215,12 +214,13 @@ void judge_cohesion(const CaptureEvidence& evidence, const Cohesion& cohesion,
                             {}});
         return;
     }
-    findings.push_back(
-        {CaptureReason::kSplit, cohesion.is_usable() ? Severity::kRisk : Severity::kHopeless,
-         text("the photographs fall into %zu groups that share nothing; the "
-              "largest has %zu of %zu",
-              cohesion.groups.size(), cohesion.groups.front().size(), evidence.photographs.size()),
-         std::move(names)});
+    findings.push_back({CaptureReason::kSplit,
+                        cohesion.is_usable() ? Severity::kRisk : Severity::kHopeless,
+                        formatted("the photographs fall into %zu groups that share nothing; the "
+                                  "largest has %zu of %zu",
+                                  cohesion.groups.size(), cohesion.groups.front().size(),
+                                  evidence.photographs.size()),
+                        std::move(names)});
 }
 
 void judge_duplicates(const CaptureEvidence& evidence, std::vector<Finding>& findings) {
@@ -231,8 +231,8 @@ void judge_duplicates(const CaptureEvidence& evidence, std::vector<Finding>& fin
     if (kept < 3) severity = Severity::kHopeless;
     findings.push_back({CaptureReason::kDuplicates,
                         severity,
-                        text("%d photographs repeat another one; %d different ones are left",
-                             evidence.duplicates_left_out, kept),
+                        formatted("%d photographs repeat another one; %d different ones are left",
+                                  evidence.duplicates_left_out, kept),
                         {}});
 }
 
@@ -242,13 +242,14 @@ void judge_loops(const CaptureEvidence& evidence, std::vector<Finding>& findings
     const MatchLoops& loops = evidence.loops;
     if (loops.closed + loops.conflicts < kMinLoops) return;
     if (loops.conflict_share() <= kMaxConflictShare) return;
-    findings.push_back({CaptureReason::kRepeated,
-                        Severity::kRisk,
-                        text("things that look alike are taken for one another: %.0f %% of the "
-                             "features that are followed through three photographs come back "
-                             "elsewhere",
-                             100 * loops.conflict_share()),
-                        {}});
+    findings.push_back(
+        {CaptureReason::kRepeated,
+         Severity::kRisk,
+         formatted("things that look alike are taken for one another: %.0f %% of the "
+                   "features that are followed through three photographs come back "
+                   "elsewhere",
+                   100 * loops.conflict_share()),
+         {}});
 }
 
 /// Causes before their effects: a photograph without features has no pair.

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
+
+#include "calib/work/formatted.h"
+#include "calib/work/svg_escaped.h"
 
 namespace lumi {
 namespace {
@@ -19,29 +21,6 @@ constexpr const char* kFlat = "#e08a2a";
 constexpr const char* kAlone = "#aaaaaa";
 constexpr std::array<const char*, 5> kGroupColors{"#1b3a5c", "#8e44ad", "#2e8b57", "#b03a2e",
                                                   "#7d6608"};
-
-template <class... Values>
-void append(std::string& text, const char* format, Values... values) {
-    std::array<char, 400> line{};
-    std::snprintf(line.data(), line.size(), format, values...);
-    text += line.data();
-}
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&') {
-            result += "&amp;";
-        } else if (c == '<') {
-            result += "&lt;";
-        } else if (c == '>') {
-            result += "&gt;";
-        } else if (static_cast<unsigned char>(c) >= ' ') {
-            result += c;
-        }
-    }
-    return result;
-}
 
 /// Names keep their end: that is where they differ.
 std::string short_name(const std::string& name) {
@@ -75,10 +54,10 @@ void draw_pairs(std::string& svg, const CaptureEvidence& evidence) {
         const auto to = place_of(static_cast<std::size_t>(pair.pair.second), count);
         const double inliers = static_cast<double>(pair.pair.inliers.size());
         const double width = std::clamp(0.5 * std::log2(inliers / 10.0), 0.4, 3.5);
-        append(svg,
-               "<path stroke=\"%s\" stroke-width=\"%.1f\" stroke-opacity=\"0.55\" "
-               "d=\"M%.1f %.1fL%.1f %.1f\"/>\n",
-               is_flat(pair) ? kFlat : kGeneral, width, from[0], from[1], to[0], to[1]);
+        svg += formatted(
+            "<path stroke=\"%s\" stroke-width=\"%.1f\" stroke-opacity=\"0.55\" "
+            "d=\"M%.1f %.1fL%.1f %.1f\"/>\n",
+            is_flat(pair) ? kFlat : kGeneral, width, from[0], from[1], to[0], to[1]);
     }
 }
 
@@ -102,22 +81,23 @@ void draw_photographs(std::string& svg, const CaptureEvidence& evidence) {
     const std::size_t name_every = 1 + (count - 1) / kMaxNames;
     for (std::size_t index = 0; index < count; ++index) {
         const auto [x, y] = place_of(index, count);
-        append(svg, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"5\" fill=\"%s\"/>\n", x, y, colors[index]);
+        svg += formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"5\" fill=\"%s\"/>\n", x, y,
+                         colors[index]);
         if (std::binary_search(bridging.begin(), bridging.end(), static_cast<int>(index))) {
-            append(svg,
-                   "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"8.5\" fill=\"none\" stroke=\"#c0392b\" "
-                   "stroke-width=\"2\"/>\n",
-                   x, y);
+            svg += formatted(
+                "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"8.5\" fill=\"none\" stroke=\"#c0392b\" "
+                "stroke-width=\"2\"/>\n",
+                x, y);
         }
         if (index % name_every != 0) continue;
         const double angle_deg = angle_of(index, count) * 180.0 / std::numbers::pi;
         const bool is_left = std::cos(angle_of(index, count)) < -1e-9;
-        append(svg,
-               "<text transform=\"translate(%.1f %.1f) rotate(%.1f)\" x=\"%d\" y=\"3.5\" "
-               "text-anchor=\"%s\">",
-               x, y, is_left ? angle_deg + 180.0 : angle_deg, is_left ? -13 : 13,
-               is_left ? "end" : "start");
-        svg += escaped(short_name(evidence.photographs[index].name)) + "</text>\n";
+        svg += formatted(
+            "<text transform=\"translate(%.1f %.1f) rotate(%.1f)\" x=\"%d\" y=\"3.5\" "
+            "text-anchor=\"%s\">",
+            x, y, is_left ? angle_deg + 180.0 : angle_deg, is_left ? -13 : 13,
+            is_left ? "end" : "start");
+        svg += svg_escaped(short_name(evidence.photographs[index].name)) + "</text>\n";
     }
 }
 
@@ -125,18 +105,18 @@ void draw_photographs(std::string& svg, const CaptureEvidence& evidence) {
 
 std::string match_graph_svg(const CaptureEvidence& evidence) {
     std::string svg;
-    append(svg,
-           "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" "
-           "font-family=\"sans-serif\" font-size=\"11\" fill=\"#333333\">\n"
-           "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
-           kSide, kSide + kFootline);
+    svg += formatted(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" "
+        "font-family=\"sans-serif\" font-size=\"11\" fill=\"#333333\">\n"
+        "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
+        kSide, kSide + kFootline);
     draw_pairs(svg, evidence);
     draw_photographs(svg, evidence);
-    append(svg, "<text x=\"12\" y=\"%.0f\">", kSide + 8);
+    svg += formatted("<text x=\"12\" y=\"%.0f\">", kSide + 8);
     svg +=
         "lines: photographs that show the same things (blue: with parallax, orange: one plane or "
         "a turn explains them)</text>\n";
-    append(svg, "<text x=\"12\" y=\"%.0f\">", kSide + 26);
+    svg += formatted("<text x=\"12\" y=\"%.0f\">", kSide + 26);
     svg +=
         "dots: photographs, a colour a group, grey without any; red rings: the group would fall "
         "apart without them</text>\n</svg>\n";

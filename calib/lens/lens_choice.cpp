@@ -1,10 +1,10 @@
 #include "calib/lens/lens_choice.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
+
+#include "calib/work/formatted.h"
 
 namespace lumi {
 namespace {
@@ -108,13 +108,6 @@ std::size_t sound_choice(const LensChoice& choice) {
         }
     }
     return choice.chosen;
-}
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-    std::array<char, 256> text{};
-    std::snprintf(text.data(), text.size(), format, values...);
-    return text.data();
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 #include "calib/poses/model_doubts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 
@@ -14,6 +12,7 @@
 #include "calib/poses/residual_pattern.h"
 #include "calib/poses/shutter_adjustment.h"
 #include "calib/work/error.h"
+#include "calib/work/formatted.h"
 
 namespace lumi {
 namespace {
@@ -22,30 +21,25 @@ namespace {
 /// ten thousand captures; lens models that do not fit quite raise it a little.
 constexpr double kSuspiciousRatio = 4.0;
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-    std::array<char, 400> line{};
-    std::snprintf(line.data(), line.size(), format, values...);
-    return line.data();
-}
-
 bool mostly_turned(const MotionEvidence& motion) {
     constexpr double kMostShare = 0.7;
     return motion.rotation_share() >= kMostShare;
 }
 
 [[noreturn]] void refuse_low_parallax(const MotionEvidence& motion, const std::string& besides) {
-    refuse_capture(CaptureReason::kNoParallax,
-                   text("the camera moved too little against its turning: most of what is seen in "
-                        "%d of %d pairs of photographs moves as if it had only turned, and ",
-                        motion.rotation_pairs, motion.pairs) +
-                       besides);
+    refuse_capture(
+        CaptureReason::kNoParallax,
+        formatted("the camera moved too little against its turning: most of what is seen in "
+                  "%d of %d pairs of photographs moves as if it had only turned, and ",
+                  motion.rotation_pairs, motion.pairs) +
+            besides);
 }
 
 void settle_parallax(const MatchedPhotographs& matched, const Capture& refined) {
     if (!lacks_parallax(matched.motion, refined)) return;
-    refuse_low_parallax(matched.motion, text("rays to the same point meet at %.1f degrees only",
-                                             median_triangulation_angle_deg(refined)));
+    refuse_low_parallax(matched.motion,
+                        formatted("rays to the same point meet at %.1f degrees only",
+                                  median_triangulation_angle_deg(refined)));
 }
 
 /// Empty where the residuals do not look like a shutter, or are explained as well without.
@@ -73,15 +67,15 @@ void settle_shutter(const MappingJob& job, const MatchedPhotographs& matched,
                     const ShutterAdjustment& shutter) {
     const PoseShift shift = pose_shift(named_poses(shutter.steady), named_poses(shutter.turning));
     const std::string what =
-        text("the pictures are skewed by about %.1f pixels from the first row to the last",
-             shutter.skew_px);
+        formatted("the pictures are skewed by about %.1f pixels from the first row to the last",
+                  shutter.skew_px);
     // Where more is left than is explained, something else is at work, and what is made of the
     // shutter follows that. Poses that follow it far are not held by the photographs.
     constexpr double kFar = 3.0;
     const bool is_main_cause = shutter.turning_cost_px2 < 0.5 * shutter.steady_cost_px2;
     if (!is_main_cause && shift.exceeds(kFar)) {
         constexpr double kManyShare = 0.5;
-        const std::string unheld = text(
+        const std::string unheld = formatted(
             "another model of the same photographs moves cameras by %.0f %% of "
             "their spread",
             100 * shift.position_share);
@@ -92,15 +86,15 @@ void settle_shutter(const MappingJob& job, const MatchedPhotographs& matched,
     }
     if (is_main_cause && shift.matters()) {
         refuse_capture(CaptureReason::kShutter,
-                       what + text(", which moves cameras by up to %.0f %% of their spread",
-                                   100 * shift.position_share));
+                       what + formatted(", which moves cameras by up to %.0f %% of their spread",
+                                        100 * shift.position_share));
     }
     job.evidence.warnings.push_back(std::string(code_of(CaptureReason::kShutter)) + ": " + what +
                                     "; " + std::string(advice_for(CaptureReason::kShutter)));
 }
 
 std::string text_of(const PairAgreement& agreement) {
-    return text(
+    return formatted(
         "the photographs contradict themselves: %d of %d pairs, and %.0f %% of all matches, "
         "do not fit where the cameras would have to be",
         agreement.contradicted, agreement.pairs, 100 * (1 - agreement.agreeing_share));

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
+#include "calib/work/formatted.h"
+#include "calib/work/svg_escaped.h"
 #include "meshing/cameras/kernel.h"
 
 namespace lumi {
@@ -25,29 +26,6 @@ constexpr const char* kShellStroke = "#d68910";
 constexpr const char* kCameraStroke = "#c0392b";
 constexpr const char* kLeftOutStroke = "#999999";
 constexpr const char* kSuggestedStroke = "#1e8449";
-
-template <class... Values>
-void append(std::string& text, const char* format, Values... values) {
-    std::array<char, 400> line{};
-    std::snprintf(line.data(), line.size(), format, values...);
-    text += line.data();
-}
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&') {
-            result += "&amp;";
-        } else if (c == '<') {
-            result += "&lt;";
-        } else if (c == '>') {
-            result += "&gt;";
-        } else if (static_cast<unsigned char>(c) >= ' ') {
-            result += c;
-        }
-    }
-    return result;
-}
 
 /// A parallel projection of the world into a frame of the drawing.
 struct Panel {
@@ -134,9 +112,9 @@ void fit(Panel& panel, const Drawing& drawing) {
 void draw_points(std::string& svg, const Panel& panel, const Drawing& drawing) {
     for (const ScenePoint* point : drawing.points) {
         const Eigen::Vector2d at = panel.at(point->position_in_world);
-        append(svg, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1\" fill=\"#%02x%02x%02x\"/>\n", at.x(),
-               at.y(), unsigned{point->color.r}, unsigned{point->color.g},
-               unsigned{point->color.b});
+        svg += formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1\" fill=\"#%02x%02x%02x\"/>\n",
+                         at.x(), at.y(), unsigned{point->color.r}, unsigned{point->color.g},
+                         unsigned{point->color.b});
     }
 }
 
@@ -154,12 +132,12 @@ void draw_faces(std::string& svg, const Panel& panel, const CameraMesh& mesh, co
         const bool pale = is_strip(mesh) || std::any_of(face.begin(), face.end(), [&](int index) {
                               return vertex(index).is_virtual;
                           });
-        append(svg,
-               "<path fill=\"%s\" fill-opacity=\"%s\" stroke=\"%s\" stroke-opacity=\"%s\" d=\"",
-               stroke, pale ? "0.02" : "0.06", stroke, pale ? "0.18" : "0.7");
+        svg += formatted(
+            "<path fill=\"%s\" fill-opacity=\"%s\" stroke=\"%s\" stroke-opacity=\"%s\" d=\"",
+            stroke, pale ? "0.02" : "0.06", stroke, pale ? "0.18" : "0.7");
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const Eigen::Vector2d at = panel.at(vertex(face[corner]).position_in_world);
-            append(svg, "%s%.1f %.1f", corner == 0 ? "M" : "L", at.x(), at.y());
+            svg += formatted("%s%.1f %.1f", corner == 0 ? "M" : "L", at.x(), at.y());
         }
         svg += "Z\"/>\n";
     }
@@ -178,13 +156,13 @@ void draw_frustum(std::string& svg, const Panel& panel, const Drawing& drawing,
           Eigen::Vector2d(0, height)}) {
         const Eigen::Vector3d in_cam = drawing.camera_size * unproject(camera, pixel);
         const Eigen::Vector2d at = panel.at(world_from_cam * in_cam);
-        append(base, "%s%.1f %.1f", base.empty() ? "M" : "L", at.x(), at.y());
-        append(sides, "M%.1f %.1fL%.1f %.1f", apex.x(), apex.y(), at.x(), at.y());
+        base += formatted("%s%.1f %.1f", base.empty() ? "M" : "L", at.x(), at.y());
+        sides += formatted("M%.1f %.1fL%.1f %.1f", apex.x(), apex.y(), at.x(), at.y());
     }
     svg += "<path fill=\"none\" stroke=\"" + std::string(stroke) + "\" d=\"" + base + "Z" + sides +
            "\"/>\n";
-    append(svg, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.2\" fill=\"%s\"/>\n", apex.x(), apex.y(),
-           stroke);
+    svg += formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.2\" fill=\"%s\"/>\n", apex.x(),
+                     apex.y(), stroke);
 }
 
 void draw_cameras(std::string& svg, const Panel& panel, const Drawing& drawing) {
@@ -201,8 +179,8 @@ void draw_cameras(std::string& svg, const Panel& panel, const Drawing& drawing) 
                      kept.contains(index) ? kCameraStroke : kLeftOutStroke);
         if (i % name_every != 0) continue;
         const Eigen::Vector2d at = panel.at(centre_in_world(view.cam_from_world));
-        append(svg, "<text x=\"%.1f\" y=\"%.1f\">", at.x() + 4, at.y() - 4);
-        svg += escaped(view.name) + "</text>\n";
+        svg += formatted("<text x=\"%.1f\" y=\"%.1f\">", at.x() + 4, at.y() - 4);
+        svg += svg_escaped(view.name) + "</text>\n";
     }
 }
 
@@ -211,20 +189,20 @@ void draw_suggestions(std::string& svg, const Panel& panel, const Drawing& drawi
     for (std::size_t i = 0; i < drawing.suggested.size(); ++i) {
         draw_frustum(svg, panel, drawing, camera, drawing.suggested[i], kSuggestedStroke);
         const Eigen::Vector2d at = panel.at(centre_in_world(drawing.suggested[i]));
-        append(svg, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"14\" fill=\"%s\">%zu</text>\n",
-               at.x() + 5, at.y() - 5, kSuggestedStroke, i + 1);
+        svg += formatted("<text x=\"%.1f\" y=\"%.1f\" font-size=\"14\" fill=\"%s\">%zu</text>\n",
+                         at.x() + 5, at.y() - 5, kSuggestedStroke, i + 1);
     }
 }
 
 std::string panel_svg(const Panel& panel, const Drawing& drawing, const char* title,
                       const char* id) {
     std::string svg;
-    append(svg, "<text x=\"%.0f\" y=\"20\" font-size=\"14\" fill=\"#222222\">%s</text>\n",
-           panel.left, title);
-    append(svg,
-           "<clipPath id=\"%s\"><rect x=\"%.0f\" y=\"%.0f\" width=\"%.0f\" height=\"%.0f\"/>"
-           "</clipPath>\n<g clip-path=\"url(#%s)\">\n",
-           id, panel.left, kHeadline, kPanelWidth, kPanelHeight, id);
+    svg += formatted("<text x=\"%.0f\" y=\"20\" font-size=\"14\" fill=\"#222222\">%s</text>\n",
+                     panel.left, title);
+    svg += formatted(
+        "<clipPath id=\"%s\"><rect x=\"%.0f\" y=\"%.0f\" width=\"%.0f\" height=\"%.0f\"/>"
+        "</clipPath>\n<g clip-path=\"url(#%s)\">\n",
+        id, panel.left, kHeadline, kPanelWidth, kPanelHeight, id);
     draw_points(svg, panel, drawing);
     draw_faces(svg, panel, drawing.mesh, kFaceStroke);
     for (const CameraMesh& shell : drawing.mesh.shells) {
@@ -233,13 +211,13 @@ std::string panel_svg(const Panel& panel, const Drawing& drawing, const char* ti
     draw_cameras(svg, panel, drawing);
     draw_suggestions(svg, panel, drawing);
     const Eigen::Vector2d centre = panel.at(drawing.mesh.scene_centre_in_world);
-    append(svg,
-           "<path stroke=\"#111111\" stroke-width=\"1.5\" d=\"M%.1f %.1fh12m-6 -6v12\"/>\n</g>\n",
-           centre.x() - 6, centre.y());
-    append(svg,
-           "<rect x=\"%.0f\" y=\"%.0f\" width=\"%.0f\" height=\"%.0f\" fill=\"none\" "
-           "stroke=\"#bbbbbb\"/>\n",
-           panel.left, kHeadline, kPanelWidth, kPanelHeight);
+    svg += formatted(
+        "<path stroke=\"#111111\" stroke-width=\"1.5\" d=\"M%.1f %.1fh12m-6 -6v12\"/>\n</g>\n",
+        centre.x() - 6, centre.y());
+    svg += formatted(
+        "<rect x=\"%.0f\" y=\"%.0f\" width=\"%.0f\" height=\"%.0f\" fill=\"none\" "
+        "stroke=\"#bbbbbb\"/>\n",
+        panel.left, kHeadline, kPanelWidth, kPanelHeight);
     return svg;
 }
 
@@ -276,13 +254,13 @@ std::string camera_mesh_svg(const Capture& capture, const std::vector<int>& view
     fit(above, drawing);
     fit(beside, drawing);
     std::string svg;
-    append(svg,
-           "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-10 0 %.0f %.0f\" "
-           "font-family=\"sans-serif\" font-size=\"9\" fill=\"#444444\" stroke-width=\"0.8\">\n",
-           2 * kPanelWidth + kGap + 20, kHeadline + kPanelHeight + kFootline);
+    svg += formatted(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-10 0 %.0f %.0f\" "
+        "font-family=\"sans-serif\" font-size=\"9\" fill=\"#444444\" stroke-width=\"0.8\">\n",
+        2 * kPanelWidth + kGap + 20, kHeadline + kPanelHeight + kFootline);
     svg += panel_svg(above, drawing, "Camera mesh from above", "above");
     svg += panel_svg(beside, drawing, "from the side (photographs look to the right)", "beside");
-    append(svg, "<text x=\"0\" y=\"%.0f\" font-size=\"11\">", kHeadline + kPanelHeight + 17);
+    svg += formatted("<text x=\"0\" y=\"%.0f\" font-size=\"11\">", kHeadline + kPanelHeight + 17);
     svg +=
         "blue: faces, pale where they go on beyond the cameras; red: cameras; grey: cameras "
         "that are no vertex; +: scene centre" +
