@@ -19,9 +19,11 @@ constexpr std::size_t kFewPoints = 60;  ///< Enough to show that a joint is stro
 constexpr std::size_t kMostPoints = 1000;
 /// Where the joint is known to this share of what would matter, the points fill space or a large
 /// part of the pictures, and there is no second minimum.
-constexpr double kFirmShare = 0.1;
-/// A thousand to one, where each point speaks once: errors within a track go together.
+constexpr double kFirmShare = 0.05;
+/// Logarithms of cost ratios times points, where each point speaks once (errors within a track go
+/// together): to move a part takes a thousand to one, to trust where it stands twenty to one.
 constexpr double kSureLogRatio = 13.8;
+constexpr double kTrustedLogRatio = 6.0;
 
 /// Where the world of the others goes in that of the part: turned and scaled about `centre`, then
 /// moved.
@@ -238,7 +240,7 @@ class JointFit {
         return order;
     }
 
-    /// Moves the part by two standard deviations along each principal direction of the covariance,
+    /// Moves the part by one standard deviation along each principal direction of the covariance,
     /// and sums the squares of what that does.
     PoseShift uncertainty_of(ceres::Problem& problem, const Similarity& at) const {
         constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -261,7 +263,7 @@ class JointFit {
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
         PoseShift total{static_cast<int>(capture_.views.size()), 0, 0};
         for (Eigen::Index axis = 0; axis < unknowns; ++axis) {
-            const Eigen::VectorXd step = 2 * noise_px *
+            const Eigen::VectorXd step = noise_px *
                                          std::sqrt(std::max(0.0, solver.eigenvalues()[axis])) *
                                          solver.eigenvectors().col(axis);
             Similarity moved = at;
@@ -335,7 +337,7 @@ bool PartJoint::is_elsewhere() const {
 
 bool PartJoint::is_weak() const {
     if (uncertainty.matters()) return true;
-    return other && points * std::log(other->cost_ratio) < kSureLogRatio;
+    return other && points * std::log(other->cost_ratio) < kTrustedLogRatio;
 }
 
 PartJoint examine_joint(const Capture& capture, const std::vector<char>& is_in_part) {

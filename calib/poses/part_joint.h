@@ -19,7 +19,7 @@ struct OtherJoint {
 /// the similarity (7 unknowns) between two rigid parts.
 struct PartJoint {
     int points = 0;  ///< Seen from both parts, and looked at.
-    /// What two standard deviations of the similarity move cameras by; infinite where the points do
+    /// What one standard deviation of the similarity moves cameras by; infinite where the points do
     /// not determine it.
     PoseShift uncertainty;
     /// A narrow strip of points, nearly in a plane, looks much the same when it is tilted the other
@@ -29,7 +29,8 @@ struct PartJoint {
 
     /// The other joint explains the points clearly better.
     [[nodiscard]] bool is_elsewhere() const;
-    /// Cameras of one part may stand elsewhere, by more than poses may be wrong.
+    /// Cameras of one part may well stand elsewhere, by more than poses may be wrong. (What is less
+    /// uncertain is told by the poses' own covariance.)
     [[nodiscard]] bool is_weak() const;
 };
 
