@@ -10,6 +10,7 @@
 #include "calib/work/child_process.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "pipeline/chart/label_choice.h"
 
 namespace lumi {
 namespace {
@@ -91,7 +92,7 @@ class PlotScript {
                       number(line.x) + ", graph 1 nohead dt 2 lw 1.5 lc rgb '" +
                       kColors[line.series % kColors.size()] + "'\n";
         }
-        return script + labels_ + data_ + "plot " + drawn_ + "\n";
+        return script + labels() + data_ + "plot " + drawn_ + "\n";
     }
 
  private:
@@ -112,6 +113,7 @@ class PlotScript {
             all.push_back(&mark);
             least_.x = std::min(least_.x, mark.x);
             least_.y = std::min(least_.y, mark.y);
+            if (!mark.label.empty()) labelled_.push_back(&mark);
         }
         if (all.empty()) return;
         const std::string color = kColors[index % kColors.size()];
@@ -126,11 +128,42 @@ class PlotScript {
             draw(faint, points + " lc rgb '" + kGrey + "'", strong.empty() ? series.name : "");
         }
         if (!strong.empty()) draw(strong, points + " lc rgb '" + color + "'", series.name);
-        for (const PlotMark* mark : all) {
-            if (mark->label.empty()) continue;
-            labels_ += "set label " + quoted(mark->label) + " at " + number(mark->x) + "," +
-                       number(mark->y) + " offset 0.7,0.5 font ',12' tc rgb '#404040'\n";
+    }
+
+    /// Those labels that can be read.
+    [[nodiscard]] std::string labels() const {
+        std::vector<PlacedLabel> placed;
+        for (const PlotMark* mark : labelled_) {
+            placed.push_back({share_along(mark->x, plot_.has_log_x, &PlotMark::x),
+                              share_along(mark->y, plot_.has_log_y, &PlotMark::y), mark->label});
         }
+        const std::vector<bool> is_readable = readable_labels(placed);
+        std::string script;
+        for (std::size_t i = 0; i < labelled_.size(); ++i) {
+            if (!is_readable[i]) continue;
+            script += "set label " + quoted(labelled_[i]->label) + " at " +
+                      number(labelled_[i]->x) + "," + number(labelled_[i]->y) +
+                      " front offset 0.7,0.5 font ',12' tc rgb '#404040'\n";
+        }
+        return script;
+    }
+
+    /// Where a value lies on an axis, which gnuplot makes reach to whole decades, or down to 0.
+    [[nodiscard]] double share_along(double value, bool is_logarithmic,
+                                     double PlotMark::*coordinate) const {
+        const auto along = [&](double at) { return is_logarithmic ? std::log10(at) : at; };
+        double least = along(value);
+        double most = least;
+        for (const PlotSeries& series : plot_.series) {
+            for (const PlotMark& mark : series.marks) {
+                if (!is_drawable(plot_, mark)) continue;
+                least = std::min(least, along(mark.*coordinate));
+                most = std::max(most, along(mark.*coordinate));
+            }
+        }
+        least = is_logarithmic ? std::floor(least) : std::min(least, 0.0);
+        if (is_logarithmic) most = std::ceil(most);
+        return most > least ? (along(value) - least) / (most - least) : 0.0;
     }
 
     void draw(const std::vector<const PlotMark*>& marks, const std::string& how,
@@ -156,8 +189,8 @@ class PlotScript {
         double y = 0.0;
     } least_;
     int blocks_ = 0;
+    std::vector<const PlotMark*> labelled_;
     std::string data_;
-    std::string labels_;
     std::string drawn_;
 };
 

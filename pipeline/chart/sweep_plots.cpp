@@ -41,7 +41,7 @@ Plot overview(const std::vector<ChartPoint>& points, const Cost& cost, const std
         series[point.mode].marks.push_back(std::move(mark));
     }
     for (auto& [mode, one] : series) plot.series.push_back(std::move(one));
-    PlotSeries steps{"nothing is both cheaper and better", {}, false, true};
+    PlotSeries steps{"Pareto front", {}, false, true};
     for (const std::size_t i : front) {
         steps.marks.push_back({cost(points[i]), points[i].mean.flip, {}, {}, "", false});
     }

@@ -10,6 +10,7 @@
 #include "pipeline/chart/chart_files.h"
 #include "pipeline/chart/chart_page.h"
 #include "pipeline/chart/growth_files.h"
+#include "pipeline/chart/label_choice.h"
 #include "pipeline/chart/pareto_front.h"
 #include "pipeline/chart/plot.h"
 #include "pipeline/chart/power_law.h"
@@ -266,6 +267,14 @@ TEST(ChartFiles, AreAllThereAndThePageHoldsItsPictures) {
     EXPECT_THAT(page, Not(HasSubstr("src=\"http")));
     const std::string csv = read_whole_text(scratch / "chart.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+}
+
+TEST(LabelChoice, TheLowestOfLabelsThatCoverEachOtherIsKept) {
+    const std::vector<PlacedLabel> labels{{0.10, 0.52, "worse"},
+                                          {0.12, 0.50, "better"},
+                                          {0.60, 0.51, "to the right"},
+                                          {0.10, 0.90, "above"}};
+    EXPECT_EQ(readable_labels(labels), (std::vector<bool>{false, true, true, true}));
 }
 
 }  // namespace
