@@ -147,9 +147,10 @@ std::optional<OwnLensModel> model_of(const MappingJob& job, MatchedPhotographs& 
     try {
         std::optional<Capture> mapped = map_incrementally(job, matched);
         if (!mapped || zoom_factor(*mapped, shared) < kMinZoom - kMostRefined) return std::nullopt;
-        mapped = with_firm_joints(job, *mapped).mapped;
-        model.mapped = *mapped;
-        model.refined = std::move(*mapped);
+        JointCheck joints = with_firm_joints(job, *mapped);
+        model.mapped = joints.mapped;
+        model.refined = std::move(joints.mapped);
+        model.joint_trouble = std::move(joints.trouble);
         refine(model.refined, policy, job.options, job.threads, job.evidence, job.progress);
         (void)check_model(model.refined, false);
     } catch (const Error& error) {

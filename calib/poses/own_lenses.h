@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "calib/capture/capture.h"
 #include "calib/lens/lens_choice.h"
@@ -13,6 +14,8 @@ namespace lumi {
 struct OwnLensModel {
     Capture mapped;   ///< Before the refinement, with the observations that it dropped.
     Capture refined;  ///< After it.
+    /// Why the capture is to be refused all the same (JointCheck::trouble); empty: nothing.
+    std::string joint_trouble;
 };
 
 /// Whether the photographs were zoomed, though nothing told: where photographs share a lens of

@@ -142,6 +142,7 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
     if (auto own = find_own_lenses(job, matched, policy, result.capture)) {
         mapped = std::move(own->mapped);
         result.capture = std::move(own->refined);
+        joint_trouble = std::move(own->joint_trouble);
     }
     settle_doubts(job, matched, *mapped, result.capture);
     if (!joint_trouble.empty()) {
