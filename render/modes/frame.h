@@ -49,8 +49,8 @@ struct RenderOptions {
     /// hold the samples.
     bool supersample = false;
     /// Rays that leave the capture fade to black instead of being drawn from its border's cameras
-    /// (see `capture_fade`). Not heeded by `paper2001` and
-    /// `heigl`, which draw what their papers say.
+    /// (see `capture_fade`). Not heeded by `paper2001` and `heigl`, which draw what their papers
+    /// say.
     bool fade_beyond_capture = false;
     /// For modes that subdivide.
     double triangle_error_px = 0.7;       ///< `adaptive`: of where photographs are looked up.
