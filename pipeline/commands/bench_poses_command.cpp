@@ -128,13 +128,17 @@ void run_bench_poses(const BenchPosesRequest& request, const CommandContext& con
         }
     }
     BenchPosesReport report{time_matching(kMatchedFeatures), {}};
+    const std::size_t beside = request.with_colmap ? 1 : 0;
     for (const PoseMeans& one : means) {
         report.trials.push_back(try_poses(setting, one, *context.progress));
-        context.say(trial_text(report.trials.back()));
-    }
-    if (!request.chart_folder.empty()) {
-        write_chart(request, report, "From photographs to poses: " + config.name,
-                    request.scratch_folder, *context.progress);
+        const std::size_t done = report.trials.size();
+        context.say(std::to_string(done) + " of " + std::to_string(means.size()) + ": " +
+                    trial_text(report.trials.back()));
+        // After each, so that whoever stops a long run has a chart of what was measured.
+        if (!request.chart_folder.empty() && done > beside) {
+            write_chart(request, report, "From photographs to poses: " + config.name,
+                        request.scratch_folder, *context.progress);
+        }
     }
     if (context.json) {
         context.print_result(report_json(report, request.with_colmap));

@@ -110,21 +110,23 @@ std::string script_text(const std::vector<PoseTrial>& trials, const std::string&
 
 std::vector<PoseMeans> chart_means(int max_width_px) {
     std::vector<PoseMeans> means;
-    for (const char* const mapper : {"lumi", "colmap"}) {
+    const auto add_mapper = [&](const char* mapper) {
         for (const int width_px : {max_width_px, max_width_px / 2}) {
             for (const int features : {1024, 2048, 4096, 8192}) {
                 means.push_back({"lumi", mapper, false, features, width_px});
             }
         }
+    };
+    add_mapper("lumi");
+    for (const char* const model :
+         {"SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "FULL_OPENCV", "OPENCV_FISHEYE"}) {
+        means.push_back({"lumi", "lumi", false, 4096, max_width_px, model});
     }
+    add_mapper("colmap");
     for (const char* const mapper : {"lumi", "colmap"}) {
         for (const int features : {1024, 2048}) {
             means.push_back({"colmap", mapper, false, features, max_width_px});
         }
-    }
-    for (const char* const model :
-         {"SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "FULL_OPENCV", "OPENCV_FISHEYE"}) {
-        means.push_back({"lumi", "lumi", false, 4096, max_width_px, model});
     }
     return means;
 }
