@@ -11,7 +11,8 @@ namespace lumi {
 [[nodiscard]] ConfigList with_all_spelled_out(ConfigList list);
 
 /// What is tried when a configuration does not say: every depth model that this version has, and
-/// working copies of the configured width, of three quarters and of half of it.
+/// working copies of the configured size (or that of the photographs, where they are smaller), of
+/// three quarters and of half of it.
 [[nodiscard]] std::vector<ConfigList> default_sweep(const ConfigDocument& document);
 
 }  // namespace lumi

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "calib/capture/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/chart_files.h"
@@ -118,6 +119,18 @@ TEST_F(SweepFile, WithoutASweepDepthModelsAndSizesAreTried) {
     EXPECT_GE(sweep.axes[0].values.size(), 2U);
     EXPECT_THAT(sweep.axes[1].values, ElementsAre("400", "600", "800"));
     EXPECT_GE(sweep.modes.size(), 2U);
+}
+
+TEST_F(SweepFile, PhotographsAreNotEnlargedToTrySizes) {
+    std::filesystem::create_directories(scratch_ / "p");
+    for (const char* const name : {"one.png", "two.png"}) {
+        write_png(scratch_ / "p" / name, ColorImage(200, 120));
+    }
+    EXPECT_THAT(read("max_width_px = 800\n").axes.at(1).values, ElementsAre("100", "150", "200"));
+    EXPECT_THAT(read("max_width_px = 0\n").axes.at(1).values, ElementsAre("100", "150", "200"));
+    EXPECT_THAT(read("max_width_px = 160\n").axes.at(1).values, ElementsAre("80", "120", "160"));
+    // Three times the same size would be three times the work.
+    EXPECT_THAT(read("max_width_px = 64\n").axes.at(1).values, ElementsAre("64"));
 }
 
 TEST_F(SweepFile, AllStandsForEveryDepthModel) {
