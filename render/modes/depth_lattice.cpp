@@ -3,15 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/modes/small_regions.h"
+
 namespace lumi {
 namespace {
 
 /// A step that misses the continuation of both sides by more than this, in pixels of disparity for
-/// each pixel of pitch, is a tear: drawn as a surface it would be stretched to twice its width.
-constexpr double kMaxBend = 1.0;
+/// each pixel of pitch, is a tear. Estimated samples err by half of this either way: what is less
+/// may be nothing, and drawn as a surface it is stretched over two pixels at most.
+constexpr double kMaxBend = 2.0;
 /// A steeper slope than this is a smeared edge, not a surface: its other side cannot be seen by the
-/// neighbouring view (the disparity gradient limit, Burt and Julesz 1980, is 1).
-constexpr double kMaxSlope = 2.0;
+/// neighbouring view (the disparity gradient limit, Burt and Julesz 1980, is 1), also when both
+/// ends err.
+constexpr double kMaxSlope = 4.0;
+/// Regions of at most so many samples, seen or filled, are specks.
+constexpr std::size_t kSpeck = 16;
+
+std::vector<std::uint8_t> seen_samples(const GrayImage& confidence) {
+    std::vector<std::uint8_t> seen;
+    for (const std::uint8_t value : confidence.pixels()) seen.push_back(value > 0 ? 1 : 0);
+    absorb_small_regions(seen, confidence.width(), kSpeck);
+    return seen;
+}
 
 }  // namespace
 
@@ -23,10 +36,11 @@ DepthLattice::DepthLattice(const DepthMap& depth, const Camera& camera, double d
       disparity_px_(disparity_px),
       inverse_depth_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
       seen_(inverse_depth_.size()) {
+    const std::vector<std::uint8_t> seen = seen_samples(depth.confidence);
     for (int y = 0; y < depth.inverse_depth.height(); ++y) {
         for (int x = 0; x < depth.inverse_depth.width(); ++x) {
             inverse_depth_[index(x + 1, y + 1)] = depth.inverse_depth(x, y);
-            seen_[index(x + 1, y + 1)] = depth.confidence(x, y) > 0 ? 1 : 0;
+            seen_[index(x + 1, y + 1)] = seen[static_cast<std::size_t>(y * (columns_ - 2) + x)];
         }
     }
     fill_ring();
@@ -57,10 +71,25 @@ void DepthLattice::fill_ring() {
     }
 }
 
+float DepthLattice::continued_inverse_depth(int column, int row) const {
+    const int ring_column = std::min(column, columns_ - 1);
+    const int ring_row = std::min(row, rows_ - 1);
+    const float at_ring = inverse_depth(ring_column, ring_row);
+    if (contains(column, row)) return at_ring;
+    const float inside =
+        inverse_depth(std::max(0, 2 * ring_column - column), std::max(0, 2 * ring_row - row));
+    return std::max(0.0F, 2 * at_ring - inside);
+}
+
 Eigen::Vector2f DepthLattice::position_px(int column, int row) const {
-    const double x = std::clamp(column - 0.5, 0.0, static_cast<double>(columns_ - 2));
-    const double y = std::clamp(row - 0.5, 0.0, static_cast<double>(rows_ - 2));
-    return {static_cast<float>(x * pitch_x_px_), static_cast<float>(y * pitch_y_px_)};
+    // The ring is half a pitch from its neighbours on both sides.
+    const auto pitches = [](int at, int count) {
+        if (at == 0) return 0.0;
+        if (at < count - 1) return at - 0.5;
+        return at == count - 1 ? at - 1.0 : at - 1.5;
+    };
+    return {static_cast<float>(pitches(column, columns_) * pitch_x_px_),
+            static_cast<float>(pitches(row, rows_) * pitch_y_px_)};
 }
 
 bool DepthLattice::tears_right(int column, int row) const {

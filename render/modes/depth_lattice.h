@@ -11,6 +11,9 @@ namespace lumi {
 
 /// A view's depth samples as the nodes of a lattice that reaches to the border of its photograph:
 /// the samples, and around them one ring of nodes on the border itself, continued from the samples.
+/// Specks that are seen amidst what is filled, or filled amidst what is seen, are as what is around
+/// them. Beyond the last column and row the lattice goes on as its mirror image, turned about the
+/// ring so that slopes go on.
 class DepthLattice {
  public:
     /// `disparity_px` turns inverse depth into pixels of the photograph (view_geometry.h).
@@ -25,9 +28,11 @@ class DepthLattice {
     [[nodiscard]] float inverse_depth(int column, int row) const {
         return inverse_depth_[index(column, row)];
     }
+    /// Also of nodes beyond the lattice; 0 at the least.
+    [[nodiscard]] float continued_inverse_depth(int column, int row) const;
     /// Seen by the view rather than filled in.
     [[nodiscard]] bool is_seen(int column, int row) const { return seen_[index(column, row)] != 0; }
-    /// In pixels of the photograph.
+    /// In pixels of the photograph, or beyond it.
     [[nodiscard]] Eigen::Vector2f position_px(int column, int row) const;
 
     /// True when the surface tears between a node and its right (lower) neighbour: the step is

@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+
 #include "calib/work/parallel_for.h"
 #include "render/gl/to_glm.h"
 #include "render/modes/pixel_transfer.h"
@@ -21,21 +23,18 @@ struct DepthRange {
 constexpr std::array<DepthRange, kDepthKinds> kRangeOfKind{
     {{0.0F, 0.49F}, {0.5F, 0.74F}, {0.75F, 0.99F}}};
 
-std::vector<float> vertex_floats(const DepthMesh& mesh) {
-    std::vector<float> floats;
-    floats.reserve(3 * mesh.vertices.size());
-    for (const Eigen::Vector3f& vertex : mesh.vertices)
-        floats.insert(floats.end(), {vertex.x(), vertex.y(), vertex.z()});
-    return floats;
-}
+/// So many meshes are made before they are uploaded: more of them only take memory.
+constexpr std::size_t kMeshesAtOnce = 16;
 
-std::vector<DepthMesh> triangulate_all(const Lumigraph& lumigraph,
-                                       const std::vector<ViewGeometry>& geometries) {
-    std::vector<DepthMesh> meshes(lumigraph.views.size());
+/// Of the views from `first`, at most kMeshesAtOnce.
+std::vector<DepthMesh> triangulate_some(const UploadedLumigraph& uploaded, std::size_t first) {
+    const std::vector<LumigraphView>& views = uploaded.layout.views;
+    std::vector<DepthMesh> meshes(std::min(kMeshesAtOnce, views.size() - first));
     parallel_for(static_cast<int>(meshes.size()), 0, [&](int i) {
-        const auto index = static_cast<std::size_t>(i);
-        const LumigraphView& view = lumigraph.views[index];
-        meshes[index] = triangulate(view.depth, view.camera, max_disparity_px(geometries[index]));
+        const auto offset = static_cast<std::size_t>(i);
+        const LumigraphView& view = views[first + offset];
+        meshes[offset] = triangulate(view.depth, view.camera,
+                                     max_disparity_px(uploaded.geometries[first + offset]));
     });
     return meshes;
 }
@@ -47,11 +46,15 @@ DepthLayers::DepthLayers(const UploadedLumigraph& uploaded, int layers)
       layer_count_(layers),
       max_inverse_depth_(kNearMargin * inverse_depth_range(uploaded.layout).y()),
       program_("depth_layer", {shader_source("depth_layer")}) {
-    for (const DepthMesh& mesh : triangulate_all(uploaded.layout, uploaded.geometries)) {
-        ViewMesh& view = meshes_.emplace_back();
-        view.triangles = VertexBuffer({{0, 3}});
-        view.triangles.upload(vertex_floats(mesh), mesh.indices);
-        view.kind_begin = mesh.kind_begin;
+    static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
+    while (meshes_.size() < uploaded.layout.views.size()) {
+        for (const DepthMesh& mesh : triangulate_some(uploaded, meshes_.size())) {
+            ViewMesh& view = meshes_.emplace_back();
+            view.triangles = VertexBuffer({{0, 3}});
+            view.triangles.upload(mesh.vertices.data(),
+                                  mesh.vertices.size() * sizeof(Eigen::Vector3f), mesh.indices);
+            view.kind_begin = mesh.kind_begin;
+        }
     }
 }
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "render/modes/depth_lattice.h"
+#include "render/modes/halved_depth.h"
 #include "render/modes/split_errors.h"
 
 namespace lumi {
@@ -14,13 +16,14 @@ struct RightTriangle {
     LatticeNode a, b, c;
 };
 
-/// Calls `emit` for each triangle of the coarsest network within the error.
+/// Calls `emit` for each triangle of the coarsest network within the error; some reach beyond the
+/// lattice, those that lie beyond it do not count.
 template <class Emit>
 void visit_triangles(const SplitErrors& errors, const DepthLattice& lattice, float max_error_px,
                      const RightTriangle& triangle, const Emit& emit) {
     const auto& [a, b, c] = triangle;
-    if (std::min({a.column, b.column, c.column}) >= lattice.columns() ||
-        std::min({a.row, b.row, c.row}) >= lattice.rows())
+    if (std::min({a.column, b.column, c.column}) >= lattice.columns() - 1 ||
+        std::min({a.row, b.row, c.row}) >= lattice.rows() - 1)
         return;
     const bool is_smallest = std::abs(a.column - c.column) + std::abs(a.row - c.row) == 1;
     const LatticeNode middle{(a.column + b.column) / 2, (a.row + b.row) / 2};
@@ -29,8 +32,6 @@ void visit_triangles(const SplitErrors& errors, const DepthLattice& lattice, flo
         visit_triangles(errors, lattice, max_error_px, {b, c, middle}, emit);
         return;
     }
-    for (const LatticeNode& node : {a, b, c})
-        if (!lattice.contains(node.column, node.row)) return;
     emit(triangle);
 }
 
@@ -55,20 +56,27 @@ DepthKind kind_of(const DepthLattice& lattice, const RightTriangle& triangle) {
     if (is_smallest && (tears_between(lattice, a, c) || tears_between(lattice, b, c)))
         return DepthKind::kStretched;
     for (const LatticeNode& node : {a, b, c})
-        if (!lattice.is_seen(node.column, node.row)) return DepthKind::kFilled;
+        if (lattice.contains(node.column, node.row) && !lattice.is_seen(node.column, node.row))
+            return DepthKind::kFilled;
     return DepthKind::kSeen;
 }
 
+struct Network {
+    float error_px = 0.0F;
+    std::size_t triangles = 0;
+};
+
 /// The smallest error, doubling from the wanted one, for which there are not too many triangles.
-float affordable_error_px(const SplitErrors& errors, const DepthLattice& lattice,
-                          const DepthMeshOptions& options) {
+Network affordable_network(const SplitErrors& errors, const DepthLattice& lattice,
+                           const DepthMeshOptions& options) {
     double error_px = options.max_error_px;
     while (true) {
-        std::size_t count = 0;
-        visit_network(errors, lattice, static_cast<float>(error_px),
-                      [&](const RightTriangle&) { ++count; });
-        if (count <= options.max_triangles || 2 * error_px > options.max_coarse_error_px)
-            return static_cast<float>(error_px);
+        Network network{static_cast<float>(error_px)};
+        visit_network(errors, lattice, network.error_px,
+                      [&](const RightTriangle&) { ++network.triangles; });
+        if (network.triangles <= options.max_triangles ||
+            2 * error_px > options.max_coarse_error_px)
+            return network;
         error_px *= 2;
     }
 }
@@ -109,6 +117,60 @@ class VertexTable {
     const DepthLattice& lattice_;
     std::vector<Eigen::Vector3f>& vertices_;
     std::vector<std::uint32_t> index_of_node_;
+};
+
+/// What a right triangle that reaches beyond the photograph has within it, as a fan. Neighbours cut
+/// the side that they share at the same point.
+class BorderCut {
+ public:
+    BorderCut(const DepthLattice& lattice, std::vector<Eigen::Vector3f>& vertices)
+        : lattice_(lattice),
+          vertices_(vertices),
+          border_px_(lattice.position_px(lattice.columns() - 1, lattice.rows() - 1)) {}
+
+    void append(const RightTriangle& triangle, std::vector<std::uint32_t>& indices) {
+        std::vector<Eigen::Vector3f> corners;
+        for (const LatticeNode& node : {triangle.a, triangle.b, triangle.c}) {
+            const Eigen::Vector2f pixel = lattice_.position_px(node.column, node.row);
+            corners.emplace_back(pixel.x(), pixel.y(),
+                                 lattice_.continued_inverse_depth(node.column, node.row));
+        }
+        corners = cut(cut(corners, 0), 1);
+        const auto first = static_cast<std::uint32_t>(vertices_.size());
+        vertices_.insert(vertices_.end(), corners.begin(), corners.end());
+        for (std::uint32_t i = 2; i < corners.size(); ++i)
+            indices.insert(indices.end(), {first, first + i - 1, first + i});
+    }
+
+ private:
+    /// The part of a convex polygon up to the border in x (0) or y (1); nothing without area.
+    [[nodiscard]] std::vector<Eigen::Vector3f> cut(const std::vector<Eigen::Vector3f>& corners,
+                                                   Eigen::Index axis) const {
+        std::vector<Eigen::Vector3f> kept;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Eigen::Vector3f& from = corners[i];
+            const Eigen::Vector3f& to = corners[(i + 1) % corners.size()];
+            if (from[axis] <= border_px_[axis]) kept.push_back(from);
+            const bool goes_out = from[axis] < border_px_[axis] && to[axis] > border_px_[axis];
+            const bool comes_in = from[axis] > border_px_[axis] && to[axis] < border_px_[axis];
+            if (goes_out) kept.push_back(at_border(from, to, axis));
+            if (comes_in) kept.push_back(at_border(to, from, axis));
+        }
+        return kept;
+    }
+
+    [[nodiscard]] Eigen::Vector3f at_border(const Eigen::Vector3f& inside,
+                                            const Eigen::Vector3f& outside,
+                                            Eigen::Index axis) const {
+        const float share = (border_px_[axis] - inside[axis]) / (outside[axis] - inside[axis]);
+        Eigen::Vector3f cut = inside + share * (outside - inside);
+        cut[axis] = border_px_[axis];
+        return cut;
+    }
+
+    const DepthLattice& lattice_;
+    std::vector<Eigen::Vector3f>& vertices_;
+    Eigen::Vector2f border_px_;
 };
 
 using IndicesByKind = std::array<std::vector<std::uint32_t>, kDepthKinds>;
@@ -169,30 +231,55 @@ void append_torn(const DepthLattice& lattice, const RightTriangle& triangle, Ver
     }
 }
 
-}  // namespace
+bool is_within(const DepthLattice& lattice, const RightTriangle& triangle) {
+    return lattice.contains(std::max({triangle.a.column, triangle.b.column, triangle.c.column}),
+                            std::max({triangle.a.row, triangle.b.row, triangle.c.row}));
+}
 
-DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double disparity_px,
-                      const DepthMeshOptions& options) {
+DepthMesh mesh_of(const SplitErrors& errors, const DepthLattice& lattice, float error_px) {
     DepthMesh mesh;
-    if (depth.inverse_depth.empty()) return mesh;
-    const DepthLattice lattice(depth, camera, disparity_px);
-    const SplitErrors errors(lattice);
     VertexTable vertices(lattice, mesh.vertices);
+    BorderCut border(lattice, mesh.vertices);
     IndicesByKind by_kind;
-    visit_network(errors, lattice, affordable_error_px(errors, lattice, options),
-                  [&](const RightTriangle& triangle) {
-                      const DepthKind kind = kind_of(lattice, triangle);
-                      if (kind == DepthKind::kStretched)
-                          append_torn(lattice, triangle, vertices, by_kind);
-                      auto& indices = by_kind[static_cast<std::size_t>(kind)];
-                      for (const LatticeNode& node : {triangle.a, triangle.b, triangle.c})
-                          indices.push_back(vertices.index_of(node));
-                  });
+    visit_network(errors, lattice, error_px, [&](const RightTriangle& triangle) {
+        const DepthKind kind = kind_of(lattice, triangle);
+        std::vector<std::uint32_t>& indices = by_kind[static_cast<std::size_t>(kind)];
+        if (!is_within(lattice, triangle)) return border.append(triangle, indices);
+        if (kind == DepthKind::kStretched) append_torn(lattice, triangle, vertices, by_kind);
+        for (const LatticeNode& node : {triangle.a, triangle.b, triangle.c})
+            indices.push_back(vertices.index_of(node));
+    });
     for (std::size_t kind = 0; kind < by_kind.size(); ++kind) {
         mesh.indices.insert(mesh.indices.end(), by_kind[kind].begin(), by_kind[kind].end());
         mesh.kind_begin[kind + 1] = mesh.indices.size();
     }
     return mesh;
+}
+
+/// Gaps between the inverse depths of four samples that are more than this part surfaces.
+double largest_gap(const DepthMap& depth, const Camera& camera, double disparity_px) {
+    constexpr double kMaxGap_px = 2.0;  // For each pixel of pitch, as where the lattice tears.
+    return kMaxGap_px * camera.width_px / depth.inverse_depth.width() / disparity_px;
+}
+
+}  // namespace
+
+DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double disparity_px,
+                      const DepthMeshOptions& options) {
+    if (depth.inverse_depth.empty()) return {};
+    const DepthLattice lattice(depth, camera, disparity_px);
+    const SplitErrors errors(lattice);
+    const Network network = affordable_network(errors, lattice, options);
+    const auto samples = static_cast<double>(depth.inverse_depth.pixels().size());
+    if (network.triangles > options.max_triangles &&
+        static_cast<double>(network.triangles) > options.max_triangles_per_sample * samples) {
+        const DepthMap half = halved(depth, largest_gap(depth, camera, disparity_px));
+        DepthMeshOptions as_it_is = options;
+        as_it_is.max_coarse_error_px = options.max_noisy_error_px;
+        as_it_is.max_triangles_per_sample = std::numeric_limits<double>::infinity();
+        return triangulate(half, camera, disparity_px, as_it_is);
+    }
+    return mesh_of(errors, lattice, network.error_px);
 }
 
 }  // namespace lumi

@@ -21,8 +21,12 @@ inline constexpr int kDepthKinds = 3;
 
 struct DepthMeshOptions {
     double max_error_px = 0.1;         ///< The mesh follows the depth map this closely.
-    double max_coarse_error_px = 0.8;  ///< Allowed instead when there would be too many triangles.
+    double max_coarse_error_px = 0.4;  ///< Allowed instead when there would be too many triangles.
     std::size_t max_triangles = 8'000;
+    /// Where a depth map would need more than this even so, its samples tell noise: pairs of rows
+    /// and of columns are drawn as one, and the mesh follows these less closely.
+    double max_triangles_per_sample = 0.25;
+    double max_noisy_error_px = 1.6;
 };
 
 /// A view's depth map as triangles over its photograph.
@@ -39,7 +43,8 @@ struct DepthMesh {
 
 /// The coarsest right-triangulated irregular network (Evans, Kirkpatrick, Townsend 2001) that stays
 /// within the error: without cracks, and down to single samples along tears and at the edges of
-/// what was seen. `disparity_px` turns inverse depth into pixels (view_geometry.h).
+/// what was seen. Linear in the samples. `disparity_px` turns inverse depth into pixels
+/// (view_geometry.h).
 [[nodiscard]] DepthMesh triangulate(const DepthMap& depth, const Camera& camera,
                                     double disparity_px, const DepthMeshOptions& options = {});
 

@@ -56,23 +56,21 @@ void SplitErrors::add_diagonal_level(int half) {
 
 float SplitErrors::interpolation_error(const LatticeNode& at, const LatticeNode& a,
                                        const LatticeNode& b) const {
-    for (const LatticeNode& node : {at, a, b})
-        if (!lattice_.contains(node.column, node.row)) return 0.0F;
-    const double straight = 0.5 * (static_cast<double>(lattice_.inverse_depth(a.column, a.row)) +
-                                   static_cast<double>(lattice_.inverse_depth(b.column, b.row)));
+    if (!lattice_.contains(at.column, at.row)) return 0.0F;
+    const double straight =
+        0.5 * (static_cast<double>(lattice_.continued_inverse_depth(a.column, a.row)) +
+               static_cast<double>(lattice_.continued_inverse_depth(b.column, b.row)));
     const double here = lattice_.inverse_depth(at.column, at.row);
     return static_cast<float>(std::abs(here - straight) * lattice_.disparity_px());
 }
 
 float SplitErrors::smallest_scale_error(const LatticeNode& at) const {
     constexpr float kMustSplit = std::numeric_limits<float>::infinity();
-    const bool inside = lattice_.contains(at.column, at.row);
+    if (!lattice_.contains(at.column, at.row)) return 0.0F;
     constexpr std::array<LatticeNode, 4> kSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
     for (const LatticeNode& step : kSteps) {
         const LatticeNode other{at.column + step.column, at.row + step.row};
-        if (!is_on_square(other)) continue;
-        if (lattice_.contains(other.column, other.row) != inside) return kMustSplit;
-        if (!inside) continue;
+        if (!lattice_.contains(other.column, other.row)) continue;
         const int column = std::min(at.column, other.column);
         const int row = std::min(at.row, other.row);
         const bool tears = step.column != 0 ? lattice_.tears_right(column, row)

@@ -16,7 +16,7 @@ struct LatticeNode {
 /// halves, and of all triangles within them: what decides whether they are split.
 ///
 /// The lattice is laid into a square whose side is a power of two. Infinite where a triangle
-/// contains a tear, the border of the lattice, or a change between seen and filled.
+/// contains a tear or a change between seen and filled.
 class SplitErrors {
  public:
     explicit SplitErrors(const DepthLattice& lattice);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "render/modes/halved_depth.h"
 #include "render/reference/depth_raster.h"
 
 namespace lumi {
@@ -55,8 +56,7 @@ Image<EyeDepth> at_samples(const DepthMesh& mesh) {
 TEST(DepthMesh, APlaneNeedsFewTrianglesAndIsExact) {
     const auto plane = [](double x, double y) { return 0.2 + 0.003 * x - 0.001 * y; };
     const DepthMesh mesh = triangulate(depth_map(61, 47, plane), kCamera, kDisparity_px);
-    EXPECT_LT(mesh.indices.size() / 3,
-              700U);  // The border of the lattice is fine, the rest coarse.
+    EXPECT_LT(mesh.indices.size() / 3, 100U);  // The outermost samples lie half a pitch inside.
     const Image<EyeDepth> drawn = at_samples(mesh);
     for (int y = 0; y < 47; ++y) {
         for (int x = 0; x < 61; ++x) {
@@ -163,6 +163,60 @@ TEST(DepthMesh, TradesErrorForTrianglesWhenThereAreTooMany) {
         triangulate(noisy, kCamera, kDisparity_px, {.max_triangles = 1000}).indices.size();
     EXPECT_GT(fine, 3 * 4000U);
     EXPECT_LT(coarse, 3 * 1000U);
+}
+
+TEST(DepthMesh, DrawsNoisyPairsOfRowsAndColumnsAsOneAndKeepsTheEdge) {
+    const auto noise = [](double x, double y) { return std::sin(12.9898 * x + 78.233 * y); };
+    const auto noisy = [&](double x, double y) {
+        return (x > 30 ? 0.8 : 0.2) + 0.01 * noise(std::floor(x), std::floor(y));
+    };
+    const DepthMap depth = depth_map(61, 47, noisy);
+    const DepthMesh mesh = triangulate(depth, kCamera, kDisparity_px, {.max_triangles = 100});
+    EXPECT_LT(mesh.indices.size() / 3, 61U * 47U / 2);
+    const Image<EyeDepth> drawn = at_samples(mesh);
+    for (int y = 0; y < 47; ++y) {
+        for (int x = 0; x < 61; ++x) {
+            if (std::abs(x - 30) < 3) continue;
+            EXPECT_EQ(drawn(x, y).kind, DepthKind::kSeen);
+            EXPECT_NEAR(drawn(x, y).inverse_depth, x > 30 ? 0.8 : 0.2, 0.02) << x << ' ' << y;
+        }
+    }
+}
+
+TEST(DepthMesh, TakesSpecksOfFilledSamplesForSeen) {
+    DepthMap depth = depth_map(61, 47, [](double, double) { return 0.2; });
+    for (int y = 10; y < 14; ++y)
+        for (int x = 30; x < 34; ++x) depth.confidence(x, y) = 0;
+    EXPECT_EQ(triangle_count(triangulate(depth, kCamera, kDisparity_px), DepthKind::kFilled), 0U);
+    depth.confidence(34, 13) = 0;
+    EXPECT_GT(triangle_count(triangulate(depth, kCamera, kDisparity_px), DepthKind::kFilled), 0U);
+}
+
+TEST(HalvedDepth, AveragesTheMoreNumerousSurfaceOfEachFourSamples) {
+    DepthMap depth{FloatImage(4, 2, 0.2F), GrayImage(4, 2, 255)};
+    depth.inverse_depth(0, 0) = 0.3F;
+    depth.inverse_depth(3, 0) = 0.8F;
+    depth.inverse_depth(3, 1) = 0.9F;
+    depth.inverse_depth(2, 1) = 0.8F;
+    const DepthMap half = halved(depth, 0.15);
+    ASSERT_EQ(half.inverse_depth.width(), 2);
+    ASSERT_EQ(half.inverse_depth.height(), 1);
+    EXPECT_FLOAT_EQ(half.inverse_depth(0, 0), 0.225F);
+    EXPECT_FLOAT_EQ(half.inverse_depth(1, 0), 2.5F / 3);
+}
+
+TEST(HalvedDepth, PrefersSeenSamplesAndKeepsTheFieldOfViewOfAnOddCount) {
+    DepthMap depth = depth_map(7, 5, [](double x, double) { return 0.1 * x; });
+    const DepthMap half = halved(depth, 1.0);
+    ASSERT_EQ(half.inverse_depth.width(), 4);
+    ASSERT_EQ(half.inverse_depth.height(), 3);
+    for (int x = 0; x < 4; ++x)  // Within half a sample of the middle of its share of the picture.
+        EXPECT_NEAR(half.inverse_depth(x, 1), 0.1 * (x + 0.5) * 7 / 4, 0.05);
+    depth.confidence(0, 0) = 0;
+    depth.inverse_depth(0, 0) = 5.0F;
+    EXPECT_LT(halved(depth, 1.0).inverse_depth(0, 0), 0.2F);
+    for (const int x : {0, 1}) depth.confidence(x, 1) = 0;
+    EXPECT_EQ(halved(depth, 1.0).confidence(0, 0), 0);
 }
 
 TEST(DepthMesh, IsEmptyWithoutDepth) {
