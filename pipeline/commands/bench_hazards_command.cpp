@@ -38,26 +38,48 @@ std::vector<const HazardCurve*> wanted_curves(const std::vector<std::string>& na
     return curves;
 }
 
-void run_hazards(const HazardsRequest& request, const CommandContext& context) {
-    TrialOptions options;
-    options.with_colmap = !request.without_colmap;
-    options.threads = context.threads > 0 ? context.threads : 1;
-    std::vector<Trial> trials;
-    for (const HazardCurve* curve : wanted_curves(request.hazards)) {
+struct HazardSetting {
+    const HazardCurve* curve = nullptr;
+    double strength = 0;
+    std::uint64_t seed = 0;
+};
+
+std::vector<HazardSetting> wanted_settings(const HazardsRequest& request) {
+    std::vector<HazardSetting> settings;
+    for (const HazardCurve* const curve : wanted_curves(request.hazards)) {
         for (std::size_t step = 0; step < curve->strengths.size(); ++step) {
             const bool is_wanted =
                 request.steps.empty() ||
                 std::find(request.steps.begin(), request.steps.end(), step) != request.steps.end();
             if (!is_wanted) continue;
             for (const std::uint64_t seed : request.seeds) {
-                trials.push_back(run_trial(curve->hazard, curve->strengths[step], seed, options,
-                                           request.out / "trial", *context.progress));
+                settings.push_back({curve, curve->strengths[step], seed});
             }
         }
     }
+    if (settings.empty()) {
+        throw Error(ErrorKind::kUsage, "E-HAZARD-STEP", "--step: no hazard has such a strength",
+                    "0 is the most harmless, 4 the most hopeless");
+    }
+    return settings;
+}
+
+void run_hazards(const HazardsRequest& request, const CommandContext& context) {
+    TrialOptions options;
+    options.with_colmap = !request.without_colmap;
+    options.threads = context.threads > 0 ? context.threads : 1;
+    const std::vector<HazardSetting> settings = wanted_settings(request);
+    std::vector<Trial> trials;
+    for (const HazardSetting& setting : settings) {
+        trials.push_back(run_trial(setting.curve->hazard, setting.strength, setting.seed, options,
+                                   request.out / "trial", *context.progress));
+        context.say(std::to_string(trials.size()) + " of " + std::to_string(settings.size()) +
+                    ": " + trial_text(trials.back()) + "\n");
+        // After each, so that whoever stops a long run has what was measured.
+        write_hazard_report(request.out, trials, *context.progress);
+    }
     std::error_code status;
     std::filesystem::remove_all(request.out / "trial", status);
-    write_hazard_report(request.out, trials, *context.progress);
     if (context.json) {
         context.print_result(hazards_json(trials));
     } else {

@@ -157,19 +157,20 @@ std::string hazards_csv(const std::vector<Trial>& trials) {
     return csv.str();
 }
 
+std::string trial_text(const Trial& trial) {
+    std::ostringstream strength;
+    strength << trial.strength;
+    return padded(curve_of(trial.hazard).name, 13) + padded(strength.str(), 10) +
+           padded(std::to_string(trial.seed), 6) + padded(attempt_text(trial.lumi), 26) +
+           padded(attempt_text(trial.colmap), 26) + padded(reason_text(trial.given_reason), 22) +
+           (reason_is_right(trial) ? "" : "not right");
+}
+
 std::string hazards_text(const std::vector<Trial>& trials) {
     std::string text = padded("hazard", 13) + padded("strength", 10) + padded("seed", 6) +
                        padded("lumi", 26) + padded("COLMAP alone", 26) +
                        padded("reason given", 22) + "\n";
-    for (const Trial& trial : trials) {
-        std::ostringstream strength;
-        strength << trial.strength;
-        text += padded(curve_of(trial.hazard).name, 13) + padded(strength.str(), 10) +
-                padded(std::to_string(trial.seed), 6) + padded(attempt_text(trial.lumi), 26) +
-                padded(attempt_text(trial.colmap), 26) +
-                padded(reason_text(trial.given_reason), 22) +
-                (reason_is_right(trial) ? "" : "not right") + "\n";
-    }
+    for (const Trial& trial : trials) text += trial_text(trial) + "\n";
     const StressSummary summary = summary_of(trials);
     text += counts_text("lumi", summary.lumi) + counts_text("COLMAP alone", summary.colmap);
     text += "harmless: " + std::to_string(summary.harmless_refused) + " of " +

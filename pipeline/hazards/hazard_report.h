@@ -34,7 +34,8 @@ struct StressSummary {
 [[nodiscard]] StressSummary summary_of(const std::vector<Trial>& trials);
 [[nodiscard]] nlohmann::ordered_json hazards_json(const std::vector<Trial>& trials);
 [[nodiscard]] std::string hazards_csv(const std::vector<Trial>& trials);
-/// A table for people.
+/// A table for people, and a row of it.
+[[nodiscard]] std::string trial_text(const Trial& trial);
 [[nodiscard]] std::string hazards_text(const std::vector<Trial>& trials);
 
 /// hazards.json, hazards.csv and hazards.svg (a panel a hazard: error and ending against strength,
