@@ -65,32 +65,35 @@ SquaredResiduals squared_residuals_px2(const Capture& capture) {
     return squares;
 }
 
+/// Each point counts once: errors within a track go together.
 bool own_explains_better(const Capture& shared, const Capture& own) {
     constexpr int kParametersOfLens = 2;  // Focal length and one of distortion.
     const SquaredResiduals of_shared = squared_residuals_px2(shared);
     const SquaredResiduals of_own = squared_residuals_px2(own);
     double shared_px2 = 0;
     double own_px2 = 0;
-    std::size_t observations = 0;
     for (const auto& [seen, square_px2] : of_shared) {
         const auto same = of_own.find(seen);
         if (same == of_own.end()) continue;
         shared_px2 += square_px2;
         own_px2 += same->second;
-        ++observations;
     }
     const int more = kParametersOfLens * (static_cast<int>(own.cameras.size()) -
                                           static_cast<int>(shared.cameras.size()));
-    return explains_better(shared_px2, own_px2, more, observations);
+    return explains_better(shared_px2, own_px2, more, shared.points.size());
 }
 
 /// Whether focal lengths of photographs that shared a lens differ by more than they are uncertain:
-/// three standard deviations, root mean square. Where they are less certain than the smallest zoom
-/// asked for (a small subject, seen from afar), focal length and distance make up for each other
-/// along a curve that linear standard deviations are too small for, and nothing can be said.
+/// five standard deviations, root mean square, of points that count once each; where pictures are
+/// too bright or too dark, features are displaced together, and three are common. Where they are
+/// less certain than the smallest zoom asked for (a small subject, seen from afar), focal length
+/// and distance make up for each other along a curve that linear standard deviations are too small
+/// for, and nothing can be said.
 bool focal_lengths_differ(const OwnLensModel& own, const PoseEvidence& evidence,
                           const Capture& shared) {
-    constexpr double kMinSquare = 9.0;
+    constexpr double kMinSquare = 25.0;
+    const double observations_of_point = static_cast<double>(count_observations(own.refined)) /
+                                         static_cast<double>(own.refined.points.size());
     std::map<std::string, int> shared_lens;
     for (const View& view : shared.views) shared_lens[view.name] = view.camera_index;
     struct Sums {
@@ -122,7 +125,7 @@ bool focal_lengths_differ(const OwnLensModel& own, const PoseEvidence& evidence,
         square += sum.square - sum.log_focal * sum.log_focal / sum.weight;
         redundant += sum.count - 1;
     }
-    return redundant > 0 && square > kMinSquare * redundant;
+    return redundant > 0 && square > kMinSquare * observations_of_point * redundant;
 }
 
 /// A capture that nothing is told of, small enough to be mapped twice; what contradicts itself is.

@@ -15,6 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 void count(EndingCounts& counts, const Attempt& attempt) {
+    counts.tried += attempt.ending == Ending::kNotTried ? 0 : 1;
     counts.right += attempt.ending == Ending::kRight ? 1 : 0;
     counts.refused += attempt.ending == Ending::kRefused ? 1 : 0;
     counts.false_successes += attempt.ending == Ending::kFalse ? 1 : 0;
@@ -23,6 +24,7 @@ void count(EndingCounts& counts, const Attempt& attempt) {
 }
 
 Json attempt_json(const Attempt& attempt) {
+    if (attempt.ending == Ending::kNotTried) return {};
     Json json{{"ending", name_of(attempt.ending)}, {"cpu_s", attempt.cpu_s}};
     if (attempt.ending == Ending::kRight || attempt.ending == Ending::kFalse) {
         json["placed"] = attempt.error.placed;
@@ -44,11 +46,9 @@ Json reason_json(const std::optional<CaptureReason>& reason) {
 }
 
 Json counts_json(const EndingCounts& counts) {
-    return Json{{"right", counts.right},
-                {"refused", counts.refused},
-                {"false_successes", counts.false_successes},
-                {"failed", counts.failed},
-                {"cpu_s", counts.cpu_s}};
+    return Json{{"tried", counts.tried},     {"right", counts.right},
+                {"refused", counts.refused}, {"false_successes", counts.false_successes},
+                {"failed", counts.failed},   {"cpu_s", counts.cpu_s}};
 }
 
 std::string fixed_text(double value, int decimals) {
@@ -65,6 +65,7 @@ std::string padded(std::string text, std::size_t width) {
 }
 
 std::string attempt_text(const Attempt& attempt) {
+    if (attempt.ending == Ending::kNotTried) return "-";
     if (attempt.ending == Ending::kRight || attempt.ending == Ending::kFalse) {
         return std::string(name_of(attempt.ending)) + " " + std::to_string(attempt.error.placed) +
                " " + fixed_text(100 * attempt.error.position_share, 1) + "% " +
@@ -80,6 +81,7 @@ std::string reason_text(const std::optional<CaptureReason>& reason) {
 }
 
 std::string counts_text(const std::string& name, const EndingCounts& counts) {
+    if (counts.tried == 0) return name + ": not tried\n";
     return name + ": " + std::to_string(counts.right) + " right, " +
            std::to_string(counts.refused) + " refused, " + std::to_string(counts.false_successes) +
            " false successes, " + std::to_string(counts.failed) + " failed, " +

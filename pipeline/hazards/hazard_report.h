@@ -12,6 +12,7 @@ namespace lumi {
 
 /// How often a program was right, honest or wrong.
 struct EndingCounts {
+    int tried = 0;
     int right = 0;
     int refused = 0;
     int false_successes = 0;

@@ -123,6 +123,8 @@ std::string_view name_of(Ending ending) {
             return "false";
         case Ending::kFailed:
             return "failed";
+        case Ending::kNotTried:
+            return "not tried";
     }
     return {};
 }

@@ -23,12 +23,13 @@ enum class Ending {
     kRefused,  ///< No poses, with a reason that is named.
     kFalse,    ///< Poses, and at least one of them is wrong: a false success.
     kFailed,   ///< No poses, and no reason but a program that failed.
+    kNotTried,
 };
 
 [[nodiscard]] std::string_view name_of(Ending ending);
 
 struct Attempt {
-    Ending ending = Ending::kFailed;
+    Ending ending = Ending::kNotTried;
     std::string code;  ///< What ended it, when it was refused.
     std::string what;
     PoseShift error;                 ///< Against the truth.

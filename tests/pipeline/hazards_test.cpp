@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "pipeline/hazards/hazard_report.h"
 #include "pipeline/hazards/trial.h"
 #include "tests/calib/scratch_folder.h"
@@ -12,6 +14,7 @@ namespace {
 struct Place {
     Hazard hazard;
     std::size_t step;
+    std::uint64_t seed = 11;
 };
 
 std::string name_of_place(const testing::TestParamInfo<Place>& info) {
@@ -25,8 +28,8 @@ Trial try_at(const Place& place) {
     SilentProgress progress;
     TrialOptions options;
     options.with_colmap = false;
-    return run_trial(place.hazard, curve_of(place.hazard).strengths[place.step], 11, options,
-                     folder / "trial", progress);
+    return run_trial(place.hazard, curve_of(place.hazard).strengths[place.step], place.seed,
+                     options, folder / "trial", progress);
 }
 
 class UsableCapture : public testing::TestWithParam<Place> {};
@@ -42,7 +45,10 @@ TEST_P(UsableCapture, IsPlacedRight) {
 
 INSTANTIATE_TEST_SUITE_P(Stress, UsableCapture,
                          testing::Values(Place{Hazard::kBlur, 0}, Place{Hazard::kForward, 0},
-                                         Place{Hazard::kZoom, 2}, Place{Hazard::kOverlap, 0}),
+                                         Place{Hazard::kZoom, 2}, Place{Hazard::kOverlap, 0},
+                                         // Features of overexposed pictures, displaced together,
+                                         // once passed for a zoom.
+                                         Place{Hazard::kExposure, 2, 31}),
                          name_of_place);
 
 class HopelessCapture : public testing::TestWithParam<Place> {};
@@ -61,6 +67,14 @@ INSTANTIATE_TEST_SUITE_P(Stress, HopelessCapture,
                                          Place{Hazard::kRepetition, 4},
                                          Place{Hazard::kDuplicates, 4}),
                          name_of_place);
+
+TEST(StressSummary, SaysWhatWasNotTried) {
+    Trial trial{Hazard::kBlur, 0.0, 1, 8, {}, {}, {}, 0, 0, {}};
+    trial.lumi.ending = Ending::kRight;
+    EXPECT_THAT(hazards_text({trial}), testing::HasSubstr("COLMAP alone: not tried"));
+    EXPECT_EQ(summary_of({trial}).colmap.failed, 0);
+    EXPECT_TRUE(hazards_json({trial}).at("rows").at(0).at("colmap").is_null());
+}
 
 TEST(StressSummary, CountsEndingsAndReasons) {
     Trial right{Hazard::kBlur, 0.0, 1, 8, {}, {}, {}, 0, 0, {}};
