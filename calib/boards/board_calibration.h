@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,11 @@ struct LensParameter {
 struct CalibratedView {
     std::string photograph;
     std::size_t points = 0;
-    double rms_px = 0.0;           ///< Of distances between predicted and seen.
-    double held_out_rms_px = 0.0;  ///< The same, the lens estimated without this photograph.
-    double tilt_deg = 0.0;         ///< Between the board's normal and the line of sight.
+    double rms_px = 0.0;  ///< Of distances between predicted and seen.
+    /// The same, the lens estimated without this photograph; empty where the others do not
+    /// determine it.
+    std::optional<double> held_out_rms_px;
+    double tilt_deg = 0.0;  ///< Between the board's normal and the line of sight.
 };
 
 /// Where a point was seen, and what is left unexplained there.
@@ -52,8 +55,9 @@ struct BoardCalibration {
     LensChoice choice;                 ///< Every model that was tried.
     std::vector<std::string> dropped;  ///< Parameters within two standard deviations of nothing.
     double size_per_pitch = 0.0;
-    double rms_px = 0.0;           ///< Of distances, over all points.
-    double held_out_rms_px = 0.0;  ///< The same; each photograph predicted by the others.
+    double rms_px = 0.0;  ///< Of distances, over all points.
+    /// The same; each photograph predicted by the others. Empty where they cannot.
+    std::optional<double> held_out_rms_px;
     LensCertainty certainty;
     std::vector<CalibratedView> views;
     std::vector<BoardResidual> residuals;

@@ -34,17 +34,21 @@ void add_views(const BoardViews& board, const BoardSolution& solution,
             view_sum += error_px.squaredNorm();
         }
         const double count = static_cast<double>(view.points.size());
-        const double view_held_out = held_out.empty() ? 0.0 : held_out[index].squared_error_px2;
+        std::optional<double> view_held_out_px;
+        if (!held_out.empty()) {
+            view_held_out_px = std::sqrt(held_out[index].squared_error_px2 / count);
+            held_out_sum += held_out[index].squared_error_px2;
+        }
         result.views.push_back(
-            {view.photograph, view.points.size(), std::sqrt(view_sum / count),
-             std::sqrt(view_held_out / count),
+            {view.photograph, view.points.size(), std::sqrt(view_sum / count), view_held_out_px,
              board_tilt_deg(view, solution.size_per_pitch, solution.cam_from_board[index])});
         sum += view_sum;
-        held_out_sum += view_held_out;
         points += view.points.size();
     }
     result.rms_px = std::sqrt(sum / static_cast<double>(points));
-    result.held_out_rms_px = std::sqrt(held_out_sum / static_cast<double>(points));
+    if (!held_out.empty()) {
+        result.held_out_rms_px = std::sqrt(held_out_sum / static_cast<double>(points));
+    }
 }
 
 void add_coverage(const BoardViews& board, BoardCalibration& result) {

@@ -137,11 +137,13 @@ std::string calibration_svg(const BoardCalibration& calibration) {
         "viewBox='0 0 %.0f %.0f' font-family='sans-serif' font-size='13'>\n"
         "<rect width='100%%' height='100%%' fill='#fff'/>\n",
         width, height, width, height);
-    svg += label(kMargin, 26,
-                 text_of(calibration.form) +
-                     formatted(": %zu photographs, %zu points, RMS %.3f px, held out %.3f px",
-                               calibration.views.size(), calibration.residuals.size(),
-                               calibration.rms_px, calibration.held_out_rms_px));
+    svg += label(
+        kMargin, 26,
+        text_of(calibration.form) +
+            formatted(": %zu photographs, %zu points, RMS %.3f px, held out ",
+                      calibration.views.size(), calibration.residuals.size(), calibration.rms_px) +
+            (calibration.held_out_rms_px ? formatted("%.3f px", *calibration.held_out_rms_px)
+                                         : "not predicted"));
     svg += coverage_plot(calibration, kMargin, top);
     svg += residual_plot(calibration, right, top);
     svg += radial_plot(calibration, right, second_top);

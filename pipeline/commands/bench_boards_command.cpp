@@ -47,7 +47,7 @@ Json row_for(const fs::path& folder, int threads, Progress& progress) {
         row["focal_px"] = focal_length_px(calibration.lens).mean();
         row["focal_sigma_px"] = calibration.parameters.front().sigma;
         row["rms_px"] = calibration.rms_px;
-        row["held_out_rms_px"] = calibration.held_out_rms_px;
+        if (calibration.held_out_rms_px) row["held_out_rms_px"] = *calibration.held_out_rms_px;
         if (const auto reference = reference_lens(folder)) {
             add_deviation(*reference, calibration, row);
         }

@@ -92,7 +92,7 @@ std::string result_text(const BoardPhotographs& found, const BoardCalibration& c
         text += "  " + parameter_text(parameter) + "\n";
     }
     text += "RMS " + number_text(calibration.rms_px, 3) + " px, held out " +
-            number_text(calibration.held_out_rms_px, 3) + " px (distances, " +
+            held_out_text(calibration) + " (distances, " +
             std::to_string(calibration.residuals.size()) + " points); " +
             number_text(cost.cpu_s, 2) + " CPU s\n";
     for (const std::string& warning : calibration.warnings) text += "warning: " + warning + "\n";

@@ -21,8 +21,8 @@ std::vector<std::string> remarks_of(const BoardPhotographs& found,
     std::vector<std::string> remarks{
         "Calibrated by lumi from " + std::to_string(calibration.views.size()) +
             " photographs of a board (" + std::string(name_of(found.kind)) + "): RMS " +
-            number_text(calibration.rms_px, 3) + " px, held out " +
-            number_text(calibration.held_out_rms_px, 3) + " px.",
+            number_text(calibration.rms_px, 3) + " px, held out " + held_out_text(calibration) +
+            ".",
         "One standard deviation and 95 % interval of each parameter:"};
     for (const LensParameter& parameter : calibration.parameters) {
         remarks.push_back("  " + parameter_text(parameter));
@@ -31,6 +31,11 @@ std::vector<std::string> remarks_of(const BoardPhotographs& found,
 }
 
 }  // namespace
+
+std::string held_out_text(const BoardCalibration& calibration) {
+    if (!calibration.held_out_rms_px) return "not predicted: too few photographs";
+    return number_text(*calibration.held_out_rms_px, 3) + " px";
+}
 
 std::string parameter_text(const LensParameter& parameter) {
     const int digits = std::abs(parameter.value) < 10 ? 5 : 2;

@@ -19,4 +19,7 @@ std::vector<std::string> write_calibration(const std::filesystem::path& folder,
 /// "f = 700.18  +- 2.51  95 %: 695.18 to 705.18".
 [[nodiscard]] std::string parameter_text(const LensParameter& parameter);
 
+/// "0.315 px", or why there is none.
+[[nodiscard]] std::string held_out_text(const BoardCalibration& calibration);
+
 }  // namespace lumi

@@ -10,6 +10,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json number_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
 Json parameters_json(const std::vector<LensParameter>& parameters) {
     Json json = Json::array();
     for (const LensParameter& parameter : parameters) {
@@ -27,7 +29,7 @@ Json views_json(const std::vector<CalibratedView>& views) {
         json.push_back({{"photograph", view.photograph},
                         {"points", view.points},
                         {"rms_px", view.rms_px},
-                        {"held_out_rms_px", view.held_out_rms_px},
+                        {"held_out_rms_px", number_json(view.held_out_rms_px)},
                         {"tilt_deg", view.tilt_deg}});
     }
     return json;
@@ -52,7 +54,7 @@ Json calibration_json(const BoardPhotographs& found, const BoardCalibration& cal
                 {"parameters", parameters_json(calibration.parameters)},
                 {"not_kept", calibration.dropped},
                 {"rms_px", calibration.rms_px},
-                {"held_out_rms_px", calibration.held_out_rms_px},
+                {"held_out_rms_px", number_json(calibration.held_out_rms_px)},
                 {"point_sigma_px", calibration.certainty.point_sigma_px},
                 {"disagreement", calibration.certainty.disagreement},
                 {"points", calibration.residuals.size()},

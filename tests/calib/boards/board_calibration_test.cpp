@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "calib/boards/board_pose.h"
+#include "calib/boards/calibration_evidence.h"
 #include "tests/calib/boards/synthetic_boards.h"
 
 namespace lumi {
@@ -122,8 +123,20 @@ TEST(BoardCalibration, HeldOutErrorIsThatOfRefitsWithoutThePhotograph) {
                                             in_model(found.lens, LensModel::kSimplePinhole), 0.0);
         const auto solved =
             solve_board_pose(board.views[out], refit.solution.lens, 0.0, rough->cam_from_board);
-        EXPECT_NEAR(found.views[out].held_out_rms_px, solved->rms_px, 0.02 * solved->rms_px);
+        EXPECT_NEAR(found.views[out].held_out_rms_px.value(), solved->rms_px,
+                    0.02 * solved->rms_px);
     }
+}
+
+TEST(BoardCalibration, NoErrorIsStatedForPhotographsThatCannotBePredicted) {
+    const Camera truth = lens_named("RADIAL");
+    const std::vector<BoardPose> poses = hand_held_poses(truth, 7, 5, 4, 35, 6);
+    const BoardViews board = seen_chessboards(truth, 7, 5, poses, 0.3, 3);
+    BoardCalibration result;
+    add_evidence(board, {all_free(truth.model), truth, 0.0, poses}, {}, result);
+    EXPECT_GT(result.rms_px, 0.0);
+    EXPECT_FALSE(result.held_out_rms_px.has_value());
+    for (const CalibratedView& view : result.views) EXPECT_FALSE(view.held_out_rms_px.has_value());
 }
 
 TEST(BoardCalibration, StatedIntervalsHoldTheTruthAsOftenAsTheySay) {
