@@ -18,6 +18,7 @@ struct ViewRequest {
     std::string size;
     std::filesystem::path screenshot;
     bool fade = false;
+    double frames_per_second = 0.0;
     int planned = 0;
 };
 
@@ -26,6 +27,7 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
     options.view_name = request.view;
     options.render.mode = render_mode_from(request.mode);
     options.render.fade_beyond_capture = request.fade;
+    options.frames_per_second = request.frames_per_second;
     options.screenshot_path = request.screenshot;
     if (!request.size.empty()) {
         const FrameSize size = frame_size_from(request.size);
@@ -57,6 +59,11 @@ void add_view_command(CLI::App& app, CommandContext& context) {
     command.add_flag("--fade", request->fade,
                      "Fade to black what lies beyond the capture instead of guessing (perpixel, "
                      "adaptive, lightfield)");
+    command
+        .add_option("--fps", request->frames_per_second,
+                    "While the eye moves, adaptive keeps so many frames a second with fewer "
+                    "triangles (default: as many as its error asks for)")
+        ->check(CLI::PositiveNumber);
     command
         .add_option("--planned", request->planned,
                     "Begin where this photograph of `lumi plan` would be taken: 1, 2, ...")

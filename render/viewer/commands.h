@@ -56,6 +56,9 @@ struct ViewerState {
     std::vector<PlannedView> planned;  ///< The most helpful first; may be empty.
     int planned_index = -1;            ///< The one that was last stood at, -1: none yet.
     RenderOptions render;
+    /// What `adaptive` keeps while the eye moves, with fewer triangles; 0: as many as its error
+    /// asks for.
+    double frames_per_second = 0.0;
     int view_index = 0;  ///< The photograph that was last stood at.
     bool shows_help = false;
     bool shows_panel = true;

@@ -29,6 +29,16 @@ void show_modes(RenderOptions& render) {
     ImGui::Checkbox("fade beyond the capture", &render.fade_beyond_capture);
 }
 
+/// Frames a second that `adaptive` keeps while the eye moves.
+void show_budget(ViewerState& state) {
+    if (state.render.mode != RenderMode::kAdaptive) return;
+    constexpr float kMost = 120.0F;
+    auto wanted = static_cast<float>(state.frames_per_second);
+    ImGui::SetNextItemWidth(120);
+    if (ImGui::SliderFloat("moving", &wanted, 0.0F, kMost, wanted > 0 ? "%.0f frames/s" : "any"))
+        state.frames_per_second = static_cast<double>(wanted);
+}
+
 void show_photographs(const Lumigraph& lumigraph, ViewerState& state) {
     const auto index = static_cast<std::size_t>(state.view_index);
     if (!ImGui::BeginCombo("##photograph", printable(lumigraph.views[index].name).c_str())) return;
@@ -60,6 +70,7 @@ void show_plan(const Lumigraph& lumigraph, ViewerState& state) {
 
 void show_statistics(const Lumigraph& lumigraph, const FrameStatistics& statistics) {
     ImGui::Text("%.1f ms a frame", statistics.frame_ms);
+    ImGui::Text("%zu triangles", statistics.triangles);
     ImGui::Text("%d x %d pixels", statistics.width_px, statistics.height_px);
     ImGui::Text("%zu photographs, %zu faces", lumigraph.views.size(), lumigraph.mesh.faces.size());
     ImGui::TextWrapped("%s", statistics.gl_description.c_str());
@@ -74,6 +85,7 @@ void show_panel(const Lumigraph& lumigraph, const FrameStatistics& statistics, V
     ImGui::SetNextWindowSize({260, 0}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("lumi", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
         show_modes(state.render);
+        show_budget(state);
         ImGui::Separator();
         show_photographs(lumigraph, state);
         show_plan(lumigraph, state);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "render/viewer/commands.h"
@@ -12,6 +13,7 @@ struct FrameStatistics {
     double frame_ms = 0.0;
     int width_px = 0;
     int height_px = 0;
+    std::size_t triangles = 0;
     std::string gl_description;
     std::string message;  ///< The last thing that happened, or failed.
 };

@@ -10,6 +10,7 @@
 #include "render/gl/capabilities.h"
 #include "render/lumigraph/package.h"
 #include "render/modes/frame_target.h"
+#include "render/modes/triangle_budget.h"
 #include "render/viewer/glfw_window.h"
 #include "render/viewer/moving_resolution.h"
 #include "render/viewer/path_recording.h"
@@ -47,7 +48,8 @@ bool same(const DrawnFrame& a, const DrawnFrame& b) {
            a.options.debug_picture == b.options.debug_picture &&
            a.options.correct_occlusion == b.options.correct_occlusion &&
            a.options.fade_beyond_capture == b.options.fade_beyond_capture &&
-           a.options.occlusion_tolerance_px == b.options.occlusion_tolerance_px;
+           a.options.occlusion_tolerance_px == b.options.occlusion_tolerance_px &&
+           a.options.triangle_error_px == b.options.triangle_error_px;
 }
 
 ViewerState beginning(const Lumigraph& lumigraph, const WindowOptions& options) {
@@ -55,6 +57,7 @@ ViewerState beginning(const Lumigraph& lumigraph, const WindowOptions& options) 
     if (!options.view_name.empty()) {
         go_to_photograph(index_of_view(lumigraph, options.view_name), lumigraph, state);
     }
+    state.frames_per_second = options.frames_per_second;
     state.planned = options.planned;
     go_to_planned(options.planned_index, lumigraph, state);
     return state;
@@ -89,11 +92,11 @@ struct ViewerWindow::Implementation {
     }
 
     void take_in(WindowInput input);
-    void draw(double scale);
+    void draw(double scale, const RenderOptions& options);
     void draw_where_needed();
     void record_path();
     void present();
-    [[nodiscard]] double scale_now() const;
+    [[nodiscard]] bool is_moving() const;
 
     Lumigraph lumigraph;
     ViewerState state;
@@ -104,6 +107,8 @@ struct ViewerWindow::Implementation {
     FrameTarget target;
     std::optional<DrawnFrame> drawn;
     MovingResolution resolution;
+    TriangleBudget budget;
+    double budget_frames_per_second = 0.0;  ///< That the budget was made for.
     FrameStatistics statistics;
     Clock::time_point last_motion = Clock::now() - std::chrono::hours(1);
     Clock::time_point last_step = Clock::now();
@@ -131,18 +136,17 @@ void ViewerWindow::Implementation::take_in(WindowInput input) {
     }
 }
 
-double ViewerWindow::Implementation::scale_now() const {
-    return seconds_since(last_motion) < kRestBeforeWhole_s ? resolution.scale_while_moving() : 1.0;
+bool ViewerWindow::Implementation::is_moving() const {
+    return seconds_since(last_motion) < kRestBeforeWhole_s;
 }
 
-void ViewerWindow::Implementation::draw(double scale) {
+void ViewerWindow::Implementation::draw(double scale, const RenderOptions& options) {
     const Eigen::Vector2i size =
         (scale * size_px.cast<double>()).array().round().matrix().cast<int>().cwiseMax(1);
-    const DrawnFrame wanted{fitted_to(state.navigation.eye, size.x(), size.y()), state.render,
-                            scale};
+    const DrawnFrame wanted{fitted_to(state.navigation.eye, size.x(), size.y()), options, scale};
     if (drawn && same(*drawn, wanted)) return;
     const Clock::time_point start = Clock::now();
-    target.draw(renderer, wanted.eye, wanted.options);
+    statistics.triangles = target.draw(renderer, wanted.eye, wanted.options).triangles;
     glFinish();
     statistics.frame_ms = 1000 * seconds_since(start);
     statistics.width_px = size.x();
@@ -151,10 +155,20 @@ void ViewerWindow::Implementation::draw(double scale) {
     drawn = wanted;
 }
 
+/// While the eye moves, coarser where that keeps it smooth; at rest everything.
 void ViewerWindow::Implementation::draw_where_needed() {
     const Eigen::Vector2i now_px = window.framebuffer_size_px();
     if (now_px.minCoeff() > 0) size_px = now_px;
-    draw(scale_now());
+    if (!is_moving()) return draw(1.0, state.render);
+    const bool is_limited =
+        state.frames_per_second > 0 && state.render.mode == RenderMode::kAdaptive;
+    if (!is_limited) return draw(resolution.scale_while_moving(), state.render);
+    if (budget_frames_per_second != state.frames_per_second) {
+        budget = TriangleBudget(state.frames_per_second);
+        budget_frames_per_second = state.frames_per_second;
+    }
+    draw(resolution.scale_while_moving(), budget.within(state.render));
+    budget.measured(statistics.triangles, statistics.frame_ms);
 }
 
 /// Appends each eye that differs from the last; writes the path when the recording has ended.
@@ -193,8 +207,8 @@ ViewerWindow::~ViewerWindow() = default;
 
 bool ViewerWindow::step() {
     Implementation& viewer = *implementation_;
-    const bool moves = seconds_since(viewer.last_motion) < kRestBeforeWhole_s;
-    const WindowInput input = viewer.window.poll(moves || !viewer.drawn ? 0.0 : kIdleWait_s);
+    const WindowInput input =
+        viewer.window.poll(viewer.is_moving() || !viewer.drawn ? 0.0 : kIdleWait_s);
     if (viewer.window.should_close()) return false;
     for (const std::filesystem::path& path : input.dropped) open_package(path);
     viewer.take_in(input);
@@ -217,7 +231,7 @@ bool ViewerWindow::step() {
 
 void ViewerWindow::write_screenshot_to(const std::filesystem::path& path) {
     Implementation& viewer = *implementation_;
-    viewer.draw(1.0);
+    viewer.draw(1.0, viewer.state.render);
     write_screenshot(path, viewer.target.read(), viewer.drawn->eye, viewer.drawn->options,
                      viewer.lumigraph.name);
 }
@@ -238,6 +252,7 @@ void ViewerWindow::open_package(const std::filesystem::path& folder) {
     viewer.state.shows_panel = old.shows_panel;
     viewer.state.shows_help = old.shows_help;
     viewer.state.waits_for_vsync = old.waits_for_vsync;
+    viewer.state.frames_per_second = old.frames_per_second;
     viewer.drawn.reset();
     viewer.statistics.message = "opened " + viewer.lumigraph.name;
     viewer.window.set_title(title_of(viewer.lumigraph));

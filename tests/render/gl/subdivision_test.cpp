@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/modes/adaptive.h"
@@ -7,6 +8,7 @@
 #include "render/modes/offscreen_renderer.h"
 #include "render/modes/paper_subdivision.h"
 #include "render/modes/scene_plane.h"
+#include "render/modes/triangle_budget.h"
 #include "render/reference/triangle_reference.h"
 #include "tests/render/analytic_scene.h"
 #include "tests/render/frame_difference.h"
@@ -151,6 +153,62 @@ TEST(SubdivisionGl, EveryDebugPictureIsDrawn) {
             EXPECT_GT(difference_between(drawn.color, picture.color).mean, 5.0)
                 << name_of(mode) << ' ' << name_of(debug);
         }
+    }
+}
+
+/// Frames along a path, each costing `fixed_ms` and so much more for each triangle that the mode
+/// draws; what the worst but the first of them cost, and the triangles of the last.
+struct ModelledFrames {
+    double worst_ms = 0.0;
+    std::size_t triangles = 0;
+};
+
+ModelledFrames modelled_frames(double frames_per_second, double fixed_ms, double ms_each) {
+    const Lumigraph lumigraph = card_before_wall();
+    const auto geometries = view_geometries(lumigraph);
+    const Camera camera = pinhole_camera(640, 480, 560);
+    TriangleBudget budget(frames_per_second);
+    ModelledFrames frames;
+    for (int i = 0; i < 15; ++i) {
+        const Eye eye = eye_at({0.2 - 0.005 * i, 0.1, 0.02}, {0, 0, 4}, camera);
+        const auto layers =
+            adaptive_layers(lumigraph, geometries, eye, budget.within({.max_triangles = 0}));
+        frames.triangles = layers.front().count();
+        const double ms = fixed_ms + ms_each * static_cast<double>(frames.triangles);
+        if (i > 0) frames.worst_ms = std::max(frames.worst_ms, ms);
+        budget.measured(frames.triangles, ms);
+    }
+    return frames;
+}
+
+TEST(TriangleBudget, IsKeptAndSpentWhateverATriangleCosts) {
+    const std::size_t all = modelled_frames(0, 5, 0.01).triangles;
+    ASSERT_GT(all, 500U);
+    for (const double ms_each : {0.005, 0.02, 0.1}) {
+        // Frames that have time for a third of the triangles.
+        const double afforded_ms = 5 + ms_each * static_cast<double>(all) / 3;
+        const ModelledFrames frames = modelled_frames(1000 / afforded_ms, 5, ms_each);
+        EXPECT_LT(frames.worst_ms, 1.2 * afforded_ms) << ms_each;
+        EXPECT_GT(3 * frames.triangles, all * 6 / 10) << ms_each;
+    }
+}
+
+TEST(TriangleBudget, ThatCannotBeKeptLeavesFewTriangles) {
+    const std::size_t all = modelled_frames(0, 5, 0.01).triangles;
+    EXPECT_LT(4 * modelled_frames(1000, 5, 0.01).triangles, all);
+}
+
+TEST(TriangleBudget, WithoutALimitOrWithTimeToSpareLeavesThePictureAsItIs) {
+    OffscreenRenderer renderer(card_before_wall());
+    const Eye eye = eye_at({0.2, 0.1, 0.02}, {0, 0, 4}, pinhole_camera(160, 120, 140));
+    const RenderOptions options{.mode = RenderMode::kAdaptive};
+    const Frame plain = renderer.draw(eye, options);
+    for (const double frames_per_second : {0.0, 1e-3}) {
+        TriangleBudget budget(frames_per_second);
+        for (int i = 0; i < 4; ++i) budget.measured(plain.statistics.triangles, 50 + i);
+        const Frame limited = renderer.draw(eye, budget.within(options));
+        EXPECT_EQ(limited.statistics.triangles, plain.statistics.triangles);
+        EXPECT_TRUE(limited.color.pixels() == plain.color.pixels());
     }
 }
 
