@@ -1,6 +1,7 @@
 #include "calib/doctor/examination.h"
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 
 #include "calib/capture/image_io.h"
@@ -75,18 +76,27 @@ void look_at_pairs(CaptureEvidence& evidence, const std::vector<Features>& featu
 
 /// Measured on two cores of a server over captures of 11 to 97 photographs: from photographs to
 /// package each took 2.4 to 3.6 CPU seconds, whatever its size, and memory grew with the size.
-ExpectedCost expected_cost(const std::vector<Photograph>& photographs, int build_width_px) {
+std::vector<Eigen::Vector2i> sizes_in_build(const std::vector<Photograph>& photographs,
+                                            int build_width_px) {
+    std::vector<Eigen::Vector2i> sizes;
+    for (const Photograph& photograph : photographs) {
+        const double longer = std::max(photograph.original_width_px, photograph.original_height_px);
+        const double scale = build_width_px == 0 ? 1.0 : std::min(1.0, build_width_px / longer);
+        sizes.emplace_back(static_cast<int>(std::lround(scale * photograph.original_width_px)),
+                           static_cast<int>(std::lround(scale * photograph.original_height_px)));
+    }
+    return sizes;
+}
+
+ExpectedCost expected_cost(const std::vector<Eigen::Vector2i>& sizes_px) {
     constexpr double kCpuPerPhotograph_s = 3.0;
     constexpr double kBase_mib = 370;
     constexpr double kPerMegapixel_mib = 450;
     double largest_px = 0;
-    for (const Photograph& photograph : photographs) {
-        const double longer = std::max(photograph.original_width_px, photograph.original_height_px);
-        const double scale = build_width_px == 0 ? 1.0 : std::min(1.0, build_width_px / longer);
-        largest_px = std::max(largest_px, scale * scale * photograph.original_width_px *
-                                              photograph.original_height_px);
+    for (const Eigen::Vector2i& size : sizes_px) {
+        largest_px = std::max(largest_px, 1.0 * size.x() * size.y());
     }
-    return {kCpuPerPhotograph_s * static_cast<double>(photographs.size()),
+    return {kCpuPerPhotograph_s * static_cast<double>(sizes_px.size()),
             kBase_mib + kPerMegapixel_mib * 1e-6 * largest_px};
 }
 
@@ -126,7 +136,8 @@ Examination examine_capture(const fs::path& photographs_or_video,
         evidence.photographs = qualities_of(ingested.photographs, features, threads);
         look_at_pairs(evidence, features, groups, given_lens.has_value(), threads, progress);
     }
-    result.build = expected_cost(ingested.photographs, options.build_width_px);
+    result.build_sizes_px = sizes_in_build(ingested.photographs, options.build_width_px);
+    result.build = expected_cost(result.build_sizes_px);
     result.findings = diagnose(evidence);
     fs::remove_all(scratch_folder, status);
     result.cost = stopwatch.elapsed();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -33,7 +34,8 @@ struct Examination {
     std::vector<LeftOut> left_out;
     std::vector<Finding> findings;  ///< The worst first.
     ExpectedCost build;
-    Cost cost;  ///< Of the examination.
+    std::vector<Eigen::Vector2i> build_sizes_px;  ///< Of the photographs, as a build scales them.
+    Cost cost;                                    ///< Of the examination.
 
     [[nodiscard]] Severity verdict() const {
         return findings.empty() ? Severity::kNote : findings.front().severity;

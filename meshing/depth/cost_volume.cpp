@@ -104,7 +104,8 @@ CostVolume::CostVolume(int width, int height, std::vector<TilePlanes> tiles,
             static_cast<std::size_t>(kTileSide * kTileSide) * static_cast<std::size_t>(tile.count);
         max_count_ = std::max(max_count_, tile.count);
     }
-    if (costs_.capacity() < total) costs_.clear();  // Nothing in it is worth copying.
+    if (costs_.capacity() < total)
+        std::vector<std::uint8_t>().swap(costs_);  // Before more is taken.
     costs_.resize(total);
 }
 

@@ -31,6 +31,8 @@ void validate(const DepthOptions& options) {
             "max_width_px: expected 16 to 16384, found " + std::to_string(options.max_width_px));
     require(options.max_neighbours >= 1 && options.max_neighbours <= 32,
             "max_neighbours: expected 1 to 32, found " + std::to_string(options.max_neighbours));
+    require(options.max_memory_mib >= 256, "max_memory_mib: expected at least 256, found " +
+                                               std::to_string(options.max_memory_mib));
     require(std::isfinite(options.import_png_unit) && options.import_png_unit > 0,
             "import_png_unit: expected a positive length, found " +
                 std::to_string(options.import_png_unit));
@@ -45,6 +47,7 @@ DepthOptions read_depth_options(const ConfigSection& section) {
     options.model = section.text("model", options.model);
     options.max_width_px = section.integer("max_width_px", options.max_width_px);
     options.max_neighbours = section.integer("max_neighbours", options.max_neighbours);
+    options.max_memory_mib = section.integer("max_memory_mib", options.max_memory_mib);
     options.import_folder = section.path("import_folder");
     options.import_png_unit = section.number("import_png_unit", options.import_png_unit);
     options.import_mesh = section.path("import_mesh");

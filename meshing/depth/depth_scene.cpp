@@ -13,13 +13,6 @@
 namespace lumi {
 namespace {
 
-Camera at_depth_map_size(const Camera& camera, int max_width_px) {
-    if (camera.width_px <= max_width_px) return camera;
-    const double scale = static_cast<double>(max_width_px) / camera.width_px;
-    const int height_px = std::max(1, static_cast<int>(std::lround(camera.height_px * scale)));
-    return resized(camera, max_width_px, height_px);
-}
-
 ColorImage read_photograph(const PosedPhotographs& photographs, std::size_t view_index,
                            const Camera& at_size) {
     const std::filesystem::path& path = photographs.picture_paths[view_index];
@@ -92,6 +85,13 @@ double fastest_disparity(const DepthScene& scene, const DepthView& view) {
 }
 
 }  // namespace
+
+Camera at_depth_map_size(const Camera& camera, int max_width_px) {
+    if (camera.width_px <= max_width_px) return camera;
+    const double scale = static_cast<double>(max_width_px) / camera.width_px;
+    const int height_px = std::max(1, static_cast<int>(std::lround(camera.height_px * scale)));
+    return resized(camera, max_width_px, height_px);
+}
 
 DepthScene make_depth_scene(const PosedPhotographs& photographs,
                             const std::vector<int>& view_indices, const DepthOptions& options,

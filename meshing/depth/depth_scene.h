@@ -50,6 +50,9 @@ struct DepthScene {
     std::vector<ScenePoint> points;  ///< Tracks index `views`; pixels in the rasters of the maps.
 };
 
+/// The camera of a depth map that is at most `max_width_px` wide.
+[[nodiscard]] Camera at_depth_map_size(const Camera& camera, int max_width_px);
+
 /// Loads the pictures of `view_indices` and chooses ranges and neighbours.
 /// Throws Error (E-DEPTH-PICTURE) when a picture has not the size of its camera.
 [[nodiscard]] DepthScene make_depth_scene(const PosedPhotographs& photographs,

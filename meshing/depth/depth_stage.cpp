@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "calib/work/parallel_for.h"
+#include "calib/work/process_memory.h"
 #include "meshing/depth/depth_choice.h"
 #include "meshing/depth/depth_model.h"
 #include "meshing/depth/depth_scene.h"
@@ -14,9 +15,6 @@
 
 namespace lumi {
 namespace {
-
-// A view in flight takes up to 300 MB of matching costs.
-constexpr int kMaxViewsInFlight = 8;
 
 double seconds_of(clockid_t clock) {
     timespec now{};
@@ -27,17 +25,37 @@ double seconds_of(clockid_t clock) {
 double thread_cpu_s() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
 
 /// Calls `work(view)` for each view, adds its CPU time to the view's evidence and reports progress.
-void for_each_view(const std::string& step, DepthResult& result, int threads, Progress& progress,
-                   const std::function<void(int)>& work) {
+void for_each_view(const std::string& step, DepthResult& result, int views_at_one_time,
+                   Progress& progress, const std::function<void(int)>& work) {
+    release_free_memory();
     progress.begin(step, result.evidence.size());
-    parallel_for(static_cast<int>(result.evidence.size()),
-                 std::min(resolve_threads(threads), kMaxViewsInFlight), [&](int i) {
-                     progress.throw_if_interrupted();
-                     const double start = thread_cpu_s();
-                     work(i);
-                     result.evidence[static_cast<std::size_t>(i)].cpu_s += thread_cpu_s() - start;
-                     progress.advance();
-                 });
+    parallel_for(static_cast<int>(result.evidence.size()), views_at_one_time, [&](int i) {
+        progress.throw_if_interrupted();
+        const double start = thread_cpu_s();
+        work(i);
+        result.evidence[static_cast<std::size_t>(i)].cpu_s += thread_cpu_s() - start;
+        progress.advance();
+    });
+}
+
+/// Says what memory the maps of these views will take, and refuses where there is not so much.
+DepthMemory expected_memory(const Capture& capture, const std::vector<int>& view_indices,
+                            const DepthOptions& options, int threads, Progress& progress) {
+    std::vector<std::uint64_t> pixels;
+    for (const int i : view_indices) {
+        const Camera camera = at_depth_map_size(
+            camera_of(capture, capture.views[static_cast<std::size_t>(i)]), options.max_width_px);
+        pixels.push_back(static_cast<std::uint64_t>(camera.width_px) *
+                         static_cast<std::uint64_t>(camera.height_px));
+    }
+    release_free_memory();
+    const bool is_imported = !options.import_folder.empty() || !options.import_mesh.empty();
+    const DepthMemory memory = predicted_depth_memory(
+        pixels, is_imported ? "imported" : options.model, resolve_threads(threads),
+        static_cast<std::uint64_t>(options.max_memory_mib) << 20, memory_in_use().value_or(0));
+    progress.note("depth: about " + std::to_string(memory.peak() >> 20) + " MiB of memory");
+    if (const auto available = memory_available()) require_memory(memory, *available);
+    return memory;
 }
 
 double confident_share(const DepthMap& map) {
@@ -80,9 +98,10 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
                            const std::vector<int>& view_indices, const DepthOptions& options,
                            int threads, Progress& progress) {
     validate(options);
+    DepthResult result;
+    result.memory = expected_memory(photographs.capture, view_indices, options, threads, progress);
     const DepthScene scene =
         make_depth_scene(photographs, view_indices, options, threads, progress);
-    DepthResult result;
     result.depth_maps.resize(scene.views.size());
     result.evidence.resize(scene.views.size());
     const std::vector<GrayImage> masks =
@@ -93,31 +112,34 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
     result.choice_cpu_s = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - before_choice;
     std::vector<DepthEstimate> estimates(scene.views.size());
 
-    for_each_view("depth: matching", result, threads, progress, [&](int i) {
+    for_each_view("depth: matching", result, result.memory.views_matched, progress, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         estimates[index] = model->estimate(scene, i);
         claim_nothing_beyond(masks[index], estimates[index].map);
     });
     for (int round = 0; round < model->refinements(); ++round) {
         const std::vector<DepthEstimate> before = estimates;
-        for_each_view("depth: refinement", result, threads, progress, [&](int i) {
-            const auto index = static_cast<std::size_t>(i);
-            estimates[index] = model->refine(scene, before, i);
-            claim_nothing_beyond(masks[index], estimates[index].map);
-        });
+        for_each_view("depth: refinement", result, result.memory.views_matched, progress,
+                      [&](int i) {
+                          const auto index = static_cast<std::size_t>(i);
+                          estimates[index] = model->refine(scene, before, i);
+                          claim_nothing_beyond(masks[index], estimates[index].map);
+                      });
     }
     model.reset();  // And the memory it matched in.
-    for_each_view("depth: agreement of views", result, threads, progress, [&](int i) {
-        const auto index = static_cast<std::size_t>(i);
-        DepthMap& map = result.depth_maps[index];
-        map = confirmed_depth(scene, estimates, i);
-        DepthEvidence& evidence = result.evidence[index];
-        evidence.view_name = scene.views[index].name;
-        evidence.model = estimates[index].model;
-        evidence.confident_share = confident_share(map);
-    });
+    for_each_view("depth: agreement of views", result, result.memory.views_filled, progress,
+                  [&](int i) {
+                      const auto index = static_cast<std::size_t>(i);
+                      DepthMap& map = result.depth_maps[index];
+                      map = confirmed_depth(scene, estimates, i);
+                      DepthEvidence& evidence = result.evidence[index];
+                      evidence.view_name = scene.views[index].name;
+                      evidence.model = estimates[index].model;
+                      evidence.confident_share = confident_share(map);
+                  });
+    for (DepthEstimate& estimate : estimates) estimate.map = {};  // It has said what it knew.
     const std::vector<DepthMap> confirmed_maps = result.depth_maps;
-    for_each_view("depth: filling", result, threads, progress, [&](int i) {
+    for_each_view("depth: filling", result, result.memory.views_filled, progress, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         DepthMap& map = result.depth_maps[index];
         if (!estimates[index].is_complete) fill_unknown_depth(scene, confirmed_maps, i, map);

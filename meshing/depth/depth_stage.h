@@ -8,6 +8,7 @@
 #include "calib/capture/posed_photographs.h"
 #include "calib/work/config_section.h"
 #include "calib/work/progress.h"
+#include "meshing/depth/depth_memory.h"
 #include "meshing/surface/depth_map.h"
 
 namespace lumi {
@@ -17,6 +18,8 @@ struct DepthOptions {
     std::string model = "sweep";  ///< One of depth_model_names(), or "auto".
     int max_width_px = 800;       ///< Depth maps are at most this wide.
     int max_neighbours = 4;       ///< Views that one view is compared with.
+    /// Fewer views are worked on at one time where the process would take more (MiB).
+    int max_memory_mib = 2048;
     /// Depth maps made elsewhere (see imported_depth.h) take the place of `model`.
     std::filesystem::path import_folder = {};
     double import_png_unit = 0.001;  ///< World units a level of a 16-bit PNG stands for. > 0.
@@ -49,10 +52,12 @@ struct DepthResult {
     std::vector<DepthEvidence> evidence;
     std::string choice;         ///< Of "auto": one line, what was chosen and why; else empty.
     double choice_cpu_s = 0.0;  ///< What choosing took.
+    DepthMemory memory;         ///< As it was predicted.
 };
 
 /// Depth of the listed views, from these views alone: held-out views take no part. The same bytes
-/// for any number of threads. Memory is bounded by the views in flight.
+/// for any number of threads. What memory it will take is said first (Progress::note). Throws Error
+/// (E-DEPTH-MEMORY) when the machine has not so much left.
 [[nodiscard]] DepthResult estimate_depth(const PosedPhotographs& photographs,
                                          const std::vector<int>& view_indices,
                                          const DepthOptions& options, int threads,

@@ -23,8 +23,13 @@ struct Candidate {
     bool is_known = false;
 };
 
-/// What each unknown pixel finds, in the order of the pixels.
-using CandidatesOfPixel = std::array<Candidate, kDirections>;
+/// What remains of a candidate where it is asked for; small, for half of them wait for the rest.
+struct Found {
+    float inverse_depth = 0.0F;
+    float distance_px = 0.0F;  ///< 0: nothing was found.
+    bool is_plane = false;
+};
+using FoundOnOneWay = std::array<Found, kDirections / 2>;
 
 /// The map within what is known around it.
 struct Field {
@@ -46,8 +51,8 @@ void forget_shreds_beyond(const DepthMap& map, Field& field) {
     }
 }
 
-Field field_of(const DepthMap& map, const SurroundingDepth& surrounding, double one_pixel) {
-    Field field{surrounding.map, surrounding.margin_x, surrounding.margin_y, {}};
+Field field_of(const DepthMap& map, SurroundingDepth surrounding, double one_pixel) {
+    Field field{std::move(surrounding.map), surrounding.margin_x, surrounding.margin_y, {}};
     if (field.map.confidence.empty()) {
         field.map = map;
     } else {
@@ -65,21 +70,22 @@ Field field_of(const DepthMap& map, const SurroundingDepth& surrounding, double 
     return field;
 }
 
-/// Walks the field once, row by row, and notes what lies in the four directions that it comes from:
+/// Walks the field once, row by row, and tells what lies in the four directions that it comes from:
 /// along the row, and in three directions of the row before. `step` is +1 from the top-left corner,
 /// -1 from the bottom-right one.
 class DirectionSweep {
  public:
     DirectionSweep(const Field& field, const GrayImage& wanted, int step)
-        : field_(field), wanted_(wanted), step_(step), begin_(step > 0 ? 0 : kDirections / 2) {}
+        : field_(field), wanted_(wanted), step_(step) {}
 
-    void run(std::vector<CandidatesOfPixel>& candidates) {
+    /// Calls `take(x, y, found)` for each unknown pixel of the picture, in the order of the walk.
+    template <class Take>
+    void run(const Take& take) {
         const int width = field_.map.confidence.width();
         const int height = field_.map.confidence.height();
         // One more at either end: nothing is known beyond the border.
         Row above(static_cast<std::size_t>(width) + 2);
         Row current = above;
-        std::size_t next = step_ > 0 ? 0 : candidates.size() - 1;
         for (int row = 0; row < height; ++row) {
             const int y = step_ > 0 ? row : height - 1 - row;
             for (int column = 0; column < width; ++column) {
@@ -93,11 +99,7 @@ class DirectionSweep {
                 current[at] = continued(above, current, at);
                 const int own_x = x - field_.margin_x;
                 const int own_y = y - field_.margin_y;
-                if (!wanted_.contains(own_x, own_y)) continue;
-                for (std::size_t d = 0; d < current[at].size(); ++d) {
-                    candidates[next][begin_ + d] = current[at][d];
-                }
-                next += step_ > 0 ? 1 : std::size_t(-1);
+                if (wanted_.contains(own_x, own_y)) take(own_x, own_y, found_of(current[at]));
             }
             std::swap(above, current);
         }
@@ -105,6 +107,18 @@ class DirectionSweep {
 
  private:
     using Row = std::vector<std::array<Candidate, kDirections / 2>>;
+
+    [[nodiscard]] static FoundOnOneWay found_of(
+        const std::array<Candidate, kDirections / 2>& candidates) {
+        FoundOnOneWay found;
+        std::transform(
+            candidates.begin(), candidates.end(), found.begin(),
+            [](const Candidate& candidate) -> Found {
+                if (!candidate.is_known) return {};
+                return {candidate.inverse_depth, candidate.distance_px, candidate.slope.is_plane};
+            });
+        return found;
+    }
 
     /// Along the row, then the three of the row before.
     [[nodiscard]] std::array<Candidate, kDirections / 2> continued(const Row& above,
@@ -133,26 +147,24 @@ class DirectionSweep {
     const Field& field_;
     const GrayImage& wanted_;
     int step_;
-    std::size_t begin_;
 };
 
 /// The candidate that stands for the background: the farthest, if it lies on a plane or there are
 /// but two; else the second farthest, so that one wrong pixel does not rule.
-Candidate background_of(std::span<Candidate> found) {
-    std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
-        return a.inverse_depth < b.inverse_depth;
-    });
-    return found.size() >= 3 && !found[0].slope.is_plane ? found[1] : found[0];
+Found background_of(std::span<Found> found) {
+    std::sort(found.begin(), found.end(),
+              [](const Found& a, const Found& b) { return a.inverse_depth < b.inverse_depth; });
+    return found.size() >= 3 && !found[0].is_plane ? found[1] : found[0];
 }
 
 /// Mean of the candidates that continue the background.
-float background_mean(std::span<Candidate> found, float one_pixel) {
+float background_mean(std::span<Found> found, float one_pixel) {
     // A surface that recedes by a third of a pixel per pixel is still one surface.
     constexpr float kSlope = 0.33F;
-    const Candidate background = background_of(found);
+    const Found background = background_of(found);
     float sum = 0;
     float weights = 0;
-    for (const Candidate& candidate : found) {
+    for (const Found& candidate : found) {
         const float allowed =
             one_pixel * (1 + kSlope * (candidate.distance_px + background.distance_px));
         if (candidate.inverse_depth > background.inverse_depth + allowed) continue;
@@ -164,28 +176,30 @@ float background_mean(std::span<Candidate> found, float one_pixel) {
 
 void fill_from_background(DepthMap& map, const FloatImage& fallback, float one_pixel,
                           const Field& field) {
-    std::vector<std::size_t> unknown;
     for (int y = 0; y < map.confidence.height(); ++y) {
         for (int x = 0; x < map.confidence.width(); ++x) {
-            if (field.is_known(x + field.margin_x, y + field.margin_y)) {
-                map.inverse_depth(x, y) =
-                    field.map.inverse_depth(x + field.margin_x, y + field.margin_y);
-            } else {
-                unknown.push_back(static_cast<std::size_t>(y * map.confidence.width() + x));
-            }
+            if (!field.is_known(x + field.margin_x, y + field.margin_y)) continue;
+            map.inverse_depth(x, y) =
+                field.map.inverse_depth(x + field.margin_x, y + field.margin_y);
         }
     }
-    std::vector<CandidatesOfPixel> candidates(unknown.size());
-    DirectionSweep(field, map.confidence, +1).run(candidates);
-    DirectionSweep(field, map.confidence, -1).run(candidates);
-    for (std::size_t k = 0; k < unknown.size(); ++k) {
-        const auto end =
-            std::remove_if(candidates[k].begin(), candidates[k].end(),
-                           [](const Candidate& candidate) { return !candidate.is_known; });
-        const std::span found(candidates[k].begin(), end);
-        map.inverse_depth.pixels()[unknown[k]] =
-            found.empty() ? fallback.pixels()[unknown[k]] : background_mean(found, one_pixel);
-    }
+    std::vector<FoundOnOneWay> found_before;
+    const auto& confidence = map.confidence.pixels();
+    found_before.reserve(
+        static_cast<std::size_t>(std::count(confidence.begin(), confidence.end(), 0)));
+    DirectionSweep(field, map.confidence, +1).run([&](int, int, const FoundOnOneWay& found) {
+        found_before.push_back(found);
+    });
+    // The way back meets the same pixels from the last to the first.
+    std::vector<Found> around;
+    DirectionSweep(field, map.confidence, -1).run([&](int x, int y, const FoundOnOneWay& after) {
+        around.assign(found_before.back().begin(), found_before.back().end());
+        around.insert(around.end(), after.begin(), after.end());
+        found_before.pop_back();
+        std::erase_if(around, [](const Found& found) { return found.distance_px <= 0; });
+        map.inverse_depth(x, y) =
+            around.empty() ? fallback(x, y) : background_mean(around, one_pixel);
+    });
 }
 
 /// How strongly each pixel holds its place. What is known holds, but not at the edge of a nearer
@@ -224,11 +238,11 @@ void smooth_filled(DepthMap& map, const ColorImage& photograph, float one_pixel)
 }  // namespace
 
 void edge_aware_fill(DepthMap& map, const ColorImage& photograph, const FloatImage& fallback,
-                     double one_pixel, const SurroundingDepth& surrounding) {
+                     double one_pixel, SurroundingDepth surrounding) {
     const auto& confidence = map.confidence.pixels();
     if (std::find(confidence.begin(), confidence.end(), 0) == confidence.end()) return;
     fill_from_background(map, fallback, static_cast<float>(one_pixel),
-                         field_of(map, surrounding, one_pixel));
+                         field_of(map, std::move(surrounding), one_pixel));
     smooth_filled(map, photograph, static_cast<float>(one_pixel));
 }
 

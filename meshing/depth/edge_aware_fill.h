@@ -17,6 +17,6 @@ namespace lumi {
 ///
 /// `one_pixel` is the inverse depth that makes one pixel of disparity; 0 when there is no parallax.
 void edge_aware_fill(DepthMap& map, const ColorImage& photograph, const FloatImage& fallback,
-                     double one_pixel, const SurroundingDepth& surrounding = {});
+                     double one_pixel, SurroundingDepth surrounding = {});
 
 }  // namespace lumi

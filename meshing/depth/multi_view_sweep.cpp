@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
 
 #include "calib/capture/gray.h"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr int kCountUnit = 8;  // The path kernel works on this many planes at a time.
 constexpr std::size_t kMaxCells = std::size_t{96} << 20;
+constexpr std::size_t kMaxCellsPerPixel = 96;
+constexpr std::size_t kFreeCells = std::size_t{4} << 20;  // Of small pictures.
 
 int level_count(const Camera& camera) {
     constexpr int kMinWidth = 120;
@@ -48,15 +51,16 @@ SweepPlanes planes_over(const DepthView& view, double level_scale, double spacin
 }
 
 /// The planes of a tile, rounded up to whole units within the sweep.
-TilePlanes planes_of(const TileSurface& tile, const SweepPlanes& planes, double margin) {
-    const double low = std::floor(planes.plane_at(tile.at_centre.far) - margin);
-    const double high = std::ceil(planes.plane_at(tile.at_centre.near) + margin);
+TilePlanes planes_of(const InverseDepthRange& range, const Eigen::Vector2d& slope,
+                     const SweepPlanes& planes, double margin) {
+    const double low = std::floor(planes.plane_at(range.far) - margin);
+    const double high = std::ceil(planes.plane_at(range.near) + margin);
     const auto first = static_cast<int>(std::clamp(low, 0.0, planes.count - 1.0));
     const auto last = static_cast<int>(std::clamp(high, 1.0 * first, planes.count - 1.0));
     const int units = (last - first + kCountUnit) / kCountUnit;
     const int spare = units * kCountUnit - (last - first + 1);
     const int begin = std::clamp(first - spare / 2, 0, planes.count - units * kCountUnit);
-    return {begin, units * kCountUnit, tile.slope / planes.step};
+    return {begin, units * kCountUnit, slope / planes.step};
 }
 
 std::size_t cells_of(const std::vector<TilePlanes>& tiles) {
@@ -72,19 +76,45 @@ struct Search {
     std::vector<TilePlanes> tiles;
 };
 
-/// Where one level looks, in as fine steps as the memory allows.
+std::size_t cells_allowed(std::size_t tiles) {
+    return std::clamp(tiles * kTileSide * kTileSide * kMaxCellsPerPixel, kFreeCells, kMaxCells);
+}
+
+/// Leaves the widest tiles their cores until `allowed` cells are enough, or all have.
+void narrow(const std::vector<TilePlanes>& cores, std::size_t allowed,
+            std::vector<TilePlanes>& tiles) {
+    std::vector<std::size_t> order(tiles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto saved = [&](std::size_t i) { return tiles[i].count - cores[i].count; };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return saved(a) > saved(b); });
+    std::size_t cells = cells_of(tiles);
+    for (const std::size_t i : order) {
+        if (cells <= allowed || saved(i) <= 0) return;
+        cells -= static_cast<std::size_t>(saved(i)) * kTileSide * kTileSide;
+        tiles[i] = cores[i];
+    }
+}
+
+/// Where one level looks: as far around what was found, and then in as fine steps, as the memory
+/// allows.
 Search search_of(const DepthView& view, double level_scale, double spacing_px,
                  const std::vector<TileSurface>& surfaces) {
     constexpr double kMarginPx = 2.0;
     constexpr double kCoarser = 1.25;
+    const std::size_t allowed = cells_allowed(surfaces.size());
     for (;; spacing_px *= kCoarser) {
         Search search{planes_over(view, level_scale, spacing_px), {}};
         const double margin = std::max(2.0, kMarginPx / spacing_px);
+        std::vector<TilePlanes> cores;
         for (const TileSurface& surface : surfaces) {
-            search.tiles.push_back(planes_of(surface, search.planes, margin));
+            search.tiles.push_back(
+                planes_of(surface.at_centre, surface.slope, search.planes, margin));
+            cores.push_back(planes_of(surface.core, surface.slope, search.planes, margin));
         }
+        narrow(cores, allowed, search.tiles);
         const bool is_coarsest = search.planes.count == kCountUnit;
-        if (is_coarsest || cells_of(search.tiles) <= kMaxCells) return search;
+        if (is_coarsest || cells_of(search.tiles) <= allowed) return search;
     }
 }
 
@@ -173,7 +203,7 @@ DepthMap match_coarsest(const DepthScene& scene, const DepthView& view, int leve
     for (int round = 0; round < kRounds; ++round) {
         std::vector<TileSurface> surfaces =
             search_around(found.inverse_depth, width, height, kFollowPx * one_pixel);
-        for (TileSurface& surface : surfaces) surface.at_centre = view.range;
+        for (TileSurface& surface : surfaces) surface.at_centre = surface.core = view.range;
         found = match_level(scene, view, level, surfaces, memory);
     }
     return found;

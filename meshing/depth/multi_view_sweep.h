@@ -30,11 +30,12 @@ class SweepMemoryPool {
 /// Depth of one view by plane sweep and semi-global matching against its neighbours, from coarse
 /// to fine: the coarsest picture searches the whole range, each finer one what the coarser one
 /// found in and around a tile (SURE, Rothermel et al. 2012). Planes stand one pixel of disparity
-/// apart in the fastest-moving neighbour, half a pixel on the finest level.
+/// apart in the fastest-moving neighbour, three quarters of one on the finest level.
 ///
 /// Confidence is 255 where the photographs tell one depth from another and 0 where any would do;
-/// whether other views agree is not asked here. Memory: at most 3 bytes for each of 96 million
-/// cells; a range that needs more is searched in coarser steps.
+/// whether other views agree is not asked here. Memory: at most 3 bytes for each of 96 cells a
+/// pixel, and of 96 million; where more are needed, the tiles with the widest ranges are searched
+/// around most of what was found in them, and if that is not enough, all in coarser steps.
 [[nodiscard]] DepthMap multi_view_sweep(const DepthScene& scene, int view_index,
                                         SweepMemory& memory);
 

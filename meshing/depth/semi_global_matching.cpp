@@ -151,6 +151,7 @@ void aggregate_paths(const CostVolume& volume, const GrayImage& gray,
     assert(penalty.one_plane <= penalty.jump_at_edge && penalty.jump_at_edge <= penalty.jump);
     assert(kMaxMatchingCost + penalty.one_plane + penalty.jump < kUnreachable);
     assert(kUnreachable + penalty.one_plane <= 255);
+    if (sums.capacity() < volume.costs().size()) std::vector<std::uint16_t>().swap(sums);
     sums.assign(volume.costs().size(), 0);
     PathSweep sweep(volume, gray, penalty, sums);
     sweep.run(+1);

@@ -109,17 +109,20 @@ Eigen::Vector2d supported_slope(const std::vector<Sample>& samples, double toler
     return fitted_slope(best);
 }
 
+/// What the values span but for so many at either end.
+InverseDepthRange range_without_ends(std::vector<double> values, std::size_t cut) {
+    const auto far = values.begin() + static_cast<std::ptrdiff_t>(cut);
+    std::nth_element(values.begin(), far, values.end());
+    const auto near = values.end() - 1 - static_cast<std::ptrdiff_t>(cut);
+    std::nth_element(far, near, values.end());
+    return {*far, *near};
+}
+
 /// Where the values of the samples lie: all in the tile itself, and of those around it all but a
 /// twentieth at either end. What is farther off there is a mismatch more often than a surface, and
 /// nine tiles would be searched that far for it.
 InverseDepthRange range_of(const std::vector<Sample>& samples, const std::vector<double>& values) {
-    std::vector<double> sorted = values;
-    const auto cut = static_cast<std::ptrdiff_t>(sorted.size() / 20);
-    const auto far = sorted.begin() + cut;
-    std::nth_element(sorted.begin(), far, sorted.end());
-    const auto near = sorted.end() - 1 - cut;
-    std::nth_element(far, near, sorted.end());
-    InverseDepthRange range{*far, *near};
+    InverseDepthRange range = range_without_ends(values, values.size() / 20);
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (samples[i].offset_px.cwiseAbs().maxCoeff() > 0.5 * kTileSide) continue;
         range.far = std::min(range.far, values[i]);
@@ -137,7 +140,9 @@ std::vector<TileSurface> search_around(const FloatImage& found, int width, int h
         for (int column = 0; column < tiles_along(width); ++column) {
             const std::vector<Sample> samples = samples_around(found, width, height, column, row);
             const Eigen::Vector2d slope = supported_slope(samples, tolerance);
-            tiles.push_back({range_of(samples, residuals(samples, slope)), slope});
+            const std::vector<double> values = residuals(samples, slope);
+            tiles.push_back(
+                {range_of(samples, values), range_without_ends(values, values.size() / 5), slope});
         }
     }
     return tiles;
@@ -146,7 +151,7 @@ std::vector<TileSurface> search_around(const FloatImage& found, int width, int h
 std::vector<TileSurface> search_whole_range(const InverseDepthRange& range, int width, int height,
                                             const FloatImage& guide) {
     const auto count = static_cast<std::size_t>(tiles_along(width) * tiles_along(height));
-    std::vector<TileSurface> tiles(count, TileSurface{range, Eigen::Vector2d::Zero()});
+    std::vector<TileSurface> tiles(count, TileSurface{range, range, Eigen::Vector2d::Zero()});
     if (guide.empty()) return tiles;
     for (int row = 0; row < tiles_along(height); ++row) {
         for (int column = 0; column < tiles_along(width); ++column) {

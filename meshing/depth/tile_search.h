@@ -19,6 +19,8 @@ constexpr int kTileSide = 16;
 /// 2017).
 struct TileSurface {
     InverseDepthRange at_centre;
+    /// What most of it spans: enough where memory does not allow more.
+    InverseDepthRange core = at_centre;
     Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< Inverse depth per pixel, right and down.
 };
 
@@ -28,7 +30,8 @@ struct TileSurface {
                                                           int height, const FloatImage& guide);
 
 /// Around each tile, the slope that most of `found` follows and the range that is spanned by all
-/// in the tile and nine tenths of what lies within half a tile around. `found` is a map of the same
+/// in the tile and nine tenths of what lies within half a tile around; its core is spanned by the
+/// middle three fifths of both. `found` is a map of the same
 /// field of view, of at most this size; `tolerance` is the inverse depth within which a pixel
 /// follows a surface.
 [[nodiscard]] std::vector<TileSurface> search_around(const FloatImage& found, int width, int height,

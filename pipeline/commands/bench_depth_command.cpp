@@ -23,6 +23,7 @@ struct BenchDepthRequest {
     fs::path out;
     std::vector<std::string> models;
     fs::path truth_folder;
+    int max_width_px = DepthOptions{}.max_width_px;
 };
 
 /// The views that a built workspace uses and holds out, as its package was made.
@@ -49,6 +50,9 @@ std::string line_of(const RungMeasurement& rung) {
            " dB  full " + number_text(rung.held_out.psnr_db, 2) + " dB" +
            (rung.right_share ? "  right " + number_text(100 * *rung.right_share, 1) + " %"
                              : std::string()) +
+           (rung.peak_mib ? "  " + number_text(*rung.peak_mib, 0) + " MiB (" +
+                                number_text(rung.expected_peak_mib, 0) + " expected)"
+                          : std::string()) +
            (rung.choice.empty() ? "" : "  " + rung.choice) + "\n";
 }
 
@@ -66,6 +70,7 @@ void run_bench_depth(const BenchDepthRequest& request, const CommandContext& con
         for (const std::string& model : request.models) {
             DepthOptions options;
             options.model = model;
+            options.max_width_px = request.max_width_px;
             measured.push_back(measure_rung(
                 scene, options, context.threads, [](RenderMode, const JudgedView&) {},
                 *context.progress));
@@ -92,6 +97,8 @@ void add_bench_depth_command(CLI::App& app, CommandContext& context) {
     command.add_option("--model", request->models, "Models to measure; may be repeated")
         ->allow_extra_args(false)
         ->check(CLI::IsMember(model_names()));
+    command.add_option("--max-width", request->max_width_px,
+                       "Depth maps are at most this wide, px");
     command.add_option("--truth", request->truth_folder, "Folder of exact depth, by photograph");
     command.callback([request, &context] {
         context.chosen = [request, &context] { run_bench_depth(*request, context); };

@@ -5,7 +5,10 @@
 #include "calib/doctor/examination.h"
 #include "calib/doctor/match_graph_picture.h"
 #include "calib/work/error.h"
+#include "calib/work/parallel_for.h"
+#include "calib/work/process_memory.h"
 #include "calib/work/whole_file.h"
+#include "meshing/depth/depth_memory.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/config/build_config.h"
 #include "pipeline/line/line.h"
@@ -84,24 +87,40 @@ Json pairs_json(const CaptureEvidence& evidence) {
     return json;
 }
 
-Json examination_json(const Examination& seen, const fs::path& picture) {
+/// What the depth stage of a build will take at most, by the sizes of the photographs.
+double depth_mib(const Examination& seen, const DepthOptions& options, int threads) {
+    std::vector<std::uint64_t> pixels;
+    for (const Eigen::Vector2i& size : seen.build_sizes_px) {
+        const double scale = std::min(1.0, 1.0 * options.max_width_px / size.x());
+        pixels.push_back(static_cast<std::uint64_t>(scale * scale * size.x() * size.y()));
+    }
+    release_free_memory();
+    const DepthMemory memory = predicted_depth_memory(
+        pixels, options.model, resolve_threads(threads),
+        static_cast<std::uint64_t>(options.max_memory_mib) << 20, memory_in_use().value_or(0));
+    return static_cast<double>(memory.peak()) / (1 << 20);
+}
+
+Json examination_json(const Examination& seen, double depth_mib, const fs::path& picture) {
     const MotionEvidence& motion = seen.evidence.motion;
-    return Json{
-        {"verdict", verdict_word(seen.verdict())},
-        {"exit_code", exit_code_of(seen.verdict())},
-        {"findings", findings_json(seen.findings)},
-        {"photographs", photographs_json(seen.evidence.photographs)},
-        {"left_out", left_out_json(seen.left_out)},
-        {"pairs", pairs_json(seen.evidence)},
-        {"rotation_share", motion.rotation_share()},
-        {"planar_share", motion.planar_share()},
-        {"loop_conflict_share", seen.evidence.loops.conflict_share()},
-        {"median_angle_deg", median_angle_deg(seen.evidence)},
-        {"groups", groups_of(match_graph_of(seen.evidence))},
-        {"match_graph", picture.string()},
-        {"expected_build", {{"cpu_s", seen.build.cpu_s}, {"peak_mib", seen.build.peak_mib}}},
-        {"cpu_s", seen.cost.cpu_s},
-        {"wall_s", seen.cost.wall_s}};
+    return Json{{"verdict", verdict_word(seen.verdict())},
+                {"exit_code", exit_code_of(seen.verdict())},
+                {"findings", findings_json(seen.findings)},
+                {"photographs", photographs_json(seen.evidence.photographs)},
+                {"left_out", left_out_json(seen.left_out)},
+                {"pairs", pairs_json(seen.evidence)},
+                {"rotation_share", motion.rotation_share()},
+                {"planar_share", motion.planar_share()},
+                {"loop_conflict_share", seen.evidence.loops.conflict_share()},
+                {"median_angle_deg", median_angle_deg(seen.evidence)},
+                {"groups", groups_of(match_graph_of(seen.evidence))},
+                {"match_graph", picture.string()},
+                {"expected_build",
+                 {{"cpu_s", seen.build.cpu_s},
+                  {"peak_mib", std::max(seen.build.peak_mib, depth_mib)},
+                  {"depth_mib", depth_mib}}},
+                {"cpu_s", seen.cost.cpu_s},
+                {"wall_s", seen.cost.wall_s}};
 }
 
 std::string concerned_text(const Finding& finding) {
@@ -116,7 +135,7 @@ std::string concerned_text(const Finding& finding) {
     return text.empty() ? text : text + "\n";
 }
 
-std::string examination_text(const Examination& seen, const fs::path& picture) {
+std::string examination_text(const Examination& seen, double depth_mib, const fs::path& picture) {
     std::string text = std::string("verdict: ") + verdict_word(seen.verdict()) + "\n";
     for (const Finding& finding : seen.findings) {
         text += std::string(finding.severity == Severity::kNote ? "note " : "") +
@@ -131,8 +150,9 @@ std::string examination_text(const Examination& seen, const fs::path& picture) {
             std::to_string(evidence.pairs.size()) + " pairs that show the same things; rays meet " +
             "at " + number_text(median_angle_deg(evidence), 1) + " degrees in the middle pair\n";
     text += "a build will take about " + number_text(seen.build.cpu_s, 0) + " CPU s and " +
-            number_text(seen.build.peak_mib, 0) + " MiB; looking took " +
-            number_text(seen.cost.cpu_s, 1) + " CPU s\n";
+            number_text(std::max(seen.build.peak_mib, depth_mib), 0) + " MiB, of these depth " +
+            number_text(depth_mib, 0) + " MiB; looking took " + number_text(seen.cost.cpu_s, 1) +
+            " CPU s\n";
     return text + picture.string() + "\n";
 }
 
@@ -152,12 +172,13 @@ void run_doctor(const DoctorRequest& request, CommandContext& context) {
                         threads, *context.progress);
     const fs::path picture = folder / "match_graph.svg";
     write_whole_text(picture, match_graph_svg(seen.evidence));
-    const Json json = examination_json(seen, picture);
+    const double depth = depth_mib(seen, config.depth, threads);
+    const Json json = examination_json(seen, depth, picture);
     write_whole_text(folder / "doctor.json", json.dump(2) + "\n");
     if (context.json) {
         context.print_result(json);
     } else {
-        context.print_result(examination_text(seen, picture));
+        context.print_result(examination_text(seen, depth, picture));
     }
     context.exit_code = exit_code_of(seen.verdict());
 }

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "calib/work/process_memory.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/error_report.h"
 #include "pipeline/commands/interruption.h"
@@ -54,6 +55,7 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
 int main(int argc, char** argv) {
     // Ceres tells by its return values; its log would talk between ours.
     FLAGS_minloglevel = google::GLOG_FATAL;
+    lumi::keep_little_free_memory();
     lumi::CommandContext context;
     CLI::App app{
         "Example: lumi build photos/ && lumi view work/photos/photos.lumi\n\n"

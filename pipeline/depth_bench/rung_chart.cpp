@@ -28,7 +28,7 @@ std::vector<std::string> scenes_of(const std::vector<RungMeasurement>& measured)
 std::string csv_of(const std::vector<RungMeasurement>& measured) {
     std::string text =
         "scene,model,cpu_s_per_megapixel,rms_error,rms_standard_error,psnr_covered_db,psnr_db,"
-        "coverage,ssim,confident_share,right_share\n";
+        "coverage,ssim,confident_share,right_share,expected_peak_mib,peak_mib\n";
     for (const RungMeasurement& rung : measured) {
         text += rung.scene + "," + rung.model;
         for (const double value :
@@ -37,7 +37,9 @@ std::string csv_of(const std::vector<RungMeasurement>& measured) {
               rung.held_out.coverage, rung.held_out.ssim, rung.confident_share}) {
             text += "," + number_text(value, 4);
         }
-        text += "," + (rung.right_share ? number_text(*rung.right_share, 4) : "") + "\n";
+        text += "," + (rung.right_share ? number_text(*rung.right_share, 4) : "") + "," +
+                number_text(rung.expected_peak_mib, 0) + "," +
+                (rung.peak_mib ? number_text(*rung.peak_mib, 0) : "") + "\n";
     }
     return text;
 }
@@ -96,7 +98,9 @@ Json rungs_json(const std::vector<RungMeasurement>& measured) {
                   {"coverage", rung.held_out.coverage},
                   {"ssim", rung.held_out.ssim},
                   {"sparse_residual_px", rung.sparse_residual_px},
-                  {"confident_share", rung.confident_share}};
+                  {"confident_share", rung.confident_share},
+                  {"expected_peak_mib", rung.expected_peak_mib}};
+        if (rung.peak_mib) json["peak_mib"] = *rung.peak_mib;
         if (rung.held_out.psnr_covered_db) json["psnr_covered_db"] = *rung.held_out.psnr_covered_db;
         if (rung.right_share) json["right_share"] = *rung.right_share;
         if (!rung.choice.empty()) json["choice"] = rung.choice;

@@ -6,6 +6,7 @@
 
 #include "calib/capture/image_io.h"
 #include "calib/work/parallel_for.h"
+#include "calib/work/process_memory.h"
 #include "meshing/depth/depth_scene.h"
 #include "meshing/depth/imported_depth.h"
 #include "pipeline/stages/depth_range.h"
@@ -119,6 +120,7 @@ double median(std::vector<double> values) {
 
 void take_evidence(const DepthResult& result, RungMeasurement& measured) {
     measured.choice = result.choice;
+    measured.expected_peak_mib = static_cast<double>(result.memory.peak()) / (1 << 20);
     double cpu_s = result.choice_cpu_s;
     double megapixels = 0;
     std::vector<double> residuals;
@@ -140,8 +142,13 @@ RungMeasurement measure_rung(const DepthBenchScene& scene, const DepthOptions& o
     RungMeasurement measured;
     measured.scene = scene.name;
     measured.model = options.model;
+    release_free_memory();
+    const bool tells_memory = forget_peak_memory();
     DepthResult result =
         estimate_depth(scene.used, all_views(scene.used), options, threads, progress);
+    if (const auto peak = peak_memory(); peak && tells_memory) {
+        measured.peak_mib = static_cast<double>(*peak) / (1 << 20);
+    }
     take_evidence(result, measured);
     if (!scene.truth_folder.empty()) {
         measured.right_share = right_share(scene, options, result.depth_maps, threads, progress);

@@ -26,7 +26,10 @@ struct RungMeasurement {
     std::string model;
     std::string choice;                ///< Of "auto": what was chosen and why; else empty.
     double cpu_s_per_megapixel = 0.0;  ///< Of depth map, choice included, photographs once read.
-    ViewScore held_out;                ///< Mean over the held-out views.
+    double expected_peak_mib = 0.0;    ///< Of the process while depth is found, as predicted.
+    /// And as measured (VmHWM of proc(5)); empty where the system does not tell.
+    std::optional<double> peak_mib;
+    ViewScore held_out;  ///< Mean over the held-out views.
     /// Root of the mean squared error over covered pixels, 8-bit levels, and its standard error
     /// over tiles of 64 pixels.
     double rms_error = 0.0;

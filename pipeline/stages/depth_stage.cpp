@@ -27,10 +27,10 @@ Json facts_json(const DepthResult& result) {
     return facts;
 }
 
-Json timings_json(const std::vector<DepthEvidence>& evidence) {
+Json timings_json(const DepthResult& result) {
     Json cpu_s = Json::object();
-    for (const DepthEvidence& view : evidence) cpu_s[view.view_name] = view.cpu_s;
-    return Json{{"cpu_s", std::move(cpu_s)}};
+    for (const DepthEvidence& view : result.evidence) cpu_s[view.view_name] = view.cpu_s;
+    return Json{{"cpu_s", std::move(cpu_s)}, {"expected_peak_mib", result.memory.peak() >> 20}};
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ StageEvidence run_depth_stage(const PosedPhotographs& photographs, const DepthOp
     const DepthResult result = estimate_depth(photographs, all_views, options, threads, progress);
     write_depth_files(folder, file_stems_of_views(view_names(photographs.capture)),
                       result.depth_maps, threads);
-    return {json_text(facts_json(result)), json_text(timings_json(result.evidence))};
+    return {json_text(facts_json(result)), json_text(timings_json(result))};
 }
 
 }  // namespace lumi

@@ -145,6 +145,7 @@ TEST(CommandLine, DoctorNamesWhatMakesACaptureHopeless) {
     EXPECT_EQ(outcome.exit_code, 4) << outcome.talk;
     const Json seen = Json::parse(outcome.out);
     EXPECT_EQ(seen.at("verdict"), "hopeless");
+    EXPECT_GT(seen.at("expected_build").at("depth_mib"), 10);
     EXPECT_EQ(seen.at("findings").at(0).at("code"), "E-POSES-TEXTURE");
     EXPECT_FALSE(seen.at("findings").at(0).at("advice").get<std::string>().empty());
     EXPECT_THAT(read_whole_text(scratch / "work" / "doctor" / "match_graph.svg"),

@@ -85,6 +85,7 @@ TEST(DepthStage, GivesTheSameBytesForAnyNumberOfThreads) {
     const DepthResult one = depth_of(photographs, {0, 1, 2, 3, 4}, {}, 1);
     expect_same(one, depth_of(photographs, {0, 1, 2, 3, 4}, {}, 2));
     expect_same(one, depth_of(photographs, {0, 1, 2, 3, 4}, {}, 5));
+    expect_same(one, depth_of(photographs, {0, 1, 2, 3, 4}, {.max_memory_mib = 256}, 5));
 }
 
 TEST(DepthStage, HeldOutViewsTakeNoPart) {
@@ -171,6 +172,7 @@ TEST(DepthOptions, AreRefusedOutsideTheirRange) {
     EXPECT_THROW(validate(DepthOptions{.model = "magic"}), Error);
     EXPECT_THROW(validate(DepthOptions{.max_width_px = 0}), Error);
     EXPECT_THROW(validate(DepthOptions{.max_neighbours = 0}), Error);
+    EXPECT_THROW(validate(DepthOptions{.max_memory_mib = 0}), Error);
     const ConfigSection section = ConfigSection::from_text("max_neighbours = 99", "test.toml");
     EXPECT_THROW((void)read_depth_options(section), Error);
 }

@@ -107,5 +107,16 @@ TEST(TileSearch, AMismatchWidensItsOwnTileAloneButASurfaceItsNeighboursToo) {
     EXPECT_NEAR(near_of(0), 1.0, 1e-5);
 }
 
+TEST(TileSearch, TheCoreOfATileIsWhatMostOfItShows) {
+    FloatImage found(48, 48, 0.5F);
+    for (int y = 0; y < 48; ++y) {
+        for (int x = 22; x < 26; ++x) found(x, y) = 1.0F;  // An eighth of what the tile asks.
+    }
+    const TileSurface tile = search_around(found, 48, 48, 0.01)[4];
+    EXPECT_NEAR(tile.at_centre.near, 1.0, 1e-5);
+    EXPECT_NEAR(tile.core.near, 0.5, 1e-5);
+    EXPECT_NEAR(tile.core.far, 0.5, 1e-5);
+}
+
 }  // namespace
 }  // namespace lumi

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace lumi {
+
+/// Memory of this process and of the machine, in bytes; empty where the system does not tell.
+[[nodiscard]] std::optional<std::uint64_t> memory_in_use();  ///< Resident now.
+[[nodiscard]] std::optional<std::uint64_t> peak_memory();    ///< Resident at most so far.
+[[nodiscard]] std::optional<std::uint64_t>
+memory_available();  ///< What the machine can still give.
+
+/// Gives back to the system what was freed.
+void release_free_memory();
+
+/// From now on, what is freed in pieces of 8 MiB or more goes back to the system at once, and no
+/// more than that is kept of the rest. Otherwise the peak depends on the order of what came before.
+void keep_little_free_memory();
+
+/// Begins `peak_memory` anew with what is in use now. False where the system does not allow it.
+[[nodiscard]] bool forget_peak_memory();
+
+}  // namespace lumi

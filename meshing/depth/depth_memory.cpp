@@ -1,0 +1,78 @@
+#include "meshing/depth/depth_memory.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+// Bytes for each pixel of a depth map.
+constexpr double kPicture = 3;
+constexpr double kMap = 5;  // Inverse depth and confidence.
+constexpr double kFilling =
+    40;  // The surroundings, three times as large, or the smoother's arrays.
+
+// A view that is matched takes its pictures, and so much for each plane that a pixel is compared
+// at; see kMaxCells of the sweep for the bound.
+constexpr double kPictures = 30;
+constexpr double kPlanes = 78;
+constexpr double kPlane = 3;
+constexpr double kMaxMatching = 3.0 * (std::uint64_t{96} << 20);
+constexpr double kRefining = 43;  // Planes, costs and packed neighbours of PatchMatch.
+constexpr double kPair = 60;      // Two rectified pictures, and what OpenCV matches them in.
+
+double matching_of(double pixels, const std::string& model) {
+    const double swept = kPictures * pixels + std::min(kMaxMatching, kPlanes * kPlane * pixels);
+    if (model == "sweep") return swept;
+    if (model == "patch_match" || model == "auto") return swept + kRefining * pixels;
+    if (model == "pair_stereo") return kPair * pixels;
+    return 0;
+}
+
+/// As many views as fit beside `kept`.
+int views_within(double budget, double kept, double per_view, int threads) {
+    if (per_view <= 0) return threads;
+    return static_cast<int>(std::clamp((budget - kept) / per_view, 1.0, 1.0 * threads));
+}
+
+}  // namespace
+
+DepthMemory predicted_depth_memory(const std::vector<std::uint64_t>& map_pixels,
+                                   const std::string& model, int threads, std::uint64_t budget,
+                                   std::uint64_t in_use) {
+    const auto pixels = static_cast<double>(
+        std::accumulate(map_pixels.begin(), map_pixels.end(), std::uint64_t{0}));
+    const double largest =
+        map_pixels.empty()
+            ? 0
+            : static_cast<double>(*std::max_element(map_pixels.begin(), map_pixels.end()));
+    const bool refines = model == "patch_match" || model == "auto";
+    const double while_matching = (kPicture + (refines ? 2 : 1) * kMap) * pixels;
+    const double while_filling = (kPicture + 2 * kMap) * pixels;
+    const double left = static_cast<double>(budget) - static_cast<double>(in_use);
+    const int most =
+        std::min(threads, static_cast<int>(std::max<std::size_t>(1, map_pixels.size())));
+    const double matching = matching_of(largest, model);
+    DepthMemory memory;
+    memory.in_use = in_use;
+    memory.views_matched = views_within(left, while_matching, matching, most);
+    memory.views_filled = views_within(left, while_filling, kFilling * largest, most);
+    memory.matching = static_cast<std::uint64_t>(while_matching + memory.views_matched * matching);
+    memory.finishing =
+        static_cast<std::uint64_t>(while_filling + memory.views_filled * kFilling * largest);
+    return memory;
+}
+
+void require_memory(const DepthMemory& predicted, std::uint64_t available) {
+    const std::uint64_t wanted = predicted.peak() - predicted.in_use;
+    if (wanted <= available) return;
+    const auto mebibytes = [](std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; };
+    throw Error(ErrorKind::kResources, "E-DEPTH-MEMORY",
+                "depth maps of this size take about " + mebibytes(wanted) +
+                    " of memory, and the machine has " + mebibytes(available) + " left",
+                "make them smaller with max_width_px under [depth]");
+}
+
+}  // namespace lumi

@@ -1,0 +1,61 @@
+#include "meshing/depth/depth_memory.h"
+
+#include <gtest/gtest.h>
+
+#include "calib/work/error.h"
+
+namespace lumi {
+namespace {
+
+constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
+constexpr std::uint64_t kPixels = 6'000'000;
+
+DepthMemory predicted(std::size_t views, int threads, std::uint64_t budget_mib,
+                      const std::string& model = "sweep") {
+    return predicted_depth_memory(std::vector<std::uint64_t>(views, kPixels), model, threads,
+                                  budget_mib * kMiB, 150 * kMiB);
+}
+
+TEST(DepthMemory, AViewMoreAddsItsPictureAndTwoMaps) {
+    // 3 bytes of colour, and twice 4 of inverse depth and 1 of confidence.
+    EXPECT_EQ(predicted(9, 1, 100'000).finishing - predicted(8, 1, 100'000).finishing,
+              13 * kPixels);
+    EXPECT_EQ(predicted(9, 1, 100'000).in_use, 150 * kMiB);
+}
+
+TEST(DepthMemory, FewerViewsAtOneTimeKeepItWithinTheBudget) {
+    for (const int threads : {1, 2, 8, 64}) {
+        const DepthMemory memory = predicted(16, threads, 2048);
+        EXPECT_LE(memory.peak(), 2048 * kMiB) << threads;
+        EXPECT_LE(memory.views_matched, threads);
+        EXPECT_GE(memory.views_matched, 1);
+    }
+    EXPECT_EQ(predicted(16, 8, 100'000).views_matched, 8);
+    EXPECT_EQ(predicted(3, 8, 100'000).views_matched, 3);
+    EXPECT_EQ(predicted(16, 8, 1).views_matched, 1);
+    EXPECT_EQ(predicted(16, 8, 1).views_filled, 1);
+}
+
+TEST(DepthMemory, AModelThatDoesMoreTakesMore) {
+    std::uint64_t before = 0;
+    for (const char* model : {"plane", "pair_stereo", "sweep", "patch_match"}) {
+        const std::uint64_t matching = predicted(16, 2, 100'000, model).matching;
+        EXPECT_GT(matching, before) << model;
+        before = matching;
+    }
+}
+
+TEST(DepthMemory, WhatTheMachineHasNotIsRefused) {
+    const DepthMemory memory = predicted(16, 2, 2048);
+    EXPECT_NO_THROW(require_memory(memory, memory.peak() - memory.in_use));
+    try {
+        require_memory(memory, memory.peak() - memory.in_use - 1);
+        ADD_FAILURE() << "expected E-DEPTH-MEMORY";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-DEPTH-MEMORY");
+        EXPECT_EQ(error.kind(), ErrorKind::kResources);
+    }
+}
+
+}  // namespace
+}  // namespace lumi
