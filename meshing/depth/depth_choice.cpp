@@ -72,14 +72,16 @@ class Climb {
 DepthChoice choose_depth_model(const DepthScene& scene, const std::vector<GrayImage>& masks,
                                const std::string& highest, int threads, Progress& progress) {
     const HeldOutTrial trial(scene, masks, threads);
+    std::vector<std::string> rungs = depth_model_names();
+    rungs.erase(std::find(rungs.begin(), rungs.end(), highest) + 1, rungs.end());
     if (!trial.is_possible()) {
-        return {highest,
-                highest + ": no view has " + std::to_string(kMinTrialPoints) +
+        // Nothing could show that more than the sweep is worth its time.
+        const std::string untried = highest == "patch_match" ? "sweep" : highest;
+        return {untried,
+                untried + ": no view has " + std::to_string(kMinTrialPoints) +
                     " scene points, by which a cheaper model could be judged",
                 {}};
     }
-    std::vector<std::string> rungs = depth_model_names();
-    rungs.erase(std::find(rungs.begin(), rungs.end(), highest) + 1, rungs.end());
     progress.begin("depth: choosing a model", 0);
     return Climb(trial, progress).run(rungs);
 }

@@ -36,7 +36,7 @@ struct DepthChoice {
 /// within a pixel of disparity. If none is, the rung counts that predicts the neighbours'
 /// photographs best (photograph_loss.h); without two neighbours, the one nearest to the points.
 /// Rungs above `highest` are not tried. With fewer than 40 points in every view nothing can be
-/// kept back, and `highest` is taken.
+/// kept back, and `highest` is taken, but not more than the sweep.
 [[nodiscard]] DepthChoice choose_depth_model(const DepthScene& scene,
                                              const std::vector<GrayImage>& masks,
                                              const std::string& highest, int threads,

@@ -87,7 +87,7 @@ std::unique_ptr<DepthModel> model_of(const DepthScene& scene, const std::vector<
     }
     if (!options.import_mesh.empty()) return mesh_depth_model(options.import_mesh);
     if (options.model != "auto") return depth_model_named(options.model);
-    const DepthChoice chosen = choose_depth_model(scene, masks, "sweep", threads, progress);
+    const DepthChoice chosen = choose_depth_model(scene, masks, "patch_match", threads, progress);
     choice = chosen.explanation;
     return depth_model_named(chosen.model);
 }

@@ -161,6 +161,7 @@ class Exhibit {
         if (with_neighbours || estimates.front().needs_confirmation) {
             for (int i = 1; i < witnesses_; ++i) estimate(model, i, estimates);
         }
+        for (int round = 0; round < model.refinements(); ++round) refine(model, estimates);
         std::vector<DepthMap> confirmed(scene_.views.size());  // Of the rest nothing is known.
         for (int i = 0; i < witnesses_; ++i) {
             const auto index = static_cast<std::size_t>(i);
@@ -221,6 +222,17 @@ class Exhibit {
         const auto index = static_cast<std::size_t>(i);
         estimates[index] = model.estimate(scene_, i);
         claim_nothing_beyond(masks_[index], estimates[index].map);
+    }
+
+    /// What has an estimate is made better; the rest of the views has said nothing.
+    void refine(const DepthModel& model, std::vector<DepthEstimate>& estimates) const {
+        const std::vector<DepthEstimate> before = estimates;
+        for (int i = 0; i < witnesses_; ++i) {
+            const auto index = static_cast<std::size_t>(i);
+            if (before[index].map.confidence.empty()) continue;
+            estimates[index] = model.refine(scene_, before, i);
+            claim_nothing_beyond(masks_[index], estimates[index].map);
+        }
     }
 
     const DepthScene& source_;

@@ -4,6 +4,7 @@
 
 #include "meshing/depth/depth_choice.h"
 #include "meshing/depth/depth_model.h"
+#include "meshing/depth/held_out_trial.h"
 #include "meshing/depth/pair_stereo.h"
 #include "meshing/depth/patch_match.h"
 #include "meshing/depth/photograph_loss.h"
@@ -197,13 +198,22 @@ TEST(PhotographLoss, WhatOneViewHidesAnotherShows) {
     EXPECT_LT(loss({1}), 8.0);
 }
 
-TEST(DepthChoice, WithoutPointsTakesTheHighestRungAndSaysWhy) {
+TEST(HeldOutTrial, AsksARungThatRefinesForItsRefinement) {
+    const KnownDepthScene known = slanted_wall({0.5, 0.4, 1});
+    const std::vector<GrayImage> masks = no_masks(known);
+    const HeldOutTrial trial(known.scene, masks, 2);
+    const SilentProgress progress;
+    EXPECT_LT(trial.of("patch_match", progress).loss.mean_px,
+              0.95 * trial.of("sweep", progress).loss.mean_px);
+}
+
+TEST(DepthChoice, WithoutPointsTakesTheSweepAndSaysWhy) {
     const KnownDepthScene known =
         known_depth_scene({{{0, 0, 2}, {0, 0, 1}, everywhere, noise_texture(0.03, 5)}},
                           cross_of_centres(0.12), {0.1, 1.2});
     SilentProgress progress;
     const DepthChoice choice =
-        choose_depth_model(known.scene, no_masks(known), "sweep", 1, progress);
+        choose_depth_model(known.scene, no_masks(known), "patch_match", 1, progress);
     EXPECT_EQ(choice.model, "sweep");
     EXPECT_NE(choice.explanation.find("no view has"), std::string::npos) << choice.explanation;
 }
