@@ -50,6 +50,9 @@ std::string line_of(const RungMeasurement& rung) {
            " dB  full " + number_text(rung.held_out.psnr_db, 2) + " dB" +
            (rung.right_share ? "  right " + number_text(100 * *rung.right_share, 1) + " %"
                              : std::string()) +
+           (rung.right_visible_share
+                ? " (of visible texture " + number_text(100 * *rung.right_visible_share, 1) + " %)"
+                : std::string()) +
            (rung.peak_mib ? "  " + number_text(*rung.peak_mib, 0) + " MiB (" +
                                 number_text(rung.expected_peak_mib, 0) + " expected)"
                           : std::string()) +

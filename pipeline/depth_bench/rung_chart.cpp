@@ -28,7 +28,8 @@ std::vector<std::string> scenes_of(const std::vector<RungMeasurement>& measured)
 std::string csv_of(const std::vector<RungMeasurement>& measured) {
     std::string text =
         "scene,model,cpu_s_per_megapixel,rms_error,rms_standard_error,psnr_covered_db,psnr_db,"
-        "coverage,ssim,confident_share,right_share,expected_peak_mib,peak_mib\n";
+        "coverage,ssim,confident_share,right_share,right_visible_share,expected_peak_mib,peak_"
+        "mib\n";
     for (const RungMeasurement& rung : measured) {
         text += rung.scene + "," + rung.model;
         for (const double value :
@@ -38,6 +39,7 @@ std::string csv_of(const std::vector<RungMeasurement>& measured) {
             text += "," + number_text(value, 4);
         }
         text += "," + (rung.right_share ? number_text(*rung.right_share, 4) : "") + "," +
+                (rung.right_visible_share ? number_text(*rung.right_visible_share, 4) : "") + "," +
                 number_text(rung.expected_peak_mib, 0) + "," +
                 (rung.peak_mib ? number_text(*rung.peak_mib, 0) : "") + "\n";
     }
@@ -103,6 +105,7 @@ Json rungs_json(const std::vector<RungMeasurement>& measured) {
         if (rung.peak_mib) json["peak_mib"] = *rung.peak_mib;
         if (rung.held_out.psnr_covered_db) json["psnr_covered_db"] = *rung.held_out.psnr_covered_db;
         if (rung.right_share) json["right_share"] = *rung.right_share;
+        if (rung.right_visible_share) json["right_visible_share"] = *rung.right_visible_share;
         if (!rung.choice.empty()) json["choice"] = rung.choice;
         rungs.push_back(std::move(json));
     }

@@ -9,6 +9,7 @@
 #include "calib/work/process_memory.h"
 #include "meshing/depth/depth_scene.h"
 #include "meshing/depth/imported_depth.h"
+#include "pipeline/depth_bench/right_shares.h"
 #include "pipeline/stages/depth_range.h"
 
 namespace lumi {
@@ -89,26 +90,18 @@ class TileErrors {
     std::vector<double> errors_;
 };
 
-/// Share of confident pixels within one pixel of disparity of the truth.
-double right_share(const DepthBenchScene& scene, const DepthOptions& options,
-                   const std::vector<DepthMap>& depth_maps, int threads, Progress& progress) {
+void take_truth(const DepthBenchScene& scene, const DepthOptions& options,
+                const std::vector<DepthMap>& depth_maps, int threads, Progress& progress,
+                RungMeasurement& measured) {
     const DepthScene depth_scene =
         make_depth_scene(scene.used, all_views(scene.used), options, threads, progress);
-    std::size_t confident = 0;
-    std::size_t right = 0;
-    for (std::size_t i = 0; i < depth_maps.size(); ++i) {
-        const DepthView& view = depth_scene.views[i];
-        const DepthMap truth = imported_depth(view, scene.truth_folder);
-        for (std::size_t p = 0; p < truth.confidence.pixels().size(); ++p) {
-            if (truth.confidence.pixels()[p] == 0) continue;
-            if (depth_maps[i].confidence.pixels()[p] == 0) continue;
-            const double error = static_cast<double>(std::abs(
-                truth.inverse_depth.pixels()[p] - depth_maps[i].inverse_depth.pixels()[p]));
-            ++confident;
-            if (error * view.disparity_px_per_inverse_depth <= 1) ++right;
-        }
+    std::vector<DepthMap> truth;
+    for (const DepthView& view : depth_scene.views) {
+        truth.push_back(imported_depth(view, scene.truth_folder));
     }
-    return confident == 0 ? 0.0 : static_cast<double>(right) / static_cast<double>(confident);
+    const RightShares shares = right_shares(depth_scene, truth, depth_maps);
+    measured.right_share = shares.of_confident;
+    measured.right_visible_share = shares.of_visible;
 }
 
 double median(std::vector<double> values) {
@@ -151,7 +144,7 @@ RungMeasurement measure_rung(const DepthBenchScene& scene, const DepthOptions& o
     }
     take_evidence(result, measured);
     if (!scene.truth_folder.empty()) {
-        measured.right_share = right_share(scene, options, result.depth_maps, threads, progress);
+        take_truth(scene, options, result.depth_maps, threads, progress, measured);
     }
     TileErrors tiles;
     const Evaluation evaluation = evaluate_held_out(

@@ -38,6 +38,8 @@ struct RungMeasurement {
     double confident_share = 0.0;     ///< Mean over the views.
     /// Share of confident pixels within one pixel of the true disparity; empty without truth.
     std::optional<double> right_share;
+    /// The same of the pixels with texture that some neighbour sees, whether confident or filled.
+    std::optional<double> right_visible_share;
 };
 
 /// Estimates depth with `options`, packs and draws the held-out views. `keep` gets what was drawn.

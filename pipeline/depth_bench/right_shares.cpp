@@ -1,0 +1,74 @@
+#include "pipeline/depth_bench/right_shares.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calib/capture/gray.h"
+#include "meshing/depth/inverse_depth_warp.h"
+#include "meshing/depth/window_match.h"
+
+namespace lumi {
+namespace {
+
+/// True when some neighbour of the view sees the surface that is at this pixel in truth.
+bool is_seen(const DepthScene& scene, const std::vector<DepthMap>& truth, std::size_t view_index,
+             int x, int y) {
+    constexpr double kMaxApartPx = 1.0;
+    const DepthView& view = scene.views[view_index];
+    const auto inverse_depth = static_cast<double>(truth[view_index].inverse_depth(x, y));
+    return std::any_of(view.neighbours.begin(), view.neighbours.end(), [&](int j) {
+        const DepthView& other = scene.views[static_cast<std::size_t>(j)];
+        const DepthMap& map = truth[static_cast<std::size_t>(j)];
+        const Eigen::Vector3d there =
+            warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world)(
+                Eigen::Vector2d(x + 0.5, y + 0.5), inverse_depth);
+        if (there.z() <= 0) return false;
+        const Eigen::Vector2d pixel = there.hnormalized();
+        const int column = static_cast<int>(std::floor(pixel.x()));
+        const int row = static_cast<int>(std::floor(pixel.y()));
+        if (!map.confidence.contains(column, row)) return false;
+        const double before =
+            static_cast<double>(map.inverse_depth(column, row)) - inverse_depth / there.z();
+        return before * other.disparity_px_per_inverse_depth <= kMaxApartPx;
+    });
+}
+
+/// Counts pixels, and those within one pixel of the true disparity.
+struct RightCount {
+    std::size_t all = 0;
+    std::size_t right = 0;
+
+    void add(bool is_right) {
+        ++all;
+        if (is_right) ++right;
+    }
+    [[nodiscard]] double share() const {
+        return all == 0 ? 0.0 : static_cast<double>(right) / static_cast<double>(all);
+    }
+};
+
+}  // namespace
+
+RightShares right_shares(const DepthScene& scene, const std::vector<DepthMap>& truth,
+                         const std::vector<DepthMap>& found) {
+    RightCount confident;
+    RightCount visible;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const DepthView& view = scene.views[i];
+        const GrayImage gray = gray_of(view.photograph);
+        for (int y = 0; y < gray.height(); ++y) {
+            for (int x = 0; x < gray.width(); ++x) {
+                if (truth[i].confidence(x, y) == 0) continue;
+                const double error = static_cast<double>(
+                    std::abs(truth[i].inverse_depth(x, y) - found[i].inverse_depth(x, y)));
+                const bool is_right = error * view.disparity_px_per_inverse_depth <= 1;
+                if (found[i].confidence(x, y) != 0) confident.add(is_right);
+                if (!reference_window(gray, x, y).has_texture) continue;
+                if (is_seen(scene, truth, i, x, y)) visible.add(is_right);
+            }
+        }
+    }
+    return {confident.share(), visible.share()};
+}
+
+}  // namespace lumi

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "meshing/depth/depth_scene.h"
+#include "meshing/surface/depth_map.h"
+
+namespace lumi {
+
+/// Shares of pixels whose depth is within one pixel of the true disparity, in the neighbour that
+/// sees them move fastest. 0 where there are no such pixels.
+struct RightShares {
+    double of_confident = 0.0;  ///< Of the pixels that the found maps claim to know.
+    /// Of the pixels with texture (window_match.h) that some neighbour sees, claimed or not.
+    double of_visible = 0.0;
+};
+
+/// `truth` and `found`: a map of each view of the scene; truth counts where its confidence is not
+/// 0.
+[[nodiscard]] RightShares right_shares(const DepthScene& scene, const std::vector<DepthMap>& truth,
+                                       const std::vector<DepthMap>& found);
+
+}  // namespace lumi

@@ -1,0 +1,71 @@
+#include "pipeline/depth_bench/right_shares.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace lumi {
+namespace {
+
+constexpr int kWidth = 80;
+constexpr int kHeight = 60;
+constexpr double kFocalLength = 100;
+constexpr double kBaseline = 0.1;  // 10 px for each unit of inverse depth.
+
+/// Two cameras side by side before noise.
+DepthScene two_views() {
+    std::mt19937 random(3);
+    DepthScene scene;
+    for (int i = 0; i < 2; ++i) {
+        DepthView view;
+        view.camera = pinhole_camera(kWidth, kHeight, kFocalLength);
+        view.cam_from_world.translation = {-kBaseline * i, 0, 0};
+        view.photograph = ColorImage(kWidth, kHeight);
+        for (Rgb8& pixel : view.photograph.pixels()) {
+            pixel.r = pixel.g = pixel.b = static_cast<std::uint8_t>(random() % 256);
+        }
+        view.neighbours = {1 - i};
+        view.disparity_px_per_inverse_depth = kFocalLength * kBaseline;
+        scene.views.push_back(std::move(view));
+    }
+    return scene;
+}
+
+DepthMap wall(float inverse_depth) {
+    return {FloatImage(kWidth, kHeight, inverse_depth), GrayImage(kWidth, kHeight, 255)};
+}
+
+TEST(RightShares, AreThoseOfThePixelsWithinOnePixelOfDisparity) {
+    const DepthScene scene = two_views();
+    const std::vector<DepthMap> truth(2, wall(0.5F));
+    EXPECT_EQ(right_shares(scene, truth, truth).of_visible, 1.0);
+    EXPECT_EQ(right_shares(scene, truth, {wall(0.59F), wall(0.41F)}).of_visible, 1.0);
+    EXPECT_EQ(right_shares(scene, truth, {wall(0.61F), wall(0.39F)}).of_visible, 0.0);
+    std::vector<DepthMap> half = truth;
+    for (DepthMap& map : half) {
+        for (int y = 0; y < kHeight / 2; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                map.inverse_depth(x, y) = 0.9F;
+                map.confidence(x, y) = 0;
+            }
+        }
+    }
+    EXPECT_EQ(right_shares(scene, truth, half).of_confident, 1.0);
+    EXPECT_NEAR(right_shares(scene, truth, half).of_visible, 0.5, 1e-9);
+}
+
+TEST(RightShares, WhatNoNeighbourSeesOrHasNoTextureIsNotAsked) {
+    const DepthScene scene = two_views();
+    // A board before the second camera: none of what the first one sees is seen by two.
+    const std::vector<DepthMap> truth{wall(0.5F), wall(2.0F)};
+    const RightShares shares = right_shares(scene, truth, {wall(0.9F), truth[1]});
+    EXPECT_EQ(shares.of_confident, 0.5);
+    EXPECT_EQ(shares.of_visible, 1.0);
+    DepthScene plain = two_views();
+    for (DepthView& view : plain.views) view.photograph = ColorImage(kWidth, kHeight);
+    EXPECT_EQ(right_shares(plain, truth, truth).of_visible, 0.0);
+    EXPECT_EQ(right_shares(plain, truth, truth).of_confident, 1.0);
+}
+
+}  // namespace
+}  // namespace lumi
