@@ -172,6 +172,11 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
                                 .focal_depth = request.focal_depth,
                                 .supersample = request.supersample,
                                 .fade_beyond_capture = request.fade};
+    if (request.reference && options.debug_picture == DebugPicture::kGrid) {
+        throw Error(ErrorKind::kUsage, "E-RENDER-GRID",
+                    "the reference draws pixel by pixel: there is no grid to show",
+                    "leave out --reference, or use another --debug");
+    }
     const Lumigraph lumigraph = read_package(request.package);
     std::unique_ptr<OffscreenRenderer> renderer;
     if (!request.reference) renderer = std::make_unique<OffscreenRenderer>(lumigraph);

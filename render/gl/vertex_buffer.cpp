@@ -70,4 +70,11 @@ void VertexBuffer::draw(std::size_t first, std::size_t count) const {
     glBindVertexArray(0);
 }
 
+void VertexBuffer::draw_lines(std::size_t count) const {
+    if (count == 0) return;
+    glBindVertexArray(vertex_array_.get());
+    glDrawElements(GL_LINES, static_cast<GLsizei>(count), GL_UNSIGNED_INT, byte_offset(0));
+    glBindVertexArray(0);
+}
+
 }  // namespace lumi

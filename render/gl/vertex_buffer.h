@@ -30,6 +30,8 @@ class VertexBuffer {
     void upload(const void* vertices, std::size_t bytes, const std::vector<std::uint32_t>& indices);
     /// Draws triangles from `first` for `count` indices.
     void draw(std::size_t first, std::size_t count) const;
+    /// Draws lines, `count` / 2 of them, each between two indices.
+    void draw_lines(std::size_t count) const;
 
  private:
     ObjectName<delete_vertex_array> vertex_array_;

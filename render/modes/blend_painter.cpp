@@ -28,14 +28,11 @@ void BlendPainter::draw(const BlendTriangles& triangles, const Eye& eye,
     const Program& program = (is_opaque ? program_ : see_through_).use(uploaded_, eye, options);
     program.set("layer_size",
                 glm::vec2(uploaded_.photographs.width_px(), uploaded_.photographs.height_px()));
-    if (is_opaque) {
-        triangles_.draw(0, triangles.indices.size());
-        return;
-    }
-    glEnable(GL_BLEND);
+    if (!is_opaque) glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     triangles_.draw(0, triangles.indices.size());
     glDisable(GL_BLEND);
+    if (options.debug_picture == DebugPicture::kGrid) grid_.draw(triangles, eye);
 }
 
 }  // namespace lumi

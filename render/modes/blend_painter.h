@@ -2,6 +2,7 @@
 
 #include "render/gl/vertex_buffer.h"
 #include "render/modes/blend_triangles.h"
+#include "render/modes/grid_painter.h"
 #include "render/modes/picture_program.h"
 
 namespace lumi {
@@ -25,6 +26,7 @@ class BlendPainter {
     PictureProgram program_;
     PictureProgram see_through_;
     VertexBuffer triangles_;
+    GridPainter grid_;
 };
 
 }  // namespace lumi

@@ -13,13 +13,14 @@ constexpr std::array<std::pair<RenderMode, const char*>, 5> kModeNames{
      {RenderMode::kPaper2001, "paper2001"},
      {RenderMode::kHeigl, "heigl"}}};
 
-constexpr std::array<std::pair<DebugPicture, const char*>, 6> kDebugPictureNames{
+constexpr std::array<std::pair<DebugPicture, const char*>, 7> kDebugPictureNames{
     {{DebugPicture::kNone, "none"},
      {DebugPicture::kWeights, "weights"},
      {DebugPicture::kFaces, "faces"},
      {DebugPicture::kDepth, "depth"},
      {DebugPicture::kConfidence, "confidence"},
-     {DebugPicture::kOcclusion, "occlusion"}}};
+     {DebugPicture::kOcclusion, "occlusion"},
+     {DebugPicture::kGrid, "grid"}}};
 
 template <class Names, class Value>
 std::string name_in(const Names& names, Value value) {

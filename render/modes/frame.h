@@ -26,6 +26,7 @@ enum class DebugPicture {
     kDepth,
     kConfidence,
     kOcclusion,  ///< The share of a ray's weight that views lose that do not see the point.
+    kGrid,       ///< Over the picture, the edges of the triangles that it was put together from.
 };
 
 /// In the order in which they are offered.

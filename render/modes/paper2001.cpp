@@ -25,6 +25,7 @@ DrawStatistics Paper2001::draw(const Eye& eye, const RenderOptions& options, con
         face_polygons(layout.mesh, eye), search, scene_plane_inverse_depth(layout, eye),
         inverse_depth_range(layout), options.correct_occlusion, subdivision);
     draw_passes(triangles, eye, options);
+    if (options.debug_picture == DebugPicture::kGrid) grid_.draw(triangles, eye);
     return {3 * triangles.count()};
 }
 

@@ -3,6 +3,7 @@
 #include "render/gl/vertex_buffer.h"
 #include "render/modes/blend_triangles.h"
 #include "render/modes/drawing_mode.h"
+#include "render/modes/grid_painter.h"
 #include "render/modes/picture_program.h"
 
 namespace lumi {
@@ -23,6 +24,7 @@ class Paper2001 : public DrawingMode {
     const UploadedLumigraph& uploaded_;
     PictureProgram program_;
     VertexBuffer triangles_;
+    GridPainter grid_;
 };
 
 }  // namespace lumi

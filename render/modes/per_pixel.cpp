@@ -36,7 +36,9 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
     const Program& program =
         use(options.fade_beyond_capture ? fading_ : program_, eye, options, viewport, views);
     if (options.fade_beyond_capture) set_fade(program, false);
-    std::size_t triangles = faces_.draw(face_polygons(mesh, eye), eye, plane);
+    const std::vector<FacePolygon> polygons = face_polygons(mesh, eye);
+    std::size_t triangles = faces_.draw(polygons, eye, plane);
+    if (options.debug_picture == DebugPicture::kGrid) grid_.draw(polygons, eye);
     if (mesh.shells.empty()) return {triangles};
     set_fade(use(fading_, eye, options, viewport, views), true);
     glEnable(GL_BLEND);

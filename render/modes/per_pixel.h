@@ -3,6 +3,7 @@
 #include "render/modes/depth_layers.h"
 #include "render/modes/drawing_mode.h"
 #include "render/modes/face_painter.h"
+#include "render/modes/grid_painter.h"
 #include "render/modes/picture_program.h"
 
 namespace lumi {
@@ -28,6 +29,7 @@ class PerPixel : public DrawingMode {
     int layer_count_;
     DepthLayers depth_;
     FacePainter faces_;
+    GridPainter grid_;
     PictureProgram program_;
     PictureProgram fading_;  ///< For shells, and for what fades beyond the capture.
 };

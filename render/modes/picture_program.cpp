@@ -15,7 +15,8 @@ PictureProgram::PictureProgram(std::string name, std::vector<std::string_view> s
 
 const Program& PictureProgram::use(const UploadedLumigraph& uploaded, const Eye& eye,
                                    const RenderOptions& options) {
-    const bool is_debug = options.debug_picture != DebugPicture::kNone;
+    const bool is_debug = options.debug_picture != DebugPicture::kNone &&
+                          options.debug_picture != DebugPicture::kGrid;
     std::optional<Program>& program = versions_[options.supersample ? 1 : 0][is_debug ? 1 : 0];
     if (!program) {
         std::vector<std::string> definitions = definitions_;

@@ -156,6 +156,40 @@ TEST(SubdivisionGl, EveryDebugPictureIsDrawn) {
     }
 }
 
+TEST(SubdivisionGl, TheGridShowsTheEdgesOfTheTrianglesOverThePicture) {
+    const Lumigraph lumigraph = card_before_wall();
+    OffscreenRenderer renderer(lumigraph);
+    const Eye eye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, pinhole_camera(160, 120, 140));
+    const RenderOptions options{.mode = RenderMode::kAdaptive,
+                                .debug_picture = DebugPicture::kGrid};
+    const ColorImage picture = renderer.draw(eye, {.mode = RenderMode::kAdaptive}).color;
+    const ColorImage grid = renderer.draw(eye, options).color;
+    const BlendTriangles triangles =
+        adaptive_layers(lumigraph, view_geometries(lumigraph), eye, options).front();
+    const auto is_line = [&](int x, int y) {
+        return grid.contains(x, y) && grid(x, y).r == 255 && grid(x, y).b == 26;
+    };
+    std::size_t edges = 0;
+    std::size_t shown = 0;
+    for (std::size_t i = 0; i < triangles.indices.size(); ++i) {
+        const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+        const auto& from = triangles.vertices[triangles.indices[i]].pixel;
+        const auto& to = triangles.vertices[triangles.indices[next]].pixel;
+        const int x = static_cast<int>(0.5F * (from[0] + to[0]));
+        const int y = static_cast<int>(0.5F * (from[1] + to[1]));
+        if (x < 2 || y < 2 || x > 157 || y > 117) continue;
+        ++edges;
+        if (is_line(x, y) || is_line(x - 1, y) || is_line(x + 1, y) || is_line(x, y - 1) ||
+            is_line(x, y + 1))
+            ++shown;
+    }
+    EXPECT_GT(edges, 100U);
+    EXPECT_EQ(shown, edges);
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x)
+            EXPECT_TRUE(is_line(x, y) || grid(x, y) == picture(x, y)) << x << ' ' << y;
+}
+
 /// Frames along a path, each costing `fixed_ms` and so much more for each triangle that the mode
 /// draws; what the worst but the first of them cost, and the triangles of the last.
 struct ModelledFrames {

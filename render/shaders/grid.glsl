@@ -1,0 +1,14 @@
+// Edges of triangles over the picture.
+
+#ifdef LUMI_VERTEX
+uniform mat4 clip_from_eye_pixel;
+layout(location = 0) in vec2 in_pixel;
+
+void main() { gl_Position = clip_from_eye_pixel * vec4(in_pixel, 1.0, 0.5); }
+#endif
+
+#ifdef LUMI_FRAGMENT
+out vec4 drawn;
+
+void main() { drawn = vec4(1.0, 0.9, 0.1, 1.0); }
+#endif
