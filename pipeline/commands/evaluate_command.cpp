@@ -22,6 +22,7 @@ struct EvaluateRequest {
     bool without_ghost_energy = false;
     bool leave_one_out = false;
     bool keep_depth = false;
+    bool as_taken = false;
 };
 
 std::string score_line(const std::string& mode, const ViewScore& score) {
@@ -98,6 +99,7 @@ void run_evaluate(const EvaluateRequest& request, const CommandContext& context)
     EvaluationOptions options;
     options.ghost_energy = !request.without_ghost_energy;
     options.modes = modes_of(request);
+    options.exposures = request.as_taken ? Exposures::kAsTaken : Exposures::kEvened;
     const Workspace workspace(find_workspace(request.workspace));
     const Evaluation evaluation =
         evaluate_workspace(workspace, options, context.threads, *context.progress);
@@ -126,6 +128,8 @@ void add_evaluate_command(CLI::App& app, CommandContext& context) {
         ->capture_default_str();
     command.add_flag("--no-ghost-energy", request->without_ghost_energy,
                      "Leave out what takes one renderer a camera class");
+    command.add_flag("--as-taken", request->as_taken,
+                     "Draw without evening exposure and white balance out");
     command.add_flag("--leave-one-out", request->leave_one_out,
                      "WORKSPACE is a configuration: every photograph is left out in turn");
     command.add_flag("--keep-depth", request->keep_depth,

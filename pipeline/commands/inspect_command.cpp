@@ -20,6 +20,7 @@ Json package_json(const Lumigraph& lumigraph) {
                          {"height_px", view.camera.height_px},
                          {"focal_length_px", focal_length_px(view.camera).x()},
                          {"centre_in_world", {centre.x(), centre.y(), centre.z()}},
+                         {"exposure_gain", view.exposure_gain},
                          {"depth_width_px", view.depth.inverse_depth.width()},
                          {"depth_height_px", view.depth.inverse_depth.height()}});
     }
@@ -33,6 +34,13 @@ Json package_json(const Lumigraph& lumigraph) {
                 {"views", std::move(views)}};
 }
 
+/// Nothing for a photograph that needs no evening.
+std::string gain_text(const LumigraphView& view) {
+    if (view.exposure_gain == kNoExposureGain) return "";
+    return "  light times " + number_text(view.exposure_gain[0], 3) + " " +
+           number_text(view.exposure_gain[1], 3) + " " + number_text(view.exposure_gain[2], 3);
+}
+
 std::string package_text(const Lumigraph& lumigraph) {
     std::string text = lumigraph.name + ": " + std::to_string(lumigraph.views.size()) +
                        " views, depth " + number_text(lumigraph.near_depth, 3) + " to " +
@@ -43,7 +51,7 @@ std::string package_text(const Lumigraph& lumigraph) {
     for (const LumigraphView& view : lumigraph.views) {
         text += view.name + "  " + std::to_string(view.camera.width_px) + "x" +
                 std::to_string(view.camera.height_px) + "  focal length " +
-                number_text(focal_length_px(view.camera).x(), 1) + " px\n";
+                number_text(focal_length_px(view.camera).x(), 1) + " px" + gain_text(view) + "\n";
     }
     return text;
 }
@@ -57,7 +65,7 @@ void add_inspect_command(CLI::App& app, CommandContext& context) {
     command.add_option("PACKAGE", *package, "Folder NAME.lumi")->required();
     command.callback([package, &context] {
         context.chosen = [package, &context] {
-            const Lumigraph lumigraph = read_package(*package);
+            const Lumigraph lumigraph = read_package(*package, {}, Exposures::kAsTaken);
             if (context.json) {
                 context.print_result(package_json(lumigraph));
             } else {

@@ -38,6 +38,8 @@ struct RenderRequest {
     std::string size;
     bool supersample = false;
     bool fade = false;
+    bool no_fade = false;
+    bool as_taken = false;
     double focal_depth = 0.0;
     bool reference = false;
     fs::path out;
@@ -167,17 +169,19 @@ Json draw_jobs(const RenderRequest& request, const Lumigraph& lumigraph, const D
 }
 
 void run_render(const RenderRequest& request, const CommandContext& context) {
+    const Lumigraph lumigraph = read_package(
+        request.package, {}, request.as_taken ? Exposures::kAsTaken : Exposures::kEvened);
+    const bool fades = request.fade || (lumigraph.fade_beyond_capture && !request.no_fade);
     const RenderOptions options{.mode = render_mode_from(request.mode),
                                 .debug_picture = debug_picture_from(request.debug),
                                 .focal_depth = request.focal_depth,
                                 .supersample = request.supersample,
-                                .fade_beyond_capture = request.fade};
+                                .fade_beyond_capture = fades};
     if (request.reference && options.debug_picture == DebugPicture::kGrid) {
         throw Error(ErrorKind::kUsage, "E-RENDER-GRID",
                     "the reference draws pixel by pixel: there is no grid to show",
                     "leave out --reference, or use another --debug");
     }
-    const Lumigraph lumigraph = read_package(request.package);
     std::unique_ptr<OffscreenRenderer> renderer;
     if (!request.reference) renderer = std::make_unique<OffscreenRenderer>(lumigraph);
     const Draw draw = [&](const Eye& eye) {
@@ -235,6 +239,11 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     command.add_flag("--fade", request->fade,
                      "Fade to black what lies beyond the capture instead of guessing (perpixel, "
                      "adaptive, lightfield)");
+    command.add_flag("--no-fade", request->no_fade,
+                     "Do not, though the package was built with [render] fade_beyond_capture");
+    command.add_flag("--as-taken", request->as_taken,
+                     "Leave differences in exposure and white balance between photographs as they "
+                     "are");
     command.add_flag("--reference", request->reference, "By the plain-code renderer; slow");
     command
         .add_option("--out", request->out,

@@ -19,6 +19,8 @@ struct ViewRequest {
     std::filesystem::path screenshot;
     bool fade = false;
     double frames_per_second = 0.0;
+    bool no_fade = false;
+    bool as_taken = false;
     int planned = 0;
 };
 
@@ -26,7 +28,6 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
     WindowOptions options;
     options.view_name = request.view;
     options.render.mode = render_mode_from(request.mode);
-    options.render.fade_beyond_capture = request.fade;
     options.frames_per_second = request.frames_per_second;
     options.screenshot_path = request.screenshot;
     if (!request.size.empty()) {
@@ -42,7 +43,11 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
                         std::to_string(options.planned.size()) + " are planned",
                     "run `lumi plan` on the workspace first");
     }
-    run_window(read_package(request.package), options);
+    Lumigraph lumigraph = read_package(request.package, {},
+                                       request.as_taken ? Exposures::kAsTaken : Exposures::kEvened);
+    options.render.fade_beyond_capture =
+        request.fade || (lumigraph.fade_beyond_capture && !request.no_fade);
+    run_window(std::move(lumigraph), options);
     if (!request.screenshot.empty()) context.print_result(request.screenshot.string() + "\n");
 }
 
@@ -59,6 +64,11 @@ void add_view_command(CLI::App& app, CommandContext& context) {
     command.add_flag("--fade", request->fade,
                      "Fade to black what lies beyond the capture instead of guessing (perpixel, "
                      "adaptive, lightfield)");
+    command.add_flag("--no-fade", request->no_fade,
+                     "Do not, though the package was built with [render] fade_beyond_capture");
+    command.add_flag("--as-taken", request->as_taken,
+                     "Leave differences in exposure and white balance between photographs as they "
+                     "are");
     command
         .add_option("--fps", request->frames_per_second,
                     "While the eye moves, adaptive keeps so many frames a second with fewer "

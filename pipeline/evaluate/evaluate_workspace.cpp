@@ -69,7 +69,7 @@ void name_pictures(nlohmann::ordered_json& views, const PictureNames& names, Ren
 Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOptions& options,
                               int threads, Progress& progress) {
     const PosedPhotographs held_out = held_out_photographs(workspace, threads);
-    const Lumigraph lumigraph = read_package(workspace.package_folder());
+    const Lumigraph lumigraph = read_package(workspace.package_folder(), {}, options.exposures);
     const PictureNames names(held_out.capture, options.modes.front());
 
     WholeFolder folder(workspace.evaluation_folder());

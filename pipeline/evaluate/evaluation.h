@@ -8,7 +8,7 @@
 #include "calib/capture/posed_photographs.h"
 #include "calib/work/progress.h"
 #include "pipeline/evaluate/view_score.h"
-#include "render/lumigraph/lumigraph.h"
+#include "render/lumigraph/package.h"
 #include "render/modes/frame.h"
 
 namespace lumi {
@@ -38,8 +38,9 @@ struct Evaluation {
 
 struct EvaluationOptions {
     std::vector<RenderMode> modes{RenderMode::kPerPixel, RenderMode::kLightField};
-    bool ghost_energy = true;  ///< Measured for the first mode.
-    int timed_frames = 5;      ///< Repetitions of each frame.
+    bool ghost_energy = true;                  ///< Measured for the first mode.
+    int timed_frames = 5;                      ///< Repetitions of each frame.
+    Exposures exposures = Exposures::kEvened;  ///< Of packages that are read for it.
 };
 
 /// Called once per mode and view, in order, with what is to be kept of it.

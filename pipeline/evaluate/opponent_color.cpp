@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 
+#include "calib/capture/srgb_curve.h"
+
 namespace lumi {
 namespace {
 
@@ -29,9 +31,7 @@ Eigen::Vector3f relative_xyz(const Color3& linear) {
 std::array<float, 256> linear_values() {
     std::array<float, 256> values{};
     for (int i = 0; i < 256; ++i) {
-        const double encoded = i / 255.0;
-        values[static_cast<std::size_t>(i)] = static_cast<float>(
-            encoded > 0.04045 ? std::pow((encoded + 0.055) / 1.055, 2.4) : encoded / 12.92);
+        values[static_cast<std::size_t>(i)] = static_cast<float>(light_of_srgb(i / 255.0));
     }
     return values;
 }

@@ -3,6 +3,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "calib/capture/srgb_curve.h"
 #include "pipeline/stress/perturbation.h"
 #include "pipeline/stress/seeded_normal.h"
 
@@ -31,13 +32,9 @@ double lattice_noise(const SeededNormal& random, std::uint64_t view, double x, d
 std::array<std::uint8_t, 256> exposed_values(double ev) {
     std::array<std::uint8_t, 256> values{};
     for (int i = 0; i < 256; ++i) {
-        const double encoded = i / 255.0;
-        const double linear =
-            encoded > 0.04045 ? std::pow((encoded + 0.055) / 1.055, 2.4) : encoded / 12.92;
-        const double brighter = std::min(1.0, linear * std::exp2(ev));
-        const double again =
-            brighter > 0.0031308 ? 1.055 * std::pow(brighter, 1.0 / 2.4) - 0.055 : 12.92 * brighter;
-        values[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(255.0 * again));
+        const double light = light_of_srgb(i / 255.0) * std::exp2(ev);
+        values[static_cast<std::size_t>(i)] =
+            static_cast<std::uint8_t>(std::lround(255.0 * srgb_of_light(light)));
     }
     return values;
 }

@@ -42,6 +42,11 @@ void validate_view(const LumigraphView& view, const std::string& where) {
     if (view.exif_orientation < 1 || view.exif_orientation > 8) {
         refuse(where, "expected an EXIF orientation from 1 to 8");
     }
+    for (const double gain : view.exposure_gain) {
+        if (!(gain >= 1 / kLargestExposureGain && gain <= kLargestExposureGain)) {
+            refuse(where, "expected exposure gains from 1/16 to 16");
+        }
+    }
     validate_depth(view.depth, where);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,11 @@
 
 namespace lumi {
 
+/// Factors of red, green and blue light; those of a photograph that needs no evening.
+using ExposureGain = std::array<double, 3>;
+inline constexpr ExposureGain kNoExposureGain{1.0, 1.0, 1.0};
+inline constexpr double kLargestExposureGain = 16.0;  ///< And its inverse the least.
+
 /// One photograph of the Lumigraph: an undistorted picture, where it was taken, and its depth.
 struct LumigraphView {
     std::string name;
@@ -19,6 +25,8 @@ struct LumigraphView {
     int exif_orientation = 1;  ///< For display only; 1 to 8.
     ColorImage photograph;
     DepthMap depth;  ///< Empty images when the package has no depth.
+    /// Times this the photograph's light is in the exposure that all have in common.
+    ExposureGain exposure_gain = kNoExposureGain;
 };
 
 /// The free-form Lumigraph as it is drawn: what a package holds once it is in memory.
@@ -29,11 +37,14 @@ struct Lumigraph {
     CameraMesh mesh;
     double near_depth = 0.0;  ///< Scene depths seen by the views: 1st and 99th percentile, world
     double far_depth = 0.0;   ///< units.
+    /// How it wants to be drawn where nobody says otherwise (RenderOptions::fade_beyond_capture).
+    bool fade_beyond_capture = false;
 };
 
 /// Throws Error (E-LUMIGRAPH-INVALID, E-CAMERA-INVALID, E-MESH-INVALID) unless there is a view, the
-/// names are unique, each camera is a pinhole of its photograph's size, poses and depths are finite
-/// and the mesh names views that exist; `where` begins the message.
+/// names are unique, each camera is a pinhole of its photograph's size, poses and depths are
+/// finite, exposure gains within their limits and the mesh names views that exist; `where` begins
+/// the message.
 void validate(const Lumigraph& lumigraph, const std::string& where);
 
 /// The eye that a frame is drawn for. Pinhole, any size.

@@ -44,6 +44,7 @@ struct ManifestView {
     Rigid3 cam_from_world;
     int exif_orientation = 1;
     PackageFile photograph;
+    ExposureGain exposure_gain = kNoExposureGain;
     std::optional<ManifestDepth> depth;
 };
 
@@ -52,6 +53,7 @@ struct Manifest {
     std::string name;
     double near_depth = 0.0;
     double far_depth = 0.0;
+    bool fade_beyond_capture = false;
     std::vector<ManifestView> views;
     PackageFile camera_mesh;
     PackageFile points;

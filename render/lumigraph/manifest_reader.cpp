@@ -65,6 +65,16 @@ ManifestDepth depth_of(const StrictJsonObject& object) {
     return depth;
 }
 
+ExposureGain exposure_gain_of(const StrictJsonObject& object) {
+    const std::string key = "exposure_gain";
+    const std::vector<double> numbers = object.numbers(key, 3);
+    const bool in_range = std::all_of(numbers.begin(), numbers.end(), [](double gain) {
+        return gain >= 1 / kLargestExposureGain && gain <= kLargestExposureGain;
+    });
+    if (!in_range) object.refuse(key, "factors from 1/16 to 16");
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
 ManifestView view_of(const StrictJsonObject& object) {
     ManifestView view;
     view.name = object.text("name");
@@ -73,6 +83,7 @@ ManifestView view_of(const StrictJsonObject& object) {
     view.exif_orientation = object.integer("exif_orientation", 1, 8);
     view.camera = camera_of(object.object("camera"));
     view.cam_from_world = pose_of(object.object("cam_from_world"));
+    if (object.has("exposure_gain")) view.exposure_gain = exposure_gain_of(object);
     if (object.has("depth")) view.depth = depth_of(object.object("depth"));
     return view;
 }
@@ -120,6 +131,9 @@ Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
     manifest.far_depth = document.number("far_depth");
     if (manifest.near_depth < 0 || manifest.far_depth < manifest.near_depth) {
         document.refuse("far_depth", "0 <= near_depth <= far_depth");
+    }
+    if (document.has("fade_beyond_capture")) {
+        manifest.fade_beyond_capture = document.boolean("fade_beyond_capture");
     }
     for (const StrictJsonObject& view : document.objects("views", limits.max_views)) {
         manifest.views.push_back(view_of(view));

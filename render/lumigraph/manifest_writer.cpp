@@ -45,6 +45,8 @@ Json json_of(const ManifestView& view) {
                    {"exif_orientation", view.exif_orientation},
                    {"camera", json_of(view.camera)},
                    {"cam_from_world", json_of(view.cam_from_world)}};
+    // What is as usual is left out: packages without it are read as before.
+    if (view.exposure_gain != kNoExposureGain) result["exposure_gain"] = view.exposure_gain;
     if (view.depth) result["depth"] = json_of(*view.depth);
     return result;
 }
@@ -61,18 +63,19 @@ Json evidence_of(const Manifest& manifest) {
 std::string manifest_text(const Manifest& manifest) {
     Json views = Json::array();
     for (const ManifestView& view : manifest.views) views.push_back(json_of(view));
-    const Json document = {{"format", kPackageFormat},
-                           {"schema_version", kPackageSchemaVersion},
-                           {kManifestChecksumKey, std::string(kChecksumDigits, '0')},
-                           {"name", manifest.name},
-                           {"blending_space", kBlendingSpace},
-                           {"near_depth", manifest.near_depth},
-                           {"far_depth", manifest.far_depth},
-                           {"camera_mesh", json_of(manifest.camera_mesh)},
-                           {"points", json_of(manifest.points)},
-                           {"config", json_of(manifest.config)},
-                           {"views", views},
-                           {"evidence", evidence_of(manifest)}};
+    Json document = {{"format", kPackageFormat},
+                     {"schema_version", kPackageSchemaVersion},
+                     {kManifestChecksumKey, std::string(kChecksumDigits, '0')},
+                     {"name", manifest.name},
+                     {"blending_space", kBlendingSpace},
+                     {"near_depth", manifest.near_depth},
+                     {"far_depth", manifest.far_depth},
+                     {"camera_mesh", json_of(manifest.camera_mesh)},
+                     {"points", json_of(manifest.points)},
+                     {"config", json_of(manifest.config)},
+                     {"views", views},
+                     {"evidence", evidence_of(manifest)}};
+    if (manifest.fade_beyond_capture) document["fade_beyond_capture"] = true;
     try {
         return with_manifest_checksum(document.dump(1) + "\n").value();
     } catch (const Json::exception&) {

@@ -33,10 +33,17 @@ struct PackageLimits {
     int max_json_depth = 32;
 };
 
+/// How the photographs of a package come into memory.
+enum class Exposures {
+    kEvened,   ///< In their common exposure (even_exposure.h).
+    kAsTaken,  ///< As they are in the files, their gains beside them.
+};
+
 /// Reads a package and trusts nothing in it (design: paths stay beneath the package, formats are
 /// whitelisted, sizes are checked in 64 bits before decoding, checksums, finite numbers, indices in
 /// range). Throws Error (E-PACKAGE-...) that names the file and what was expected.
 [[nodiscard]] Lumigraph read_package(const std::filesystem::path& folder,
-                                     const PackageLimits& limits = {});
+                                     const PackageLimits& limits = {},
+                                     Exposures exposures = Exposures::kEvened);
 
 }  // namespace lumi

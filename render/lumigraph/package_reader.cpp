@@ -5,6 +5,7 @@
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/surface/mesh_io.h"
+#include "render/lumigraph/even_exposure.h"
 #include "render/lumigraph/manifest.h"
 #include "render/lumigraph/package.h"
 #include "render/lumigraph/package_folder.h"
@@ -102,6 +103,7 @@ LumigraphView read_view(const PackageFolder& package, const ManifestView& entry)
     view.camera = entry.camera;
     view.cam_from_world = entry.cam_from_world;
     view.exif_orientation = entry.exif_orientation;
+    view.exposure_gain = entry.exposure_gain;
     view.photograph =
         decode_color_png(png, kMaxPixelsPerPicture, package.path_of(entry.photograph));
     if (entry.depth) view.depth = read_depth(package, *entry.depth);
@@ -117,6 +119,7 @@ Lumigraph read_contents(const fs::path& folder, const PackageLimits& limits) {
     lumigraph.name = manifest.name;
     lumigraph.near_depth = manifest.near_depth;
     lumigraph.far_depth = manifest.far_depth;
+    lumigraph.fade_beyond_capture = manifest.fade_beyond_capture;
     lumigraph.mesh = parse_camera_mesh_ply(package.read(manifest.camera_mesh),
                                            package.path_of(manifest.camera_mesh));
     // Not part of the Lumigraph, but a package with a damaged file is a damaged package.
@@ -134,9 +137,11 @@ Lumigraph read_contents(const fs::path& folder, const PackageLimits& limits) {
 
 }  // namespace
 
-Lumigraph read_package(const fs::path& folder, const PackageLimits& limits) {
+Lumigraph read_package(const fs::path& folder, const PackageLimits& limits, Exposures exposures) {
     try {
-        return read_contents(folder, limits);
+        Lumigraph lumigraph = read_contents(folder, limits);
+        if (exposures == Exposures::kEvened) even_exposures(lumigraph);
+        return lumigraph;
     } catch (const Error& error) {
         if (error.code().starts_with("E-PACKAGE-")) throw;
         throw Error(error.kind(), "E-PACKAGE-CONTENT", error.what(),

@@ -48,6 +48,7 @@ ManifestView write_view(const fs::path& root, std::size_t index, const Lumigraph
     entry.camera = view.camera;
     entry.cam_from_world = view.cam_from_world;
     entry.exif_orientation = view.exif_orientation;
+    entry.exposure_gain = view.exposure_gain;
     entry.photograph =
         write_listed(root, photograph, encode_png(view.photograph, root / photograph));
     if (!view.depth.inverse_depth.empty()) entry.depth = write_depth(root, index, view.depth);
@@ -59,6 +60,7 @@ void write_contents(const fs::path& root, const Lumigraph& lumigraph, const Pack
     manifest.name = lumigraph.name;
     manifest.near_depth = lumigraph.near_depth;
     manifest.far_depth = lumigraph.far_depth;
+    manifest.fade_beyond_capture = lumigraph.fade_beyond_capture;
     manifest.evidence_json = extras.evidence_json;
     manifest.views.resize(lumigraph.views.size());
     parallel_for(static_cast<int>(lumigraph.views.size()), 0, [&](int i) {

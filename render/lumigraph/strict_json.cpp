@@ -132,6 +132,12 @@ std::uint64_t StrictJsonObject::byte_count(const std::string& key) const {
     return value.get<std::uint64_t>();
 }
 
+bool StrictJsonObject::boolean(const std::string& key) const {
+    const Json& value = *field(key).value;
+    if (!value.is_boolean()) refuse(key, "true or false");
+    return value.get<bool>();
+}
+
 std::string StrictJsonObject::text(const std::string& key) const {
     const Json& value = *field(key).value;
     if (!value.is_string()) refuse(key, "a text");

@@ -29,6 +29,7 @@ class StrictJsonObject {
     [[nodiscard]] std::vector<double> numbers(const std::string& key, std::size_t count) const;
     [[nodiscard]] int integer(const std::string& key, int min, int max) const;
     [[nodiscard]] std::uint64_t byte_count(const std::string& key) const;
+    [[nodiscard]] bool boolean(const std::string& key) const;
     [[nodiscard]] std::string text(const std::string& key) const;
     /// The object as JSON text.
     [[nodiscard]] std::string json_text() const;

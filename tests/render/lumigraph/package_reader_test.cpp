@@ -32,7 +32,7 @@ class PackageReader : public testing::Test {
     void expect_refused_value(const std::string& code, const std::string& pointer,
                               const Json& value) {
         expect_refused(
-            code, [&](Json& json) { json.at(Json::json_pointer(pointer)) = value; },
+            code, [&](Json& json) { json[Json::json_pointer(pointer)] = value; },
             pointer + " = " + value.dump().substr(0, 60));
     }
 
@@ -119,6 +119,11 @@ TEST_F(PackageReader, RefusesNumbersOutOfRange) {
     expect_refused_value(bad, "/views/1/name", "set a/ünï 0.jpg");
     expect_refused_value(bad, "/views", Json::array());
     expect_refused_value(bad, "/blending_space", "linear");
+    for (const Json& gain : {Json{1, 1}, Json{1, 1, 17}, Json{1, 0, 1}, Json{1, -1, 1}, Json("1"),
+                             Json{1, "1", 1}, Json(nullptr)}) {
+        expect_refused_value(bad, "/views/0/exposure_gain", gain);
+    }
+    expect_refused_value(bad, "/fade_beyond_capture", 1);
     expect_refused_value("E-PACKAGE-VERSION", "/schema_version", 2);
 }
 

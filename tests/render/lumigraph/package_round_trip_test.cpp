@@ -5,6 +5,7 @@
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "render/lumigraph/even_exposure.h"
 #include "render/lumigraph/manifest.h"
 #include "render/lumigraph/quantised_depth.h"
 #include "tests/calib/scratch_folder.h"
@@ -94,6 +95,25 @@ TEST_F(PackageRoundTrip, KeepsConfigurationAndEvidence) {
     EXPECT_EQ(read_whole_text(folder_ / manifest.config.path), "name = \"tiny\"\n");
 }
 
+TEST_F(PackageRoundTrip, KeepsExposureGainsToTheBitAndEvensThemOutUnlessToldOtherwise) {
+    written_.views[1].exposure_gain = {0.5, 1.0 / 3.0, 2.0};
+    written_.fade_beyond_capture = true;
+    write_package(folder_, written_, tiny_extras());
+    const Lumigraph as_taken = read_package(folder_, {}, Exposures::kAsTaken);
+    EXPECT_EQ(as_taken.views[1].exposure_gain, written_.views[1].exposure_gain);
+    EXPECT_EQ(as_taken.views[1].photograph, written_.views[1].photograph);
+    EXPECT_EQ(as_taken.views[0].exposure_gain, kNoExposureGain);
+    EXPECT_TRUE(as_taken.fade_beyond_capture);
+    EXPECT_FALSE(read_.fade_beyond_capture);
+
+    even_exposures(written_);
+    const Lumigraph evened = read_package(folder_);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(evened.views[i].exposure_gain, kNoExposureGain);
+        EXPECT_EQ(evened.views[i].photograph, written_.views[i].photograph);
+    }
+}
+
 TEST_F(PackageRoundTrip, SameInputTwiceGivesTheSameBytesAnywhere) {
     write_package(scratch_ / "elsewhere" / "other name.lumi", written_, tiny_extras());
     const auto here = files_of(folder_);
@@ -136,6 +156,9 @@ TEST(PackageWriter, RefusesWhatItCouldNotReadBack) {
     refused([](Lumigraph& l) { l.views[1].cam_from_world.rotation.w() += 0.1; });
     refused([&](Lumigraph& l) { l.views[1].cam_from_world.translation.x() = HUGE_VAL; });
     refused([](Lumigraph& l) { l.views[1].exif_orientation = 9; });
+    refused([](Lumigraph& l) { l.views[1].exposure_gain[2] = 17.0; });
+    refused([](Lumigraph& l) { l.views[1].exposure_gain[0] = 0.0; });
+    refused([&](Lumigraph& l) { l.views[1].exposure_gain[1] = HUGE_VAL; });
     refused([](Lumigraph& l) { l.mesh.faces[0][1] = 3; });
     refused([](Lumigraph& l) { l.mesh.vertices[2].view_index = 3; });
     refused([](Lumigraph& l) { l.far_depth = 0.5 * l.near_depth; });

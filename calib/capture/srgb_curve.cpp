@@ -1,0 +1,17 @@
+#include "calib/capture/srgb_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumi {
+
+double light_of_srgb(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+double srgb_of_light(double light) {
+    const double clamped = std::clamp(light, 0.0, 1.0);
+    return clamped <= 0.0031308 ? 12.92 * clamped : 1.055 * std::pow(clamped, 1.0 / 2.4) - 0.055;
+}
+
+}  // namespace lumi

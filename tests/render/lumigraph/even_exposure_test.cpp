@@ -1,0 +1,69 @@
+#include "render/lumigraph/even_exposure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "calib/capture/srgb_curve.h"
+#include "render/reference/reference_renderer.h"
+#include "tests/render/analytic_scene.h"
+#include "tests/render/frame_difference.h"
+
+namespace lumi {
+namespace {
+
+std::uint8_t exposed(std::uint8_t value, double factor) {
+    return static_cast<std::uint8_t>(
+        std::lround(255.0 * srgb_of_light(factor * light_of_srgb(value / 255.0))));
+}
+
+TEST(EvenExposures, DrawWronglyExposedPhotographsAsIfTheyWereNot) {
+    const Lumigraph truth = card_before_wall();
+    Lumigraph wrong = truth;
+    for (std::size_t i = 0; i < wrong.views.size(); ++i) {
+        LumigraphView& view = wrong.views[i];
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            // Darker, so that nothing is lost to saturation.
+            const double factor = 1.0 - 0.1 * static_cast<double>((3 * i + channel) % 5);
+            view.exposure_gain[channel] = 1.0 / factor;
+        }
+        for (Rgb8& pixel : view.photograph.pixels()) {
+            pixel = {exposed(pixel.r, 1.0 / view.exposure_gain[0]),
+                     exposed(pixel.g, 1.0 / view.exposure_gain[1]),
+                     exposed(pixel.b, 1.0 / view.exposure_gain[2])};
+        }
+    }
+    Lumigraph evened = wrong;
+    even_exposures(evened);
+    const Eye eye = eye_at({0.2, 0.1, 0.1}, {0, 0, 4}, pinhole_camera(64, 48, 60));
+    const ColorImage drawn = draw_reference(truth, eye, {}).color;
+    const FrameDifference after = difference_between(drawn, draw_reference(evened, eye, {}).color);
+    EXPECT_LT(after.mean, 0.5);
+    EXPECT_LE(after.largest, 2);
+    EXPECT_GT(difference_between(drawn, draw_reference(wrong, eye, {}).color).mean, 4.0);
+}
+
+TEST(EvenExposures, KeepBlackBlackAndWhiteWhiteAndTheOrderOfAllBetween) {
+    for (const double gain : {0.25, 0.8, 1.0, 1.3, 4.0}) {
+        Lumigraph lumigraph;
+        lumigraph.views.resize(1);
+        LumigraphView& view = lumigraph.views.front();
+        view.exposure_gain = {gain, gain, gain};
+        view.photograph = ColorImage(256, 1);
+        for (int x = 0; x < 256; ++x) {
+            const auto value = static_cast<std::uint8_t>(x);
+            view.photograph(x, 0) = {value, value, value};
+        }
+        even_exposures(lumigraph);
+        EXPECT_EQ(view.exposure_gain, kNoExposureGain);
+        EXPECT_EQ(view.photograph(0, 0).g, 0);
+        EXPECT_EQ(view.photograph(255, 0).g, 255);
+        EXPECT_EQ(view.photograph(120, 0).b, exposed(120, gain));
+        for (int x = 1; x < 256; ++x) {
+            EXPECT_GE(view.photograph(x, 0).r, view.photograph(x - 1, 0).r);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lumi
