@@ -15,7 +15,7 @@ constexpr const char* kViews = "views kept";
 Plot loss_plot(const ViewCurve& curve) {
     double best_db = -std::numeric_limits<double>::infinity();
     for (const ViewCurvePoint& point : curve.points) best_db = std::max(best_db, point.psnr_db);
-    PlotSeries chosen{"representative views", {}, true, false};
+    PlotSeries chosen{"those missed most", {}, true, false};
     PlotSeries random{"chosen at random: mean, standard deviation", {}, true, false};
     for (const ViewCurvePoint& point : curve.points) {
         const double views = point.views;

@@ -29,6 +29,7 @@ Json curve_json(const ViewCurve& curve) {
     }
     return Json{{"auto_views", curve.auto_views},
                 {"third_db_views", curve.third_db_views},
+                {"ranking_cpu_s", curve.ranking_cpu_s},
                 {"curve", std::move(points)}};
 }
 

@@ -55,6 +55,14 @@ PackageOptions read_package_options(const ConfigSection& package) {
     return options;
 }
 
+DrawingOptions read_drawing_options(const ConfigSection& render) {
+    DrawingOptions options;
+    options.even_exposure = render.boolean("even_exposure", options.even_exposure);
+    options.fade_beyond_capture =
+        render.boolean("fade_beyond_capture", options.fade_beyond_capture);
+    return options;
+}
+
 /// What is known when every section has been read.
 void fill_in_stage_parameters(BuildConfig& config, const ConfigSection& document) {
     const auto parameters = [&](const char* section) {
@@ -114,6 +122,7 @@ BuildConfig read_build_config(const ConfigSection& document, const std::string& 
     config.mesh = read_camera_mesh_options(document.section("mesh"));
     config.depth = read_depth_options(document.section("depth"));
     config.package = read_package_options(document.section("package"));
+    config.drawing = read_drawing_options(document.section("render"));
     config.hold_out = read_hold_out_options(document.section("evaluate"));
     // What to do with a capture beside building it; see `lumi chart` and `lumi stress`.
     for (const char* other : {"sweep", "growth", "stress"}) document.leave_to_others(other);

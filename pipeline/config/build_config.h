@@ -28,6 +28,13 @@ struct PackageOptions {
     double max_mib = 0.0;       ///< Of the finished package; 0: no limit.
 };
 
+/// What a package says of how it is to be drawn.
+struct DrawingOptions {
+    /// Differences in exposure and white balance between photographs are measured and evened out.
+    bool even_exposure = true;
+    bool fade_beyond_capture = false;  ///< The default of `lumi render` and `lumi view`.
+};
+
 /// Everything that one run of the line is told.
 struct BuildConfig {
     std::string name;                            ///< Of the package: NAME.lumi.
@@ -43,6 +50,7 @@ struct BuildConfig {
     CameraMeshOptions mesh;
     DepthOptions depth;
     PackageOptions package;
+    DrawingOptions drawing;
     HoldOutOptions hold_out;
 
     std::string resolved_toml;  ///< The configuration with every default filled in.

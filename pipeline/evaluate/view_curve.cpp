@@ -6,10 +6,10 @@
 
 #include "calib/capture/image_io.h"
 #include "calib/work/stopwatch.h"
-#include "meshing/cameras/scene_centre.h"
 #include "pipeline/evaluate/image_metrics.h"
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/synth/hashed_random.h"
+#include "render/lumigraph/even_exposure.h"
 #include "render/modes/offscreen_renderer.h"
 
 namespace lumi {
@@ -140,29 +140,32 @@ ViewCurve measure_view_curve(const Lumigraph& lumigraph, const Capture& capture,
                             read_color_image(held_out.picture_paths[i])});
     }
     ChoiceJudge judge(lumigraph, capture, std::move(pictures), options.mesh);
-    const std::vector<OpticalAxis> axes = optical_axes(capture, all_of(capture.views.size()));
-    const Eigen::Vector3d centre = estimate_scene_centre(axes);
-    const std::vector<int> sizes = sizes_to_try(static_cast<int>(axes.size()), options);
+    const std::size_t all_views = lumigraph.views.size();
+    const std::vector<int> sizes = sizes_to_try(static_cast<int>(all_views), options);
     ViewCurve curve;
+    const Stopwatch stopwatch;
+    const std::vector<int> by_worth =
+        views_by_worth(lumigraph, capture, all_of(all_views), progress);
+    curve.ranking_cpu_s = stopwatch.elapsed().cpu_s;
     const auto measure = [&](const std::vector<int>& views) {
         progress.throw_if_interrupted();
         std::vector<double> losses = judge.losses_of(views);
         curve.points.push_back({static_cast<int>(views.size()), mean_psnr_db(losses),
                                 texture_mib(lumigraph, views), judge.last_ms(), 0.0, 0.0});
-        if (views.size() < axes.size()) {
-            draw_random_choices(curve.points.back(), axes.size(), options, judge);
+        if (views.size() < all_views) {
+            draw_random_choices(curve.points.back(), all_views, options, judge);
         }
         progress.advance();
         return losses;
     };
     progress.begin("drawing from ever fewer views", sizes.size());
-    const ViewSelection selection = select_views(axes, centre, sizes, measure);
+    const ViewSelection selection = select_views(by_worth, sizes, measure);
     curve.auto_views = static_cast<int>(selection.curve[selection.chosen].views.size());
     curve.third_db_views = fewest_tolerable(curve.points);
     while (options.sizes.empty()) {
         const int next = next_fewer(curve.points, curve.third_db_views);
         if (curve.third_db_views - next <= std::max(1.0, kFineShare * curve.third_db_views)) break;
-        measure(representative_views(axes, centre, (next + curve.third_db_views) / 2));
+        measure(most_worthy_views(by_worth, (next + curve.third_db_views) / 2));
         std::sort(curve.points.begin(), curve.points.end(),
                   [](const auto& a, const auto& b) { return a.views > b.views; });
         curve.third_db_views = fewest_tolerable(curve.points);
@@ -174,29 +177,29 @@ int sufficient_views(const Lumigraph& lumigraph, const Capture& capture,
                      const CameraMeshOptions& mesh_options, Progress& progress) {
     const auto count = static_cast<int>(lumigraph.views.size());
     if (count < kLeastToChooseFrom) return count;
+    Lumigraph evened = lumigraph;
+    even_exposures(evened);
     std::vector<HeldOutPicture> pictures;
     std::vector<int> candidates;
     const int every = std::min(kValidateEvery, count / 3);
     for (int i = 0; i < count; ++i) {
-        const LumigraphView& view = lumigraph.views[static_cast<std::size_t>(i)];
+        const LumigraphView& view = evened.views[static_cast<std::size_t>(i)];
         if (i % every == every / 2) {
             pictures.push_back({{view.camera, view.cam_from_world}, view.photograph});
         } else {
             candidates.push_back(i);
         }
     }
-    ChoiceJudge judge(lumigraph, capture, std::move(pictures), mesh_options);
-    const std::vector<OpticalAxis> axes = optical_axes(capture, candidates);
+    ChoiceJudge judge(evened, capture, std::move(pictures), mesh_options);
     const std::vector<int> sizes = selection_sizes(static_cast<int>(candidates.size()), 4);
     progress.begin("looking for the fewest views", sizes.size());
     const ViewSelection selection =
-        select_views(axes, estimate_scene_centre(axes), sizes, [&](const std::vector<int>& chosen) {
-            progress.throw_if_interrupted();
-            std::vector<int> views;
-            for (const int i : chosen) views.push_back(candidates[static_cast<std::size_t>(i)]);
-            progress.advance();
-            return judge.losses_of(views);
-        });
+        select_views(views_by_worth(evened, capture, candidates, progress), sizes,
+                     [&](const std::vector<int>& views) {
+                         progress.throw_if_interrupted();
+                         progress.advance();
+                         return judge.losses_of(views);
+                     });
     const double share = static_cast<double>(selection.curve[selection.chosen].views.size()) /
                          static_cast<double>(candidates.size());
     return static_cast<int>(std::ceil(share * count));

@@ -27,7 +27,8 @@ struct ViewCurvePoint {
 struct ViewCurve {
     std::vector<ViewCurvePoint> points;  ///< All views first.
     int auto_views = 0;  ///< The fewest that the one-standard-error rule cannot tell from the best.
-    int third_db_views = 0;  ///< The fewest that lose at most 0.3 dB.
+    int third_db_views = 0;      ///< The fewest that lose at most 0.3 dB.
+    double ranking_cpu_s = 0.0;  ///< What it took to order the views by their worth.
 };
 
 struct ViewCurveOptions {
@@ -40,7 +41,8 @@ struct ViewCurveOptions {
     CameraMeshOptions mesh;
 };
 
-/// Draws the held-out photographs from ever fewer representative views, depth as it is.
+/// Draws the held-out photographs from ever fewer views, those that are missed most (view_worth.h),
+/// depth as it is.
 /// `capture.views` lists the Lumigraph's views in the same order.
 [[nodiscard]] ViewCurve measure_view_curve(const Lumigraph& lumigraph, const Capture& capture,
                                            const PosedPhotographs& held_out,

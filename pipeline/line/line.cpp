@@ -138,20 +138,20 @@ class Line {
         for (const char* stage : {"mesh", "depth"}) {
             append(inputs, outputs_of(stage, ""));
         }
-        return {
-            identity("pack", held_out_text() + facts_of_all_stages(), inputs),
-            [this](const fs::path& folder) {
-                return run_pack_stage(
-                    {config_.name, used_, ingested_, held_out_, workspace_.stage_folder("mesh"),
-                     workspace_.stage_folder("depth"),
-                     sha256_of_content(outputs_of("poses", "poses/pinhole/")),
-                     config_.resolved_toml, facts_of_all_stages(), config_.package, config_.mesh,
-                     [this](const Lumigraph& lumigraph, const Capture& capture) {
-                         return sufficient_views(lumigraph, capture, config_.mesh, progress_);
-                     }},
-                    workspace_.package_folder(), folder, threads_, progress_);
-            },
-            workspace_.package_folder()};
+        return {identity("pack", held_out_text() + facts_of_all_stages(), inputs),
+                [this](const fs::path& folder) {
+                    return run_pack_stage(
+                        {config_.name, used_, ingested_, held_out_, workspace_.stage_folder("mesh"),
+                         workspace_.stage_folder("depth"),
+                         sha256_of_content(outputs_of("poses", "poses/pinhole/")),
+                         config_.resolved_toml, facts_of_all_stages(), config_.package,
+                         config_.drawing, config_.mesh,
+                         [this](const Lumigraph& lumigraph, const Capture& capture) {
+                             return sufficient_views(lumigraph, capture, config_.mesh, progress_);
+                         }},
+                        workspace_.package_folder(), folder, threads_, progress_);
+                },
+                workspace_.package_folder()};
     }
 
     void read_ingested() {

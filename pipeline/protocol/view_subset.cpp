@@ -48,6 +48,7 @@ Lumigraph only_these_views(const Lumigraph& lumigraph, const std::vector<int>& k
     result.name = lumigraph.name;
     result.near_depth = lumigraph.near_depth;
     result.far_depth = lumigraph.far_depth;
+    result.fade_beyond_capture = lumigraph.fade_beyond_capture;
     for (const int index : kept) {
         result.views.push_back(lumigraph.views[static_cast<std::size_t>(index)]);
     }

@@ -1,9 +1,9 @@
 #include "pipeline/stages/chosen_views.h"
 
-#include <numeric>
+#include <algorithm>
 
 #include "meshing/cameras/scene_centre.h"
-#include "meshing/selection/view_selection.h"
+#include "meshing/selection/view_worth.h"
 
 namespace lumi {
 
@@ -13,6 +13,7 @@ Lumigraph lumigraph_of_views(const Lumigraph& lumigraph, const Capture& capture,
     chosen.name = lumigraph.name;
     chosen.near_depth = lumigraph.near_depth;
     chosen.far_depth = lumigraph.far_depth;
+    chosen.fade_beyond_capture = lumigraph.fade_beyond_capture;
     std::vector<int> new_index(lumigraph.views.size(), -1);
     for (const int view : views) {
         new_index[static_cast<std::size_t>(view)] = static_cast<int>(chosen.views.size());
@@ -23,12 +24,33 @@ Lumigraph lumigraph_of_views(const Lumigraph& lumigraph, const Capture& capture,
     return chosen;
 }
 
-std::vector<int> representative_views_of(const Capture& capture, int count) {
-    std::vector<int> all(capture.views.size());
-    std::iota(all.begin(), all.end(), 0);
-    if (count >= static_cast<int>(all.size())) return all;
-    const std::vector<OpticalAxis> axes = optical_axes(capture, all);
-    return representative_views(axes, estimate_scene_centre(axes), count);
+std::vector<PicturedView> pictured_views(const Lumigraph& lumigraph) {
+    std::vector<PicturedView> pictured;
+    for (const LumigraphView& view : lumigraph.views) {
+        pictured.push_back({&view.photograph, view.camera, view.cam_from_world, &view.depth});
+    }
+    return pictured;
+}
+
+std::vector<int> views_by_worth(const Lumigraph& lumigraph, const Capture& capture,
+                                const std::vector<int>& views, const Progress& progress) {
+    const std::vector<PicturedView> all = pictured_views(lumigraph);
+    std::vector<PicturedView> pictured;
+    for (const int view : views) pictured.push_back(all[static_cast<std::size_t>(view)]);
+    const std::vector<OpticalAxis> axes = optical_axes(capture, views);
+    std::vector<int> order;
+    for (const int i : views_by_worth(pictured, axes, estimate_scene_centre(axes), progress)) {
+        order.push_back(views[static_cast<std::size_t>(i)]);
+    }
+    return order;
+}
+
+std::vector<int> most_worthy_views(const std::vector<int>& by_worth, int count) {
+    std::vector<int> views(
+        by_worth.begin(),
+        by_worth.begin() + std::clamp(count, 0, static_cast<int>(by_worth.size())));
+    std::sort(views.begin(), views.end());
+    return views;
 }
 
 double texture_mib(const Lumigraph& lumigraph, const std::vector<int>& views) {

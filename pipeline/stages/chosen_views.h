@@ -3,7 +3,9 @@
 #include <vector>
 
 #include "calib/capture/capture.h"
+#include "calib/work/progress.h"
 #include "meshing/cameras/camera_mesh_builder.h"
+#include "meshing/surface/pictured_view.h"
 #include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
@@ -14,8 +16,17 @@ namespace lumi {
                                            const std::vector<int>& views,
                                            const CameraMeshOptions& mesh_options);
 
-/// The `count` views of the capture that stand for all of them best; all when there are no more.
-[[nodiscard]] std::vector<int> representative_views_of(const Capture& capture, int count);
+/// What measurements on photographs need of each view of the Lumigraph, which must outlive it.
+[[nodiscard]] std::vector<PicturedView> pictured_views(const Lumigraph& lumigraph);
+
+/// The listed views, the one that is missed most first (view_worth.h). `views` and `capture` as
+/// above.
+[[nodiscard]] std::vector<int> views_by_worth(const Lumigraph& lumigraph, const Capture& capture,
+                                              const std::vector<int>& views,
+                                              const Progress& progress);
+
+/// The first `count` of them, ascending; all when there are no more.
+[[nodiscard]] std::vector<int> most_worthy_views(const std::vector<int>& by_worth, int count);
 
 /// What the pictures of these views take in a GL's memory, MiB: four bytes a pixel of colour and
 /// four of depth.

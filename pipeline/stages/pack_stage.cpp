@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <set>
 
 #include "calib/capture/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
+#include "meshing/exposure/exposure_gains.h"
 #include "meshing/surface/mesh_io.h"
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/stages/depth_files.h"
@@ -64,24 +67,24 @@ Lumigraph gather_lumigraph(const PackSources& sources, int threads, Progress& pr
     return lumigraph;
 }
 
-/// The views in use that the options ask for, before any limit of size.
-int wanted_views(const Lumigraph& lumigraph, const PackSources& sources) {
-    int wanted = static_cast<int>(lumigraph.views.size());
-    if (sources.options.fewest_views && sources.sufficient_views) {
-        wanted = sources.sufficient_views(lumigraph, sources.photographs.capture);
+/// Measures how photographs differ in exposure, and notes with each view what evens it out.
+ExposureGains find_exposure_gains(Lumigraph& lumigraph, int threads, Progress& progress) {
+    progress.begin("comparing exposures", 0);
+    const ExposureGains found =
+        exposure_gains(static_cast<int>(lumigraph.views.size()),
+                       exposure_ratios(pictured_views(lumigraph), threads, progress));
+    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
+        lumigraph.views[i].exposure_gain = found.gains[i];
     }
-    if (sources.options.max_views > 0) wanted = std::min(wanted, sources.options.max_views);
-    return wanted;
+    return found;
 }
 
-Lumigraph reduced(const Lumigraph& lumigraph, const PackSources& sources, int views) {
-    // Names lead back to the capture when views were left out before.
-    std::vector<std::string> names;
-    for (const LumigraphView& view : lumigraph.views) names.push_back(view.name);
-    std::sort(names.begin(), names.end());
-    const Capture capture = only_views(sources.photographs, names).capture;
-    return lumigraph_of_views(lumigraph, capture, representative_views_of(capture, views),
-                              sources.mesh_options);
+Json exposure_json(const ExposureGains& found) {
+    return {{"model", name_of(found.model)},
+            {"pairs", found.pairs},
+            {"difference_stops", found.difference_stops},
+            {"remaining_stops", found.remaining_stops},
+            {"largest_stops", found.largest_stops}};
 }
 
 PackageExtras extras_of(const PackSources& sources) {
@@ -98,25 +101,82 @@ double folder_mib(const fs::path& folder) {
     return static_cast<double>(bytes) / (1 << 20);
 }
 
-/// The Lumigraph with as many views as a package of the wished size holds: it is written aside and
-/// weighed until it fits.
-void reduce_to_limit(Lumigraph& lumigraph, const PackSources& sources, const fs::path& folder) {
-    const fs::path aside = folder / "weighed.lumi";
-    for (;;) {
-        write_package(aside, lumigraph, extras_of(sources));
-        const double mib = folder_mib(aside);
-        fs::remove_all(aside);
-        if (mib <= sources.options.max_mib) return;
-        const auto count = static_cast<int>(lumigraph.views.size());
-        if (count <= 1) {
-            throw Error(ErrorKind::kUsage, "E-PACK-MIB",
-                        "[package] max_mib: not even one view fits",
-                        "allow more, or make pictures smaller with [capture] max_width_px");
-        }
-        const auto fitting = static_cast<int>(count * sources.options.max_mib / mib);
-        lumigraph = reduced(lumigraph, sources, std::clamp(fitting, 1, count - 1));
+/// Leaves views out of a Lumigraph, always those that are missed least.
+class ViewLimit {
+ public:
+    ViewLimit(const PackSources& sources, const fs::path& folder, Progress& progress)
+        : sources_(sources), folder_(folder), progress_(progress) {}
+
+    void apply_to(Lumigraph& lumigraph) {
+        const int wanted = wanted_views(lumigraph);
+        if (wanted < static_cast<int>(lumigraph.views.size())) reduce(lumigraph, wanted);
+        if (sources_.options.max_mib > 0) reduce_to_limit(lumigraph);
     }
-}
+
+ private:
+    /// The views that the options ask for, before any limit of size.
+    [[nodiscard]] int wanted_views(const Lumigraph& lumigraph) const {
+        int wanted = static_cast<int>(lumigraph.views.size());
+        if (sources_.options.fewest_views && sources_.sufficient_views) {
+            wanted = sources_.sufficient_views(lumigraph, sources_.photographs.capture);
+        }
+        if (sources_.options.max_views > 0) wanted = std::min(wanted, sources_.options.max_views);
+        return wanted;
+    }
+
+    void reduce(Lumigraph& lumigraph, int views) {
+        if (names_by_worth_.empty()) rank(lumigraph);
+        const std::set<std::string> kept(names_by_worth_.begin(), names_by_worth_.begin() + views);
+        std::vector<int> chosen;
+        for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
+            if (kept.count(lumigraph.views[i].name) > 0) chosen.push_back(static_cast<int>(i));
+        }
+        lumigraph =
+            lumigraph_of_views(lumigraph, capture_of(lumigraph), chosen, sources_.mesh_options);
+    }
+
+    /// Once, while all views are there.
+    void rank(const Lumigraph& lumigraph) {
+        std::vector<int> all(lumigraph.views.size());
+        std::iota(all.begin(), all.end(), 0);
+        for (const int view : views_by_worth(lumigraph, capture_of(lumigraph), all, progress_)) {
+            names_by_worth_.push_back(lumigraph.views[static_cast<std::size_t>(view)].name);
+        }
+    }
+
+    /// Names lead back to the capture when views were left out before.
+    [[nodiscard]] Capture capture_of(const Lumigraph& lumigraph) const {
+        std::vector<std::string> names;
+        for (const LumigraphView& view : lumigraph.views) names.push_back(view.name);
+        std::sort(names.begin(), names.end());
+        return only_views(sources_.photographs, names).capture;
+    }
+
+    /// As many views as a package of the wished size holds: it is written aside and weighed until
+    /// it fits.
+    void reduce_to_limit(Lumigraph& lumigraph) {
+        const fs::path aside = folder_ / "weighed.lumi";
+        for (;;) {
+            write_package(aside, lumigraph, extras_of(sources_));
+            const double mib = folder_mib(aside);
+            fs::remove_all(aside);
+            if (mib <= sources_.options.max_mib) return;
+            const auto count = static_cast<int>(lumigraph.views.size());
+            if (count <= 1) {
+                throw Error(ErrorKind::kUsage, "E-PACK-MIB",
+                            "[package] max_mib: not even one view fits",
+                            "allow more, or make pictures smaller with [capture] max_width_px");
+            }
+            const auto fitting = static_cast<int>(count * sources_.options.max_mib / mib);
+            reduce(lumigraph, std::clamp(fitting, 1, count - 1));
+        }
+    }
+
+    const PackSources& sources_;
+    fs::path folder_;
+    Progress& progress_;
+    std::vector<std::string> names_by_worth_;
+};
 
 }  // namespace
 
@@ -124,18 +184,24 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
                              const fs::path& folder, int threads, Progress& progress) {
     Lumigraph lumigraph = gather_lumigraph(sources, threads, progress);
     const auto views_in_use = static_cast<int>(lumigraph.views.size());
-    const int wanted = wanted_views(lumigraph, sources);
-    if (wanted < views_in_use) lumigraph = reduced(lumigraph, sources, wanted);
+    lumigraph.fade_beyond_capture = sources.drawing.fade_beyond_capture;
+    ExposureGains exposures;
+    if (sources.drawing.even_exposure) {
+        exposures = find_exposure_gains(lumigraph, threads, progress);
+    }
+    ViewLimit(sources, folder, progress).apply_to(lumigraph);
     progress.begin("writing the package", 0);
-    if (sources.options.max_mib > 0) reduce_to_limit(lumigraph, sources, folder);
     write_package(package_folder, lumigraph, extras_of(sources));
     write_json_file(record_path(folder),
                     Json{{"held_out", sources.held_out}, {"poses_sha256", sources.poses_sha256}});
 
-    const Json facts{
-        {"views", lumigraph.views.size()},    {"views_in_use", views_in_use},
-        {"held_out", sources.held_out},       {"points", sources.photographs.capture.points.size()},
-        {"near_depth", lumigraph.near_depth}, {"far_depth", lumigraph.far_depth}};
+    const Json facts{{"views", lumigraph.views.size()},
+                     {"views_in_use", views_in_use},
+                     {"held_out", sources.held_out},
+                     {"points", sources.photographs.capture.points.size()},
+                     {"near_depth", lumigraph.near_depth},
+                     {"far_depth", lumigraph.far_depth},
+                     {"exposure", exposure_json(exposures)}};
     return {json_text(facts), "{}"};
 }
 

@@ -25,6 +25,7 @@ struct PackSources {
     std::string resolved_config_toml;
     std::string evidence_json;
     PackageOptions options;
+    DrawingOptions drawing;
     CameraMeshOptions mesh_options;  ///< For the camera mesh over fewer views.
     /// How many views are enough; asked for when the options want the fewest.
     std::function<int(const Lumigraph& lumigraph, const Capture& capture)> sufficient_views;

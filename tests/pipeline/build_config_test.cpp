@@ -72,6 +72,9 @@ TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
                             "[package]",
                             "max_views",
                             "max_mib",
+                            "[render]",
+                            "even_exposure",
+                            "fade_beyond_capture",
                             "[evaluate]",
                             "hold_out_every",
                             "hold_out"}) {
@@ -83,7 +86,7 @@ TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
 
 TEST(BuildConfig, RefusesAnUnknownKeyInEverySectionWithASuggestion) {
     for (const char* section :
-         {"capture", "calibration", "poses", "mesh", "depth", "package", "evaluate"}) {
+         {"capture", "calibration", "poses", "mesh", "depth", "package", "render", "evaluate"}) {
         std::string toml = "[" + std::string(section) + "]\nno_such_key = 1\n";
         if (std::string(section) != "capture") toml += "[capture]\n";
         const Error error = refusal_of(toml + "photos = \"p\"\n");

@@ -340,6 +340,13 @@ TEST_F(Line, DrawsPathsToFramesVideosAndPairs) {
     const ColorImage still = read_color_image(workspace() / "e.png");
     EXPECT_EQ(read_color_image(replayed / "frame-000002.png"), still);
 
+    // The photographs differ in nothing that could be evened out.
+    ASSERT_EQ(lumi(from + " --as-taken --no-fade --eye " + quoted(eye) + " --out " +
+                   quoted(workspace() / "e.png"))
+                  .exit_code,
+              0);
+    EXPECT_EQ(read_color_image(workspace() / "e.png"), still);
+
     const fs::path pair = workspace() / "pair.png";
     ASSERT_EQ(
         lumi(from + " --stereo 0.1 --eye " + quoted(eye) + " --out " + quoted(pair)).exit_code, 0);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "meshing/selection/view_worth.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
 
 namespace lumi {
@@ -20,9 +21,13 @@ std::vector<OpticalAxis> axes_at(const Points& centres) {
     return axes;
 }
 
-/// The mean squared distance of all cameras to the nearest chosen one.
-double coverage_loss(const std::vector<OpticalAxis>& axes, const std::vector<int>& views) {
-    double sum = 0;
+std::vector<int> first_of(const std::vector<int>& order, int count) {
+    return {order.begin(), order.begin() + count};
+}
+
+/// The largest distance of a camera to the nearest chosen one.
+double widest_gap(const std::vector<OpticalAxis>& axes, const std::vector<int>& views) {
+    double widest = 0;
     for (const OpticalAxis& axis : axes) {
         double nearest = 1e9;
         for (const int view : views) {
@@ -30,47 +35,44 @@ double coverage_loss(const std::vector<OpticalAxis>& axes, const std::vector<int
                 std::min(nearest, viewpoint_distance(axis, axes[static_cast<std::size_t>(view)],
                                                      Eigen::Vector3d::Zero()));
         }
-        sum += nearest * nearest;
+        widest = std::max(widest, nearest);
     }
-    return sum / static_cast<double>(axes.size());
+    return widest;
 }
 
-TEST(RepresentativeViews, LeaveNearDuplicatesOutFirst) {
+TEST(ViewsFarApart, NameNearDuplicatesLast) {
     Points centres = sphere_directions(20, -1);
     std::mt19937 random(1);
     for (int i = 0; i < 20; ++i) {
         centres.push_back(centres[static_cast<std::size_t>(i)] + 0.01 * random_direction(random));
     }
-    const auto views = representative_views(axes_at(centres), Eigen::Vector3d::Zero(), 20);
-    ASSERT_EQ(views.size(), 20U);
+    const auto order = views_far_apart(axes_at(centres), Eigen::Vector3d::Zero());
+    ASSERT_EQ(order.size(), 40U);
     std::set<int> originals;
-    for (const int view : views) originals.insert(view % 20);
+    for (const int view : first_of(order, 20)) originals.insert(view % 20);
     EXPECT_EQ(originals.size(), 20U);
 }
 
-TEST(RepresentativeViews, CoverTheCamerasBetterThanAnyRandomChoice) {
+TEST(ViewsFarApart, LeaveNarrowerGapsThanAnyRandomChoice) {
     std::mt19937 random(2);
     Points centres;
     for (int i = 0; i < 169; ++i) centres.push_back(random_direction(random));
     const auto axes = axes_at(centres);
     const double ours =
-        coverage_loss(axes, representative_views(axes, Eigen::Vector3d::Zero(), 40));
+        widest_gap(axes, first_of(views_far_apart(axes, Eigen::Vector3d::Zero()), 40));
     std::vector<int> all(169);
     for (int i = 0; i < 169; ++i) all[static_cast<std::size_t>(i)] = i;
     for (int trial = 0; trial < 100; ++trial) {
         std::shuffle(all.begin(), all.end(), random);
-        EXPECT_GT(coverage_loss(axes, {all.begin(), all.begin() + 40}), 1.2 * ours);
+        EXPECT_GT(widest_gap(axes, first_of(all, 40)), 1.2 * ours);
     }
 }
 
-TEST(RepresentativeViews, AreAsManyAsAskedForWhateverTheCameras) {
+TEST(ViewsFarApart, AreAllViewsWhateverTheCameras) {
     const Points one_spot(7, Eigen::Vector3d(1, 0, 0));
-    for (int count = 0; count <= 9; ++count) {
-        const auto views = representative_views(axes_at(one_spot), Eigen::Vector3d::Zero(), count);
-        EXPECT_EQ(static_cast<int>(views.size()), std::min(count, 7));
-        EXPECT_EQ(std::set<int>(views.begin(), views.end()).size(), views.size());
-    }
-    EXPECT_TRUE(representative_views({}, Eigen::Vector3d::Zero(), 3).empty());
+    const auto order = views_far_apart(axes_at(one_spot), Eigen::Vector3d::Zero());
+    EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), 7U);
+    EXPECT_TRUE(views_far_apart({}, Eigen::Vector3d::Zero()).empty());
 }
 
 TEST(SelectionSizes, FallByAQuarterEachTime) {
@@ -83,7 +85,8 @@ TEST(SelectionSizes, FallByAQuarterEachTime) {
 TEST(SelectViews, FindsTheSizeBelowWhichTheLossRises) {
     std::mt19937 random(3);
     std::normal_distribution<double> noise(0, 0.05);
-    const auto axes = axes_at(sphere_directions(100, -1));
+    const auto order =
+        views_far_apart(axes_at(sphere_directions(100, -1)), Eigen::Vector3d::Zero());
     for (const int needed : {20, 40, 70}) {
         const auto losses_of = [&](const std::vector<int>& views) {
             std::vector<double> losses;
@@ -95,8 +98,7 @@ TEST(SelectViews, FindsTheSizeBelowWhichTheLossRises) {
             }
             return losses;
         };
-        const ViewSelection selection =
-            select_views(axes, Eigen::Vector3d::Zero(), selection_sizes(100, 4), losses_of);
+        const ViewSelection selection = select_views(order, selection_sizes(100, 4), losses_of);
         const auto chosen = static_cast<int>(selection.curve[selection.chosen].views.size());
         EXPECT_GE(chosen, 0.9 * needed);
         EXPECT_LE(chosen, 1.5 * needed + 1);

@@ -1,0 +1,221 @@
+#include "meshing/exposure/exposure_gains.h"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace lumi {
+namespace {
+
+constexpr int kRounds = 8;
+constexpr double kLeastSpread = 0.01;   // Of tiles: below that all is rounding.
+constexpr double kPriorSigma = 0.35;    // Of the logarithm of a gain: half a stop.
+constexpr double kLargestLog = 2.8;     // Four stops: beyond that nothing is left to even out.
+constexpr double kLargestError = 0.25;  // A pair that is further off is no worse.
+constexpr double kLeastGain = 0.01;
+constexpr double kNoiseFactor = 2.0;
+
+/// Logarithms of gains, one row a view and one column a channel.
+using LogGains = Eigen::MatrixX3d;
+/// The logarithm of what a ratio says, of one fold or the mean of both.
+using LogRatios = Eigen::MatrixX3d;
+
+LogRatios fold_of(const std::vector<ExposureRatio>& ratios, std::size_t fold) {
+    LogRatios result(static_cast<Eigen::Index>(ratios.size()), 3);
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+        result.row(static_cast<Eigen::Index>(i)) = ratios[i].log_ratio[fold];
+    }
+    return result;
+}
+
+/// What the gains leave of each ratio: zero when both photographs become equally bright.
+LogRatios residuals(const std::vector<ExposureRatio>& ratios, const LogRatios& log_ratios,
+                    const LogGains& gains) {
+    LogRatios result = log_ratios;
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+        result.row(static_cast<Eigen::Index>(i)) +=
+            gains.row(ratios[i].second) - gains.row(ratios[i].first);
+    }
+    return result;
+}
+
+double median_of(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+double sigma_of(const ExposureRatio& ratio) { return std::hypot(ratio.spread, kLeastSpread); }
+
+/// Weights of the pairs for the next round: by what their tiles agree to, and robust (Cauchy,
+/// at 1.5 times the median residual).
+Eigen::VectorXd weights_for(const std::vector<ExposureRatio>& ratios, const LogRatios& left) {
+    Eigen::VectorXd sizes(left.rows());
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        sizes[row] = left.row(row).norm() / sigma_of(ratios[i]);
+    }
+    const double scale = std::max(1.0, 1.5 * median_of({sizes.begin(), sizes.end()}));
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+        double& entry = sizes[static_cast<Eigen::Index>(i)];
+        entry = 1.0 / (std::pow(sigma_of(ratios[i]), 2) * (1.0 + std::pow(entry / scale, 2)));
+    }
+    return sizes;
+}
+
+/// Weighted least squares for all channels at once.
+LogGains solved(int view_count, const std::vector<ExposureRatio>& ratios,
+                const LogRatios& log_ratios, const Eigen::VectorXd& weights) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int view = 0; view < view_count; ++view) {
+        entries.emplace_back(view, view, 1.0 / (kPriorSigma * kPriorSigma));
+    }
+    LogGains right = LogGains::Zero(view_count, 3);
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+        const int first = ratios[i].first;
+        const int second = ratios[i].second;
+        const double weight = weights[static_cast<Eigen::Index>(i)];
+        entries.emplace_back(first, first, weight);
+        entries.emplace_back(second, second, weight);
+        entries.emplace_back(first, second, -weight);
+        entries.emplace_back(second, first, -weight);
+        const Eigen::RowVector3d pull = weight * log_ratios.row(static_cast<Eigen::Index>(i));
+        right.row(first) += pull;
+        right.row(second) -= pull;
+    }
+    Eigen::SparseMatrix<double> normal(view_count, view_count);
+    normal.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(normal);
+    return solver.solve(right);
+}
+
+LogGains fitted(int view_count, const std::vector<ExposureRatio>& ratios, LogRatios log_ratios,
+                ExposureModel model) {
+    if (model == ExposureModel::kNone) return LogGains::Zero(view_count, 3);
+    if (model == ExposureModel::kGain) {
+        log_ratios = log_ratios.rowwise().mean().replicate(1, 3).eval();
+    }
+    // Pairs are weighed by what their tiles agree to before anything is known of the gains.
+    Eigen::VectorXd weights = weights_for(ratios, LogRatios::Zero(log_ratios.rows(), 3));
+    LogGains gains = LogGains::Zero(view_count, 3);
+    for (int round = 0; round < kRounds; ++round) {
+        gains = solved(view_count, ratios, log_ratios, weights);
+        weights = weights_for(ratios, residuals(ratios, log_ratios, gains));
+    }
+    gains.rowwise() -= gains.colwise().mean().eval();
+    return gains.cwiseMax(-kLargestLog).cwiseMin(kLargestLog);
+}
+
+double rms_of(const Eigen::MatrixX3d& values) {
+    return values.size() == 0
+               ? 0.0
+               : std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
+}
+
+/// A model, asked for what it was not fitted to.
+struct ModelTrial {
+    ExposureModel model = ExposureModel::kNone;
+    std::vector<double> errors;  ///< Squared, one a pair: both folds, all channels.
+    double noise = 0.0;          ///< Root mean square of half of what the fits differ by.
+};
+
+ModelTrial trial_of(ExposureModel model, int view_count, const std::vector<ExposureRatio>& ratios) {
+    const std::array<LogRatios, 2> folds{fold_of(ratios, 0), fold_of(ratios, 1)};
+    const std::array<LogGains, 2> gains{fitted(view_count, ratios, folds[0], model),
+                                        fitted(view_count, ratios, folds[1], model)};
+    const LogRatios first = residuals(ratios, folds[1], gains[0]);
+    const LogRatios second = residuals(ratios, folds[0], gains[1]);
+    ModelTrial trial{model, {}, 0.5 * rms_of(gains[0] - gains[1])};
+    for (Eigen::Index i = 0; i < first.rows(); ++i) {
+        const auto clipped = [](double error) { return std::min(std::abs(error), kLargestError); };
+        trial.errors.push_back(first.row(i).unaryExpr(clipped).squaredNorm() +
+                               second.row(i).unaryExpr(clipped).squaredNorm());
+    }
+    return trial;
+}
+
+double mean_of(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+/// Whether a model's errors exceed the best one's by no more than a standard error. A view is part
+/// of many pairs, which are not independent: there are as many observations as views.
+bool is_as_good(const ModelTrial& trial, const ModelTrial& best, int view_count) {
+    std::vector<double> excesses;
+    for (std::size_t i = 0; i < trial.errors.size(); ++i) {
+        excesses.push_back(trial.errors[i] - best.errors[i]);
+    }
+    const double mean = mean_of(excesses);
+    double squares = 0;
+    for (const double excess : excesses) squares += (excess - mean) * (excess - mean);
+    const double variance = squares / static_cast<double>(excesses.size());
+    return mean <= std::sqrt(variance / view_count);
+}
+
+ModelTrial chosen_trial(int view_count, const std::vector<ExposureRatio>& ratios) {
+    std::vector<ModelTrial> trials;
+    for (const ExposureModel model :
+         {ExposureModel::kNone, ExposureModel::kGain, ExposureModel::kChannelGains}) {
+        trials.push_back(trial_of(model, view_count, ratios));
+    }
+    const auto best = *std::min_element(
+        trials.begin(), trials.end(),
+        [](const auto& a, const auto& b) { return mean_of(a.errors) < mean_of(b.errors); });
+    return *std::find_if(trials.begin(), trials.end(), [&](const ModelTrial& trial) {
+        return is_as_good(trial, best, view_count);
+    });
+}
+
+/// Whether gains are more than noise, and more than can be seen.
+bool is_told(const LogGains& gains, double noise) {
+    return rms_of(gains) >= std::max(kLeastGain, kNoiseFactor * noise);
+}
+
+LogRatios mean_ratios(const std::vector<ExposureRatio>& ratios) {
+    return 0.5 * (fold_of(ratios, 0) + fold_of(ratios, 1));
+}
+
+}  // namespace
+
+std::string name_of(ExposureModel model) {
+    switch (model) {
+        case ExposureModel::kGain:
+            return "gain";
+        case ExposureModel::kChannelGains:
+            return "channel_gains";
+        case ExposureModel::kNone:
+            break;
+    }
+    return "none";
+}
+
+ExposureGains exposure_gains(int view_count, const std::vector<ExposureRatio>& ratios) {
+    ExposureGains result;
+    result.gains.assign(static_cast<std::size_t>(view_count), {1.0, 1.0, 1.0});
+    result.pairs = static_cast<int>(ratios.size());
+    if (ratios.empty()) return result;
+    const LogRatios log_ratios = mean_ratios(ratios);
+    const double stops_per_log = std::numbers::log2e;
+    result.difference_stops = result.remaining_stops = stops_per_log * rms_of(log_ratios);
+
+    const ModelTrial trial = chosen_trial(view_count, ratios);
+    const LogGains gains = fitted(view_count, ratios, log_ratios, trial.model);
+    if (trial.model == ExposureModel::kNone || !is_told(gains, trial.noise)) return result;
+    result.model = trial.model;
+    result.remaining_stops = stops_per_log * rms_of(residuals(ratios, log_ratios, gains));
+    result.largest_stops = stops_per_log * gains.cwiseAbs().maxCoeff();
+    for (Eigen::Index i = 0; i < gains.rows(); ++i) {
+        for (Eigen::Index channel = 0; channel < 3; ++channel) {
+            result.gains[static_cast<std::size_t>(i)][static_cast<std::size_t>(channel)] =
+                std::exp(gains(i, channel));
+        }
+    }
+    return result;
+}
+
+}  // namespace lumi

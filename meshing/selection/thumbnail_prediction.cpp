@@ -1,0 +1,191 @@
+#include "meshing/selection/thumbnail_prediction.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "calib/capture/image_io.h"
+#include "meshing/depth/inverse_depth_warp.h"
+
+namespace lumi {
+namespace {
+
+constexpr double kPixels = 4800;
+constexpr double kMaxDifference = 80.0;
+constexpr double kSameSurfacePx = 2.0;
+constexpr double kLeastWeight = 1e-3;
+constexpr double kLeastMeanSquare = 0.5;
+
+Eigen::Vector3d steps_of(const Rgb8& color) {
+    return {static_cast<double>(color.r), static_cast<double>(color.g),
+            static_cast<double>(color.b)};
+}
+
+std::uint8_t rounded(double value) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+}
+
+/// At pixel centres counted from zero; `u` and `v` lie within them.
+Rgb8 bilinear(const ColorImage& image, double u, double v) {
+    const int x = std::min(static_cast<int>(u), image.width() - 2);
+    const int y = std::min(static_cast<int>(v), image.height() - 2);
+    const double right = u - x;
+    const double down = v - y;
+    const Eigen::Vector3d color =
+        (1 - down) * ((1 - right) * steps_of(image(x, y)) + right * steps_of(image(x + 1, y))) +
+        down * ((1 - right) * steps_of(image(x, y + 1)) + right * steps_of(image(x + 1, y + 1)));
+    return {rounded(color.x()), rounded(color.y()), rounded(color.z())};
+}
+
+/// Onto the four pixels around, so that a surface seen from farther off has no gaps.
+void splat(FloatImage& nearest, const Eigen::Vector2d& place, float inverse_depth) {
+    const int left = static_cast<int>(std::floor(place.x() - 0.5));
+    const int top = static_cast<int>(std::floor(place.y() - 0.5));
+    for (int i = 0; i < 4; ++i) {
+        const int x = left + i % 2;
+        const int y = top + i / 2;
+        if (nearest.contains(x, y)) nearest(x, y) = std::max(nearest(x, y), inverse_depth);
+    }
+}
+
+/// The median over the views of what `kSameSurfacePx` pixels are worth, seen from the nearest other
+/// camera; infinite when all stand on one spot.
+double inverse_depth_of_same_surface(const std::vector<PicturedView>& views, double scale) {
+    std::vector<double> steps;
+    for (const PicturedView& view : views) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const PicturedView& other : views) {
+            const double distance =
+                (centre_in_world(view.cam_from_world) - centre_in_world(other.cam_from_world))
+                    .norm();
+            if (distance > 0) nearest = std::min(nearest, distance);
+        }
+        if (!std::isfinite(nearest)) continue;
+        steps.push_back(kSameSurfacePx / (scale * nearest * focal_length_px(view.camera).x()));
+    }
+    if (steps.empty()) return std::numeric_limits<double>::infinity();
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+}
+
+double thumbnail_scale(const Camera& camera) {
+    const double pixels = 1.0 * camera.width_px * camera.height_px;
+    return std::min(1.0, std::sqrt(kPixels / pixels));
+}
+
+}  // namespace
+
+ThumbnailPrediction::ThumbnailPrediction(const std::vector<PicturedView>& views) {
+    for (const PicturedView& view : views) thumbnails_.push_back(thumbnail_of(view));
+    if (views.empty()) return;
+    same_surface_ =
+        inverse_depth_of_same_surface(views, thumbnail_scale(views[views.size() / 2].camera));
+}
+
+ThumbnailPrediction::Thumbnail ThumbnailPrediction::thumbnail_of(const PicturedView& view) {
+    const double scale = thumbnail_scale(view.camera);
+    const int width = std::max(2, static_cast<int>(std::lround(scale * view.camera.width_px)));
+    const int height = std::max(2, static_cast<int>(std::lround(scale * view.camera.height_px)));
+    Thumbnail thumbnail{resized(view.camera, width, height), view.cam_from_world,
+                        resized(*view.photograph, width, height), FloatImage(width, height, -1.0F)};
+    const FloatImage& inverse_depth = view.depth->inverse_depth;
+    if (inverse_depth.empty()) return thumbnail;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            thumbnail.inverse_depth(x, y) =
+                inverse_depth((2 * x + 1) * inverse_depth.width() / (2 * width),
+                              (2 * y + 1) * inverse_depth.height() / (2 * height));
+        }
+    }
+    return thumbnail;
+}
+
+ThumbnailPrediction::Carried ThumbnailPrediction::carry(const Thumbnail& from,
+                                                        const Thumbnail& to) const {
+    const int width = to.camera.width_px;
+    const int height = to.camera.height_px;
+    Carried result{FloatImage(width, height, -1.0F), ColorImage(width, height)};
+    const InverseDepthWarp there =
+        warp_b_from_a(from.camera, from.cam_from_world, to.camera, to.cam_from_world);
+    for (int y = 0; y < from.camera.height_px; ++y) {
+        for (int x = 0; x < from.camera.width_px; ++x) {
+            const auto inverse_depth = static_cast<double>(from.inverse_depth(x, y));
+            if (inverse_depth < 0) continue;
+            const Eigen::Vector3d at = there(Eigen::Vector2d(x + 0.5, y + 0.5), inverse_depth);
+            // Far outside, pixels could not even be counted.
+            if (at.z() <= 0 || at.head<2>().cwiseAbs().maxCoeff() > 1e6 * at.z()) continue;
+            splat(result.inverse_depth, at.hnormalized(),
+                  static_cast<float>(inverse_depth / at.z()));
+        }
+    }
+    const InverseDepthWarp back =
+        warp_b_from_a(to.camera, to.cam_from_world, from.camera, from.cam_from_world);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            float& inverse_depth = result.inverse_depth(x, y);
+            if (inverse_depth < 0) continue;
+            const Eigen::Vector3d at =
+                back(Eigen::Vector2d(x + 0.5, y + 0.5), static_cast<double>(inverse_depth));
+            const double u = at.x() / at.z() - 0.5;
+            const double v = at.y() / at.z() - 0.5;
+            const bool is_inside = at.z() > 0 && u >= 0 && v >= 0 &&
+                                   u <= from.camera.width_px - 1 && v <= from.camera.height_px - 1;
+            if (is_inside) {
+                result.color(x, y) = bilinear(from.photograph, u, v);
+            } else {
+                inverse_depth = -1.0F;
+            }
+        }
+    }
+    return result;
+}
+
+const ThumbnailPrediction::Carried& ThumbnailPrediction::carried(int from, int to) {
+    const auto found = carried_.find({from, to});
+    if (found != carried_.end()) return found->second;
+    return carried_
+        .emplace(std::pair(from, to), carry(thumbnails_[static_cast<std::size_t>(from)],
+                                            thumbnails_[static_cast<std::size_t>(to)]))
+        .first->second;
+}
+
+double ThumbnailPrediction::loss_db(int view, const EnclosingViews& from) {
+    std::vector<const Carried*> sources;
+    for (const int source : from.views) sources.push_back(&carried(source, view));
+    const ColorImage& truth = thumbnails_[static_cast<std::size_t>(view)].photograph;
+    const auto same_surface = static_cast<float>(same_surface_);
+    double squares = 0;
+    for (std::size_t i = 0; i < truth.pixels().size(); ++i) {
+        float nearest = -1.0F;
+        for (const Carried* source : sources) {
+            nearest = std::max(nearest, source->inverse_depth.pixels()[i]);
+        }
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        double weights = 0;
+        for (std::size_t k = 0; k < sources.size(); ++k) {
+            const float inverse_depth = sources[k]->inverse_depth.pixels()[i];
+            if (inverse_depth < 0 || nearest - inverse_depth > same_surface) continue;
+            const double weight = std::max(from.weights[k], kLeastWeight);
+            sum += weight * steps_of(sources[k]->color.pixels()[i]);
+            weights += weight;
+        }
+        if (!(weights > 0)) {
+            squares += 3 * kMaxDifference * kMaxDifference;
+            continue;
+        }
+        const Eigen::Array3d difference = (sum / weights - steps_of(truth.pixels()[i])).array();
+        squares += difference.square().min(kMaxDifference * kMaxDifference).sum();
+    }
+    const double mean = squares / (3.0 * static_cast<double>(truth.pixels().size()));
+    return 10 * std::log10(std::max(mean, kLeastMeanSquare));
+}
+
+void ThumbnailPrediction::forget(int view) {
+    const auto first = carried_.lower_bound({view, std::numeric_limits<int>::min()});
+    carried_.erase(first, carried_.lower_bound({view + 1, std::numeric_limits<int>::min()}));
+}
+
+}  // namespace lumi

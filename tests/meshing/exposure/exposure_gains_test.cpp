@@ -1,0 +1,199 @@
+#include "meshing/exposure/exposure_gains.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "calib/capture/srgb_curve.h"
+#include "tests/meshing/depth/raycast_scene.h"
+
+namespace lumi {
+namespace {
+
+/// Photographs of a textured wall with exact depth, each exposed in its own way.
+class ExposedWall {
+ public:
+    explicit ExposedWall(int views) {
+        std::vector<Eigen::Vector3d> centres;
+        for (int i = 0; i < views; ++i) centres.emplace_back(0.35 * (i % 3), 0.3 * (i / 3), 0.0);
+        const TexturedPlane wall{{0, 0, 3},
+                                 Eigen::Vector3d(0.1, 0.05, -1).normalized(),
+                                 [](const Eigen::Vector3d&) { return true; },
+                                 noise_texture(0.05, 7)};
+        known_ = known_depth_scene({wall}, centres, {0.1, 1.0});
+        for (const FloatImage& inverse_depth : known_.inverse_depths) {
+            depths_.push_back(
+                {inverse_depth, GrayImage(inverse_depth.width(), inverse_depth.height(), 255)});
+        }
+    }
+
+    void expose(int view, const Eigen::Array3d& factors) {
+        for (Rgb8& pixel : photograph(view).pixels()) {
+            pixel = {exposed(pixel.r, factors[0]), exposed(pixel.g, factors[1]),
+                     exposed(pixel.b, factors[2])};
+        }
+    }
+    void add_noise(double sigma) {
+        std::mt19937 random(11);
+        std::normal_distribution<double> noise(0.0, sigma);
+        for (std::size_t i = 0; i < depths_.size(); ++i) {
+            for (Rgb8& pixel : photograph(static_cast<int>(i)).pixels()) {
+                for (std::uint8_t* value : {&pixel.r, &pixel.g, &pixel.b}) {
+                    *value = static_cast<std::uint8_t>(
+                        std::lround(std::clamp(*value + noise(random), 0.0, 255.0)));
+                }
+            }
+        }
+    }
+    /// A highlight that stands elsewhere in each photograph.
+    void add_highlights() {
+        for (std::size_t i = 0; i < depths_.size(); ++i) {
+            ColorImage& picture = photograph(static_cast<int>(i));
+            const int left = 20 + static_cast<int>(23 * i) % 150;
+            for (int y = 40; y < 80; ++y) {
+                for (int x = left; x < left + 40; ++x) picture(x, y) = {240, 235, 230};
+            }
+        }
+    }
+
+    [[nodiscard]] ExposureGains gains() {
+        std::vector<PicturedView> views;
+        for (std::size_t i = 0; i < depths_.size(); ++i) {
+            const DepthView& view = known_.scene.views[i];
+            views.push_back({&view.photograph, view.camera, view.cam_from_world, &depths_[i]});
+        }
+        const SilentProgress progress;
+        return exposure_gains(static_cast<int>(views.size()), exposure_ratios(views, 1, progress));
+    }
+    [[nodiscard]] ColorImage& photograph(int view) {
+        return known_.scene.views[static_cast<std::size_t>(view)].photograph;
+    }
+
+ private:
+    static std::uint8_t exposed(std::uint8_t value, double factor) {
+        return static_cast<std::uint8_t>(
+            std::lround(255.0 * srgb_of_light(factor * light_of_srgb(value / 255.0))));
+    }
+
+    KnownDepthScene known_;
+    std::vector<DepthMap> depths_;
+};
+
+constexpr int kViews = 8;
+
+/// Exposes every photograph by its factors, and expects the gains that undo them, but for the
+/// factor that all have in common.
+void expect_recovered(ExposedWall& wall, bool by_channel, ExposureModel model) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> stops(-0.8, 0.1);
+    std::vector<Eigen::Array3d> factors;
+    for (int i = 0; i < kViews; ++i) {
+        const double all = stops(random);
+        factors.emplace_back(Eigen::Array3d::Constant(std::exp2(all)));
+        if (by_channel) {
+            for (double& factor : factors.back()) factor *= std::exp2(0.3 * stops(random));
+        }
+        wall.expose(i, factors.back());
+    }
+    const ExposureGains found = wall.gains();
+    EXPECT_EQ(found.model, model);
+    EXPECT_GT(found.difference_stops, 0.1);
+    EXPECT_LT(found.remaining_stops, 0.02);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        double mean_log = 0;
+        double product_log = 0;
+        for (std::size_t i = 0; i < kViews; ++i) {
+            const double gain = found.gains[i][channel];
+            mean_log += std::log(gain) / kViews;
+            product_log += std::log(gain * factors[i][static_cast<Eigen::Index>(channel)]) / kViews;
+        }
+        EXPECT_NEAR(mean_log, 0.0, 1e-9);
+        for (std::size_t i = 0; i < kViews; ++i) {
+            const double undone =
+                found.gains[i][channel] * factors[i][static_cast<Eigen::Index>(channel)];
+            EXPECT_NEAR(undone / std::exp(product_log), 1.0, 0.01) << i << " " << channel;
+        }
+    }
+}
+
+TEST(ExposureGains, UndoExposuresToOnePercent) {
+    ExposedWall wall(kViews);
+    expect_recovered(wall, false, ExposureModel::kGain);
+}
+
+TEST(ExposureGains, UndoWhiteBalanceToOnePercentInSpiteOfHighlights) {
+    ExposedWall wall(kViews);
+    wall.add_highlights();
+    expect_recovered(wall, true, ExposureModel::kChannelGains);
+}
+
+TEST(ExposureGains, AreNoneWherePhotographsDoNotDiffer) {
+    ExposedWall plain(kViews);
+    EXPECT_EQ(plain.gains().model, ExposureModel::kNone);
+    ExposedWall noisy(kViews);
+    noisy.add_noise(4.0);
+    noisy.add_highlights();
+    const ExposureGains found = noisy.gains();
+    EXPECT_EQ(found.model, ExposureModel::kNone);
+    EXPECT_GT(found.pairs, kViews);
+    for (const auto& gain : found.gains) EXPECT_EQ(gain, (std::array<double, 3>{1, 1, 1}));
+}
+
+TEST(ExposureGains, AreNoneWhereNothingCanBeCompared) {
+    ExposedWall one(1);
+    EXPECT_EQ(one.gains().model, ExposureModel::kNone);
+    ExposedWall black(2);
+    for (const int view : {0, 1}) black.expose(view, Eigen::Array3d::Constant(1e-4));
+    const ExposureGains found = black.gains();
+    EXPECT_EQ(found.model, ExposureModel::kNone);
+    EXPECT_EQ(found.pairs, 0);
+    EXPECT_EQ(exposure_gains(0, {}).gains.size(), 0U);
+}
+
+/// Exact ratios along a chain and across it, a fifth of them wrong.
+TEST(ExposureGains, OutvoteWrongRatios) {
+    constexpr int kCount = 20;
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal(0.0, 0.3);
+    std::vector<double> log_factors;
+    for (int i = 0; i < kCount; ++i) log_factors.push_back(normal(random));
+    std::vector<ExposureRatio> ratios;
+    for (int i = 0; i < kCount; ++i) {
+        for (int step = 1; step <= 4 && i + step < kCount; ++step) {
+            const auto index = static_cast<std::size_t>(i);
+            const double log_ratio =
+                log_factors[index + static_cast<std::size_t>(step)] - log_factors[index];
+            const double wrong = ratios.size() % 5 == 4 ? 0.4 : 0.0;
+            const Eigen::Vector3d both = Eigen::Vector3d::Constant(log_ratio + wrong);
+            ratios.push_back({i, i + step, {both, both}, 0.01});
+        }
+    }
+    const ExposureGains found = exposure_gains(kCount, ratios);
+    ASSERT_EQ(found.model, ExposureModel::kGain);
+    for (std::size_t i = 1; i < kCount; ++i) {
+        const double undone = found.gains[i][0] / found.gains[0][0];
+        EXPECT_NEAR(undone, std::exp(log_factors[0] - log_factors[i]), 0.01 * undone);
+    }
+}
+
+/// Around a turned object neighbours differ by what light does to it, not alike in all tiles: what
+/// adds up to stops at its far side is no exposure.
+TEST(ExposureGains, DoNotAddUpWhereTilesDisagree) {
+    constexpr int kCount = 40;
+    const auto ratios_with = [](double spread) {
+        std::vector<ExposureRatio> ratios;
+        for (int i = 0; i < kCount; ++i) {
+            const double log_ratio = i < kCount / 2 ? 0.1 : -0.1;
+            const Eigen::Vector3d both = Eigen::Vector3d::Constant(log_ratio);
+            ratios.push_back({i, (i + 1) % kCount, {both, both}, spread});
+        }
+        return ratios;
+    };
+    EXPECT_GT(exposure_gains(kCount, ratios_with(0.01)).largest_stops, 1.0);
+    EXPECT_LT(exposure_gains(kCount, ratios_with(0.3)).largest_stops, 0.5);
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,136 @@
+#include "meshing/selection/view_worth.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
+
+#include "meshing/selection/enclosing_views.h"
+#include "meshing/selection/thumbnail_prediction.h"
+#include "tests/meshing/depth/raycast_scene.h"
+
+namespace lumi {
+namespace {
+
+/// Photographs of a wall with a card before it, with exact depth.
+class PhotographedWall {
+ public:
+    explicit PhotographedWall(const std::vector<Eigen::Vector3d>& centres) {
+        const auto texture = noise_texture(0.08, 3);
+        const TexturedPlane wall{{0, 0, 4}, {0, 0, -1}, [](const auto&) { return true; }, texture};
+        const TexturedPlane card{{0, 0, 3},
+                                 {0, 0, -1},
+                                 [](const Eigen::Vector3d& p) { return p.head<2>().norm() < 0.5; },
+                                 texture};
+        known_ = known_depth_scene({wall, card}, centres, {0.1, 1.0});
+        for (std::size_t i = 0; i < centres.size(); ++i) {
+            const FloatImage& inverse_depth = known_.inverse_depths[i];
+            depths_.push_back(
+                {inverse_depth, GrayImage(inverse_depth.width(), inverse_depth.height(), 255)});
+            axes_.push_back({static_cast<int>(i), centres[i], Eigen::Vector3d::UnitZ(), 4.0});
+        }
+    }
+
+    [[nodiscard]] std::vector<PicturedView> views() const {
+        std::vector<PicturedView> result;
+        for (std::size_t i = 0; i < depths_.size(); ++i) {
+            const DepthView& view = known_.scene.views[i];
+            result.push_back({&view.photograph, view.camera, view.cam_from_world, &depths_[i]});
+        }
+        return result;
+    }
+    [[nodiscard]] std::vector<int> by_worth() const {
+        const SilentProgress progress;
+        return views_by_worth(views(), axes_, {0, 0, 4}, progress);
+    }
+    [[nodiscard]] DepthView& view(int index) {
+        return known_.scene.views[static_cast<std::size_t>(index)];
+    }
+    [[nodiscard]] DepthMap& depth(int index) { return depths_[static_cast<std::size_t>(index)]; }
+
+ private:
+    KnownDepthScene known_;
+    std::vector<DepthMap> depths_;
+    std::vector<OpticalAxis> axes_;
+};
+
+std::vector<Eigen::Vector3d> grid_of_centres() {
+    std::vector<Eigen::Vector3d> centres;
+    for (int i = 0; i < 12; ++i) centres.emplace_back(0.3 * (i % 4) - 0.45, 0.3 * (i / 4) - 0.3, 0);
+    return centres;
+}
+
+TEST(ViewsByWorth, NameAViewWithAWrongPoseLast) {
+    PhotographedWall wall(grid_of_centres());
+    const int wrong = 5;
+    wall.view(wrong).cam_from_world.rotation =
+        Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY()) * wall.view(wrong).cam_from_world.rotation;
+    EXPECT_EQ(wall.by_worth().back(), wrong);
+}
+
+TEST(ViewsByWorth, NameOneOfTwoNearDuplicatesLate) {
+    std::vector<Eigen::Vector3d> centres = grid_of_centres();
+    for (int i = 0; i < 4; ++i) {
+        centres.push_back(centres[static_cast<std::size_t>(3 * i)] +
+                          Eigen::Vector3d(0.004, 0.002, 0));
+    }
+    const std::vector<int> order = PhotographedWall(centres).by_worth();
+    std::set<int> places;
+    for (int i = 0; i < 12; ++i) {
+        const int view = order[static_cast<std::size_t>(i)];
+        places.insert(view < 12 ? view : 3 * (view - 12));
+    }
+    EXPECT_EQ(places.size(), 12U);
+}
+
+TEST(ViewsByWorth, AreAllViewsOnceWhateverIsKnown) {
+    PhotographedWall one_spot(std::vector<Eigen::Vector3d>(4, Eigen::Vector3d::Zero()));
+    PhotographedWall without_depth(grid_of_centres());
+    for (int i = 0; i < 12; ++i) without_depth.depth(i) = {};
+    PhotographedWall one_without(grid_of_centres());
+    one_without.depth(3) = {};
+    PhotographedWall single({Eigen::Vector3d::Zero()});
+    for (const PhotographedWall* wall : {&one_spot, &without_depth, &one_without, &single}) {
+        const std::vector<int> order = wall->by_worth();
+        EXPECT_EQ(order.size(), wall->views().size());
+        EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), order.size());
+    }
+}
+
+TEST(ThumbnailPrediction, LosesLittleFromNeighboursAndMuchFromNothing) {
+    PhotographedWall wall(grid_of_centres());
+    ThumbnailPrediction prediction(wall.views());
+    const double near = prediction.loss_db(5, {{4, 6}, {0.5, 0.5}});
+    const double far = prediction.loss_db(5, {{3, 8}, {0.5, 0.5}});
+    const double from_nothing = prediction.loss_db(5, {});
+    EXPECT_LT(near, far);
+    EXPECT_LT(far, from_nothing);
+    EXPECT_NEAR(from_nothing, 20 * std::log10(80.0), 1e-9);
+    prediction.forget(4);
+    EXPECT_EQ(prediction.loss_db(5, {{4, 6}, {0.5, 0.5}}), near);
+}
+
+TEST(EnclosingViews, AreTheDelaunayTriangleWithBarycentricWeights) {
+    const auto towards = [](double x, double y) { return Eigen::Vector3d(x, y, 1).normalized(); };
+    const std::vector<Eigen::Vector3d> directions{towards(-0.1, -0.1), towards(0.1, -0.1),
+                                                  towards(0.0, 0.12),  towards(0.5, 0.5),
+                                                  towards(-0.6, 0.4),  towards(0.0, -0.7)};
+    const auto found = enclosing_views(towards(0, 0), directions, {0, 1, 2, 3, 4, 5});
+    EXPECT_EQ(std::set<int>(found.views.begin(), found.views.end()), (std::set<int>{0, 1, 2}));
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_GE(found.weights[i], 0.0);
+        sum += found.weights[i] * directions[static_cast<std::size_t>(found.views[i])];
+    }
+    EXPECT_LT(sum.normalized().head<2>().norm(), 2e-3);
+    // Beyond the border: the nearest edge.
+    const auto beyond = enclosing_views(towards(0, -0.3), directions, {0, 1, 2});
+    EXPECT_EQ(std::set<int>(beyond.views.begin(), beyond.views.end()), (std::set<int>{0, 1}));
+    EXPECT_NEAR(beyond.weights[0], 0.5, 1e-9);
+    EXPECT_EQ(enclosing_views(towards(0, 0), directions, {3}).views, std::vector<int>{3});
+    EXPECT_TRUE(enclosing_views(towards(0, 0), directions, {}).views.empty());
+}
+
+}  // namespace
+}  // namespace lumi
