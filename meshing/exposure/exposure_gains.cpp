@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace lumi {
 namespace {
@@ -16,6 +17,7 @@ constexpr double kLargestLog = 2.8;     // Four stops: beyond that nothing is le
 constexpr double kLargestError = 0.25;  // A pair that is further off is no worse.
 constexpr double kLeastGain = 0.01;
 constexpr double kNoiseFactor = 2.0;
+constexpr std::size_t kNeighbours = 4;
 
 /// Logarithms of gains, one row a view and one column a channel.
 using LogGains = Eigen::MatrixX3d;
@@ -213,6 +215,28 @@ ExposureGains exposure_gains(int view_count, const std::vector<ExposureRatio>& r
         for (Eigen::Index channel = 0; channel < 3; ++channel) {
             result.gains[static_cast<std::size_t>(i)][static_cast<std::size_t>(channel)] =
                 std::exp(gains(i, channel));
+        }
+    }
+    return result;
+}
+
+std::vector<std::array<double, 3>> gains_among_neighbours(
+    const std::vector<std::array<double, 3>>& gains,
+    const std::vector<Eigen::Vector3d>& centres_in_world) {
+    std::vector<std::array<double, 3>> result = gains;
+    for (std::size_t i = 0; i < gains.size(); ++i) {
+        std::vector<std::pair<double, std::size_t>> around;
+        for (std::size_t j = 0; j < gains.size(); ++j) {
+            around.emplace_back((centres_in_world[i] - centres_in_world[j]).squaredNorm(), j);
+        }
+        const std::size_t count = std::min(gains.size(), 1 + kNeighbours);
+        std::partial_sort(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(count),
+                          around.end());
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            double sum = 0;
+            for (std::size_t k = 0; k < count; ++k)
+                sum += std::log(gains[around[k].second][channel]);
+            result[i][channel] = gains[i][channel] * std::exp(-sum / static_cast<double>(count));
         }
     }
     return result;

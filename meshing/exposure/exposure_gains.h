@@ -42,4 +42,12 @@ struct ExposureGains {
 [[nodiscard]] ExposureGains exposure_gains(int view_count,
                                            const std::vector<ExposureRatio>& ratios);
 
+/// The gains that bring each photograph into the mean exposure of those around it instead: each
+/// over the geometric mean of its own and those of the four nearest cameras. A picture is drawn
+/// from photographs that stand side by side, so that what differs between them shows; what changes
+/// slowly along a capture, as exposure control has it, does not, and stays as it was taken.
+[[nodiscard]] std::vector<std::array<double, 3>> gains_among_neighbours(
+    const std::vector<std::array<double, 3>>& gains,
+    const std::vector<Eigen::Vector3d>& centres_in_world);
+
 }  // namespace lumi

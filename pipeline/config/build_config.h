@@ -30,7 +30,7 @@ struct PackageOptions {
 
 /// What a package says of how it is to be drawn.
 struct DrawingOptions {
-    /// Differences in exposure and white balance between photographs are measured and evened out.
+    /// Differences in exposure and white balance between neighbours are measured and evened out.
     bool even_exposure = true;
     bool fade_beyond_capture = false;  ///< The default of `lumi render` and `lumi view`.
 };

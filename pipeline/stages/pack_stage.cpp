@@ -73,8 +73,14 @@ ExposureGains find_exposure_gains(Lumigraph& lumigraph, int threads, Progress& p
     const ExposureGains found =
         exposure_gains(static_cast<int>(lumigraph.views.size()),
                        exposure_ratios(pictured_views(lumigraph), threads, progress));
+    if (found.model == ExposureModel::kNone) return found;
+    std::vector<Eigen::Vector3d> centres_in_world;
+    for (const LumigraphView& view : lumigraph.views) {
+        centres_in_world.push_back(centre_in_world(view.cam_from_world));
+    }
+    const auto gains = gains_among_neighbours(found.gains, centres_in_world);
     for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
-        lumigraph.views[i].exposure_gain = found.gains[i];
+        lumigraph.views[i].exposure_gain = gains[i];
     }
     return found;
 }

@@ -4,7 +4,7 @@
 
 namespace lumi {
 
-/// The photographs as they would be in the capture's common exposure; exposure gains are 1 then.
+/// The photographs, each in the exposure of those around it; exposure gains are 1 then.
 ///
 /// Light is multiplied, and encoded and rounded again. Above 9/10 of the encoded range values go
 /// over to white, which stays white: how bright saturated pixels were nobody knows, and borders

@@ -25,7 +25,7 @@ struct LumigraphView {
     int exif_orientation = 1;  ///< For display only; 1 to 8.
     ColorImage photograph;
     DepthMap depth;  ///< Empty images when the package has no depth.
-    /// Times this the photograph's light is in the exposure that all have in common.
+    /// Times this the photograph's light is in the exposure of those around it.
     ExposureGain exposure_gain = kNoExposureGain;
 };
 

@@ -35,7 +35,7 @@ struct PackageLimits {
 
 /// How the photographs of a package come into memory.
 enum class Exposures {
-    kEvened,   ///< In their common exposure (even_exposure.h).
+    kEvened,   ///< Each in the exposure of those around it (even_exposure.h).
     kAsTaken,  ///< As they are in the files, their gains beside them.
 };
 

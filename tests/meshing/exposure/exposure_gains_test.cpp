@@ -195,5 +195,30 @@ TEST(ExposureGains, DoNotAddUpWhereTilesDisagree) {
     EXPECT_LT(exposure_gains(kCount, ratios_with(0.3)).largest_stops, 0.5);
 }
 
+TEST(GainsAmongNeighbours, UndoAJumpAndLeaveASlowChange) {
+    std::vector<std::array<double, 3>> slow;
+    std::vector<Eigen::Vector3d> centres;
+    for (int i = 0; i < 21; ++i) {
+        const double gain = std::exp2(0.1 * i);
+        slow.push_back({gain, gain, 1.0});
+        centres.emplace_back(i, 0, 0);
+    }
+    const auto kept = gains_among_neighbours(slow, centres);
+    for (std::size_t i = 2; i + 2 < slow.size(); ++i) EXPECT_NEAR(kept[i][0], 1.0, 1e-9);
+
+    std::vector<std::array<double, 3>> jump = slow;
+    jump[10][0] *= 2.0;
+    const auto undone = gains_among_neighbours(jump, centres);
+    EXPECT_NEAR(undone[10][0], std::exp2(0.8), 1e-9);
+    // What differed by a stop differs by none: the neighbours come to meet it.
+    EXPECT_NEAR(undone[10][0] / undone[9][0], 2.0, 1e-9);
+    EXPECT_NEAR(undone[5][0], 1.0, 1e-9);
+    EXPECT_EQ(undone[10][2], 1.0);
+
+    EXPECT_EQ(gains_among_neighbours({{2.0, 2.0, 2.0}}, {Eigen::Vector3d::Zero()}),
+              (std::vector<std::array<double, 3>>{{1.0, 1.0, 1.0}}));
+    EXPECT_TRUE(gains_among_neighbours({}, {}).empty());
+}
+
 }  // namespace
 }  // namespace lumi
