@@ -97,9 +97,11 @@ std::string script_text(const std::vector<PoseTrial>& trials, const std::string&
         const fs::path file = scratch / ("series" + std::to_string(number) + ".txt");
         write_whole_text(file, data);
         const std::string quoted = "'" + file.string() + "'";
-        script += std::string(number == 0 ? "" : ", ") + quoted +
-                  " using 1:2 with linespoints lt " + std::to_string(number + 1) + " pt 7 title '" +
-                  name + "' noenhanced, " + quoted +
+        // Lens models have no order that a line could follow.
+        const char* const style = is_lens_trial(members.front()->means) ? "points" : "linespoints";
+        script += std::string(number == 0 ? "" : ", ") + quoted + " using 1:2 with " + style +
+                  " lt " + std::to_string(number + 1) + " pt 7 title '" + name + "' noenhanced, " +
+                  quoted +
                   " using 1:2:3 with labels offset 0.6,0.5 left font 'sans,9' noenhanced notitle";
         ++number;
     }
