@@ -17,6 +17,7 @@ constexpr double kLargestLog = 2.8;     // Four stops: beyond that nothing is le
 constexpr double kLargestError = 0.25;  // A pair that is further off is no worse.
 constexpr double kLeastGain = 0.01;
 constexpr double kNoiseFactor = 2.0;
+constexpr double kMostLeft = 0.15;
 constexpr std::size_t kNeighbours = 4;
 
 /// Logarithms of gains, one row a view and one column a channel.
@@ -178,6 +179,11 @@ bool is_told(const LogGains& gains, double noise) {
     return rms_of(gains) >= std::max(kLeastGain, kNoiseFactor * noise);
 }
 
+double median_size(const LogRatios& log_ratios) {
+    const Eigen::MatrixX3d sizes = log_ratios.cwiseAbs();
+    return median_of({sizes.data(), sizes.data() + sizes.size()});
+}
+
 LogRatios mean_ratios(const std::vector<ExposureRatio>& ratios) {
     return 0.5 * (fold_of(ratios, 0) + fold_of(ratios, 1));
 }
@@ -208,8 +214,10 @@ ExposureGains exposure_gains(int view_count, const std::vector<ExposureRatio>& r
     const ModelTrial trial = chosen_trial(view_count, ratios);
     const LogGains gains = fitted(view_count, ratios, log_ratios, trial.model);
     if (trial.model == ExposureModel::kNone || !is_told(gains, trial.noise)) return result;
+    const LogRatios left = residuals(ratios, log_ratios, gains);
+    if (median_size(left) > kMostLeft * median_size(log_ratios)) return result;
     result.model = trial.model;
-    result.remaining_stops = stops_per_log * rms_of(residuals(ratios, log_ratios, gains));
+    result.remaining_stops = stops_per_log * rms_of(left);
     result.largest_stops = stops_per_log * gains.cwiseAbs().maxCoeff();
     for (Eigen::Index i = 0; i < gains.rows(); ++i) {
         for (Eigen::Index channel = 0; channel < 3; ++channel) {

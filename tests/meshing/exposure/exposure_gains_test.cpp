@@ -141,6 +141,32 @@ TEST(ExposureGains, AreNoneWherePhotographsDoNotDiffer) {
     for (const auto& gain : found.gains) EXPECT_EQ(gain, (std::array<double, 3>{1, 1, 1}));
 }
 
+/// Of eight exposures, with what surfaces shine differently in each pair.
+ExposureGains gains_beside_shine(double shine_sigma) {
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    std::vector<double> logs(kViews);
+    for (double& value : logs) value = 0.1 * normal(random);
+    std::vector<ExposureRatio> ratios;
+    for (int first = 0; first < kViews; ++first) {
+        for (int second = first + 1; second < kViews; ++second) {
+            const double ratio = logs[static_cast<std::size_t>(second)] -
+                                 logs[static_cast<std::size_t>(first)] +
+                                 shine_sigma * normal(random);
+            const Eigen::Vector3d of_pair = Eigen::Vector3d::Constant(ratio);
+            ratios.push_back({first, second, {of_pair, of_pair}, 0.02});
+        }
+    }
+    return exposure_gains(kViews, ratios);
+}
+
+TEST(ExposureGains, AreNoneWherePhotographsMostlyDifferByHowSurfacesShine) {
+    EXPECT_EQ(gains_beside_shine(0.002).model, ExposureModel::kGain);
+    const ExposureGains found = gains_beside_shine(0.1);
+    EXPECT_EQ(found.model, ExposureModel::kNone);
+    EXPECT_EQ(found.difference_stops, found.remaining_stops);
+}
+
 TEST(ExposureGains, AreNoneWhereNothingCanBeCompared) {
     ExposedWall one(1);
     EXPECT_EQ(one.gains().model, ExposureModel::kNone);
