@@ -13,7 +13,7 @@ endfunction()
 
 hash_of(calib ${CALIB} ${STAGES})
 hash_of(meshing ${MESHING} ${STAGES})
-hash_of(pack ${LUMIGRAPH} ${STAGES})
+hash_of(pack ${MESHING} ${LUMIGRAPH} ${STAGES}) # Packing chooses views and compares exposures.
 hash_of(evaluate ${EVALUATE})
 
 file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [[
