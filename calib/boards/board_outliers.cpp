@@ -7,16 +7,10 @@
 #include <limits>
 
 #include "calib/boards/board_pose.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// Distances between predicted and seen; infinite where the lens cannot see the point.
 std::vector<double> distances_px(const BoardViews& board, const BoardSolution& solution,
@@ -83,7 +77,7 @@ bool remove_views(CleanedBoard& cleaned, double floor_px) {
     for (std::size_t index = 0; index < board.views.size(); ++index) {
         view_rms_px.push_back(rms(distances_px(board, cleaned.solution, index)));
     }
-    const double middle_px = median(view_rms_px);
+    const double middle_px = median_of(view_rms_px);
     constexpr double kTimesMedian = 4.0;
     const double limit_px = std::max(kTimesMedian * middle_px, floor_px);
     bool has_changed = false;
@@ -110,7 +104,7 @@ double robust_sigma_px(const BoardViews& board, const BoardSolution& solution) {
     }
     // The median distance of two independent normal coordinates is 1.1774 standard deviations.
     constexpr double kMedianOfDistance = 1.1774;
-    return median(std::move(all)) / kMedianOfDistance;
+    return median_of(std::move(all)) / kMedianOfDistance;
 }
 
 CleanedBoard without_outliers(const BoardViews& board, const BoardSolution& start) {

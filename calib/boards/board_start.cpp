@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "calib/boards/board_pose.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
@@ -31,20 +32,13 @@ Camera lens_with(const BoardViews& board, LensModel model, double focal_px) {
     return lens;
 }
 
-double median(std::vector<double> values) {
-    if (values.empty()) return std::numeric_limits<double>::infinity();
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 double median_rms_px(const std::vector<BoardView>& views, const Camera& lens, double size) {
     std::vector<double> rms_px;
     for (const BoardView& view : views) {
         const auto solved = rough_board_pose(view, lens, size);
         rms_px.push_back(solved ? solved->rms_px : std::numeric_limits<double>::infinity());
     }
-    return median(rms_px);
+    return median_of(rms_px, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

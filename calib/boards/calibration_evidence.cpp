@@ -7,16 +7,10 @@
 
 #include "calib/boards/board_pose.h"
 #include "calib/lens/lens_faults.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 void add_views(const BoardViews& board, const BoardSolution& solution,
                const std::vector<HeldOutFold>& held_out, BoardCalibration& result) {
@@ -92,9 +86,9 @@ void add_warnings(BoardCalibration& result) {
     }
     std::vector<double> tilts_deg;
     for (const CalibratedView& view : result.views) tilts_deg.push_back(view.tilt_deg);
-    if (median(tilts_deg) < kSmallTilt_deg) {
+    if (median_of(tilts_deg) < kSmallTilt_deg) {
         result.warnings.push_back("the board mostly faces the camera (median tilt " +
-                                  std::to_string(std::lround(median(tilts_deg))) +
+                                  std::to_string(std::lround(median_of(tilts_deg))) +
                                   " degrees): tilt it by 20 to 50 degrees");
     }
     if (result.certainty.disagreement > kStrongDisagreement) {

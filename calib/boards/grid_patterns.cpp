@@ -5,17 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "calib/work/median.h"
+
 namespace lumi {
 namespace {
 
 constexpr int kLeastSquares = 6;  // Each has four corners.
 constexpr int kLeastDiscs = 9;
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// Steps to the neighbours as columns.
 Eigen::Matrix2d steps_of(const LatticePrediction& local) {
@@ -100,8 +96,8 @@ GridPattern find_square_grid(const std::vector<DarkQuad>& quads) {
     if (2 * pattern.nodes.size() < lattice.size() || pattern.nodes.size() < kLeastSquares)
         return {};
     pattern.shape = basis.shape;
-    pattern.size_per_pitch = median(sizes);
-    pattern.median_step_px = median(steps_px);
+    pattern.size_per_pitch = median_of(sizes);
+    pattern.median_step_px = median_of(steps_px);
     return pattern;
 }
 
@@ -138,7 +134,7 @@ GridPattern find_circle_grid(const std::vector<DiscImage>& discs) {
     }
     pattern.shape = basis.shape;
     pattern.size_per_pitch = 2 / std::sqrt(0.5 * basis.gram.trace());
-    pattern.median_step_px = median(steps_px);
+    pattern.median_step_px = median_of(steps_px);
     constexpr double kTouching = 1.0;
     if (pattern.size_per_pitch >= kTouching) return {};
     return pattern;

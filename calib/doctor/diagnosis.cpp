@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "calib/work/formatted.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
@@ -15,13 +16,6 @@ namespace {
 constexpr double kUsableShare = 0.4;
 constexpr double kMostShare = 0.7;  ///< "Most" of the pairs or photographs.
 constexpr double kNearlyAll = 0.9;
-
-double median_of(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// How the photographs hang together.
 struct Cohesion {

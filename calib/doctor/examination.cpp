@@ -74,8 +74,6 @@ void look_at_pairs(CaptureEvidence& evidence, const std::vector<Features>& featu
     evidence.motion = check_motion(groups.cameras, photographs, verified, lens_is_calibrated);
 }
 
-/// Measured on two cores of a server over captures of 11 to 97 photographs: from photographs to
-/// package each took 2.4 to 3.6 CPU seconds, whatever its size, and memory grew with the size.
 std::vector<Eigen::Vector2i> sizes_in_build(const std::vector<Photograph>& photographs,
                                             int build_width_px) {
     std::vector<Eigen::Vector2i> sizes;
@@ -88,6 +86,8 @@ std::vector<Eigen::Vector2i> sizes_in_build(const std::vector<Photograph>& photo
     return sizes;
 }
 
+/// Measured on two cores of a server over captures of 11 to 97 photographs: from photographs to
+/// package each took 2.4 to 3.6 CPU seconds, whatever its size, and memory grew with the size.
 ExpectedCost expected_cost(const std::vector<Eigen::Vector2i>& sizes_px) {
     constexpr double kCpuPerPhotograph_s = 3.0;
     constexpr double kBase_mib = 370;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <opencv2/calib3d.hpp>
 
+#include "calib/work/median.h"
+
 namespace lumi {
 namespace {
 
@@ -59,12 +61,6 @@ bool in_view(const Camera& camera, const Eigen::Vector3d& direction) {
     const Eigen::Vector3d ahead = direction.z() < 0 ? Eigen::Vector3d(-direction) : direction;
     const auto pixel = project(camera, ahead);
     return pixel && is_inside(camera, *pixel);
-}
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// The angles at which the rays of a motion meet, in degrees.

@@ -8,15 +8,10 @@
 #include <tuple>
 
 #include "calib/work/error.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 double longer_side_px(const Photograph& photograph) {
     return std::max(photograph.width_px, photograph.height_px);

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "calib/work/error.h"
+#include "calib/work/median.h"
 #include "meshing/cameras/border.h"
 #include "meshing/cameras/spherical_triangulation.h"
 
@@ -134,12 +135,6 @@ Caps circumscribed_caps(const std::vector<Eigen::Vector3d>& directions,
         }
     }
     return caps;
-}
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// Share of triangles whose least altitude is small against the median edge.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "calib/work/median.h"
+
 namespace lumi {
 namespace {
 
@@ -19,14 +21,6 @@ struct WeighedDepth {
     double depth = 0.0;
     double weight = 0.0;
 };
-
-/// The upper median; 0 when there are no values.
-double median(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// Depth that is assumed where no camera sees any point: a few times the extent of the cameras.
 double assumed_depth(const std::vector<OpticalAxis>& axes) {
@@ -87,7 +81,7 @@ std::vector<OpticalAxis> optical_axes(const Capture& capture,
         const auto view = static_cast<std::size_t>(index);
         const Rigid3& cam_from_world = capture.views[view].cam_from_world;
         axes.push_back({index, centre_in_world(cam_from_world),
-                        optical_axis_in_world(cam_from_world), median(std::move(depths[view]))});
+                        optical_axis_in_world(cam_from_world), median_of(std::move(depths[view]))});
     }
     return axes;
 }
@@ -121,7 +115,7 @@ Eigen::Vector3d estimate_scene_centre(const std::vector<OpticalAxis>& axes) {
     for (const OpticalAxis& axis : axes) {
         if (axis.depth > 0) seen.push_back(axis.depth);
     }
-    const double usual_depth = seen.empty() ? assumed_depth(axes) : median(std::move(seen));
+    const double usual_depth = seen.empty() ? assumed_depth(axes) : median_of(std::move(seen));
     std::vector<WeighedDepth> depths;
     for (const OpticalAxis& axis : axes) {
         depths.push_back(axis.depth > 0 ? WeighedDepth{axis.depth, kSeenDepthWeight}
@@ -138,7 +132,7 @@ Eigen::Vector3d estimate_scene_centre(const std::vector<OpticalAxis>& axes) {
             residuals.push_back(residual(axes[i], depths[i], centre));
         }
         // Below a thousandth of the depth the axes agree, and weights would only follow rounding.
-        const double scale = std::max(2.0 * median(residuals), 1e-3 * usual_depth);
+        const double scale = std::max(2.0 * median_of(residuals), 1e-3 * usual_depth);
         for (std::size_t i = 0; i < axes.size(); ++i) {
             weights[i] = 1.0 / (1.0 + std::pow(residuals[i] / scale, 2));
         }
@@ -152,7 +146,7 @@ double median_distance(const std::vector<OpticalAxis>& axes,
     for (const OpticalAxis& axis : axes) {
         distances.push_back((axis.centre_in_world - point_in_world).norm());
     }
-    return median(std::move(distances));
+    return median_of(std::move(distances));
 }
 
 Eigen::Vector3d improve_scene_centre(const Eigen::Vector3d& start, double reach, double least_gain,

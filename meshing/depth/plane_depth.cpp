@@ -4,23 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calib/work/median.h"
+
 namespace lumi {
 namespace {
 
 /// A model of the scene, not a measurement of the pixel.
 constexpr std::uint8_t kModelled = 64;
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 double middle_inverse_depth(const DepthView& view) {
     if (view.points.empty()) return 0.5 * (view.range.far + view.range.near);
     std::vector<double> values;
     for (const SparsePoint& point : view.points) values.push_back(point.inverse_depth);
-    return median(std::move(values));
+    return median_of(std::move(values));
 }
 
 /// Inverse depth = coefficients . (x, y, 1), x and y from -1 to 1 over the picture.
@@ -37,7 +33,7 @@ Eigen::Vector3d fitted_plane(const DepthView& view) {
             residuals.push_back(
                 std::abs(point.inverse_depth - plane.dot(basis(view, point.pixel))));
         }
-        const double scale = std::max(median(residuals), 1e-12 * std::abs(plane.z()));
+        const double scale = std::max(median_of(residuals), 1e-12 * std::abs(plane.z()));
         if (scale <= 0) break;
         Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
         Eigen::Vector3d right_side = Eigen::Vector3d::Zero();

@@ -5,17 +5,12 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "calib/work/median.h"
 #include "meshing/depth/guided_smoothing.h"
 #include "meshing/depth/point_triangulation.h"
 
 namespace lumi {
 namespace {
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// Mean of the nearest points' inverse depths, weighted by inverse squared distance.
 double nearest_mean(const std::vector<SparsePoint>& points, const Eigen::Vector2d& pixel) {
@@ -128,9 +123,9 @@ std::vector<SparsePoint> without_outliers(const std::vector<SparsePoint>& points
         for (const int j : triangulation.rings[i]) {
             ring.push_back(points[static_cast<std::size_t>(j)].inverse_depth);
         }
-        if (!ring.empty()) residuals[i] = std::abs(points[i].inverse_depth - median(ring));
+        if (!ring.empty()) residuals[i] = std::abs(points[i].inverse_depth - median_of(ring));
     }
-    const double limit = std::max(3 * kMadOfNormal * median(residuals), smallest_difference);
+    const double limit = std::max(3 * kMadOfNormal * median_of(residuals), smallest_difference);
     std::vector<SparsePoint> kept;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (residuals[i] <= limit) kept.push_back(points[i]);

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "calib/work/median.h"
+
 namespace lumi {
 namespace {
 
@@ -42,13 +44,6 @@ LogRatios residuals(const std::vector<ExposureRatio>& ratios, const LogRatios& l
             gains.row(ratios[i].second) - gains.row(ratios[i].first);
     }
     return result;
-}
-
-double median_of(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 double sigma_of(const ExposureRatio& ratio) { return std::hypot(ratio.spread, kLeastSpread); }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "calib/capture/srgb_curve.h"
+#include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/depth/inverse_depth_warp.h"
 
@@ -23,27 +24,10 @@ constexpr float kLeastLight = 0.008F;  // About 22 of 255.
 constexpr double kSameSurfaceCells = 0.5;
 constexpr int kSightStep = 12;  // Cells between the places by which partners are found.
 
-double median_of(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-const std::array<float, 256>& light_of_byte() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> values{};
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            values[i] = static_cast<float>(light_of_srgb(static_cast<double>(i) / 255.0));
-        }
-        return values;
-    }();
-    return table;
-}
-
 /// The mean light of the pixels around a place; negative where one is nearly black or saturated.
 Eigen::Vector3f light_of_cell(const ColorImage& photograph, int left, int top, int right,
                               int bottom) {
-    const std::array<float, 256>& light = light_of_byte();
+    const std::array<float, 256>& light = light_of_srgb_bytes();
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     for (int y = top; y < bottom; ++y) {
         for (int x = left; x < right; ++x) {
@@ -206,7 +190,7 @@ TileSamples samples_of(const LightGrid& first, const LightGrid& second) {
     return tiles;
 }
 
-Eigen::Vector3d median_of(const std::vector<Eigen::Vector3d>& samples) {
+Eigen::Vector3d channelwise_median(const std::vector<Eigen::Vector3d>& samples) {
     Eigen::Vector3d median;
     for (Eigen::Index channel = 0; channel < 3; ++channel) {
         std::vector<double> values;
@@ -234,11 +218,11 @@ std::optional<ExposureRatio> ratio_of(const LightGrid& first, const LightGrid& s
     for (const auto& [tile, samples] : samples_of(first, second)) {
         if (samples.size() < kLeastSamples) continue;
         fields[static_cast<std::size_t>((tile.first + tile.second) % 2)].push_back(
-            median_of(samples));
+            channelwise_median(samples));
     }
     if (std::min(fields[0].size(), fields[1].size()) < kLeastTiles) return std::nullopt;
     ExposureRatio ratio;
-    ratio.log_ratio = {median_of(fields[0]), median_of(fields[1])};
+    ratio.log_ratio = {channelwise_median(fields[0]), channelwise_median(fields[1])};
     ratio.spread = spread_of(fields, 0.5 * (ratio.log_ratio[0] + ratio.log_ratio[1]));
     return ratio;
 }

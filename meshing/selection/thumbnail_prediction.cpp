@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "calib/capture/image_io.h"
+#include "calib/work/median.h"
 #include "meshing/depth/inverse_depth_warp.h"
 
 namespace lumi {
@@ -65,10 +67,7 @@ double inverse_depth_of_same_surface(const std::vector<PicturedView>& views, dou
         if (!std::isfinite(nearest)) continue;
         steps.push_back(kSameSurfacePx / (scale * nearest * focal_length_px(view.camera).x()));
     }
-    if (steps.empty()) return std::numeric_limits<double>::infinity();
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
+    return median_of(std::move(steps), std::numeric_limits<double>::infinity());
 }
 
 double thumbnail_scale(const Camera& camera) {

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
+#include "calib/work/median.h"
 #include "meshing/selection/enclosing_views.h"
 #include "meshing/selection/thumbnail_prediction.h"
 
@@ -63,9 +65,7 @@ class GreedyRemoval {
             if (!others.empty()) to_nearest.push_back(others.front().first);
         }
         if (to_nearest.empty()) return;
-        const auto middle = to_nearest.begin() + static_cast<std::ptrdiff_t>(to_nearest.size() / 2);
-        std::nth_element(to_nearest.begin(), middle, to_nearest.end());
-        spacing_ = std::max(*middle, std::numeric_limits<double>::min());
+        spacing_ = std::max(median_of(std::move(to_nearest)), std::numeric_limits<double>::min());
     }
 
     /// What a view is predicted from, itself and another one left out.

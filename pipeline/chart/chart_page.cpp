@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "calib/work/median.h"
 #include "pipeline/chart/sweep_plots.h"
 #include "pipeline/report/html.h"
 #include "pipeline/report/number_text.h"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "calib/work/median.h"
+
 namespace lumi {
 namespace {
 
@@ -11,13 +13,6 @@ const ScoreMetric& metric_named(const std::string& name) {
 }
 
 }  // namespace
-
-double median_of(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 double build_cpu_s(const MeasuredVariant& variant) {
     double sum = 0.0;

@@ -68,7 +68,5 @@ struct ChartPoint {
 /// CPU or wall seconds of all stages of a variant, each the median of its repetitions.
 [[nodiscard]] double build_cpu_s(const MeasuredVariant& variant);
 [[nodiscard]] double build_wall_s(const MeasuredVariant& variant);
-/// The median; 0 of nothing.
-[[nodiscard]] double median_of(std::vector<double> values);
 
 }  // namespace lumi

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "calib/work/median.h"
 #include "pipeline/chart/pareto_front.h"
 
 namespace lumi {

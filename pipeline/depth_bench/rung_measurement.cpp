@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "calib/capture/image_io.h"
+#include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "calib/work/process_memory.h"
 #include "meshing/depth/depth_scene.h"
@@ -104,13 +105,6 @@ void take_truth(const DepthBenchScene& scene, const DepthOptions& options,
     measured.right_visible_share = shares.of_visible;
 }
 
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 void take_evidence(const DepthResult& result, RungMeasurement& measured) {
     measured.choice = result.choice;
     measured.expected_peak_mib = static_cast<double>(result.memory.peak()) / (1 << 20);
@@ -125,7 +119,7 @@ void take_evidence(const DepthResult& result, RungMeasurement& measured) {
             result.evidence[i].confident_share / static_cast<double>(result.evidence.size());
     }
     measured.cpu_s_per_megapixel = megapixels > 0 ? cpu_s / megapixels : 0;
-    measured.sparse_residual_px = median(std::move(residuals));
+    measured.sparse_residual_px = median_of(std::move(residuals));
 }
 
 }  // namespace

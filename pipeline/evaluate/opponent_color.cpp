@@ -28,14 +28,6 @@ Eigen::Vector3f relative_xyz(const Color3& linear) {
     return relative_xyz_from_linear() * Eigen::Vector3f(linear[0], linear[1], linear[2]);
 }
 
-std::array<float, 256> linear_values() {
-    std::array<float, 256> values{};
-    for (int i = 0; i < 256; ++i) {
-        values[static_cast<std::size_t>(i)] = static_cast<float>(light_of_srgb(i / 255.0));
-    }
-    return values;
-}
-
 /// The cube root of CIE L*a*b* with its linear part near black.
 float lab_root(float t) {
     constexpr float kDelta = 6.0F / 29.0F;
@@ -46,8 +38,8 @@ float lab_root(float t) {
 }  // namespace
 
 Color3 linear_from_srgb(const Rgb8& color) {
-    static const std::array<float, 256> kLinear = linear_values();
-    return {kLinear[color.r], kLinear[color.g], kLinear[color.b]};
+    const std::array<float, 256>& light = light_of_srgb_bytes();
+    return {light[color.r], light[color.g], light[color.b]};
 }
 
 Color3 opponent_from_linear(const Color3& linear) {

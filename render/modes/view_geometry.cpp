@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "calib/work/median.h"
+
 namespace lumi {
 namespace {
 
@@ -30,12 +32,6 @@ FloatImage tile_maxima(const FloatImage& samples) {
         }
     }
     return tiles;
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// The depth at which disparities are halfway between those of the near and the far end.
@@ -70,7 +66,7 @@ std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph) {
                                  geometries[i].centre_in_world)
                                     .norm());
         geometries[i].baseline =
-            distances.empty() ? 0.1 * middle_depth(lumigraph) : median(std::move(distances));
+            distances.empty() ? 0.1 * middle_depth(lumigraph) : median_of(std::move(distances));
     }
     return geometries;
 }
@@ -88,7 +84,7 @@ double agreeing_inverse_depth(const std::vector<ViewGeometry>& views,
     std::vector<double> disparities;
     for (const int index : view_indices)
         disparities.push_back(max_disparity_px(views[static_cast<std::size_t>(index)]));
-    return 2 * tolerance_px / median(std::move(disparities));
+    return 2 * tolerance_px / median_of(std::move(disparities));
 }
 
 }  // namespace lumi
