@@ -10,6 +10,7 @@
 #include "meshing/depth/plane_depth.h"
 #include "meshing/depth/sparse_depth.h"
 #include "meshing/geometry/mesh_depth.h"
+#include "meshing/geometry/volume_depth.h"
 
 namespace lumi {
 namespace {
@@ -41,6 +42,17 @@ class MeshModel final : public DepthModel {
 
  private:
     TriangleMesh mesh_;
+};
+
+class VolumeModel final : public DepthModel {
+ public:
+    explicit VolumeModel(BinaryVolume volume) : caster_(std::move(volume)) {}
+    [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
+        return {caster_.depth(view_of(scene, view_index)), "volume", false, false};
+    }
+
+ private:
+    VolumeCaster caster_;
 };
 
 /// A rung that looks at one view and its points alone.
@@ -134,6 +146,11 @@ std::unique_ptr<DepthModel> imported_depth_model(const std::filesystem::path& fo
 
 std::unique_ptr<DepthModel> mesh_depth_model(const std::filesystem::path& file) {
     return std::make_unique<MeshModel>(read_triangle_mesh(file));
+}
+
+std::unique_ptr<DepthModel> volume_depth_model(const std::filesystem::path& file,
+                                               double threshold) {
+    return std::make_unique<VolumeModel>(read_binary_volume(file, threshold));
 }
 
 }  // namespace lumi

@@ -47,6 +47,11 @@ class DepthModel {
 [[nodiscard]] std::unique_ptr<DepthModel> imported_depth_model(const std::filesystem::path& folder,
                                                                double png_unit);
 
+/// What a binary volume of the scene looks like from each view (volume_depth.h). Throws Error
+/// (E-VOLUME-...).
+[[nodiscard]] std::unique_ptr<DepthModel> volume_depth_model(const std::filesystem::path& file,
+                                                             double threshold);
+
 /// What a triangle mesh of the scene looks like from each view (mesh_depth.h). Throws Error
 /// (E-GEOMETRY-...).
 [[nodiscard]] std::unique_ptr<DepthModel> mesh_depth_model(const std::filesystem::path& file);

@@ -38,8 +38,13 @@ void validate(const DepthOptions& options) {
                 std::to_string(options.import_png_unit));
     require(options.background == "auto" || options.background == "keep",
             "background: expected \"auto\" or \"keep\", found \"" + options.background + "\"");
-    require(options.import_folder.empty() || options.import_mesh.empty(),
-            "import_folder and import_mesh: expected one of them, found both");
+    const int imports = static_cast<int>(!options.import_folder.empty()) +
+                        static_cast<int>(!options.import_mesh.empty()) +
+                        static_cast<int>(!options.import_volume.empty());
+    require(imports <= 1, "import_folder, import_mesh, import_volume: expected one, found " +
+                              std::to_string(imports));
+    require(std::isfinite(options.import_volume_threshold),
+            "import_volume_threshold: expected a finite number");
 }
 
 DepthOptions read_depth_options(const ConfigSection& section) {
@@ -51,6 +56,9 @@ DepthOptions read_depth_options(const ConfigSection& section) {
     options.import_folder = section.path("import_folder");
     options.import_png_unit = section.number("import_png_unit", options.import_png_unit);
     options.import_mesh = section.path("import_mesh");
+    options.import_volume = section.path("import_volume");
+    options.import_volume_threshold =
+        section.number("import_volume_threshold", options.import_volume_threshold);
     options.mask_folder = section.path("masks");
     options.background = section.text("background", options.background);
     validate(options);

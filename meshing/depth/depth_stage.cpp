@@ -38,6 +38,24 @@ void for_each_view(const std::string& step, DepthResult& result, int views_at_on
     });
 }
 
+bool is_geometry_imported(const DepthOptions& options) {
+    return !options.import_mesh.empty() || !options.import_volume.empty();
+}
+
+/// Geometry that lies beside every picture is not in the world of the poses.
+void require_seen(const std::vector<DepthEstimate>& estimates, const DepthOptions& options) {
+    const bool is_seen =
+        std::any_of(estimates.begin(), estimates.end(), [](const DepthEstimate& estimate) {
+            const auto& confidence = estimate.map.confidence.pixels();
+            return std::any_of(confidence.begin(), confidence.end(), [](auto c) { return c > 0; });
+        });
+    if (is_seen || !is_geometry_imported(options)) return;
+    const auto& file = options.import_mesh.empty() ? options.import_volume : options.import_mesh;
+    throw Error(ErrorKind::kBadInput, "E-GEOMETRY-UNSEEN",
+                file.string() + ": no view sees anything of it",
+                "bring it into the world of the poses: axes, origin, unit of length");
+}
+
 /// Says what memory the maps of these views will take, and refuses where there is not so much.
 DepthMemory expected_memory(const Capture& capture, const std::vector<int>& view_indices,
                             const DepthOptions& options, int threads, Progress& progress) {
@@ -49,7 +67,7 @@ DepthMemory expected_memory(const Capture& capture, const std::vector<int>& view
                          static_cast<std::uint64_t>(camera.height_px));
     }
     release_free_memory();
-    const bool is_imported = !options.import_folder.empty() || !options.import_mesh.empty();
+    const bool is_imported = !options.import_folder.empty() || is_geometry_imported(options);
     const DepthMemory memory = predicted_depth_memory(
         pixels, is_imported ? "imported" : options.model, resolve_threads(threads),
         static_cast<std::uint64_t>(options.max_memory_mib) << 20, memory_in_use().value_or(0));
@@ -86,6 +104,9 @@ std::unique_ptr<DepthModel> model_of(const DepthScene& scene, const std::vector<
         return imported_depth_model(options.import_folder, options.import_png_unit);
     }
     if (!options.import_mesh.empty()) return mesh_depth_model(options.import_mesh);
+    if (!options.import_volume.empty()) {
+        return volume_depth_model(options.import_volume, options.import_volume_threshold);
+    }
     if (options.model != "auto") return depth_model_named(options.model);
     const DepthChoice chosen = choose_depth_model(scene, masks, "patch_match", threads, progress);
     choice = chosen.explanation;
@@ -104,8 +125,10 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
         make_depth_scene(photographs, view_indices, options, threads, progress);
     result.depth_maps.resize(scene.views.size());
     result.evidence.resize(scene.views.size());
-    const std::vector<GrayImage> masks =
+    const SceneMasks found_masks =
         scene_masks(scene, options.mask_folder, options.background == "auto", threads);
+    const std::vector<GrayImage>& masks = found_masks.of_views;
+    result.background = found_masks.background;
     const double before_choice = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
     std::unique_ptr<DepthModel> model =
         model_of(scene, masks, options, threads, progress, result.choice);
@@ -117,6 +140,7 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
         estimates[index] = model->estimate(scene, i);
         claim_nothing_beyond(masks[index], estimates[index].map);
     });
+    require_seen(estimates, options);
     for (int round = 0; round < model->refinements(); ++round) {
         const std::vector<DepthEstimate> before = estimates;
         for_each_view("depth: refinement", result, result.memory.views_matched, progress,

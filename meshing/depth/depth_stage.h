@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct DepthOptions {
     /// A triangle mesh of the scene in the world of the poses (PLY, OBJ) takes the place of
     /// `model`.
     std::filesystem::path import_mesh = {};
+    /// So does a volume of solid cells there (NRRD, MetaImage; binary_volume.h).
+    std::filesystem::path import_volume = {};
+    double import_volume_threshold = 0.5;  ///< Cells of at least this value are solid.
     /// One mask a photograph, by its name (view_mask.h): black is not part of the scene.
     std::filesystem::path mask_folder = {};
     /// "auto": a plain background around the scene is found and kept out of it; "keep": never.
@@ -52,12 +56,15 @@ struct DepthResult {
     std::vector<DepthEvidence> evidence;
     std::string choice;         ///< Of "auto": one line, what was chosen and why; else empty.
     double choice_cpu_s = 0.0;  ///< What choosing took.
-    DepthMemory memory;         ///< As it was predicted.
+    /// The colour of the plain background that was kept out of the scene, if there was one.
+    std::optional<Rgb8> background;
+    DepthMemory memory;  ///< As it was predicted.
 };
 
 /// Depth of the listed views, from these views alone: held-out views take no part. The same bytes
 /// for any number of threads. What memory it will take is said first (Progress::note). Throws Error
-/// (E-DEPTH-MEMORY) when the machine has not so much left.
+/// (E-DEPTH-MEMORY) when the machine has not so much left,
+/// (E-GEOMETRY-UNSEEN) when no view sees anything of an imported mesh or volume.
 [[nodiscard]] DepthResult estimate_depth(const PosedPhotographs& photographs,
                                          const std::vector<int>& view_indices,
                                          const DepthOptions& options, int threads,

@@ -20,18 +20,6 @@ int difference(const Rgb8& a, const Rgb8& b) {
     return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-fs::path mask_file_of(const DepthView& view, const fs::path& folder) {
-    fs::path by_stem = folder / view.name;
-    by_stem.replace_extension(".png");
-    if (fs::is_regular_file(by_stem)) return by_stem;
-    fs::path appended = folder / view.name;
-    appended += ".png";
-    if (fs::is_regular_file(appended)) return appended;
-    throw Error(ErrorKind::kBadInput, "E-DEPTH-MASK",
-                folder.string() + ": no mask for view " + view.name,
-                "name masks like their photographs, with .png as extension");
-}
-
 /// Pixels of the frame along the border, a fiftieth of the picture wide.
 std::vector<Rgb8> border_pixels(const ColorImage& picture) {
     const int margin = std::max(1, std::min(picture.width(), picture.height()) / 50);
@@ -72,25 +60,50 @@ double similar_share(const std::vector<Rgb8>& pixels, Rgb8 color) {
 
 }  // namespace
 
+fs::path mask_file_of(const std::string& name, const fs::path& folder) {
+    fs::path by_stem = folder / name;
+    by_stem.replace_extension(".png");
+    if (fs::is_regular_file(by_stem)) return by_stem;
+    fs::path appended = folder / name;
+    appended += ".png";
+    return fs::is_regular_file(appended) ? appended : fs::path();
+}
+
+GrayImage read_drawn_mask(const std::string& name, const Camera& camera, const fs::path& folder) {
+    const fs::path path = mask_file_of(name, folder);
+    if (path.empty()) {
+        throw Error(ErrorKind::kBadInput, "E-DEPTH-MASK",
+                    folder.string() + ": no mask for photograph " + name,
+                    "name masks like their photographs, with .png as extension");
+    }
+    GrayImage mask = read_gray_png(path);
+    const double stretch = static_cast<double>(mask.width()) * camera.height_px /
+                           (static_cast<double>(mask.height()) * camera.width_px);
+    if (std::abs(stretch - 1) > 1.0 / std::min(mask.height(), camera.height_px)) {
+        throw Error(ErrorKind::kBadInput, "E-DEPTH-MASKSIZE",
+                    path.string() + ": " + std::to_string(mask.width()) + "x" +
+                        std::to_string(mask.height()) + " has not the shape of its photograph",
+                    "draw masks over the whole photograph, as it is stored");
+    }
+    for (std::uint8_t& pixel : mask.pixels()) pixel = pixel < 128 ? 0 : 255;
+    if (std::none_of(mask.pixels().begin(), mask.pixels().end(), [](auto p) { return p != 0; })) {
+        throw Error(ErrorKind::kBadInput, "E-DEPTH-MASKEMPTY",
+                    path.string() + ": no pixel belongs to the scene",
+                    "paint the scene white, or leave this photograph out");
+    }
+    return mask;
+}
+
 GrayImage drawn_mask(const DepthView& view, const fs::path& folder) {
-    const fs::path path = mask_file_of(view, folder);
-    const GrayImage drawn = read_gray_png(path);
+    const GrayImage drawn = read_drawn_mask(view.name, view.camera, folder);
     const int width = view.camera.width_px;
     const int height = view.camera.height_px;
-    const double stretch =
-        static_cast<double>(drawn.width()) * height / (static_cast<double>(drawn.height()) * width);
-    if (std::abs(stretch - 1) > 1.0 / std::min(drawn.height(), height)) {
-        throw Error(ErrorKind::kBadInput, "E-DEPTH-MASKSIZE",
-                    path.string() + ": " + std::to_string(drawn.width()) + "x" +
-                        std::to_string(drawn.height()) + " has not the shape of its photograph",
-                    "draw masks over the whole photograph");
-    }
     GrayImage mask(width, height);
     for (int y = 0; y < height; ++y) {
         const auto source_y = static_cast<int>((y + 0.5) * drawn.height() / height);
         for (int x = 0; x < width; ++x) {
             const auto source_x = static_cast<int>((x + 0.5) * drawn.width() / width);
-            mask(x, y) = drawn(source_x, source_y) < 128 ? 0 : 255;
+            mask(x, y) = drawn(source_x, source_y);
         }
     }
     return mask;
@@ -122,8 +135,7 @@ std::optional<Rgb8> plain_background(const DepthScene& scene) {
     return shows_scene ? std::optional(color) : std::nullopt;
 }
 
-GrayImage mask_of_background(const DepthView& view, Rgb8 background) {
-    const ColorImage& picture = view.photograph;
+GrayImage mask_of_background(const ColorImage& picture, Rgb8 background) {
     const int width = picture.width();
     GrayImage mask(width, picture.height(), 255);
     std::vector<int> front;
@@ -152,17 +164,17 @@ GrayImage mask_of_background(const DepthView& view, Rgb8 background) {
     return mask;
 }
 
-std::vector<GrayImage> scene_masks(const DepthScene& scene, const std::filesystem::path& folder,
-                                   bool looks_for_background, int threads) {
-    std::vector<GrayImage> masks(scene.views.size());
+SceneMasks scene_masks(const DepthScene& scene, const std::filesystem::path& folder,
+                       bool looks_for_background, int threads) {
     const bool is_drawn = !folder.empty();
-    const auto background =
-        !is_drawn && looks_for_background ? plain_background(scene) : std::nullopt;
-    if (!is_drawn && !background) return masks;
-    parallel_for(static_cast<int>(masks.size()), threads, [&](int i) {
+    SceneMasks masks{std::vector<GrayImage>(scene.views.size()),
+                     !is_drawn && looks_for_background ? plain_background(scene) : std::nullopt};
+    if (!is_drawn && !masks.background) return masks;
+    parallel_for(static_cast<int>(scene.views.size()), threads, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         const DepthView& view = scene.views[index];
-        masks[index] = is_drawn ? drawn_mask(view, folder) : mask_of_background(view, *background);
+        masks.of_views[index] = is_drawn ? drawn_mask(view, folder)
+                                         : mask_of_background(view.photograph, *masks.background);
     });
     return masks;
 }

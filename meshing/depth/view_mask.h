@@ -9,10 +9,19 @@ namespace lumi {
 
 /// Which pixels of a view belong to the scene: 255, and which do not: 0.
 
-/// The mask drawn for a view: a grey PNG in `folder` with the view's name, its extension replaced
-/// by or followed by ".png", of the picture's aspect ratio and any size; a pixel that is darker
-/// than half is not part of the scene. Throws Error: E-DEPTH-MASK (no mask for this view),
-/// E-DEPTH-MASKSIZE (another aspect ratio).
+/// Where the mask of a photograph lies: a grey PNG in `folder` with the photograph's name, its
+/// extension replaced by or followed by ".png". Empty when there is none.
+[[nodiscard]] std::filesystem::path mask_file_of(const std::string& name,
+                                                 const std::filesystem::path& folder);
+
+/// The mask drawn for a photograph of this camera, in its own raster, which has the photograph's
+/// aspect ratio and any size: a pixel that is darker than half is not part of the scene. Throws
+/// Error: E-DEPTH-MASK (no mask of this name), E-DEPTH-MASKSIZE (another aspect ratio),
+/// E-DEPTH-MASKEMPTY (no pixel of the scene).
+[[nodiscard]] GrayImage read_drawn_mask(const std::string& name, const Camera& camera,
+                                        const std::filesystem::path& folder);
+
+/// The same in the raster of the view.
 [[nodiscard]] GrayImage drawn_mask(const DepthView& view, const std::filesystem::path& folder);
 
 /// The colour of a plain background, as of a photograph taken before black cloth: nine tenths of
@@ -20,14 +29,19 @@ namespace lumi {
 /// none, or when it differs from view to view, or when hardly anything stands before it.
 [[nodiscard]] std::optional<Rgb8> plain_background(const DepthScene& scene);
 
-/// The view without its plain background: what is connected to the border by pixels of this colour.
-[[nodiscard]] GrayImage mask_of_background(const DepthView& view, Rgb8 background);
+/// The picture without its plain background: what is connected to the border by pixels of this
+/// colour.
+[[nodiscard]] GrayImage mask_of_background(const ColorImage& picture, Rgb8 background);
+
+struct SceneMasks {
+    std::vector<GrayImage> of_views;  ///< Empty images where every pixel belongs to the scene.
+    std::optional<Rgb8> background;   ///< The plain one that was found.
+};
 
 /// The masks of all views: drawn ones where a folder is given, else of a plain background if one
-/// is looked for and found. Empty images where every pixel belongs to the scene.
-[[nodiscard]] std::vector<GrayImage> scene_masks(const DepthScene& scene,
-                                                 const std::filesystem::path& folder,
-                                                 bool looks_for_background, int threads);
+/// is looked for and found.
+[[nodiscard]] SceneMasks scene_masks(const DepthScene& scene, const std::filesystem::path& folder,
+                                     bool looks_for_background, int threads);
 
 /// Nothing is claimed of what does not belong to the scene. An empty mask changes nothing.
 void claim_nothing_beyond(const GrayImage& mask, DepthMap& map);

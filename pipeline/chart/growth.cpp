@@ -19,11 +19,14 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 /// Settings that name a file beside the configuration, which is written to another folder here.
-constexpr std::array<std::pair<const char*, const char*>, 4> kPathsElsewhere{
+constexpr std::array<std::pair<const char*, const char*>, 7> kPathsElsewhere{
     {{"capture", "import"},
      {"calibration", "camera"},
      {"calibration", "boards"},
-     {"depth", "import_folder"}}};
+     {"depth", "import_folder"},
+     {"depth", "import_mesh"},
+     {"depth", "import_volume"},
+     {"depth", "masks"}}};
 
 std::vector<int> read_counts(const ConfigSection& section, const std::string& key) {
     std::vector<int> counts;

@@ -28,8 +28,13 @@ struct EvaluateRequest {
 std::string score_line(const std::string& mode, const ViewScore& score) {
     const std::string covered =
         score.psnr_covered_db ? number_text(*score.psnr_covered_db, 2) : std::string("none");
+    const std::string subject =
+        score.psnr_subject_db
+            ? "  subject " + number_text(*score.psnr_subject_db, 2) + " dB at " +
+                  number_text(100.0 * score.subject_coverage.value_or(0.0), 2) + " %"
+            : std::string();
     return mode + "  " + score.name + "  PSNR " + number_text(score.psnr_db, 2) + " dB  covered " +
-           covered + " dB  SSIM " + number_text(score.ssim, 4) + "  FLIP " +
+           covered + " dB" + subject + "  SSIM " + number_text(score.ssim, 4) + "  FLIP " +
            number_text(score.flip, 4) + "  coverage " + number_text(100.0 * score.coverage, 2) +
            " %  " + number_text(score.ms, 1) + " ms\n";
 }
@@ -46,6 +51,9 @@ std::string interval_text(const std::vector<ViewScore>& views) {
 }
 
 void print_scores(const Evaluation& evaluation, const CommandContext& context) {
+    if (!evaluation.subject_from.empty()) {
+        context.print_result("subject: told from the rest by " + evaluation.subject_from + '\n');
+    }
     for (const ModeScores& scores : evaluation.modes) {
         const std::string mode = name_of(scores.mode);
         for (const ViewScore& view : scores.views) context.print_result(score_line(mode, view));

@@ -9,6 +9,7 @@
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/evaluate/heat_map.h"
 #include "pipeline/evaluate/held_out_photographs.h"
+#include "pipeline/evaluate/held_out_subject.h"
 #include "pipeline/stages/file_stems.h"
 #include "pipeline/stages/used_views.h"
 #include "pipeline/workspace/json_file.h"
@@ -71,10 +72,11 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
     const PosedPhotographs held_out = held_out_photographs(workspace, threads);
     const Lumigraph lumigraph = read_package(workspace.package_folder(), {}, options.exposures);
     const PictureNames names(held_out.capture, options.modes.front());
+    const EvaluationOptions with_subject = judging_subject(options, workspace);
 
     WholeFolder folder(workspace.evaluation_folder());
     Evaluation evaluation = evaluate_held_out(
-        lumigraph, held_out, options,
+        lumigraph, held_out, with_subject,
         [&](RenderMode mode, const JudgedView& view) {
             write_pictures(folder.staging(), names, mode, view);
         },

@@ -51,6 +51,11 @@ void score_picture(JudgedView& judged) {
         score.psnr_gain_fitted_db = fit->psnr_db;
         score.gain = fit->gain;
     }
+    if (judged.subject.empty()) return;
+    score.psnr_subject_db = psnr_db(photograph, frame.color, judged.subject);
+    score.flip_subject = mean_error(judged.flip, judged.subject);
+    score.subject_coverage = covered_share(frame.coverage, judged.subject);
+    score.subject_share = covered_share(judged.subject);
 }
 
 /// One run over all modes and views.
@@ -72,6 +77,7 @@ class HeldOutJudge {
         OffscreenRenderer renderer(lumigraph_);
         Evaluation evaluation;
         evaluation.gl_description = renderer.gl_description();
+        evaluation.subject_from = options_.subject_from;
         progress_.begin("drawing held-out views", options_.modes.size() * eyes_.size());
         for (const RenderMode mode : options_.modes) {
             evaluation.modes.push_back(judge_mode(renderer, mode, ghosts, keep));
@@ -108,6 +114,9 @@ class HeldOutJudge {
         judged.score.name = held_out_.capture.views[index].name;
         judged.score.place = place_of_view(lumigraph_.mesh, eye.camera, eye.cam_from_world);
         judged.photograph = read_color_image(held_out_.picture_paths[index]);
+        if (options_.subject_mask) {
+            judged.subject = options_.subject_mask(judged.score.name, judged.photograph);
+        }
         judged.rendering = renderer.draw(eye, {.mode = mode});
         score_picture(judged);
         const std::vector<double> frame_ms =

@@ -17,10 +17,16 @@ namespace lumi {
 struct JudgedView {
     ViewScore score;
     ColorImage photograph;
+    GrayImage subject;  ///< Of the photograph; empty where it is not known.
     Frame rendering;
     FloatImage flip;          ///< Error map.
     FloatImage ghost_energy;  ///< Empty when it was not asked for.
 };
+
+/// Which pixels of a held-out photograph are of the subject (255) and which are not (0), by the
+/// view's name; an empty picture where that is not known.
+using SubjectMask =
+    std::function<GrayImage(const std::string& view_name, const ColorImage& photograph)>;
 
 /// Scores of all held-out views in one mode.
 struct ModeScores {
@@ -33,6 +39,7 @@ struct ModeScores {
 
 struct Evaluation {
     std::string gl_description;
+    std::string subject_from;  ///< Of EvaluationOptions.
     std::vector<ModeScores> modes;
 };
 
@@ -41,6 +48,9 @@ struct EvaluationOptions {
     bool ghost_energy = true;                  ///< Measured for the first mode.
     int timed_frames = 5;                      ///< Repetitions of each frame.
     Exposures exposures = Exposures::kEvened;  ///< Of packages that are read for it.
+    /// The subject is judged beside the frame where this is set.
+    SubjectMask subject_mask = {};
+    std::string subject_from = {};  ///< How it knows: "drawn masks" or "plain background".
 };
 
 /// Called once per mode and view, in order, with what is to be kept of it.

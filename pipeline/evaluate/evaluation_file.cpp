@@ -21,6 +21,7 @@ Json view_json(const ViewScore& score) {
         json[metric.name] = or_null(metric.value(score));
     json["ms_range"] = {score.fastest_ms, score.slowest_ms};
     json["gain"] = score.gain;
+    json["subject_share"] = or_null(score.subject_share);
     return json;
 }
 
@@ -73,6 +74,10 @@ ViewScore view_score_from(const Json& json) {
     score.edge_sharpness = optional_number(json.at("edge_sharpness"));
     score.psnr_gain_fitted_db = optional_number(json.at("psnr_gain_fitted_db"));
     score.ghost_energy = optional_number(json.at("ghost_energy"));
+    score.psnr_subject_db = optional_number(json.at("psnr_subject_db"));
+    score.flip_subject = optional_number(json.at("flip_subject"));
+    score.subject_coverage = optional_number(json.at("subject_coverage"));
+    score.subject_share = optional_number(json.at("subject_share"));
     score.coverage = json.at("coverage");
     score.ms = json.at("ms");
     score.fastest_ms = json.at("ms_range").at(0);
@@ -107,13 +112,15 @@ Json mode_scores_json(const ModeScores& scores) {
 
 Json evaluation_json(const Evaluation& evaluation) {
     const BootstrapOptions bootstrap;
-    Json json{{"schema_version", kEvaluationSchemaVersion},
-              {"mode", name_of(evaluation.modes.front().mode)},
-              {"gl", evaluation.gl_description},
-              {"bootstrap",
-               {{"level", bootstrap.level},
-                {"resamples", bootstrap.resamples},
-                {"seed", bootstrap.seed}}}};
+    Json json{
+        {"schema_version", kEvaluationSchemaVersion},
+        {"mode", name_of(evaluation.modes.front().mode)},
+        {"gl", evaluation.gl_description},
+        {"subject_from", evaluation.subject_from.empty() ? Json() : Json(evaluation.subject_from)},
+        {"bootstrap",
+         {{"level", bootstrap.level},
+          {"resamples", bootstrap.resamples},
+          {"seed", bootstrap.seed}}}};
     json.update(mode_scores_json(evaluation.modes.front()));
     Json others = Json::object();
     for (std::size_t i = 1; i < evaluation.modes.size(); ++i) {

@@ -9,7 +9,7 @@
 namespace lumi {
 
 /// The version of evaluation.json; evaluation.schema.json beside this file describes it.
-constexpr int kEvaluationSchemaVersion = 2;
+constexpr int kEvaluationSchemaVersion = 3;
 
 /// What evaluation.json says: "mode", "gl", "bootstrap", "mean", "interval", "interior", "border",
 /// "ghost" and "views" of the first mode, and every further mode under "modes". What a view or a

@@ -100,6 +100,19 @@ double covered_share(const GrayImage& coverage) {
     return 1.0 - static_cast<double>(uncovered) / static_cast<double>(coverage.pixels().size());
 }
 
+std::optional<double> covered_share(const GrayImage& coverage, const GrayImage& subject) {
+    expect_equal_sizes(coverage, subject);
+    std::size_t covered = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < subject.pixels().size(); ++i) {
+        if (subject.pixels()[i] == 0) continue;
+        if (coverage.pixels()[i] != 0) ++covered;
+        ++count;
+    }
+    if (count == 0) return std::nullopt;
+    return static_cast<double>(covered) / static_cast<double>(count);
+}
+
 Image<double> luma(const ColorImage& image) {
     Image<double> result(image.width(), image.height());
     std::transform(image.pixels().begin(), image.pixels().end(), result.pixels().begin(),

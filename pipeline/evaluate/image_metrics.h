@@ -23,6 +23,10 @@ constexpr double kIdenticalPsnrDb = 100.0;
 /// Share of pixels that are covered, 0 to 1.
 [[nodiscard]] double covered_share(const GrayImage& coverage);
 
+/// The same of the pixels where `subject` is not 0; empty when there is none.
+[[nodiscard]] std::optional<double> covered_share(const GrayImage& coverage,
+                                                  const GrayImage& subject);
+
 /// BT.601 luma of 8-bit sRGB values, 0 to 255, not rounded.
 [[nodiscard]] Image<double> luma(const ColorImage& image);
 

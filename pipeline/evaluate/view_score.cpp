@@ -17,6 +17,9 @@ const std::vector<ScoreMetric>& score_metrics() {
         {"edge_sharpness", [](const ViewScore& s) { return s.edge_sharpness; }, true},
         {"psnr_gain_fitted_db", [](const ViewScore& s) { return s.psnr_gain_fitted_db; }, true},
         {"ghost_energy", [](const ViewScore& s) { return s.ghost_energy; }, false},
+        {"psnr_subject_db", [](const ViewScore& s) { return s.psnr_subject_db; }, true},
+        {"flip_subject", [](const ViewScore& s) { return s.flip_subject; }, false},
+        {"subject_coverage", [](const ViewScore& s) { return s.subject_coverage; }, true},
         {"coverage", [](const ViewScore& s) -> Value { return s.coverage; }, true},
         {"ms", [](const ViewScore& s) -> Value { return s.ms; }, false}};
     return metrics;
@@ -60,6 +63,9 @@ ViewScore mean_score(const std::vector<ViewScore>& views) {
     score.edge_sharpness = mean("edge_sharpness");
     score.psnr_gain_fitted_db = mean("psnr_gain_fitted_db");
     score.ghost_energy = mean("ghost_energy");
+    score.psnr_subject_db = mean("psnr_subject_db");
+    score.flip_subject = mean("flip_subject");
+    score.subject_coverage = mean("subject_coverage");
     return score;
 }
 

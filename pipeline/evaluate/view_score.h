@@ -25,6 +25,11 @@ struct ViewScore {
     std::optional<double> psnr_gain_fitted_db = {};
     std::array<double, 3> gain{1.0, 1.0, 1.0};  ///< Of that fit.
     std::optional<double> ghost_energy = {};    ///< Mean over the frame; squared 8-bit luma.
+    /// Over the subject's pixels, drawn or not; empty without a mask of the photograph.
+    std::optional<double> psnr_subject_db = {};
+    std::optional<double> flip_subject = {};
+    std::optional<double> subject_coverage = {};  ///< Share of the subject's pixels drawn, 0 to 1.
+    std::optional<double> subject_share = {};     ///< The subject's share of the frame, 0 to 1.
     ViewPlace place = ViewPlace::kInterior;
     double fastest_ms = 0.0;  ///< Of the repeated frames.
     double slowest_ms = 0.0;

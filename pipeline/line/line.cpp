@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/whole_file.h"
+#include "meshing/geometry/binary_volume.h"
 #include "pipeline/evaluate/view_curve.h"
 #include "pipeline/line/code_version.h"
 #include "pipeline/line/external_tools.h"
@@ -125,10 +126,16 @@ class Line {
         std::vector<ContentEntry> inputs = pictures_and_poses();
         append(inputs, content_of(config_.depth.import_folder, threads_));
         append(inputs, content_of(config_.depth.import_mesh, threads_));
+        for (const fs::path& file : files_of_volume(config_.depth.import_volume)) {
+            append(inputs, content_of(file, threads_));
+        }
         append(inputs, content_of(config_.depth.mask_folder, threads_));
+        if (!config_.depth.mask_folder.empty())
+            append(inputs, outputs_of("poses", "poses/sparse/"));
         return {identity("depth", held_out_text(), inputs),
                 [this](const fs::path& folder) {
-                    return run_depth_stage(used_, config_.depth, folder, threads_, progress_);
+                    return run_depth_stage(used_, masked_photographs(), config_.depth, folder,
+                                           threads_, progress_);
                 },
                 {}};
     }
@@ -161,6 +168,13 @@ class Line {
     void read_used_views() {
         used_ = without_views(read_posed_photographs(workspace_.stage_folder("poses") / "pinhole"),
                               held_out_);
+    }
+
+    [[nodiscard]] MaskedPhotographs masked_photographs() const {
+        MaskedPhotographs masked{
+            config_.depth.mask_folder, workspace_.stage_folder("poses"), {}, held_out_};
+        for (const Photograph& photograph : ingested_) masked.all_names.push_back(photograph.name);
+        return masked;
     }
 
     [[nodiscard]] std::string held_out_text() const {

@@ -2,6 +2,7 @@
 
 #include "calib/work/error.h"
 #include "pipeline/evaluate/held_out_photographs.h"
+#include "pipeline/evaluate/held_out_subject.h"
 #include "pipeline/line/line.h"
 #include "pipeline/protocol/view_subset.h"
 #include "pipeline/stages/posed_files.h"
@@ -57,8 +58,9 @@ class LeavingOneOut {
                         "take more photographs");
         }
         const Lumigraph lumigraph = read_package(whole.package_folder());
+        const EvaluationOptions options = judging_subject(options_, whole);
         for (const std::string& name : result.photographs) {
-            append(result.depth_kept, judge_with_depth_kept(lumigraph, all, name));
+            append(result.depth_kept, judge_with_depth_kept(lumigraph, all, name, options));
         }
         if (!remove_depth) return result;
         for (std::size_t i = 0; i < result.photographs.size(); ++i) {
@@ -81,27 +83,29 @@ class LeavingOneOut {
         return workspace;
     }
 
-    [[nodiscard]] Evaluation judge(const Lumigraph& lumigraph,
-                                   const PosedPhotographs& held_out) const {
+    [[nodiscard]] Evaluation judge(const Lumigraph& lumigraph, const PosedPhotographs& held_out,
+                                   const EvaluationOptions& options) const {
         return evaluate_held_out(
-            lumigraph, held_out, options_, [](RenderMode, const JudgedView&) {}, progress_);
+            lumigraph, held_out, options, [](RenderMode, const JudgedView&) {}, progress_);
     }
 
     [[nodiscard]] Evaluation judge_with_depth_kept(const Lumigraph& whole,
                                                    const PosedPhotographs& all,
-                                                   const std::string& name) const {
+                                                   const std::string& name,
+                                                   const EvaluationOptions& options) const {
         std::vector<int> others;
         for (std::size_t i = 0; i < whole.views.size(); ++i) {
             if (whole.views[i].name != name) others.push_back(static_cast<int>(i));
         }
-        return judge(only_these_views(whole, others), only_views(all, {name}));
+        return judge(only_these_views(whole, others), only_views(all, {name}), options);
     }
 
     [[nodiscard]] Evaluation judge_without(const std::string& name,
                                            const std::string& folder) const {
         const WorkspaceLayout workspace = build(folder, "[" + quoted(name) + "]");
         return judge(read_package(workspace.package_folder()),
-                     held_out_photographs(workspace, threads_));
+                     held_out_photographs(workspace, threads_),
+                     judging_subject(options_, workspace));
     }
 
     const ConfigDocument& document_;

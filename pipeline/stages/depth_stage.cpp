@@ -13,7 +13,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json facts_json(const DepthResult& result) {
+Json subject_json(const DepthResult& result, const DepthOptions& options) {
+    if (!options.mask_folder.empty()) return {{"from", kSubjectDrawn}};
+    if (!result.background) return nullptr;
+    return {{"from", kSubjectBeforeBackground},
+            {"color", {result.background->r, result.background->g, result.background->b}},
+            {"width_px", options.max_width_px}};
+}
+
+Json facts_json(const DepthResult& result, const DepthOptions& options) {
     Json views = Json::array();
     for (const DepthEvidence& view : result.evidence) {
         views.push_back({{"name", view.view_name},
@@ -22,7 +30,7 @@ Json facts_json(const DepthResult& result) {
                          {"background_share", view.background_share},
                          {"sparse_residual_px", view.sparse_residual_px}});
     }
-    Json facts{{"views", std::move(views)}};
+    Json facts{{"subject", subject_json(result, options)}, {"views", std::move(views)}};
     if (!result.choice.empty()) facts["choice"] = result.choice;
     return facts;
 }
@@ -35,15 +43,19 @@ Json timings_json(const DepthResult& result) {
 
 }  // namespace
 
-StageEvidence run_depth_stage(const PosedPhotographs& photographs, const DepthOptions& options,
-                              const std::filesystem::path& folder, int threads,
-                              Progress& progress) {
+StageEvidence run_depth_stage(const PosedPhotographs& photographs, const MaskedPhotographs& masked,
+                              DepthOptions options, const std::filesystem::path& folder,
+                              int threads, Progress& progress) {
+    if (!masked.mask_folder.empty()) {
+        options.mask_folder = folder / kMaskFolder;
+        straighten_masks(masked, options.mask_folder, threads, progress);
+    }
     std::vector<int> all_views(photographs.capture.views.size());
     std::iota(all_views.begin(), all_views.end(), 0);
     const DepthResult result = estimate_depth(photographs, all_views, options, threads, progress);
     write_depth_files(folder, file_stems_of_views(view_names(photographs.capture)),
                       result.depth_maps, threads);
-    return {json_text(facts_json(result)), json_text(timings_json(result))};
+    return {json_text(facts_json(result, options)), json_text(timings_json(result))};
 }
 
 }  // namespace lumi

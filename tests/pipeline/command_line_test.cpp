@@ -302,6 +302,67 @@ TEST_F(Line, EvaluatesHeldOutViews) {
     EXPECT_EQ(psnr.at("b_is"), "same");
 }
 
+TEST_F(Line, MasksAreUsedByDepthDrawingAndEvaluation) {
+    const std::string held_out = "[evaluate]\nhold_out = [\"IMG_0005.png\"]\n[depth]\n";
+    const fs::path masks = scratch_ / "masks";
+    const auto mask_all = [&](int subject_width) {
+        GrayImage mask(160, 120);
+        for (int y = 0; y < 120; ++y) std::fill_n(mask.row(y), subject_width, std::uint8_t{255});
+        for (int i = 1; i <= 9; ++i) {
+            write_png(masks / ("IMG_000" + std::to_string(i) + ".png"), mask);
+        }
+    };
+    const auto mean_of_evaluation = [&] {
+        const Outcome outcome =
+            lumi("evaluate --json --mode perpixel --no-ghost-energy " + quoted(workspace()));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.talk;
+        return Json::parse(outcome.out);
+    };
+    configure(held_out);
+    EXPECT_EQ(build(), "rrrrr");
+    const Json unmasked = mean_of_evaluation();
+    EXPECT_TRUE(unmasked.at("subject_from").is_null());
+    EXPECT_TRUE(unmasked.at("mean").at("psnr_subject_db").is_null());
+
+    mask_all(120);
+    configure(held_out + "masks = \"" + masks.string() + "\"\n");
+    EXPECT_EQ(build(), "uuurr");
+    const FloatImage inverse_depth =
+        read_float_tiff(workspace() / "depth" / "IMG_0001.inverse_depth.tif");
+    for (int x = 0; x < 160; ++x) EXPECT_EQ(inverse_depth(x, 60) == 0.0F, x >= 120) << x;
+    const Json masked = mean_of_evaluation();
+    EXPECT_EQ(masked.at("subject_from"), "drawn masks");
+    EXPECT_EQ(masked.at("views").at(0).at("subject_share"), 0.75);
+    // What lies beyond the masks is drawn as if it were infinitely far, and the rest as before.
+    EXPECT_LT(masked.at("mean").at("psnr_db").get<double>(),
+              unmasked.at("mean").at("psnr_db").get<double>() - 3.0);
+    EXPECT_GT(masked.at("mean").at("psnr_subject_db").get<double>(),
+              masked.at("mean").at("psnr_db").get<double>() + 3.0);
+    EXPECT_THAT(read_whole_text(workspace() / "report.html"), HasSubstr("subject (dB)"));
+
+    mask_all(160);
+    fs::remove(masks / "IMG_0005.png");
+    write_png(masks / "IMG_5.png", GrayImage(160, 120, 255));
+    const std::string line =
+        "build " + quoted(config_path()) + " --workspace " + quoted(workspace());
+    const Outcome noted = lumi(line);
+    EXPECT_EQ(noted.exit_code, 0);
+    EXPECT_THAT(noted.talk, HasSubstr("nothing is hidden in: IMG_0001.png"));
+    EXPECT_THAT(noted.talk, HasSubstr("named like no photograph: IMG_5.png"));
+    EXPECT_THAT(noted.talk, HasSubstr("held-out photographs: IMG_0005.png"));
+    const auto refusal = [&] {
+        const Outcome refused = lumi(line);
+        EXPECT_EQ(refused.exit_code, 3);
+        return refused.talk;
+    };
+    write_png(masks / "IMG_0003.png", GrayImage(160, 120));
+    EXPECT_THAT(refusal(), HasSubstr("E-DEPTH-MASKEMPTY"));
+    write_png(masks / "IMG_0003.png", GrayImage(120, 160, 255));
+    EXPECT_THAT(refusal(), HasSubstr("E-DEPTH-MASKSIZE"));
+    fs::remove(masks / "IMG_0003.png");
+    EXPECT_THAT(refusal(), HasSubstr("E-DEPTH-MASK: "));
+}
+
 TEST_F(Line, DrawsPathsToFramesVideosAndPairs) {
     configure("");
     static_cast<void>(build());

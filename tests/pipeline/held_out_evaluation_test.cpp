@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "calib/capture/image_io.h"
@@ -146,6 +147,55 @@ TEST_F(HeldOutEvaluation, FiguresOfPicturesAreTheSameInEveryRun) {
         return json["views"].dump();
     };
     EXPECT_EQ(figures(), figures());
+}
+
+TEST_F(HeldOutEvaluation, TheSubjectIsJudgedBesideTheFrameByItsOwnPixels) {
+    const ScratchFolder scratch;
+    const Lumigraph lumigraph = exact_lumigraph(*scene_, mesh());
+    const PosedPhotographs held_out = posed(scratch, {textured_box_view(1, 1)});
+    SilentProgress progress;
+    Frame drawn;
+    const auto keep_frame = [&](RenderMode, const JudgedView& view) { drawn = view.rendering; };
+    EvaluationOptions options{
+        .modes = {RenderMode::kPerPixel}, .ghost_energy = false, .timed_frames = 1};
+    const ViewScore without =
+        evaluate_held_out(lumigraph, held_out, options, keep_frame, progress).modes[0].views[0];
+    EXPECT_FALSE(without.psnr_subject_db);
+    EXPECT_FALSE(without.subject_share);
+
+    // A "photograph" that differs from the frame by 5 levels in a quarter, and by 40 in the rest.
+    const auto is_subject = [](int x, int y) { return x < 80 && y < 60; };
+    ColorImage photograph = drawn.color;
+    GrayImage subject(160, 120);
+    std::size_t drawn_of_subject = 0;
+    for (int y = 0; y < 120; ++y) {
+        for (int x = 0; x < 160; ++x) {
+            const int step = is_subject(x, y) ? 5 : 40;
+            const auto moved = [&](std::uint8_t level) {
+                return static_cast<std::uint8_t>(level > 128 ? level - step : level + step);
+            };
+            Rgb8& pixel = photograph(x, y);
+            pixel = {moved(pixel.r), moved(pixel.g), moved(pixel.b)};
+            subject(x, y) = is_subject(x, y) ? 255 : 0;
+            if (is_subject(x, y) && drawn.coverage(x, y) != 0) ++drawn_of_subject;
+        }
+    }
+    write_png(held_out.picture_paths[0], photograph);
+    options.subject_from = "drawn masks";
+    options.subject_mask = [&](const std::string&, const ColorImage&) { return subject; };
+    const Evaluation evaluation =
+        evaluate_held_out(lumigraph, held_out, options, keep_frame, progress);
+    const ViewScore& score = evaluation.modes[0].views[0];
+    const double peak = 255.0 * 255.0;
+    EXPECT_NEAR(*score.psnr_subject_db, 10 * std::log10(peak / 25), 1e-9);
+    EXPECT_NEAR(score.psnr_db, 10 * std::log10(peak / (0.25 * 25 + 0.75 * 1600)), 1e-9);
+    EXPECT_DOUBLE_EQ(*score.subject_share, 0.25);
+    EXPECT_DOUBLE_EQ(*score.subject_coverage, static_cast<double>(drawn_of_subject) / (80 * 60));
+    const Json json = evaluation_json(evaluation);
+    EXPECT_EQ(json.at("subject_from"), "drawn masks");
+    EXPECT_EQ(json.at("mean").at("psnr_subject_db"), *score.psnr_subject_db);
+    EXPECT_EQ(*mode_scores_from(RenderMode::kPerPixel, json).views[0].psnr_subject_db,
+              *score.psnr_subject_db);
 }
 
 /// Every key that the schema requires of `value` is there, and every key there is in the schema.

@@ -3,7 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "calib/capture/colmap_model.h"
+#include "calib/capture/image_io.h"
 #include "calib/work/error.h"
+#include "pipeline/stages/straightened_masks.h"
+#include "tests/calib/scratch_folder.h"
 
 namespace lumi {
 namespace {
@@ -65,6 +69,38 @@ TEST(OnlyViews, IsTheOtherHalf) {
     const PosedPhotographs held_out = only_views(three_views(), {"b.jpg"});
     EXPECT_THAT(view_names(held_out.capture), ElementsAre("b.jpg"));
     EXPECT_THAT(held_out.picture_paths, ElementsAre("b.jpg.png"));
+}
+
+TEST(StraightenedMasks, AStraightEdgeOfTheSceneIsStraightAgain) {
+    const ScratchFolder scratch;
+    Capture lenses;
+    lenses.cameras = {{320, 240, LensModel::kSimpleRadial, {280, 160, 120, -0.2}}};
+    lenses.views = {{"walk/a.jpg", 0, {}}};
+    Capture pinholes = lenses;
+    pinholes.cameras = {{320, 240, LensModel::kPinhole, {330, 330, 160, 120}}};
+    write_colmap_model_binary(lenses, scratch / "poses" / "sparse");
+    write_colmap_model_binary(pinholes, scratch / "poses" / "pinhole");
+    // Drawn at twice the photograph's size: the subject lies right of column 60 of the straight
+    // picture, which bends by several pixels in the photograph.
+    GrayImage drawn(640, 480);
+    for (int y = 0; y < 480; ++y) {
+        for (int x = 0; x < 640; ++x) {
+            const auto ray = unproject(lenses.cameras[0], {(x + 0.5) / 2, (y + 0.5) / 2});
+            drawn(x, y) = 330 * ray.x() / ray.z() + 160 > 60 ? 255 : 0;
+        }
+    }
+    write_png(scratch / "masks" / "walk" / "a.png", drawn);
+    SilentProgress progress;
+    straighten_masks({scratch / "masks", scratch / "poses", {"walk/a.jpg"}, {}}, scratch / "out", 1,
+                     progress);
+    const GrayImage mask = read_gray_png(straightened_mask_file(scratch / "out", "walk/a.jpg"));
+    ASSERT_EQ(mask.width(), 320);
+    for (int y = 0; y < 240; ++y) {
+        for (int x = 0; x < 320; ++x) {
+            if (std::abs(x + 0.5 - 60) <= 1) continue;
+            ASSERT_EQ(mask(x, y) != 0, x >= 60) << x << ' ' << y;
+        }
+    }
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(ViewMask, FindsBlackClothAndKeepsDarkSpotsOfTheScene) {
     const auto background = plain_background(scene);
     ASSERT_TRUE(background);
     EXPECT_LT(background->g, 8);
-    const GrayImage mask = mask_of_background(scene.views[0], *background);
+    const GrayImage mask = mask_of_background(scene.views[0].photograph, *background);
     EXPECT_EQ(mask(3, 3), 0);
     EXPECT_EQ(mask(120, 90), 255);
     for (int y = 0; y < 180; ++y) {
@@ -79,7 +79,7 @@ TEST(ViewMask, ADrawnMaskIsReadByTheNameOfItsPhotograph) {
     EXPECT_EQ(mask(10, 5), 255);
 }
 
-TEST(ViewMask, RefusesWhatIsMissingOrMisshapen) {
+TEST(ViewMask, RefusesWhatIsMissingMisshapenOrEmpty) {
     const ScratchFolder folder;
     DepthView view;
     view.name = "one.jpg";
@@ -93,8 +93,12 @@ TEST(ViewMask, RefusesWhatIsMissingOrMisshapen) {
         return std::string("none");
     };
     EXPECT_EQ(code(), "E-DEPTH-MASK");
-    write_png(folder.path() / "one.png", GrayImage(240, 240));
+    write_png(folder.path() / "one.png", GrayImage(240, 240, 255));
     EXPECT_EQ(code(), "E-DEPTH-MASKSIZE");
+    write_png(folder.path() / "one.png", GrayImage(240, 180, 100));
+    EXPECT_EQ(code(), "E-DEPTH-MASKEMPTY");
+    write_png(folder.path() / "one.png", GrayImage(240, 180, 255));
+    EXPECT_EQ(code(), "none");
 }
 
 TEST(DepthStage, WhatAMaskLeavesOutIsInfinitelyFarAndTheRestIsUnharmed) {

@@ -1,0 +1,116 @@
+#include "pipeline/stages/straightened_masks.h"
+
+#include <algorithm>
+#include <set>
+
+#include "calib/capture/colmap_model.h"
+#include "calib/capture/image_io.h"
+#include "calib/work/parallel_for.h"
+#include "meshing/depth/view_mask.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// At each pixel of the pinhole camera what was drawn where the lens has it. A mask may be of
+/// another size than its photograph; it has none of its pixels blended, so that it stays a mask.
+GrayImage straightened(const GrayImage& drawn, const Camera& lens, const Camera& pinhole) {
+    GrayImage mask(pinhole.width_px, pinhole.height_px);
+    const double scale_x = static_cast<double>(drawn.width()) / lens.width_px;
+    const double scale_y = static_cast<double>(drawn.height()) / lens.height_px;
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+            Eigen::Vector2d pixel(x + 0.5, y + 0.5);
+            if (!is_pinhole(lens)) {
+                const auto bent = project(lens, unproject(pinhole, pixel));
+                if (!bent) continue;
+                pixel = *bent;
+            }
+            const auto drawn_x = static_cast<int>(std::clamp(pixel.x() * scale_x, 0.0, 1e9));
+            const auto drawn_y = static_cast<int>(std::clamp(pixel.y() * scale_y, 0.0, 1e9));
+            mask(x, y) =
+                drawn(std::min(drawn_x, drawn.width() - 1), std::min(drawn_y, drawn.height() - 1));
+        }
+    }
+    return mask;
+}
+
+/// Up to three of them by name.
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, names.size()); ++i) {
+        text += (i > 0 ? ", " : "") + names[i];
+    }
+    return names.size() > 3 ? text + " and " + std::to_string(names.size() - 3) + " more" : text;
+}
+
+void note_if_any(const std::vector<std::string>& names, const std::string& what,
+                 Progress& progress) {
+    if (!names.empty()) progress.note("masks: " + what + ": " + listed(names));
+}
+
+/// Masks whose name is that of no photograph: most likely misspelt.
+std::vector<std::string> masks_of_nothing(const MaskedPhotographs& photographs) {
+    std::set<fs::path> known;
+    for (const std::string& name : photographs.all_names) {
+        known.insert(mask_file_of(name, photographs.mask_folder).lexically_normal());
+    }
+    std::vector<std::string> strangers;
+    for (const auto& entry : fs::recursive_directory_iterator(photographs.mask_folder)) {
+        const fs::path path = entry.path().lexically_normal();
+        if (entry.is_regular_file() && path.extension() == ".png" && known.count(path) == 0) {
+            strangers.push_back(path.lexically_relative(photographs.mask_folder).string());
+        }
+    }
+    std::sort(strangers.begin(), strangers.end());
+    return strangers;
+}
+
+}  // namespace
+
+fs::path straightened_mask_file(const fs::path& folder, const std::string& name) {
+    return folder / (name + ".png");
+}
+
+void straighten_masks(const MaskedPhotographs& photographs, const fs::path& folder, int threads,
+                      Progress& progress) {
+    const Capture lenses = read_colmap_model(photographs.poses_folder / "sparse");
+    const Capture pinholes = read_colmap_model(photographs.poses_folder / "pinhole");
+    const auto may_lack = [&](const std::string& name) {
+        return std::find(photographs.held_out.begin(), photographs.held_out.end(), name) !=
+               photographs.held_out.end();
+    };
+    const auto lens_of = [&](const std::string& name) {
+        const auto view = std::find_if(lenses.views.begin(), lenses.views.end(),
+                                       [&](const View& other) { return other.name == name; });
+        return camera_of(lenses, *view);
+    };
+    std::vector<std::string> missing(pinholes.views.size());
+    std::vector<std::string> full(pinholes.views.size());
+    progress.begin("straightening masks", pinholes.views.size());
+    parallel_for(static_cast<int>(pinholes.views.size()), threads, [&](int i) {
+        progress.throw_if_interrupted();
+        const auto index = static_cast<std::size_t>(i);
+        const View& view = pinholes.views[index];
+        progress.advance();
+        if (may_lack(view.name) && mask_file_of(view.name, photographs.mask_folder).empty()) {
+            missing[index] = view.name;
+            return;
+        }
+        const Camera lens = lens_of(view.name);
+        const GrayImage drawn = read_drawn_mask(view.name, lens, photographs.mask_folder);
+        if (std::count(drawn.pixels().begin(), drawn.pixels().end(), 0) == 0) {
+            full[index] = view.name;
+        }
+        write_png(straightened_mask_file(folder, view.name),
+                  straightened(drawn, lens, camera_of(pinholes, view)));
+    });
+    std::erase(missing, "");
+    std::erase(full, "");
+    note_if_any(full, "nothing is hidden in", progress);
+    note_if_any(missing, "the subject is not told from the rest in held-out photographs", progress);
+    note_if_any(masks_of_nothing(photographs), "named like no photograph", progress);
+}
+
+}  // namespace lumi
