@@ -279,18 +279,25 @@ TriangleMesh read_triangle_mesh(const fs::path& path) {
 }
 
 void write_triangle_mesh_ply(const fs::path& path, const TriangleMesh& mesh) {
-    const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " +
-                               std::to_string(mesh.vertices.size()) +
-                               "\nproperty float x\nproperty float y\nproperty float z\n"
-                               "element face " +
-                               std::to_string(mesh.faces.size()) +
-                               "\nproperty list uchar uint vertex_indices\nend_header\n";
+    const bool has_normals = mesh.normals.size() == mesh.vertices.size();
+    const bool has_colors = mesh.colors.size() == mesh.vertices.size();
+    std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " +
+                         std::to_string(mesh.vertices.size()) +
+                         "\nproperty float x\nproperty float y\nproperty float z\n";
+    if (has_normals) header += "property float nx\nproperty float ny\nproperty float nz\n";
+    if (has_colors) header += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    header += "element face " + std::to_string(mesh.faces.size()) +
+              "\nproperty list uchar uint vertex_indices\nend_header\n";
     Bytes bytes(header.begin(), header.end());
     const auto append = [&](const void* data, std::size_t size) {
         const auto* begin = static_cast<const std::uint8_t*>(data);
         bytes.insert(bytes.end(), begin, begin + size);
     };
-    for (const Eigen::Vector3f& vertex : mesh.vertices) append(vertex.data(), 3 * sizeof(float));
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        append(mesh.vertices[i].data(), 3 * sizeof(float));
+        if (has_normals) append(mesh.normals[i].data(), 3 * sizeof(float));
+        if (has_colors) append(&mesh.colors[i], sizeof(Rgb8));
+    }
     for (const auto& face : mesh.faces) {
         bytes.push_back(3);
         append(face.data(), 3 * sizeof(std::uint32_t));

@@ -6,12 +6,16 @@
 #include <filesystem>
 #include <vector>
 
+#include "calib/capture/image.h"
+
 namespace lumi {
 
 /// Scene geometry as triangles, in the world of the poses.
 struct TriangleMesh {
     std::vector<Eigen::Vector3f> vertices;
     std::vector<std::array<std::uint32_t, 3>> faces;  ///< Indices into `vertices`.
+    std::vector<Eigen::Vector3f> normals = {};        ///< One a vertex, or none.
+    std::vector<Rgb8> colors = {};                    ///< sRGB, one a vertex, or none.
 };
 
 /// A PLY file (text or binary, little- or big-endian) or an OBJ file, by its first bytes and its
@@ -20,7 +24,8 @@ struct TriangleMesh {
 /// and E-GEOMETRY-EMPTY without a triangle.
 [[nodiscard]] TriangleMesh read_triangle_mesh(const std::filesystem::path& path);
 
-/// Binary little-endian PLY: x y z and vertex_indices.
+/// Binary little-endian PLY: x y z, nx ny nz and red green blue where there are any, and
+/// vertex_indices. Written whole or not at all.
 void write_triangle_mesh_ply(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 }  // namespace lumi

@@ -67,6 +67,7 @@ TEST(CommandLine, HelpBeginsWithAnExample) {
                                       "bench-mesh",
                                       "bench-rivals",
                                       "bench-hazards",
+                                      "fuse",
                                       "regression",
                                       "gallery"}) {
         const Outcome help = lumi(command + " --help");
@@ -300,6 +301,31 @@ TEST_F(Line, EvaluatesHeldOutViews) {
         Json::parse(compared.out).at("modes").at("perpixel").at("metrics").at("psnr_db");
     EXPECT_EQ(psnr.at("difference"), 0.0);
     EXPECT_EQ(psnr.at("b_is"), "same");
+}
+
+TEST_F(Line, OneMeshOfTheSceneDrawsNearlyAsWellAsTheDepthMapsItIsMadeFrom) {
+    const std::string held_out = "[evaluate]\nhold_out = [\"IMG_0005.png\"]\n[depth]\n";
+    const auto psnr_db = [&] {
+        static_cast<void>(build());
+        const Outcome outcome =
+            lumi("evaluate --json --mode perpixel --no-ghost-energy " + quoted(workspace()));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.talk;
+        return Json::parse(outcome.out).at("mean").at("psnr_db").get<double>();
+    };
+    configure(held_out + "import_folder = \"" + (scene_->path() / "truth" / "depth").string() +
+              "\"\n");
+    const double from_depth_maps = psnr_db();
+    const fs::path mesh = workspace() / "box.ply";
+    const std::string fuse = "fuse --json " + quoted(package()) + " --out " + quoted(mesh);
+    EXPECT_EQ(lumi(fuse + " --spacing 0.5").exit_code, 2);
+    EXPECT_EQ(lumi(fuse + " --agreeing 40 --max-points 10").exit_code, 2);
+    EXPECT_FALSE(fs::exists(mesh));
+    const Outcome fused = lumi(fuse);
+    ASSERT_EQ(fused.exit_code, 0) << fused.talk;
+    EXPECT_GT(Json::parse(fused.out).at("faces"), 3000);
+    EXPECT_THAT(read_whole_text(mesh), StartsWith("ply\n"));
+    configure(held_out + "import_mesh = \"" + mesh.string() + "\"\n");
+    EXPECT_GT(psnr_db(), from_depth_maps - 2.0);
 }
 
 TEST_F(Line, MasksAreUsedByDepthDrawingAndEvaluation) {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstring>
+
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "meshing/geometry/mesh_depth.h"
@@ -28,6 +32,62 @@ TEST(TriangleMesh, PlyKeepsEveryBit) {
     const TriangleMesh read = read_triangle_mesh(folder.path() / "m.ply");
     EXPECT_EQ(read.vertices, mesh.vertices);
     EXPECT_EQ(read.faces, mesh.faces);
+    mesh.normals.assign(4, {0, 0, -1});
+    mesh.colors.assign(4, {1, 2, 3});
+    write_triangle_mesh_ply(folder.path() / "n.ply", mesh);
+    EXPECT_EQ(read_triangle_mesh(folder.path() / "n.ply").vertices, mesh.vertices);
+    EXPECT_EQ(read_triangle_mesh(folder.path() / "n.ply").faces, mesh.faces);
+}
+
+TEST(TriangleMesh, ReadsBinaryPlyOfEitherByteOrderWithPolygonsAndMore) {
+    const ScratchFolder folder;
+    for (const bool is_big : {false, true}) {
+        const std::string header =
+            std::string("ply\nformat binary_") + (is_big ? "big" : "little") +
+            "_endian 1.0\nelement vertex 5\nproperty double x\nproperty double y\nproperty double "
+            "z\nproperty uchar red\nelement face 2\nproperty float quality\n"
+            "property list uchar ushort vertex_index\nelement edge 1\nproperty int a\nend_header\n";
+        Bytes bytes(header.begin(), header.end());
+        const auto append = [&](auto number) {
+            std::array<std::uint8_t, sizeof(number)> raw;
+            std::memcpy(raw.data(), &number, raw.size());
+            if (is_big) std::reverse(raw.begin(), raw.end());
+            bytes.insert(bytes.end(), raw.begin(), raw.end());
+        };
+        for (int i = 0; i < 5; ++i) {
+            for (const double place : {0.5 * i, -1.0 * i, 1e-3 * i}) append(place);
+            append(std::uint8_t{7});
+        }
+        const std::vector<std::vector<std::uint16_t>> polygons{{0, 1, 2, 3, 4}, {4, 2, 0}};
+        for (const auto& polygon : polygons) {
+            append(0.25F);
+            append(static_cast<std::uint8_t>(polygon.size()));
+            for (const std::uint16_t index : polygon) append(index);
+        }
+        append(std::int32_t{1});
+        write_whole_file(folder.path() / "m.ply", bytes);
+        const TriangleMesh mesh = read_triangle_mesh(folder.path() / "m.ply");
+        ASSERT_EQ(mesh.vertices.size(), 5U);
+        EXPECT_EQ(mesh.vertices[4], Eigen::Vector3f(2, -4, 4e-3F));
+        EXPECT_EQ(mesh.faces, (std::vector<std::array<std::uint32_t, 3>>{
+                                  {0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {4, 2, 0}}));
+        bytes.resize(bytes.size() - 10);
+        write_whole_file(folder.path() / "m.ply", bytes);
+        EXPECT_EQ(code_of_reading(folder.path() / "m.ply"), "E-GEOMETRY-READ") << "ends early";
+    }
+}
+
+TEST(TriangleMesh, RefusesWhatAnObjFileCannotMean) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "m.obj";
+    const std::string vertices = "v 0 0 1\nv 1 0 1\nv 0 1 1\n";
+    for (const char* wrong : {"f 1 2 0\n", "f 1 2 -4\n", "f 1 2 4\n", "f 1 2 x\n",
+                              "v 1 nan 1\nf 1 2 3\n", "v 1 1\nf 1 2 3\n", "v 1 1 inf\nf 1 2 3\n"}) {
+        write_whole_text(path, vertices + wrong);
+        EXPECT_EQ(code_of_reading(path), "E-GEOMETRY-READ") << wrong;
+    }
+    write_whole_text(path, vertices + "f 1 2\n");
+    EXPECT_EQ(code_of_reading(path), "E-GEOMETRY-EMPTY") << "an edge is no triangle";
 }
 
 TEST(TriangleMesh, ReadsTextPlyAndObjWithPolygons) {

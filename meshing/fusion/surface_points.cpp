@@ -1,0 +1,332 @@
+#include "meshing/fusion/surface_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+
+#include "calib/work/parallel_for.h"
+#include "meshing/depth/inverse_depth_warp.h"
+
+namespace lumi {
+namespace {
+
+constexpr std::size_t kMaxNeighbours = 8;
+constexpr double kMinCosine = 0.17;  // A slant of 80 degrees.
+constexpr std::uint8_t kAgreed = 128;
+
+/// The camera of a view's depth map.
+Camera depth_camera(const PicturedView& view) {
+    const Camera& camera = view.camera;
+    const int width = view.depth->inverse_depth.width();
+    const int height = view.depth->inverse_depth.height();
+    const double scale_x = static_cast<double>(width) / camera.width_px;
+    const double scale_y = static_cast<double>(height) / camera.height_px;
+    const Eigen::Vector2d focal = focal_length_px(camera);
+    const Eigen::Vector2d centre = principal_point_px(camera);
+    return {width,
+            height,
+            LensModel::kPinhole,
+            {focal.x() * scale_x, focal.y() * scale_y, centre.x() * scale_x, centre.y() * scale_y}};
+}
+
+struct Neighbour {
+    const DepthMap* depth = nullptr;
+    InverseDepthWarp there;  ///< From the view whose neighbour it is.
+    InverseDepthWarp back;
+    double distance = 0.0;  ///< Between the cameras, world units.
+};
+
+std::vector<Neighbour> nearest_neighbours(const std::vector<PicturedView>& views,
+                                          std::size_t index) {
+    const Eigen::Vector3d centre = centre_in_world(views[index].cam_from_world);
+    const auto distance = [&](std::size_t other) {
+        return (centre_in_world(views[other].cam_from_world) - centre).norm();
+    };
+    std::vector<std::size_t> others(views.size());
+    std::iota(others.begin(), others.end(), std::size_t{0});
+    std::erase_if(others, [&](std::size_t other) {
+        return other == index || views[other].depth->inverse_depth.empty();
+    });
+    std::stable_sort(others.begin(), others.end(),
+                     [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    others.resize(std::min(others.size(), kMaxNeighbours));
+    std::vector<Neighbour> neighbours;
+    const Camera own = depth_camera(views[index]);
+    for (const std::size_t other : others) {
+        const Camera camera = depth_camera(views[other]);
+        neighbours.push_back(
+            {views[other].depth,
+             warp_b_from_a(own, views[index].cam_from_world, camera, views[other].cam_from_world),
+             warp_b_from_a(camera, views[other].cam_from_world, own, views[index].cam_from_world),
+             distance(other)});
+    }
+    return neighbours;
+}
+
+enum class Vote { kNone, kAgrees, kSeesThrough };
+
+struct Answer {
+    Vote vote = Vote::kNone;
+    double inverse_depth = 0.0;  ///< By the neighbour, as the asking view would see it.
+};
+
+Answer answer_of(const Neighbour& neighbour, const Eigen::Vector2d& pixel, double inverse_depth) {
+    const Eigen::Vector3d there = neighbour.there(pixel, inverse_depth);
+    if (there.z() <= 0) return {};
+    const Eigen::Vector2d place = there.hnormalized();
+    const GrayImage& confidence = neighbour.depth->confidence;
+    const auto x = static_cast<int>(std::clamp(std::floor(place.x()), -1.0, 1e6));
+    const auto y = static_cast<int>(std::clamp(std::floor(place.y()), -1.0, 1e6));
+    if (!confidence.contains(x, y) || confidence(x, y) == 0) return {};
+    const auto found = static_cast<double>(neighbour.depth->inverse_depth(x, y));
+    const Eigen::Vector3d back = neighbour.back(place, found);
+    constexpr double kTolerancePx = 1.0;
+    if (back.z() > 0 && (back.hnormalized() - pixel).norm() <= kTolerancePx) {
+        return {Vote::kAgrees, found / back.z()};
+    }
+    return {found < inverse_depth / there.z() ? Vote::kSeesThrough : Vote::kNone, 0.0};
+}
+
+/// One pixel that counts.
+struct Sample {
+    Eigen::Vector3d position;
+    Eigen::Vector3d normal;
+    Rgb8 color;
+    double weight = 0.0;
+};
+
+/// Takes the samples of one view.
+class ViewSampler {
+ public:
+    ViewSampler(const std::vector<PicturedView>& views, std::size_t index, int min_agreeing)
+        : view_(views[index]),
+          camera_(depth_camera(view_)),
+          world_from_cam_(inverse(view_.cam_from_world)),
+          neighbours_(nearest_neighbours(views, index)),
+          min_agreeing_(std::min(min_agreeing, static_cast<int>(neighbours_.size()))) {}
+
+    [[nodiscard]] int height() const { return camera_.height_px; }
+
+    void sample_row(int y, std::vector<Sample>& samples, std::uint64_t& confident) const {
+        const DepthMap& map = *view_.depth;
+        for (int x = 0; x < camera_.width_px; ++x) {
+            if (map.confidence(x, y) < kAgreed || map.inverse_depth(x, y) <= 0) continue;
+            ++confident;
+            const auto inverse_depth =
+                agreed({x + 0.5, y + 0.5}, static_cast<double>(map.inverse_depth(x, y)));
+            if (!inverse_depth) continue;
+            if (const auto sample = sample_at(x, y, *inverse_depth)) samples.push_back(*sample);
+        }
+    }
+
+ private:
+    /// What the view and those that agree with it say on average; empty where too few agree.
+    [[nodiscard]] std::optional<double> agreed(const Eigen::Vector2d& pixel,
+                                               double inverse_depth) const {
+        int agreeing = 0;
+        int seeing_through = 0;
+        double sum = inverse_depth;
+        for (const Neighbour& neighbour : neighbours_) {
+            const Answer answer = answer_of(neighbour, pixel, inverse_depth);
+            if (answer.vote == Vote::kSeesThrough) ++seeing_through;
+            if (answer.vote != Vote::kAgrees) continue;
+            ++agreeing;
+            sum += answer.inverse_depth;
+        }
+        if (agreeing < std::max(1, min_agreeing_) || agreeing <= seeing_through) {
+            return std::nullopt;
+        }
+        return sum / (agreeing + 1);
+    }
+
+    [[nodiscard]] Eigen::Vector3d in_cam(int x, int y, double inverse_depth) const {
+        const Eigen::Vector3d ray = unproject(camera_, {x + 0.5, y + 0.5});
+        return ray / (ray.z() * inverse_depth);
+    }
+    [[nodiscard]] Eigen::Vector3d in_cam(int x, int y) const {
+        return in_cam(x, y, static_cast<double>(view_.depth->inverse_depth(x, y)));
+    }
+
+    [[nodiscard]] std::optional<Sample> sample_at(int x, int y, double agreed) const {
+        if (x == 0 || y == 0 || x + 1 == camera_.width_px || y + 1 == camera_.height_px) {
+            return std::nullopt;
+        }
+        const FloatImage& inverse_depth = view_.depth->inverse_depth;
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+            if (inverse_depth(x + dx, y + dy) <= 0) return std::nullopt;
+        }
+        const Eigen::Vector3d here = in_cam(x, y, agreed);
+        Eigen::Vector3d normal =
+            (in_cam(x, y + 1) - in_cam(x, y - 1)).cross(in_cam(x + 1, y) - in_cam(x - 1, y));
+        normal.normalize();
+        const double cosine = -normal.dot(here.normalized());
+        if (!(cosine >= kMinCosine)) return std::nullopt;
+        const ColorImage& photograph = *view_.photograph;
+        const auto photo_x = static_cast<int>((x + 0.5) * photograph.width() / camera_.width_px);
+        const auto photo_y = static_cast<int>((y + 0.5) * photograph.height() / camera_.height_px);
+        return Sample{world_from_cam_ * here, world_from_cam_.rotation * normal,
+                      photograph(photo_x, photo_y), cosine};
+    }
+
+    const PicturedView& view_;
+    Camera camera_;
+    Rigid3 world_from_cam_;
+    std::vector<Neighbour> neighbours_;
+    int min_agreeing_;
+};
+
+/// What falls into one cell.
+struct Cell {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+    Eigen::Vector3f color = Eigen::Vector3f::Zero();
+    float weight = 0.0F;
+    float size = 0.0F;  ///< World units.
+    int samples = 0;
+};
+
+using CellKey = std::array<std::int64_t, 4>;
+struct CellHash {
+    std::size_t operator()(const CellKey& key) const {
+        std::uint64_t hash = 0;
+        for (const std::int64_t part : key) {
+            hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15U;
+            hash ^= hash >> 29U;
+        }
+        return static_cast<std::size_t>(hash);
+    }
+};
+
+/// How fine one view sees.
+struct Acuity {
+    Eigen::Vector3d centre_in_world;
+    double focal_length_px = 0.0;
+    double baseline = 0.0;  ///< To the farthest of its neighbours, world units.
+
+    /// Of a cell at this place: some pixels wide, but as deep as a quarter of a pixel of disparity.
+    [[nodiscard]] double cell_size(const Eigen::Vector3d& place, double spacing_px) const {
+        constexpr double kNoisePx = 0.25;
+        const double distance = (place - centre_in_world).norm();
+        const double wide = spacing_px * distance / focal_length_px;
+        const double deep = kNoisePx * distance * distance / (focal_length_px * baseline);
+        return std::max(wide, deep);
+    }
+};
+
+/// A grid in space whose cells are as large as the view that sees them finest wants them; their
+/// sizes are powers of two.
+class Grid {
+ public:
+    Grid(const std::vector<PicturedView>& views, double spacing_px) : spacing_px_(spacing_px) {
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            if (views[i].depth->inverse_depth.empty()) continue;
+            const std::vector<Neighbour> neighbours = nearest_neighbours(views, i);
+            if (neighbours.empty()) continue;
+            views_.push_back({centre_in_world(views[i].cam_from_world),
+                              focal_length_px(depth_camera(views[i])).x(),
+                              neighbours.back().distance});
+        }
+    }
+
+    void add(const Sample& sample) {
+        double wanted = std::numeric_limits<double>::infinity();
+        for (const Acuity& view : views_) {
+            wanted = std::min(wanted, view.cell_size(sample.position, spacing_px_));
+        }
+        const double level = std::round(std::log2(wanted));
+        if (!std::isfinite(level)) return;
+        const double size = std::exp2(level);
+        const Eigen::Vector3d place = (sample.position / size).array().floor();
+        constexpr double kFarthest = 1e15;
+        if (place.cwiseAbs().maxCoeff() > kFarthest) return;
+        Cell& cell =
+            cells_[{static_cast<std::int64_t>(level), static_cast<std::int64_t>(place.x()),
+                    static_cast<std::int64_t>(place.y()), static_cast<std::int64_t>(place.z())}];
+        const auto weight = static_cast<float>(sample.weight);
+        cell.position += sample.weight * sample.position;
+        cell.normal += weight * sample.normal.cast<float>();
+        cell.color += weight * Eigen::Vector3f(sample.color.r, sample.color.g, sample.color.b);
+        cell.weight += weight;
+        cell.size = static_cast<float>(size);
+        ++cell.samples;
+    }
+
+    [[nodiscard]] std::size_t size() const { return cells_.size(); }
+
+    /// In an order that depends on nothing but the points.
+    [[nodiscard]] std::vector<SurfacePoint> points() const {
+        // One pixel alone in its cell is an outlier; normals that cancel out belong to two sides.
+        constexpr int kMinSamples = 2;
+        constexpr float kMinUnanimity = 0.5F;
+        std::vector<std::pair<CellKey, const Cell*>> ordered;
+        for (const auto& [key, cell] : cells_) {
+            if (cell.samples >= kMinSamples && cell.normal.norm() >= kMinUnanimity * cell.weight) {
+                ordered.emplace_back(key, &cell);
+            }
+        }
+        std::sort(ordered.begin(), ordered.end());
+        std::vector<SurfacePoint> points;
+        for (const auto& [key, cell] : ordered) {
+            const Eigen::Vector3f color = cell->color / cell->weight;
+            const auto level = [&](int channel) {
+                return static_cast<std::uint8_t>(std::clamp(color[channel] + 0.5F, 0.0F, 255.0F));
+            };
+            points.push_back({(cell->position / static_cast<double>(cell->weight)).cast<float>(),
+                              cell->normal.normalized(),
+                              {level(0), level(1), level(2)},
+                              cell->size});
+        }
+        return points;
+    }
+
+ private:
+    double spacing_px_;
+    std::vector<Acuity> views_;
+    std::unordered_map<CellKey, Cell, CellHash> cells_;
+};
+
+std::vector<Sample> samples_of_view(const ViewSampler& sampler, int threads,
+                                    std::uint64_t& confident) {
+    std::vector<std::vector<Sample>> rows(static_cast<std::size_t>(sampler.height()));
+    std::vector<std::uint64_t> counts(rows.size());
+    parallel_for(sampler.height(), threads, [&](int y) {
+        sampler.sample_row(y, rows[static_cast<std::size_t>(y)],
+                           counts[static_cast<std::size_t>(y)]);
+    });
+    confident += std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    std::vector<Sample> samples;
+    for (const auto& row : rows) samples.insert(samples.end(), row.begin(), row.end());
+    return samples;
+}
+
+}  // namespace
+
+SurfacePoints surface_points(const std::vector<PicturedView>& views,
+                             const SurfacePointOptions& options, int threads, Progress& progress) {
+    constexpr double kCoarser = 2.0;  // Cells come in powers of two.
+    for (SurfacePoints result{{}, 0, 0, options.spacing_px};; result.spacing_px *= kCoarser) {
+        Grid grid(views, result.spacing_px);
+        result.confident_pixels = 0;
+        result.agreeing_pixels = 0;
+        progress.begin("points of the surface", views.size());
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            progress.throw_if_interrupted();
+            progress.advance();
+            if (views[i].depth->inverse_depth.empty()) continue;
+            const ViewSampler sampler(views, i, options.min_agreeing_views);
+            const std::vector<Sample> samples =
+                samples_of_view(sampler, threads, result.confident_pixels);
+            result.agreeing_pixels += samples.size();
+            for (const Sample& sample : samples) grid.add(sample);
+            if (grid.size() > 2 * static_cast<std::size_t>(options.max_points)) break;
+        }
+        if (grid.size() > 2 * static_cast<std::size_t>(options.max_points)) continue;
+        result.points = grid.points();
+        if (result.points.size() <= static_cast<std::size_t>(options.max_points)) return result;
+    }
+}
+
+}  // namespace lumi
