@@ -57,7 +57,8 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
     return layers;
 }
 
-Adaptive::Adaptive(const UploadedLumigraph& uploaded) : uploaded_(uploaded), blend_(uploaded) {}
+Adaptive::Adaptive(const UploadedLumigraph& uploaded)
+    : uploaded_(uploaded), blend_(uploaded, kLeastConfidence) {}
 
 DrawStatistics Adaptive::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
     DrawStatistics statistics;

@@ -13,8 +13,9 @@ const std::vector<VertexAttribute>& blend_vertex_attributes() {
     return attributes;
 }
 
-BlendPainter::BlendPainter(const UploadedLumigraph& uploaded)
+BlendPainter::BlendPainter(const UploadedLumigraph& uploaded, float least_confidence)
     : uploaded_(uploaded),
+      least_confidence_(least_confidence),
       program_("blend", {shader_source("blend")}),
       see_through_("blend", {shader_source("blend")}, {"FADES"}),
       triangles_(blend_vertex_attributes()) {}
@@ -28,6 +29,7 @@ void BlendPainter::draw(const BlendTriangles& triangles, const Eye& eye,
     const Program& program = (is_opaque ? program_ : see_through_).use(uploaded_, eye, options);
     program.set("layer_size",
                 glm::vec2(uploaded_.photographs.width_px(), uploaded_.photographs.height_px()));
+    program.set("least_confidence", least_confidence_);
     if (!is_opaque) glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     triangles_.draw(0, triangles.indices.size());

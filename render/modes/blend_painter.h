@@ -16,13 +16,15 @@ enum class Opacity { kOpaque, kOfVertices };
 /// Draws triangles that blend three photographs each (shaders/blend.glsl), in one pass.
 class BlendPainter {
  public:
-    explicit BlendPainter(const UploadedLumigraph& uploaded);
+    /// Less confidence than `least_confidence` does not count as covered.
+    explicit BlendPainter(const UploadedLumigraph& uploaded, float least_confidence = 0.0F);
 
     void draw(const BlendTriangles& triangles, const Eye& eye, const RenderOptions& options,
               Opacity opacity = Opacity::kOpaque);
 
  private:
     const UploadedLumigraph& uploaded_;
+    float least_confidence_;
     PictureProgram program_;
     PictureProgram see_through_;
     VertexBuffer triangles_;

@@ -16,13 +16,16 @@ struct BlendVertex {
     std::array<std::array<float, 2>, 3> view_pixels{};  ///< Where the photographs are looked up.
     std::array<float, 3> weights{};                     ///< Of the photographs; sum 1, or all 0.
     float inverse_depth = 0.0F;
-    float confidence = 0.0F;             ///< 0 to 1, of the depth.
+    float confidence = 0.0F;             ///< 0 to 1, of the depth; 0 for a guess.
     float occluded = 0.0F;               ///< Share of the ray's weight that occlusion takes.
     std::array<float, 3> view_layers{};  ///< Indices of the views; the same on a triangle.
     float face_index = -1.0F;
     std::array<float, 3> depth_ratios{};  ///< Depth in each view over depth in the eye.
     float opacity = 1.0F;                 ///< What is behind shows through the rest.
 };
+
+/// Half of what a fill is worth: what is less sure than this is more of a guess.
+inline constexpr float kLeastConfidence = 0.125F;
 
 /// Triangles that are drawn by the blend of shaders/blend.glsl, in this order.
 struct BlendTriangles {

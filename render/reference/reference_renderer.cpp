@@ -213,7 +213,8 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const RayPoint& point,
     if (!weights && !has_depth) return std::nullopt;
     const double fade = options_.fade_beyond_capture ? capture_fade(*ray) : 1.0;
     DrawnPixel drawn;
-    drawn.coverage = has_depth || !uses_depth_ ? fade : 0.0;
+    const bool is_known = has_depth && (weights || depth.kind != DepthKind::kStretched);
+    drawn.coverage = is_known || !uses_depth_ ? fade : 0.0;
     ray->weights = weights.value_or(std::array<double, 3>{});
     if (options_.debug_picture != DebugPicture::kNone)
         drawn.color = fade * debug_color(*ray, !weights, depth, occluded);

@@ -74,7 +74,13 @@ void draw_pixel(const std::array<const BlendVertex*, 3>& corners, const Eigen::V
     const Rgb8 behind = frame.color(x, y);
     frame.color(x, y) = {over(color.x(), behind.r), over(color.y(), behind.g),
                          over(color.z(), behind.b)};
-    frame.coverage(x, y) = over(255 * weights.sum(), frame.coverage(x, y));
+    const double confidence =
+        interpolated(corners, shares, [](const BlendVertex& vertex) {
+            return Eigen::Matrix<double, 1, 1>(static_cast<double>(vertex.confidence));
+        }).value();
+    const bool is_guess = photographs.places == PlaceInterpolation::kLinear &&
+                          confidence < static_cast<double>(kLeastConfidence);
+    frame.coverage(x, y) = over(is_guess ? 0 : 255 * weights.sum(), frame.coverage(x, y));
 }
 
 void draw_triangle(const std::array<const BlendVertex*, 3>& corners, const Photographs& photographs,

@@ -15,7 +15,8 @@ enum class PlaceInterpolation {
 /// Triangles blended from three photographs each, in plain code: what the modes that subdivide are
 /// tested against. Pixels whose centre no triangle covers stay black and uncovered; where several
 /// do, the last one drawn is seen, or as much of it as its opacity says. Coverage is the sum of the
-/// weights, times the opacity.
+/// weights, times the opacity; guesses are not covered (kLeastConfidence), but for projective
+/// textures.
 [[nodiscard]] Frame draw_reference(const BlendTriangles& triangles, const Lumigraph& lumigraph,
                                    const Camera& eye_camera, PlaceInterpolation places);
 

@@ -41,6 +41,7 @@ void main() {
 
 #ifdef LUMI_FRAGMENT
 out vec4 drawn;
+uniform float least_confidence;  // what is less sure is a guess: drawn, but not counted as covered
 
 void main() {
     vec4 color0 = photograph_at(on_layers01.xy, layers_and_face.x);
@@ -51,12 +52,14 @@ void main() {
     float sum = weights.x + weights.y + weights.z;
     if (sum < kLeastWeight) discard;
     weights *= 1.0 / sum;
+    float is_known = step(least_confidence, weight2_and_depth.z);
 #ifdef DEBUG_PICTURE
     drawn = vec4(debug_color(weights, layers_and_face, weight2_and_depth.y, weight2_and_depth.z,
                              weight2_and_depth.w),
-                 1.0);
+                 is_known);
 #else
-    drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb + weights.z * color2.rgb, 1.0);
+    drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb + weights.z * color2.rgb,
+                 is_known);
 #endif
 #ifdef FADES
     drawn *= opacity;

@@ -122,6 +122,8 @@ void main() {
     float occluded = unseen ? 1.0 : 1.0 - sum;
 #endif
     if (unseen && is_guess) discard;
+    // What none of the three sees and no view has seen is drawn as a guess too.
+    float is_known = is_guess || (unseen && depth.kind > 1.5) ? 0.0 : 1.0;
     // Unseen by the three: the layer's view takes the first one's place.
     vec4 ray = vec4(window, 1.0, q);
     vec3 in_layer = sight_of(vec3(dot(layer_views[4 * depth.layer], ray),
@@ -146,15 +148,15 @@ void main() {
     // White: none of the three sees the point.
     bool marked = unseen && debug_picture == 1;
     drawn = vec4(marked ? vec3(1.0) : debug_color(weights, layers_and_face(), q, confidence, occluded),
-                 is_guess ? 0.0 : 1.0);
+                 is_known);
 #else
     drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb + weights.z * color2.rgb,
-                 is_guess ? 0.0 : 1.0);
+                 is_known);
 #endif
 #ifdef FADES
     vec3 inside = vec3(inner(sight0.xy, view_size0.xy), inner(sight1.xy, view_size1.xy),
                        inner(sight2.xy, view_size2.xy));
-    drawn *= opacity_of(ray_weights, inside, seen, is_guess ? 0.0 : 1.0);
+    drawn *= opacity_of(ray_weights, inside, seen, is_known);
 #endif
 }
 #endif
