@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "calib/work/stopwatch.h"
+#include "pipeline/bench/picture_change.h"
 #include "pipeline/bench/rival_scenes.h"
 #include "pipeline/evaluate/image_metrics.h"
 #include "render/bench/frame_timing.h"
@@ -52,20 +53,6 @@ double wrong_layer_share(const Frame& drawn, const TrueFrame& truth) {
         }
     }
     return static_cast<double>(wrong) / static_cast<double>(truth.picture.pixels().size());
-}
-
-/// Mean |(a - a_before) - (b - b_before)| over pixels and channels.
-double unlike_change(const ColorImage& a, const ColorImage& a_before, const ColorImage& b,
-                     const ColorImage& b_before) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-        const auto unlike = [&](auto channel) {
-            return std::abs((a.pixels()[i].*channel - a_before.pixels()[i].*channel) -
-                            (b.pixels()[i].*channel - b_before.pixels()[i].*channel));
-        };
-        sum += unlike(&Rgb8::r) + unlike(&Rgb8::g) + unlike(&Rgb8::b);
-    }
-    return sum / (3.0 * static_cast<double>(a.pixels().size()));
 }
 
 RivalFigures measured(const std::string& method, const std::string& settings, std::size_t pictures,

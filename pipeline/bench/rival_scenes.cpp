@@ -7,6 +7,7 @@
 #include "pipeline/synth/photographer.h"
 #include "pipeline/synth/scene_description.h"
 #include "pipeline/synth/synthesize.h"
+#include "render/paths/pose_between.h"
 
 namespace lumi {
 namespace {
@@ -105,14 +106,6 @@ TrueFrame true_frame(const SceneDescription& description, const Rigid3& cam_from
     return {{description.camera, cam_from_world}, develop(exact.light, {}, 0), exact.depth};
 }
 
-Rigid3 between(const Rigid3& from, const Rigid3& to, double share) {
-    Rigid3 pose;
-    pose.rotation = from.rotation.slerp(share, to.rotation);
-    pose.translation =
-        -(pose.rotation * ((1 - share) * centre_in_world(from) + share * centre_in_world(to)));
-    return pose;
-}
-
 const SceneSettings& settings_named(const std::string& name) {
     return *std::find_if(std::begin(kScenes), std::end(kScenes),
                          [&](const SceneSettings& settings) { return settings.name == name; });
@@ -124,6 +117,13 @@ std::vector<std::string> rival_scene_names() {
     std::vector<std::string> names;
     for (const SceneSettings& settings : kScenes) names.emplace_back(settings.name);
     return names;
+}
+
+ColorImage true_picture(const std::string& name, const RivalCaptureOptions& options,
+                        const Eye& eye) {
+    SceneDescription description = description_of(settings_named(name), options);
+    description.camera = eye.camera;
+    return true_frame(description, eye.cam_from_world).picture;
 }
 
 RivalCapture rival_capture(const std::string& name, const RivalCaptureOptions& options,
@@ -158,8 +158,9 @@ RivalCapture rival_capture(const std::string& name, const RivalCaptureOptions& o
     for (int i = 0; i < options.path_frames; ++i)
         result.path.push_back(true_frame(
             description,
-            between(result.held_out[0].eye.cam_from_world, result.held_out[1].eye.cam_from_world,
-                    static_cast<double>(i) / std::max(1, options.path_frames - 1))));
+            pose_between(result.held_out[0].eye.cam_from_world,
+                         result.held_out[1].eye.cam_from_world,
+                         static_cast<double>(i) / std::max(1, options.path_frames - 1))));
     return result;
 }
 

@@ -38,4 +38,8 @@ struct RivalCaptureOptions {
 [[nodiscard]] RivalCapture rival_capture(const std::string& name,
                                          const RivalCaptureOptions& options, Progress& progress);
 
+/// What a camera would photograph anywhere in one of the scenes.
+[[nodiscard]] ColorImage true_picture(const std::string& name, const RivalCaptureOptions& options,
+                                      const Eye& eye);
+
 }  // namespace lumi

@@ -122,6 +122,10 @@ class PlotScript {
             draw(all, "using 1:2 with steps lw 2 lc rgb '#808080'", series.name);
             return;
         }
+        if (series.is_curve) {
+            draw(all, "using 1:2 with lines lw 1 lc rgb '" + color + "'", series.name);
+            return;
+        }
         if (series.is_joined) draw(all, "using 1:2 with lines lw 2 lc rgb '" + color + "'", "");
         const std::string points = "using 1:2:3:4:5:6 with xyerrorbars ps 0.9 pt " + type;
         if (!faint.empty()) {

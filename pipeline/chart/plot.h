@@ -24,6 +24,7 @@ struct PlotSeries {
     std::string name;  ///< In the key; empty: not named there.
     std::vector<PlotMark> marks;
     bool is_joined = false;   ///< By straight lines.
+    bool is_curve = false;    ///< By straight lines, without marks.
     bool is_stepped = false;  ///< By steps, as a front is; without marks.
 };
 

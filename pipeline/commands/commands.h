@@ -19,6 +19,7 @@ void add_view_command(CLI::App& app, CommandContext& context);
 void add_bench_command(CLI::App& app, CommandContext& context);
 void add_bench_depth_command(CLI::App& app, CommandContext& context);
 void add_bench_poses_command(CLI::App& app, CommandContext& context);
+void add_bench_flicker_command(CLI::App& app, CommandContext& context);
 void add_bench_hazards_command(CLI::App& app, CommandContext& context);
 void add_bench_mesh_command(CLI::App& app, CommandContext& context);
 void add_bench_rivals_command(CLI::App& app, CommandContext& context);

@@ -34,6 +34,7 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_bench_command(app, context);
     lumi::add_bench_depth_command(app, context);
     lumi::add_bench_poses_command(app, context);
+    lumi::add_bench_flicker_command(app, context);
     lumi::add_bench_hazards_command(app, context);
     lumi::add_bench_mesh_command(app, context);
     lumi::add_bench_rivals_command(app, context);

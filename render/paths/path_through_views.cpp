@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/paths/pose_between.h"
+
 namespace lumi {
 namespace {
 
@@ -10,15 +12,6 @@ Camera fitting_camera(const Camera& camera, int width_px, int height_px) {
     const double scale = std::min(static_cast<double>(width_px) / camera.width_px,
                                   static_cast<double>(height_px) / camera.height_px);
     return pinhole_camera(width_px, height_px, scale * focal_length_px(camera).mean());
-}
-
-Rigid3 between(const Rigid3& from, const Rigid3& to, double share) {
-    Rigid3 cam_from_world;
-    cam_from_world.rotation = from.rotation.slerp(share, to.rotation);
-    const Eigen::Vector3d centre =
-        (1 - share) * centre_in_world(from) + share * centre_in_world(to);
-    cam_from_world.translation = -(cam_from_world.rotation * centre);
-    return cam_from_world;
 }
 
 }  // namespace
@@ -33,8 +26,8 @@ std::vector<Eye> path_through_views(const Lumigraph& lumigraph, int count, int w
         const double place = along * static_cast<double>(views.size() - 1);
         const auto from = static_cast<std::size_t>(std::floor(place));
         const std::size_t to = std::min(from + 1, views.size() - 1);
-        path.push_back({camera, between(views[from].cam_from_world, views[to].cam_from_world,
-                                        place - std::floor(place))});
+        path.push_back({camera, pose_between(views[from].cam_from_world, views[to].cam_from_world,
+                                             place - std::floor(place))});
     }
     return path;
 }

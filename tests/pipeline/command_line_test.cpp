@@ -64,6 +64,7 @@ TEST(CommandLine, HelpBeginsWithAnExample) {
                                       "bench-poses",
                                       "bench-boards",
                                       "bench-depth",
+                                      "bench-flicker",
                                       "bench-mesh",
                                       "bench-rivals",
                                       "bench-hazards",
@@ -520,6 +521,18 @@ TEST(CommandLine, AutoPacksAsManyViewsAsAreEnough) {
     const Outcome evaluation = lumi("evaluate --json " + quoted(workspace));
     ASSERT_EQ(evaluation.exit_code, 0) << evaluation.talk;
     EXPECT_THAT(read_whole_text(workspace / "report.html"), HasSubstr("IMG_0006"));
+
+    const Outcome flicker =
+        lumi("bench-flicker --json --frames 6 --size 40x30 --out " + quoted(scratch / "flicker") +
+             " " + quoted(workspace / "box.lumi"));
+    ASSERT_EQ(flicker.exit_code, 0) << flicker.talk;
+    const Json modes = Json::parse(flicker.out).at("modes");
+    EXPECT_EQ(modes.size(), 5U);
+    EXPECT_EQ(modes.at("perpixel").at("changes").size(), 5U);
+    EXPECT_GT(modes.at("perpixel").at("mean_change").get<double>(), 0.0);
+    EXPECT_THAT(read_whole_text(scratch / "flicker" / "flicker.svg"), HasSubstr("</svg>"));
+    EXPECT_TRUE(fs::exists(scratch / "flicker" / "jump-perpixel.png"));
+    EXPECT_EQ(lumi("bench-flicker").exit_code, 2);
 }
 
 TEST_F(Line, PlansWhereToPhotographNext) {
