@@ -69,8 +69,9 @@ struct DrawStatistics {
 /// What was drawn.
 struct Frame {
     ColorImage color;
-    /// 255 where the picture is known, 0 where it is not: there it is black, or, where a camera may
-    /// see something but nobody knows how far, a guess on the scene plane.
+    /// 255 where the picture is known, 0 where it is not: there it is black or a guess, on the
+    /// scene plane where nobody knows how far the scene is, or, per pixel, on what is stretched
+    /// over a tear in depth where none of the ray's cameras sees it.
     GrayImage coverage;
     DrawStatistics statistics{};
 };
