@@ -1,8 +1,10 @@
 #include "meshing/depth/depth_choice.h"
 
 #include <algorithm>
+#include <map>
 
-#include "meshing/depth/held_out_trial.h"
+#include "meshing/depth/held_out_photograph.h"
+#include "meshing/depth/held_out_points.h"
 #include "meshing/depth/photograph_loss.h"
 
 namespace lumi {
@@ -13,77 +15,110 @@ std::string with_two_digits(double value) {
     return text.substr(0, text.find('.') + 3);
 }
 
-/// Climbs from rung to rung.
-class Climb {
- public:
-    Climb(const HeldOutTrial& trial, const Progress& progress)
-        : trial_(trial), progress_(progress) {}
+bool compares_photographs(const std::string& model) {
+    return model == "pair_stereo" || model == "sweep" || model == "patch_match";
+}
 
-    DepthChoice run(const std::vector<std::string>& rungs) {
-        for (const std::string& rung : rungs) {
-            Trial next = trial_.of(rung, progress_);
-            choice_.losses.push_back(next.loss);
-            // One rung may fail where the next succeeds: pairs that cannot be rectified, points too
-            // few to fill between. All are asked.
-            if (choice_.model.empty() || is_better(next)) {
-                choice_.model = rung;
-                accepted_ = std::move(next);
-            }
-            if (accepted_.loss.p95_px < kEnoughPx) {
-                choice_.explanation = choice_.model + ": 95 % of the points kept back lie within " +
-                                      with_two_digits(accepted_.loss.p95_px) + " px of it";
-                return choice_;
-            }
+/// Photographs kept back, and what the rungs make of them as far as anybody asked.
+class Race {
+ public:
+    Race(const DepthScene& scene, const std::vector<GrayImage>& masks, int threads,
+         const Progress& progress)
+        : threads_(threads), progress_(progress) {
+        for (const int view : photographs_to_keep_back(scene)) {
+            photographs_.emplace_back(scene, masks, view);
         }
-        choice_.explanation =
-            choice_.model + ": " + evidence_of(accepted_.loss) +
-            (choice_.model == rungs.back() ? ", clearly closer than the rungs below"
-                                           : ", and no rung above it is clearly closer");
-        return choice_;
+    }
+
+    [[nodiscard]] bool is_possible() const { return !photographs_.empty(); }
+
+    /// True when `next` predicts the photographs clearly better than `current`.
+    [[nodiscard]] bool is_won_by(const std::string& next, const std::string& current) {
+        constexpr double kHardlyChance = 2.0;  // Standard errors.
+        std::vector<double> of_next;
+        std::vector<double> of_current;
+        for (std::size_t k = 0; k < photographs_.size(); ++k) {
+            append(tiles(current, k), of_current);
+            append(tiles(next, k), of_next);
+            if (is_clearly_closer(of_next, of_current, kHardlyChance)) return true;
+            if (is_clearly_closer(of_current, of_next, kHardlyChance)) return false;
+        }
+        return is_clearly_closer(of_next, of_current, 1.0);
+    }
+
+    /// Grey levels by which the photographs that were asked differ from what the rung predicts.
+    [[nodiscard]] double gray_levels(const std::string& model) {
+        std::vector<double> all;
+        for (const std::vector<double>& tiles : tiles_[model]) append(tiles, all);
+        return rms_of(all);
     }
 
  private:
-    static constexpr double kEnoughPx = 1.0;
+    static void append(const std::vector<double>& tiles, std::vector<double>& all) {
+        all.insert(all.end(), tiles.begin(), tiles.end());
+    }
 
-    [[nodiscard]] static std::string evidence_of(const RungLoss& loss) {
-        if (loss.photograph > 0) {
-            return "predicts photographs kept back to " + with_two_digits(loss.photograph) +
-                   " grey levels";
+    const std::vector<double>& tiles(const std::string& model, std::size_t k) {
+        std::vector<std::vector<double>>& known = tiles_[model];
+        while (known.size() <= k) {
+            known.push_back(photographs_[known.size()].loss(model, threads_, progress_));
         }
-        return "off by " + with_two_digits(loss.mean_px) + " px at points kept back";
+        return known[k];
     }
 
-    /// Points lie on texture, where any rung does well: between them the photographs tell.
-    [[nodiscard]] bool is_better(const Trial& next) const {
-        if (!next.tiles.empty()) return is_clearly_closer(next.tiles, accepted_.tiles);
-        return next.loss.mean_px +
-                   std::max(next.loss.standard_error_px, accepted_.loss.standard_error_px) <
-               accepted_.loss.mean_px;
-    }
-
-    const HeldOutTrial& trial_;
+    int threads_;
     const Progress& progress_;
-    DepthChoice choice_;
-    Trial accepted_;
+    std::vector<HeldOutPhotograph> photographs_;
+    std::map<std::string, std::vector<std::vector<double>>> tiles_;  ///< One each photograph asked.
 };
+
+/// The lowest rung that the points alone show to be enough; empty when none is.
+DepthChoice enough_by_points(const DepthScene& scene, const std::vector<std::string>& rungs,
+                             int threads, const Progress& progress) {
+    constexpr double kEnoughPx = 1.0;
+    for (const std::string& rung : rungs) {
+        if (compares_photographs(rung)) continue;
+        const auto p95_px = held_out_points_p95_px(scene, rung, threads, progress);
+        if (!p95_px || *p95_px >= kEnoughPx) continue;
+        return {rung,
+                rung + ": 95 % of the points kept back lie within " + with_two_digits(*p95_px) +
+                    " px of it",
+                {}};
+    }
+    return {};
+}
+
+DepthChoice best_by_photographs(Race& race, const std::vector<std::string>& rungs) {
+    DepthChoice choice{rungs.front(), "", {rungs.front()}};
+    for (std::size_t i = 1; i < rungs.size(); ++i) {
+        // One rung may fail where the next succeeds: pairs that cannot be rectified, points too few
+        // to fill between. All are asked.
+        if (race.is_won_by(rungs[i], choice.model)) choice.model = rungs[i];
+        choice.compared.push_back(rungs[i]);
+    }
+    choice.explanation = choice.model + ": predicts photographs kept back to " +
+                         with_two_digits(race.gray_levels(choice.model)) + " grey levels" +
+                         (choice.model == rungs.back() ? ", clearly closer than the rungs below"
+                                                       : ", and no rung above is clearly closer");
+    return choice;
+}
 
 }  // namespace
 
 DepthChoice choose_depth_model(const DepthScene& scene, const std::vector<GrayImage>& masks,
                                const std::string& highest, int threads, Progress& progress) {
-    const HeldOutTrial trial(scene, masks, threads);
+    progress.begin("depth: choosing a model", 0);
     std::vector<std::string> rungs = depth_model_names();
     rungs.erase(std::find(rungs.begin(), rungs.end(), highest) + 1, rungs.end());
-    if (!trial.is_possible()) {
-        // Nothing could show that more than the sweep is worth its time.
-        const std::string untried = highest == "patch_match" ? "sweep" : highest;
-        return {untried,
-                untried + ": no view has " + std::to_string(kMinTrialPoints) +
-                    " scene points, by which a cheaper model could be judged",
-                {}};
-    }
-    progress.begin("depth: choosing a model", 0);
-    return Climb(trial, progress).run(rungs);
+    DepthChoice enough = enough_by_points(scene, rungs, threads, progress);
+    if (!enough.model.empty()) return enough;
+    Race race(scene, masks, threads, progress);
+    if (race.is_possible()) return best_by_photographs(race, rungs);
+    // Nothing could show that more than the sweep is worth its time.
+    const std::string untried = highest == "patch_match" ? "sweep" : highest;
+    return {untried,
+            untried + ": no view has two neighbours, by which its photograph could be predicted",
+            {}};
 }
 
 }  // namespace lumi

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,34 +8,26 @@
 
 namespace lumi {
 
-/// How wrong a rung is at what it was not told.
-struct RungLoss {
-    std::string model;
-    double mean_px = 0.0;            ///< Of at most kMaxLossPx a point.
-    double standard_error_px = 0.0;  ///< Over blocks of the pictures.
-    double p95_px = 0.0;             ///< 95th percentile over the points.
-    /// Grey levels by which photographs kept back differ from their prediction (photograph_loss.h),
-    /// root mean square; 0 where none could be kept back.
-    double photograph = 0.0;
-};
-constexpr double kMaxLossPx = 4.0;
-
 struct DepthChoice {
     std::string model;
-    std::string explanation;       ///< One line: what was chosen, and why.
-    std::vector<RungLoss> losses;  ///< Of the rungs that were tried, in order.
+    std::string explanation;            ///< One line: what was chosen, and why.
+    std::vector<std::string> compared;  ///< Rungs whose photographs were predicted, in order.
 };
 
-/// The cheapest rung that is enough: climbs while the next one's held-out error is lower by more
-/// than one standard error (Breiman et al. 1984, section 3.4.3, applied rung by rung).
+/// The cheapest rung that is enough.
 ///
-/// What is compared is what would be delivered (held_out_trial.h), `masks` (scene_masks) included.
-/// A quarter of each sampled view's points is kept back, each quarter in turn for the rungs that
-/// know points alone, and one of its neighbours. A rung is enough when it puts 95 % of these points
-/// within a pixel of disparity. If none is, the rung counts that predicts the neighbours'
-/// photographs best (photograph_loss.h); without two neighbours, the one nearest to the points.
-/// Rungs above `highest` are not tried. With fewer than 40 points in every view nothing can be
-/// kept back, and `highest` is taken, but not more than the sweep.
+/// First the points alone are asked (held_out_points.h): a rung that knows nothing else is enough
+/// when it puts 95 % of the points kept back within a pixel of disparity. Rungs that compare
+/// photographs are not judged so: points lie on texture, where any of them does well.
+///
+/// Then photographs kept back are predicted (held_out_photograph.h), and the choice climbs while
+/// the next rung predicts them better by more than one standard error (Breiman et al. 1984, section
+/// 3.4.3, applied rung by rung). One photograph after the other is asked, and none further once the
+/// rungs differ by two standard errors (a race, Maron and Moore 1994). What is compared is what
+/// would be delivered, `masks` (scene_masks) included.
+///
+/// Rungs above `highest` are not tried. Where no photograph can be kept back, `highest` is taken,
+/// but not more than the sweep.
 [[nodiscard]] DepthChoice choose_depth_model(const DepthScene& scene,
                                              const std::vector<GrayImage>& masks,
                                              const std::string& highest, int threads,

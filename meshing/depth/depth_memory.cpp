@@ -31,6 +31,18 @@ double matching_of(double pixels, const std::string& model) {
     return 0;
 }
 
+/// While photographs are predicted at half their size: four of them, each from four views and what
+/// these are compared with.
+double choosing_of(double pixels, double largest, int threads) {
+    constexpr double kViews = 4 * 10;
+    constexpr double kOfEachView = kPicture + 2 * kMap;
+    constexpr double kHalfSize = 0.25;
+    constexpr int kMatchedAtOneTime = 4;
+    const double trial = kHalfSize * largest;
+    return kPicture * pixels + kViews * kOfEachView * trial +
+           std::min(threads, kMatchedAtOneTime) * matching_of(trial, "patch_match");
+}
+
 /// As many views as fit beside `kept`.
 int views_within(double budget, double kept, double per_view, int threads) {
     if (per_view <= 0) return threads;
@@ -62,6 +74,18 @@ DepthMemory predicted_depth_memory(const std::vector<std::uint64_t>& map_pixels,
     memory.matching = static_cast<std::uint64_t>(while_matching + memory.views_matched * matching);
     memory.finishing =
         static_cast<std::uint64_t>(while_filling + memory.views_filled * kFilling * largest);
+    if (model == "auto") {
+        memory.choosing = static_cast<std::uint64_t>(choosing_of(pixels, largest, most));
+    }
+    return memory;
+}
+
+DepthMemory predicted_memory_of_choice(const DepthMemory& before,
+                                       const std::vector<std::uint64_t>& map_pixels,
+                                       const std::string& chosen, bool predicted_photographs,
+                                       int threads, std::uint64_t budget) {
+    DepthMemory memory = predicted_depth_memory(map_pixels, chosen, threads, budget, before.in_use);
+    if (predicted_photographs) memory.choosing = before.choosing;
     return memory;
 }
 

@@ -27,6 +27,7 @@ class ImportedModel final : public DepthModel {
         return {imported_depth(view_of(scene, view_index), folder_, png_unit_), "imported", false,
                 false};
     }
+    [[nodiscard]] std::string begins_as() const override { return "imported"; }
 
  private:
     std::filesystem::path folder_;
@@ -39,6 +40,7 @@ class MeshModel final : public DepthModel {
     [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
         return {mesh_depth(view_of(scene, view_index), mesh_), "mesh", false, false};
     }
+    [[nodiscard]] std::string begins_as() const override { return "mesh"; }
 
  private:
     TriangleMesh mesh_;
@@ -50,6 +52,7 @@ class VolumeModel final : public DepthModel {
     [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
         return {caster_.depth(view_of(scene, view_index)), "volume", false, false};
     }
+    [[nodiscard]] std::string begins_as() const override { return "volume"; }
 
  private:
     VolumeCaster caster_;
@@ -64,6 +67,7 @@ class SingleViewModel final : public DepthModel {
     [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
         return {function_(view_of(scene, view_index)), name_, false, true};
     }
+    [[nodiscard]] std::string begins_as() const override { return name_; }
 
  private:
     std::string name_;
@@ -83,6 +87,7 @@ class PairStereoModel final : public DepthModel {
         }
         return {pair_stereo(scene, view_index), "pair_stereo", true, false};
     }
+    [[nodiscard]] std::string begins_as() const override { return "pair_stereo"; }
 };
 
 class SweepModel : public DepthModel {
@@ -96,6 +101,7 @@ class SweepModel : public DepthModel {
         pool_.give_back(std::move(memory));
         return estimate;
     }
+    [[nodiscard]] std::string begins_as() const override { return "sweep"; }
 
  private:
     mutable SweepMemoryPool pool_;

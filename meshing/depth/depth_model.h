@@ -28,6 +28,9 @@ class DepthModel {
     virtual ~DepthModel() = default;
     [[nodiscard]] virtual DepthEstimate estimate(const DepthScene& scene, int view_index) const = 0;
 
+    /// Name of the rung whose estimates `estimate` makes: what that rung found need not be found
+    /// again.
+    [[nodiscard]] virtual std::string begins_as() const = 0;
     /// How often `refine` follows `estimate`.
     [[nodiscard]] virtual int refinements() const { return 0; }
     /// A better estimate, made with what all views said in the round before.

@@ -56,9 +56,9 @@ void require_seen(const std::vector<DepthEstimate>& estimates, const DepthOption
                 "bring it into the world of the poses: axes, origin, unit of length");
 }
 
-/// Says what memory the maps of these views will take, and refuses where there is not so much.
-DepthMemory expected_memory(const Capture& capture, const std::vector<int>& view_indices,
-                            const DepthOptions& options, int threads, Progress& progress) {
+std::vector<std::uint64_t> pixels_of_maps(const Capture& capture,
+                                          const std::vector<int>& view_indices,
+                                          const DepthOptions& options) {
     std::vector<std::uint64_t> pixels;
     for (const int i : view_indices) {
         const Camera camera = at_depth_map_size(
@@ -66,12 +66,23 @@ DepthMemory expected_memory(const Capture& capture, const std::vector<int>& view
         pixels.push_back(static_cast<std::uint64_t>(camera.width_px) *
                          static_cast<std::uint64_t>(camera.height_px));
     }
+    return pixels;
+}
+
+std::uint64_t budget_of(const DepthOptions& options) {
+    return static_cast<std::uint64_t>(options.max_memory_mib) << 20;
+}
+
+/// Says what memory the maps of these views will take, and refuses where there is not so much.
+DepthMemory expected_memory(const std::vector<std::uint64_t>& pixels, const DepthOptions& options,
+                            int threads, Progress& progress) {
     release_free_memory();
     const bool is_imported = !options.import_folder.empty() || is_geometry_imported(options);
+    const std::string model = is_imported ? "imported" : options.model;
     const DepthMemory memory = predicted_depth_memory(
-        pixels, is_imported ? "imported" : options.model, resolve_threads(threads),
-        static_cast<std::uint64_t>(options.max_memory_mib) << 20, memory_in_use().value_or(0));
-    progress.note("depth: about " + std::to_string(memory.peak() >> 20) + " MiB of memory");
+        pixels, model, resolve_threads(threads), budget_of(options), memory_in_use().value_or(0));
+    progress.note(std::string("depth: ") + (model == "auto" ? "at most " : "about ") +
+                  std::to_string(memory.peak() >> 20) + " MiB of memory");
     if (const auto available = memory_available()) require_memory(memory, *available);
     return memory;
 }
@@ -97,9 +108,11 @@ double sparse_residual_px(const DepthMap& map, const DepthView& view) {
     return *middle;
 }
 
+/// The model that the options name, or that is chosen; and what that does to the memory.
 std::unique_ptr<DepthModel> model_of(const DepthScene& scene, const std::vector<GrayImage>& masks,
+                                     const std::vector<std::uint64_t>& pixels,
                                      const DepthOptions& options, int threads, Progress& progress,
-                                     std::string& choice) {
+                                     DepthResult& result) {
     if (!options.import_folder.empty()) {
         return imported_depth_model(options.import_folder, options.import_png_unit);
     }
@@ -108,8 +121,15 @@ std::unique_ptr<DepthModel> model_of(const DepthScene& scene, const std::vector<
         return volume_depth_model(options.import_volume, options.import_volume_threshold);
     }
     if (options.model != "auto") return depth_model_named(options.model);
+    const double before = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
     const DepthChoice chosen = choose_depth_model(scene, masks, "patch_match", threads, progress);
-    choice = chosen.explanation;
+    result.choice = chosen.explanation;
+    result.choice_cpu_s = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - before;
+    result.memory =
+        predicted_memory_of_choice(result.memory, pixels, chosen.model, !chosen.compared.empty(),
+                                   resolve_threads(threads), budget_of(options));
+    progress.note("depth: " + chosen.model + ", about " +
+                  std::to_string(result.memory.peak() >> 20) + " MiB of memory");
     return depth_model_named(chosen.model);
 }
 
@@ -120,7 +140,9 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
                            int threads, Progress& progress) {
     validate(options);
     DepthResult result;
-    result.memory = expected_memory(photographs.capture, view_indices, options, threads, progress);
+    const std::vector<std::uint64_t> pixels =
+        pixels_of_maps(photographs.capture, view_indices, options);
+    result.memory = expected_memory(pixels, options, threads, progress);
     const DepthScene scene =
         make_depth_scene(photographs, view_indices, options, threads, progress);
     result.depth_maps.resize(scene.views.size());
@@ -129,10 +151,8 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
         scene_masks(scene, options.mask_folder, options.background == "auto", threads);
     const std::vector<GrayImage>& masks = found_masks.of_views;
     result.background = found_masks.background;
-    const double before_choice = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
     std::unique_ptr<DepthModel> model =
-        model_of(scene, masks, options, threads, progress, result.choice);
-    result.choice_cpu_s = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - before_choice;
+        model_of(scene, masks, pixels, options, threads, progress, result);
     std::vector<DepthEstimate> estimates(scene.views.size());
 
     for_each_view("depth: matching", result, result.memory.views_matched, progress, [&](int i) {

@@ -50,6 +50,7 @@ class Prediction {
           back_(warp_b_from_a(photograph.camera, photograph.cam_from_world, from.view->camera,
                               from.view->cam_from_world)),
           camera_(from.view->camera),
+          weight_(1.0 / std::max(kLeastDistance, distance(*from.view, photograph))),
           nearest_(photograph.camera.width_px, photograph.camera.height_px, kNothing) {
         const InverseDepthWarp there = warp_b_from_a(from.view->camera, from.view->cam_from_world,
                                                      photograph.camera, photograph.cam_from_world);
@@ -72,9 +73,18 @@ class Prediction {
         return bilinear(gray_, place->u, place->v);
     }
 
+    /// Of what it says: views near the photograph show surfaces as it does.
+    [[nodiscard]] double weight() const { return weight_; }
+
     static constexpr float kNothing = -1.0F;
 
  private:
+    static constexpr double kLeastDistance = 1e-12;
+
+    [[nodiscard]] static double distance(const DepthView& a, const DepthView& b) {
+        return (centre_in_world(a.cam_from_world) - centre_in_world(b.cam_from_world)).norm();
+    }
+
     /// Onto the four pixels around, so that a surface seen from farther off has no gaps.
     void splat(const Place& place) {
         for (int i = 0; i < 4; ++i) {
@@ -87,6 +97,7 @@ class Prediction {
     GrayImage gray_;
     InverseDepthWarp back_;
     Camera camera_;
+    double weight_;
     FloatImage nearest_;
 };
 
@@ -97,26 +108,47 @@ struct PixelPair {
     double predicted = 0.0;
 };
 
+/// The surface that most of the views put before a pixel, those near the photograph counting more;
+/// the nearest of equals. kNothing where none puts one.
+float agreed_surface(const std::vector<Prediction>& predictions, int x, int y,
+                     double same_surface) {
+    float agreed = Prediction::kNothing;
+    double most = 0;
+    for (const Prediction& prediction : predictions) {
+        const float candidate = prediction.nearest(x, y);
+        if (candidate < 0) continue;
+        double support = 0;
+        for (const Prediction& other : predictions) {
+            const float there = other.nearest(x, y);
+            if (there < 0 || static_cast<double>(std::abs(there - candidate)) > same_surface) {
+                continue;
+            }
+            support += other.weight();
+        }
+        if (support < most || (support == most && candidate < agreed)) continue;
+        most = support;
+        agreed = candidate;
+    }
+    return agreed;
+}
+
 std::optional<double> mean_gray(const std::vector<Prediction>& predictions, int x, int y,
                                 double one_pixel) {
     constexpr double kSameSurfacePx = 2.0;
-    float nearest = Prediction::kNothing;
-    for (const Prediction& prediction : predictions) {
-        nearest = std::max(nearest, prediction.nearest(x, y));
-    }
-    if (nearest < 0) return std::nullopt;
-    const double farthest = static_cast<double>(nearest) - kSameSurfacePx * one_pixel;
+    const double same_surface = kSameSurfacePx * one_pixel;
+    const float agreed = agreed_surface(predictions, x, y, same_surface);
+    if (agreed < 0) return std::nullopt;
     double sum = 0;
-    int count = 0;
+    double weight = 0;
     for (const Prediction& prediction : predictions) {
         const float own = prediction.nearest(x, y);
-        if (own < 0 || static_cast<double>(own) < farthest) continue;
+        if (own < 0 || static_cast<double>(std::abs(own - agreed)) > same_surface) continue;
         const auto gray = prediction.gray(x, y);
         if (!gray) continue;
-        sum += *gray;
-        ++count;
+        sum += prediction.weight() * *gray;
+        weight += prediction.weight();
     }
-    return count > 0 ? std::optional(sum / count) : std::nullopt;
+    return weight > 0 ? std::optional(sum / weight) : std::nullopt;
 }
 
 std::vector<PixelPair> pairs_of(const std::vector<PredictingView>& views,
@@ -165,23 +197,23 @@ std::vector<double> photograph_loss(const std::vector<PredictingView>& views,
     return sums;
 }
 
-bool is_clearly_closer(const std::vector<double>& next, const std::vector<double>& current) {
-    constexpr double kLeastGain = 0.02;
-    std::vector<double> gains;
-    double current_sum = 0;
+bool is_clearly_closer(const std::vector<double>& next, const std::vector<double>& current,
+                       double standard_errors) {
+    constexpr double kLeastGain_db = 0.1;
+    constexpr double kRounding = 1.0;  // Of squared grey levels: less is no error.
+    std::vector<double> gains_db;
     for (std::size_t i = 0; i < std::min(next.size(), current.size()); ++i) {
         if (next[i] < 0 || current[i] < 0) continue;
-        gains.push_back(current[i] - next[i]);
-        current_sum += current[i];
+        gains_db.push_back(10 * std::log10((current[i] + kRounding) / (next[i] + kRounding)));
     }
-    if (gains.size() < kMinTiles) return false;
-    const auto count = static_cast<double>(gains.size());
+    if (gains_db.size() < kMinTiles) return false;
+    const auto count = static_cast<double>(gains_db.size());
     double mean = 0;
-    for (const double gain : gains) mean += gain / count;
+    for (const double gain : gains_db) mean += gain / count;
     double squares = 0;
-    for (const double gain : gains) squares += (gain - mean) * (gain - mean);
-    return mean > std::sqrt(squares / (count * (count - 1))) &&
-           mean > kLeastGain * current_sum / count;
+    for (const double gain : gains_db) squares += (gain - mean) * (gain - mean);
+    return mean > standard_errors * std::sqrt(squares / (count * (count - 1))) &&
+           mean > kLeastGain_db;
 }
 
 double rms_of(const std::vector<double>& tiles) {

@@ -22,15 +22,18 @@ struct PredictingView {
 /// evened by one factor first. The view must have had no part in the depth: the difference then
 /// tells how well depth predicts a photograph (virtual rephotography, Waechter et al. 2017).
 ///
-/// Predicted is the nearest surface that any of the views puts before a pixel, in the mean grey of
-/// the views that see it: what one view hides another shows, as in a drawing.
+/// Predicted is the surface that most of the views put before a pixel, in the mean grey of the
+/// views that see it there, nearer views counting more: what one view hides another shows, and what
+/// one view alone has wrong the others overrule, as in a drawing.
 [[nodiscard]] std::vector<double> photograph_loss(const std::vector<PredictingView>& views,
                                                   const DepthView& photograph);
 
-/// True when the tiles of `next` are closer than those of `current` by more than a standard error
-/// of the difference, and by more than a fiftieth. False with fewer than 30 tiles that both know.
+/// True when the tiles of `next` are closer than those of `current` by more than so many standard
+/// errors, and by more than a tenth of a decibel. Compared are decibels, tile by tile: of sums of
+/// squares the few tiles where both are badly wrong would hide what happens in all others. False
+/// with fewer than 30 tiles that both know.
 [[nodiscard]] bool is_clearly_closer(const std::vector<double>& next,
-                                     const std::vector<double>& current);
+                                     const std::vector<double>& current, double standard_errors);
 
 /// Root of the mean over the tiles that are seen; 0 without any.
 [[nodiscard]] double rms_of(const std::vector<double>& tiles);

@@ -45,6 +45,20 @@ TEST(DepthMemory, AModelThatDoesMoreTakesMore) {
     }
 }
 
+TEST(DepthMemory, OfAutoIsThatOfWhatItChoseOnceThatIsKnown) {
+    const std::vector<std::uint64_t> pixels(16, kPixels);
+    const DepthMemory at_most = predicted(16, 2, 100'000, "auto");
+    const auto of = [&](const std::string& chosen, bool predicted_photographs) {
+        return predicted_memory_of_choice(at_most, pixels, chosen, predicted_photographs, 2,
+                                          100'000 * kMiB)
+            .peak();
+    };
+    EXPECT_EQ(of("plane", false), predicted(16, 2, 100'000, "plane").peak());
+    EXPECT_EQ(of("patch_match", true), at_most.peak());
+    EXPECT_GE(of("plane", true), at_most.in_use + at_most.choosing);
+    EXPECT_LT(of("plane", true), of("patch_match", true));
+}
+
 TEST(DepthMemory, WhatTheMachineHasNotIsRefused) {
     const DepthMemory memory = predicted(16, 2, 2048);
     EXPECT_NO_THROW(require_memory(memory, memory.peak() - memory.in_use));

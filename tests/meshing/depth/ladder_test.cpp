@@ -4,7 +4,7 @@
 
 #include "meshing/depth/depth_choice.h"
 #include "meshing/depth/depth_model.h"
-#include "meshing/depth/held_out_trial.h"
+#include "meshing/depth/held_out_photograph.h"
 #include "meshing/depth/pair_stereo.h"
 #include "meshing/depth/patch_match.h"
 #include "meshing/depth/photograph_loss.h"
@@ -179,9 +179,9 @@ TEST(PhotographLoss, IsLeastForTheTruth) {
         }
         return photograph_loss(views, known.scene.views[1]);
     };
-    EXPECT_TRUE(is_clearly_closer(loss(1), loss(1.05)));
-    EXPECT_TRUE(is_clearly_closer(loss(1), loss(0.95)));
-    EXPECT_FALSE(is_clearly_closer(loss(1), loss(1)));
+    EXPECT_TRUE(is_clearly_closer(loss(1), loss(1.05), 1));
+    EXPECT_TRUE(is_clearly_closer(loss(1), loss(0.95), 1));
+    EXPECT_FALSE(is_clearly_closer(loss(1), loss(1), 1));
 }
 
 TEST(PhotographLoss, WhatOneViewHidesAnotherShows) {
@@ -198,24 +198,64 @@ TEST(PhotographLoss, WhatOneViewHidesAnotherShows) {
     EXPECT_LT(loss({1}), 8.0);
 }
 
-TEST(HeldOutTrial, AsksARungThatRefinesForItsRefinement) {
-    const KnownDepthScene known = slanted_wall({0.5, 0.4, 1});
-    const std::vector<GrayImage> masks = no_masks(known);
-    const HeldOutTrial trial(known.scene, masks, 2);
-    const SilentProgress progress;
-    EXPECT_LT(trial.of("patch_match", progress).loss.mean_px,
-              0.95 * trial.of("sweep", progress).loss.mean_px);
+TEST(PhotographLoss, WhatOneViewAloneHasWrongTheOthersOverrule) {
+    const KnownDepthScene known = boards();
+    const auto loss = [&](const std::vector<std::size_t>& wrong) {
+        std::vector<FloatImage> depths = known.inverse_depths;
+        for (const std::size_t i : wrong) {
+            for (float& value : depths[i].pixels()) value *= 1.3F;  // Before all others.
+        }
+        std::vector<PredictingView> views;
+        for (const std::size_t i : {1U, 2U, 3U, 4U}) {
+            views.push_back({&known.scene.views[i], &depths[i]});
+        }
+        return rms_of(photograph_loss(views, known.scene.views[0]));
+    };
+    EXPECT_LT(loss({4}) - loss({}), 0.5 * (loss({1, 2, 3, 4}) - loss({})));
 }
 
-TEST(DepthChoice, WithoutPointsTakesTheSweepAndSaysWhy) {
-    const KnownDepthScene known =
-        known_depth_scene({{{0, 0, 2}, {0, 0, 1}, everywhere, noise_texture(0.03, 5)}},
-                          cross_of_centres(0.12), {0.1, 1.2});
+TEST(PhotographLoss, ATileWhereBothFailDoesNotHideTheOthers) {
+    std::vector<double> current(60, 25.0);
+    std::vector<double> next(60, 20.0);
+    current[7] = 3000;
+    next[7] = 4000;  // More than all others gain together.
+    EXPECT_TRUE(is_clearly_closer(next, current, 2));
+    EXPECT_FALSE(is_clearly_closer(current, next, 0));
+}
+
+TEST(HeldOutPhotograph, TheViewThatOthersSurroundIsAskedFirst) {
+    const std::vector<int> asked = photographs_to_keep_back(slanted_wall({0, 0, 1}).scene);
+    ASSERT_EQ(asked.size(), 2U);
+    EXPECT_EQ(asked.front(), 0) << "the middle of the cross";
+}
+
+TEST(HeldOutPhotograph, AsksARungThatRefinesForItsRefinement) {
+    const KnownDepthScene known = slanted_wall({0.5, 0.4, 1});
+    const std::vector<GrayImage> masks = no_masks(known);
+    HeldOutPhotograph photograph(known.scene, masks, 0);
+    const SilentProgress progress;
+    const double swept = rms_of(photograph.loss("sweep", 2, progress));
+    EXPECT_LT(rms_of(photograph.loss("patch_match", 2, progress)), 0.97 * swept);
+}
+
+KnownDepthScene wall_without_points(const std::vector<Eigen::Vector3d>& centres) {
+    return known_depth_scene({{{0, 0, 2}, {0, 0, 1}, everywhere, noise_texture(0.03, 5)}}, centres,
+                             {0.1, 1.2});
+}
+
+TEST(DepthChoice, WithoutPointsThePhotographsTellWhatIsEnough) {
+    // Without points a plane stands at the wrong depth.
+    EXPECT_EQ(chosen(wall_without_points(cross_of_centres(0.12))), "sweep");
+}
+
+TEST(DepthChoice, WhereNothingCanBeKeptBackTakesTheSweepAndSaysWhy) {
+    const KnownDepthScene known = wall_without_points({{0, 0, 0}, {0.12, 0, 0}});
     SilentProgress progress;
     const DepthChoice choice =
         choose_depth_model(known.scene, no_masks(known), "patch_match", 1, progress);
     EXPECT_EQ(choice.model, "sweep");
-    EXPECT_NE(choice.explanation.find("no view has"), std::string::npos) << choice.explanation;
+    EXPECT_NE(choice.explanation.find("no view has two neighbours"), std::string::npos)
+        << choice.explanation;
 }
 
 }  // namespace
