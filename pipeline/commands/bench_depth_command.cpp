@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "calib/work/error.h"
@@ -7,6 +8,7 @@
 #include "meshing/surface/mesh_io.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/depth_bench/rung_chart.h"
+#include "pipeline/depth_bench/stability_report.h"
 #include "pipeline/report/number_text.h"
 #include "pipeline/stages/pack_stage.h"
 #include "pipeline/stages/posed_files.h"
@@ -24,6 +26,10 @@ struct BenchDepthRequest {
     std::vector<std::string> models;
     fs::path truth_folder;
     int max_width_px = DepthOptions{}.max_width_px;
+    bool stability = false;
+    bool quick = false;
+    std::vector<std::string> hazards;
+    std::vector<std::uint64_t> seeds{1};
 };
 
 /// The views that a built workspace uses and holds out, as its package was made.
@@ -85,17 +91,87 @@ void run_bench_depth(const BenchDepthRequest& request, const CommandContext& con
     context.say((request.out / "rungs.svg").string() + "\n");
 }
 
+std::vector<std::string> hazard_names() {
+    std::vector<std::string> names;
+    for (const DepthHazardCurve& curve : depth_hazard_curves()) names.push_back(curve.name);
+    return names;
+}
+
+struct StabilitySetting {
+    DepthHazard hazard;
+    double strength;
+    std::uint64_t seed;
+};
+
+std::vector<StabilitySetting> wanted_settings(const BenchDepthRequest& request) {
+    std::vector<StabilitySetting> settings;
+    for (const DepthHazardCurve& curve : depth_hazard_curves()) {
+        const bool is_wanted =
+            request.hazards.empty() || std::find(request.hazards.begin(), request.hazards.end(),
+                                                 curve.name) != request.hazards.end();
+        if (!is_wanted) continue;
+        for (std::size_t i = 0; i < curve.strengths.size(); i += request.quick ? 2 : 1) {
+            for (const std::uint64_t seed : request.seeds) {
+                settings.push_back({curve.hazard, curve.strengths[i], seed});
+            }
+        }
+    }
+    return settings;
+}
+
+void run_stability(const BenchDepthRequest& request, const CommandContext& context) {
+    const std::vector<StabilitySetting> settings = wanted_settings(request);
+    std::vector<StabilityTrial> trials;
+    for (const StabilitySetting& setting : settings) {
+        trials.push_back(stability_trial(setting.hazard, setting.strength, setting.seed,
+                                         request.models, request.out / "trial", context.threads,
+                                         *context.progress));
+        context.say(std::to_string(trials.size()) + " of " + std::to_string(settings.size()) +
+                    ": " + stability_row(trials.back()) + "\n");
+        // After each, so that whoever stops a long run has what was measured.
+        write_stability_report(request.out, trials, *context.progress);
+    }
+    if (context.json) {
+        context.print_result(stability_json(trials));
+    } else {
+        context.print_result(stability_text(trials));
+    }
+    context.say((request.out / "stability.csv").string() + "\n");
+}
+
+/// The rungs, and "auto" where workspaces are measured: on synthetic scenes it is one of them.
+void run(BenchDepthRequest request, const CommandContext& context) {
+    if (request.stability == !request.workspaces.empty()) {
+        throw Error(ErrorKind::kUsage, "E-BENCH-DEPTH",
+                    "bench-depth: expected workspaces or --stability, found " +
+                        std::string(request.stability ? "both" : "neither"),
+                    "see lumi bench-depth --help");
+    }
+    if (request.models.empty()) {
+        request.models = request.stability ? depth_model_names() : model_names();
+    }
+    if (request.stability) {
+        run_stability(request, context);
+    } else {
+        run_bench_depth(request, context);
+    }
+}
+
 }  // namespace
 
 void add_bench_depth_command(CLI::App& app, CommandContext& context) {
     CLI::App& command = add_command(
-        app, "bench-depth", "What each depth model costs and brings, on built workspaces",
-        "lumi bench-depth work/fountain work/kettle --out work/depth-chart");
+        app, "bench-depth",
+        "What each depth model costs and brings, on built workspaces; or how it stands what makes "
+        "depth hard to find, from harmless to hopeless, on synthetic scenes",
+        "lumi bench-depth work/fountain work/kettle --out work/depth-chart\n"
+        "         lumi bench-depth --stability --out work/depth-stability");
     const auto request = std::make_shared<BenchDepthRequest>();
-    request->models = model_names();
-    command.add_option("WORKSPACES", request->workspaces, "Folders that lumi build wrote")
-        ->required();
-    command.add_option("--out", request->out, "Folder for rungs.svg, rungs.csv and rungs.json")
+    command.add_option("WORKSPACES", request->workspaces, "Folders that lumi build wrote");
+    command
+        .add_option("--out", request->out,
+                    "Folder for rungs.svg, rungs.csv and rungs.json, or for stability.json, "
+                    "stability.csv and a chart of each hazard")
         ->required();
     command.add_option("--model", request->models, "Models to measure; may be repeated")
         ->allow_extra_args(false)
@@ -103,9 +179,18 @@ void add_bench_depth_command(CLI::App& app, CommandContext& context) {
     command.add_option("--max-width", request->max_width_px,
                        "Depth maps are at most this wide, px");
     command.add_option("--truth", request->truth_folder, "Folder of exact depth, by photograph");
-    command.callback([request, &context] {
-        context.chosen = [request, &context] { run_bench_depth(*request, context); };
-    });
+    CLI::Option* const stability = command.add_flag(
+        "--stability", request->stability, "Synthetic scenes under hazards instead of workspaces");
+    command.add_option("--hazard", request->hazards, "Only this hazard; may be repeated")
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember(hazard_names()))
+        ->needs(stability);
+    command.add_option("--seed", request->seeds, "One scene each")
+        ->capture_default_str()
+        ->needs(stability);
+    command.add_flag("--quick", request->quick, "Every other strength")->needs(stability);
+    command.callback(
+        [request, &context] { context.chosen = [request, &context] { run(*request, context); }; });
 }
 
 }  // namespace lumi

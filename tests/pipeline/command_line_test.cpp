@@ -154,6 +154,23 @@ TEST(CommandLine, DoctorNamesWhatMakesACaptureHopeless) {
                 HasSubstr("160.png"));
 }
 
+TEST(CommandLine, DepthIsAskedForItsStabilityOrOnWorkspaces) {
+    const ScratchFolder scratch;
+    const std::string out = " --out " + quoted(scratch / "stability");
+    EXPECT_EQ(lumi("bench-depth" + out).exit_code, 2);
+    EXPECT_EQ(lumi("bench-depth --stability work/some" + out).exit_code, 2);
+    EXPECT_EQ(lumi("bench-depth --stability --hazard boredom" + out).exit_code, 2);
+    const Outcome outcome =
+        lumi("bench-depth --json --stability --quick --hazard noise --model plane" + out);
+    ASSERT_EQ(outcome.exit_code, 0);
+    const Json json = Json::parse(outcome.out);
+    ASSERT_EQ(json.at("rows").size(), 3U);
+    EXPECT_EQ(json.at("rows").at(0).at("rungs").at(0).at("model"), "plane");
+    EXPECT_EQ(json, Json::parse(read_whole_text(scratch / "stability" / "stability.json")));
+    EXPECT_TRUE(std::filesystem::exists(scratch / "stability" / "stability.csv"));
+    EXPECT_TRUE(std::filesystem::exists(scratch / "stability" / "stability-noise.svg"));
+}
+
 TEST(CommandLine, AnInterruptionEndsWith130) {
     const ScratchFolder scratch;
     // The demo scene takes tens of seconds; it is stopped after one.

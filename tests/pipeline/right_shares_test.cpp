@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "pipeline/depth_bench/stability_trial.h"
+
 namespace lumi {
 namespace {
 
@@ -65,6 +67,37 @@ TEST(RightShares, WhatNoNeighbourSeesOrHasNoTextureIsNotAsked) {
     for (DepthView& view : plain.views) view.photograph = ColorImage(kWidth, kHeight);
     EXPECT_EQ(right_shares(plain, truth, truth).of_visible, 0.0);
     EXPECT_EQ(right_shares(plain, truth, truth).of_confident, 1.0);
+}
+
+/// Trials of the noise at all its strengths, in which the sweep is right so often.
+std::vector<StabilityTrial> noise_trials(const std::vector<double>& right_shares) {
+    std::vector<StabilityTrial> trials;
+    const std::vector<double>& strengths = curve_of(DepthHazard::kNoise).strengths;
+    for (std::size_t i = 0; i < right_shares.size(); ++i) {
+        trials.push_back(
+            {DepthHazard::kNoise, strengths[i], 1, {{"sweep", right_shares[i], 0.9, 0.9, 0.0}}});
+    }
+    return trials;
+}
+
+TEST(DepthStability, BreaksWhereATenthIsLost) {
+    const std::vector<double>& strengths = curve_of(DepthHazard::kNoise).strengths;
+    const auto breaking = [](const std::vector<double>& shares) {
+        return breaking_strength(noise_trials(shares), DepthHazard::kNoise, "sweep");
+    };
+    EXPECT_EQ(breaking({0.95, 0.93, 0.84, 0.3, 0.1}), strengths[2]);
+    EXPECT_EQ(breaking({0.95, 0.93, 0.9, 0.9, 0.86}), std::nullopt);
+    EXPECT_EQ(breaking({}), std::nullopt);
+    std::vector<StabilityTrial> two_seeds = noise_trials({0.95, 0.93});
+    two_seeds.push_back(two_seeds.back());
+    two_seeds.back().rungs.front().right_share = 0.71;
+    EXPECT_EQ(breaking_strength(two_seeds, DepthHazard::kNoise, "sweep"), strengths[1]);
+}
+
+TEST(DepthStability, ClaimsTooMuchWhoIsOftenWrongWhereItIsSure) {
+    EXPECT_FALSE(claims_too_much({"sweep", 0.5, 0.5, 0.95, 0.0}));
+    EXPECT_TRUE(claims_too_much({"sweep", 0.5, 0.5, 0.7, 0.0}));
+    EXPECT_FALSE(claims_too_much({"sweep", 0.1, 0.05, 0.2, 0.0})) << "it hardly claims a thing";
 }
 
 }  // namespace
