@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "calib/work/process_memory.h"
 #include "meshing/depth/depth_choice.h"
 #include "meshing/depth/depth_model.h"
 #include "meshing/depth/depth_scene.h"
 #include "meshing/depth/finished_depth.h"
+#include "meshing/depth/held_out_points.h"
 #include "meshing/depth/view_mask.h"
 
 namespace lumi {
@@ -108,6 +110,32 @@ double sparse_residual_px(const DepthMap& map, const DepthView& view) {
     return *middle;
 }
 
+std::string with_one_digit(double value) {
+    const std::string text = std::to_string(value);
+    return text.substr(0, text.find('.') + 2);
+}
+
+/// Views that agree with each other may all be wrong, where poses or lens are: the scene points are
+/// a second opinion on what was found by comparing photographs.
+std::string doubt_about(const std::vector<DepthEvidence>& evidence,
+                        const std::vector<DepthEstimate>& estimates, const DepthScene& scene) {
+    constexpr double kDoubtfulPx = 1.0;
+    std::vector<double> residuals_px;
+    for (std::size_t i = 0; i < evidence.size(); ++i) {
+        if (!estimates[i].needs_confirmation || scene.views[i].points.size() < kMinTrialPoints) {
+            continue;
+        }
+        residuals_px.push_back(evidence[i].sparse_residual_px);
+    }
+    if (residuals_px.empty()) return "";
+    const double residual_px = median_of(std::move(residuals_px));
+    if (residual_px <= kDoubtfulPx) return "";
+    return "depth is doubtful: in half of the views half of the scene points lie more than " +
+           with_one_digit(residual_px) +
+           " px of disparity from it. Are poses and focal length right, the photographs sharp and "
+           "free of noise?";
+}
+
 /// The model that the options name, or that is chosen; and what that does to the memory.
 std::unique_ptr<DepthModel> model_of(const DepthScene& scene, const std::vector<GrayImage>& masks,
                                      const std::vector<std::uint64_t>& pixels,
@@ -191,6 +219,8 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
         result.evidence[index].background_share = separate_background(masks[index], map);
         result.evidence[index].sparse_residual_px = sparse_residual_px(map, scene.views[index]);
     });
+    result.warning = doubt_about(result.evidence, estimates, scene);
+    if (!result.warning.empty()) progress.note(result.warning);
     return result;
 }
 

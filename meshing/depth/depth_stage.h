@@ -58,6 +58,8 @@ struct DepthResult {
     double choice_cpu_s = 0.0;  ///< What choosing took.
     /// The colour of the plain background that was kept out of the scene, if there was one.
     std::optional<Rgb8> background;
+    /// What makes the depth doubtful, in one line; empty when nothing does. Said as a note, too.
+    std::string warning;
     DepthMemory memory;  ///< As it was predicted.
 };
 

@@ -55,7 +55,7 @@ Json breaking_json(const std::vector<StabilityTrial>& trials) {
 
 std::string stability_csv(const std::vector<StabilityTrial>& trials) {
     std::string csv =
-        "hazard,strength,seed,model,right_share,claimed_share,claimed_right_share,"
+        "hazard,strength,seed,model,right_share,claimed_share,claimed_right_share,is_warned,"
         "claims_too_much,cpu_s\n";
     for (const StabilityTrial& trial : trials) {
         for (const RungStability& rung : trial.rungs) {
@@ -63,7 +63,8 @@ std::string stability_csv(const std::vector<StabilityTrial>& trials) {
                    std::to_string(trial.seed) + "," + rung.model + "," +
                    number_text(rung.right_share, 4) + "," + number_text(rung.claimed_share, 4) +
                    "," + number_text(rung.claimed_right_share, 4) + "," +
-                   (claims_too_much(rung) ? "1," : "0,") + number_text(rung.cpu_s, 3) + "\n";
+                   (rung.is_warned ? "1," : "0,") + (claims_too_much(rung) ? "1," : "0,") +
+                   number_text(rung.cpu_s, 3) + "\n";
         }
     }
     return csv;
@@ -107,6 +108,7 @@ Json stability_json(const std::vector<StabilityTrial>& trials) {
                              {"right_share", rung.right_share},
                              {"claimed_share", rung.claimed_share},
                              {"claimed_right_share", rung.claimed_right_share},
+                             {"is_warned", rung.is_warned},
                              {"claims_too_much", claims_too_much(rung)},
                              {"cpu_s", rung.cpu_s}});
         }
@@ -123,8 +125,8 @@ std::string stability_row(const StabilityTrial& trial) {
                        padded(strength_text(trial.strength), 10) +
                        padded(std::to_string(trial.seed), 6);
     for (const RungStability& rung : trial.rungs) {
-        text += padded(number_text(100 * rung.right_share, 1) + (claims_too_much(rung) ? " !" : ""),
-                       15);
+        const std::string mark = rung.is_warned ? " w" : claims_too_much(rung) ? " !" : "";
+        text += padded(number_text(100 * rung.right_share, 1) + mark, 15);
     }
     return text;
 }

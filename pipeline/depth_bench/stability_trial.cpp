@@ -21,8 +21,8 @@ RungStability measured(const StabilityCapture& capture, const DepthScene& harmle
     const DepthResult found =
         estimate_depth(capture.told, all_views(capture.told), options, threads, progress);
     const RightShares shares = right_shares(harmless, capture.truth, found.depth_maps);
-    RungStability rung{options.model, shares.of_visible, 0, shares.of_confident,
-                       found.choice_cpu_s};
+    RungStability rung{options.model,       shares.of_visible,  0,
+                       shares.of_confident, found.choice_cpu_s, !found.warning.empty()};
     for (const DepthEvidence& evidence : found.evidence) {
         rung.claimed_share += evidence.confident_share / static_cast<double>(found.evidence.size());
         rung.cpu_s += evidence.cpu_s;
@@ -55,7 +55,8 @@ StabilityTrial stability_trial(DepthHazard hazard, double strength, std::uint64_
 bool claims_too_much(const RungStability& rung) {
     constexpr double kLeastClaim = 0.1;
     constexpr double kMostWrong = 0.2;
-    return rung.claimed_share >= kLeastClaim && rung.claimed_right_share < 1 - kMostWrong;
+    return !rung.is_warned && rung.claimed_share >= kLeastClaim &&
+           rung.claimed_right_share < 1 - kMostWrong;
 }
 
 std::optional<double> mean_right_share(const std::vector<StabilityTrial>& trials,

@@ -20,6 +20,7 @@ struct RungStability {
     double claimed_share = 0.0;        ///< Of all pixels: those with confidence.
     double claimed_right_share = 0.0;  ///< Of the asked ones among these: within one pixel.
     double cpu_s = 0.0;
+    bool is_warned = false;  ///< Depth itself said that it is doubtful (DepthResult::warning).
 };
 
 struct StabilityTrial {
@@ -37,8 +38,8 @@ struct StabilityTrial {
                                              const std::filesystem::path& folder, int threads,
                                              Progress& progress);
 
-/// True when a model claims a tenth of the picture or more and is wrong in more than a fifth of
-/// what it claims: nobody who looks at its confidence would know.
+/// True when a model claims a tenth of the picture or more, is wrong in more than a fifth of what
+/// it claims, and gives no warning: nobody who looks at its confidence would know.
 [[nodiscard]] bool claims_too_much(const RungStability& rung);
 
 /// The strength at which a model's right share, mean over the seeds, first lies a tenth below that

@@ -32,6 +32,7 @@ Json facts_json(const DepthResult& result, const DepthOptions& options) {
     }
     Json facts{{"subject", subject_json(result, options)}, {"views", std::move(views)}};
     if (!result.choice.empty()) facts["choice"] = result.choice;
+    if (!result.warning.empty()) facts["warning"] = result.warning;
     return facts;
 }
 

@@ -74,8 +74,10 @@ std::vector<StabilityTrial> noise_trials(const std::vector<double>& right_shares
     std::vector<StabilityTrial> trials;
     const std::vector<double>& strengths = curve_of(DepthHazard::kNoise).strengths;
     for (std::size_t i = 0; i < right_shares.size(); ++i) {
-        trials.push_back(
-            {DepthHazard::kNoise, strengths[i], 1, {{"sweep", right_shares[i], 0.9, 0.9, 0.0}}});
+        trials.push_back({DepthHazard::kNoise,
+                          strengths[i],
+                          1,
+                          {{"sweep", right_shares[i], 0.9, 0.9, 0.0, false}}});
     }
     return trials;
 }
@@ -95,9 +97,11 @@ TEST(DepthStability, BreaksWhereATenthIsLost) {
 }
 
 TEST(DepthStability, ClaimsTooMuchWhoIsOftenWrongWhereItIsSure) {
-    EXPECT_FALSE(claims_too_much({"sweep", 0.5, 0.5, 0.95, 0.0}));
-    EXPECT_TRUE(claims_too_much({"sweep", 0.5, 0.5, 0.7, 0.0}));
-    EXPECT_FALSE(claims_too_much({"sweep", 0.1, 0.05, 0.2, 0.0})) << "it hardly claims a thing";
+    EXPECT_FALSE(claims_too_much({"sweep", 0.5, 0.5, 0.95, 0.0, false}));
+    EXPECT_TRUE(claims_too_much({"sweep", 0.5, 0.5, 0.7, 0.0, false}));
+    EXPECT_FALSE(claims_too_much({"sweep", 0.1, 0.05, 0.2, 0.0, false}))
+        << "it hardly claims a thing";
+    EXPECT_FALSE(claims_too_much({"sweep", 0.5, 0.5, 0.7, 0.0, true})) << "it says so";
 }
 
 }  // namespace

@@ -46,7 +46,10 @@ std::string depth_section(const ReportSources& sources) {
         const bool is_first = i % std::max<std::size_t>(1, shown.size() / kPicturesAtOnce) == 0;
         (is_first ? first : more) += picture_figure(pictures[shown[i]]);
     }
-    std::string html = "<p>Inverse depth: near is bright, far is dark.</p>\n" + html_grid(first);
+    std::string html = "<p>Inverse depth: near is bright, far is dark.</p>\n";
+    if (depth.contains("warning"))
+        html += "<p>" + html_escaped(text_of(depth.at("warning"))) + "</p>\n";
+    html += html_grid(first);
     if (!more.empty()) html += html_details("More depth", html_grid(more));
     TableRows rows;
     for (const Json& view : depth.at("views")) {

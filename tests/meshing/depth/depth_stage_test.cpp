@@ -1,5 +1,6 @@
 #include "meshing/depth/depth_stage.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,6 +54,16 @@ void expect_same(const DepthResult& a, const DepthResult& b) {
     }
 }
 
+TEST(DepthStage, WarnsWhereTheScenePointsContradictWhatAllViewsAgreeOn) {
+    const ScratchFolder folder;
+    const KnownDepthScene known = board_and_wall();
+    PosedPhotographs photographs = written(known, folder.path());
+    add_points(known, {0, 1, 2, 3, 4}, photographs.capture);
+    for (ScenePoint& point : photographs.capture.points) point.position_in_world.z() *= 1.1;
+    EXPECT_THAT(depth_of(photographs, {0, 1, 2, 3, 4}).warning,
+                testing::StartsWith("depth is doubtful"));
+}
+
 TEST(DepthStage, ConfidentPixelsAreRightAndEveryPixelHasADepth) {
     const ScratchFolder folder;
     const KnownDepthScene known = board_and_wall();
@@ -63,6 +74,7 @@ TEST(DepthStage, ConfidentPixelsAreRightAndEveryPixelHasADepth) {
         EXPECT_EQ(result.evidence[0].model, "sweep");
         EXPECT_GT(result.evidence[0].confident_share, 0.9);
         EXPECT_LT(result.evidence[0].sparse_residual_px, 0.3);
+        EXPECT_EQ(result.warning, "");
         const DepthMap& map = result.depth_maps[0];
         const FloatImage errors = errors_px(map, known.inverse_depths[0], known.scene.views[0]);
         int confident = 0;
