@@ -14,7 +14,7 @@ struct ReasonEntry {
     std::string_view advice;
 };
 
-constexpr std::array<ReasonEntry, 17> kReasons{{
+constexpr std::array<ReasonEntry, 18> kReasons{{
     {CaptureReason::kNoParallax, "E-POSES-ROTATION",
      "step sideways between photographs, about a tenth of the distance to the subject"},
     {CaptureReason::kPlanar, "E-POSES-PLANAR",
@@ -29,6 +29,9 @@ constexpr std::array<ReasonEntry, 17> kReasons{{
     {CaptureReason::kShutter, "E-POSES-SHUTTER",
      "stand still for each photograph, or use a mechanical shutter: the rows of these pictures "
      "were not taken at one moment"},
+    {CaptureReason::kCropped, "E-POSES-CROPPED",
+     "use the photographs as they came from the camera: these seem to have been cropped or "
+     "straightened, each in its own way"},
     {CaptureReason::kExposure, "E-POSES-EXPOSURE",
      "lock exposure and white balance, so that neither shadows nor highlights are cut off"},
     {CaptureReason::kClutter, "E-POSES-CLUTTER",

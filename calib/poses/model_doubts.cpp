@@ -10,7 +10,7 @@
 #include "calib/poses/pair_agreement.h"
 #include "calib/poses/pose_shift.h"
 #include "calib/poses/residual_pattern.h"
-#include "calib/poses/shutter_adjustment.h"
+#include "calib/poses/supposed_adjustment.h"
 #include "calib/work/error.h"
 #include "calib/work/formatted.h"
 
@@ -42,9 +42,32 @@ void settle_parallax(const MatchedPhotographs& matched, const Capture& refined) 
                                   median_triangulation_angle_deg(refined)));
 }
 
-/// Empty where the residuals do not look like a shutter, or are explained as well without.
-std::optional<ShutterAdjustment> shutter_of(const MappingJob& job, const Capture& mapped,
-                                            const Capture& refined) {
+/// What explains residuals that have a shape, beside what the same start gives without it.
+struct Explanation {
+    Supposition supposition;
+    SupposedAdjustment without;
+    SupposedAdjustment with;
+
+    [[nodiscard]] CaptureReason reason() const {
+        return supposition == Supposition::kCropped ? CaptureReason::kCropped
+                                                    : CaptureReason::kShutter;
+    }
+    [[nodiscard]] std::string text() const {
+        return supposition == Supposition::kCropped
+                   ? formatted(
+                         "the middle of the lens lies about %.1f pixels from the middle of "
+                         "the pictures, in each at another place",
+                         with.effect_px)
+                   : formatted(
+                         "the pictures are skewed by about %.1f pixels from the first row to "
+                         "the last",
+                         with.effect_px);
+    }
+};
+
+/// Empty where the residuals have no suspicious shape, or are explained as well without.
+std::optional<Explanation> explanation_of(const MappingJob& job, const Capture& mapped,
+                                          const Capture& refined) {
     if (job.evidence.residual_pattern.shutter_ratio <= kSuspiciousRatio ||
         mapped.views.size() != refined.views.size()) {
         return std::nullopt;
@@ -54,25 +77,31 @@ std::optional<ShutterAdjustment> shutter_of(const MappingJob& job, const Capture
     for (std::size_t index = 0; index < start.views.size(); ++index) {
         start.views[index].camera_index = refined.views[index].camera_index;
     }
-    ShutterAdjustment shutter = adjust_for_shutter(
-        start, job.lens_is_calibrated, job.options.max_reprojection_error_px, job.progress);
-    if (!explains_better(shutter.steady_cost_px2, shutter.turning_cost_px2, shutter.parameters,
-                         shutter.observations)) {
+    job.progress.begin("asking whether the rows were taken at one moment", 0);
+    const auto adjusted = [&](Supposition supposition) {
+        return adjust_supposing(supposition, start, job.lens_is_calibrated,
+                                job.options.max_reprojection_error_px, job.progress);
+    };
+    Explanation turning{Supposition::kTurning, adjusted(Supposition::kSteady),
+                        adjusted(Supposition::kTurning)};
+    if (!explains_better(turning.without.cost_px2, turning.with.cost_px2, turning.with.parameters,
+                         turning.with.observations)) {
         return std::nullopt;
     }
-    return shutter;
+    // A cut moves pictures much as a turn does, and the two have as many parameters.
+    job.progress.begin("asking whether the photographs were cropped", 0);
+    Explanation cropped{Supposition::kCropped, turning.without, adjusted(Supposition::kCropped)};
+    return cropped.with.cost_px2 < turning.with.cost_px2 ? cropped : turning;
 }
 
-void settle_shutter(const MappingJob& job, const MatchedPhotographs& matched,
-                    const ShutterAdjustment& shutter) {
-    const PoseShift shift = pose_shift(named_poses(shutter.steady), named_poses(shutter.turning));
-    const std::string what =
-        formatted("the pictures are skewed by about %.1f pixels from the first row to the last",
-                  shutter.skew_px);
+void settle_explanation(const MappingJob& job, const MatchedPhotographs& matched,
+                        const Explanation& explanation) {
+    const PoseShift shift =
+        pose_shift(named_poses(explanation.without.capture), named_poses(explanation.with.capture));
     // Where more is left than is explained, something else is at work, and what is made of the
-    // shutter follows that. Poses that follow it far are not held by the photographs.
+    // explanation follows that. Poses that follow it far are not held by the photographs.
     constexpr double kFar = 3.0;
-    const bool is_main_cause = shutter.turning_cost_px2 < 0.5 * shutter.steady_cost_px2;
+    const bool is_main_cause = explanation.with.cost_px2 < 0.5 * explanation.without.cost_px2;
     if (!is_main_cause && shift.exceeds(kFar)) {
         constexpr double kManyShare = 0.5;
         const std::string unheld = formatted(
@@ -85,12 +114,14 @@ void settle_shutter(const MappingJob& job, const MatchedPhotographs& matched,
         refuse_explained(job, matched, CaptureReason::kUncertain, unheld);
     }
     if (is_main_cause && shift.matters()) {
-        refuse_capture(CaptureReason::kShutter,
-                       what + formatted(", which moves cameras by up to %.0f %% of their spread",
-                                        100 * shift.position_share));
+        refuse_capture(
+            explanation.reason(),
+            explanation.text() + formatted(", which moves cameras by up to %.0f %% of their spread",
+                                           100 * shift.position_share));
     }
-    job.evidence.warnings.push_back(std::string(code_of(CaptureReason::kShutter)) + ": " + what +
-                                    "; " + std::string(advice_for(CaptureReason::kShutter)));
+    job.evidence.warnings.push_back(std::string(code_of(explanation.reason())) + ": " +
+                                    explanation.text() + "; " +
+                                    std::string(advice_for(explanation.reason())));
 }
 
 std::string text_of(const PairAgreement& agreement) {
@@ -113,9 +144,9 @@ void settle_doubts(const MappingJob& job, const MatchedPhotographs& matched, con
         compare_with_pairs(refined, job.photographs, matched.photographs, matched.pairs);
     job.evidence.contradicted_share = agreement.contradicted_share;
     job.evidence.residual_pattern = residual_pattern(refined);
-    const std::optional<ShutterAdjustment> shutter = shutter_of(job, mapped, refined);
+    const std::optional<Explanation> explanation = explanation_of(job, mapped, refined);
     const bool is_contradicted = agreement.is_contradiction();
-    if (mostly_turned(matched.motion) && (is_contradicted || shutter)) {
+    if (mostly_turned(matched.motion) && (is_contradicted || explanation)) {
         refuse_low_parallax(matched.motion, "the poses contradict themselves");
     }
     settle_parallax(matched, refined);
@@ -124,7 +155,7 @@ void settle_doubts(const MappingJob& job, const MatchedPhotographs& matched, con
             job, matched, CaptureReason::kRepeated,
             text_of(agreement) + "; things that look alike were taken for one another");
     }
-    if (shutter) settle_shutter(job, matched, *shutter);
+    if (explanation) settle_explanation(job, matched, *explanation);
     if (is_contradicted) {
         refuse_contradiction(job, matched, CaptureReason::kUncertain, text_of(agreement));
     }

@@ -6,7 +6,7 @@
 #include "calib/poses/pair_agreement.h"
 #include "calib/poses/pose_shift.h"
 #include "calib/poses/residual_pattern.h"
-#include "calib/poses/shutter_adjustment.h"
+#include "calib/poses/supposed_adjustment.h"
 #include "tests/calib/adjust/synthetic_capture.h"
 
 namespace lumi {
@@ -42,6 +42,31 @@ void skew(Capture& capture, double skew_px) {
     }
 }
 
+/// Moves what each view saw as if its picture had been cut out with its middle so far away, and
+/// scaled by a few hundredths.
+void crop(Capture& capture, double shift_px) {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> heading(0.0, 6.28);
+    std::uniform_real_distribution<double> scale(0.97, 1.03);
+    for (std::size_t index = 0; index < capture.views.size(); ++index) {
+        const double angle = heading(random);
+        const Eigen::Vector2d shift = shift_px * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+        const double factor = scale(random);
+        for (ScenePoint& point : capture.points) {
+            for (Observation& seen : point.track) {
+                if (seen.view_index != static_cast<int>(index)) continue;
+                seen.pixel = principal_point_px(kCamera) + shift +
+                             factor * (seen.pixel - principal_point_px(kCamera));
+            }
+        }
+    }
+}
+
+SupposedAdjustment adjusted(Supposition supposition, const Capture& capture, bool lenses_are_held) {
+    SilentProgress progress;
+    return adjust_supposing(supposition, capture, lenses_are_held, 2.0, progress);
+}
+
 TEST(ResidualPattern, NoiseHasNone) {
     for (const unsigned seed : {1u, 2u, 3u}) {
         const ResidualPattern pattern = residual_pattern(noisy_capture(seed));
@@ -71,29 +96,46 @@ TEST(ResidualPattern, TheCriterionAsksForMoreThanChanceGives) {
     EXPECT_TRUE(explains_better(1000, 500, 30, 500));
 }
 
-TEST(ShutterAdjustment, FindsTheSkewAndTheTruePoses) {
+TEST(SupposedAdjustment, FindsTheSkewOfARollingShutterAndTheTruePoses) {
     Capture capture = noisy_capture(4);
     const NamedPoses truth = named_poses(capture);
     skew(capture, 30);
-    SilentProgress progress;
-    const ShutterAdjustment adjusted = adjust_for_shutter(capture, true, 2.0, progress);
-    EXPECT_NEAR(adjusted.skew_px, 30, 6);
-    const PoseShift shift = pose_shift(named_poses(adjusted.turning), truth);
+    const SupposedAdjustment steady = adjusted(Supposition::kSteady, capture, true);
+    const SupposedAdjustment turning = adjusted(Supposition::kTurning, capture, true);
+    EXPECT_NEAR(turning.effect_px, 30, 6);
+    const PoseShift shift = pose_shift(named_poses(turning.capture), truth);
     EXPECT_EQ(shift.placed, 8);
     EXPECT_LT(shift.position_share, 0.02);
-    EXPECT_LT(adjusted.turning_cost_px2, 2 * 0.3 * static_cast<double>(adjusted.observations));
-    EXPECT_TRUE(explains_better(adjusted.steady_cost_px2, adjusted.turning_cost_px2,
-                                adjusted.parameters, adjusted.observations));
+    EXPECT_LT(turning.cost_px2, 2 * 0.3 * static_cast<double>(turning.observations));
+    EXPECT_TRUE(explains_better(steady.cost_px2, turning.cost_px2, turning.parameters,
+                                turning.observations));
+    EXPECT_LT(turning.cost_px2, adjusted(Supposition::kCropped, capture, true).cost_px2);
 }
 
-TEST(ShutterAdjustment, IsNotAskedForByCamerasThatStoodStill) {
+TEST(SupposedAdjustment, FindsTheCutsOfCroppedPhotographsAndTheTruePoses) {
+    Capture capture = noisy_capture(4);
+    const NamedPoses truth = named_poses(capture);
+    crop(capture, 60);
+    EXPECT_GT(residual_pattern(capture).shutter_ratio, 4.0);
+    const SupposedAdjustment cropped = adjusted(Supposition::kCropped, capture, true);
+    EXPECT_NEAR(cropped.effect_px, 60, 12);
+    const PoseShift shift = pose_shift(named_poses(cropped.capture), truth);
+    EXPECT_EQ(shift.placed, 8);
+    EXPECT_LT(shift.position_share, 0.02);
+    EXPECT_LT(cropped.cost_px2, 2 * 0.3 * static_cast<double>(cropped.observations));
+    EXPECT_LT(cropped.cost_px2, adjusted(Supposition::kTurning, capture, true).cost_px2);
+}
+
+TEST(SupposedAdjustment, ExplainsNothingOfSteadyCamerasWithWholePhotographs) {
     for (const unsigned seed : {1u, 2u, 3u}) {
-        SilentProgress progress;
-        const ShutterAdjustment adjusted =
-            adjust_for_shutter(noisy_capture(seed), false, 2.0, progress);
-        EXPECT_FALSE(explains_better(adjusted.steady_cost_px2, adjusted.turning_cost_px2,
-                                     adjusted.parameters, adjusted.observations))
-            << seed;
+        const Capture capture = noisy_capture(seed);
+        const SupposedAdjustment steady = adjusted(Supposition::kSteady, capture, false);
+        for (const Supposition other : {Supposition::kTurning, Supposition::kCropped}) {
+            const SupposedAdjustment supposed = adjusted(other, capture, false);
+            EXPECT_FALSE(explains_better(steady.cost_px2, supposed.cost_px2, supposed.parameters,
+                                         supposed.observations))
+                << seed;
+        }
     }
 }
 

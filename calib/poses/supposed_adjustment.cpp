@@ -1,4 +1,4 @@
-#include "calib/poses/shutter_adjustment.h"
+#include "calib/poses/supposed_adjustment.h"
 
 #include <ceres/ceres.h>
 
@@ -15,18 +15,26 @@ namespace {
 
 constexpr int kPointsAPhotograph = 400;
 
-/// Parameter blocks: rotation and translation cam_from_world at the middle row, the turn from the
-/// first row to the last (rad, about the camera's axes), the logarithm of the focal length over
-/// that of the lens, its two coefficients of radial distortion, the point.
-class ShutterCost {
+/// What a view has of its own: the turn from the first row to the last (rad, about the camera's
+/// axes), the place of the principal point (px, from where the lens has it), and the logarithm of
+/// the scale. What the supposition leaves out stays zero.
+struct OwnParameters {
+    Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+    Eigen::Vector3d crop = Eigen::Vector3d::Zero();
+};
+
+/// Parameter blocks: rotation and translation cam_from_world at the middle row, the turn and the
+/// crop of the view, the logarithm of the focal length over that of the lens, its two coefficients
+/// of radial distortion, the point.
+class SightCost {
  public:
     /// `pixel` is counted from the principal point.
-    ShutterCost(const Eigen::Vector2d& pixel, double focal_px, double time)
+    SightCost(const Eigen::Vector2d& pixel, double focal_px, double time)
         : pixel_(pixel), focal_px_(focal_px), time_(time) {}
 
     template <class T>
-    bool operator()(const T* rotation, const T* translation, const T* turn, const T* zoom,
-                    const T* radial, const T* point, T* residual) const {
+    bool operator()(const T* rotation, const T* translation, const T* turn, const T* crop,
+                    const T* zoom, const T* radial, const T* point, T* residual) const {
         using std::exp;
         using Vector3 = Eigen::Matrix<T, 3, 1>;
         const Vector3 at_middle =
@@ -38,10 +46,10 @@ class ShutterCost {
         const T x = turned.x() / turned.z();
         const T y = turned.y() / turned.z();
         const T square = x * x + y * y;
-        const T scale =
-            T(focal_px_) * exp(zoom[0]) * (T(1) + square * (radial[0] + square * radial[1]));
-        residual[0] = scale * x - T(pixel_.x());
-        residual[1] = scale * y - T(pixel_.y());
+        const T scale = T(focal_px_) * exp(zoom[0] + crop[2]) *
+                        (T(1) + square * (radial[0] + square * radial[1]));
+        residual[0] = scale * x + crop[0] - T(pixel_.x());
+        residual[1] = scale * y + crop[1] - T(pixel_.y());
         return true;
     }
 
@@ -54,22 +62,22 @@ class ShutterCost {
 /// Holds values near zero.
 class NearZero {
  public:
-    NearZero(int count, double weight) : count_(count), weight_(weight) {}
+    explicit NearZero(const Eigen::Vector3d& weights) : weights_(weights) {}
     template <class T>
-    bool operator()(const T* value, T* residual) const {
-        for (int index = 0; index < count_; ++index) residual[index] = T(weight_) * value[index];
+    bool operator()(const T* values, T* residual) const {
+        for (int index = 0; index < 3; ++index)
+            residual[index] = T(weights_[index]) * values[index];
         return true;
     }
 
  private:
-    int count_;
-    double weight_;
+    Eigen::Vector3d weights_;
 };
 
 struct Seen {
     std::size_t point;
     std::size_t view;
-    ShutterCost cost;
+    SightCost cost;
 };
 
 /// The points with the longest tracks, until every view has enough.
@@ -95,14 +103,14 @@ std::vector<std::size_t> leading_points(const Capture& capture) {
     return order;
 }
 
-/// One of the two adjustments.
+/// One of the adjustments.
 class Fit {
  public:
-    Fit(const Capture& capture, bool cameras_turn, bool lenses_are_held)
+    Fit(const Capture& capture, Supposition supposition, bool lenses_are_held)
         : capture_(capture),
-          cameras_turn_(cameras_turn),
+          supposition_(supposition),
           lenses_are_held_(lenses_are_held),
-          turns_(capture.views.size(), Eigen::Vector3d::Zero()),
+          own_(capture.views.size()),
           zooms_(capture.cameras.size(), 0.0) {
         for (const Camera& lens : capture.cameras) {
             // A lens that is held keeps its distortion: pixels are taken as a pinhole would see
@@ -125,11 +133,11 @@ class Fit {
             Rigid3& pose = capture_.views[seen.view].cam_from_world;
             double* const point = capture_.points[seen.point].position_in_world.data();
             problem.AddResidualBlock(
-                new ceres::AutoDiffCostFunction<ShutterCost, 2, 4, 3, 3, 1, 2, 3>(
-                    new ShutterCost(seen.cost)),
+                new ceres::AutoDiffCostFunction<SightCost, 2, 4, 3, 3, 3, 1, 2, 3>(
+                    new SightCost(seen.cost)),
                 &robust, pose.rotation.coeffs().data(), pose.translation.data(),
-                turns_[seen.view].data(), &zooms_[lens_of(seen.view)],
-                radials_[lens_of(seen.view)].data(), point);
+                own_[seen.view].turn.data(), own_[seen.view].crop.data(),
+                &zooms_[lens_of(seen.view)], radials_[lens_of(seen.view)].data(), point);
             order->AddElementToGroup(point, 0);
         }
         hold(problem, *order);
@@ -139,6 +147,8 @@ class Fit {
         solver.linear_solver_ordering = order;
         solver.max_num_iterations = 100;
         solver.function_tolerance = 1e-6;
+        // The scale of the model stays free: the damping that holds it must not vanish.
+        solver.max_trust_region_radius = 1e8;
         solver.num_threads = 1;
         solver.logging_type = ceres::SILENT;
         ceres::Solver::Summary summary;
@@ -154,14 +164,14 @@ class Fit {
     }
 
     /// Root mean square over the views.
-    [[nodiscard]] double skew_px() const {
+    [[nodiscard]] double effect_px() const {
         double sum_px2 = 0;
-        for (std::size_t index = 0; index < turns_.size(); ++index) {
+        for (std::size_t index = 0; index < own_.size(); ++index) {
             const Camera& camera = camera_of(capture_, capture_.views[index]);
-            const double skew = turns_[index].norm() * focal_length_px(camera).mean();
-            sum_px2 += skew * skew / static_cast<double>(turns_.size());
+            const double skew_px = own_[index].turn.norm() * focal_length_px(camera).mean();
+            sum_px2 += skew_px * skew_px + own_[index].crop.head<2>().squaredNorm();
         }
-        return std::sqrt(sum_px2);
+        return std::sqrt(sum_px2 / static_cast<double>(own_.size()));
     }
 
     /// As adjusted; lenses that were not held as RADIAL.
@@ -190,7 +200,7 @@ class Fit {
             lenses_are_held_ ? Eigen::Vector2d(focal_px * unproject(camera, seen.pixel).head<2>())
                              : Eigen::Vector2d(seen.pixel - principal_point_px(camera));
         all_.push_back(
-            {point, view, ShutterCost(pixel, focal_px, seen.pixel.y() / camera.height_px - 0.5)});
+            {point, view, SightCost(pixel, focal_px, seen.pixel.y() / camera.height_px - 0.5)});
     }
 
     [[nodiscard]] std::size_t lens_of(std::size_t view) const {
@@ -203,29 +213,29 @@ class Fit {
         for (std::size_t index = 0; index < capture_.views.size(); ++index) {
             Rigid3& pose = capture_.views[index].cam_from_world;
             if (!problem.HasParameterBlock(pose.translation.data())) continue;
-            double* const turn = turns_[index].data();
+            double* const turn = own_[index].turn.data();
+            double* const crop = own_[index].crop.data();
             double* const zoom = &zooms_[lens_of(index)];
             double* const radial = radials_[lens_of(index)].data();
             const double focal_px =
                 focal_length_px(camera_of(capture_, capture_.views[index])).mean();
             problem.SetManifold(pose.rotation.coeffs().data(), new ceres::EigenQuaternionManifold);
-            for (double* const block :
-                 {pose.rotation.coeffs().data(), pose.translation.data(), turn, zoom, radial}) {
+            for (double* const block : {pose.rotation.coeffs().data(), pose.translation.data(),
+                                        turn, crop, zoom, radial}) {
                 order.AddElementToGroup(block, 1);
             }
-            if (cameras_turn_) {
-                // A picture's width of skew weighs as much as so many pixels.
-                problem.AddResidualBlock(new ceres::AutoDiffCostFunction<NearZero, 3, 3>(
-                                             new NearZero(3, 0.02 * focal_px)),
-                                         nullptr, turn);
-            } else {
-                problem.SetParameterBlockConstant(turn);
-            }
+            // A picture's width of skew, shift or growth weighs as much as so many pixels.
+            constexpr double kWeight = 0.02;
+            const double of_angle = kWeight * focal_px;
+            free_or_hold(problem, turn, supposition_ == Supposition::kTurning,
+                         {of_angle, of_angle, of_angle});
+            free_or_hold(problem, crop, supposition_ == Supposition::kCropped,
+                         {kWeight, kWeight, of_angle});
             if (lenses_are_held_) {
                 problem.SetParameterBlockConstant(zoom);
                 problem.SetParameterBlockConstant(radial);
             }
-            if (is_first) {  // The scale stays free: its direction is damped by the solver.
+            if (is_first) {
                 problem.SetParameterBlockConstant(pose.rotation.coeffs().data());
                 problem.SetParameterBlockConstant(pose.translation.data());
                 is_first = false;
@@ -233,14 +243,25 @@ class Fit {
         }
     }
 
+    static void free_or_hold(ceres::Problem& problem, double* block, bool is_free,
+                             const Eigen::Vector3d& weights) {
+        if (is_free) {
+            problem.AddResidualBlock(
+                new ceres::AutoDiffCostFunction<NearZero, 3, 3>(new NearZero(weights)), nullptr,
+                block);
+        } else {
+            problem.SetParameterBlockConstant(block);
+        }
+    }
+
     [[nodiscard]] double truncated_square_px2(const Seen& seen, double limit_px) const {
         const View& view = capture_.views[seen.view];
         Eigen::Vector2d residual_px;
-        const bool is_in_front =
-            seen.cost(view.cam_from_world.rotation.coeffs().data(),
-                      view.cam_from_world.translation.data(), turns_[seen.view].data(),
-                      &zooms_[lens_of(seen.view)], radials_[lens_of(seen.view)].data(),
-                      capture_.points[seen.point].position_in_world.data(), residual_px.data());
+        const bool is_in_front = seen.cost(
+            view.cam_from_world.rotation.coeffs().data(), view.cam_from_world.translation.data(),
+            own_[seen.view].turn.data(), own_[seen.view].crop.data(), &zooms_[lens_of(seen.view)],
+            radials_[lens_of(seen.view)].data(),
+            capture_.points[seen.point].position_in_world.data(), residual_px.data());
         const double limit_px2 = limit_px * limit_px;
         return is_in_front ? std::min(limit_px2, residual_px.squaredNorm()) : limit_px2;
     }
@@ -251,32 +272,24 @@ class Fit {
     }
 
     Capture capture_;
-    bool cameras_turn_;
+    Supposition supposition_;
     bool lenses_are_held_;
-    std::vector<Eigen::Vector3d> turns_;  ///< One a view.
-    std::vector<double> zooms_;           ///< Logarithms; one a lens, as the next.
+    std::vector<OwnParameters> own_;  ///< One a view.
+    std::vector<double> zooms_;       ///< Logarithms; one a lens, as the next.
     std::vector<Eigen::Vector2d> radials_;
     std::vector<Seen> all_;
 };
 
 }  // namespace
 
-ShutterAdjustment adjust_for_shutter(const Capture& capture, bool lenses_are_held, double limit_px,
-                                     Progress& progress) {
-    progress.begin("asking whether the rows were taken at one moment", 0);
-    Fit steady(capture, false, lenses_are_held);
-    steady.run();
+SupposedAdjustment adjust_supposing(Supposition supposition, const Capture& capture,
+                                    bool lenses_are_held, double limit_px, Progress& progress) {
+    Fit fit(capture, supposition, lenses_are_held);
+    fit.run();
     progress.throw_if_interrupted();
-    Fit turning(capture, true, lenses_are_held);
-    turning.run();
-    progress.throw_if_interrupted();
-    return {steady.capture(),
-            turning.capture(),
-            steady.truncated_cost_px2(limit_px),
-            turning.truncated_cost_px2(limit_px),
-            turning.skew_px(),
-            3 * static_cast<int>(capture.views.size()),
-            turning.observations()};
+    return {fit.capture(), fit.truncated_cost_px2(limit_px), fit.effect_px(),
+            supposition == Supposition::kSteady ? 0 : 3 * static_cast<int>(capture.views.size()),
+            fit.observations()};
 }
 
 }  // namespace lumi

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+
+#include "calib/capture/capture.h"
+#include "calib/work/progress.h"
+
+namespace lumi {
+
+/// What may be true of photographs that one lens in cameras that stood still does not explain.
+enum class Supposition {
+    kSteady,   ///< Nothing: the lens is the same, and all rows were taken at one moment.
+    kTurning,  ///< The camera turned evenly while the rows were read out, from top to bottom.
+    kCropped,  ///< Each photograph was cut out of its picture at another place, and scaled.
+};
+
+/// A capture adjusted under a supposition.
+struct SupposedAdjustment {
+    Capture capture;        ///< Poses at the middle row; lenses without what each picture has own.
+    double cost_px2 = 0.0;  ///< Sum of squared residuals, each truncated at the limit.
+    /// What the supposition does to pictures, root mean square over them: how far the last row is
+    /// turned away from the first, or how far the lens's middle lies from where it was taken to be.
+    double effect_px = 0.0;
+    int parameters = 0;            ///< More than steady has.
+    std::size_t observations = 0;  ///< That were looked at.
+};
+
+/// Adjusts poses, points, lenses (focal length and radial distortion, unless `lenses_are_held`) and
+/// three parameters of each view's own by robust least squares, over a few hundred points a
+/// photograph, those with the longest tracks: a turning rate (Hedborg et al., Rolling shutter
+/// bundle adjustment, CVPR 2012, for rotation alone, which moves pictures most), or a principal
+/// point and a scale. A weak prior holds those that nothing determines. Adjustments from one start
+/// look at the same observations, so that their costs can be compared.
+[[nodiscard]] SupposedAdjustment adjust_supposing(Supposition supposition, const Capture& capture,
+                                                  bool lenses_are_held, double limit_px,
+                                                  Progress& progress);
+
+}  // namespace lumi
