@@ -1,12 +1,15 @@
 #include "calib/boards/board_pose.h"
 
+#include <ceres/jet.h>
 #include <ceres/tiny_solver.h>
-#include <ceres/tiny_solver_autodiff_function.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "calib/capture/rigid3.h"
 
 namespace lumi {
 namespace {
@@ -46,7 +49,7 @@ std::optional<Eigen::Matrix3d> ray_homography(const BoardView& view, const Camer
     normalised_from_board.topLeftCorner<2, 2>() /= spread;
     normalised_from_board.topRightCorner<2, 1>() = -mean / spread;
 
-    Eigen::Matrix<double, 9, 9> normal = Eigen::Matrix<double, 9, 9>::Zero();
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(9, 9);
     for (const BoardPoint& point : view.points) {
         const Eigen::Vector3d from =
             normalised_from_board * on_board(point, size_per_pitch).homogeneous();
@@ -59,7 +62,7 @@ std::optional<Eigen::Matrix3d> ray_homography(const BoardView& view, const Camer
         }
         normal += rows.transpose() * rows;
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> solver(normal);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(normal);
     if (!(solver.eigenvalues()(1) > 1e-12 * solver.eigenvalues()(8))) return std::nullopt;
     const Eigen::Matrix<double, 9, 1> solution = solver.eigenvectors().col(0);
     Eigen::Matrix3d homography = Eigen::Map<const Eigen::Matrix3d>(solution.data());
@@ -115,33 +118,65 @@ BoardPose mirrored(const BoardView& view, double size_per_pitch, const BoardPose
     const Eigen::Matrix3d rotation = rotation_of(pose);
     const Eigen::Vector3d normal = rotation.col(2);
     const Eigen::Vector3d other = 2 * sight.dot(normal) * sight - normal;
-    const Eigen::Matrix3d turn =
-        Eigen::Quaterniond::FromTwoVectors(normal, other).toRotationMatrix();
+    const Eigen::Matrix3d turn = turn_between(normal, other).toRotationMatrix();
     const Eigen::Vector3d translation = Eigen::Map<const Eigen::Vector3d>(pose.data() + 3);
     return pose_from(turn * rotation, middle + turn * (translation - middle));
 }
 
-/// Residuals of a whole view for the small solver.
-template <LensModel model>
-struct ViewResiduals {
-    const BoardView& view;
-    const double* lens;
-    double size;
+/// Residuals of a whole view and their derivatives by the pose, for the small solver: one type for
+/// all lenses, because each solver costs seconds of compiling.
+class ViewResiduals {
+ public:
+    using Scalar = double;
+    enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = 6 };
 
-    template <class T>
-    bool operator()(const T* pose, T* residuals) const {
-        std::array<T, lens_size(model)> lens_t;
-        for (std::size_t index = 0; index < lens_t.size(); ++index) lens_t[index] = T(lens[index]);
-        const T size_t_(size);
-        for (const BoardPoint& point : view.points) {
-            if (!BoardPointCost<model>(point)(lens_t.data(), &size_t_, pose, residuals)) {
+    ViewResiduals(const BoardView& view, const Camera& lens, double size_per_pitch)
+        : view_(view), lens_(lens), size_(size_per_pitch) {}
+
+    /// `jacobian` is column by column, or null.
+    bool operator()(const double* pose, double* residuals, double* jacobian) const {
+        bool is_seen = true;
+        with_lens_model(lens_.model, [&](auto constant) {
+            is_seen = differentiate<decltype(constant)::value>(pose, residuals, jacobian);
+        });
+        return is_seen;
+    }
+    [[nodiscard]] int NumResiduals() const { return 2 * static_cast<int>(view_.points.size()); }
+
+ private:
+    template <LensModel model>
+    bool differentiate(const double* pose, double* residuals, double* jacobian) const {
+        using Jet = ceres::Jet<double, NUM_PARAMETERS>;
+        std::array<Jet, lens_size(model)> lens;
+        for (std::size_t index = 0; index < lens.size(); ++index) {
+            lens[index] = Jet(lens_.parameters[index]);
+        }
+        std::array<Jet, NUM_PARAMETERS> pose_with_derivatives;
+        for (int index = 0; index < NUM_PARAMETERS; ++index) {
+            pose_with_derivatives[static_cast<std::size_t>(index)] = Jet(pose[index], index);
+        }
+        const Jet size(size_);
+        for (std::size_t point = 0; point < view_.points.size(); ++point) {
+            std::array<Jet, 2> offset;
+            if (!BoardPointCost<model>(view_.points[point])(
+                    lens.data(), &size, pose_with_derivatives.data(), offset.data())) {
                 return false;
             }
-            residuals += 2;
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                const std::size_t row = 2 * point + axis;
+                residuals[row] = offset[axis].a;
+                for (int column = 0; jacobian != nullptr && column < NUM_PARAMETERS; ++column) {
+                    jacobian[static_cast<std::size_t>(column * NumResiduals()) + row] =
+                        offset[axis].v[column];
+                }
+            }
         }
         return true;
     }
-    [[nodiscard]] int NumResiduals() const { return 2 * static_cast<int>(view.points.size()); }
+
+    const BoardView& view_;
+    const Camera& lens_;
+    double size_;
 };
 
 double rms_px(const BoardView& view, const Camera& lens, double size_per_pitch,
@@ -158,21 +193,15 @@ double rms_px(const BoardView& view, const Camera& lens, double size_per_pitch,
 SolvedBoardPose refined(const BoardView& view, const Camera& lens, double size_per_pitch,
                         const BoardPose& start, int max_iterations) {
     BoardPose pose = start;
-    with_lens_model(lens.model, [&](auto constant) {
-        constexpr LensModel kModel = decltype(constant)::value;
-        using Residuals = ViewResiduals<kModel>;
-        using Function = ceres::TinySolverAutoDiffFunction<Residuals, Eigen::Dynamic, 6>;
-        const Residuals residuals{view, lens.parameters.data(), size_per_pitch};
-        const Function function(residuals);
-        ceres::TinySolver<Function> solver;
-        solver.options.max_num_iterations = max_iterations;
-        Eigen::Matrix<double, 6, 1> parameters =
-            Eigen::Map<const Eigen::Matrix<double, 6, 1>>(pose.data());
-        if (std::isfinite(rms_px(view, lens, size_per_pitch, pose))) {
-            solver.Solve(function, &parameters);
-        }
-        Eigen::Map<Eigen::Matrix<double, 6, 1>>(pose.data()) = parameters;
-    });
+    const ViewResiduals residuals(view, lens, size_per_pitch);
+    ceres::TinySolver<ViewResiduals> solver;
+    solver.options.max_num_iterations = max_iterations;
+    Eigen::Map<Eigen::Matrix<double, 6, 1>> parameters(pose.data());
+    Eigen::Matrix<double, 6, 1> solution = parameters;
+    if (std::isfinite(rms_px(view, lens, size_per_pitch, pose))) {
+        solver.Solve(residuals, &solution);
+    }
+    parameters = solution;
     return {pose, rms_px(view, lens, size_per_pitch, pose)};
 }
 

@@ -35,4 +35,8 @@ struct Rigid3 {
     return cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitZ();
 }
 
+/// The rotation by the smallest angle that turns the direction `from` to the direction `to`.
+[[nodiscard]] Eigen::Quaterniond turn_between(const Eigen::Vector3d& from,
+                                              const Eigen::Vector3d& to);
+
 }  // namespace lumi

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "calib/capture/rigid3.h"
 #include "calib/work/stopwatch.h"
 #include "calib/work/whole_file.h"
 #include "calib/work/whole_folder.h"
@@ -122,7 +123,7 @@ class ArrangementMeasurement {
     void add_path() {
         const Eigen::Vector3d point = target();
         const Eigen::Vector3d from = away_from(point);
-        const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(from, away_from(point));
+        const Eigen::Quaterniond turn = turn_between(from, away_from(point));
         const auto weights_at = [&](double t) {
             const Eigen::Vector3d away = Eigen::Quaterniond::Identity().slerp(t, turn) * from;
             return weights_by_view(*mesh_, point + (0.6 + 2 * t) * away, -away);

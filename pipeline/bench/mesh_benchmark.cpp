@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "calib/capture/rigid3.h"
 #include "calib/work/stopwatch.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "meshing/cameras/camera_star.h"
@@ -79,7 +80,7 @@ class WeightsMeasurement {
     /// The eye goes from `from` to `to` on an arc about the target, and farther off on the way.
     void add_path(const WayOfWeighing& weigh, const Eigen::Vector3d& from,
                   const Eigen::Vector3d& to, const Eigen::Vector3d& target) {
-        const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(from, to);
+        const Eigen::Quaterniond turn = turn_between(from, to);
         const auto weights_at = [&](double t) {
             const Eigen::Quaterniond part = Eigen::Quaterniond::Identity().slerp(t, turn);
             return weigh(target + (1.2 + t) * (part * from.normalized()), target);

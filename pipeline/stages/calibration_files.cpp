@@ -33,7 +33,8 @@ std::vector<std::string> remarks_of(const BoardPhotographs& found,
 }  // namespace
 
 std::string held_out_text(const BoardCalibration& calibration) {
-    if (!calibration.held_out_rms_px) return "not predicted: too few photographs";
+    if (!calibration.held_out_rms_px)
+        return "not predicted: what is left without some photographs does not tell the lens";
     return number_text(*calibration.held_out_rms_px, 3) + " px";
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "calib/capture/rigid3.h"
+
 namespace lumi {
 namespace {
 
@@ -100,8 +102,7 @@ ArrangedCapture room() {
     arranged.capture = capture_of(sphere_directions(36, -1), Eigen::Vector3d::Zero(), walls);
     for (View& view : arranged.capture.views) {
         const Eigen::Vector3d centre = centre_in_world(view.cam_from_world);
-        view.cam_from_world.rotation =
-            Eigen::Quaterniond::FromTwoVectors(centre, Eigen::Vector3d::UnitZ());
+        view.cam_from_world.rotation = turn_between(centre, Eigen::Vector3d::UnitZ());
         view.cam_from_world.translation = -(view.cam_from_world.rotation * centre);
     }
     arranged.scene = Points(walls.begin(), walls.begin() + 60);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "calib/capture/rigid3.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "meshing/cameras/kernel.h"
 
@@ -139,7 +140,7 @@ TEST_P(Arrangements, ChangeTheWeightsContinuouslyAlongPaths) {
         const Eigen::Vector3d from = direction_from(target, random);
         const Eigen::Vector3d to = direction_from(target, random);
         const auto eye_at = [&](double t) -> Eigen::Vector3d {
-            const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(from, to);
+            const Eigen::Quaterniond turn = turn_between(from, to);
             return target + (2.5 + 2 * t) * (Eigen::Quaterniond::Identity().slerp(t, turn) * from);
         };
         constexpr int kSteps = 400;

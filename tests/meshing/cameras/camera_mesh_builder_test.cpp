@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
+#include "calib/capture/rigid3.h"
 #include "calib/work/error.h"
 #include "meshing/cameras/scene_centre.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
@@ -139,8 +140,7 @@ TEST(CameraMeshBuilder, TurnsARingThatLooksOutwardsInsideOut) {
         const Eigen::Vector3d outward(std::cos(azimuth), std::sin(azimuth), 0);
         View view;
         view.name = "view" + std::to_string(i);
-        view.cam_from_world.rotation =
-            Eigen::Quaterniond::FromTwoVectors(outward, Eigen::Vector3d::UnitZ());
+        view.cam_from_world.rotation = turn_between(outward, Eigen::Vector3d::UnitZ());
         view.cam_from_world.translation = -(view.cam_from_world.rotation * outward);
         capture.views.push_back(view);
         ScenePoint point;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "calib/capture/rigid3.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
 
@@ -112,8 +113,7 @@ TEST(CloseUps, AreNotFoundFromTheMiddleOfARoom) {
     Capture capture = capture_of(sphere_directions(40, -1), Eigen::Vector3d::Zero(), walls);
     for (View& view : capture.views) {
         const Eigen::Vector3d centre = centre_in_world(view.cam_from_world);
-        view.cam_from_world.rotation =
-            Eigen::Quaterniond::FromTwoVectors(centre, Eigen::Vector3d::UnitZ());
+        view.cam_from_world.rotation = turn_between(centre, Eigen::Vector3d::UnitZ());
         view.cam_from_world.translation = -(view.cam_from_world.rotation * centre);
     }
     const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "calib/capture/rigid3.h"
+
 namespace lumi {
 
 Capture capture_of(const Points& centres, const Eigen::Vector3d& target, const Points& points) {
@@ -16,8 +18,7 @@ Capture capture_of(const Points& centres, const Eigen::Vector3d& target, const P
             offset.norm() > 0 ? Eigen::Vector3d(offset.normalized()) : Eigen::Vector3d::UnitZ();
         View view;
         view.name = "view" + std::to_string(capture.views.size());
-        view.cam_from_world.rotation =
-            Eigen::Quaterniond::FromTwoVectors(axis, Eigen::Vector3d::UnitZ());
+        view.cam_from_world.rotation = turn_between(axis, Eigen::Vector3d::UnitZ());
         view.cam_from_world.translation = -(view.cam_from_world.rotation * centre);
         capture.views.push_back(view);
     }

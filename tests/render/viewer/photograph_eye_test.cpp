@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "calib/capture/rigid3.h"
 #include "calib/work/error.h"
 #include "tests/render/lumigraph/tiny_package.h"
 
@@ -102,8 +103,8 @@ TEST(UpInWorld, IsOppositeToTheImagesYAxisOfUprightPhotographs) {
         LumigraphView& view = lumigraph.views[i];
         const Eigen::AngleAxisd yaw(0.4 * static_cast<double>(i), Eigen::Vector3d::UnitY());
         view.exif_orientation = 1;
-        view.cam_from_world.rotation = Eigen::Quaterniond(yaw) * Eigen::Quaterniond::FromTwoVectors(
-                                                                     up, -Eigen::Vector3d::UnitY());
+        view.cam_from_world.rotation =
+            Eigen::Quaterniond(yaw) * turn_between(up, -Eigen::Vector3d::UnitY());
     }
     EXPECT_LT((up_in_world(lumigraph) - up).norm(), 1e-9);
 
