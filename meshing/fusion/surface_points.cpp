@@ -1,14 +1,14 @@
 #include "meshing/fusion/surface_points.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <unordered_map>
+#include <utility>
 
 #include "calib/work/parallel_for.h"
 #include "meshing/depth/inverse_depth_warp.h"
+#include "meshing/fusion/surface_grid.h"
 
 namespace lumi {
 namespace {
@@ -90,14 +90,6 @@ Answer answer_of(const Neighbour& neighbour, const Eigen::Vector2d& pixel, doubl
     return {found < inverse_depth / there.z() ? Vote::kSeesThrough : Vote::kNone, 0.0};
 }
 
-/// One pixel that counts.
-struct Sample {
-    Eigen::Vector3d position;
-    Eigen::Vector3d normal;
-    Rgb8 color;
-    double weight = 0.0;
-};
-
 /// Takes the samples of one view.
 class ViewSampler {
  public:
@@ -110,7 +102,7 @@ class ViewSampler {
 
     [[nodiscard]] int height() const { return camera_.height_px; }
 
-    void sample_row(int y, std::vector<Sample>& samples, std::uint64_t& confident) const {
+    void sample_row(int y, std::vector<SurfaceSample>& samples, std::uint64_t& confident) const {
         const DepthMap& map = *view_.depth;
         for (int x = 0; x < camera_.width_px; ++x) {
             if (map.confidence(x, y) < kAgreed || map.inverse_depth(x, y) <= 0) continue;
@@ -150,7 +142,7 @@ class ViewSampler {
         return in_cam(x, y, static_cast<double>(view_.depth->inverse_depth(x, y)));
     }
 
-    [[nodiscard]] std::optional<Sample> sample_at(int x, int y, double agreed) const {
+    [[nodiscard]] std::optional<SurfaceSample> sample_at(int x, int y, double agreed) const {
         if (x == 0 || y == 0 || x + 1 == camera_.width_px || y + 1 == camera_.height_px) {
             return std::nullopt;
         }
@@ -167,8 +159,8 @@ class ViewSampler {
         const ColorImage& photograph = *view_.photograph;
         const auto photo_x = static_cast<int>((x + 0.5) * photograph.width() / camera_.width_px);
         const auto photo_y = static_cast<int>((y + 0.5) * photograph.height() / camera_.height_px);
-        return Sample{world_from_cam_ * here, world_from_cam_.rotation * normal,
-                      photograph(photo_x, photo_y), cosine};
+        return SurfaceSample{world_from_cam_ * here, world_from_cam_.rotation * normal,
+                             photograph(photo_x, photo_y), cosine};
     }
 
     const PicturedView& view_;
@@ -178,126 +170,29 @@ class ViewSampler {
     int min_agreeing_;
 };
 
-/// What falls into one cell.
-struct Cell {
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();
-    Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-    Eigen::Vector3f color = Eigen::Vector3f::Zero();
-    float weight = 0.0F;
-    float size = 0.0F;  ///< World units.
-    int samples = 0;
-};
-
-using CellKey = std::array<std::int64_t, 4>;
-struct CellHash {
-    std::size_t operator()(const CellKey& key) const {
-        std::uint64_t hash = 0;
-        for (const std::int64_t part : key) {
-            hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15U;
-            hash ^= hash >> 29U;
-        }
-        return static_cast<std::size_t>(hash);
+std::vector<Acuity> acuities_of(const std::vector<PicturedView>& views) {
+    std::vector<Acuity> acuities;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (views[i].depth->inverse_depth.empty()) continue;
+        const std::vector<Neighbour> neighbours = nearest_neighbours(views, i);
+        if (neighbours.empty()) continue;
+        acuities.push_back({centre_in_world(views[i].cam_from_world),
+                            focal_length_px(depth_camera(views[i])).x(),
+                            neighbours.back().distance});
     }
-};
+    return acuities;
+}
 
-/// How fine one view sees.
-struct Acuity {
-    Eigen::Vector3d centre_in_world;
-    double focal_length_px = 0.0;
-    double baseline = 0.0;  ///< To the farthest of its neighbours, world units.
-
-    /// Of a cell at this place: some pixels wide, but as deep as a quarter of a pixel of disparity.
-    [[nodiscard]] double cell_size(const Eigen::Vector3d& place, double spacing_px) const {
-        constexpr double kNoisePx = 0.25;
-        const double distance = (place - centre_in_world).norm();
-        const double wide = spacing_px * distance / focal_length_px;
-        const double deep = kNoisePx * distance * distance / (focal_length_px * baseline);
-        return std::max(wide, deep);
-    }
-};
-
-/// A grid in space whose cells are as large as the view that sees them finest wants them; their
-/// sizes are powers of two.
-class Grid {
- public:
-    Grid(const std::vector<PicturedView>& views, double spacing_px) : spacing_px_(spacing_px) {
-        for (std::size_t i = 0; i < views.size(); ++i) {
-            if (views[i].depth->inverse_depth.empty()) continue;
-            const std::vector<Neighbour> neighbours = nearest_neighbours(views, i);
-            if (neighbours.empty()) continue;
-            views_.push_back({centre_in_world(views[i].cam_from_world),
-                              focal_length_px(depth_camera(views[i])).x(),
-                              neighbours.back().distance});
-        }
-    }
-
-    void add(const Sample& sample) {
-        double wanted = std::numeric_limits<double>::infinity();
-        for (const Acuity& view : views_) {
-            wanted = std::min(wanted, view.cell_size(sample.position, spacing_px_));
-        }
-        const double level = std::round(std::log2(wanted));
-        if (!std::isfinite(level)) return;
-        const double size = std::exp2(level);
-        const Eigen::Vector3d place = (sample.position / size).array().floor();
-        constexpr double kFarthest = 1e15;
-        if (place.cwiseAbs().maxCoeff() > kFarthest) return;
-        Cell& cell =
-            cells_[{static_cast<std::int64_t>(level), static_cast<std::int64_t>(place.x()),
-                    static_cast<std::int64_t>(place.y()), static_cast<std::int64_t>(place.z())}];
-        const auto weight = static_cast<float>(sample.weight);
-        cell.position += sample.weight * sample.position;
-        cell.normal += weight * sample.normal.cast<float>();
-        cell.color += weight * Eigen::Vector3f(sample.color.r, sample.color.g, sample.color.b);
-        cell.weight += weight;
-        cell.size = static_cast<float>(size);
-        ++cell.samples;
-    }
-
-    [[nodiscard]] std::size_t size() const { return cells_.size(); }
-
-    /// In an order that depends on nothing but the points.
-    [[nodiscard]] std::vector<SurfacePoint> points() const {
-        // One pixel alone in its cell is an outlier; normals that cancel out belong to two sides.
-        constexpr int kMinSamples = 2;
-        constexpr float kMinUnanimity = 0.5F;
-        std::vector<std::pair<CellKey, const Cell*>> ordered;
-        for (const auto& [key, cell] : cells_) {
-            if (cell.samples >= kMinSamples && cell.normal.norm() >= kMinUnanimity * cell.weight) {
-                ordered.emplace_back(key, &cell);
-            }
-        }
-        std::sort(ordered.begin(), ordered.end());
-        std::vector<SurfacePoint> points;
-        for (const auto& [key, cell] : ordered) {
-            const Eigen::Vector3f color = cell->color / cell->weight;
-            const auto level = [&](int channel) {
-                return static_cast<std::uint8_t>(std::clamp(color[channel] + 0.5F, 0.0F, 255.0F));
-            };
-            points.push_back({(cell->position / static_cast<double>(cell->weight)).cast<float>(),
-                              cell->normal.normalized(),
-                              {level(0), level(1), level(2)},
-                              cell->size});
-        }
-        return points;
-    }
-
- private:
-    double spacing_px_;
-    std::vector<Acuity> views_;
-    std::unordered_map<CellKey, Cell, CellHash> cells_;
-};
-
-std::vector<Sample> samples_of_view(const ViewSampler& sampler, int threads,
-                                    std::uint64_t& confident) {
-    std::vector<std::vector<Sample>> rows(static_cast<std::size_t>(sampler.height()));
+std::vector<SurfaceSample> samples_of_view(const ViewSampler& sampler, int threads,
+                                           std::uint64_t& confident) {
+    std::vector<std::vector<SurfaceSample>> rows(static_cast<std::size_t>(sampler.height()));
     std::vector<std::uint64_t> counts(rows.size());
     parallel_for(sampler.height(), threads, [&](int y) {
         sampler.sample_row(y, rows[static_cast<std::size_t>(y)],
                            counts[static_cast<std::size_t>(y)]);
     });
     confident += std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-    std::vector<Sample> samples;
+    std::vector<SurfaceSample> samples;
     for (const auto& row : rows) samples.insert(samples.end(), row.begin(), row.end());
     return samples;
 }
@@ -307,8 +202,9 @@ std::vector<Sample> samples_of_view(const ViewSampler& sampler, int threads,
 SurfacePoints surface_points(const std::vector<PicturedView>& views,
                              const SurfacePointOptions& options, int threads, Progress& progress) {
     constexpr double kCoarser = 2.0;  // Cells come in powers of two.
+    const std::vector<Acuity> acuities = acuities_of(views);
     for (SurfacePoints result{{}, 0, 0, options.spacing_px};; result.spacing_px *= kCoarser) {
-        Grid grid(views, result.spacing_px);
+        SurfaceGrid grid(acuities, result.spacing_px);
         result.confident_pixels = 0;
         result.agreeing_pixels = 0;
         progress.begin("points of the surface", views.size());
@@ -317,10 +213,10 @@ SurfacePoints surface_points(const std::vector<PicturedView>& views,
             progress.advance();
             if (views[i].depth->inverse_depth.empty()) continue;
             const ViewSampler sampler(views, i, options.min_agreeing_views);
-            const std::vector<Sample> samples =
+            const std::vector<SurfaceSample> samples =
                 samples_of_view(sampler, threads, result.confident_pixels);
             result.agreeing_pixels += samples.size();
-            for (const Sample& sample : samples) grid.add(sample);
+            for (const SurfaceSample& sample : samples) grid.add(sample);
             if (grid.size() > 2 * static_cast<std::size_t>(options.max_points)) break;
         }
         if (grid.size() > 2 * static_cast<std::size_t>(options.max_points)) continue;
