@@ -30,17 +30,22 @@ WorkspaceLayout variant_layout(const Variant& variant, const fs::path& folder, i
 /// One run over a sweep.
 class SweepRun {
  public:
-    SweepRun(const Sweep& sweep, const fs::path& folder, int threads, Progress& progress)
-        : folder_(folder), threads_(threads), progress_(progress) {
+    SweepRun(const Sweep& sweep, const fs::path& folder, int threads, Progress& progress,
+             const IsEnough& is_enough)
+        : folder_(folder), threads_(threads), progress_(progress), is_enough_(is_enough) {
         result_.sweep = sweep;
         result_.variants.resize(sweep.variants.size());
     }
 
     ChartResult run() {
         const Stopwatch stopwatch;
-        for (std::size_t i = 0; i < variants().size(); ++i) build(i);
+        for (std::size_t i = 0; i < variants().size(); ++i) copy_photographs(i);
         choose_reference();
-        for (std::size_t i = 0; i < variants().size(); ++i) measure(i);
+        for (std::size_t i = 0; i < variants().size(); ++i) {
+            build(i);
+            measure(i);
+            if (is_enough_ && is_enough_(result_.variants[i])) forget_after(i);
+        }
         keep_shared_views();
         result_.wall_s = stopwatch.elapsed().wall_s;
         return std::move(result_);
@@ -64,7 +69,20 @@ class SweepRun {
         }
     }
 
+    /// All are compared with the largest photographs, which must be there before the first is.
+    void copy_photographs(std::size_t index) {
+        attempt(index, [&] {
+            const Workspace workspace(variant_layout(variants()[index], folder_, 0));
+            const StageStore store(folder_ / "store-0");
+            for (const FinishedStage& stage : run_line(variants()[index].config, workspace,
+                                                       "ingest", threads_, progress_, &store)) {
+                if (stage.was_run) result_.work.done_cpu_s += stage.cost.cpu_s;
+            }
+        });
+    }
+
     void build(std::size_t index) {
+        if (!result_.variants[index].failure.empty()) return;
         progress_.note("variant " + std::to_string(index + 1) + " of " +
                        std::to_string(variants().size()) + ": " + variants()[index].label);
         attempt(index, [&] {
@@ -176,6 +194,14 @@ class SweepRun {
         fs::remove_all(scratch);
     }
 
+    /// The variants after this one were not needed: the sweep ends as if it had not had them.
+    void forget_after(std::size_t index) {
+        progress_.note(std::to_string(variants().size() - index - 1) +
+                       " dearer variants are not needed");
+        result_.variants.resize(index + 1);
+        result_.sweep.variants.resize(index + 1);
+    }
+
     /// Means are compared over the views that every variant can be judged by.
     void keep_shared_views() {
         std::optional<std::set<std::string>> shared;
@@ -200,6 +226,7 @@ class SweepRun {
     fs::path folder_;
     int threads_;
     Progress& progress_;
+    const IsEnough& is_enough_;
     ChartResult result_;
     MeasurementCache cache_{folder_ / "measurements"};
     std::vector<Photograph> reference_copies_;
@@ -220,10 +247,11 @@ WorkspaceLayout workspace_of_variant(const Variant& variant, const fs::path& fol
     return variant_layout(variant, folder, 0);
 }
 
-ChartResult run_sweep(const Sweep& sweep, const fs::path& folder, int threads, Progress& progress) {
+ChartResult run_sweep(const Sweep& sweep, const fs::path& folder, int threads, Progress& progress,
+                      const IsEnough& is_enough) {
     fs::create_directories(folder);
     const FolderLock lock(folder);
-    return SweepRun(sweep, folder, threads, progress).run();
+    return SweepRun(sweep, folder, threads, progress, is_enough).run();
 }
 
 }  // namespace lumi

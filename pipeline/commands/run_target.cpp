@@ -8,6 +8,7 @@
 #include "pipeline/config/config_variant.h"
 #include "pipeline/line/line.h"
 #include "pipeline/report/workspace_report.h"
+#include "pipeline/target/candidates.h"
 #include "pipeline/target/deliver.h"
 #include "pipeline/workspace/json_file.h"
 
@@ -29,14 +30,17 @@ std::string told(const Delivery& delivery) {
 void run_target(const BuildRequest& request, const std::string& wish,
                 const CommandContext& context) {
     const Wish wanted = wish_from(wish);
-    const Sweep sweep = read_sweep(request.config);
+    Sweep sweep = read_sweep(request.config);
+    put_cheapest_first(sweep);
     const BuildConfig config = ConfigDocument::open(request.config).build_config_with({});
     const WorkspaceLayout layout = request.workspace.empty()
                                        ? workspace_of(config)
                                        : WorkspaceLayout(request.workspace, config.name);
     const fs::path chart_folder = layout.folder().string() + "-chart";
     const int threads = context.threads > 0 ? context.threads : config.threads;
-    const ChartResult chart = run_sweep(sweep, chart_folder, threads, *context.progress);
+    const ChartResult chart =
+        run_sweep(sweep, chart_folder, threads, *context.progress,
+                  [&](const MeasuredVariant& variant) { return ends_the_sweep(wanted, variant); });
     write_chart_files(chart_folder, chart, *context.progress);
     const Delivery delivery =
         deliver(wanted, chart, chart_folder, layout, threads, *context.progress);

@@ -1,8 +1,27 @@
 #include "pipeline/target/candidates.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "meshing/depth/depth_model.h"
 
 namespace lumi {
+namespace {
+
+/// Each model of the ladder is taken for twice as dear as the one below ("auto", which tries most
+/// of them, for the dearest), and the poses for as dear as a sweep.
+double expected_cost(const BuildConfig& config) {
+    constexpr double kPoses = 30;
+    constexpr double kDearer = 2;
+    const std::vector<std::string>& ladder = depth_model_names();
+    const auto rung = std::find(ladder.begin(), ladder.end(), config.depth.model) - ladder.begin();
+    const double width_px = config.ingest.max_width_px;
+    return width_px * width_px * (kPoses + std::pow(kDearer, static_cast<double>(rung)));
+}
+
+}  // namespace
 
 Achievement achievement_of(const ChartPoint& point) {
     return {point.frame_ms > 0.0 ? 1000.0 / point.frame_ms : 0.0, point.mean.psnr_db,
@@ -21,6 +40,20 @@ std::vector<ChartPoint> candidates_for(const Wish& wish, std::vector<ChartPoint>
         return missing_a == 0.0 && is_better(a, b);
     });
     return points;
+}
+
+void put_cheapest_first(Sweep& sweep) {
+    std::stable_sort(sweep.variants.begin(), sweep.variants.end(),
+                     [](const Variant& a, const Variant& b) {
+                         return expected_cost(a.config) < expected_cost(b.config);
+                     });
+}
+
+bool ends_the_sweep(const Wish& wish, const MeasuredVariant& variant) {
+    if (wish.kind != Wish::Kind::kPsnrDb) return false;
+    return std::any_of(variant.scores.begin(), variant.scores.end(), [&](const ModeScores& mode) {
+        return meets(wish, {0.0, mean_score(mode.views).psnr_db, 0.0, 0.0});
+    });
 }
 
 }  // namespace lumi

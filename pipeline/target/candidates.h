@@ -16,4 +16,12 @@ namespace lumi {
 [[nodiscard]] std::vector<ChartPoint> candidates_for(const Wish& wish,
                                                      std::vector<ChartPoint> points);
 
+/// Brings the variants of a sweep into the order of what they are expected to cost, the cheapest
+/// first: pixels times what the depth model takes for each.
+void put_cheapest_first(Sweep& sweep);
+
+/// Whether the sweep, cheapest first, may end with a variant. An accuracy is reached by the first
+/// that reaches it; a budget asks for the most accurate of all that keep within it.
+[[nodiscard]] bool ends_the_sweep(const Wish& wish, const MeasuredVariant& variant);
+
 }  // namespace lumi

@@ -116,6 +116,7 @@ TEST_F(Sweeps, ATargetIsMetByWhatIsDeliveredOrTheNearestIsTold) {
     const Json delivery = Json::parse(met.out);
     EXPECT_TRUE(delivery.at("is_met").get<bool>());
     EXPECT_GE(delivery.at("delivered").at("psnr_db").get<double>(), 15.0);
+    EXPECT_THAT(met.talk, HasSubstr("1 dearer variants are not needed"));
     EXPECT_EQ(lumi("validate work/box/box.lumi").exit_code, 0);
 
     const Outcome missed = lumi("build box.toml --target 90dB");

@@ -64,5 +64,34 @@ TEST(Candidates, WhatIsOutOfReachIsApproached) {
     EXPECT_EQ(candidates_for(wish_from("500fps"), kPoints)[0].label, "quick");
 }
 
+TEST(PutCheapestFirst, GoesByPixelsAndByTheDepthModel) {
+    Sweep sweep;
+    for (const int width_px : {800, 400}) {
+        for (const char* model : {"sweep", "plane", "auto"}) {
+            Variant variant{{}, model + std::to_string(width_px), {}};
+            variant.config.ingest.max_width_px = width_px;
+            variant.config.depth.model = model;
+            sweep.variants.push_back(std::move(variant));
+        }
+    }
+    put_cheapest_first(sweep);
+    std::vector<std::string> order;
+    for (const Variant& variant : sweep.variants) order.push_back(variant.label);
+    EXPECT_EQ(order, (std::vector<std::string>{"plane400", "sweep400", "plane800", "auto400",
+                                               "sweep800", "auto800"}));
+}
+
+TEST(EndsTheSweep, WithTheFirstThatIsAccurateEnoughButNeverForABudget) {
+    MeasuredVariant variant;
+    ModeScores mode;
+    mode.views.resize(1);
+    mode.views.front().psnr_db = 25;
+    variant.scores.push_back(mode);
+    EXPECT_TRUE(ends_the_sweep(wish_from("24dB"), variant));
+    EXPECT_FALSE(ends_the_sweep(wish_from("26dB"), variant));
+    EXPECT_FALSE(ends_the_sweep(wish_from("1000MiB"), variant));
+    EXPECT_FALSE(ends_the_sweep(wish_from("24dB"), MeasuredVariant{}));
+}
+
 }  // namespace
 }  // namespace lumi
