@@ -29,9 +29,9 @@ constexpr std::array<ReasonEntry, 18> kReasons{{
     {CaptureReason::kShutter, "E-POSES-SHUTTER",
      "stand still for each photograph, or use a mechanical shutter: the rows of these pictures "
      "were not taken at one moment"},
-    {CaptureReason::kCropped, "E-POSES-CROPPED",
-     "use the photographs as they came from the camera: these seem to have been cropped or "
-     "straightened, each in its own way"},
+    {CaptureReason::kShifted, "E-POSES-SHIFTED",
+     "use photographs as they came from the camera, neither cropped nor straightened, with the "
+     "focus locked and, where that can be chosen, without a stabiliser in the lens"},
     {CaptureReason::kExposure, "E-POSES-EXPOSURE",
      "lock exposure and white balance, so that neither shadows nor highlights are cut off"},
     {CaptureReason::kClutter, "E-POSES-CLUTTER",

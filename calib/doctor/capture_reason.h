@@ -15,7 +15,7 @@ enum class CaptureReason {
     kNoise,       ///< The pictures are noisy.
     kBlur,        ///< The pictures are blurred.
     kShutter,     ///< The camera moved while the rows were read out.
-    kCropped,     ///< The photographs were cut out of their pictures at different places.
+    kShifted,     ///< The middle of the lens lies elsewhere in each picture.
     kExposure,    ///< Brightness jumps, or the pictures are mostly black or white.
     kClutter,     ///< Much of what is seen moved or changed between the photographs.
     kSplit,       ///< The photographs fall into groups that do not overlap.

@@ -49,11 +49,11 @@ struct Explanation {
     SupposedAdjustment with;
 
     [[nodiscard]] CaptureReason reason() const {
-        return supposition == Supposition::kCropped ? CaptureReason::kCropped
+        return supposition == Supposition::kShifted ? CaptureReason::kShifted
                                                     : CaptureReason::kShutter;
     }
     [[nodiscard]] std::string text() const {
-        return supposition == Supposition::kCropped
+        return supposition == Supposition::kShifted
                    ? formatted(
                          "the middle of the lens lies about %.1f pixels from the middle of "
                          "the pictures, in each at another place",
@@ -88,10 +88,11 @@ std::optional<Explanation> explanation_of(const MappingJob& job, const Capture& 
                          turning.with.observations)) {
         return std::nullopt;
     }
-    // A cut moves pictures much as a turn does, and the two have as many parameters.
-    job.progress.begin("asking whether the photographs were cropped", 0);
-    Explanation cropped{Supposition::kCropped, turning.without, adjusted(Supposition::kCropped)};
-    return cropped.with.cost_px2 < turning.with.cost_px2 ? cropped : turning;
+    // A lens that sits elsewhere moves pictures much as a turn does, and the two have as many
+    // parameters.
+    job.progress.begin("asking whether the lens sat elsewhere in each picture", 0);
+    Explanation shifted{Supposition::kShifted, turning.without, adjusted(Supposition::kShifted)};
+    return shifted.with.cost_px2 < turning.with.cost_px2 ? shifted : turning;
 }
 
 void settle_explanation(const MappingJob& job, const MatchedPhotographs& matched,

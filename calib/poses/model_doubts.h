@@ -15,7 +15,7 @@ namespace lumi {
 ///   E-POSES-REPEATED, unless poor pictures or clutter explain it.
 /// - Residuals that look like a rolling shutter, where an adjustment with a turning rate for each
 ///   view explains more and moves a camera by more than poses may be wrong: E-POSES-SHUTTER; or
-///   E-POSES-CROPPED where a cut of its own for each photograph explains more still.
+///   E-POSES-SHIFTED where a principal point and a scale of each picture's own explain more still.
 /// - Pairs that are denied for no such cause: E-POSES-UNCERTAIN.
 /// - Most pairs seem to have only turned, and rays to the same point hardly meet: E-POSES-ROTATION.
 ///

@@ -229,7 +229,7 @@ class Fit {
             const double of_angle = kWeight * focal_px;
             free_or_hold(problem, turn, supposition_ == Supposition::kTurning,
                          {of_angle, of_angle, of_angle});
-            free_or_hold(problem, crop, supposition_ == Supposition::kCropped,
+            free_or_hold(problem, crop, supposition_ == Supposition::kShifted,
                          {kWeight, kWeight, of_angle});
             if (lenses_are_held_) {
                 problem.SetParameterBlockConstant(zoom);

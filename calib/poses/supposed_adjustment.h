@@ -11,7 +11,9 @@ namespace lumi {
 enum class Supposition {
     kSteady,   ///< Nothing: the lens is the same, and all rows were taken at one moment.
     kTurning,  ///< The camera turned evenly while the rows were read out, from top to bottom.
-    kCropped,  ///< Each photograph was cut out of its picture at another place, and scaled.
+    /// Each picture has a principal point and a scale of its own: it was cropped or straightened,
+    /// or the lens was moved by its stabiliser or its focus.
+    kShifted,
 };
 
 /// A capture adjusted under a supposition.

@@ -109,7 +109,7 @@ TEST(SupposedAdjustment, FindsTheSkewOfARollingShutterAndTheTruePoses) {
     EXPECT_LT(turning.cost_px2, 2 * 0.3 * static_cast<double>(turning.observations));
     EXPECT_TRUE(explains_better(steady.cost_px2, turning.cost_px2, turning.parameters,
                                 turning.observations));
-    EXPECT_LT(turning.cost_px2, adjusted(Supposition::kCropped, capture, true).cost_px2);
+    EXPECT_LT(turning.cost_px2, adjusted(Supposition::kShifted, capture, true).cost_px2);
 }
 
 TEST(SupposedAdjustment, FindsTheCutsOfCroppedPhotographsAndTheTruePoses) {
@@ -117,7 +117,7 @@ TEST(SupposedAdjustment, FindsTheCutsOfCroppedPhotographsAndTheTruePoses) {
     const NamedPoses truth = named_poses(capture);
     crop(capture, 60);
     EXPECT_GT(residual_pattern(capture).shutter_ratio, 4.0);
-    const SupposedAdjustment cropped = adjusted(Supposition::kCropped, capture, true);
+    const SupposedAdjustment cropped = adjusted(Supposition::kShifted, capture, true);
     EXPECT_NEAR(cropped.effect_px, 60, 12);
     const PoseShift shift = pose_shift(named_poses(cropped.capture), truth);
     EXPECT_EQ(shift.placed, 8);
@@ -130,7 +130,7 @@ TEST(SupposedAdjustment, ExplainsNothingOfSteadyCamerasWithWholePhotographs) {
     for (const unsigned seed : {1u, 2u, 3u}) {
         const Capture capture = noisy_capture(seed);
         const SupposedAdjustment steady = adjusted(Supposition::kSteady, capture, false);
-        for (const Supposition other : {Supposition::kTurning, Supposition::kCropped}) {
+        for (const Supposition other : {Supposition::kTurning, Supposition::kShifted}) {
             const SupposedAdjustment supposed = adjusted(other, capture, false);
             EXPECT_FALSE(explains_better(steady.cost_px2, supposed.cost_px2, supposed.parameters,
                                          supposed.observations))
