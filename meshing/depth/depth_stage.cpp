@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
@@ -104,10 +105,7 @@ double sparse_residual_px(const DepthMap& map, const DepthView& view) {
         residuals.push_back(std::abs(found - point.inverse_depth) *
                             view.disparity_px_per_inverse_depth);
     }
-    if (residuals.empty()) return 0.0;
-    const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-    std::nth_element(residuals.begin(), middle, residuals.end());
-    return *middle;
+    return median_of(std::move(residuals));
 }
 
 std::string with_one_digit(double value) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "calib/capture/all_views.h"
 #include "calib/capture/rigid3.h"
 #include "calib/work/stopwatch.h"
 #include "calib/work/whole_file.h"

@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "calib/capture/all_views.h"
 #include "calib/capture/rigid3.h"
 #include "calib/work/stopwatch.h"
 #include "meshing/cameras/camera_mesh_builder.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "pipeline/synth/hand_held_path.h"
 
@@ -147,12 +146,6 @@ Capture capture_around(const Points& centres, double scene_radius, HashedRandom&
         capture.points.push_back(point);
     }
     return capture;
-}
-
-std::vector<int> all_views(const Capture& capture) {
-    std::vector<int> views(capture.views.size());
-    std::iota(views.begin(), views.end(), 0);
-    return views;
 }
 
 Eigen::Vector3d random_target(const Capture& capture, HashedRandom& random) {

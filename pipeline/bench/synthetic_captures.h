@@ -22,8 +22,6 @@ namespace lumi {
 [[nodiscard]] Capture capture_around(const std::vector<Eigen::Vector3d>& centres,
                                      double scene_radius, HashedRandom& random);
 
-[[nodiscard]] std::vector<int> all_views(const Capture& capture);
-
 /// A place between two of the scene's points.
 [[nodiscard]] Eigen::Vector3d random_target(const Capture& capture, HashedRandom& random);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "calib/capture/all_views.h"
 #include "calib/capture/image_io.h"
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
@@ -15,12 +16,6 @@
 
 namespace lumi {
 namespace {
-
-std::vector<int> all_views(const PosedPhotographs& photographs) {
-    std::vector<int> indices(photographs.capture.views.size());
-    std::iota(indices.begin(), indices.end(), 0);
-    return indices;
-}
 
 Lumigraph lumigraph_of(const DepthBenchScene& scene, std::vector<DepthMap> depth_maps,
                        int threads) {
@@ -95,7 +90,7 @@ void take_truth(const DepthBenchScene& scene, const DepthOptions& options,
                 const std::vector<DepthMap>& depth_maps, int threads, Progress& progress,
                 RungMeasurement& measured) {
     const DepthScene depth_scene =
-        make_depth_scene(scene.used, all_views(scene.used), options, threads, progress);
+        make_depth_scene(scene.used, all_views(scene.used.capture), options, threads, progress);
     std::vector<DepthMap> truth;
     for (const DepthView& view : depth_scene.views) {
         truth.push_back(imported_depth(view, scene.truth_folder));
@@ -132,7 +127,7 @@ RungMeasurement measure_rung(const DepthBenchScene& scene, const DepthOptions& o
     release_free_memory();
     const bool tells_memory = forget_peak_memory();
     DepthResult result =
-        estimate_depth(scene.used, all_views(scene.used), options, threads, progress);
+        estimate_depth(scene.used, all_views(scene.used.capture), options, threads, progress);
     if (const auto peak = peak_memory(); peak && tells_memory) {
         measured.peak_mib = static_cast<double>(*peak) / (1 << 20);
     }

@@ -1,7 +1,6 @@
 #include "pipeline/depth_bench/stability_trial.h"
 
-#include <numeric>
-
+#include "calib/capture/all_views.h"
 #include "meshing/depth/depth_scene.h"
 #include "meshing/depth/depth_stage.h"
 #include "pipeline/depth_bench/right_shares.h"
@@ -10,16 +9,10 @@
 namespace lumi {
 namespace {
 
-std::vector<int> all_views(const PosedPhotographs& photographs) {
-    std::vector<int> indices(photographs.capture.views.size());
-    std::iota(indices.begin(), indices.end(), 0);
-    return indices;
-}
-
 RungStability measured(const StabilityCapture& capture, const DepthScene& harmless,
                        const DepthOptions& options, int threads, Progress& progress) {
     const DepthResult found =
-        estimate_depth(capture.told, all_views(capture.told), options, threads, progress);
+        estimate_depth(capture.told, all_views(capture.told.capture), options, threads, progress);
     const RightShares shares = right_shares(harmless, capture.truth, found.depth_maps);
     RungStability rung{options.model,       shares.of_visible,  0,
                        shares.of_confident, found.choice_cpu_s, !found.warning.empty()};
@@ -40,8 +33,8 @@ StabilityTrial stability_trial(DepthHazard hazard, double strength, std::uint64_
         stability_capture(hazard, strength, seed, folder, threads, progress);
     DepthOptions options;
     options.background = "keep";
-    const DepthScene harmless =
-        make_depth_scene(capture.harmless, all_views(capture.harmless), options, threads, progress);
+    const DepthScene harmless = make_depth_scene(
+        capture.harmless, all_views(capture.harmless.capture), options, threads, progress);
     StabilityTrial trial{hazard, strength, seed, {}};
     for (const std::string& model : models) {
         options.model = model;

@@ -1,8 +1,8 @@
 #include "pipeline/stages/depth_stage.h"
 
 #include <nlohmann/json.hpp>
-#include <numeric>
 
+#include "calib/capture/all_views.h"
 #include "pipeline/stages/depth_files.h"
 #include "pipeline/stages/file_stems.h"
 #include "pipeline/stages/used_views.h"
@@ -51,9 +51,8 @@ StageEvidence run_depth_stage(const PosedPhotographs& photographs, const MaskedP
         options.mask_folder = folder / kMaskFolder;
         straighten_masks(masked, options.mask_folder, threads, progress);
     }
-    std::vector<int> all_views(photographs.capture.views.size());
-    std::iota(all_views.begin(), all_views.end(), 0);
-    const DepthResult result = estimate_depth(photographs, all_views, options, threads, progress);
+    const DepthResult result =
+        estimate_depth(photographs, all_views(photographs.capture), options, threads, progress);
     write_depth_files(folder, file_stems_of_views(view_names(photographs.capture)),
                       result.depth_maps, threads);
     return {json_text(facts_json(result, options)), json_text(timings_json(result))};

@@ -1,8 +1,8 @@
 #include "pipeline/stages/mesh_stage.h"
 
 #include <nlohmann/json.hpp>
-#include <numeric>
 
+#include "calib/capture/all_views.h"
 #include "calib/work/whole_file.h"
 #include "meshing/cameras/mesh_picture.h"
 #include "meshing/surface/mesh_io.h"
@@ -12,11 +12,10 @@ namespace lumi {
 
 StageEvidence run_mesh_stage(const Capture& capture, const CameraMeshOptions& options,
                              const std::filesystem::path& folder) {
-    std::vector<int> all_views(capture.views.size());
-    std::iota(all_views.begin(), all_views.end(), 0);
-    const BuiltCameraMesh built = build_camera_mesh(capture, all_views, options);
+    const std::vector<int> views = all_views(capture);
+    const BuiltCameraMesh built = build_camera_mesh(capture, views, options);
     write_camera_mesh_ply(folder / "camera_mesh.ply", built.mesh);
-    write_whole_text(folder / "camera_mesh.svg", camera_mesh_svg(capture, all_views, built.mesh));
+    write_whole_text(folder / "camera_mesh.svg", camera_mesh_svg(capture, views, built.mesh));
 
     const CameraMeshEvidence& evidence = built.evidence;
     const nlohmann::ordered_json facts{

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "calib/capture/rigid3.h"
 
@@ -30,12 +29,6 @@ Capture capture_of(const Points& centres, const Eigen::Vector3d& target, const P
         capture.points.push_back(point);
     }
     return capture;
-}
-
-std::vector<int> all_views(const Capture& capture) {
-    std::vector<int> views(capture.views.size());
-    std::iota(views.begin(), views.end(), 0);
-    return views;
 }
 
 Eigen::Vector3d random_direction(std::mt19937& random) {

@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include "calib/capture/all_views.h"
 #include "calib/capture/capture.h"
 #include "meshing/surface/camera_mesh.h"
 
@@ -15,9 +16,6 @@ using Points = std::vector<Eigen::Vector3d>;
 /// points that every camera has in its track.
 [[nodiscard]] Capture capture_of(const Points& centres, const Eigen::Vector3d& target,
                                  const Points& points);
-
-/// Every view of a capture.
-[[nodiscard]] std::vector<int> all_views(const Capture& capture);
 
 [[nodiscard]] Eigen::Vector3d random_direction(std::mt19937& random);
 [[nodiscard]] Points points_in_ball(int count, const Eigen::Vector3d& centre, double radius,
