@@ -7,6 +7,7 @@
 #include <map>
 
 #include "calib/adjust/bundle_problem.h"
+#include "calib/adjust/camera_blocks.h"
 #include "calib/adjust/reprojection_cost.h"
 
 namespace lumi {
@@ -77,16 +78,17 @@ class Linearisation {
         const View& view = capture_.views[view_index];
         const Camera& lens = camera_of(capture_, view);
         const Rigid3& pose = view.cam_from_world;
-        const std::array<const double*, 4> blocks{
-            lens.parameters.data(), pose.rotation.coeffs().data(), pose.translation.data(),
-            point.position_in_world.data()};
+        const PoseBlock pose_values = pose_block(pose);
+        const std::array<const double*, 3> blocks{lens.parameters.data(), pose_values.data(),
+                                                  point.position_in_world.data()};
         std::array<double, 2 * 12> by_lens{};
-        Eigen::Matrix<double, 2, 3, Eigen::RowMajor> by_translation;
-        std::array<double*, 4> jacobians{by_lens.data(), nullptr, by_translation.data(), nullptr};
+        Eigen::Matrix<double, 2, 7, Eigen::RowMajor> by_pose;
+        std::array<double*, 3> jacobians{by_lens.data(), by_pose.data(), nullptr};
         if (!reprojection_cost(lens.model, seen.pixel)
                  ->Evaluate(blocks.data(), result.residual_px.data(), jacobians.data())) {
             return false;
         }
+        const Eigen::Matrix<double, 2, 3> by_translation = by_pose.rightCols<3>();
         const Eigen::Matrix3d rotation = pose.rotation.toRotationMatrix();
         const Eigen::Vector3d rotated = rotation * point.position_in_world;
         Eigen::Matrix3d by_turn;  // Of `rotated`, by a rotation that comes after.

@@ -76,6 +76,15 @@ double rms_px(const Capture& capture) {
     return count == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(count));
 }
 
+bool any_beyond(const Capture& capture, double limit_px) {
+    return std::any_of(capture.points.begin(), capture.points.end(), [&](const ScenePoint& point) {
+        return std::any_of(
+            point.track.begin(), point.track.end(), [&](const Observation& observation) {
+                return !(reprojection_error_px(capture, point, observation) <= limit_px);
+            });
+    });
+}
+
 /// Ceres tells of every step that it had to shorten, on stderr, where libraries say nothing.
 void silence_ceres() {
     static const bool is_silent = [] {
@@ -92,8 +101,8 @@ ceres::Solver::Summary solve_pass(Capture& capture, const BundleAdjustmentOption
     problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ceres::CauchyLoss cauchy(cauchy_scale_px > 0 ? cauchy_scale_px : 1.0);
     ceres::Problem problem(problem_options);
-    LensBlocks lenses(capture);
-    build_bundle_problem(problem, capture, lenses, options,
+    CameraBlocks cameras = camera_blocks(capture);
+    build_bundle_problem(problem, capture, cameras, options,
                          cauchy_scale_px > 0 ? &cauchy : nullptr);
 
     constexpr std::size_t kDenseUpToViews = 60;
@@ -101,7 +110,7 @@ ceres::Solver::Summary solve_pass(Capture& capture, const BundleAdjustmentOption
     ceres::Solver::Options solver;
     solver.linear_solver_type =
         capture.views.size() <= kDenseUpToViews ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
-    solver.linear_solver_ordering = elimination_order(problem, capture);
+    solver.linear_solver_ordering = elimination_order(problem, capture, cameras);
     solver.max_num_iterations = options.max_iterations;
     solver.function_tolerance = tolerance;
     solver.gradient_tolerance = 1e-10;
@@ -112,7 +121,10 @@ ceres::Solver::Summary solve_pass(Capture& capture, const BundleAdjustmentOption
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);
     progress.throw_if_interrupted();
-    lenses.copy_to(capture);
+    for (std::size_t view = 0; view < capture.views.size(); ++view) {
+        capture.views[view].cam_from_world = cameras.solved_pose(view);
+    }
+    cameras.copy_lenses_to(capture.cameras);
     if (!summary.IsSolutionUsable()) {
         throw Error(ErrorKind::kDegenerateCapture, "E-ADJUST-FAILED",
                     "the bundle adjustment found no solution: " + summary.message,
@@ -168,7 +180,6 @@ double cauchy_scale_px(const Capture& capture) {
 BundleFit fit_bundle(Capture& capture, const BundleAdjustmentOptions& options, Progress& progress) {
     const ceres::Solver::Summary summary =
         solve_pass(capture, options, kLeastSquares, kLeastSquaresTolerance, progress);
-    for (View& view : capture.views) view.cam_from_world.rotation.normalize();
     return {2 * summary.final_cost, summary.num_residuals,
             static_cast<int>(summary.iterations.size()),
             summary.termination_type == ceres::CONVERGENCE};
@@ -180,16 +191,18 @@ BundleAdjustmentEvidence adjust_bundle(Capture& capture, const BundleAdjustmentO
     evidence.initial_rms_px = rms_px(capture);
     progress.begin("adjusting cameras, lens and points together", 0);
     // Points behind a camera have no derivative, and gross errors hide smaller ones: the limit
-    // comes down in steps, each after the robust loss has had its say.
+    // comes down in steps, each after the robust loss has had its say; where there are none, as
+    // after another adjustment, the first step is left out.
     constexpr double kNoLimit = std::numeric_limits<double>::max();
     remove_outliers(capture, options, kNoLimit, evidence);
     expect_shared_points(capture);
     for (const double limit_factor : {4.0, 1.0}) {
+        const double limit_px = limit_factor * options.max_reprojection_error_px;
+        if (limit_factor > 1 && !any_beyond(capture, limit_px)) continue;
         evidence.iterations += static_cast<int>(
             solve_pass(capture, options, options.robust_scale_px, kFirstTolerance, progress)
                 .iterations.size());
-        remove_outliers(capture, options, limit_factor * options.max_reprojection_error_px,
-                        evidence);
+        remove_outliers(capture, options, limit_px, evidence);
         expect_shared_points(capture);
     }
     const double scale_px = options.robust_last_pass ? cauchy_scale_px(capture) : kLeastSquares;
@@ -200,8 +213,6 @@ BundleAdjustmentEvidence adjust_bundle(Capture& capture, const BundleAdjustmentO
     evidence.initial_cost = last.initial_cost;
     evidence.final_cost = last.final_cost;
     evidence.converged = last.termination_type == ceres::CONVERGENCE;
-    // Rotations come back from the manifold with unit length up to rounding.
-    for (View& view : capture.views) view.cam_from_world.rotation.normalize();
     remove_outliers(capture, options, options.max_reprojection_error_px, evidence);
     expect_shared_points(capture);
     evidence.final_rms_px = rms_px(capture);

@@ -8,11 +8,11 @@
 namespace lumi {
 namespace {
 
-void hold_lenses(ceres::Problem& problem, const Capture& capture, LensBlocks& lenses,
+void hold_lenses(ceres::Problem& problem, const Capture& capture, CameraBlocks& cameras,
                  const BundleAdjustmentOptions& options) {
     for (std::size_t index = 0; index < capture.cameras.size(); ++index) {
         const Camera& camera = capture.cameras[index];
-        double* const lens = lenses.of(static_cast<int>(index));
+        double* const lens = cameras.lens(index);
         if (!problem.HasParameterBlock(lens)) continue;
         const std::vector<int> constant = constant_lens_parameters(capture, index, options);
         if (constant.empty()) continue;
@@ -27,52 +27,47 @@ void hold_lenses(ceres::Problem& problem, const Capture& capture, LensBlocks& le
 
 /// Seven degrees of freedom (place, attitude, size of the world) are free: holds the first view,
 /// and one coordinate of the view whose centre is farthest from it.
-void fix_gauge(ceres::Problem& problem, Capture& capture) {
-    const auto is_used = [&](View& view) {
-        return problem.HasParameterBlock(view.cam_from_world.translation.data());
-    };
-    const auto first = std::find_if(capture.views.begin(), capture.views.end(), is_used);
-    if (first == capture.views.end()) return;
-    problem.SetParameterBlockConstant(first->cam_from_world.rotation.coeffs().data());
-    problem.SetParameterBlockConstant(first->cam_from_world.translation.data());
-    const Eigen::Vector3d origin = centre_in_world(first->cam_from_world);
-    View* farthest = nullptr;
+void fix_gauge(ceres::Problem& problem, const Capture& capture, CameraBlocks& cameras) {
+    std::vector<std::size_t> used;
+    for (std::size_t view = 0; view < capture.views.size(); ++view) {
+        if (problem.HasParameterBlock(cameras.pose(view))) used.push_back(view);
+    }
+    if (used.empty()) return;
+    const auto pose = [&](std::size_t view) { return capture.views[view].cam_from_world; };
+    const std::size_t first = used.front();
+    problem.SetParameterBlockConstant(cameras.pose(first));
+    const Eigen::Vector3d origin = centre_in_world(pose(first));
+    std::size_t farthest = first;
     double distance = 0;
-    for (View& view : capture.views) {
-        if (&view == &*first || !is_used(view)) continue;
-        const double here = (centre_in_world(view.cam_from_world) - origin).norm();
+    for (const std::size_t view : used) {
+        const double here = (centre_in_world(pose(view)) - origin).norm();
         if (here > distance) {
             distance = here;
-            farthest = &view;
+            farthest = view;
         }
     }
-    if (farthest == nullptr) return;
+    if (farthest == first) return;
     // The coordinate along which the two cameras differ most sets the scale most firmly.
-    const Rigid3 first_from_world = first->cam_from_world;
-    const Eigen::Vector3d difference = farthest->cam_from_world * centre_in_world(first_from_world);
     int axis = 0;
-    difference.cwiseAbs().maxCoeff(&axis);
-    problem.SetManifold(farthest->cam_from_world.translation.data(),
-                        new ceres::SubsetManifold(3, {axis}));
+    (pose(farthest) * origin).cwiseAbs().maxCoeff(&axis);
+    problem.SetManifold(cameras.pose(farthest), new_pose_manifold_without(axis));
 }
 
-void add_observations(ceres::Problem& problem, Capture& capture, LensBlocks& lenses,
+void add_observations(ceres::Problem& problem, Capture& capture, CameraBlocks& cameras,
                       ceres::LossFunction* loss) {
     for (ScenePoint& point : capture.points) {
         for (const Observation& observation : point.track) {
-            View& view = capture.views[static_cast<std::size_t>(observation.view_index)];
-            const LensModel model = camera_of(capture, view).model;
+            const auto view_index = static_cast<std::size_t>(observation.view_index);
+            const View& view = capture.views[view_index];
             problem.AddResidualBlock(
-                reprojection_cost(model, observation.pixel).release(), loss,
-                lenses.of(view.camera_index), view.cam_from_world.rotation.coeffs().data(),
-                view.cam_from_world.translation.data(), point.position_in_world.data());
+                reprojection_cost(camera_of(capture, view).model, observation.pixel).release(),
+                loss, cameras.lens(static_cast<std::size_t>(view.camera_index)),
+                cameras.pose(view_index), point.position_in_world.data());
         }
     }
-    for (View& view : capture.views) {
-        double* const rotation = view.cam_from_world.rotation.coeffs().data();
-        if (problem.HasParameterBlock(rotation)) {
-            problem.SetManifold(rotation, new ceres::EigenQuaternionManifold);
-        }
+    for (std::size_t view = 0; view < capture.views.size(); ++view) {
+        if (!problem.HasParameterBlock(cameras.pose(view))) continue;
+        problem.SetManifold(cameras.pose(view), new_pose_manifold());
     }
 }
 
@@ -87,24 +82,29 @@ std::vector<int> constant_lens_parameters(const Capture& capture, std::size_t ca
     return {};
 }
 
-void build_bundle_problem(ceres::Problem& problem, Capture& capture, LensBlocks& lenses,
+CameraBlocks camera_blocks(const Capture& capture) {
+    std::vector<Rigid3> poses;
+    for (const View& view : capture.views) poses.push_back(view.cam_from_world);
+    return {poses, capture.cameras};
+}
+
+void build_bundle_problem(ceres::Problem& problem, Capture& capture, CameraBlocks& cameras,
                           const BundleAdjustmentOptions& options, ceres::LossFunction* loss) {
-    add_observations(problem, capture, lenses, loss);
-    hold_lenses(problem, capture, lenses, options);
-    fix_gauge(problem, capture);
+    add_observations(problem, capture, cameras, loss);
+    hold_lenses(problem, capture, cameras, options);
+    fix_gauge(problem, capture, cameras);
 }
 
 std::shared_ptr<ceres::ParameterBlockOrdering> elimination_order(const ceres::Problem& problem,
-                                                                 Capture& capture) {
+                                                                 Capture& capture,
+                                                                 CameraBlocks& cameras) {
     auto order = std::make_shared<ceres::ParameterBlockOrdering>();
     std::vector<double*> blocks;
     problem.GetParameterBlocks(&blocks);
     for (double* const block : blocks) order->AddElementToGroup(block, 2);
-    for (View& view : capture.views) {
-        for (double* const block : {view.cam_from_world.rotation.coeffs().data(),
-                                    view.cam_from_world.translation.data()}) {
-            if (problem.HasParameterBlock(block)) order->AddElementToGroup(block, 1);
-        }
+    for (std::size_t view = 0; view < capture.views.size(); ++view) {
+        double* const pose = cameras.pose(view);
+        if (problem.HasParameterBlock(pose)) order->AddElementToGroup(pose, 1);
     }
     for (ScenePoint& point : capture.points) {
         order->AddElementToGroup(point.position_in_world.data(), 0);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "calib/adjust/camera_blocks.h"
 #include "calib/adjust/reprojection_cost.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
@@ -45,20 +46,19 @@ Rigid3 resected(const Camera& lens, Rigid3 pose, std::vector<Sighting>& sighting
     ceres::HuberLoss loss(1.0);
     ceres::Problem problem(problem_options);
     std::vector<double> parameters = lens.parameters;
-    double* const rotation = pose.rotation.coeffs().data();
-    double* const translation = pose.translation.data();
+    PoseBlock block = pose_block(pose);
     for (Sighting& sighting : sightings) {
         // Behind the camera a point has no derivative.
         if (!project(lens, pose * sighting.position_in_world)) continue;
         double* const position = sighting.position_in_world.data();
         problem.AddResidualBlock(reprojection_cost(lens.model, sighting.pixel).release(), &loss,
-                                 parameters.data(), rotation, translation, position);
+                                 parameters.data(), block.data(), position);
         problem.SetParameterBlockConstant(position);
     }
     constexpr int kMinSightings = 4;
     if (problem.NumResidualBlocks() < kMinSightings) return pose;
     problem.SetParameterBlockConstant(parameters.data());
-    problem.SetManifold(rotation, new ceres::EigenQuaternionManifold);
+    problem.SetManifold(block.data(), new_pose_manifold());
     ceres::Solver::Options solver;
     solver.linear_solver_type = ceres::DENSE_QR;
     solver.max_num_iterations = 20;
@@ -66,8 +66,7 @@ Rigid3 resected(const Camera& lens, Rigid3 pose, std::vector<Sighting>& sighting
     solver.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);
-    pose.rotation.normalize();
-    return pose;
+    return pose_of(block);
 }
 
 /// `fitted` without the observations of some views, and where those views saw what is left.

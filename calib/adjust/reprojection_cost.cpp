@@ -8,7 +8,7 @@ namespace lumi {
 namespace {
 
 using RowMajor2x3 = Eigen::Matrix<double, 2, 3, Eigen::RowMajor>;
-using RowMajor2x4 = Eigen::Matrix<double, 2, 4, Eigen::RowMajor>;
+using RowMajor2x7 = Eigen::Matrix<double, 2, 7, Eigen::RowMajor>;
 
 /// A point at depth 1, bent by the lens, with its derivatives.
 struct Bent {
@@ -83,7 +83,7 @@ Bent bent_by(const Eigen::Vector2d& point, const double* k) {
 /// to.
 template <LensModel model>
 class ReprojectionCost final
-    : public ceres::SizedCostFunction<2, static_cast<int>(lens_size(model)), 4, 3, 3> {
+    : public ceres::SizedCostFunction<2, static_cast<int>(lens_size(model)), 7, 3> {
  public:
     explicit ReprojectionCost(const Eigen::Vector2d& seen_at) : seen_at_(seen_at) {}
 
@@ -92,8 +92,8 @@ class ReprojectionCost final
                   double** jacobians) const override {
         const double* const lens = blocks[0];
         const Eigen::Map<const Eigen::Quaterniond> rotation(blocks[1]);
-        const Eigen::Map<const Eigen::Vector3d> translation(blocks[2]);
-        const Eigen::Map<const Eigen::Vector3d> point(blocks[3]);
+        const Eigen::Map<const Eigen::Vector3d> translation(blocks[1] + 4);
+        const Eigen::Map<const Eigen::Vector3d> point(blocks[2]);
         const Eigen::Vector3d point_in_cam = rotation * point + translation;
         if (!(point_in_cam.z() > 1e-12)) return false;
         const double inverse_z = 1 / point_in_cam.z();
@@ -111,15 +111,12 @@ class ReprojectionCost final
         const RowMajor2x3 by_cam = focal.asDiagonal() * bent.by_point * depth_one_by_cam;
         if (jacobians[0] != nullptr) write_by_lens(bent, focal, jacobians[0]);
         if (jacobians[1] != nullptr) {
-            Eigen::Map<RowMajor2x4> by_rotation(jacobians[1]);
-            by_rotation.noalias() = by_cam * rotated_by_quaternion(rotation, point);
+            Eigen::Map<RowMajor2x7> by_pose(jacobians[1]);
+            by_pose.leftCols<4>().noalias() = by_cam * rotated_by_quaternion(rotation, point);
+            by_pose.rightCols<3>() = by_cam;
         }
         if (jacobians[2] != nullptr) {
-            Eigen::Map<RowMajor2x3> by_translation(jacobians[2]);
-            by_translation = by_cam;
-        }
-        if (jacobians[3] != nullptr) {
-            Eigen::Map<RowMajor2x3> by_point(jacobians[3]);
+            Eigen::Map<RowMajor2x3> by_point(jacobians[2]);
             by_point.noalias() = by_cam * rotation.toRotationMatrix();
         }
         return true;

@@ -90,9 +90,8 @@ Eigen::Matrix<T, 2, 1> pixel_of(const T* lens, const Eigen::Matrix<T, 2, 1>& poi
 }
 
 /// Pixel where a point is predicted minus pixel where it was seen, under a lens model known only at
-/// run time, with its derivatives. Parameter blocks: lens, rotation cam_from_world (Eigen's order
-/// x, y, z, w), translation cam_from_world, point in world. There is no value when the point is not
-/// in front of the camera.
+/// run time, with its derivatives. Parameter blocks: lens, cam_from_world (PoseBlock), point in
+/// world. There is no value when the point is not in front of the camera.
 [[nodiscard]] std::unique_ptr<ceres::CostFunction> reprojection_cost(
     LensModel model, const Eigen::Vector2d& seen_at);
 

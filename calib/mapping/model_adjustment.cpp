@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "calib/adjust/camera_blocks.h"
 #include "calib/adjust/reprojection_cost.h"
 
 namespace lumi {
@@ -55,31 +56,6 @@ std::vector<std::size_t> strongest(const GrowingModel& model, std::vector<std::s
     return chosen;
 }
 
-/// The parameters of all lenses in one piece of memory: Ceres orders blocks by address, and so
-/// rounds the same in every run.
-class LensParameters {
- public:
-    explicit LensParameters(const std::vector<Camera>& cameras) {
-        for (const Camera& camera : cameras) {
-            offsets_.push_back(values_.size());
-            values_.insert(values_.end(), camera.parameters.begin(), camera.parameters.end());
-        }
-    }
-    [[nodiscard]] double* of(int camera) {
-        return values_.data() + offsets_[static_cast<std::size_t>(camera)];
-    }
-    void copy_to(std::vector<Camera>& cameras) const {
-        for (std::size_t index = 0; index < cameras.size(); ++index) {
-            std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(offsets_[index]),
-                        cameras[index].parameters.size(), cameras[index].parameters.begin());
-        }
-    }
-
- private:
-    std::vector<double> values_;
-    std::vector<std::size_t> offsets_;
-};
-
 void hold_lens(ceres::Problem& problem, double* lens, const Camera& camera, bool refine) {
     if (!refine) {
         problem.SetParameterBlockConstant(lens);
@@ -99,7 +75,7 @@ class Adjustment {
     Adjustment(GrowingModel& model, const Moving& moving, const ModelAdjustmentOptions& options)
         : model_(model),
           moving_(moving),
-          lenses_(model.cameras),
+          cameras_(model.cam_from_world, model.cameras),
           loss_(options.robust_scale_px),
           problem_(problem_options()),
           order_(std::make_shared<ceres::ParameterBlockOrdering>()) {
@@ -108,7 +84,7 @@ class Adjustment {
             hold_pose(photograph);
         }
         for (std::size_t camera = 0; camera < model.cameras.size(); ++camera) {
-            double* const lens = lenses_.of(static_cast<int>(camera));
+            double* const lens = cameras_.lens(camera);
             if (!problem_.HasParameterBlock(lens)) continue;
             hold_lens(problem_, lens, model.cameras[camera], moving.lenses);
             order_->AddElementToGroup(lens, 2);
@@ -132,11 +108,11 @@ class Adjustment {
                 farthest = other;
             }
         }
-        double* const translation = model_.cam_from_world[farthest].translation.data();
-        if (farthest == first || !problem_.HasParameterBlock(translation)) return;
+        double* const pose = cameras_.pose(farthest);
+        if (farthest == first || !problem_.HasParameterBlock(pose)) return;
         int axis = 0;
         (model_.cam_from_world[farthest] * origin).cwiseAbs().maxCoeff(&axis);
-        problem_.SetManifold(translation, new ceres::SubsetManifold(3, {axis}));
+        problem_.SetManifold(pose, new_pose_manifold_without(axis));
     }
 
     void solve(int max_iterations) {
@@ -155,8 +131,10 @@ class Adjustment {
         ceres::Solver::Summary summary;
         ceres::Solve(solver, &problem_, &summary);
         if (!summary.IsSolutionUsable()) return;
-        lenses_.copy_to(model_.cameras);
-        for (Rigid3& pose : model_.cam_from_world) pose.rotation.normalize();
+        cameras_.copy_lenses_to(model_.cameras);
+        for (std::size_t index = 0; index < model_.cam_from_world.size(); ++index) {
+            model_.cam_from_world[index] = cameras_.solved_pose(index);
+        }
     }
 
  private:
@@ -170,39 +148,35 @@ class Adjustment {
         double* const point = model_.points_in_world[track].data();
         for_each_inlier(model_, track, [&](const TrackElement& seen) {
             const auto photograph = static_cast<std::size_t>(seen.photograph);
-            Rigid3& pose = model_.cam_from_world[photograph];
+            const Rigid3& pose = model_.cam_from_world[photograph];
             // A point behind a camera has no pixel there, and the whole problem no cost.
             if (!((pose * model_.points_in_world[track]).z() > 1e-6)) return;
-            problem_.AddResidualBlock(reprojection_cost(model_.camera_of(seen.photograph).model,
+            const auto camera = static_cast<std::size_t>(model_.camera_of_photograph[photograph]);
+            problem_.AddResidualBlock(reprojection_cost(model_.cameras[camera].model,
                                                         model_.pixels[photograph][seen.feature])
                                           .release(),
-                                      &loss_, lenses_.of(model_.camera_of_photograph[photograph]),
-                                      pose.rotation.coeffs().data(), pose.translation.data(),
+                                      &loss_, cameras_.lens(camera), cameras_.pose(photograph),
                                       point);
         });
         if (problem_.HasParameterBlock(point)) order_->AddElementToGroup(point, 0);
     }
 
     void hold_still(std::size_t photograph) {
-        Rigid3& pose = model_.cam_from_world[photograph];
-        if (!problem_.HasParameterBlock(pose.translation.data())) return;
-        problem_.SetParameterBlockConstant(pose.rotation.coeffs().data());
-        problem_.SetParameterBlockConstant(pose.translation.data());
+        double* const pose = cameras_.pose(photograph);
+        if (problem_.HasParameterBlock(pose)) problem_.SetParameterBlockConstant(pose);
     }
 
     void hold_pose(std::size_t photograph) {
-        Rigid3& pose = model_.cam_from_world[photograph];
-        double* const rotation = pose.rotation.coeffs().data();
-        if (!problem_.HasParameterBlock(rotation)) return;
-        order_->AddElementToGroup(rotation, 1);
-        order_->AddElementToGroup(pose.translation.data(), 1);
-        problem_.SetManifold(rotation, new ceres::EigenQuaternionManifold);
+        double* const pose = cameras_.pose(photograph);
+        if (!problem_.HasParameterBlock(pose)) return;
+        order_->AddElementToGroup(pose, 1);
+        problem_.SetManifold(pose, new_pose_manifold());
         if (moving_.photographs[photograph] == 0) hold_still(photograph);
     }
 
     GrowingModel& model_;
     const Moving& moving_;
-    LensParameters lenses_;
+    CameraBlocks cameras_;
     ceres::CauchyLoss loss_;
     ceres::Problem problem_;
     std::shared_ptr<ceres::ParameterBlockOrdering> order_;

@@ -23,7 +23,7 @@ namespace {
 
 /// Focusing alone changes focal lengths by a per cent or two.
 constexpr double kMinZoom = 1.025;
-/// What the refinement may still add to a zoom that mapping found; measured: less than 0.002.
+/// What the refinement may still add to a zoom that mapping found; measured: 0.007.
 constexpr double kMostRefined = 0.01;
 
 /// Largest over smallest focal length of views that shared a lens before.
@@ -89,11 +89,10 @@ bool own_explains_better(const Capture& shared, const Capture& own) {
 /// less certain than the smallest zoom asked for (a small subject, seen from afar), focal length
 /// and distance make up for each other along a curve that linear standard deviations are too small
 /// for, and nothing can be said.
-bool focal_lengths_differ(const OwnLensModel& own, const PoseEvidence& evidence,
-                          const Capture& shared) {
+bool focal_lengths_differ(const Capture& own, const PoseEvidence& evidence, const Capture& shared) {
     constexpr double kMinSquare = 25.0;
-    const double observations_of_point = static_cast<double>(count_observations(own.refined)) /
-                                         static_cast<double>(own.refined.points.size());
+    const double observations_of_point =
+        static_cast<double>(count_observations(own)) / static_cast<double>(own.points.size());
     std::map<std::string, int> shared_lens;
     for (const View& view : shared.views) shared_lens[view.name] = view.camera_index;
     struct Sums {
@@ -102,14 +101,14 @@ bool focal_lengths_differ(const OwnLensModel& own, const PoseEvidence& evidence,
         int count = 0;
     };
     std::map<int, Sums> sums;
-    for (const View& view : own.refined.views) {
+    for (const View& view : own.views) {
         const auto lens = shared_lens.find(view.name);
         const auto index = static_cast<std::size_t>(view.camera_index);
         if (lens == shared_lens.end() || index >= evidence.lenses.size() ||
             evidence.lenses[index].sigma.empty() || !(evidence.lenses[index].sigma[0] > 0)) {
             continue;
         }
-        const double focal_px = focal_length_px(own.refined.cameras[index]).x();
+        const double focal_px = focal_length_px(own.cameras[index]).x();
         const double sigma = evidence.lenses[index].sigma[0] / focal_px;
         Sums& sum = sums[lens->second];
         sum.weight += 1 / (sigma * sigma);
@@ -142,27 +141,6 @@ bool is_worth_asking(const MappingJob& job, const Capture& refined, bool is_cont
     return is_contradicted || (is_guessed && job.photographs.size() <= kMaxViews);
 }
 
-/// Empty where no model comes of it, or none that has a zoom: to refine it would take longer than
-/// everything before.
-std::optional<OwnLensModel> model_of(const MappingJob& job, MatchedPhotographs& matched,
-                                     LensPolicy policy, const Capture& shared) {
-    OwnLensModel model;
-    try {
-        std::optional<Capture> mapped = map_incrementally(job, matched);
-        if (!mapped || zoom_factor(*mapped, shared) < kMinZoom - kMostRefined) return std::nullopt;
-        JointCheck joints = with_firm_joints(job, *mapped);
-        model.mapped = joints.mapped;
-        model.refined = std::move(joints.mapped);
-        model.joint_trouble = std::move(joints.trouble);
-        refine(model.refined, policy, job.options, job.threads, job.evidence, job.progress);
-        (void)check_model(model.refined, false);
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::kDegenerateCapture) throw;
-        return std::nullopt;
-    }
-    return model;
-}
-
 std::string warning_of(double factor) {
     std::array<char, 160> what{};
     std::snprintf(what.data(), what.size(),
@@ -183,6 +161,78 @@ void tell(PoseEvidence& evidence, PoseEvidence of_model, double factor) {
     evidence.warnings.push_back(warning_of(factor));
 }
 
+/// Each photograph with a lens of its own, without features: what was matched has to do.
+MatchedPhotographs with_own_lenses(const MatchedPhotographs& matched, const CameraGroups& groups) {
+    MatchedPhotographs own;
+    own.name = matched.name;
+    own.photographs = matched.photographs;
+    own.pairs = matched.pairs;
+    for (std::size_t index = 0; index < own.photographs.size(); ++index) {
+        own.photographs[index].camera_index = groups.camera_of_photograph[index];
+    }
+    return own;
+}
+
+Capture refined_with(LensPolicy policy, const MappingJob& job, const Capture& mapped,
+                     PoseEvidence& evidence) {
+    Capture refined = mapped;
+    refine(refined, policy, job.options, job.threads, evidence, job.progress);
+    (void)check_model(refined, false);
+    return refined;
+}
+
+/// The question of find_own_lenses, asked of one capture.
+class ZoomQuestion {
+ public:
+    ZoomQuestion(const MappingJob& job, const MatchedPhotographs& matched, const Capture& shared)
+        : job_(job), matched_(matched), shared_(shared) {}
+
+    /// The answer of a model whose lenses are simple: to choose them takes longer than all else.
+    [[nodiscard]] bool may_be_zoomed(const MappingJob& own_job, const Capture& mapped) const {
+        constexpr double kMinFactor = kMinZoom - kMostRefined;
+        if (zoom_factor(mapped, shared_) < kMinFactor) return false;
+        PoseEvidence evidence;
+        const Capture refined = refined_with(LensPolicy::kNamed, own_job, mapped, evidence);
+        return tells(refined, evidence, kMinFactor);
+    }
+
+    /// Small zooms leave two models that explain the photographs about equally, and whose poses
+    /// differ: then the one counts that assumes less, if its focal lengths are sure to differ.
+    [[nodiscard]] bool tells(const Capture& own, const PoseEvidence& evidence,
+                             double min_factor) const {
+        return own.views.size() >= shared_.views.size() &&
+               zoom_factor(own, shared_) >= min_factor &&
+               pose_shift(named_poses(shared_), named_poses(own)).matters() &&
+               !compare_with_pairs(own, job_.photographs, matched_.photographs, matched_.pairs)
+                    .is_contradiction() &&
+               (own_explains_better(shared_, own) || focal_lengths_differ(own, evidence, shared_));
+    }
+
+ private:
+    const MappingJob& job_;
+    const MatchedPhotographs& matched_;
+    const Capture& shared_;
+};
+
+/// Empty where no model comes of it, or none that tells of a zoom.
+std::optional<OwnLensModel> answer_of(const ZoomQuestion& question, const MappingJob& own_job,
+                                      MatchedPhotographs own_matched, LensPolicy policy) {
+    try {
+        const std::optional<Capture> mapped = map_incrementally(own_job, own_matched);
+        if (!mapped || !question.may_be_zoomed(own_job, *mapped)) return std::nullopt;
+        JointCheck joints = with_firm_joints(own_job, *mapped);
+        OwnLensModel model;
+        model.refined = refined_with(policy, own_job, joints.mapped, own_job.evidence);
+        model.mapped = std::move(joints.mapped);
+        model.joint_trouble = std::move(joints.trouble);
+        if (!question.tells(model.refined, own_job.evidence, kMinZoom)) return std::nullopt;
+        return model;
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::kDegenerateCapture) throw;
+        return std::nullopt;
+    }
+}
+
 }  // namespace
 
 std::optional<OwnLensModel> find_own_lenses(const MappingJob& job,
@@ -199,27 +249,10 @@ std::optional<OwnLensModel> find_own_lenses(const MappingJob& job,
     const MappingJob own_job{job.photographs, own_groups,      job.options,
                              false,           job.refine_lens, job.scratch_folder,
                              job.threads,     job.progress,    evidence};
-    MatchedPhotographs own_matched;  // Without features: what was matched has to do.
-    own_matched.name = matched.name;
-    own_matched.photographs = matched.photographs;
-    own_matched.pairs = matched.pairs;
-    for (std::size_t index = 0; index < own_matched.photographs.size(); ++index) {
-        own_matched.photographs[index].camera_index = own_groups.camera_of_photograph[index];
-    }
-    std::optional<OwnLensModel> own = model_of(own_job, own_matched, policy, refined);
-    if (!own || own->refined.views.size() < refined.views.size()) return std::nullopt;
-
-    const double factor = zoom_factor(own->refined, refined);
-    const PoseShift shift = pose_shift(named_poses(refined), named_poses(own->refined));
-    const bool agrees =
-        !compare_with_pairs(own->refined, job.photographs, matched.photographs, matched.pairs)
-             .is_contradiction();
-    // Small zooms leave two models that explain the photographs about equally, and whose poses
-    // differ: then the one counts that assumes less, if its focal lengths are sure to differ.
-    const bool is_better =
-        own_explains_better(refined, own->refined) || focal_lengths_differ(*own, evidence, refined);
-    if (!agrees || factor < kMinZoom || !shift.matters() || !is_better) return std::nullopt;
-    tell(job.evidence, std::move(evidence), factor);
+    const ZoomQuestion question(job, matched, refined);
+    std::optional<OwnLensModel> own =
+        answer_of(question, own_job, with_own_lenses(matched, own_groups), policy);
+    if (own) tell(job.evidence, std::move(evidence), zoom_factor(own->refined, refined));
     return own;
 }
 

@@ -125,14 +125,13 @@ class LeastMovingGauge {
 MatrixXd dense_covariance_of_ceres(Capture capture) {
     const auto unknowns = static_cast<Index>(6 * capture.views.size()) + kFreeOfLens;
     ceres::Problem problem;
-    LensBlocks lenses(capture);
-    build_bundle_problem(problem, capture, lenses, {}, nullptr);
+    CameraBlocks cameras = camera_blocks(capture);
+    build_bundle_problem(problem, capture, cameras, {}, nullptr);
     std::vector<const double*> blocks;
-    for (View& view : capture.views) {
-        blocks.push_back(view.cam_from_world.rotation.coeffs().data());
-        blocks.push_back(view.cam_from_world.translation.data());
+    for (std::size_t view = 0; view < capture.views.size(); ++view) {
+        blocks.push_back(cameras.pose(view));
     }
-    blocks.push_back(lenses.of(0));
+    blocks.push_back(cameras.lens(0));
     ceres::Covariance::Options options;
     options.algorithm_type = ceres::DENSE_SVD;
     ceres::Covariance covariance(options);
@@ -140,24 +139,20 @@ MatrixXd dense_covariance_of_ceres(Capture capture) {
     std::vector<Index> sizes;
     for (const double* const block : blocks) {
         sizes.push_back(
-            problem.IsParameterBlockConstant(block) ? 3 : problem.ParameterBlockTangentSize(block));
+            problem.IsParameterBlockConstant(block) ? 6 : problem.ParameterBlockTangentSize(block));
     }
-    // Tangent spaces by block: a rotation has 3, and a translation of which one is held has 2.
+    // Tangent spaces by block: a pose has 6, and one whose translation is held along an axis 5.
     MatrixXd result = MatrixXd::Zero(unknowns, unknowns);
     const auto place = [&](std::size_t block, Index row) {
         if (block + 1 == blocks.size()) return unknowns - kFreeOfLens + row;
-        Index skipped = 0;
-        if (block % 2 == 1 && sizes[block] == 2) {
-            const auto* manifold = problem.GetManifold(blocks[block]);
-            std::vector<double> jacobian(6);
-            manifold->PlusJacobian(blocks[block], jacobian.data());
-            // Row of the ambient space whose column is `row`.
-            for (Index ambient = 0; ambient < 3; ++ambient) {
-                if (jacobian[static_cast<std::size_t>(2 * ambient + row)] == 1) skipped = ambient;
-            }
-            return static_cast<Index>(3 * block) + skipped;
-        }
-        return static_cast<Index>(3 * block) + row;
+        const auto first = static_cast<Index>(6 * block);
+        if (sizes[block] == 6 || row < 3) return first + row;
+        const auto* manifold = problem.GetManifold(blocks[block]);
+        Eigen::Matrix<double, 7, 5, Eigen::RowMajor> jacobian;
+        manifold->PlusJacobian(blocks[block], jacobian.data());
+        Index coordinate = 0;
+        jacobian.block<3, 1>(4, row).maxCoeff(&coordinate);
+        return first + 3 + coordinate;
     };
     for (std::size_t a = 0; a < blocks.size(); ++a) {
         for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -166,12 +161,13 @@ MatrixXd dense_covariance_of_ceres(Capture capture) {
             EXPECT_TRUE(
                 covariance.GetCovarianceBlockInTangentSpace(blocks[a], blocks[b], block.data()));
             // A step of Ceres's quaternion manifold is half a rotation vector.
-            const double scale_a = a + 1 < blocks.size() && a % 2 == 0 ? 2.0 : 1.0;
-            const double scale_b = b + 1 < blocks.size() && b % 2 == 0 ? 2.0 : 1.0;
+            const auto scale = [&](std::size_t of, Index index) {
+                return of + 1 < blocks.size() && index < 3 ? 2.0 : 1.0;
+            };
             for (Index row = 0; row < sizes[a]; ++row) {
                 for (Index column = 0; column < sizes[b]; ++column) {
                     result(place(a, row), place(b, column)) =
-                        scale_a * scale_b * block(row, column);
+                        scale(a, row) * scale(b, column) * block(row, column);
                 }
             }
         }

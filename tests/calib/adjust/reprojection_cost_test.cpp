@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "calib/adjust/camera_blocks.h"
 #include "calib/capture/rigid3.h"
 
 namespace lumi {
@@ -25,12 +26,11 @@ struct AutomaticCost {
     Eigen::Vector2d seen_at;
 
     template <class T>
-    bool operator()(const T* lens, const T* rotation, const T* translation, const T* point,
-                    T* residual) const {
+    bool operator()(const T* lens, const T* pose, const T* point, T* residual) const {
         using Vector3 = Eigen::Matrix<T, 3, 1>;
         const Vector3 point_in_cam =
-            Eigen::Map<const Eigen::Quaternion<T>>(rotation) * Eigen::Map<const Vector3>(point) +
-            Eigen::Map<const Vector3>(translation);
+            Eigen::Map<const Eigen::Quaternion<T>>(pose) * Eigen::Map<const Vector3>(point) +
+            Eigen::Map<const Vector3>(pose + 4);
         const Eigen::Matrix<T, 2, 1> at_depth_one =
             point_in_cam.template head<2>() / point_in_cam.z();
         const Eigen::Matrix<T, 2, 1> pixel = pixel_of<model>(lens, at_depth_one);
@@ -42,8 +42,8 @@ struct AutomaticCost {
 
 template <LensModel model>
 std::unique_ptr<ceres::CostFunction> automatic(const Eigen::Vector2d& seen_at) {
-    return std::make_unique<ceres::AutoDiffCostFunction<
-        AutomaticCost<model>, 2, static_cast<int>(lens_size(model)), 4, 3, 3>>(
+    return std::make_unique<ceres::AutoDiffCostFunction<AutomaticCost<model>, 2,
+                                                        static_cast<int>(lens_size(model)), 7, 3>>(
         new AutomaticCost<model>{seen_at});
 }
 
@@ -70,19 +70,19 @@ std::unique_ptr<ceres::CostFunction> automatic_cost(LensModel model,
 
 class ReprojectionCostOf : public testing::TestWithParam<LensCase> {
  protected:
-    const Eigen::Quaterniond rotation_ = Eigen::Quaterniond(0.9, 0.1, -0.3, 0.2).normalized();
-    const Eigen::Vector3d translation_{0.2, -0.1, 3.0};
+    const Rigid3 pose_{Eigen::Quaterniond(0.9, 0.1, -0.3, 0.2).normalized(), {0.2, -0.1, 3.0}};
+    const PoseBlock pose_block_ = pose_block(pose_);
     const Eigen::Vector3d point_{0.5, 0.4, -0.3};
     const Eigen::Vector2d seen_at_{300.0, 200.0};
 };
 
 TEST_P(ReprojectionCostOf, EqualsTheProjectionStatedInPlainCode) {
     const Camera camera{640, 480, GetParam().model, GetParam().parameters};
-    const auto expected = project(camera, Rigid3{rotation_, translation_} * point_);
+    const auto expected = project(camera, pose_ * point_);
     ASSERT_TRUE(expected.has_value());
     const auto cost = reprojection_cost(camera.model, seen_at_);
-    const std::array<const double*, 4> blocks{camera.parameters.data(), rotation_.coeffs().data(),
-                                              translation_.data(), point_.data()};
+    const std::array<const double*, 3> blocks{camera.parameters.data(), pose_block_.data(),
+                                              point_.data()};
     Eigen::Vector2d residual;
     ASSERT_TRUE(cost->Evaluate(blocks.data(), residual.data(), nullptr));
     EXPECT_LT((residual + seen_at_ - *expected).norm(), 1e-9);
@@ -90,12 +90,11 @@ TEST_P(ReprojectionCostOf, EqualsTheProjectionStatedInPlainCode) {
 
 TEST_P(ReprojectionCostOf, DerivativesEqualAutomaticOnes) {
     const LensCase& lens = GetParam();
-    const std::array<const double*, 4> blocks{lens.parameters.data(), rotation_.coeffs().data(),
-                                              translation_.data(), point_.data()};
+    const std::array<const double*, 3> blocks{lens.parameters.data(), pose_block_.data(),
+                                              point_.data()};
     const auto derivatives = [&](const ceres::CostFunction& cost) {
-        std::array<std::array<double, 24>, 4> values{};
-        std::array<double*, 4> pointers{values[0].data(), values[1].data(), values[2].data(),
-                                        values[3].data()};
+        std::array<std::array<double, 24>, 3> values{};
+        std::array<double*, 3> pointers{values[0].data(), values[1].data(), values[2].data()};
         Eigen::Vector2d residual;
         EXPECT_TRUE(cost.Evaluate(blocks.data(), residual.data(), pointers.data()));
         return values;
@@ -114,17 +113,15 @@ TEST_P(ReprojectionCostOf, DerivativesEqualAutomaticOnes) {
 TEST_P(ReprojectionCostOf, DerivativesEqualDifferenceQuotients) {
     const auto cost = reprojection_cost(GetParam().model, seen_at_);
     std::vector<double> lens = GetParam().parameters;
-    std::array<double, 4> rotation{rotation_.x(), rotation_.y(), rotation_.z(), rotation_.w()};
-    std::array<double, 3> translation{translation_.x(), translation_.y(), translation_.z()};
+    PoseBlock pose = pose_block_;
     std::array<double, 3> point{point_.x(), point_.y(), point_.z()};
-    const std::array<double*, 4> blocks{lens.data(), rotation.data(), translation.data(),
-                                        point.data()};
-    std::array<std::array<double, 24>, 4> jacobians{};
-    std::array<double*, 4> jacobian_pointers{jacobians[0].data(), jacobians[1].data(),
-                                             jacobians[2].data(), jacobians[3].data()};
+    const std::array<double*, 3> blocks{lens.data(), pose.data(), point.data()};
+    std::array<std::array<double, 24>, 3> jacobians{};
+    std::array<double*, 3> jacobian_pointers{jacobians[0].data(), jacobians[1].data(),
+                                             jacobians[2].data()};
     Eigen::Vector2d residual;
     ASSERT_TRUE(cost->Evaluate(blocks.data(), residual.data(), jacobian_pointers.data()));
-    const std::array<std::size_t, 4> sizes{lens.size(), 4, 3, 3};
+    const std::array<std::size_t, 3> sizes{lens.size(), 7, 3};
     for (std::size_t block = 0; block < sizes.size(); ++block) {
         for (std::size_t column = 0; column < sizes[block]; ++column) {
             double& value = blocks[block][column];
@@ -164,11 +161,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ReprojectionCost, HasNoValueBehindTheCamera) {
     const Camera camera = pinhole_camera(640, 480, 500);
     const auto cost = reprojection_cost(camera.model, {300, 200});
-    const std::array<double, 4> rotation{0, 0, 0, 1};
-    const std::array<double, 3> translation{0, 0, 0};
+    const PoseBlock pose = pose_block({});
     const std::array<double, 3> point{0, 0, -1};
-    const std::array<const double*, 4> blocks{camera.parameters.data(), rotation.data(),
-                                              translation.data(), point.data()};
+    const std::array<const double*, 3> blocks{camera.parameters.data(), pose.data(), point.data()};
     Eigen::Vector2d residual;
     EXPECT_FALSE(cost->Evaluate(blocks.data(), residual.data(), nullptr));
 }
@@ -176,13 +171,11 @@ TEST(ReprojectionCost, HasNoValueBehindTheCamera) {
 TEST(ReprojectionCost, FisheyeHasADerivativeOnTheOpticalAxis) {
     const std::vector<double> lens{500, 500, 320, 240, 0.1, 0, 0, 0};
     const auto cost = reprojection_cost(LensModel::kOpenCvFisheye, {320, 240});
-    const std::array<double, 4> rotation{0, 0, 0, 1};
-    const std::array<double, 3> translation{0, 0, 0};
+    const PoseBlock pose = pose_block({});
     const std::array<double, 3> point{0, 0, 1};
-    const std::array<const double*, 4> blocks{lens.data(), rotation.data(), translation.data(),
-                                              point.data()};
+    const std::array<const double*, 3> blocks{lens.data(), pose.data(), point.data()};
     std::array<double, 6> by_point{};
-    std::array<double*, 4> jacobians{nullptr, nullptr, nullptr, by_point.data()};
+    std::array<double*, 3> jacobians{nullptr, nullptr, by_point.data()};
     Eigen::Vector2d residual;
     ASSERT_TRUE(cost->Evaluate(blocks.data(), residual.data(), jacobians.data()));
     EXPECT_NEAR(by_point[0], 500, 1e-9);
