@@ -6,6 +6,7 @@
 
 #include "render/modes/depth_lattice.h"
 #include "render/modes/halved_depth.h"
+#include "render/modes/mesh_decimation.h"
 #include "render/modes/split_errors.h"
 
 namespace lumi {
@@ -173,6 +174,11 @@ class BorderCut {
     Eigen::Vector2f border_px_;
 };
 
+/// By how much of the pitch the ends of surfaces, and borders between seen and filled, may move
+/// when vertices are left out.
+constexpr double kMaxMovedTear = 0.5;
+constexpr double kMaxMovedKindBorder = 1.0;
+
 using IndicesByKind = std::array<std::vector<std::uint32_t>, kDepthKinds>;
 
 /// The corners of a triangle that tears, each with how it is parted from the two others. Corners
@@ -279,7 +285,14 @@ DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double dispar
         as_it_is.max_triangles_per_sample = std::numeric_limits<double>::infinity();
         return triangulate(half, camera, disparity_px, as_it_is);
     }
-    return mesh_of(errors, lattice, network.error_px);
+    const DepthMesh mesh = mesh_of(errors, lattice, network.error_px);
+    if (options.decimated_share <= 0) return mesh;
+    const double pitch_px = static_cast<double>(camera.width_px) / depth.inverse_depth.width();
+    return decimated(
+        mesh, disparity_px,
+        {.max_error_px = options.decimated_share * static_cast<double>(network.error_px),
+         .max_tear_px = kMaxMovedTear * pitch_px,
+         .max_kind_border_px = kMaxMovedKindBorder * pitch_px});
 }
 
 }  // namespace lumi

@@ -27,6 +27,9 @@ struct DepthMeshOptions {
     /// and of columns are drawn as one, and the mesh follows these less closely.
     double max_triangles_per_sample = 0.25;
     double max_noisy_error_px = 1.6;
+    /// Vertices are left out as long as that adds no more than this share of the error
+    /// (mesh_decimation.h); 0: none is.
+    double decimated_share = 0.5;
 };
 
 /// A view's depth map as triangles over its photograph.
@@ -43,8 +46,8 @@ struct DepthMesh {
 
 /// The coarsest right-triangulated irregular network (Evans, Kirkpatrick, Townsend 2001) that stays
 /// within the error: without cracks, and down to single samples along tears and at the edges of
-/// what was seen. Linear in the samples. `disparity_px` turns inverse depth into pixels
-/// (view_geometry.h).
+/// what was seen; then without the vertices that it keeps to the error without. `disparity_px`
+/// turns inverse depth into pixels (view_geometry.h).
 [[nodiscard]] DepthMesh triangulate(const DepthMap& depth, const Camera& camera,
                                     double disparity_px, const DepthMeshOptions& options = {});
 

@@ -72,10 +72,13 @@ class VertexWriter {
 
     void append_sizes(std::vector<float>& vertices, int view) const {
         const auto index = static_cast<std::size_t>(view);
-        append(vertices, uploaded_.layout.views[index].camera.width_px);
-        append(vertices, uploaded_.layout.views[index].camera.height_px);
-        append(vertices, uploaded_.depth_sizes_px[index].x());
-        append(vertices, uploaded_.depth_sizes_px[index].y());
+        const Camera& camera = uploaded_.layout.views[index].camera;
+        append(vertices, camera.width_px);
+        append(vertices, camera.height_px);
+        append(vertices,
+               static_cast<double>(uploaded_.depth_sizes_px[index].x()) / camera.width_px);
+        append(vertices,
+               static_cast<double>(uploaded_.depth_sizes_px[index].y()) / camera.height_px);
     }
 
     const UploadedLumigraph& uploaded_;

@@ -61,8 +61,9 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
     program.set("agreeing_inverse_depth",
                 static_cast<float>(agreeing_inverse_depth(uploaded_.geometries, views,
                                                           options.occlusion_tolerance_px)));
-    program.set("tolerance_px", static_cast<float>(options.occlusion_tolerance_px));
-    program.set("correct_occlusion", options.correct_occlusion ? 1.0F : 0.0F);
+    program.set(
+        "check_per_px",
+        static_cast<float>(options.correct_occlusion ? 1 / options.occlusion_tolerance_px : 0.0));
     set_layer_views(eye, views, program);
     return program;
 }

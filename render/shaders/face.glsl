@@ -18,7 +18,7 @@ LUMI_VARYING vec3 view_pixel2;
 flat LUMI_VARYING vec4 view_parallax0;
 flat LUMI_VARYING vec4 view_parallax1;
 flat LUMI_VARYING vec4 view_parallax2;
-// Size of the photograph (xy) and of the depth map (zw).
+// Size of the photograph (xy), and samples of the depth map for each of its pixels (zw).
 flat LUMI_VARYING vec4 view_size0;
 flat LUMI_VARYING vec4 view_size1;
 flat LUMI_VARYING vec4 view_size2;

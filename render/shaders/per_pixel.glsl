@@ -12,8 +12,7 @@ uniform sampler2DArray depth_layers;
 uniform vec2 viewport_origin;
 uniform float max_inverse_depth;
 uniform float agreeing_inverse_depth;    // depths that differ by no more are of one surface
-uniform float tolerance_px;
-uniform float correct_occlusion;         // 1 or 0
+uniform float check_per_px;              // 1 / tolerance; 0 without occlusion correction
 // For each layer its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
 // in window coordinates, then (layer of the photograph, its width, its height, unused).
 uniform vec4 layer_views[16];
@@ -80,15 +79,15 @@ vec3 sight_of(vec3 pixel) {
 }
 
 // 1 when the view sees the point, 0 when it sees something else; in between a ramp. `size` is that
-// of the photograph and of the depth map.
+// of the photograph, and samples of the depth map for each of its pixels.
 float visibility(vec3 sight, float is_before, vec4 size, float layer, float inverse_depth,
                  float disparity_px, float check) {
     vec2 to_border = min(sight.xy, size.xy - sight.xy);
     float inside = step(0.0, min(to_border.x, to_border.y)) * is_before;
-    vec2 sample_at = clamp(sight.xy * size.zw / size.xy, vec2(0.0), size.zw - 1.0);
-    float seen = texelFetch(depth_maps, ivec3(ivec2(sample_at), int(layer)), 0).r;
+    // What lies outside has no sample, and no say.
+    float seen = texelFetch(depth_maps, ivec3(ivec2(sight.xy * size.zw), int(layer)), 0).r;
     float difference_px = abs(inverse_depth * sight.z - seen) * disparity_px;
-    return inside * clamp(2.0 - check * difference_px / tolerance_px, 0.0, 1.0);
+    return inside * clamp(2.0 - check * difference_px, 0.0, 1.0);
 }
 
 void main() {
@@ -104,7 +103,7 @@ void main() {
     vec3 sight1 = sight_of(pixel1);
     vec3 sight2 = sight_of(pixel2);
     vec3 is_before = vec3(greaterThan(vec3(pixel0.z, pixel1.z, pixel2.z), vec3(0.0)));
-    float check = is_guess ? 0.0 : correct_occlusion;
+    float check = is_guess ? 0.0 : check_per_px;
     vec3 weights = max(side_products_and_plane.xyz, 0.0);
     weights *= 1.0 / (weights.x + weights.y + weights.z);
 #ifdef FADES

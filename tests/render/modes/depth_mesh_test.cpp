@@ -85,8 +85,9 @@ TEST(DepthMesh, EndsASurfaceHalfwayToTheFirstSampleBeyond) {
         depth_map(61, 47, [](double x, double y) { return x > 20 && y > 11 ? 0.8 : 0.2; });
     LumigraphView view;
     view.camera = kCamera;
-    const Image<EyeDepth> drawn = rasterise(triangulate(depth, kCamera, kDisparity_px), view,
-                                            {resized(kCamera, 2 * 61, 2 * 47), {}});
+    const Image<EyeDepth> drawn =
+        rasterise(triangulate(depth, kCamera, kDisparity_px, {.decimated_share = 0}), view,
+                  {resized(kCamera, 2 * 61, 2 * 47), {}});
     for (int y = 0; y < 94; ++y) {
         for (int x = 0; x < 122; ++x) {
             if (std::abs(x - 40) < 3 && std::abs(y - 22) < 3) continue;  // The corner is cut.
@@ -102,8 +103,9 @@ TEST(DepthMesh, StaysWithinItsErrorOnACurvedSurface) {
         return 0.3 + 0.05 * std::sin(0.2 * x) * std::cos(0.15 * y);
     };
     for (const double error_px : {0.05, 0.2, 0.5}) {
-        const DepthMesh mesh = triangulate(depth_map(61, 47, surface), kCamera, kDisparity_px,
-                                           {.max_error_px = error_px, .max_triangles = 100'000});
+        const DepthMesh mesh =
+            triangulate(depth_map(61, 47, surface), kCamera, kDisparity_px,
+                        {.max_error_px = error_px, .max_triangles = 100'000, .decimated_share = 0});
         const Image<EyeDepth> drawn = at_samples(mesh);
         double worst_px = 0;
         for (int y = 0; y < 47; ++y)
@@ -119,7 +121,7 @@ TEST(DepthMesh, StaysWithinItsErrorOnACurvedSurface) {
 TEST(DepthMesh, TearsBetweenForegroundAndBackgroundAndOnlyThere) {
     const DepthMap depth =
         depth_map(61, 47, [](double x, double y) { return x > 20 && y > 11 ? 0.8 : 0.2; });
-    const DepthMesh mesh = triangulate(depth, kCamera, kDisparity_px);
+    const DepthMesh mesh = triangulate(depth, kCamera, kDisparity_px, {.decimated_share = 0});
     // Two triangles for each lattice cell that the outline passes through: 41 + 36 of them, and
     // one at the corner where they meet that is counted once.
     EXPECT_EQ(triangle_count(mesh, DepthKind::kStretched), 2U * (41 + 36) + 1);
@@ -143,7 +145,8 @@ TEST(DepthMesh, KeepsFilledSamplesApart) {
     DepthMap depth = depth_map(61, 47, [](double, double) { return 0.2; });
     for (int y = 10; y < 20; ++y)
         for (int x = 30; x < 40; ++x) depth.confidence(x, y) = 0;
-    const Image<EyeDepth> drawn = at_samples(triangulate(depth, kCamera, kDisparity_px));
+    const Image<EyeDepth> drawn =
+        at_samples(triangulate(depth, kCamera, kDisparity_px, {.decimated_share = 0}));
     for (int y = 0; y < 47; ++y) {
         for (int x = 0; x < 61; ++x) {
             if (depth.confidence(x, y) == 0)
@@ -158,9 +161,11 @@ TEST(DepthMesh, TradesErrorForTrianglesWhenThereAreTooMany) {
     const DepthMap noisy = depth_map(61, 47, [](double x, double y) {
         return 0.3 + 0.002 * std::sin(12.9898 * x + 78.233 * y);
     });
-    const std::size_t fine = triangulate(noisy, kCamera, kDisparity_px).indices.size();
-    const std::size_t coarse =
-        triangulate(noisy, kCamera, kDisparity_px, {.max_triangles = 1000}).indices.size();
+    const auto size_with = [&](const DepthMeshOptions& options) {
+        return triangulate(noisy, kCamera, kDisparity_px, options).indices.size();
+    };
+    const std::size_t fine = size_with({.decimated_share = 0});
+    const std::size_t coarse = size_with({.max_triangles = 1000, .decimated_share = 0});
     EXPECT_GT(fine, 3 * 4000U);
     EXPECT_LT(coarse, 3 * 1000U);
 }
@@ -179,6 +184,57 @@ TEST(DepthMesh, DrawsNoisyPairsOfRowsAndColumnsAsOneAndKeepsTheEdge) {
             if (std::abs(x - 30) < 3) continue;
             EXPECT_EQ(drawn(x, y).kind, DepthKind::kSeen);
             EXPECT_NEAR(drawn(x, y).inverse_depth, x > 30 ? 0.8 : 0.2, 0.02) << x << ' ' << y;
+        }
+    }
+}
+
+TEST(DepthMesh, LeavesVerticesOutWithinItsError) {
+    const auto surface = [](double x, double y) {
+        return 0.3 + 0.05 * std::sin(0.2 * x) * std::cos(0.15 * y);
+    };
+    constexpr double kError_px = 0.2;
+    const auto mesh_with = [&](double share) {
+        return triangulate(
+            depth_map(61, 47, surface), kCamera, kDisparity_px,
+            {.max_error_px = kError_px, .max_triangles = 100'000, .decimated_share = share});
+    };
+    const DepthMesh all = mesh_with(0);
+    const DepthMesh fewer = mesh_with(0.5);
+    EXPECT_LT(fewer.indices.size(), 9 * all.indices.size() / 10);
+    EXPECT_NEAR(covered_area(fewer, false), 61 * 47, 0.01);
+    const Image<EyeDepth> before = at_samples(all);
+    const Image<EyeDepth> after = at_samples(fewer);
+    double sum_px = 0;
+    for (int y = 0; y < 47; ++y) {
+        for (int x = 0; x < 61; ++x) {
+            const double moved_px =
+                kDisparity_px * std::abs(after(x, y).inverse_depth - before(x, y).inverse_depth);
+            // Vertices that are gone keep to half the error, what was between them to the whole.
+            EXPECT_LT(moved_px, kError_px) << x << ' ' << y;
+            sum_px += moved_px;
+        }
+    }
+    EXPECT_LT(sum_px / (61 * 47), 0.5 * kError_px);
+}
+
+TEST(DepthMesh, DrawsASlantedSilhouetteWithFewTriangles) {
+    const auto edge_at = [](double y) { return 20 + 0.37 * y; };
+    const DepthMap depth =
+        depth_map(61, 47, [&](double x, double y) { return x > edge_at(y) ? 0.8 : 0.2; });
+    const DepthMesh mesh = triangulate(depth, kCamera, kDisparity_px);
+    EXPECT_LT(mesh.indices.size() / 3, 250U);
+    EXPECT_GT(triangulate(depth, kCamera, kDisparity_px, {.decimated_share = 0}).indices.size() / 3,
+              600U);
+    LumigraphView view;
+    view.camera = kCamera;
+    const Image<EyeDepth> drawn = rasterise(mesh, view, {resized(kCamera, 122, 94), {}});
+    for (int y = 0; y < 94; ++y) {
+        for (int x = 0; x < 122; ++x) {
+            // Half a sample as ever, and half a sample more.
+            if (std::abs(0.5 * (x + 0.5) - edge_at(0.5 * (y + 0.5))) < 1.1) continue;
+            EXPECT_EQ(drawn(x, y).kind, DepthKind::kSeen) << x << ' ' << y;
+            EXPECT_NEAR(drawn(x, y).inverse_depth, depth.inverse_depth(x / 2, y / 2), 1e-5)
+                << x << ' ' << y;
         }
     }
 }
