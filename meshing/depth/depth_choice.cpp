@@ -16,7 +16,8 @@ std::string with_two_digits(double value) {
 }
 
 bool compares_photographs(const std::string& model) {
-    return model == "pair_stereo" || model == "sweep" || model == "patch_match";
+    return model == "pair_stereo" || model == "sweep" || model == "refined_sweep" ||
+           model == "patch_match";
 }
 
 /// Photographs kept back, and what the rungs make of them as far as anybody asked.
@@ -41,7 +42,6 @@ class Race {
             append(tiles(current, k), of_current);
             append(tiles(next, k), of_next);
             if (is_clearly_closer(of_next, of_current, kHardlyChance)) return true;
-            if (is_clearly_closer(of_current, of_next, kHardlyChance)) return false;
         }
         return is_clearly_closer(of_next, of_current, 1.0);
     }
@@ -115,7 +115,8 @@ DepthChoice choose_depth_model(const DepthScene& scene, const std::vector<GrayIm
     Race race(scene, masks, threads, progress);
     if (race.is_possible()) return best_by_photographs(race, rungs);
     // Nothing could show that more than the sweep is worth its time.
-    const std::string untried = highest == "patch_match" ? "sweep" : highest;
+    const bool has_sweep = std::find(rungs.begin(), rungs.end(), "sweep") != rungs.end();
+    const std::string untried = has_sweep ? "sweep" : highest;
     return {untried,
             untried + ": no view has two neighbours, by which its photograph could be predicted",
             {}};

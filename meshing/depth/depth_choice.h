@@ -23,8 +23,9 @@ struct DepthChoice {
 /// Then photographs kept back are predicted (held_out_photograph.h), and the choice climbs while
 /// the next rung predicts them better by more than one standard error (Breiman et al. 1984, section
 /// 3.4.3, applied rung by rung). One photograph after the other is asked, and none further once the
-/// rungs differ by two standard errors (a race, Maron and Moore 1994). What is compared is what
-/// would be delivered, `masks` (scene_masks) included.
+/// next rung leads by two standard errors (a race, Maron and Moore 1994). Before a rung is given up
+/// all are asked: the tiles of a photograph that is not where it is said to be are all wrong
+/// together. What is compared is what would be delivered, `masks` (scene_masks) included.
 ///
 /// Rungs above `highest` are not tried. Where no photograph can be kept back, `highest` is taken,
 /// but not more than the sweep.

@@ -23,10 +23,14 @@ constexpr double kMaxMatching = 3.0 * (std::uint64_t{96} << 20);
 constexpr double kRefining = 43;  // Planes, costs and packed neighbours of PatchMatch.
 constexpr double kPair = 60;      // Two rectified pictures, and what OpenCV matches them in.
 
+bool refines(const std::string& model) {
+    return model == "refined_sweep" || model == "patch_match" || model == "auto";
+}
+
 double matching_of(double pixels, const std::string& model) {
     const double swept = kPictures * pixels + std::min(kMaxMatching, kPlanes * kPlane * pixels);
     if (model == "sweep") return swept;
-    if (model == "patch_match" || model == "auto") return swept + kRefining * pixels;
+    if (refines(model)) return swept + kRefining * pixels;
     if (model == "pair_stereo") return kPair * pixels;
     return 0;
 }
@@ -60,8 +64,7 @@ DepthMemory predicted_depth_memory(const std::vector<std::uint64_t>& map_pixels,
         map_pixels.empty()
             ? 0
             : static_cast<double>(*std::max_element(map_pixels.begin(), map_pixels.end()));
-    const bool refines = model == "patch_match" || model == "auto";
-    const double while_matching = (kPicture + (refines ? 2 : 1) * kMap) * pixels;
+    const double while_matching = (kPicture + (refines(model) ? 2 : 1) * kMap) * pixels;
     const double while_filling = (kPicture + 2 * kMap) * pixels;
     const double left = static_cast<double>(budget) - static_cast<double>(in_use);
     const int most =

@@ -109,14 +109,21 @@ class SweepModel : public DepthModel {
 
 class PatchMatchModel final : public SweepModel {
  public:
+    PatchMatchModel(std::string name, bool only_where_unsure) : name_(std::move(name)) {
+        options_.only_where_unsure = only_where_unsure;
+    }
     [[nodiscard]] int refinements() const override { return 1; }
     [[nodiscard]] DepthEstimate refine(const DepthScene& scene,
                                        const std::vector<DepthEstimate>& before,
                                        int view_index) const override {
         const DepthEstimate& own = before[static_cast<std::size_t>(view_index)];
         if (!own.needs_confirmation) return own;
-        return {patch_match(scene, before, view_index), "patch_match", true, false};
+        return {patch_match(scene, before, view_index, options_), name_, true, false};
     }
+
+ private:
+    std::string name_;
+    PatchMatchOptions options_;
 };
 
 }  // namespace
@@ -127,8 +134,9 @@ DepthEstimate DepthModel::refine(const DepthScene&, const std::vector<DepthEstim
 }
 
 const std::vector<std::string>& depth_model_names() {
-    static const std::vector<std::string> names{
-        "plane", "slanted_plane", "sparse", "sparse_fill", "pair_stereo", "sweep", "patch_match"};
+    static const std::vector<std::string> names{"plane",         "slanted_plane", "sparse",
+                                                "sparse_fill",   "pair_stereo",   "sweep",
+                                                "refined_sweep", "patch_match"};
     return names;
 }
 
@@ -141,8 +149,8 @@ std::unique_ptr<DepthModel> depth_model_named(const std::string& name) {
     if (name == "sparse_fill") return std::make_unique<SingleViewModel>(name, filled_sparse_depth);
     if (name == "pair_stereo") return std::make_unique<PairStereoModel>();
     if (name == "sweep") return std::make_unique<SweepModel>();
-    assert(name == "patch_match");
-    return std::make_unique<PatchMatchModel>();
+    assert(name == "refined_sweep" || name == "patch_match");
+    return std::make_unique<PatchMatchModel>(name, name == "refined_sweep");
 }
 
 std::unique_ptr<DepthModel> imported_depth_model(const std::filesystem::path& folder,

@@ -40,7 +40,8 @@ class DepthModel {
 };
 
 /// The rungs by name, cheapest first: "plane", "slanted_plane", "sparse", "sparse_fill",
-/// "pair_stereo", "sweep", "patch_match". A rung that compares photographs gives way to
+/// "pair_stereo", "sweep", "refined_sweep" (PatchMatch where the sweep is unsure), "patch_match"
+/// (everywhere). A rung that compares photographs gives way to
 /// "sparse_fill" in a view without parallax to any neighbour.
 [[nodiscard]] const std::vector<std::string>& depth_model_names();
 

@@ -148,7 +148,8 @@ std::unique_ptr<DepthModel> model_of(const DepthScene& scene, const std::vector<
     }
     if (options.model != "auto") return depth_model_named(options.model);
     const double before = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
-    const DepthChoice chosen = choose_depth_model(scene, masks, "patch_match", threads, progress);
+    // PatchMatch everywhere would gain next to nothing over PatchMatch where the sweep is unsure.
+    const DepthChoice chosen = choose_depth_model(scene, masks, "refined_sweep", threads, progress);
     result.choice = chosen.explanation;
     result.choice_cpu_s = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - before;
     result.memory =

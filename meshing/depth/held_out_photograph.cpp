@@ -55,7 +55,7 @@ DepthView at_trial_size(const DepthView& view) {
 }  // namespace
 
 std::vector<int> photographs_to_keep_back(const DepthScene& scene) {
-    constexpr std::size_t kViewsForEach = 8;
+    constexpr std::size_t kManyViews = 32;
     std::vector<int> candidates;
     for (std::size_t i = 0; i < scene.views.size(); ++i) {
         const DepthView& view = scene.views[i];
@@ -67,9 +67,7 @@ std::vector<int> photographs_to_keep_back(const DepthScene& scene) {
         return one_sidedness(scene, a) < one_sidedness(scene, b);
     });
     candidates.resize((candidates.size() + 1) / 2);
-    return views_far_apart(
-        scene, std::move(candidates),
-        std::clamp(scene.views.size() / kViewsForEach, std::size_t{2}, std::size_t{4}));
+    return views_far_apart(scene, std::move(candidates), scene.views.size() < kManyViews ? 3 : 4);
 }
 
 HeldOutPhotograph::HeldOutPhotograph(const DepthScene& scene, const std::vector<GrayImage>& masks,

@@ -11,8 +11,8 @@
 namespace lumi {
 
 /// Views whose photographs can be kept back, to be asked in this order: those that others surround,
-/// as a drawing's eye is surrounded, and far apart. More for a larger scene, so that asking stays a
-/// small share of the work; at most four.
+/// as a drawing's eye is surrounded, and far apart. Three, so that one that is misplaced does not
+/// decide, and four of a larger scene.
 [[nodiscard]] std::vector<int> photographs_to_keep_back(const DepthScene& scene);
 
 /// One photograph that depth is found without, to be predicted from the depth of its neighbours.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calib/capture/gray.h"
+#include "meshing/depth/cross_view_check.h"
 #include "meshing/depth/inverse_depth_warp.h"
 #include "meshing/depth/window_match.h"
 
@@ -53,6 +54,8 @@ class Refinement {
                                   &estimates[static_cast<std::size_t>(j)].map});
         }
         begin_with(estimates[static_cast<std::size_t>(view_index)].map.inverse_depth);
+        is_settled_ = GrayImage(width_, height_, 0);
+        if (options.only_where_unsure) settle(cross_view_check(scene, estimates, view_index));
     }
 
     void sweep(int iteration) {
@@ -61,10 +64,13 @@ class Refinement {
             const int y = step > 0 ? row : height_ - 1 - row;
             for (int column = 0; column < width_; ++column) {
                 const int x = step > 0 ? column : width_ - 1 - column;
+                if (is_settled_(x, y) != 0) continue;
                 const ReferenceWindow window = reference_window(gray_, x, y);
                 if (!window.has_texture) continue;
-                propagate(window, x, y, step);
+                const float before = costs_(x, y);
+                propagate(window, x, y, iteration);
                 vary(window, x, y, iteration);
+                if (costs_(x, y) < before) last_change_(x, y) = stamp_of(iteration);
             }
         }
     }
@@ -85,6 +91,7 @@ class Refinement {
     void begin_with(const FloatImage& found) {
         planes_ = Image<PixelPlane>(width_, height_);
         costs_ = FloatImage(width_, height_);
+        last_change_ = GrayImage(width_, height_, 0);
         const auto slope = [&](int x, int y, int dx, int dy) {
             const float behind =
                 found.contains(x - dx, y - dy) ? found(x, y) - found(x - dx, y - dy) : 1e30F;
@@ -100,6 +107,21 @@ class Refinement {
                 costs_(x, y) = window.has_texture ? cost(window, x, y, planes_(x, y)) : kMaxCost;
             }
         }
+    }
+
+    void settle(const DepthMap& checked) {
+        constexpr std::uint8_t kConfirmedByTwo = 255;
+        constexpr float kCorrelatesWell = 0.25F;
+        for (std::size_t i = 0; i < costs_.pixels().size(); ++i) {
+            const bool is_settled = checked.confidence.pixels()[i] == kConfirmedByTwo &&
+                                    costs_.pixels()[i] < kCorrelatesWell;
+            is_settled_.pixels()[i] = is_settled ? 1 : 0;
+        }
+    }
+
+    /// 0 stands for the plane that a pixel began with.
+    [[nodiscard]] static std::uint8_t stamp_of(int iteration) {
+        return static_cast<std::uint8_t>(std::min(iteration + 1, 255));
     }
 
     /// Mean over the two best views of how badly they fit and disagree.
@@ -151,13 +173,16 @@ class Refinement {
         planes_(x, y) = plane;
     }
 
-    /// The planes of pixels that the sweep has passed: next to this one and a window away.
-    void propagate(const ReferenceWindow& window, int x, int y, int step) {
+    /// The planes of pixels that the sweep has passed: next to this one and a window away. What
+    /// they offered two sweeps ago, going the same way, was refused or taken then.
+    void propagate(const ReferenceWindow& window, int x, int y, int iteration) {
         constexpr int kFar = 5;
+        const int step = iteration % 2 == 0 ? 1 : -1;
         for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {kFar, 0}, {0, kFar}}) {
             const int from_x = x - step * dx;
             const int from_y = y - step * dy;
             if (!planes_.contains(from_x, from_y)) continue;
+            if (iteration >= 2 && last_change_(from_x, from_y) < iteration) continue;
             offer(window, x, y, planes_(from_x, from_y).at(step * dx, step * dy));
         }
     }
@@ -190,6 +215,8 @@ class Refinement {
     std::vector<Witness> witnesses_;
     Image<PixelPlane> planes_;
     FloatImage costs_;
+    GrayImage is_settled_;
+    GrayImage last_change_;  ///< stamp_of the iteration that last changed the plane.
 };
 
 }  // namespace

@@ -12,6 +12,9 @@ struct PatchMatchOptions {
     /// Cost of one pixel by which a neighbour's own depth disagrees beyond the first half, where 1
     /// is no correlation.
     float disagreement_per_px = 0.1F;
+    /// Pixels that two neighbours' estimates confirm keep their plane where it already correlates
+    /// to three quarters.
+    bool only_where_unsure = false;
 };
 
 /// Depth of one view refined by slanted windows: PatchMatch stereo (Bleyer et al. 2011) for several

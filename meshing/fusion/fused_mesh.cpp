@@ -18,11 +18,10 @@ void require(bool holds, const std::string& what) {
 }
 
 [[noreturn]] void refuse_few(std::size_t points, std::size_t faces) {
-    throw Error(
-        ErrorKind::kDegenerateCapture, "E-FUSE-FEW",
-        "the views agree on " + std::to_string(points) + " points and " + std::to_string(faces) +
-            " triangles: too few for a mesh of the scene",
-        "find depth with model = \"sweep\" or \"patch_match\" from overlapping photographs");
+    throw Error(ErrorKind::kDegenerateCapture, "E-FUSE-FEW",
+                "the views agree on " + std::to_string(points) + " points and " +
+                    std::to_string(faces) + " triangles: too few for a mesh of the scene",
+                "find depth with model = \"sweep\" or one above it from overlapping photographs");
 }
 
 /// Which piece of the surface each point belongs to, by one of its points.

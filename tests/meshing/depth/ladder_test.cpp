@@ -132,6 +132,38 @@ TEST(PatchMatch, BringsASlantedWallToAFractionOfAPixel) {
     EXPECT_GT(fine, 0.9 * all);
 }
 
+TEST(PatchMatch, OnlyWhereUnsureMendsWhatIsWrongAndLeavesWhatTwoViewsConfirm) {
+    const KnownDepthScene known = slanted_wall({0.5, 0.4, 1});
+    std::vector<DepthEstimate> estimates;
+    for (const FloatImage& inverse_depth : known.inverse_depths) {
+        estimates.push_back({{inverse_depth, GrayImage(240, 180, 255)}, "sweep", true, false});
+    }
+    const auto is_damaged = [](int x, int y) { return x >= 100 && x < 130 && y >= 80 && y < 100; };
+    const float three_px =
+        static_cast<float>(3 / known.scene.views[0].disparity_px_per_inverse_depth);
+    FloatImage& own = estimates[0].map.inverse_depth;
+    for (int y = 80; y < 100; ++y) {
+        for (int x = 100; x < 130; ++x) own(x, y) += three_px;
+    }
+    const DepthMap refined = patch_match(known.scene, estimates, 0, {.only_where_unsure = true});
+    const FloatImage errors = errors_px(refined, known.inverse_depths[0], known.scene.views[0]);
+    int mended = 0;
+    int left = 0;
+    int others = 0;
+    for (int y = 20; y < 160; ++y) {
+        for (int x = 20; x < 220; ++x) {
+            if (is_damaged(x, y)) {
+                mended += errors(x, y) <= 0.5F ? 1 : 0;
+                continue;
+            }
+            ++others;
+            left += refined.inverse_depth(x, y) == own(x, y) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(mended, 0.9 * 30 * 20);
+    EXPECT_GT(left, 0.9 * others);
+}
+
 TEST(DepthChoice, APlaneForAPlanarSceneAndTheSweepForATangledOne) {
     EXPECT_EQ(chosen(slanted_wall({0, 0, 1})), "plane");
     EXPECT_EQ(chosen(slanted_wall({0.5, 0.4, 1})), "slanted_plane");
@@ -225,7 +257,7 @@ TEST(PhotographLoss, ATileWhereBothFailDoesNotHideTheOthers) {
 
 TEST(HeldOutPhotograph, TheViewThatOthersSurroundIsAskedFirst) {
     const std::vector<int> asked = photographs_to_keep_back(slanted_wall({0, 0, 1}).scene);
-    ASSERT_EQ(asked.size(), 2U);
+    ASSERT_EQ(asked.size(), 3U);
     EXPECT_EQ(asked.front(), 0) << "the middle of the cross";
 }
 
@@ -236,6 +268,17 @@ TEST(HeldOutPhotograph, AsksARungThatRefinesForItsRefinement) {
     const SilentProgress progress;
     const double swept = rms_of(photograph.loss("sweep", 2, progress));
     EXPECT_LT(rms_of(photograph.loss("patch_match", 2, progress)), 0.97 * swept);
+}
+
+TEST(DepthChoice, OnePhotographThatIsNotWhereItIsSaidToBeDoesNotDecide) {
+    KnownDepthScene known = boards();
+    // The photograph that is asked first.
+    DepthView& middle = known.scene.views[0];
+    const ColorImage photograph = middle.photograph;
+    for (int y = 0; y < 180; ++y) {
+        for (int x = 0; x < 240; ++x) middle.photograph(x, y) = photograph((x + 40) % 240, y);
+    }
+    EXPECT_EQ(chosen(known), "sweep");
 }
 
 KnownDepthScene wall_without_points(const std::vector<Eigen::Vector3d>& centres) {
@@ -252,7 +295,7 @@ TEST(DepthChoice, WhereNothingCanBeKeptBackTakesTheSweepAndSaysWhy) {
     const KnownDepthScene known = wall_without_points({{0, 0, 0}, {0.12, 0, 0}});
     SilentProgress progress;
     const DepthChoice choice =
-        choose_depth_model(known.scene, no_masks(known), "patch_match", 1, progress);
+        choose_depth_model(known.scene, no_masks(known), "refined_sweep", 1, progress);
     EXPECT_EQ(choice.model, "sweep");
     EXPECT_NE(choice.explanation.find("no view has two neighbours"), std::string::npos)
         << choice.explanation;
