@@ -21,7 +21,8 @@ namespace lumi {
 void put_cheapest_first(Sweep& sweep);
 
 /// Whether the sweep, cheapest first, may end with a variant. An accuracy is reached by the first
-/// that reaches it; a budget asks for the most accurate of all that keep within it.
+/// that reaches it. A budget asks for the most accurate of all that keep within it; those after one
+/// that took half as long again as there is time are left out.
 [[nodiscard]] bool ends_the_sweep(const Wish& wish, const MeasuredVariant& variant);
 
 }  // namespace lumi

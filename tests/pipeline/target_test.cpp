@@ -81,7 +81,7 @@ TEST(PutCheapestFirst, GoesByPixelsAndByTheDepthModel) {
                                                "sweep800", "auto800"}));
 }
 
-TEST(EndsTheSweep, WithTheFirstThatIsAccurateEnoughButNeverForABudget) {
+TEST(EndsTheSweep, WithTheFirstThatIsAccurateEnough) {
     MeasuredVariant variant;
     ModeScores mode;
     mode.views.resize(1);
@@ -89,8 +89,18 @@ TEST(EndsTheSweep, WithTheFirstThatIsAccurateEnoughButNeverForABudget) {
     variant.scores.push_back(mode);
     EXPECT_TRUE(ends_the_sweep(wish_from("24dB"), variant));
     EXPECT_FALSE(ends_the_sweep(wish_from("26dB"), variant));
-    EXPECT_FALSE(ends_the_sweep(wish_from("1000MiB"), variant));
     EXPECT_FALSE(ends_the_sweep(wish_from("24dB"), MeasuredVariant{}));
+}
+
+TEST(EndsTheSweep, ForABudgetOnlyWhereThereIsSurelyNoTime) {
+    MeasuredVariant variant;
+    variant.stages.push_back({"poses", {40.0}, {30.0}, 0.0});
+    variant.stages.push_back({"depth", {80.0}, {60.0}, 0.0});
+    EXPECT_TRUE(ends_the_sweep(wish_from("50s"), variant));
+    EXPECT_FALSE(ends_the_sweep(wish_from("80s"), variant));
+    EXPECT_FALSE(ends_the_sweep(wish_from("2min"), variant));
+    EXPECT_FALSE(ends_the_sweep(wish_from("1000MiB"), variant));
+    EXPECT_FALSE(ends_the_sweep(wish_from("500fps"), variant));
 }
 
 }  // namespace
