@@ -1,7 +1,7 @@
 #include "calib/adjust/bundle_problem.h"
 
-#include <algorithm>
 
+#include "calib/adjust/gauge.h"
 #include "calib/adjust/reprojection_cost.h"
 #include "calib/lens/lens_form.h"
 
@@ -25,32 +25,10 @@ void hold_lenses(ceres::Problem& problem, const Capture& capture, CameraBlocks& 
     }
 }
 
-/// Seven degrees of freedom (place, attitude, size of the world) are free: holds the first view,
-/// and one coordinate of the view whose centre is farthest from it.
-void fix_gauge(ceres::Problem& problem, const Capture& capture, CameraBlocks& cameras) {
-    std::vector<std::size_t> used;
-    for (std::size_t view = 0; view < capture.views.size(); ++view) {
-        if (problem.HasParameterBlock(cameras.pose(view))) used.push_back(view);
-    }
-    if (used.empty()) return;
-    const auto pose = [&](std::size_t view) { return capture.views[view].cam_from_world; };
-    const std::size_t first = used.front();
-    problem.SetParameterBlockConstant(cameras.pose(first));
-    const Eigen::Vector3d origin = centre_in_world(pose(first));
-    std::size_t farthest = first;
-    double distance = 0;
-    for (const std::size_t view : used) {
-        const double here = (centre_in_world(pose(view)) - origin).norm();
-        if (here > distance) {
-            distance = here;
-            farthest = view;
-        }
-    }
-    if (farthest == first) return;
-    // The coordinate along which the two cameras differ most sets the scale most firmly.
-    int axis = 0;
-    (pose(farthest) * origin).cwiseAbs().maxCoeff(&axis);
-    problem.SetManifold(cameras.pose(farthest), new_pose_manifold_without(axis));
+std::vector<Rigid3> poses_of(const Capture& capture) {
+    std::vector<Rigid3> poses;
+    for (const View& view : capture.views) poses.push_back(view.cam_from_world);
+    return poses;
 }
 
 void add_observations(ceres::Problem& problem, Capture& capture, CameraBlocks& cameras,
@@ -82,17 +60,13 @@ std::vector<int> constant_lens_parameters(const Capture& capture, std::size_t ca
     return {};
 }
 
-CameraBlocks camera_blocks(const Capture& capture) {
-    std::vector<Rigid3> poses;
-    for (const View& view : capture.views) poses.push_back(view.cam_from_world);
-    return {poses, capture.cameras};
-}
+CameraBlocks camera_blocks(const Capture& capture) { return {poses_of(capture), capture.cameras}; }
 
 void build_bundle_problem(ceres::Problem& problem, Capture& capture, CameraBlocks& cameras,
                           const BundleAdjustmentOptions& options, ceres::LossFunction* loss) {
     add_observations(problem, capture, cameras, loss);
     hold_lenses(problem, capture, cameras, options);
-    fix_gauge(problem, capture, cameras);
+    hold_gauge(problem, poses_of(capture), cameras);
 }
 
 std::shared_ptr<ceres::ParameterBlockOrdering> elimination_order(const ceres::Problem& problem,

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "calib/adjust/camera_blocks.h"
+#include "calib/adjust/gauge.h"
 #include "calib/adjust/reprojection_cost.h"
 
 namespace lumi {
@@ -91,29 +92,7 @@ class Adjustment {
         }
     }
 
-    void hold_gauge() {
-        const auto first = static_cast<std::size_t>(
-            std::find(moving_.photographs.begin(), moving_.photographs.end(), char{1}) -
-            moving_.photographs.begin());
-        if (first == moving_.photographs.size()) return;
-        hold_still(first);
-        const Eigen::Vector3d origin = centre_in_world(model_.cam_from_world[first]);
-        std::size_t farthest = first;
-        double distance = 0;
-        for (std::size_t other = 0; other < moving_.photographs.size(); ++other) {
-            if (moving_.photographs[other] == 0 || other == first) continue;
-            const double here = (centre_in_world(model_.cam_from_world[other]) - origin).norm();
-            if (here > distance) {
-                distance = here;
-                farthest = other;
-            }
-        }
-        double* const pose = cameras_.pose(farthest);
-        if (farthest == first || !problem_.HasParameterBlock(pose)) return;
-        int axis = 0;
-        (model_.cam_from_world[farthest] * origin).cwiseAbs().maxCoeff(&axis);
-        problem_.SetManifold(pose, new_pose_manifold_without(axis));
-    }
+    void hold_gauge() { lumi::hold_gauge(problem_, model_.cam_from_world, cameras_); }
 
     void solve(int max_iterations) {
         if (problem_.NumResidualBlocks() == 0) return;
