@@ -18,9 +18,11 @@ using Index = std::uint32_t;
 constexpr Index kNone = 0xffffffffU;
 
 /// The error allowed grows to the whole in so many rounds, so that what costs least goes first.
-constexpr int kRounds = 4;
+constexpr int kRounds = 2;
 /// Triangles do not become thinner than this share of the distance between points looked at.
 constexpr float kThinnest = 0.25F;
+/// Sides below this share of it, which are those between neighbouring samples, are not looked at.
+constexpr float kShort = 0.73F;
 /// Larger rings of triangles around a vertex are left alone.
 constexpr std::size_t kLargestRing = 24;
 
@@ -111,8 +113,9 @@ class Decimation {
             const Point from = points_[triangles_[t].corners[i]];
             const Point to = points_[triangles_[t].corners[(i + 1) % 3]];
             if (std::pair(from.x(), from.y()) > std::pair(to.x(), to.y())) continue;
-            const int steps =
-                std::max(2, static_cast<int>((to - from).head<2>().norm() / check_every_px()));
+            const float length_px = (to - from).head<2>().norm();
+            if (length_px < kShort * check_every_px()) continue;
+            const int steps = std::max(2, static_cast<int>(length_px / check_every_px()));
             for (int step = 1; step < steps; ++step) {
                 const float share = static_cast<float>(step) / static_cast<float>(steps);
                 next_point_.push_back(triangles_[t].first_point);
