@@ -10,6 +10,8 @@
 namespace lumi {
 namespace {
 
+constexpr double kRounding = 1e-12;
+
 /// A triangle in homogeneous pixels of the eye; columns are corners.
 struct EyeTriangle {
     Eigen::Matrix3d corners;
@@ -47,7 +49,9 @@ void draw(const EyeTriangle& triangle, const Camera& camera, Image<EyeDepth>& dr
     for (int y = box.begin_y; y < box.end_y; ++y) {
         for (int x = box.begin_x; x < box.end_x; ++x) {
             const Eigen::Vector3d b = b_from_pixel * Eigen::Vector3d(x + 0.5, y + 0.5, 1);
-            if (b.minCoeff() < 0) continue;
+            // Pixels on a side that two triangles share are of both: rounding leaves none to
+            // neither.
+            if (b.minCoeff() < -kRounding * b.cwiseAbs().maxCoeff()) continue;
             const double inverse_depth = b.dot(triangle.inverse_depths_in_view);
             EyeDepth& known = drawn(x, y);
             const bool wins = !known.is_known() || triangle.kind < known.kind ||
