@@ -27,6 +27,10 @@ GlFormat gl_format(TexelFormat format) {
     return {};
 }
 
+GLint gl_filter(TexelFilter filter) {
+    return filter == TexelFilter::kLinear ? GL_LINEAR : GL_NEAREST;
+}
+
 unsigned new_texture() {
     GLuint name = 0;
     glGenTextures(1, &name);
@@ -39,9 +43,13 @@ void delete_texture(unsigned name) { glDeleteTextures(1, &name); }
 
 TextureArray::TextureArray(TexelFormat format, TexelFilter filter, int width_px, int height_px,
                            int layers)
-    : name_(new_texture()), width_px_(width_px), height_px_(height_px), layers_(layers) {
+    : name_(new_texture()),
+      width_px_(width_px),
+      height_px_(height_px),
+      layers_(layers),
+      filter_(filter) {
     glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());
-    const GLint mode = filter == TexelFilter::kLinear ? GL_LINEAR : GL_NEAREST;
+    const GLint mode = gl_filter(filter);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, mode);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, mode);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -84,6 +92,20 @@ void TextureArray::upload(int layer, const FloatImage& image) {
 void TextureArray::bind(unsigned unit) const {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());
+    // Looking the finest level up alone costs half as much.
+    if (has_mip_levels_)
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, gl_filter(filter_));
+}
+
+void TextureArray::bind_mip_levels(unsigned unit) const {
+    constexpr GLint kAllLevels = 1000;
+    bind(unit);
+    if (!has_mip_levels_) {
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, kAllLevels);
+        glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
+        has_mip_levels_ = true;
+    }
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
 }
 
 }  // namespace lumi

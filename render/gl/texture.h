@@ -30,6 +30,9 @@ class TextureArray {
     void upload_rgba(int layer, const std::vector<unsigned char>& rgba);
     void upload(int layer, const FloatImage& image);
     void bind(unsigned unit) const;
+    /// With all mip levels, which are made when they are first asked for: for colours that are
+    /// looked up at a level (textureLod) and are not changed any more.
+    void bind_mip_levels(unsigned unit) const;
 
     [[nodiscard]] unsigned name() const { return name_.get(); }
     [[nodiscard]] int width_px() const { return width_px_; }
@@ -41,6 +44,8 @@ class TextureArray {
     int width_px_ = 0;
     int height_px_ = 0;
     int layers_ = 0;
+    TexelFilter filter_ = TexelFilter::kNearest;
+    mutable bool has_mip_levels_ = false;
 };
 
 }  // namespace lumi

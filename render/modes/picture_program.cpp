@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "render/gl/to_glm.h"
+#include "render/modes/photograph_lod.h"
 #include "render/shaders/shader_sources.h"
 
 namespace lumi {
@@ -17,15 +18,24 @@ const Program& PictureProgram::use(const UploadedLumigraph& uploaded, const Eye&
                                    const RenderOptions& options) {
     const bool is_debug = options.debug_picture != DebugPicture::kNone &&
                           options.debug_picture != DebugPicture::kGrid;
-    std::optional<Program>& program = versions_[options.supersample ? 1 : 0][is_debug ? 1 : 0];
+    // Of four samples a pixel each looks photographs up for the whole of it.
+    const double lod = photograph_lod(uploaded.layout, eye, options.supersample ? 2.0 : 1.0);
+    std::optional<Program>& program =
+        versions_[options.supersample ? 1 : 0][is_debug ? 1 : 0][lod > 0 ? 1 : 0];
     if (!program) {
         std::vector<std::string> definitions = definitions_;
         if (is_debug) definitions.emplace_back("DEBUG_PICTURE");
         if (options.supersample) definitions.emplace_back("FOUR_SAMPLES");
+        if (lod > 0) definitions.emplace_back("MIP_LEVELS");
         program.emplace(name_, sources_, definitions);
     }
     program->use();
-    uploaded.photographs.bind(0);
+    if (lod > 0) {
+        uploaded.photographs.bind_mip_levels(0);
+        program->set("photograph_lod", static_cast<float>(lod));
+    } else {
+        uploaded.photographs.bind(0);
+    }
     program->set("photographs", 0);
     program->set("clip_from_eye_pixel",
                  to_glm(clip_from_pixel(eye.camera.width_px, eye.camera.height_px, 1.0)));

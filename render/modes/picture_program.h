@@ -21,7 +21,8 @@ class PictureProgram {
                    std::vector<std::string> definitions = {});
 
     /// Puts the version that `options` ask for in use and sets what all programs share: the
-    /// photographs on unit 0, clip_from_eye_pixel, and how debug pictures are shaded.
+    /// photographs on unit 0 and their mip level, clip_from_eye_pixel, and how debug pictures are
+    /// shaded.
     const Program& use(const UploadedLumigraph& uploaded, const Eye& eye,
                        const RenderOptions& options);
 
@@ -29,8 +30,9 @@ class PictureProgram {
     std::string name_;
     std::vector<std::string_view> sources_;
     std::vector<std::string> definitions_;
-    /// First of one sample a pixel, then of four; in each the picture, then debug pictures.
-    std::array<std::array<std::optional<Program>, 2>, 2> versions_;
+    /// First of one sample a pixel, then of four; in each the picture, then debug pictures; of each
+    /// first with photographs at their finest, then at a mip level.
+    std::array<std::array<std::array<std::optional<Program>, 2>, 2>, 2> versions_;
 };
 
 }  // namespace lumi

@@ -40,27 +40,6 @@ void require_fits(const Capabilities& capabilities, const Lumigraph& lumigraph) 
     }
 }
 
-/// A whole layer with a photograph in it.
-std::vector<unsigned char> layer_with(const ColorImage& photograph, const GrayImage& opacity,
-                                      int layer_width, int layer_height) {
-    std::vector<unsigned char> rgba(4 * static_cast<std::size_t>(layer_width) *
-                                    static_cast<std::size_t>(layer_height));
-    for (int y = -kGutter_px; y < photograph.height() + kGutter_px; ++y) {
-        unsigned char* texel = rgba.data() + 4 * static_cast<std::size_t>(y + kGutter_px) *
-                                                 static_cast<std::size_t>(layer_width);
-        for (int x = -kGutter_px; x < photograph.width() + kGutter_px; ++x, texel += 4) {
-            const int column = std::clamp(x, 0, photograph.width() - 1);
-            const int row = std::clamp(y, 0, photograph.height() - 1);
-            const Rgb8& pixel = photograph(column, row);
-            texel[0] = pixel.r;
-            texel[1] = pixel.g;
-            texel[2] = pixel.b;
-            texel[3] = photograph.contains(x, y) ? opacity(x, y) : 0;
-        }
-    }
-    return rgba;
-}
-
 TextureArray upload_photographs(const Lumigraph& lumigraph) {
     const std::vector<LumigraphView>& views = lumigraph.views;
     const std::vector<GrayImage> opacities = photograph_opacities(lumigraph);
@@ -76,7 +55,7 @@ TextureArray upload_photographs(const Lumigraph& lumigraph) {
                        static_cast<int>(views.size()));
     for (std::size_t i = 0; i < views.size(); ++i)
         array.upload_rgba(static_cast<int>(i),
-                          layer_with(views[i].photograph, opacities[i], width, height));
+                          photograph_layer(views[i].photograph, opacities[i], width, height));
     return array;
 }
 

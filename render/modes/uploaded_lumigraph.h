@@ -5,12 +5,10 @@
 #include "render/gl/capabilities.h"
 #include "render/gl/texture.h"
 #include "render/lumigraph/lumigraph.h"
+#include "render/modes/photograph_layer.h"
 #include "render/modes/view_geometry.h"
 
 namespace lumi {
-
-/// Texels around each photograph that continue it and count nothing, so that it ends where it ends.
-inline constexpr int kGutter_px = 1;
 
 /// A Lumigraph whose pictures lie in GL textures: what every mode draws from.
 struct UploadedLumigraph {

@@ -11,12 +11,15 @@
 #include "render/modes/depth_mesh.h"
 #include "render/modes/depth_view_choice.h"
 #include "render/modes/occlusion.h"
+#include "render/modes/photograph_layer.h"
+#include "render/modes/photograph_lod.h"
 #include "render/modes/photograph_opacity.h"
 #include "render/modes/scene_plane.h"
 #include "render/modes/shell_opacity.h"
 #include "render/modes/view_geometry.h"
 #include "render/reference/depth_consensus.h"
 #include "render/reference/depth_raster.h"
+#include "render/reference/mip_levels.h"
 #include "render/reference/sampling.h"
 
 namespace lumi {
@@ -52,6 +55,8 @@ class ReferenceFrame {
 
  private:
     void draw_depth_layers();
+    void make_mip_levels();
+    [[nodiscard]] Eigen::Vector3d at_mip_level(int view_index, const Eigen::Vector2d& pixel) const;
     [[nodiscard]] ConsensusDepth depth_at(int x, int y) const;
     [[nodiscard]] std::optional<DrawnPixel> base_at(const RayPoint& point,
                                                     const ConsensusDepth& depth) const;
@@ -83,6 +88,9 @@ class ReferenceFrame {
     Eigen::Vector3d plane_;
     std::vector<ViewGeometry> geometries_;
     std::vector<GrayImage> opacities_;
+    double lod_;
+    Eigen::Vector2d layer_size_px_ = Eigen::Vector2d::Zero();
+    std::vector<MipLevels> mip_levels_;  ///< Of the photographs; without at the finest level.
     std::vector<int> depth_views_;
     double agreeing_inverse_depth_ = 0.0;
     std::vector<Image<EyeDepth>> layers_;
@@ -109,8 +117,30 @@ ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
       eye_in_world_(centre_in_world(eye.cam_from_world)),
       plane_(scene_plane_inverse_depth(lumigraph, eye)),
       geometries_(view_geometries(lumigraph)),
-      opacities_(photograph_opacities(lumigraph)) {
+      opacities_(photograph_opacities(lumigraph)),
+      lod_(photograph_lod(lumigraph, eye)) {
+    if (lod_ > 0) make_mip_levels();
     if (uses_depth_) draw_depth_layers();
+}
+
+/// Of layers as large as the largest photograph, as they are uploaded.
+void ReferenceFrame::make_mip_levels() {
+    Eigen::Vector2i size(1, 1);
+    for (const LumigraphView& view : lumigraph_.views)
+        size = size.cwiseMax(Eigen::Vector2i(view.photograph.width(), view.photograph.height()));
+    size += Eigen::Vector2i::Constant(2 * kGutter_px);
+    layer_size_px_ = size.cast<double>();
+    for (std::size_t i = 0; i < opacities_.size(); ++i)
+        mip_levels_.emplace_back(
+            photograph_layer(lumigraph_.views[i].photograph, opacities_[i], size.x(), size.y()),
+            size.x(), size.y());
+}
+
+Eigen::Vector3d ReferenceFrame::at_mip_level(int view_index, const Eigen::Vector2d& pixel) const {
+    const Eigen::Vector2d texel = pixel + Eigen::Vector2d::Constant(kGutter_px);
+    return mip_levels_[static_cast<std::size_t>(view_index)]
+        .at(texel.cwiseQuotient(layer_size_px_), lod_)
+        .head<3>();
 }
 
 void ReferenceFrame::draw_depth_layers() {
@@ -171,6 +201,7 @@ double ReferenceFrame::opacity(int view_index, const RayPoint& point) const {
 
 Eigen::Vector3d ReferenceFrame::color_in(int view_index, const RayPoint& point) const {
     const std::optional<Sight> sight = sight_of(view_index, point);
+    if (sight && lod_ > 0) return at_mip_level(view_index, sight->pixel);
     return sight ? bilinear(view(view_index).photograph, sight->pixel) : Eigen::Vector3d::Zero();
 }
 

@@ -91,6 +91,16 @@ TEST(GlAgainstReference, PerPixelAroundABall) {
                                {.mode = RenderMode::kPerPixel}, GlApi::kAny);
 }
 
+TEST(GlAgainstReference, MipLevelsFromFarAway) {
+    const Lumigraph lumigraph = card_before_wall();
+    const Camera close_lens = pinhole_camera(80, 60, 100);  // So that the wall fills the picture.
+    const std::vector<NamedEye> eyes{
+        {"twice as far", eye_at({0.1, 0.05, -5}, {0, 0, 4}, close_lens)},
+        {"far away", eye_at({0.2, 0.1, -12}, {0, 0, 4}, pinhole_camera(80, 60, 150))}};
+    for (const RenderMode mode : {RenderMode::kPerPixel, RenderMode::kLightField})
+        expect_gl_equals_reference(lumigraph, eyes, {.mode = mode}, GlApi::kAny);
+}
+
 TEST(GlAgainstReference, PerPixelWithoutOcclusionCorrection) {
     const Lumigraph lumigraph = card_before_wall();
     expect_gl_equals_reference(lumigraph, eyes_before_wall(lumigraph),

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -123,6 +124,56 @@ TEST(LumigraphRendererGl, DepthTakesTheGhostsAway) {
     // Silhouettes remain: the card's outline passes through some 120 of 3072 pixels.
     EXPECT_LT(difference_between(with_depth.color, truth).mean, 2.0);
     EXPECT_GT(difference_between(with_plane.color, truth).mean, 3.0);
+}
+
+/// A picture of a share of the rows and columns; each pixel the mean of its square, or one of it.
+ColorImage reduced(const ColorImage& image, int factor, bool averages) {
+    ColorImage small(image.width() / factor, image.height() / factor);
+    for (int y = 0; y < small.height(); ++y) {
+        for (int x = 0; x < small.width(); ++x) {
+            std::array<int, 3> sum{};
+            const int count = averages ? factor : 1;
+            const int first = averages ? 0 : factor / 2;
+            for (int i = 0; i < count * count; ++i) {
+                const Rgb8& pixel =
+                    image(factor * x + first + i % count, factor * y + first + i / count);
+                sum[0] += pixel.r;
+                sum[1] += pixel.g;
+                sum[2] += pixel.b;
+            }
+            const auto mean = [&](int value) {
+                return static_cast<std::uint8_t>(value / (count * count));
+            };
+            small(x, y) = {mean(sum[0]), mean(sum[1]), mean(sum[2])};
+        }
+    }
+    return small;
+}
+
+TEST(LumigraphRendererGl, FromFarAwayPhotographsAreNotAliased) {
+    std::vector<Eye> cameras;
+    for (int i = 0; i < 6; ++i)
+        cameras.push_back(eye_at({0.5 * std::cos(i), 0.5 * std::sin(i), 0}, {0, 0, 4},
+                                 pinhole_camera(240, 180, 220)));
+    const Lumigraph lumigraph = photographed(AnalyticScene::kPrintedCard, cameras);
+    OffscreenRenderer renderer(lumigraph);
+    constexpr int kFactor = 8;
+    const Eye far = eye_at({0.1, 0.1, 0}, {0, 0, 4}, pinhole_camera(40, 30, 40));
+    const Eye fine{resized(far.camera, 40 * kFactor, 30 * kFactor), far.cam_from_world};
+    const ColorImage truth =
+        reduced(ideal_photograph(AnalyticScene::kPrintedCard, fine), kFactor, true);
+    for (const RenderMode mode :
+         {RenderMode::kPerPixel, RenderMode::kAdaptive, RenderMode::kPaper2001}) {
+        const ColorImage drawn = renderer.draw(far, {.mode = mode}).color;
+        // One sample of each pixel from a fine picture is what the finest level would show.
+        const ColorImage aliased =
+            reduced(renderer.draw(fine, {.mode = mode}).color, kFactor, false);
+        // Triangles leave more of the card's outline to itself.
+        const double share = mode == RenderMode::kPerPixel ? 0.7 : 0.95;
+        EXPECT_LT(difference_between(drawn, truth).mean,
+                  share * difference_between(aliased, truth).mean)
+            << name_of(mode) << ' ' << difference_between(drawn, truth).mean;
+    }
 }
 
 TEST(LumigraphRendererGl, DrawsTheSamePictureIntoACornerOfALargerFramebuffer) {
