@@ -17,20 +17,22 @@ constexpr double kFilling =
 // A view that is matched takes its pictures, and so much for each plane that a pixel is compared
 // at; see kMaxCells of the sweep for the bound.
 constexpr double kPictures = 30;
-constexpr double kPlanes = 78;
+constexpr double kPlanes = 52;
 constexpr double kPlane = 3;
 constexpr double kMaxMatching = 3.0 * (std::uint64_t{96} << 20);
-constexpr double kRefining = 43;  // Planes, costs and packed neighbours of PatchMatch.
-constexpr double kPair = 60;      // Two rectified pictures, and what OpenCV matches them in.
+// Planes, costs and packed neighbours of PatchMatch, which begins when the sweep's pictures are
+// gone.
+constexpr double kRefining = 45;
+constexpr double kPair = 60;  // Two rectified pictures, and what OpenCV matches them in.
 
 bool refines(const std::string& model) {
     return model == "refined_sweep" || model == "patch_match" || model == "auto";
 }
 
 double matching_of(double pixels, const std::string& model) {
-    const double swept = kPictures * pixels + std::min(kMaxMatching, kPlanes * kPlane * pixels);
-    if (model == "sweep") return swept;
-    if (refines(model)) return swept + kRefining * pixels;
+    const double cells = std::min(kMaxMatching, kPlanes * kPlane * pixels);
+    if (model == "sweep") return kPictures * pixels + cells;
+    if (refines(model)) return std::max(kPictures, kRefining) * pixels + cells;
     if (model == "pair_stereo") return kPair * pixels;
     return 0;
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kCountUnit = 8;  // The path kernel works on this many planes at a time.
 constexpr std::size_t kMaxCells = std::size_t{96} << 20;
-constexpr std::size_t kMaxCellsPerPixel = 96;
+constexpr std::size_t kMaxCellsPerPixel = 64;
 constexpr std::size_t kFreeCells = std::size_t{4} << 20;  // Of small pictures.
 
 int level_count(const Camera& camera) {
