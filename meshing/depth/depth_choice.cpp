@@ -103,17 +103,31 @@ DepthChoice best_by_photographs(Race& race, const std::vector<std::string>& rung
     return choice;
 }
 
+/// The sweep, refined where it is unsure; untried, since trials at half the size do not see what it
+/// gains at full size.
+DepthChoice refined(DepthChoice choice) {
+    if (choice.model != "sweep") return choice;
+    choice.model = "refined_sweep";
+    choice.explanation += "; refined where it is unsure";
+    return choice;
+}
+
 }  // namespace
 
 DepthChoice choose_depth_model(const DepthScene& scene, const std::vector<GrayImage>& masks,
                                const std::string& highest, int threads, Progress& progress) {
     progress.begin("depth: choosing a model", 0);
     std::vector<std::string> rungs = depth_model_names();
-    rungs.erase(std::find(rungs.begin(), rungs.end(), highest) + 1, rungs.end());
+    const bool refines = highest == "refined_sweep";
+    rungs.erase(std::find(rungs.begin(), rungs.end(), refines ? "sweep" : highest) + 1,
+                rungs.end());
     DepthChoice enough = enough_by_points(scene, rungs, threads, progress);
     if (!enough.model.empty()) return enough;
     Race race(scene, masks, threads, progress);
-    if (race.is_possible()) return best_by_photographs(race, rungs);
+    if (race.is_possible()) {
+        DepthChoice best = best_by_photographs(race, rungs);
+        return refines ? refined(std::move(best)) : best;
+    }
     // Nothing could show that more than the sweep is worth its time.
     const bool has_sweep = std::find(rungs.begin(), rungs.end(), "sweep") != rungs.end();
     const std::string untried = has_sweep ? "sweep" : highest;

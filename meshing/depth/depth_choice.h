@@ -27,6 +27,9 @@ struct DepthChoice {
 /// all are asked: the tiles of a photograph that is not where it is said to be are all wrong
 /// together. What is compared is what would be delivered, `masks` (scene_masks) included.
 ///
+/// With "refined_sweep" as `highest` the sweep is the last rung that is tried, and where it wins it
+/// is refined, pixel by pixel where it is unsure.
+///
 /// Rungs above `highest` are not tried. Where no photograph can be kept back, `highest` is taken,
 /// but not more than the sweep.
 [[nodiscard]] DepthChoice choose_depth_model(const DepthScene& scene,

@@ -270,6 +270,17 @@ TEST(HeldOutPhotograph, AsksARungThatRefinesForItsRefinement) {
     EXPECT_LT(rms_of(photograph.loss("patch_match", 2, progress)), 0.97 * swept);
 }
 
+TEST(DepthChoice, TheSweepIsRefinedWhereItWinsAndNothingElseIs) {
+    const auto chosen_of = [](const KnownDepthScene& known) {
+        SilentProgress progress;
+        return choose_depth_model(known.scene, no_masks(known), "refined_sweep", 2, progress);
+    };
+    EXPECT_EQ(chosen_of(slanted_wall({0, 0, 1})).model, "plane");
+    const DepthChoice tangled = chosen_of(boards());
+    EXPECT_EQ(tangled.model, "refined_sweep");
+    EXPECT_EQ(tangled.compared.back(), "sweep") << "what refining brings is not tried";
+}
+
 TEST(DepthChoice, OnePhotographThatIsNotWhereItIsSaidToBeDoesNotDecide) {
     KnownDepthScene known = boards();
     // The photograph that is asked first.
