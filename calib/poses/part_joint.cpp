@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "calib/poses/joint_fit.h"
 
@@ -72,6 +73,11 @@ bool PartJoint::is_weak() const {
 PartJoint examine_joint(const Capture& capture, const std::vector<char>& is_in_part) {
     const std::vector<std::size_t> shared = shared_points(capture, is_in_part);
     PartJoint joint;
+    if (shared.empty()) {
+        constexpr double kInfinite = std::numeric_limits<double>::infinity();
+        joint.uncertainty = {static_cast<int>(capture.views.size()), kInfinite, kInfinite};
+        return joint;
+    }
     for (const std::size_t most : {kFewPoints, kMostPoints}) {
         const std::vector<std::size_t> some = some_of(shared, most);
         const JointFit fit(capture, is_in_part, some);

@@ -33,7 +33,16 @@ std::vector<ChartPoint> candidates_for(const Wish& wish, std::vector<ChartPoint>
         if (wish.kind == Wish::Kind::kPsnrDb) return a.build_cpu_s < b.build_cpu_s;
         return a.mean.flip < b.mean.flip;
     };
+    constexpr double kMostOfIt = 0.9;
+    double most_covered = 0.0;
+    for (const ChartPoint& point : points) {
+        most_covered = std::max(most_covered, point.mean.coverage);
+    }
+    const auto shows_little = [&](const ChartPoint& point) {
+        return point.mean.coverage < kMostOfIt * most_covered;
+    };
     std::stable_sort(points.begin(), points.end(), [&](const ChartPoint& a, const ChartPoint& b) {
+        if (shows_little(a) != shows_little(b)) return shows_little(b);
         const double missing_a = shortfall(wish, achievement_of(a));
         const double missing_b = shortfall(wish, achievement_of(b));
         if (missing_a != missing_b) return missing_a < missing_b;

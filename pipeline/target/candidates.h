@@ -12,7 +12,8 @@ namespace lumi {
 
 /// The points in the order in which they should be tried for a wish. First those that meet it: for
 /// an accuracy the one that is built fastest first, for a budget (speed, size, time) the most
-/// accurate one first. Then the others, the nearest to the wish first.
+/// accurate one first. Then the others, the nearest to the wish first. A method that leaves more
+/// than a tenth of what another shows empty is fast for that alone, and comes last.
 [[nodiscard]] std::vector<ChartPoint> candidates_for(const Wish& wish,
                                                      std::vector<ChartPoint> points);
 

@@ -59,6 +59,16 @@ TEST(Candidates, ABudgetIsSpentOnTheMostAccurate) {
     EXPECT_EQ(candidates_for(wish_from("2min"), kPoints)[0].label, "good");
 }
 
+TEST(Candidates, WhatLeavesThePictureEmptyIsTheLastResort) {
+    std::vector<ChartPoint> points = kPoints;
+    for (ChartPoint& point : points) point.mean.coverage = 0.98;
+    points.push_back(point("nearly empty", 5, 2, 0.05, 8));
+    points.back().mean.coverage = 0.03;
+    for (const char* wish : {"30fps", "300fps", "50s", "5dB"}) {
+        EXPECT_EQ(candidates_for(wish_from(wish), points).back().label, "nearly empty") << wish;
+    }
+}
+
 TEST(Candidates, WhatIsOutOfReachIsApproached) {
     EXPECT_EQ(candidates_for(wish_from("40dB"), kPoints)[0].label, "good");
     EXPECT_EQ(candidates_for(wish_from("500fps"), kPoints)[0].label, "quick");

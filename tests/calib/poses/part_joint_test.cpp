@@ -69,6 +69,13 @@ TEST(PartJoint, HalvesThatShareNothingAreNotHeld) {
     EXPECT_TRUE(examine_joint(two_halves(0.0, 100, 3), kSecondHalf).is_weak());
 }
 
+TEST(PartJoint, HalvesWithoutASinglePointInCommonAreNotHeld) {
+    const PartJoint joint = examine_joint(two_halves(-0.5, 100, 3), kSecondHalf);
+    EXPECT_EQ(joint.points, 0);
+    EXPECT_TRUE(joint.is_weak());
+    EXPECT_FALSE(joint.is_elsewhere());
+}
+
 TEST(PartJoint, FromTheWrongAttitudeOfANarrowStripItFindsTheTrueOne) {
     const Capture truth = two_halves(0.2, 300, 4);
     const PartJoint joint = examine_joint(truth, kSecondHalf);
