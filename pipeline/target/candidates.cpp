@@ -10,13 +10,14 @@
 namespace lumi {
 namespace {
 
-/// Each model of the ladder is taken for twice as dear as the one below ("auto", which tries most
-/// of them, for the dearest), and the poses for as dear as a sweep.
+/// Each model of the ladder is taken for twice as dear as the one below ("auto" for the highest
+/// that it climbs to), and the poses for as dear as a sweep.
 double expected_cost(const BuildConfig& config) {
     constexpr double kPoses = 30;
     constexpr double kDearer = 2;
     const std::vector<std::string>& ladder = depth_model_names();
-    const auto rung = std::find(ladder.begin(), ladder.end(), config.depth.model) - ladder.begin();
+    const std::string model = config.depth.model == "auto" ? "refined_sweep" : config.depth.model;
+    const auto rung = std::find(ladder.begin(), ladder.end(), model) - ladder.begin();
     const double width_px = config.ingest.max_width_px;
     return width_px * width_px * (kPoses + std::pow(kDearer, static_cast<double>(rung)));
 }

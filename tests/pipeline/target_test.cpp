@@ -87,7 +87,7 @@ TEST(PutCheapestFirst, GoesByPixelsAndByTheDepthModel) {
     put_cheapest_first(sweep);
     std::vector<std::string> order;
     for (const Variant& variant : sweep.variants) order.push_back(variant.label);
-    EXPECT_EQ(order, (std::vector<std::string>{"plane400", "sweep400", "plane800", "auto400",
+    EXPECT_EQ(order, (std::vector<std::string>{"plane400", "sweep400", "auto400", "plane800",
                                                "sweep800", "auto800"}));
 }
 
