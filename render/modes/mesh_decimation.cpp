@@ -166,14 +166,19 @@ class Decimation {
             (borders_.size() != 2 || borders_[0].is_open != borders_[1].is_open))
             return std::nullopt;
         std::optional<Collapse> best;
+        float most_px = static_cast<float>(options_.max_error_px) * allowed_share_;
         for (const Neighbour& neighbour : neighbours_) {
-            const std::optional<Collapse> collapse = collapse_into(vertex, neighbour.vertex);
-            if (collapse && (!best || collapse->error_px < best->error_px)) best = collapse;
+            const std::optional<Collapse> collapse =
+                collapse_into(vertex, neighbour.vertex, most_px);
+            if (!collapse || (best && collapse->error_px >= best->error_px)) continue;
+            best = collapse;
+            most_px = collapse->error_px;
         }
         return best;
     }
 
-    [[nodiscard]] std::optional<Collapse> collapse_into(Index vertex, Index into) {
+    /// Empty where the error would be larger than `most_px`, or a border moved too far.
+    [[nodiscard]] std::optional<Collapse> collapse_into(Index vertex, Index into, float most_px) {
         Collapse collapse{into};
         if (!borders_.empty()) {
             if (borders_[0].to != into && borders_[1].to != into) return std::nullopt;
@@ -181,14 +186,16 @@ class Decimation {
             collapse.moved_px =
                 distance_to_segment(points_[vertex], points_[into], points_[collapse.border_end]) +
                 std::max(borders_[0].moved_px, borders_[1].moved_px);
-            const double most_px =
+            const double most_moved_px =
                 borders_[0].is_open ? options_.max_tear_px : options_.max_kind_border_px;
-            if (static_cast<double>(collapse.moved_px) > most_px) return std::nullopt;
+            if (static_cast<double>(collapse.moved_px) > most_moved_px) return std::nullopt;
         }
+        // What is asked first is what is answered fastest.
+        const Fit own = fit_of(points_[vertex], vertex, into);
+        if (own.triangle == kNone || !(own.error_px <= most_px)) return std::nullopt;
         if (!keeps_shape(vertex, into)) return std::nullopt;
-        collapse.error_px = error_of(vertex, into);
-        const double allowed_px = options_.max_error_px * static_cast<double>(allowed_share_);
-        if (!(static_cast<double>(collapse.error_px) <= allowed_px)) return std::nullopt;
+        collapse.error_px = std::max(own.error_px, error_of_points(vertex, into, most_px));
+        if (!(collapse.error_px <= most_px)) return std::nullopt;
         return collapse;
     }
 
@@ -262,16 +269,14 @@ class Decimation {
                 if (!visit(p)) return;
     }
 
-    [[nodiscard]] float error_of(Index vertex, Index into) const {
-        const auto allowed_px = static_cast<float>(options_.max_error_px) * allowed_share_;
-        Fit own = fit_of(points_[vertex], vertex, into);
-        float worst = own.triangle == kNone ? 1e30F : own.error_px;
-        if (worst > allowed_px) return worst;
+    /// The largest of the points that lie in the ring, or one beyond `most_px`.
+    [[nodiscard]] float error_of_points(Index vertex, Index into, float most_px) const {
+        float worst_px = 0.0F;
         visit_points(vertex, [&](Index p) {
-            worst = std::max(worst, fit_of(points_[p], vertex, into).error_px);
-            return worst <= allowed_px;
+            worst_px = std::max(worst_px, fit_of(points_[p], vertex, into).error_px);
+            return worst_px <= most_px;
         });
-        return worst;
+        return worst_px;
     }
 
     void collapse(Index vertex, const Collapse& collapse) {
