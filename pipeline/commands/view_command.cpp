@@ -4,6 +4,7 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/frame_size.h"
 #include "pipeline/commands/render_mode_argument.h"
+#include "pipeline/evaluate/held_out_beside.h"
 #include "pipeline/plan/planned_views.h"
 #include "render/lumigraph/package.h"
 #include "render/viewer/window.h"
@@ -24,6 +25,17 @@ struct ViewRequest {
     int planned = 0;
 };
 
+/// What there is to compare with; a window without is better than none.
+std::vector<HeldOutView> held_out_of(const std::filesystem::path& package,
+                                     const CommandContext& context) {
+    try {
+        return held_out_views_beside(package);
+    } catch (const Error& error) {
+        context.say("nothing to compare with: " + std::string(error.what()) + "\n");
+        return {};
+    }
+}
+
 void run_view(const ViewRequest& request, const CommandContext& context) {
     WindowOptions options;
     options.view_name = request.view;
@@ -36,6 +48,7 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
         options.height_px = size.height_px;
     }
     options.planned = planned_views_beside(request.package);
+    if (request.screenshot.empty()) options.held_out = held_out_of(request.package, context);
     options.planned_index = request.planned - 1;
     if (request.planned > static_cast<int>(options.planned.size())) {
         throw Error(ErrorKind::kUsage, "E-VIEW-PLAN",

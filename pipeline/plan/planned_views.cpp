@@ -4,6 +4,7 @@
 
 #include "pipeline/report/number_text.h"
 #include "pipeline/workspace/json_file.h"
+#include "pipeline/workspace/workspace.h"
 
 namespace lumi {
 namespace {
@@ -32,11 +33,7 @@ std::string words_of(const Json& suggestion) {
 }  // namespace
 
 std::vector<PlannedView> planned_views_beside(const std::filesystem::path& package_folder) {
-    const auto path = std::filesystem::absolute(package_folder).lexically_normal();
-    const bool ends_in_slash = !path.has_filename();
-    const std::filesystem::path workspace =
-        ends_in_slash ? path.parent_path().parent_path() : path.parent_path();
-    const std::filesystem::path file = workspace / "plan" / "plan.json";
+    const std::filesystem::path file = folder_around(package_folder) / "plan" / "plan.json";
     std::error_code status;
     if (!std::filesystem::is_regular_file(file, status)) return {};
     std::vector<PlannedView> planned;

@@ -53,6 +53,12 @@ Workspace::Workspace(const WorkspaceLayout& layout)
     remove_leftovers(layout);
 }
 
+std::filesystem::path folder_around(const std::filesystem::path& package_folder) {
+    const auto path = std::filesystem::absolute(package_folder).lexically_normal();
+    const bool ends_in_slash = !path.has_filename();
+    return ends_in_slash ? path.parent_path().parent_path() : path.parent_path();
+}
+
 WorkspaceLayout find_workspace(const fs::path& folder) {
     const fs::path config_path = WorkspaceLayout(folder, "").config_path();
     std::error_code status;

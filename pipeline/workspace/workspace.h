@@ -43,6 +43,9 @@ class Workspace : public WorkspaceLayout {
     FolderLock lock_;
 };
 
+/// The folder that a package lies in, with or without a slash at the end of its name.
+[[nodiscard]] std::filesystem::path folder_around(const std::filesystem::path& package_folder);
+
 /// The layout of a workspace that `lumi build` made, by its config.toml. Throws Error
 /// (E-WORKSPACE-NONE) when there is none.
 [[nodiscard]] WorkspaceLayout find_workspace(const std::filesystem::path& folder);

@@ -85,6 +85,14 @@ void go_to_planned(int planned_index, const Lumigraph& lumigraph, ViewerState& s
     state.navigation.pivot_in_world = lumigraph.mesh.scene_centre_in_world;
 }
 
+void go_to_held_out(int index, const std::vector<HeldOutView>& held_out, const Lumigraph& lumigraph,
+                    ViewerState& state) {
+    if (index < 0 || index >= static_cast<int>(held_out.size())) return;
+    state.compared_index = index;
+    state.navigation.eye = held_out[static_cast<std::size_t>(index)].eye;
+    state.navigation.pivot_in_world = lumigraph.mesh.scene_centre_in_world;
+}
+
 void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
     RenderOptions& render = state.render;
     switch (command) {

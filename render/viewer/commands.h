@@ -50,6 +50,13 @@ struct PlannedView {
     std::string words;
 };
 
+/// A photograph that the Lumigraph was made without, and the eye that took it.
+struct HeldOutView {
+    std::string name;
+    Eye eye;
+    ColorImage photograph;  ///< Of the size of the eye's camera.
+};
+
 /// All that keys and panels change.
 struct ViewerState {
     Navigation navigation;
@@ -59,7 +66,10 @@ struct ViewerState {
     /// What `adaptive` keeps while the eye moves, with fewer triangles; 0: as many as its error
     /// asks for.
     double frames_per_second = 0.0;
-    int view_index = 0;  ///< The photograph that was last stood at.
+    int view_index = 0;             ///< The photograph that was last stood at.
+    int compared_index = -1;        ///< The held-out photograph that is compared with; -1: none.
+    double compared_share = 0.5;    ///< So much of the picture shows the photograph, from the left.
+    bool shows_difference = false;  ///< Instead of the photograph.
     bool shows_help = false;
     bool shows_panel = true;
     bool waits_for_vsync = true;
@@ -77,6 +87,10 @@ void apply(Command command, const Lumigraph& lumigraph, ViewerState& state);
 /// Stands where a photograph is planned and turns about the scene's centre; an index that does not
 /// exist does nothing.
 void go_to_planned(int planned_index, const Lumigraph& lumigraph, ViewerState& state);
+
+/// Stands where a held-out photograph was taken, to compare with it.
+void go_to_held_out(int index, const std::vector<HeldOutView>& held_out, const Lumigraph& lumigraph,
+                    ViewerState& state);
 
 /// Stands at a photograph; indices wrap around.
 void go_to_photograph(int view_index, const Lumigraph& lumigraph, ViewerState& state);

@@ -4,7 +4,9 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string>
 
 #include "calib/work/printable.h"
@@ -68,8 +70,59 @@ void show_plan(const Lumigraph& lumigraph, ViewerState& state) {
     ImGui::PopTextWrapPos();
 }
 
+/// One button for each held-out photograph, and what is shown of it.
+void show_comparison(const Lumigraph& lumigraph, const std::vector<HeldOutView>& held_out,
+                     bool is_compared, ViewerState& state) {
+    if (held_out.empty()) return;
+    ImGui::Separator();
+    const char* const label =
+        is_compared ? held_out[static_cast<std::size_t>(state.compared_index)].name.c_str()
+                    : "compare with a photograph";
+    if (ImGui::BeginCombo("##held out", printable(label).c_str())) {
+        for (int i = 0; i < static_cast<int>(held_out.size()); ++i) {
+            ImGui::PushID(i);
+            if (ImGui::Selectable(printable(held_out[static_cast<std::size_t>(i)].name).c_str(),
+                                  is_compared && i == state.compared_index)) {
+                go_to_held_out(i, held_out, lumigraph, state);
+            }
+            ImGui::PopID();
+        }
+        ImGui::EndCombo();
+    }
+    if (!is_compared) return;
+    ImGui::Checkbox("difference, four times", &state.shows_difference);
+    if (state.shows_difference) return;
+    auto share = static_cast<float>(state.compared_share);
+    ImGui::SetNextItemWidth(120);
+    if (ImGui::SliderFloat("photograph", &share, 0.0F, 1.0F, "%.2f"))
+        state.compared_share = static_cast<double>(share);
+}
+
+/// Behind the panels; the photograph ends in a line.
+void show_overlay(const PictureOverlay& overlay) {
+    // ImGui measures in the window system's units.
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const auto at = [&](double x_px, double y_px) {
+        return ImVec2(static_cast<float>(x_px) / scale.x, static_cast<float>(y_px) / scale.y);
+    };
+    const double end_px =
+        overlay.low_px.x() + overlay.share * (overlay.high_px.x() - overlay.low_px.x());
+    ImDrawList* const list = ImGui::GetBackgroundDrawList();
+    list->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(overlay.texture)),
+                   at(overlay.low_px.x(), overlay.low_px.y()), at(end_px, overlay.high_px.y()),
+                   {0, 0}, {static_cast<float>(overlay.share), 1});
+    if (overlay.share < 1)
+        list->AddLine(at(end_px, overlay.low_px.y()), at(end_px, overlay.high_px.y()),
+                      IM_COL32_WHITE);
+}
+
 void show_statistics(const Lumigraph& lumigraph, const FrameStatistics& statistics) {
     ImGui::Text("%.1f ms a frame", statistics.frame_ms);
+    const std::vector<float>& recent = statistics.recent_frames_ms;
+    if (!recent.empty()) {
+        ImGui::PlotLines("##frames", recent.data(), static_cast<int>(recent.size()), 0, nullptr,
+                         0.0F, *std::max_element(recent.begin(), recent.end()), {240, 36});
+    }
     ImGui::Text("%zu triangles", statistics.triangles);
     ImGui::Text("%d x %d pixels", statistics.width_px, statistics.height_px);
     ImGui::Text("%zu photographs, %zu faces", lumigraph.views.size(), lumigraph.mesh.faces.size());
@@ -80,7 +133,8 @@ void show_statistics(const Lumigraph& lumigraph, const FrameStatistics& statisti
     }
 }
 
-void show_panel(const Lumigraph& lumigraph, const FrameStatistics& statistics, ViewerState& state) {
+void show_panel(const Lumigraph& lumigraph, const std::vector<HeldOutView>& held_out,
+                bool is_compared, const FrameStatistics& statistics, ViewerState& state) {
     ImGui::SetNextWindowPos({10, 10}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({260, 0}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("lumi", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
@@ -89,6 +143,7 @@ void show_panel(const Lumigraph& lumigraph, const FrameStatistics& statistics, V
         ImGui::Separator();
         show_photographs(lumigraph, state);
         show_plan(lumigraph, state);
+        show_comparison(lumigraph, held_out, is_compared, state);
         ImGui::Separator();
         show_statistics(lumigraph, statistics);
         ImGui::Separator();
@@ -140,12 +195,14 @@ Panels::~Panels() {
     ImGui::DestroyContext();
 }
 
-void Panels::draw(const Lumigraph& lumigraph, const FrameStatistics& statistics,
+void Panels::draw(const Lumigraph& lumigraph, const std::vector<HeldOutView>& held_out,
+                  const std::optional<PictureOverlay>& overlay, const FrameStatistics& statistics,
                   ViewerState& state) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    if (state.shows_panel) show_panel(lumigraph, statistics, state);
+    if (overlay) show_overlay(*overlay);
+    if (state.shows_panel) show_panel(lumigraph, held_out, overlay.has_value(), statistics, state);
     if (state.shows_help) show_help(state.shows_help);
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

@@ -76,6 +76,13 @@ Eigen::Vector2i window_size(const WindowOptions& options, const Camera& camera) 
     return (scale * picture).array().round().matrix().cast<int>().cwiseMax(1);
 }
 
+void remember_frame_time(FrameStatistics& statistics) {
+    constexpr std::size_t kRemembered = 120;
+    std::vector<float>& recent = statistics.recent_frames_ms;
+    if (recent.size() == kRemembered) recent.erase(recent.begin());
+    recent.push_back(static_cast<float>(statistics.frame_ms));
+}
+
 std::string title_of(const Lumigraph& lumigraph) { return "lumi - " + lumigraph.name; }
 
 }  // namespace
@@ -87,7 +94,8 @@ struct ViewerWindow::Implementation {
           size_px(window_size(options, state.navigation.eye.camera)),
           window(size_px.x(), size_px.y(), title_of(lumigraph), options.screenshot_path.empty()),
           panels(window),
-          renderer(lumigraph) {
+          renderer(lumigraph),
+          comparison(options.held_out) {
         statistics.gl_description = query_capabilities().description;
     }
 
@@ -105,6 +113,7 @@ struct ViewerWindow::Implementation {
     Panels panels;
     LumigraphRenderer renderer;
     FrameTarget target;
+    Comparison comparison;
     std::optional<DrawnFrame> drawn;
     MovingResolution resolution;
     TriangleBudget budget;
@@ -149,6 +158,7 @@ void ViewerWindow::Implementation::draw(double scale, const RenderOptions& optio
     statistics.triangles = target.draw(renderer, wanted.eye, wanted.options).triangles;
     glFinish();
     statistics.frame_ms = 1000 * seconds_since(start);
+    remember_frame_time(statistics);
     statistics.width_px = size.x();
     statistics.height_px = size.y();
     resolution.measured(scale, statistics.frame_ms);
@@ -194,9 +204,10 @@ void ViewerWindow::Implementation::record_path() {
 }
 
 void ViewerWindow::Implementation::present() {
+    const auto overlay = comparison.over_frame(state, size_px.x(), size_px.y(), renderer);
     target.show_in_window(size_px.x(), size_px.y());
     glViewport(0, 0, size_px.x(), size_px.y());
-    panels.draw(lumigraph, statistics, state);
+    panels.draw(lumigraph, comparison.views(), overlay, statistics, state);
     window.show_frame();
 }
 
@@ -253,6 +264,7 @@ void ViewerWindow::open_package(const std::filesystem::path& folder) {
     viewer.state.shows_help = old.shows_help;
     viewer.state.waits_for_vsync = old.waits_for_vsync;
     viewer.state.frames_per_second = old.frames_per_second;
+    viewer.comparison = Comparison({});
     viewer.drawn.reset();
     viewer.statistics.message = "opened " + viewer.lumigraph.name;
     viewer.window.set_title(title_of(viewer.lumigraph));

@@ -18,9 +18,10 @@ struct WindowOptions {
     int height_px = 0;
     std::string view_name;  ///< The photograph it begins at; empty: the first.
     RenderOptions render;
-    double frames_per_second = 0.0;    ///< As in ViewerState.
-    std::vector<PlannedView> planned;  ///< Offered in the panel.
-    int planned_index = -1;            ///< The one it begins at; -1: at the photograph.
+    double frames_per_second = 0.0;     ///< As in ViewerState.
+    std::vector<PlannedView> planned;   ///< Offered in the panel.
+    std::vector<HeldOutView> held_out;  ///< To be compared with; offered in the panel.
+    int planned_index = -1;             ///< The one it begins at; -1: at the photograph.
     /// Not empty: one frame is drawn, without panels, and written here as PNG with its pose as JSON
     /// beside it; nobody sees a window.
     std::filesystem::path screenshot_path;

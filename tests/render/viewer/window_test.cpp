@@ -13,6 +13,7 @@
 #include "render/lumigraph/package.h"
 #include "render/modes/frame_target.h"
 #include "render/modes/offscreen_renderer.h"
+#include "render/viewer/comparison.h"
 #include "render/viewer/glfw_window.h"
 #include "render/viewer/photograph_eye.h"
 #include "tests/calib/scratch_folder.h"
@@ -185,6 +186,70 @@ TEST_F(Window, RefusesAPhotographThatIsNotThere) {
     WindowOptions options;
     options.view_name = "no such photograph";
     EXPECT_THROW(run_window(box(), options), Error);
+}
+
+std::vector<Rgb8> texels(unsigned texture, const ColorImage& like) {
+    std::vector<Rgb8> read(like.pixels().size());
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_UNSIGNED_BYTE, read.data());
+    return read;
+}
+
+TEST_F(Window, ComparesWithAHeldOutPhotographAndShowsItsDifference) {
+    const LumigraphView& view = box().views[4];
+    const Eye eye{view.camera, view.cam_from_world};
+    const ColorImage drawn = OffscreenRenderer(box()).draw(eye, {}).color;
+    WindowOptions options = small_window();
+    options.held_out = {{view.name, eye, view.photograph}, {"as drawn", eye, drawn}};
+    ViewerWindow window(box(), options);
+    ASSERT_TRUE(window.step());
+    LumigraphRenderer renderer(box());
+    Comparison comparison(options.held_out);
+    ViewerState& state = window.state();
+    EXPECT_FALSE(comparison.over_frame(state, 320, 240, renderer).has_value());
+
+    go_to_held_out(0, options.held_out, box(), state);
+    const auto photograph = comparison.over_frame(state, 320, 240, renderer);
+    ASSERT_TRUE(photograph.has_value());
+    EXPECT_EQ(texels(photograph->texture, view.photograph), view.photograph.pixels());
+
+    state.shows_difference = true;
+    const auto difference = comparison.over_frame(state, 320, 240, renderer);
+    ASSERT_TRUE(difference.has_value());
+    EXPECT_EQ(texels(difference->texture, drawn),
+              difference_picture(drawn, view.photograph).pixels());
+
+    go_to_held_out(1, options.held_out, box(), state);
+    const auto nothing = comparison.over_frame(state, 320, 240, renderer);
+    ASSERT_TRUE(nothing.has_value());
+    for (const Rgb8& texel : texels(nothing->texture, drawn)) ASSERT_EQ(texel, Rgb8{});
+    ASSERT_TRUE(window.step());
+
+    state.navigation.eye.cam_from_world.translation.x() += 0.01;
+    EXPECT_FALSE(comparison.over_frame(state, 320, 240, renderer).has_value());
+    ASSERT_TRUE(window.step());
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+TEST(DifferencePicture, IsFourTimesTheDifferenceOfEachChannel) {
+    ColorImage a(2, 1);
+    ColorImage b(2, 1);
+    a(0, 0) = {10, 200, 30};
+    b(0, 0) = {12, 100, 30};
+    EXPECT_EQ(difference_picture(a, b)(0, 0), (Rgb8{8, 255, 0}));
+    EXPECT_EQ(difference_picture(b, a)(0, 0), (Rgb8{8, 255, 0}));
+    EXPECT_EQ(difference_picture(a, b)(1, 0), Rgb8{});
+}
+
+TEST(FittedOverlay, CoversWhereThePictureLies) {
+    const Eye eye{pinhole_camera(640, 480, 500), {}};
+    const PictureOverlay same_shape = fitted_overlay(eye, 320, 240);
+    EXPECT_LT(same_shape.low_px.norm(), 1e-9);
+    EXPECT_LT((same_shape.high_px - Eigen::Vector2d(320, 240)).norm(), 1e-9);
+    const PictureOverlay wider = fitted_overlay(eye, 400, 240);
+    EXPECT_LT((wider.low_px - Eigen::Vector2d(40, 0)).norm(), 1e-9);
+    EXPECT_LT((wider.high_px - Eigen::Vector2d(360, 240)).norm(), 1e-9);
 }
 
 TEST(WindowWithoutADisplay, SaysToDrawToFilesInstead) {

@@ -1,0 +1,94 @@
+#include "render/viewer/comparison.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cstdlib>
+
+#include "render/viewer/photograph_eye.h"
+
+namespace lumi {
+namespace {
+
+std::uint8_t brightened_difference(std::uint8_t a, std::uint8_t b) {
+    constexpr int kBrighter = 4;
+    return static_cast<std::uint8_t>(std::min(255, kBrighter * std::abs(a - b)));
+}
+
+ObjectName<delete_texture> uploaded(const ColorImage& picture) {
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, picture.width(), picture.height(), 0, GL_RGB,
+                 GL_UNSIGNED_BYTE, picture.pixels().data());
+    glGenerateMipmap(GL_TEXTURE_2D);
+    return ObjectName<delete_texture>(name);
+}
+
+bool stands_at(const Eye& eye, const Eye& place) {
+    return eye.camera == place.camera &&
+           eye.cam_from_world.rotation.coeffs() == place.cam_from_world.rotation.coeffs() &&
+           eye.cam_from_world.translation == place.cam_from_world.translation;
+}
+
+}  // namespace
+
+ColorImage difference_picture(const ColorImage& drawn, const ColorImage& photograph) {
+    assert(drawn.width() == photograph.width() && drawn.height() == photograph.height());
+    ColorImage difference(drawn.width(), drawn.height());
+    for (std::size_t i = 0; i < difference.pixels().size(); ++i) {
+        const Rgb8& a = drawn.pixels()[i];
+        const Rgb8& b = photograph.pixels()[i];
+        difference.pixels()[i] = {brightened_difference(a.r, b.r), brightened_difference(a.g, b.g),
+                                  brightened_difference(a.b, b.b)};
+    }
+    return difference;
+}
+
+PictureOverlay fitted_overlay(const Eye& eye, int width_px, int height_px) {
+    const Camera fitted = fitted_to(eye, width_px, height_px).camera;
+    const double scale = fitting_scale(eye, width_px, height_px);
+    PictureOverlay overlay;
+    overlay.low_px = principal_point_px(fitted) - scale * principal_point_px(eye.camera);
+    overlay.high_px =
+        overlay.low_px + scale * Eigen::Vector2d(eye.camera.width_px, eye.camera.height_px);
+    return overlay;
+}
+
+bool Comparison::is_shown(const Shown& wanted) const {
+    if (shown_.index != wanted.index || shown_.is_difference != wanted.is_difference) return false;
+    const RenderOptions& a = shown_.options;
+    const RenderOptions& b = wanted.options;
+    return !wanted.is_difference ||
+           (a.mode == b.mode && a.correct_occlusion == b.correct_occlusion &&
+            a.fade_beyond_capture == b.fade_beyond_capture);
+}
+
+std::optional<PictureOverlay> Comparison::over_frame(const ViewerState& state, int width_px,
+                                                     int height_px, LumigraphRenderer& renderer) {
+    if (state.compared_index < 0 || state.compared_index >= static_cast<int>(views_.size()))
+        return std::nullopt;
+    const HeldOutView& view = views_[static_cast<std::size_t>(state.compared_index)];
+    if (!stands_at(state.navigation.eye, view.eye)) return std::nullopt;
+    Shown wanted{state.compared_index, state.shows_difference, state.render};
+    wanted.options.debug_picture = DebugPicture::kNone;
+    if (!is_shown(wanted)) {
+        if (wanted.is_difference) {
+            target_.draw(renderer, view.eye, wanted.options);
+            texture_ = uploaded(difference_picture(target_.read().color, view.photograph));
+        } else {
+            texture_ = uploaded(view.photograph);
+        }
+        shown_ = wanted;
+    }
+    PictureOverlay overlay = fitted_overlay(view.eye, width_px, height_px);
+    overlay.texture = texture_.get();
+    overlay.share = state.shows_difference ? 1.0 : state.compared_share;
+    return overlay;
+}
+
+}  // namespace lumi

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/gl/object_name.h"
+#include "render/gl/texture.h"
+#include "render/modes/frame_target.h"
+#include "render/viewer/commands.h"
+
+namespace lumi {
+
+/// Part of the window's picture and what is shown there instead.
+struct PictureOverlay {
+    unsigned texture = 0;
+    Eigen::Vector2d low_px = Eigen::Vector2d::Zero();   ///< Top left, in pixels of the picture.
+    Eigen::Vector2d high_px = Eigen::Vector2d::Zero();  ///< Bottom right.
+    double share = 1.0;                                 ///< So much of its width, from the left.
+};
+
+/// Each channel of |drawn - photograph|, four times as bright; both of one size.
+[[nodiscard]] ColorImage difference_picture(const ColorImage& drawn, const ColorImage& photograph);
+
+/// Where the picture of `eye` lies in a frame that it was fitted to (fitted_to).
+[[nodiscard]] PictureOverlay fitted_overlay(const Eye& eye, int width_px, int height_px);
+
+/// Photographs that the Lumigraph was made without, beside what is drawn of it in their place.
+/// Needs the window's context.
+class Comparison {
+ public:
+    explicit Comparison(std::vector<HeldOutView> views) : views_(std::move(views)) {}
+
+    [[nodiscard]] const std::vector<HeldOutView>& views() const { return views_; }
+
+    /// What lies over a frame of this size, as the state wishes; empty where nothing is compared or
+    /// the eye has left the photograph's place. The difference is that of a whole picture of the
+    /// photograph's size.
+    [[nodiscard]] std::optional<PictureOverlay> over_frame(const ViewerState& state, int width_px,
+                                                           int height_px,
+                                                           LumigraphRenderer& renderer);
+
+ private:
+    /// What a texture was made of.
+    struct Shown {
+        int index = -1;
+        bool is_difference = false;
+        RenderOptions options;
+    };
+
+    [[nodiscard]] bool is_shown(const Shown& wanted) const;
+
+    std::vector<HeldOutView> views_;
+    FrameTarget target_;
+    ObjectName<delete_texture> texture_;
+    Shown shown_;
+};
+
+}  // namespace lumi
