@@ -1,6 +1,5 @@
 #include "calib/adjust/bundle_problem.h"
 
-
 #include "calib/adjust/gauge.h"
 #include "calib/adjust/reprojection_cost.h"
 #include "calib/lens/lens_form.h"
