@@ -28,6 +28,7 @@ void add_select_command(CLI::App& app, CommandContext& context);
 void add_plan_command(CLI::App& app, CommandContext& context);
 void add_chart_command(CLI::App& app, CommandContext& context);
 void add_compare_evaluations_command(CLI::App& app, CommandContext& context);
+void add_compare_pictures_command(CLI::App& app, CommandContext& context);
 void add_compare_poses_command(CLI::App& app, CommandContext& context);
 void add_fuse_command(CLI::App& app, CommandContext& context);
 void add_gallery_command(CLI::App& app, CommandContext& context);

@@ -43,6 +43,7 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_plan_command(app, context);
     lumi::add_chart_command(app, context);
     lumi::add_compare_evaluations_command(app, context);
+    lumi::add_compare_pictures_command(app, context);
     lumi::add_compare_poses_command(app, context);
     lumi::add_fuse_command(app, context);
     lumi::add_gallery_command(app, context);

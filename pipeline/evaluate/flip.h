@@ -1,13 +1,15 @@
 #pragma once
 
+#include <numbers>
 #include <optional>
 
 #include "calib/capture/image.h"
 
 namespace lumi {
 
-/// Pixels in a degree of visual angle: a 4K monitor of 0.7 m width seen from 0.7 m.
-constexpr double kFlipPixelsPerDegree = 67.0;
+/// Pixels in a degree of visual angle: a monitor of 3840 pixels and 0.7 m width seen from 0.7 m, as
+/// in the program that the authors published.
+constexpr double kFlipPixelsPerDegree = 0.7 * 3840 / 0.7 * std::numbers::pi / 180.0;
 
 /// LDR-FLIP: at each pixel how different two pictures look when one flips between them, 0 (equal)
 /// to 1 (Andersson et al., "FLIP: A Difference Evaluator for Alternating Images", HPG 2020, with

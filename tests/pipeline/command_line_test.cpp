@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -40,37 +41,22 @@ Outcome lumi(const std::string& arguments, const std::string& before = "") {
 
 TEST(CommandLine, HelpBeginsWithAnExample) {
     EXPECT_THAT(lumi("--help").out, StartsWith("Example: lumi "));
-    for (const std::string command : {"build",
-                                      "calibrate",
-                                      "doctor",
-                                      "ingest",
-                                      "poses",
-                                      "mesh",
-                                      "depth",
-                                      "pack",
-                                      "render",
-                                      "view",
-                                      "evaluate",
-                                      "chart",
-                                      "stress",
-                                      "select",
-                                      "plan",
-                                      "compare-poses",
-                                      "compare-evaluations",
-                                      "inspect",
-                                      "validate",
-                                      "synth",
-                                      "bench",
-                                      "bench-poses",
-                                      "bench-boards",
-                                      "bench-depth",
-                                      "bench-flicker",
-                                      "bench-mesh",
-                                      "bench-rivals",
-                                      "bench-hazards",
-                                      "fuse",
-                                      "regression",
-                                      "gallery"}) {
+    for (const std::string command : {"build",         "calibrate",
+                                      "doctor",        "ingest",
+                                      "poses",         "mesh",
+                                      "depth",         "pack",
+                                      "render",        "view",
+                                      "evaluate",      "chart",
+                                      "stress",        "select",
+                                      "plan",          "compare-pictures",
+                                      "compare-poses", "compare-evaluations",
+                                      "inspect",       "validate",
+                                      "synth",         "bench",
+                                      "bench-poses",   "bench-boards",
+                                      "bench-depth",   "bench-flicker",
+                                      "bench-mesh",    "bench-rivals",
+                                      "bench-hazards", "fuse",
+                                      "regression",    "gallery"}) {
         const Outcome help = lumi(command + " --help");
         EXPECT_EQ(help.exit_code, 0) << command;
         EXPECT_THAT(help.out, StartsWith("Example: lumi " + command));
@@ -133,6 +119,26 @@ TEST(CommandLine, AMissingInputIsBadInput) {
     EXPECT_EQ(lumi("validate " + quoted(scratch / "no.lumi")).exit_code, 3);
     EXPECT_EQ(
         lumi("compare-poses " + quoted(scratch / "a") + " " + quoted(scratch / "b")).exit_code, 3);
+}
+
+TEST(CommandLine, PicturesAreComparedByAllFigures) {
+    const ScratchFolder scratch;
+    write_png(scratch / "a.png", ColorImage(64, 48, {100, 100, 100}));
+    write_png(scratch / "b.png", ColorImage(64, 48, {110, 110, 110}));
+    write_png(scratch / "small.png", ColorImage(48, 48, {100, 100, 100}));
+    const std::string a = " " + quoted(scratch / "a.png");
+    const Outcome compared = lumi("--json compare-pictures" + a + " " + quoted(scratch / "b.png") +
+                                  " --flip-map " + quoted(scratch / "map.png"));
+    ASSERT_EQ(compared.exit_code, 0) << compared.talk;
+    const Json figures = Json::parse(compared.out);
+    EXPECT_NEAR(figures.at("psnr_db").get<double>(), 20 * std::log10(255.0 / 10.0), 1e-9);
+    EXPECT_GT(figures.at("flip").get<double>(), 0.0);
+    EXPECT_TRUE(figures.at("edge_sharpness").is_null());
+    EXPECT_EQ(read_color_image(scratch / "map.png").width(), 64);
+    EXPECT_THAT(lumi("compare-pictures" + a + a).out, HasSubstr("flip                  0.0"));
+    const Outcome refused = lumi("compare-pictures" + a + " " + quoted(scratch / "small.png"));
+    EXPECT_EQ(refused.exit_code, 3);
+    EXPECT_THAT(refused.talk, HasSubstr("E-EVAL-SIZE"));
 }
 
 TEST(CommandLine, DoctorNamesWhatMakesACaptureHopeless) {

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <random>
 
+#include "calib/capture/image_io.h"
 #include "calib/work/error.h"
 #include "pipeline/evaluate/opponent_color.h"
+#include "tests/calib/photographs.h"
 
 namespace lumi {
 namespace {
@@ -164,6 +167,42 @@ TEST(Flip, EqualsThePaperWithoutSeparatedFilters) {
                     flip_at(reference, test, x, y, kFlipPixelsPerDegree), 2e-4)
             << x << ", " << y;
     }
+}
+
+/// A ramp that wraps around, in checks of 8 x 8 pixels that are `lift` apart, moved by `shift_px`.
+ColorImage checked_ramp(int shift_px, int lift) {
+    ColorImage image(96, 64);
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const int raised = lift * (((x / 8) ^ (y / 8)) & 1);
+            const auto channel = [&](int index) {
+                const int value = 2 * (x + shift_px) + 3 * y + 40 * index + raised;
+                return static_cast<std::uint8_t>(value % 256);
+            };
+            image(x, y) = {channel(0), channel(1), channel(2)};
+        }
+    }
+    return image;
+}
+
+TEST(Flip, EqualsTheAuthorsProgram) {
+    // flip_api.py of github.com/NVlabs/flip (commit 313517b), with NumPy 1.24 and OpenCV 4.6.
+    const FloatImage map = flip_error_map(checked_ramp(0, 0), checked_ramp(2, 40));
+    EXPECT_NEAR(mean_error(map), 0.621846, 1e-4);
+    EXPECT_NEAR(map(20, 10), 0.564866, 5e-4);
+    EXPECT_NEAR(map(70, 40), 0.490953, 5e-4);
+}
+
+TEST(Flip, EqualsThePublishedFigureOfTheAuthorsPair) {
+    const std::filesystem::path pair = photographs_folder() / "flip";
+    if (!std::filesystem::exists(pair / "reference.png")) {
+        GTEST_SKIP() << pair / "reference.png"
+                     << " and test.png of github.com/NVlabs/flip (images)"
+                     << " are not there; set LUMI_PHOTOS";
+    }
+    const FloatImage map = flip_error_map(read_color_image(pair / "reference.png"),
+                                          read_color_image(pair / "test.png"));
+    EXPECT_NEAR(mean_error(map), 0.159691, 1e-3);
 }
 
 TEST(Flip, DoesNotMindWhichPictureIsTheReference) {
