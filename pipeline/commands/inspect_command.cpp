@@ -23,6 +23,11 @@ Json package_json(const Lumigraph& lumigraph) {
                          {"exposure_gain", view.exposure_gain},
                          {"depth_width_px", view.depth.inverse_depth.width()},
                          {"depth_height_px", view.depth.inverse_depth.height()}});
+        if (view.depth_mesh) {
+            views.back()["depth_mesh"] = {{"triangles", view.depth_mesh->indices.size() / 3},
+                                          {"wanted_error_px", view.depth_mesh->wanted_error_px},
+                                          {"error_px", view.depth_mesh->error_px}};
+        }
     }
     return Json{{"name", lumigraph.name},
                 {"near_depth", lumigraph.near_depth},

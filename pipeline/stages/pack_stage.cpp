@@ -18,6 +18,7 @@
 #include "pipeline/stages/used_views.h"
 #include "pipeline/workspace/json_file.h"
 #include "render/lumigraph/package.h"
+#include "render/modes/view_depth_mesh.h"
 
 namespace lumi {
 namespace {
@@ -110,8 +111,8 @@ double folder_mib(const fs::path& folder) {
 /// Leaves views out of a Lumigraph, always those that are missed least.
 class ViewLimit {
  public:
-    ViewLimit(const PackSources& sources, const fs::path& folder, Progress& progress)
-        : sources_(sources), folder_(folder), progress_(progress) {}
+    ViewLimit(const PackSources& sources, const fs::path& folder, int threads, Progress& progress)
+        : sources_(sources), folder_(folder), threads_(threads), progress_(progress) {}
 
     void apply_to(Lumigraph& lumigraph) {
         const int wanted = wanted_views(lumigraph);
@@ -163,6 +164,7 @@ class ViewLimit {
     void reduce_to_limit(Lumigraph& lumigraph) {
         const fs::path aside = folder_ / "weighed.lumi";
         for (;;) {
+            make_depth_meshes(lumigraph, threads_, progress_);
             write_package(aside, lumigraph, extras_of(sources_));
             const double mib = folder_mib(aside);
             fs::remove_all(aside);
@@ -180,6 +182,7 @@ class ViewLimit {
 
     const PackSources& sources_;
     fs::path folder_;
+    int threads_;
     Progress& progress_;
     std::vector<std::string> names_by_worth_;
 };
@@ -195,7 +198,8 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     if (sources.drawing.even_exposure) {
         exposures = find_exposure_gains(lumigraph, threads, progress);
     }
-    ViewLimit(sources, folder, progress).apply_to(lumigraph);
+    ViewLimit(sources, folder, threads, progress).apply_to(lumigraph);
+    make_depth_meshes(lumigraph, threads, progress);
     progress.begin("writing the package", 0);
     write_package(package_folder, lumigraph, extras_of(sources));
     write_json_file(record_path(folder),

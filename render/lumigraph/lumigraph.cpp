@@ -28,6 +28,22 @@ void validate_depth(const DepthMap& depth, const std::string& where) {
     if (!in_range) refuse(where, "expected finite inverse depths >= 0");
 }
 
+void validate_depth_mesh(const DepthMesh& mesh, const std::string& where) {
+    const bool sorted_by_kind = mesh.kind_begin.front() == 0 &&
+                                mesh.kind_begin.back() == mesh.indices.size() &&
+                                std::is_sorted(mesh.kind_begin.begin(), mesh.kind_begin.end()) &&
+                                std::all_of(mesh.kind_begin.begin(), mesh.kind_begin.end(),
+                                            [](std::size_t begin) { return begin % 3 == 0; });
+    const bool names_vertices =
+        std::all_of(mesh.indices.begin(), mesh.indices.end(),
+                    [&](std::uint32_t index) { return index < mesh.vertices.size(); });
+    const bool is_finite = std::all_of(
+        mesh.vertices.begin(), mesh.vertices.end(),
+        [](const Eigen::Vector3f& vertex) { return vertex.allFinite() && vertex.z() >= 0; });
+    if (!sorted_by_kind || !names_vertices || !is_finite)
+        refuse(where, "expected a depth mesh of triangles between finite vertices");
+}
+
 void validate_view(const LumigraphView& view, const std::string& where) {
     validate(view.camera, where);
     if (view.camera.model != LensModel::kPinhole) refuse(where, "expected a PINHOLE camera");
@@ -48,6 +64,7 @@ void validate_view(const LumigraphView& view, const std::string& where) {
         }
     }
     validate_depth(view.depth, where);
+    if (view.depth_mesh) validate_depth_mesh(*view.depth_mesh, where);
 }
 
 }  // namespace

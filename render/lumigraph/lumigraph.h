@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "calib/capture/rigid3.h"
 #include "meshing/surface/camera_mesh.h"
 #include "meshing/surface/depth_map.h"
+#include "render/lumigraph/depth_mesh.h"
 
 namespace lumi {
 
@@ -27,6 +29,9 @@ struct LumigraphView {
     DepthMap depth;  ///< Empty images when the package has no depth.
     /// Times this the photograph's light is in the exposure of those around it.
     ExposureGain exposure_gain = kNoExposureGain;
+    /// Made of `depth` when the package was; null where it is made when it is drawn
+    /// (render/modes/view_depth_mesh.h). Who changes `depth` resets it.
+    std::shared_ptr<const DepthMesh> depth_mesh{};
 };
 
 /// The free-form Lumigraph as it is drawn: what a package holds once it is in memory.

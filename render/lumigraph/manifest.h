@@ -9,6 +9,7 @@
 
 #include "calib/capture/camera.h"
 #include "calib/capture/rigid3.h"
+#include "render/lumigraph/coded_depth_mesh.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {
@@ -26,6 +27,13 @@ struct PackageFile {
     std::string sha256;
 };
 
+/// Where the triangles of a view's depth are stored, in the code of coded_depth_mesh.h.
+struct ManifestDepthMesh {
+    CodedDepthMeshHeader header;
+    std::uint64_t code_bytes = 0;  ///< Inflated.
+    PackageFile file;              ///< Deflated (RFC 1950).
+};
+
 /// Where one view's depth is stored, and how: q = min + step / 65535 * (max - min) for the `step`
 /// of each pixel of the 16-bit picture.
 struct ManifestDepth {
@@ -35,6 +43,8 @@ struct ManifestDepth {
     double max_inverse_depth = 0.0;
     PackageFile inverse_depth;  ///< 16-bit grey PNG.
     PackageFile confidence;     ///< 8-bit grey PNG of the same size.
+    /// Not in packages of before, or without need: it is made of the two others.
+    std::optional<ManifestDepthMesh> mesh;
 };
 
 /// What the manifest says of one view.

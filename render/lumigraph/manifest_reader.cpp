@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kUnitTolerance = 1e-6;
 constexpr int kMaxSide_px = 1 << 16;
+constexpr int kMaxTriangles = 1 << 28;
 
 PackageFile file_of(const StrictJsonObject& object, std::string_view ending) {
     PackageFile file{object.text("path"), object.byte_count("bytes"), object.text("sha256")};
@@ -50,18 +51,45 @@ Rigid3 pose_of(const StrictJsonObject& object) {
     return pose;
 }
 
+void expect_range(const StrictJsonObject& object, double min, double max) {
+    // Kept as 32-bit floats: a finite double may still be too large.
+    const bool in_range = min >= 0 && min <= max && std::isfinite(static_cast<float>(max));
+    if (!in_range) object.refuse("max_inverse_depth", "0 <= min <= max within 32-bit floats");
+}
+
+ManifestDepthMesh depth_mesh_of(const StrictJsonObject& object, const ManifestDepth& depth) {
+    ManifestDepthMesh mesh;
+    CodedDepthMeshHeader& header = mesh.header;
+    header.columns = object.integer("columns", 1, depth.width_px);
+    header.rows = object.integer("rows", 1, depth.height_px);
+    header.wanted_error_px = object.number("wanted_error_px");
+    header.error_px = object.number("error_px");
+    header.disparity_px = object.number("disparity_px");
+    const bool is_stated =
+        header.wanted_error_px > 0 && header.error_px > 0 && header.disparity_px > 0;
+    if (!is_stated) object.refuse("error_px", "errors and disparity > 0");
+    header.min_inverse_depth = object.number("min_inverse_depth");
+    header.max_inverse_depth = object.number("max_inverse_depth");
+    expect_range(object, header.min_inverse_depth, header.max_inverse_depth);
+    header.vertices = object.integer("vertices", 0, kMaxTriangles);
+    header.triangles = {object.integer("seen_triangles", 0, kMaxTriangles),
+                        object.integer("filled_triangles", 0, kMaxTriangles),
+                        object.integer("stretched_triangles", 0, kMaxTriangles)};
+    mesh.code_bytes = object.byte_count("code_bytes");
+    mesh.file = file_of(object.object("file"), ".mesh");
+    return mesh;
+}
+
 ManifestDepth depth_of(const StrictJsonObject& object) {
     ManifestDepth depth{object.integer("width_px", 1, kMaxSide_px),
                         object.integer("height_px", 1, kMaxSide_px),
                         object.number("min_inverse_depth"),
                         object.number("max_inverse_depth"),
                         file_of(object.object("inverse_depth"), ".png"),
-                        file_of(object.object("confidence"), ".png")};
-    // Kept as 32-bit floats: a finite double may still be too large.
-    const bool in_range = depth.min_inverse_depth >= 0 &&
-                          depth.min_inverse_depth <= depth.max_inverse_depth &&
-                          std::isfinite(static_cast<float>(depth.max_inverse_depth));
-    if (!in_range) object.refuse("max_inverse_depth", "0 <= min <= max within 32-bit floats");
+                        file_of(object.object("confidence"), ".png"),
+                        std::nullopt};
+    expect_range(object, depth.min_inverse_depth, depth.max_inverse_depth);
+    if (object.has("mesh")) depth.mesh = depth_mesh_of(object.object("mesh"), depth);
     return depth;
 }
 

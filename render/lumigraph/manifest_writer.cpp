@@ -30,13 +30,32 @@ Json json_of(const Rigid3& pose) {
             {"translation", {t.x(), t.y(), t.z()}}};
 }
 
+Json json_of(const ManifestDepthMesh& mesh) {
+    const CodedDepthMeshHeader& header = mesh.header;
+    return {{"columns", header.columns},
+            {"rows", header.rows},
+            {"wanted_error_px", header.wanted_error_px},
+            {"error_px", header.error_px},
+            {"disparity_px", header.disparity_px},
+            {"min_inverse_depth", header.min_inverse_depth},
+            {"max_inverse_depth", header.max_inverse_depth},
+            {"vertices", header.vertices},
+            {"seen_triangles", header.triangles[0]},
+            {"filled_triangles", header.triangles[1]},
+            {"stretched_triangles", header.triangles[2]},
+            {"code_bytes", mesh.code_bytes},
+            {"file", json_of(mesh.file)}};
+}
+
 Json json_of(const ManifestDepth& depth) {
-    return {{"width_px", depth.width_px},
-            {"height_px", depth.height_px},
-            {"min_inverse_depth", depth.min_inverse_depth},
-            {"max_inverse_depth", depth.max_inverse_depth},
-            {"inverse_depth", json_of(depth.inverse_depth)},
-            {"confidence", json_of(depth.confidence)}};
+    Json result = {{"width_px", depth.width_px},
+                   {"height_px", depth.height_px},
+                   {"min_inverse_depth", depth.min_inverse_depth},
+                   {"max_inverse_depth", depth.max_inverse_depth},
+                   {"inverse_depth", json_of(depth.inverse_depth)},
+                   {"confidence", json_of(depth.confidence)}};
+    if (depth.mesh) result["mesh"] = json_of(*depth.mesh);
+    return result;
 }
 
 Json json_of(const ManifestView& view) {

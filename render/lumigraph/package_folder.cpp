@@ -102,7 +102,7 @@ bool is_plain(char c) {
 
 bool is_safe_package_path(std::string_view path) {
     constexpr std::size_t kMaxLength = 200;
-    constexpr std::array<std::string_view, 3> kEndings{".png", ".ply", ".toml"};
+    constexpr std::array<std::string_view, 4> kEndings{".png", ".ply", ".mesh", ".toml"};
     const auto* ending = std::find_if(kEndings.begin(), kEndings.end(),
                                       [&](std::string_view e) { return path.ends_with(e); });
     if (path.size() > kMaxLength || ending == kEndings.end()) return false;

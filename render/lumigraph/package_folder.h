@@ -11,7 +11,7 @@ namespace lumi {
 
 /// Whether `path` names a file below a package and nothing else, on any file system: lower-case
 /// letters, digits, '_', '-' and '/', no empty part, no part that begins with a dot or names a
-/// device, and one of the endings .png, .ply and .toml.
+/// device, and one of the endings .png, .ply, .mesh and .toml.
 [[nodiscard]] bool is_safe_package_path(std::string_view path);
 
 /// The open folder of a package. Files are opened part by part from it, without following a link,

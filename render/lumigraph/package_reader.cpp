@@ -5,6 +5,7 @@
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/surface/mesh_io.h"
+#include "render/lumigraph/deflate.h"
 #include "render/lumigraph/even_exposure.h"
 #include "render/lumigraph/manifest.h"
 #include "render/lumigraph/package.h"
@@ -44,6 +45,19 @@ class ReadingBudget {
     std::uint64_t left_;
 };
 
+void spend_on_mesh(const ManifestDepthMesh& mesh, const PackageFolder& package,
+                   ReadingBudget& budget) {
+    const fs::path path = package.path_of(mesh.file);
+    budget.spend(mesh.file.bytes, path);
+    budget.spend(mesh.code_bytes, path);
+    const auto bytes_of = [](int count, std::size_t each) {
+        return static_cast<std::uint64_t>(count) * each;
+    };
+    budget.spend(bytes_of(mesh.header.vertices, sizeof(Eigen::Vector3f)), path);
+    for (const int triangles : mesh.header.triangles)
+        budget.spend(bytes_of(triangles, 3 * sizeof(std::uint32_t)), path);
+}
+
 void expect_within_budget(const Manifest& manifest, const PackageFolder& package,
                           std::uint64_t max_bytes) {
     ReadingBudget budget(max_bytes);
@@ -61,6 +75,7 @@ void expect_within_budget(const Manifest& manifest, const PackageFolder& package
         budget.spend(view.depth->confidence.bytes, package.path_of(view.depth->confidence));
         budget.spend_on_picture(view.depth->width_px, view.depth->height_px,
                                 sizeof(float) + sizeof(std::uint8_t), depth);
+        if (view.depth->mesh) spend_on_mesh(*view.depth->mesh, package, budget);
     }
 }
 
@@ -95,6 +110,14 @@ DepthMap read_depth(const PackageFolder& package, const ManifestDepth& entry) {
             decode_gray_png(confidence, kMaxPixelsPerPicture, package.path_of(entry.confidence))};
 }
 
+std::shared_ptr<const DepthMesh> read_depth_mesh(const PackageFolder& package,
+                                                 const ManifestView& entry) {
+    const ManifestDepthMesh& mesh = *entry.depth->mesh;
+    const std::string where = package.path_of(mesh.file).string();
+    const Bytes code = inflated(package.read(mesh.file), mesh.code_bytes, where);
+    return std::make_shared<const DepthMesh>(decode({mesh.header, code}, entry.camera, where));
+}
+
 LumigraphView read_view(const PackageFolder& package, const ManifestView& entry) {
     const Bytes png =
         read_png_bytes(package, entry.photograph, entry.camera.width_px, entry.camera.height_px);
@@ -107,6 +130,7 @@ LumigraphView read_view(const PackageFolder& package, const ManifestView& entry)
     view.photograph =
         decode_color_png(png, kMaxPixelsPerPicture, package.path_of(entry.photograph));
     if (entry.depth) view.depth = read_depth(package, *entry.depth);
+    if (entry.depth && entry.depth->mesh) view.depth_mesh = read_depth_mesh(package, entry);
     return view;
 }
 

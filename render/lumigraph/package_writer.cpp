@@ -8,6 +8,7 @@
 #include "calib/work/whole_file.h"
 #include "calib/work/whole_folder.h"
 #include "meshing/surface/mesh_io.h"
+#include "render/lumigraph/deflate.h"
 #include "render/lumigraph/manifest.h"
 #include "render/lumigraph/package.h"
 #include "render/lumigraph/quantised_depth.h"
@@ -29,16 +30,28 @@ PackageFile write_listed(const fs::path& root, const std::string& path, const By
     return {path, bytes.size(), sha256_hex(bytes)};
 }
 
-ManifestDepth write_depth(const fs::path& root, std::size_t index, const DepthMap& depth) {
+ManifestDepthMesh write_depth_mesh(const fs::path& root, std::size_t index,
+                                   const LumigraphView& view) {
+    const CodedDepthMesh coded = encode(*view.depth_mesh, view.camera);
+    return {coded.header, coded.bytes.size(),
+            write_listed(root, numbered("depth", index, ".mesh"), deflated(coded.bytes))};
+}
+
+ManifestDepth write_depth(const fs::path& root, std::size_t index, const LumigraphView& view) {
+    const DepthMap& depth = view.depth;
     const QuantisedDepth quantised = quantise(depth.inverse_depth);
     const std::string steps = numbered("depth", index, ".png");
     const std::string confidence = numbered("depth", index, "_confidence.png");
-    return {depth.inverse_depth.width(),
-            depth.inverse_depth.height(),
-            quantised.min_inverse_depth,
-            quantised.max_inverse_depth,
-            write_listed(root, steps, encode_png(quantised.steps, root / steps)),
-            write_listed(root, confidence, encode_png(depth.confidence, root / confidence))};
+    ManifestDepth entry{
+        depth.inverse_depth.width(),
+        depth.inverse_depth.height(),
+        quantised.min_inverse_depth,
+        quantised.max_inverse_depth,
+        write_listed(root, steps, encode_png(quantised.steps, root / steps)),
+        write_listed(root, confidence, encode_png(depth.confidence, root / confidence)),
+        std::nullopt};
+    if (view.depth_mesh) entry.mesh = write_depth_mesh(root, index, view);
+    return entry;
 }
 
 ManifestView write_view(const fs::path& root, std::size_t index, const LumigraphView& view) {
@@ -51,7 +64,7 @@ ManifestView write_view(const fs::path& root, std::size_t index, const Lumigraph
     entry.exposure_gain = view.exposure_gain;
     entry.photograph =
         write_listed(root, photograph, encode_png(view.photograph, root / photograph));
-    if (!view.depth.inverse_depth.empty()) entry.depth = write_depth(root, index, view.depth);
+    if (!view.depth.inverse_depth.empty()) entry.depth = write_depth(root, index, view);
     return entry;
 }
 

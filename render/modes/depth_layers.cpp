@@ -7,6 +7,7 @@
 #include "calib/work/parallel_for.h"
 #include "render/gl/to_glm.h"
 #include "render/modes/pixel_transfer.h"
+#include "render/modes/view_depth_mesh.h"
 #include "render/shaders/shader_sources.h"
 
 namespace lumi {
@@ -27,14 +28,15 @@ constexpr std::array<DepthRange, kDepthKinds> kRangeOfKind{
 constexpr std::size_t kMeshesAtOnce = 16;
 
 /// Of the views from `first`, at most kMeshesAtOnce.
-std::vector<DepthMesh> triangulate_some(const UploadedLumigraph& uploaded, std::size_t first) {
+std::vector<std::shared_ptr<const DepthMesh>> some_meshes(const UploadedLumigraph& uploaded,
+                                                          std::size_t first) {
     const std::vector<LumigraphView>& views = uploaded.layout.views;
-    std::vector<DepthMesh> meshes(std::min(kMeshesAtOnce, views.size() - first));
+    std::vector<std::shared_ptr<const DepthMesh>> meshes(
+        std::min(kMeshesAtOnce, views.size() - first));
     parallel_for(static_cast<int>(meshes.size()), 0, [&](int i) {
         const auto offset = static_cast<std::size_t>(i);
-        const LumigraphView& view = views[first + offset];
-        meshes[offset] = triangulate(view.depth, view.camera,
-                                     max_disparity_px(uploaded.geometries[first + offset]));
+        meshes[offset] = depth_mesh_of(views[first + offset],
+                                       max_disparity_px(uploaded.geometries[first + offset]));
     });
     return meshes;
 }
@@ -48,12 +50,12 @@ DepthLayers::DepthLayers(const UploadedLumigraph& uploaded, int layers)
       program_("depth_layer", {shader_source("depth_layer")}) {
     static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
     while (meshes_.size() < uploaded.layout.views.size()) {
-        for (const DepthMesh& mesh : triangulate_some(uploaded, meshes_.size())) {
+        for (const auto& mesh : some_meshes(uploaded, meshes_.size())) {
             ViewMesh& view = meshes_.emplace_back();
             view.triangles = VertexBuffer({{0, 3}});
-            view.triangles.upload(mesh.vertices.data(),
-                                  mesh.vertices.size() * sizeof(Eigen::Vector3f), mesh.indices);
-            view.kind_begin = mesh.kind_begin;
+            view.triangles.upload(mesh->vertices.data(),
+                                  mesh->vertices.size() * sizeof(Eigen::Vector3f), mesh->indices);
+            view.kind_begin = mesh->kind_begin;
         }
     }
 }

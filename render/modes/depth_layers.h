@@ -6,7 +6,7 @@
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
 #include "render/gl/vertex_buffer.h"
-#include "render/modes/depth_mesh.h"
+#include "render/lumigraph/depth_mesh.h"
 #include "render/modes/uploaded_lumigraph.h"
 
 namespace lumi {
@@ -19,7 +19,7 @@ namespace lumi {
 /// drawn.
 class DepthLayers {
  public:
-    /// Triangulates and uploads the depth maps of all views, on all cores.
+    /// Uploads the depth meshes of all views; those that the package lacks are made, on all cores.
     DepthLayers(const UploadedLumigraph& uploaded, int layers);
 
     /// Draws the layers of these views, at most as many as there are layers; the others are empty.

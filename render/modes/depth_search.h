@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "render/lumigraph/depth_mesh.h"
 #include "render/lumigraph/lumigraph.h"
-#include "render/modes/depth_mesh.h"
 #include "render/modes/pixel_transfer.h"
 #include "render/modes/view_geometry.h"
 

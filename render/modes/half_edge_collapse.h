@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/modes/depth_mesh.h"
+#include "render/lumigraph/depth_mesh.h"
 #include "render/modes/mesh_decimation.h"
 
 namespace lumi {

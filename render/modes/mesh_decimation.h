@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/modes/depth_mesh.h"
+#include "render/lumigraph/depth_mesh.h"
 
 namespace lumi {
 

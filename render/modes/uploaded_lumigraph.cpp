@@ -16,8 +16,14 @@ Lumigraph without_photographs(const Lumigraph& lumigraph) {
     layout.near_depth = lumigraph.near_depth;
     layout.far_depth = lumigraph.far_depth;
     for (const LumigraphView& view : lumigraph.views)
-        layout.views.push_back(
-            {view.name, view.camera, view.cam_from_world, view.exif_orientation, {}, view.depth});
+        layout.views.push_back({view.name,
+                                view.camera,
+                                view.cam_from_world,
+                                view.exif_orientation,
+                                {},
+                                view.depth,
+                                kNoExposureGain,
+                                view.depth_mesh});
     return layout;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "calib/capture/image.h"
+#include "render/lumigraph/depth_mesh.h"
 #include "render/lumigraph/lumigraph.h"
-#include "render/modes/depth_mesh.h"
 
 namespace lumi {
 

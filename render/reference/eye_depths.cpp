@@ -1,6 +1,7 @@
 #include "render/reference/eye_depths.h"
 
 #include "render/modes/depth_view_choice.h"
+#include "render/modes/view_depth_mesh.h"
 #include "render/modes/view_geometry.h"
 
 namespace lumi {
@@ -13,10 +14,8 @@ EyeDepths eye_depths(const Lumigraph& lumigraph, const Eye& eye, double toleranc
     std::vector<Image<EyeDepth>> layers;
     for (const int index : result.view_indices) {
         const auto view = static_cast<std::size_t>(index);
-        const DepthMesh mesh =
-            triangulate(lumigraph.views[view].depth, lumigraph.views[view].camera,
-                        max_disparity_px(geometries[view]));
-        layers.push_back(rasterise(mesh, lumigraph.views[view], eye));
+        const auto mesh = depth_mesh_of(lumigraph.views[view], max_disparity_px(geometries[view]));
+        layers.push_back(rasterise(*mesh, lumigraph.views[view], eye));
     }
     std::vector<EyeDepth> depths(layers.size());
     for (int y = 0; y < eye.camera.height_px; ++y) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "meshing/surface/camera_mesh.h"
-#include "render/modes/depth_mesh.h"
 #include "render/modes/depth_view_choice.h"
 #include "render/modes/occlusion.h"
 #include "render/modes/photograph_layer.h"
@@ -16,6 +15,7 @@
 #include "render/modes/photograph_opacity.h"
 #include "render/modes/scene_plane.h"
 #include "render/modes/shell_opacity.h"
+#include "render/modes/view_depth_mesh.h"
 #include "render/modes/view_geometry.h"
 #include "render/reference/depth_consensus.h"
 #include "render/reference/depth_raster.h"
@@ -149,9 +149,8 @@ void ReferenceFrame::draw_depth_layers() {
         agreeing_inverse_depth(geometries_, depth_views_, options_.occlusion_tolerance_px);
     for (const int index : depth_views_) {
         const ViewGeometry& geometry = geometries_[static_cast<std::size_t>(index)];
-        const DepthMesh mesh =
-            triangulate(view(index).depth, view(index).camera, max_disparity_px(geometry));
-        layers_.push_back(rasterise(mesh, view(index), eye_));
+        const auto mesh = depth_mesh_of(view(index), max_disparity_px(geometry));
+        layers_.push_back(rasterise(*mesh, view(index), eye_));
     }
 }
 

@@ -9,8 +9,12 @@
 #include "calib/work/error.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/to_glm.h"
+#include "render/lumigraph/package.h"
 #include "render/modes/lumigraph_renderer.h"
 #include "render/modes/offscreen_renderer.h"
+#include "render/modes/view_depth_mesh.h"
+#include "render/modes/view_geometry.h"
+#include "tests/calib/scratch_folder.h"
 #include "tests/render/analytic_scene.h"
 #include "tests/render/frame_difference.h"
 
@@ -112,6 +116,28 @@ TEST(LumigraphRendererGl, MostOfWhatIsWrongIsAGuessAndNotCovered) {
     }
     EXPECT_GT(wrong, 1000);
     EXPECT_LT(wrong_but_covered, wrong / 2);
+}
+
+TEST(LumigraphRendererGl, APackageWithItsDepthMeshesIsDrawnAsOneWithout) {
+    Lumigraph with = card_before_wall();
+    Lumigraph without = with;
+    SilentProgress progress;
+    make_depth_meshes(with, 2, progress);
+    const ScratchFolder scratch;
+    write_package(scratch / "with.lumi", with, {});
+    write_package(scratch / "without.lumi", without, {});
+    with = read_package(scratch / "with.lumi");
+    without = read_package(scratch / "without.lumi");
+    ASSERT_TRUE(with.views[0].depth_mesh);
+    ASSERT_FALSE(without.views[0].depth_mesh);
+    EXPECT_EQ(depth_mesh_of(with.views[0], max_disparity_px(view_geometries(with)[0])),
+              with.views[0].depth_mesh);
+    const Eye eye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, pinhole_camera(64, 48, 60));
+    const RenderOptions options{.mode = RenderMode::kPerPixel};
+    const Frame drawn = OffscreenRenderer(with).draw(eye, options);
+    const Frame expected = OffscreenRenderer(without).draw(eye, options);
+    EXPECT_EQ(drawn.color, expected.color);
+    EXPECT_EQ(drawn.coverage, expected.coverage);
 }
 
 TEST(LumigraphRendererGl, DepthTakesTheGhostsAway) {

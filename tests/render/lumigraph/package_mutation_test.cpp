@@ -42,7 +42,7 @@ TEST(PackageMutation, EverySingleByteChangeIsNoticed) {
     const fs::path package = scratch / "tiny.lumi";
     write_package(package, tiny_lumigraph(), tiny_extras());
     const std::vector<PackageBytes> files = files_of(package);
-    ASSERT_EQ(files.size(), 11U);
+    ASSERT_EQ(files.size(), 12U);
 
     std::mt19937 random(7);
     std::vector<int> mutations_of_file(files.size(), 0);
@@ -70,6 +70,7 @@ TEST(PackageMutation, ForgedPicturesAndMeshesNeverCrashTheReader) {
         {"/views/0/photograph", "views/000001.png"},
         {"/views/1/depth/inverse_depth", "depth/000002.png"},
         {"/views/1/depth/confidence", "depth/000002_confidence.png"},
+        {"/views/0/depth/mesh/file", "depth/000001.mesh"},
         {"/camera_mesh", "camera_mesh.ply"}};
     std::mt19937 random(8);
     for (const auto& [listing, path] : path_of) {

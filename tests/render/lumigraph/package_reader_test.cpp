@@ -7,6 +7,7 @@
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "meshing/surface/mesh_io.h"
+#include "render/lumigraph/deflate.h"
 #include "render/lumigraph/manifest.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/render/lumigraph/tiny_package.h"
@@ -217,6 +218,36 @@ TEST_F(PackageReader, RefusesPicturesOfAnotherKind) {
     EXPECT_EQ(code_of_reading(folder_), "E-PACKAGE-CONTENT");
     forge_file(folder_, "/views/0/photograph", read_whole_text(scratch_ / "photograph.jpg"));
     EXPECT_EQ(code_of_reading(folder_), "E-PACKAGE-FORMAT");
+}
+
+TEST_F(PackageReader, RefusesADepthMeshThatIsNotWhatItStates) {
+    const std::string mesh = "/views/0/depth/mesh";
+    expect_refused_value("E-PACKAGE-MANIFEST", mesh + "/columns", 7);
+    expect_refused_value("E-PACKAGE-MANIFEST", mesh + "/rows", 0);
+    expect_refused_value("E-PACKAGE-MANIFEST", mesh + "/error_px", 0.0);
+    expect_refused_value("E-PACKAGE-MANIFEST", mesh + "/disparity_px", -1.0);
+    expect_refused_value("E-PACKAGE-MANIFEST", mesh + "/max_inverse_depth", 1e39);
+    expect_refused_value("E-PACKAGE-MANIFEST", mesh + "/vertices", -1);
+    expect_refused_value("E-PACKAGE-PATH", mesh + "/file/path", "depth/000001.png");
+    for (const char* count :
+         {"/vertices", "/seen_triangles", "/filled_triangles", "/stretched_triangles"}) {
+        expect_refused_value("E-PACKAGE-MESH", mesh + count, 0);
+        expect_refused_value("E-PACKAGE-MESH", mesh + count, 100);
+    }
+    expect_refused_value("E-PACKAGE-BUDGET", mesh + "/code_bytes", std::uint64_t{1} << 60);
+    expect_refused_value("E-PACKAGE-MESH", mesh + "/code_bytes", std::uint64_t{1} << 20);
+    // The code's first byte says that a vertex is new; 1 would name one before there is any.
+    Bytes code =
+        encode(*tiny_lumigraph().views[0].depth_mesh, tiny_lumigraph().views[0].camera).bytes;
+    code[0] = 1;
+    const Bytes forged = deflated(code);
+    forge_file(folder_, mesh + "/file", {forged.begin(), forged.end()});
+    EXPECT_EQ(code_of_reading(folder_), "E-PACKAGE-MESH");
+}
+
+TEST_F(PackageReader, ReadsAPackageWithoutItsDepthMeshes) {
+    forge_manifest(folder_, [](Json& json) { json["views"][0]["depth"].erase("mesh"); });
+    EXPECT_EQ(read_package(folder_).views[0].depth_mesh, nullptr);
 }
 
 TEST_F(PackageReader, RefusesAMeshThatNamesWhatDoesNotExist) {

@@ -5,6 +5,7 @@
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "render/lumigraph/deflate.h"
 #include "render/lumigraph/even_exposure.h"
 #include "render/lumigraph/manifest.h"
 #include "render/lumigraph/quantised_depth.h"
@@ -71,6 +72,35 @@ TEST_F(PackageRoundTrip, KeepsTheCameraMeshToTheBit) {
     }
 }
 
+TEST_F(PackageRoundTrip, KeepsDepthMeshes) {
+    ASSERT_TRUE(read_.views[0].depth_mesh);
+    EXPECT_FALSE(read_.views[1].depth_mesh);
+    const DepthMesh& a = *written_.views[0].depth_mesh;
+    const DepthMesh& b = *read_.views[0].depth_mesh;
+    EXPECT_EQ(a.indices, b.indices);  // Named in order, they keep it.
+    EXPECT_EQ(a.kind_begin, b.kind_begin);
+    EXPECT_EQ(a.columns, b.columns);
+    EXPECT_EQ(a.rows, b.rows);
+    EXPECT_EQ(a.wanted_error_px, b.wanted_error_px);
+    EXPECT_EQ(a.error_px, b.error_px);
+    EXPECT_EQ(a.disparity_px, b.disparity_px);
+    ASSERT_EQ(a.vertices.size(), b.vertices.size());
+    for (std::size_t i = 0; i < a.vertices.size(); ++i) {
+        EXPECT_EQ(a.vertices[i].head<2>(), b.vertices[i].head<2>());
+        // Half of a 64th of a pixel.
+        const double moved = static_cast<double>(a.vertices[i].z() - b.vertices[i].z());
+        EXPECT_LE(std::abs(moved) * a.disparity_px, 1.0 / 128 + 1e-4);
+    }
+}
+
+TEST_F(PackageRoundTrip, WhatIsDecodedIsCodedWithoutChange) {
+    const LumigraphView& view = read_.views[0];
+    const CodedDepthMesh coded = encode(*view.depth_mesh, view.camera);
+    const CodedDepthMesh again = encode(decode(coded, view.camera, "mesh"), view.camera);
+    EXPECT_EQ(coded.bytes, again.bytes);
+    EXPECT_EQ(inflated(deflated(coded.bytes), coded.bytes.size(), "mesh"), coded.bytes);
+}
+
 TEST_F(PackageRoundTrip, KeepsInverseDepthWithinHalfAStep) {
     for (std::size_t i = 0; i < 2; ++i) {
         const FloatImage& a = written_.views[i].depth.inverse_depth;
@@ -117,7 +147,7 @@ TEST_F(PackageRoundTrip, KeepsExposureGainsToTheBitAndEvensThemOutUnlessToldOthe
 TEST_F(PackageRoundTrip, SameInputTwiceGivesTheSameBytesAnywhere) {
     write_package(scratch_ / "elsewhere" / "other name.lumi", written_, tiny_extras());
     const auto here = files_of(folder_);
-    EXPECT_EQ(here.size(), 11U);  // Manifest, mesh, points, config, 3 photographs, 2 x 2 depth.
+    EXPECT_EQ(here.size(), 12U);  // Manifest, mesh, points, config, 3 photographs, 2 x 2 depth.
     EXPECT_EQ(here, files_of(scratch_ / "elsewhere" / "other name.lumi"));
 }
 

@@ -29,6 +29,23 @@ DepthMap random_depth(int width_px, int height_px, std::mt19937& random) {
     return depth;
 }
 
+/// A fan of each kind over a photograph of 6 x 5 samples of depth.
+std::shared_ptr<const DepthMesh> tiny_depth_mesh(const Camera& camera) {
+    const auto width = static_cast<float>(camera.width_px);
+    const auto height = static_cast<float>(camera.height_px);
+    DepthMesh mesh;
+    mesh.columns = 6;
+    mesh.rows = 5;
+    mesh.wanted_error_px = 0.1;
+    mesh.error_px = 0.3;
+    mesh.disparity_px = 1000.0 / 3.0;
+    mesh.vertices = {{0, 0, 0.125F},     {0, height, 0.5F},         {width, 0, 0.25F},
+                     {width, height, 0}, {width / 2, height, 0.4F}, {width / 2, 0, 0.3F}};
+    mesh.indices = {0, 1, 2, 2, 1, 3, 0, 1, 4, 5, 4, 3};
+    mesh.kind_begin = {0, 6, 9, 12};
+    return std::make_shared<const DepthMesh>(mesh);
+}
+
 }  // namespace
 
 Lumigraph tiny_lumigraph(unsigned seed) {
@@ -49,6 +66,7 @@ Lumigraph tiny_lumigraph(unsigned seed) {
         view.exif_orientation = 1 + 3 * i;
         view.photograph = random_photograph(13 + i, 7, random);
         if (i < 2) view.depth = random_depth(6, 5, random);
+        if (i == 0) view.depth_mesh = tiny_depth_mesh(view.camera);
         lumigraph.mesh.vertices.push_back({{number(random), number(random), number(random)}, i});
         lumigraph.views.push_back(std::move(view));
     }

@@ -10,7 +10,7 @@
 namespace lumi {
 
 /// Three cameras with random pixels, depth and odd poses, whose files together hold a few KiB; the
-/// third view has no depth. The same for the same seed.
+/// third view has no depth, the first alone a depth mesh. The same for the same seed.
 [[nodiscard]] Lumigraph tiny_lumigraph(unsigned seed = 1);
 [[nodiscard]] PackageExtras tiny_extras();
 

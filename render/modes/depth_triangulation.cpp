@@ -1,4 +1,4 @@
-#include "render/modes/depth_mesh.h"
+#include "render/modes/depth_triangulation.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -285,14 +285,21 @@ DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double dispar
         as_it_is.max_triangles_per_sample = std::numeric_limits<double>::infinity();
         return triangulate(half, camera, disparity_px, as_it_is);
     }
-    const DepthMesh mesh = mesh_of(errors, lattice, network.error_px);
-    if (options.decimated_share <= 0) return mesh;
-    const double pitch_px = static_cast<double>(camera.width_px) / depth.inverse_depth.width();
-    return decimated(
-        mesh, disparity_px,
-        {.max_error_px = options.decimated_share * static_cast<double>(network.error_px),
-         .max_tear_px = kMaxMovedTear * pitch_px,
-         .max_kind_border_px = kMaxMovedKindBorder * pitch_px});
+    DepthMesh mesh = mesh_of(errors, lattice, network.error_px);
+    const auto network_error_px = static_cast<double>(network.error_px);
+    if (options.decimated_share > 0) {
+        const double pitch_px = static_cast<double>(camera.width_px) / depth.inverse_depth.width();
+        mesh = decimated(mesh, disparity_px,
+                         {.max_error_px = options.decimated_share * network_error_px,
+                          .max_tear_px = kMaxMovedTear * pitch_px,
+                          .max_kind_border_px = kMaxMovedKindBorder * pitch_px});
+    }
+    mesh.columns = depth.inverse_depth.width();
+    mesh.rows = depth.inverse_depth.height();
+    mesh.wanted_error_px = options.max_error_px;
+    mesh.error_px = (1 + options.decimated_share) * network_error_px;
+    mesh.disparity_px = disparity_px;
+    return mesh;
 }
 
 }  // namespace lumi

@@ -1,11 +1,15 @@
-#include "render/modes/depth_mesh.h"
+#include "render/modes/depth_triangulation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "render/lumigraph/coded_depth_mesh.h"
 #include "render/modes/halved_depth.h"
+#include "render/modes/view_depth_mesh.h"
+#include "render/modes/view_geometry.h"
 #include "render/reference/depth_raster.h"
+#include "tests/render/analytic_scene.h"
 
 namespace lumi {
 namespace {
@@ -277,6 +281,61 @@ TEST(HalvedDepth, PrefersSeenSamplesAndKeepsTheFieldOfViewOfAnOddCount) {
 
 TEST(DepthMesh, IsEmptyWithoutDepth) {
     EXPECT_TRUE(triangulate({}, kCamera, kDisparity_px).indices.empty());
+}
+
+TEST(CodedDepthMesh, RoundsPlacesOnlyAtThePhotographsBorderAndDepthToA128thOfAPixel) {
+    // 30 samples over 61 pixels: places are not whole, and the network reaches beyond the border.
+    const DepthMap depth = depth_map(30, 24, [](double x, double y) {
+        return 0.3 + 0.05 * std::sin(0.4 * x) * std::cos(0.3 * y) + (x + y > 24 ? 0.3 : 0.0);
+    });
+    const DepthMesh mesh = triangulate(depth, kCamera, kDisparity_px);
+    const CodedDepthMesh coded = encode(mesh, kCamera);
+    const DepthMesh decoded = decode(coded, kCamera, "mesh");
+    EXPECT_EQ(encode(decoded, kCamera).bytes, coded.bytes);
+    EXPECT_LT(coded.bytes.size(), 8 * mesh.indices.size() / 3);
+    EXPECT_EQ(decoded.kind_begin, mesh.kind_begin);
+    ASSERT_EQ(decoded.indices.size(), mesh.indices.size());
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const Eigen::Vector3f& was = mesh.vertices[mesh.indices[i]];
+        const Eigen::Vector3f& is = decoded.vertices[decoded.indices[i]];
+        EXPECT_LE(std::abs(static_cast<double>(was.z() - is.z())) * kDisparity_px,
+                  1.0 / 128 + 1e-4);
+        const bool at_border = was.x() > 60 || was.y() > 46;
+        EXPECT_LE((was - is).head<2>().cwiseAbs().maxCoeff(), at_border ? 61.0F / 240 : 1e-5F);
+    }
+}
+
+TEST(ViewDepthMesh, IsTheOneThatCameWithTheViewIfItIsAsItIsWanted) {
+    Lumigraph lumigraph = card_before_wall();
+    SilentProgress progress;
+    make_depth_meshes(lumigraph, 1, progress);
+    const LumigraphView& view = lumigraph.views[0];
+    const double disparity_px = max_disparity_px(view_geometries(lumigraph)[0]);
+    ASSERT_TRUE(view.depth_mesh);
+    EXPECT_EQ(depth_mesh_of(view, disparity_px), view.depth_mesh);
+    const auto coarser = depth_mesh_of(view, disparity_px, {.max_error_px = 0.4});
+    EXPECT_EQ(coarser->wanted_error_px, 0.4);
+    EXPECT_EQ(depth_mesh_of(view, 2 * disparity_px)->disparity_px, 2 * disparity_px);
+    LumigraphView without = view;
+    without.depth_mesh = nullptr;
+    const auto made = depth_mesh_of(without, disparity_px);
+    EXPECT_EQ(made->indices, view.depth_mesh->indices);
+    EXPECT_EQ(made->vertices, view.depth_mesh->vertices);
+    without.depth = {};
+    EXPECT_TRUE(depth_mesh_of(without, disparity_px)->indices.empty());
+}
+
+TEST(ViewDepthMesh, IsTheSameForAnyNumberOfThreads) {
+    Lumigraph alone = card_before_wall();
+    Lumigraph together = alone;
+    SilentProgress progress;
+    make_depth_meshes(alone, 1, progress);
+    make_depth_meshes(together, 3, progress);
+    for (std::size_t i = 0; i < alone.views.size(); ++i) {
+        EXPECT_EQ(alone.views[i].depth_mesh->indices, together.views[i].depth_mesh->indices);
+        EXPECT_EQ(alone.views[i].depth_mesh->vertices, together.views[i].depth_mesh->vertices);
+        EXPECT_GT(alone.views[i].depth_mesh->error_px, 0);
+    }
 }
 
 }  // namespace

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace lumi {
+
+/// How far a piece of depth can be relied on; where pieces compete, the first kind wins.
+enum class DepthKind : int {
+    kSeen = 0,       ///< Measured by the view.
+    kFilled = 1,     ///< A fill for drawing.
+    kStretched = 2,  ///< Spans a tear between foreground and background: the last resort.
+};
+inline constexpr int kDepthKinds = 3;
+
+/// A view's depth map as triangles over its photograph.
+///
+/// Vertices are (x, y) in pixels of the photograph and the inverse depth there, which is affine in
+/// the picture for a plane: planes need few triangles. Those seen or filled reach half a sample
+/// beyond the last of each surface, those stretched cover the rest: the whole photograph.
+struct DepthMesh {
+    std::vector<Eigen::Vector3f> vertices;
+    std::vector<std::uint32_t> indices;  ///< Three a triangle, sorted by kind.
+    /// Triangles of kind k are indices[kind_begin[k]] up to indices[kind_begin[k + 1]].
+    std::array<std::size_t, kDepthKinds + 1> kind_begin{};
+
+    /// How it was made: of so many columns and rows of samples, ...
+    int columns = 0;
+    int rows = 0;
+    /// ... to follow the depth map to so many pixels, where that does not take too many triangles;
+    double wanted_error_px = 0.0;
+    double error_px = 0.0;      ///< and to so many it does,
+    double disparity_px = 0.0;  ///< a unit of inverse depth being so many (view_geometry.h).
+};
+
+}  // namespace lumi
