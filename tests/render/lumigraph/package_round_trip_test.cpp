@@ -147,7 +147,7 @@ TEST_F(PackageRoundTrip, KeepsExposureGainsToTheBitAndEvensThemOutUnlessToldOthe
 TEST_F(PackageRoundTrip, SameInputTwiceGivesTheSameBytesAnywhere) {
     write_package(scratch_ / "elsewhere" / "other name.lumi", written_, tiny_extras());
     const auto here = files_of(folder_);
-    EXPECT_EQ(here.size(), 12U);  // Manifest, mesh, points, config, 3 photographs, 2 x 2 depth.
+    EXPECT_EQ(here.size(), 12U);  // Manifest, mesh, points, config, 3 photographs, 2 x 2 + 1 depth.
     EXPECT_EQ(here, files_of(scratch_ / "elsewhere" / "other name.lumi"));
 }
 
