@@ -60,15 +60,26 @@ ColmapRun create_colmap_database(const ColmapProgram& program,
 
 ColmapRun extract_features_with_colmap(const ColmapProgram& program,
                                        const std::filesystem::path& database,
-                                       const std::filesystem::path& pictures, int max_features,
+                                       const std::filesystem::path& pictures,
+                                       const std::filesystem::path& masks, int max_features,
                                        int threads, const std::function<void(int)>& on_photographs,
                                        const Progress& progress) {
-    return run(program,
-               {"feature_extractor", "--database_path", database.string(), "--image_path",
-                pictures.string(), "--SiftExtraction.use_gpu", "0", "--SiftExtraction.num_threads",
-                std::to_string(threads), "--SiftExtraction.max_num_features",
-                std::to_string(max_features)},
-               "feature_extractor", 0, counter_of("Processed file", on_photographs), progress);
+    std::vector<std::string> arguments{"feature_extractor",
+                                       "--database_path",
+                                       database.string(),
+                                       "--image_path",
+                                       pictures.string(),
+                                       "--SiftExtraction.use_gpu",
+                                       "0",
+                                       "--SiftExtraction.num_threads",
+                                       std::to_string(threads),
+                                       "--SiftExtraction.max_num_features",
+                                       std::to_string(max_features)};
+    if (!masks.empty()) {
+        arguments.insert(arguments.end(), {"--ImageReader.mask_path", masks.string()});
+    }
+    return run(program, arguments, "feature_extractor", 0,
+               counter_of("Processed file", on_photographs), progress);
 }
 
 ColmapRun match_with_colmap(const ColmapProgram& program, const std::filesystem::path& database,

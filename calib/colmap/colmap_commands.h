@@ -39,13 +39,11 @@ struct MapperSettings {
                                                const Progress& progress);
 
 /// COLMAP's own features of the photographs in `pictures` that `database` names, at most
-/// `max_features` of each.
-[[nodiscard]] ColmapRun extract_features_with_colmap(const ColmapProgram& program,
-                                                     const std::filesystem::path& database,
-                                                     const std::filesystem::path& pictures,
-                                                     int max_features, int threads,
-                                                     const std::function<void(int)>& on_photographs,
-                                                     const Progress& progress);
+/// `max_features` of each; where `masks` is not empty, of what the mask NAME.png shows white.
+[[nodiscard]] ColmapRun extract_features_with_colmap(
+    const ColmapProgram& program, const std::filesystem::path& database,
+    const std::filesystem::path& pictures, const std::filesystem::path& masks, int max_features,
+    int threads, const std::function<void(int)>& on_photographs, const Progress& progress);
 
 /// COLMAP's own matches and their geometric verification, all photographs with all.
 [[nodiscard]] ColmapRun match_with_colmap(const ColmapProgram& program,

@@ -143,7 +143,8 @@ void judge_motion(const CaptureEvidence& evidence, std::vector<Finding>& finding
              only_turned ? Severity::kHopeless : Severity::kNote,
              formatted("the camera turned on the spot or hardly moved: %d of %d pairs "
                        "of photographs show the same view without parallax",
-                       motion.rotation_pairs, motion.pairs),
+                       motion.rotation_pairs, motion.pairs) +
+                 turntable_hint(motion),
              {}});
     }
     if (only_turned) {

@@ -130,7 +130,7 @@ Examination examine_capture(const fs::path& photographs_or_video,
         SiftOptions sift;
         sift.max_features = options.max_features;
         const std::vector<Features> features =
-            detect_features(ingested.photographs, sift, threads, progress);
+            detect_features(ingested.photographs, options.mask_folder, sift, threads, progress);
         evidence.width_px =
             std::max(ingested.photographs.front().width_px, ingested.photographs.front().height_px);
         evidence.photographs = qualities_of(ingested.photographs, features, threads);

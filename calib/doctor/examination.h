@@ -19,6 +19,7 @@ struct ExaminationOptions {
     int max_features = 1500;    ///< Per photograph. > 0.
     int build_width_px = 1600;  ///< What a build scales longer sides down to; 0: not at all.
     double video_fps = 2.0;     ///< Frames taken from each second of a video. > 0.
+    std::filesystem::path mask_folder = {};      ///< See PoseOptions; empty: none.
     std::optional<double> told_focal_length_px;  ///< For the size looked at, instead of EXIF's.
 };
 

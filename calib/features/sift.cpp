@@ -31,20 +31,46 @@ auto order_of(const cv::KeyPoint& point) {
     return std::tuple(-point.size, point.pt.y, point.pt.x, point.angle, point.response);
 }
 
+struct DescribedPoints {
+    std::vector<cv::KeyPoint> points;
+    cv::Mat descriptors;
+};
+
+bool is_hidden(const cv::KeyPoint& point, const GrayImage& mask) {
+    const auto at = [](float pixel, int size) {
+        return std::clamp(static_cast<int>(pixel + kOurPixelFromOpenCv), 0, size - 1);
+    };
+    return mask(at(point.pt.x, mask.width()), at(point.pt.y, mask.height())) == 0;
+}
+
+/// OpenCV looks at a mask after it has chosen the strongest features, most of which may be hidden.
+DescribedPoints described_points(cv::SIFT& sift, const cv::Mat& picture, const GrayImage& mask,
+                                 int max_features) {
+    DescribedPoints found;
+    if (mask.empty()) {
+        sift.detectAndCompute(picture, cv::noArray(), found.points, found.descriptors);
+        return found;
+    }
+    sift.detect(picture, found.points);
+    std::erase_if(found.points, [&](const cv::KeyPoint& point) { return is_hidden(point, mask); });
+    cv::KeyPointsFilter::retainBest(found.points, max_features);
+    if (!found.points.empty()) sift.compute(picture, found.points, found.descriptors);
+    return found;
+}
+
 }  // namespace
 
-Features detect_sift(const GrayImage& image, const SiftOptions& options) {
+Features detect_sift(const GrayImage& image, const SiftOptions& options, const GrayImage& mask) {
     Features result;
     if (image.empty()) return result;
     // OpenCV takes a non-const pointer but does not write through it.
     const cv::Mat picture(image.height(), image.width(), CV_8UC1,
                           const_cast<std::uint8_t*>(image.pixels().data()));
     constexpr int kLayersPerOctave = 3;
+    const int detected = mask.empty() ? options.max_features : 0;  // 0: all.
     const cv::Ptr<cv::SIFT> sift =
-        cv::SIFT::create(options.max_features, kLayersPerOctave, options.contrast_threshold);
-    std::vector<cv::KeyPoint> points;
-    cv::Mat descriptors;
-    sift->detectAndCompute(picture, cv::noArray(), points, descriptors);
+        cv::SIFT::create(detected, kLayersPerOctave, options.contrast_threshold);
+    const auto [points, descriptors] = described_points(*sift, picture, mask, options.max_features);
     std::vector<int> order(points.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](int a, int b) {

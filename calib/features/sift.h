@@ -11,7 +11,9 @@ struct SiftOptions {
 };
 
 /// Scale-invariant features (Lowe, IJCV 2004) of a grey picture, the same for any number of
-/// threads. Sorted by falling scale, then by place.
-[[nodiscard]] Features detect_sift(const GrayImage& image, const SiftOptions& options);
+/// threads. Sorted by falling scale, then by place. Where a `mask` of the picture's size is 0 none
+/// is kept, nor counted as one of the strongest.
+[[nodiscard]] Features detect_sift(const GrayImage& image, const SiftOptions& options,
+                                   const GrayImage& mask = {});
 
 }  // namespace lumi

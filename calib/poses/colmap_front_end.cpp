@@ -1,5 +1,7 @@
 #include <system_error>
 
+#include "calib/capture/drawn_mask.h"
+#include "calib/capture/image_io.h"
 #include "calib/poses/mapping.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
@@ -21,6 +23,18 @@ void link_pictures(const std::vector<Photograph>& photographs, const fs::path& f
                     link.string() + ": cannot be made: " + status.message(),
                     "check that you may write there and that the disk has space left");
     }
+}
+
+/// Masks as COLMAP expects them, NAME.png of each picture; empty without masks.
+fs::path write_masks(const MappingJob& job, const fs::path& folder) {
+    if (job.options.mask_folder.empty()) return {};
+    for (std::size_t index = 0; index < job.photographs.size(); ++index) {
+        const Photograph& photograph = job.photographs[index];
+        write_png(folder / (colmap_image_name(static_cast<int>(index)) + ".png"),
+                  drawn_mask(photograph.name, photograph.width_px, photograph.height_px,
+                             job.options.mask_folder));
+    }
+    return folder;
 }
 
 void expect_ended(const ColmapRun& run, const MappingJob& job, const std::string& command) {
@@ -49,13 +63,14 @@ MatchedPhotographs match_with_colmap_alone(const MappingJob& job, const std::str
     }
     const fs::path pictures = job.scratch_folder / (name + "_pictures");
     link_pictures(job.photographs, pictures);
+    const fs::path masks = write_masks(job, job.scratch_folder / (name + "_masks"));
     record(job.evidence, create_colmap_database(colmap_of(job), result.database, job.progress));
     fill_colmap_database(result.database, job.groups.cameras, result.photographs,
                          KeypointsIn::kNothing);
     const int threads = resolve_threads(job.threads);
     job.progress.begin("finding features with COLMAP", job.photographs.size());
     const ColmapRun extraction = extract_features_with_colmap(
-        colmap_of(job), result.database, pictures, job.options.max_features, threads,
+        colmap_of(job), result.database, pictures, masks, job.options.max_features, threads,
         [&](int count) { job.progress.advance(static_cast<std::size_t>(count)); }, job.progress);
     record(job.evidence, extraction);
     expect_ended(extraction, job, "feature_extractor");

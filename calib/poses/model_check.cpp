@@ -100,7 +100,8 @@ void refuse_turning_camera(const MotionEvidence& motion) {
                    "the camera only turned on the spot: " + std::to_string(motion.rotation_pairs) +
                        " of " + std::to_string(motion.pairs) +
                        " pairs of photographs show the same view without parallax, and no depth "
-                       "can come of them");
+                       "can come of them" +
+                       turntable_hint(motion));
 }
 
 double median_triangulation_angle_deg(const Capture& capture) {

@@ -32,7 +32,7 @@ bool mostly_turned(const MotionEvidence& motion) {
         formatted("the camera moved too little against its turning: most of what is seen in "
                   "%d of %d pairs of photographs moves as if it had only turned, and ",
                   motion.rotation_pairs, motion.pairs) +
-            besides);
+            besides + turntable_hint(motion));
 }
 
 void settle_parallax(const MatchedPhotographs& matched, const Capture& refined) {

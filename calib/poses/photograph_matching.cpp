@@ -1,5 +1,6 @@
 #include "calib/poses/photograph_matching.h"
 
+#include "calib/capture/drawn_mask.h"
 #include "calib/capture/gray.h"
 #include "calib/capture/image_io.h"
 #include "calib/features/descriptor_matching.h"
@@ -15,6 +16,7 @@ constexpr std::size_t kMinMatches = 20;
 }  // namespace
 
 std::vector<Features> detect_features(const std::vector<Photograph>& photographs,
+                                      const std::filesystem::path& mask_folder,
                                       const SiftOptions& options, int threads, Progress& progress) {
     progress.begin("finding features", photographs.size());
     std::vector<Features> features(photographs.size());
@@ -22,7 +24,11 @@ std::vector<Features> detect_features(const std::vector<Photograph>& photographs
         progress.throw_if_interrupted();
         const auto position = static_cast<std::size_t>(index);
         const ColorImage picture = read_color_image(photographs[position].picture_path);
-        features[position] = detect_sift(gray_of(picture), options);
+        const GrayImage mask = mask_folder.empty()
+                                   ? GrayImage()
+                                   : drawn_mask(photographs[position].name, picture.width(),
+                                                picture.height(), mask_folder);
+        features[position] = detect_sift(gray_of(picture), options, mask);
         progress.advance();
     });
     return features;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -12,8 +13,10 @@
 
 namespace lumi {
 
-/// The features of every photograph's working copy, in their order.
+/// The features of every photograph's working copy, in their order; where a folder of masks is
+/// given (see drawn_mask), those of what they show alone. Throws Error (E-MASK-...).
 [[nodiscard]] std::vector<Features> detect_features(const std::vector<Photograph>& photographs,
+                                                    const std::filesystem::path& mask_folder,
                                                     const SiftOptions& options, int threads,
                                                     Progress& progress);
 

@@ -50,6 +50,7 @@ PoseOptions read_pose_options(const ConfigSection& section) {
     options.front_end = section.text("front_end", options.front_end);
     options.mapper = section.text("mapper", options.mapper);
     options.colmap = section.text("colmap", options.colmap);
+    options.mask_folder = section.path("masks");
     validate(options);
     return options;
 }

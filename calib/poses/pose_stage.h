@@ -28,6 +28,8 @@ struct PoseOptions {
     std::string front_end = "lumi";          ///< Features and matches: "lumi" or "colmap".
     std::string mapper = "lumi";             ///< Who places photographs: "lumi" or "colmap".
     std::string colmap = "colmap";           ///< The program to run.
+    /// Masks of what holds still while the camera moves, as in drawn_mask; empty: everything does.
+    std::filesystem::path mask_folder = {};
 };
 
 void validate(const PoseOptions& options);

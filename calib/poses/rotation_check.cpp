@@ -14,6 +14,7 @@ constexpr std::size_t kEnoughMatches = 100;  ///< More say the same.
 /// Of the longer side. Leaves room for lens distortion and for the sway of a hand-held panorama;
 /// real panoramas were seen at a third to a half of it, captures with parallax far beyond it.
 constexpr double kToleranceShare = 0.008;
+constexpr double kStillShare = 0.002;         ///< Of the longer side: where nothing moved.
 constexpr double kRotationInlierShare = 0.7;  ///< So many matches must agree.
 
 bool is_homography(PairConfiguration configuration) {
@@ -101,7 +102,28 @@ std::vector<double> focal_length_factors(bool lens_is_calibrated) {
     return factors;
 }
 
+/// The median distance of its matches from where they lay is within the sway of a tripod.
+bool is_still(const VerifiedPair& pair, const std::vector<ColmapPhotograph>& photographs,
+              double tolerance_px) {
+    const auto& first = photographs[static_cast<std::size_t>(pair.first)].keypoints_px;
+    const auto& second = photographs[static_cast<std::size_t>(pair.second)].keypoints_px;
+    const auto still =
+        std::count_if(pair.inliers.begin(), pair.inliers.end(), [&](const FeatureMatch& match) {
+            return static_cast<double>((first[match.first] - second[match.second]).norm()) <=
+                   tolerance_px;
+        });
+    return 2 * static_cast<std::size_t>(still) > pair.inliers.size();
+}
+
 }  // namespace
+
+std::string turntable_hint(const MotionEvidence& motion) {
+    if (!motion.stood_still()) return "";
+    return "; the camera stood still in " + std::to_string(motion.still_pairs) + " of " +
+           std::to_string(motion.pairs) +
+           " pairs: if the subject turned before it, as on a turntable, name masks of the subject "
+           "under [poses] masks";
+}
 
 RotationFit fit_rotation(const DirectionPairs& directions, double tolerance_rad) {
     RotationFit fit;
@@ -153,6 +175,10 @@ MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
         if (pair.inliers.size() < kMinMatches) continue;
         ++evidence.pairs;
         if (is_homography(pair.configuration)) ++evidence.planar_pairs;
+        const Camera& lens = cameras[static_cast<std::size_t>(lens_index(pair.first))].camera;
+        if (is_still(pair, photographs, kStillShare * longer_side_px(lens))) {
+            ++evidence.still_pairs;
+        }
         pairs_of_lenses[{lens_index(pair.first), lens_index(pair.second)}].push_back(&pair);
     }
     for (const auto& [lenses, group] : pairs_of_lenses) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <string>
 #include <vector>
 
 #include "calib/colmap/colmap_database.h"
@@ -13,6 +14,7 @@ struct MotionEvidence {
     int rotation_pairs = 0;     ///< Of these, explained by a camera that turned on the spot.
     int planar_pairs = 0;       ///< Of these, explained by a homography, in COLMAP's judgement.
     double turned_share = 0.0;  ///< Of the matches in a pair, as a turn moves them: mean.
+    int still_pairs = 0;        ///< Of the pairs, such whose middle match lies where it lay before.
 
     [[nodiscard]] double rotation_share() const {
         return pairs == 0 ? 0.0 : static_cast<double>(rotation_pairs) / pairs;
@@ -26,7 +28,13 @@ struct MotionEvidence {
         constexpr double kNearlyAll = 0.9;
         return rotation_share() >= kNearlyAll && turned_share >= kNearlyAll;
     }
+    /// Most pairs are of a camera that stood still: then it may be the subject that turned, before
+    /// something that stood still with the camera.
+    [[nodiscard]] bool stood_still() const { return 2 * still_pairs > pairs; }
 };
+
+/// What to think of where the camera stood still, to follow what was found; else empty.
+[[nodiscard]] std::string turntable_hint(const MotionEvidence& motion);
 
 /// Two lists of directions, (x, y, 1), that the same scene points were seen in.
 struct DirectionPairs {

@@ -28,7 +28,8 @@ MatchedPhotographs match_by_ourselves(const MappingJob& job, const SiftOptions& 
                                       const std::string& name) {
     MatchedPhotographs result;
     result.name = name;
-    result.features = detect_features(job.photographs, sift, job.threads, job.progress);
+    result.features =
+        detect_features(job.photographs, job.options.mask_folder, sift, job.threads, job.progress);
     for (std::size_t index = 0; index < result.features.size(); ++index) {
         ColmapPhotograph photograph{job.groups.camera_of_photograph[index], {}};
         for (const Keypoint& keypoint : result.features[index].keypoints) {

@@ -30,7 +30,7 @@ struct DepthOptions {
     /// So does a volume of solid cells there (NRRD, MetaImage; binary_volume.h).
     std::filesystem::path import_volume = {};
     double import_volume_threshold = 0.5;  ///< Cells of at least this value are solid.
-    /// One mask a photograph, by its name (view_mask.h): black is not part of the scene.
+    /// One mask a photograph, by its name (drawn_mask.h): black is not part of the scene.
     std::filesystem::path mask_folder = {};
     /// "auto": a plain background around the scene is found and kept out of it; "keep": never.
     std::string background = "auto";

@@ -5,14 +5,11 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "calib/capture/image_io.h"
-#include "calib/work/error.h"
+#include "calib/capture/drawn_mask.h"
 #include "calib/work/parallel_for.h"
 
 namespace lumi {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kSimilar = 14;  // 8-bit levels: sensor noise and the falling off of a flash.
 
@@ -59,55 +56,6 @@ double similar_share(const std::vector<Rgb8>& pixels, Rgb8 color) {
 }
 
 }  // namespace
-
-fs::path mask_file_of(const std::string& name, const fs::path& folder) {
-    fs::path by_stem = folder / name;
-    by_stem.replace_extension(".png");
-    if (fs::is_regular_file(by_stem)) return by_stem;
-    fs::path appended = folder / name;
-    appended += ".png";
-    return fs::is_regular_file(appended) ? appended : fs::path();
-}
-
-GrayImage read_drawn_mask(const std::string& name, const Camera& camera, const fs::path& folder) {
-    const fs::path path = mask_file_of(name, folder);
-    if (path.empty()) {
-        throw Error(ErrorKind::kBadInput, "E-DEPTH-MASK",
-                    folder.string() + ": no mask for photograph " + name,
-                    "name masks like their photographs, with .png as extension");
-    }
-    GrayImage mask = read_gray_png(path);
-    const double stretch = static_cast<double>(mask.width()) * camera.height_px /
-                           (static_cast<double>(mask.height()) * camera.width_px);
-    if (std::abs(stretch - 1) > 1.0 / std::min(mask.height(), camera.height_px)) {
-        throw Error(ErrorKind::kBadInput, "E-DEPTH-MASKSIZE",
-                    path.string() + ": " + std::to_string(mask.width()) + "x" +
-                        std::to_string(mask.height()) + " has not the shape of its photograph",
-                    "draw masks over the whole photograph, as it is stored");
-    }
-    for (std::uint8_t& pixel : mask.pixels()) pixel = pixel < 128 ? 0 : 255;
-    if (std::none_of(mask.pixels().begin(), mask.pixels().end(), [](auto p) { return p != 0; })) {
-        throw Error(ErrorKind::kBadInput, "E-DEPTH-MASKEMPTY",
-                    path.string() + ": no pixel belongs to the scene",
-                    "paint the scene white, or leave this photograph out");
-    }
-    return mask;
-}
-
-GrayImage drawn_mask(const DepthView& view, const fs::path& folder) {
-    const GrayImage drawn = read_drawn_mask(view.name, view.camera, folder);
-    const int width = view.camera.width_px;
-    const int height = view.camera.height_px;
-    GrayImage mask(width, height);
-    for (int y = 0; y < height; ++y) {
-        const auto source_y = static_cast<int>((y + 0.5) * drawn.height() / height);
-        for (int x = 0; x < width; ++x) {
-            const auto source_x = static_cast<int>((x + 0.5) * drawn.width() / width);
-            mask(x, y) = drawn(source_x, source_y);
-        }
-    }
-    return mask;
-}
 
 std::optional<Rgb8> plain_background(const DepthScene& scene) {
     constexpr double kBorderShare = 0.9;
@@ -173,8 +121,9 @@ SceneMasks scene_masks(const DepthScene& scene, const std::filesystem::path& fol
     parallel_for(static_cast<int>(scene.views.size()), threads, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         const DepthView& view = scene.views[index];
-        masks.of_views[index] = is_drawn ? drawn_mask(view, folder)
-                                         : mask_of_background(view.photograph, *masks.background);
+        masks.of_views[index] =
+            is_drawn ? drawn_mask(view.name, view.camera.width_px, view.camera.height_px, folder)
+                     : mask_of_background(view.photograph, *masks.background);
     });
     return masks;
 }

@@ -9,21 +9,6 @@ namespace lumi {
 
 /// Which pixels of a view belong to the scene: 255, and which do not: 0.
 
-/// Where the mask of a photograph lies: a grey PNG in `folder` with the photograph's name, its
-/// extension replaced by or followed by ".png". Empty when there is none.
-[[nodiscard]] std::filesystem::path mask_file_of(const std::string& name,
-                                                 const std::filesystem::path& folder);
-
-/// The mask drawn for a photograph of this camera, in its own raster, which has the photograph's
-/// aspect ratio and any size: a pixel that is darker than half is not part of the scene. Throws
-/// Error: E-DEPTH-MASK (no mask of this name), E-DEPTH-MASKSIZE (another aspect ratio),
-/// E-DEPTH-MASKEMPTY (no pixel of the scene).
-[[nodiscard]] GrayImage read_drawn_mask(const std::string& name, const Camera& camera,
-                                        const std::filesystem::path& folder);
-
-/// The same in the raster of the view.
-[[nodiscard]] GrayImage drawn_mask(const DepthView& view, const std::filesystem::path& folder);
-
 /// The colour of a plain background, as of a photograph taken before black cloth: nine tenths of
 /// the frame along the border of nearly every view have it, within the noise. Empty when there is
 /// none, or when it differs from view to view, or when hardly anything stands before it.

@@ -165,6 +165,7 @@ void run_doctor(const DoctorRequest& request, CommandContext& context) {
     const fs::path folder = layout.folder() / "doctor";
     ExaminationOptions options;
     options.video_fps = config.ingest.video_fps;
+    options.mask_folder = config.poses.mask_folder;
     options.build_width_px = config.ingest.max_width_px;
     const int threads = context.threads > 0 ? context.threads : config.threads;
     const Examination seen =

@@ -95,6 +95,7 @@ class Line {
         read_ingested();
         std::vector<ContentEntry> inputs = outputs_of("ingest", "ingest/");
         append(inputs, content_of(config_.imported_poses, threads_));
+        append(inputs, content_of(config_.poses.mask_folder, threads_));
         if (!config_.boards.empty()) {
             append(inputs, outputs_of("calibrate", "calibrate/camera.toml"));
         }

@@ -4,9 +4,9 @@
 #include <set>
 
 #include "calib/capture/colmap_model.h"
+#include "calib/capture/drawn_mask.h"
 #include "calib/capture/image_io.h"
 #include "calib/work/parallel_for.h"
-#include "meshing/depth/view_mask.h"
 
 namespace lumi {
 namespace {
@@ -99,7 +99,8 @@ void straighten_masks(const MaskedPhotographs& photographs, const fs::path& fold
             return;
         }
         const Camera lens = lens_of(view.name);
-        const GrayImage drawn = read_drawn_mask(view.name, lens, photographs.mask_folder);
+        const GrayImage drawn =
+            read_drawn_mask(view.name, lens.width_px, lens.height_px, photographs.mask_folder);
         if (std::count(drawn.pixels().begin(), drawn.pixels().end(), 0) == 0) {
             full[index] = view.name;
         }

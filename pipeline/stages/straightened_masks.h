@@ -10,7 +10,7 @@ namespace lumi {
 
 /// What masks are drawn over, and who goes by them.
 struct MaskedPhotographs {
-    std::filesystem::path mask_folder;   ///< As drawn (view_mask.h).
+    std::filesystem::path mask_folder;   ///< As drawn (drawn_mask.h).
     std::filesystem::path poses_folder;  ///< Of the poses stage.
     std::vector<std::string> all_names;  ///< Of all photographs, with and without a pose.
     std::vector<std::string> held_out;   ///< These may lack a mask.
@@ -20,7 +20,7 @@ struct MaskedPhotographs {
 /// Brings the mask of every photograph with a pose onto its straightened picture, as NAME.png in
 /// `folder`; where the lens does not bend, its pixels are those drawn. Notes masks that hide
 /// nothing, masks named like no photograph, and held-out photographs without one. Throws Error
-/// (E-DEPTH-MASK, E-DEPTH-MASKSIZE, E-DEPTH-MASKEMPTY).
+/// (E-MASK-...).
 void straighten_masks(const MaskedPhotographs& photographs, const std::filesystem::path& folder,
                       int threads, Progress& progress);
 

@@ -406,11 +406,11 @@ TEST_F(Line, MasksAreUsedByDepthDrawingAndEvaluation) {
         return refused.talk;
     };
     write_png(masks / "IMG_0003.png", GrayImage(160, 120));
-    EXPECT_THAT(refusal(), HasSubstr("E-DEPTH-MASKEMPTY"));
+    EXPECT_THAT(refusal(), HasSubstr("E-MASK-EMPTY"));
     write_png(masks / "IMG_0003.png", GrayImage(120, 160, 255));
-    EXPECT_THAT(refusal(), HasSubstr("E-DEPTH-MASKSIZE"));
+    EXPECT_THAT(refusal(), HasSubstr("E-MASK-SIZE"));
     fs::remove(masks / "IMG_0003.png");
-    EXPECT_THAT(refusal(), HasSubstr("E-DEPTH-MASK: "));
+    EXPECT_THAT(refusal(), HasSubstr("E-MASK-MISSING: "));
 }
 
 TEST_F(Line, DrawsPathsToFramesVideosAndPairs) {

@@ -84,5 +84,26 @@ TEST(Sift, KeepsAtMostMaxFeatures) {
     EXPECT_EQ(detect_sift(picture, {.max_features = 30}).size(), 30u);
 }
 
+TEST(Sift, WhatAMaskHidesIsNeitherFoundNorCounted) {
+    std::vector<Eigen::Vector2d> middles;
+    for (int y = 20; y < 150; y += 20) {
+        for (int x = 20; x < 190; x += 20) middles.emplace_back(x, y);
+    }
+    const GrayImage picture = spots(middles, 2.5);
+    GrayImage mask(picture.width(), picture.height(), 0);
+    for (int y = 0; y < 60; ++y) {
+        for (int x = 0; x < 110; ++x) mask(x, y) = 255;
+    }
+    const Features seen = detect_sift(picture, {.max_features = 8}, mask);
+    EXPECT_EQ(seen.size(), 8u);
+    for (const Keypoint& keypoint : seen.keypoints) {
+        EXPECT_LT(keypoint.pixel.x(), 110.0F);
+        EXPECT_LT(keypoint.pixel.y(), 60.0F);
+    }
+    EXPECT_LT(nearest_distance_px(detect_sift(picture, {}, mask), {40.0, 40.0}), 0.1);
+    const GrayImage nothing(picture.width(), picture.height(), 0);
+    EXPECT_EQ(detect_sift(picture, {}, nothing).size(), 0u);
+}
+
 }  // namespace
 }  // namespace lumi

@@ -28,6 +28,7 @@ time_limit_s = 60.5
 front_end = "colmap"
 mapper = "colmap"
 colmap = "/opt/colmap"
+masks = "/turntable/masks"
 )",
                                                            "test");
     const PoseOptions options = read_pose_options(section);
@@ -43,6 +44,7 @@ colmap = "/opt/colmap"
     EXPECT_EQ(options.front_end, "colmap");
     EXPECT_EQ(options.mapper, "colmap");
     EXPECT_EQ(options.colmap, "/opt/colmap");
+    EXPECT_EQ(options.mask_folder, "/turntable/masks");
 }
 
 TEST(PoseOptions, RefusesEachValueOutOfRange) {

@@ -101,6 +101,48 @@ INSTANTIATE_TEST_SUITE_P(All, PoseStageBy,
                              return std::string(means.param.front_end) + "And" + means.param.mapper;
                          });
 
+/// What a camera on a tripod sees around a window, behind which the box turns.
+ColorImage behind_a_window(ColorImage picture, const GrayImage& window) {
+    const ColorImage& still = box_scene().photographs.front();
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            if (window(x, y) == 0) picture(x, y) = still(picture.width() - 1 - x, y);
+        }
+    }
+    return picture;
+}
+
+class PoseStageWithMasks : public testing::TestWithParam<const char*> {};
+
+TEST_P(PoseStageWithMasks, PlacesWhatTurnedBeforeACameraThatStoodStill) {
+    const ScratchFolder folder;
+    std::vector<Photograph> photographs = box_photographs(folder);
+    GrayImage window(640, 480, 0);
+    for (int y = 60; y < 420; ++y) {
+        for (int x = 80; x < 560; ++x) window(x, y) = 255;
+    }
+    for (std::size_t index = 0; index < photographs.size(); ++index) {
+        write_png(photographs[index].picture_path,
+                  behind_a_window(box_scene().photographs[index], window));
+        write_png(folder / "masks" / photographs[index].name, window);
+    }
+    SilentProgress progress;
+    PoseOptions options;
+    options.front_end = GetParam();
+    options.mask_folder = folder / "masks";
+    const PoseResult result =
+        estimate_poses(photographs, std::nullopt, options, folder / "scratch", 2, progress);
+    EXPECT_EQ(result.evidence.photographs_registered, 9);
+    const PoseComparison difference = compare_poses(poses_of(result.capture), true_poses());
+    EXPECT_LT(difference.max_position, 0.03 * true_extent());
+    options.mask_folder = folder / "no masks";
+    EXPECT_THROW(static_cast<void>(estimate_poses(photographs, std::nullopt, options,
+                                                  folder / "scratch", 2, progress)),
+                 Error);
+}
+
+INSTANTIATE_TEST_SUITE_P(FrontEnds, PoseStageWithMasks, testing::Values("lumi", "colmap"));
+
 TEST(PoseStageWithColmap, IsTheSameForAnyNumberOfThreads) {
     const ScratchFolder folder;
     SilentProgress progress;

@@ -92,6 +92,14 @@ TEST(RotationCheck, SeesACameraThatStepsSideways) {
     }
 }
 
+TEST(RotationCheck, TellsACameraThatStoodStillFromOneThatTurned) {
+    EXPECT_TRUE(evidence_of(walk(0, 0), 900).stood_still());
+    EXPECT_NE(turntable_hint(evidence_of(walk(0, 0), 900)), "");
+    EXPECT_FALSE(evidence_of(walk(1, 0), 900).stood_still());
+    EXPECT_FALSE(evidence_of(walk(0, 0.3), 900).stood_still());
+    EXPECT_EQ(turntable_hint(evidence_of(walk(8, 0), 900)), "");
+}
+
 TEST(RotationCheck, IgnoresPairsWithFewMatches) {
     Views views = views_of_a_cloud(kCamera, walk(8, 0), 0.7);
     for (VerifiedPair& pair : views.pairs) pair.inliers.resize(19);

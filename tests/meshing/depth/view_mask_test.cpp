@@ -65,42 +65,6 @@ TEST(ViewMask, APlainWallIsNoBackgroundOfNothing) {
     EXPECT_FALSE(plain_background(scene));
 }
 
-TEST(ViewMask, ADrawnMaskIsReadByTheNameOfItsPhotograph) {
-    const ScratchFolder folder;
-    DepthView view;
-    view.name = "walk/one.jpg";
-    view.camera = small_camera();
-    GrayImage drawn(480, 360, 255);
-    for (int x = 0; x < 100; ++x) drawn(x, 7) = 0;
-    write_png(folder.path() / "walk" / "one.png", drawn);
-    const GrayImage mask = drawn_mask(view, folder.path());
-    EXPECT_EQ(mask(10, 3), 0);
-    EXPECT_EQ(mask(60, 3), 255);
-    EXPECT_EQ(mask(10, 5), 255);
-}
-
-TEST(ViewMask, RefusesWhatIsMissingMisshapenOrEmpty) {
-    const ScratchFolder folder;
-    DepthView view;
-    view.name = "one.jpg";
-    view.camera = small_camera();
-    const auto code = [&] {
-        try {
-            (void)drawn_mask(view, folder.path());
-        } catch (const Error& error) {
-            return error.code();
-        }
-        return std::string("none");
-    };
-    EXPECT_EQ(code(), "E-DEPTH-MASK");
-    write_png(folder.path() / "one.png", GrayImage(240, 240, 255));
-    EXPECT_EQ(code(), "E-DEPTH-MASKSIZE");
-    write_png(folder.path() / "one.png", GrayImage(240, 180, 100));
-    EXPECT_EQ(code(), "E-DEPTH-MASKEMPTY");
-    write_png(folder.path() / "one.png", GrayImage(240, 180, 255));
-    EXPECT_EQ(code(), "none");
-}
-
 TEST(DepthStage, WhatAMaskLeavesOutIsInfinitelyFarAndTheRestIsUnharmed) {
     const ScratchFolder folder;
     const KnownDepthScene known = known_depth_scene(

@@ -1,0 +1,60 @@
+#include "calib/capture/drawn_mask.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/error.h"
+
+namespace lumi {
+
+namespace fs = std::filesystem;
+
+fs::path mask_file_of(const std::string& name, const fs::path& folder) {
+    fs::path by_stem = folder / name;
+    by_stem.replace_extension(".png");
+    if (fs::is_regular_file(by_stem)) return by_stem;
+    fs::path appended = folder / name;
+    appended += ".png";
+    return fs::is_regular_file(appended) ? appended : fs::path();
+}
+
+GrayImage read_drawn_mask(const std::string& name, int width_px, int height_px,
+                          const fs::path& folder) {
+    const fs::path path = mask_file_of(name, folder);
+    if (path.empty()) {
+        throw Error(ErrorKind::kBadInput, "E-MASK-MISSING",
+                    folder.string() + ": no mask for photograph " + name,
+                    "name masks like their photographs, with .png as extension");
+    }
+    GrayImage mask = read_gray_png(path);
+    const double stretch = static_cast<double>(mask.width()) * height_px /
+                           (static_cast<double>(mask.height()) * width_px);
+    if (std::abs(stretch - 1) > 1.0 / std::min(mask.height(), height_px)) {
+        throw Error(ErrorKind::kBadInput, "E-MASK-SIZE",
+                    path.string() + ": " + std::to_string(mask.width()) + "x" +
+                        std::to_string(mask.height()) + " has not the shape of its photograph",
+                    "draw masks over the whole photograph, as it is stored");
+    }
+    for (std::uint8_t& pixel : mask.pixels()) pixel = pixel < 128 ? 0 : 255;
+    if (std::none_of(mask.pixels().begin(), mask.pixels().end(), [](auto p) { return p != 0; })) {
+        throw Error(ErrorKind::kBadInput, "E-MASK-EMPTY", path.string() + ": no pixel is white",
+                    "paint white what counts, or leave this photograph out");
+    }
+    return mask;
+}
+
+GrayImage drawn_mask(const std::string& name, int width_px, int height_px, const fs::path& folder) {
+    const GrayImage drawn = read_drawn_mask(name, width_px, height_px, folder);
+    GrayImage mask(width_px, height_px);
+    for (int y = 0; y < height_px; ++y) {
+        const auto source_y = static_cast<int>((y + 0.5) * drawn.height() / height_px);
+        for (int x = 0; x < width_px; ++x) {
+            const auto source_x = static_cast<int>((x + 0.5) * drawn.width() / width_px);
+            mask(x, y) = drawn(source_x, source_y);
+        }
+    }
+    return mask;
+}
+
+}  // namespace lumi

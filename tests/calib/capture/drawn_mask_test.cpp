@@ -1,0 +1,43 @@
+#include "calib/capture/drawn_mask.h"
+
+#include <gtest/gtest.h>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/error.h"
+#include "tests/calib/scratch_folder.h"
+
+namespace lumi {
+namespace {
+
+TEST(DrawnMask, IsReadByTheNameOfItsPhotograph) {
+    const ScratchFolder folder;
+    GrayImage drawn(480, 360, 255);
+    for (int x = 0; x < 100; ++x) drawn(x, 7) = 0;
+    write_png(folder.path() / "walk" / "one.png", drawn);
+    const GrayImage mask = drawn_mask("walk/one.jpg", 240, 180, folder.path());
+    EXPECT_EQ(mask(10, 3), 0);
+    EXPECT_EQ(mask(60, 3), 255);
+    EXPECT_EQ(mask(10, 5), 255);
+}
+
+TEST(DrawnMask, RefusesWhatIsMissingMisshapenOrEmpty) {
+    const ScratchFolder folder;
+    const auto code = [&] {
+        try {
+            (void)drawn_mask("one.jpg", 240, 180, folder.path());
+        } catch (const Error& error) {
+            return error.code();
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(code(), "E-MASK-MISSING");
+    write_png(folder.path() / "one.png", GrayImage(240, 240, 255));
+    EXPECT_EQ(code(), "E-MASK-SIZE");
+    write_png(folder.path() / "one.png", GrayImage(240, 180, 100));
+    EXPECT_EQ(code(), "E-MASK-EMPTY");
+    write_png(folder.path() / "one.png", GrayImage(240, 180, 255));
+    EXPECT_EQ(code(), "none");
+}
+
+}  // namespace
+}  // namespace lumi
