@@ -39,6 +39,25 @@ cv::Mat decode(std::span<const std::uint8_t> bytes, int flags, std::size_t max_p
     return decoded;
 }
 
+/// What a picture with an alpha channel, 8 or 16 bits deep, shows before black; blue first.
+cv::Mat before_black(const cv::Mat& transparent) {
+    constexpr double k8BitsOf16 = 1.0 / 257.0;
+    cv::Mat picture;
+    transparent.convertTo(picture, CV_8U, transparent.depth() == CV_16U ? k8BitsOf16 : 1.0);
+    cv::Mat bgr(picture.size(), CV_8UC3);
+    constexpr int kOpaque = 255;
+    for (int y = 0; y < picture.rows; ++y) {
+        for (int x = 0; x < picture.cols; ++x) {
+            const auto& pixel = picture.at<cv::Vec4b>(y, x);
+            for (int channel = 0; channel < 3; ++channel) {
+                const int shown = (pixel[channel] * pixel[3] + kOpaque / 2) / kOpaque;
+                bgr.at<cv::Vec3b>(y, x)[channel] = static_cast<std::uint8_t>(shown);
+            }
+        }
+    }
+    return bgr;
+}
+
 template <class Pixel>
 Image<Pixel> decode_gray(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
                          const std::filesystem::path& path, int opencv_type) {
@@ -80,8 +99,14 @@ Bytes encode_png(const Image<std::uint16_t>& image, const std::filesystem::path&
 
 ColorImage decode_color_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
                             const std::filesystem::path& path) {
+    cv::Mat bgr = decode(bytes, cv::IMREAD_UNCHANGED, max_pixels, path);
+    if (bgr.channels() == 4) {
+        bgr = before_black(bgr);
+    } else if (bgr.type() != CV_8UC3) {
+        bgr = decode(bytes, cv::IMREAD_COLOR, max_pixels, path);
+    }
     cv::Mat rgb;
-    cv::cvtColor(decode(bytes, cv::IMREAD_COLOR, max_pixels, path), rgb, cv::COLOR_BGR2RGB);
+    cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
     return image_of<Rgb8>(rgb);
 }
 

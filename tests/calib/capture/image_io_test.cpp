@@ -108,11 +108,23 @@ TEST(ImageIo, ReadsEveryKindOfPngAsEightBitColour) {
         return read_color_image(scratch / "picture.png")(0, 0);
     };
     EXPECT_EQ(pixel(cv::Mat(4, 4, CV_8UC3, cv::Scalar(30, 20, 10))), (Rgb8{10, 20, 30}));
-    EXPECT_EQ(pixel(cv::Mat(4, 4, CV_8UC4, cv::Scalar(30, 20, 10, 77))), (Rgb8{10, 20, 30}));
+    EXPECT_EQ(pixel(cv::Mat(4, 4, CV_8UC4, cv::Scalar(30, 20, 10, 255))), (Rgb8{10, 20, 30}));
     EXPECT_EQ(pixel(cv::Mat(4, 4, CV_8UC1, cv::Scalar(50))), (Rgb8{50, 50, 50}));
     EXPECT_EQ(pixel(cv::Mat(4, 4, CV_16UC1, cv::Scalar(50 * 257))), (Rgb8{50, 50, 50}));
     EXPECT_EQ(pixel(cv::Mat(4, 4, CV_16UC3, cv::Scalar(30 * 257, 20 * 257, 10 * 257))),
               (Rgb8{10, 20, 30}));
+}
+
+TEST(ImageIo, ATransparentPngIsSeenBeforeBlack) {
+    const ScratchFolder scratch;
+    const auto pixel = [&](int type, const cv::Scalar& color) {
+        scratch.put("picture.png", encoded(".png", cv::Mat(4, 4, type, color)));
+        return read_color_image(scratch / "picture.png")(0, 0);
+    };
+    EXPECT_EQ(pixel(CV_8UC4, cv::Scalar(200, 100, 50, 0)), (Rgb8{0, 0, 0}));
+    EXPECT_EQ(pixel(CV_8UC4, cv::Scalar(200, 100, 50, 102)), (Rgb8{20, 40, 80}));
+    EXPECT_EQ(pixel(CV_16UC4, cv::Scalar(200 * 257, 100 * 257, 50 * 257, 102 * 257)),
+              (Rgb8{20, 40, 80}));
 }
 
 TEST(ImageIo, ReadsEveryKindOfTiffAsEightBitColour) {
