@@ -41,6 +41,54 @@ void clip_stretch(double value, double slope, double& near_end, double& far_end)
 /// Into the range, also what is not a number: the point lies in the view's focal plane.
 double clamped(double value, double most) { return std::max(0.0, std::min(most, value)); }
 
+/// The tiles of a view's depth map along an epipolar line.
+class TileWalk {
+ public:
+    TileWalk(const EpipolarLine& line, const Eigen::Vector2d& samples_per_pixel,
+             const FloatImage& tiles)
+        : start_(line.at_infinity.head<2>().cwiseProduct(samples_per_pixel / kDepthTile)),
+          step_(line.per_inverse_depth.head<2>().cwiseProduct(samples_per_pixel / kDepthTile)),
+          start_z_(line.at_infinity.z()),
+          step_z_(line.per_inverse_depth.z()),
+          last_column_(tiles.width() - 1),
+          last_row_(tiles.height() - 1) {}
+
+    struct Place {
+        double z;
+        Eigen::Vector2d at;
+        int column;
+        int row;
+    };
+    [[nodiscard]] Place at(double q) const {
+        const double z = start_z_ + q * step_z_;
+        const Eigen::Vector2d at = (start_ + q * step_) / z;
+        return {z, at, static_cast<int>(clamped(at.x(), last_column_)),
+                static_cast<int>(clamped(at.y(), last_row_))};
+    }
+
+    /// The inverse depth at which the ray is a little beyond the tile; `far_end` at the least.
+    [[nodiscard]] double leaves(const Place& place, double q, double far_end) const {
+        double leaves = far_end;
+        for (Eigen::Index axis = 0; axis < 2; ++axis) {
+            const int tile = axis == 0 ? place.column : place.row;
+            const bool falls = step_[axis] > place.at[axis] * step_z_;
+            const double border = falls ? tile - kBeyondTile : tile + 1 + kBeyondTile;
+            const double there =
+                (border * start_z_ - start_[axis]) / (step_[axis] - border * step_z_);
+            if (there < q) leaves = std::max(leaves, there);
+        }
+        return leaves;
+    }
+
+ private:
+    Eigen::Vector2d start_;
+    Eigen::Vector2d step_;
+    double start_z_;
+    double step_z_;
+    int last_column_;
+    int last_row_;
+};
+
 /// Pixels that a point moves in the view for each unit of the eye's inverse depth.
 double speed_px(const EpipolarLine& line, const Eigen::Vector3d& at) {
     const Eigen::Vector3d& step = line.per_inverse_depth;
@@ -139,29 +187,34 @@ double DepthSearch::past_free_tiles(int view_index, const EpipolarLine& line, do
                                     double far_end) const {
     const auto index = static_cast<std::size_t>(view_index);
     const FloatImage& tiles = geometries_[index].tile_max_inverse_depth;
-    const Eigen::Vector2d per_tile = targets_[index].samples_per_pixel / kDepthTile;
-    const Eigen::Vector2d start = line.at_infinity.head<2>().cwiseProduct(per_tile);
-    const Eigen::Vector2d step = line.per_inverse_depth.head<2>().cwiseProduct(per_tile);
-    const double start_z = line.at_infinity.z();
-    const double step_z = line.per_inverse_depth.z();
+    const TileWalk walk(line, targets_[index].samples_per_pixel, tiles);
     for (int i = 0; i < tiles.width() + tiles.height(); ++i) {
-        const double z = start_z + q * step_z;
-        const Eigen::Vector2d at = (start + q * step) / z;
-        const int column = static_cast<int>(clamped(at.x(), tiles.width() - 1));
-        const int row = static_cast<int>(clamped(at.y(), tiles.height() - 1));
-        const double nearest = tiles(column, row);
-        if (q <= nearest * z) return q;
+        const TileWalk::Place place = walk.at(q);
+        const double nearest = tiles(place.column, place.row);
+        if (q <= nearest * place.z) return q;
         // Where the ray is as far away as what is nearest in the tile, or leaves the tile.
-        const double meets = nearest * start_z / (1 - nearest * step_z);
-        double leaves = far_end;
-        for (Eigen::Index axis = 0; axis < 2; ++axis) {
-            const int tile = axis == 0 ? column : row;
-            const bool falls = step[axis] > at[axis] * step_z;
-            const double border = falls ? tile - kBeyondTile : tile + 1 + kBeyondTile;
-            const double there = (border * start_z - start[axis]) / (step[axis] - border * step_z);
-            if (there < q) leaves = std::max(leaves, there);
-        }
+        const double meets =
+            nearest * line.at_infinity.z() / (1 - nearest * line.per_inverse_depth.z());
+        const double leaves = walk.leaves(place, q, far_end);
         if (meets < q && meets >= leaves) return std::max(far_end, meets);
+        if (leaves <= far_end) return far_end;
+        q = leaves;
+    }
+    return q;
+}
+
+double DepthSearch::past_hiding_tiles(int view_index, const EpipolarLine& line, double q,
+                                      double far_end) const {
+    // Farther along the ray is also farther from the view, unless the ray comes back to it.
+    if (line.at_infinity.z() <= 0) return q;
+    const auto index = static_cast<std::size_t>(view_index);
+    const FloatImage& tiles = geometries_[index].tile_min_inverse_depth;
+    const TileWalk walk(line, targets_[index].samples_per_pixel, tiles);
+    for (int i = 0; i < tiles.width() + tiles.height(); ++i) {
+        const TileWalk::Place place = walk.at(q);
+        const double farthest = tiles(place.column, place.row);
+        if (q >= farthest * place.z) return q;
+        const double leaves = walk.leaves(place, q, far_end);
         if (leaves <= far_end) return far_end;
         q = leaves;
     }
@@ -211,6 +264,8 @@ std::optional<RayHit> DepthSearch::first_hit_in(int view_index,
         if (is_before) {
             const double free_to = past_free_tiles(view_index, line, q, stretch.far_end);
             if (free_to < q) last_before = q = free_to;
+        } else {
+            q = past_hiding_tiles(view_index, line, q, stretch.far_end);
         }
         const Eigen::Vector3d at = line.at(q);
         const double ahead = q / at.z() - sample_at(view_index, at.hnormalized());

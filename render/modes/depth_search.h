@@ -91,6 +91,11 @@ class DepthSearch {
                                          double far_end) const;
     [[nodiscard]] std::optional<RayHit> first_hit_in(int view_index,
                                                      const Eigen::Vector2d& pixel) const;
+    /// The same for what lies behind the first surface: the first inverse depth from `q` on at
+    /// which the ray might come out from behind. Tiles whose farthest sample is still before it are
+    /// skipped.
+    [[nodiscard]] double past_hiding_tiles(int view_index, const EpipolarLine& line, double q,
+                                           double far_end) const;
     /// The hit between a point in front of the surface and one behind it; empty at a tear.
     [[nodiscard]] std::optional<RayHit> refined(int view_index, const EpipolarLine& line,
                                                 const Stretch& bracket) const;

@@ -1,6 +1,7 @@
 #include "render/modes/view_geometry.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "calib/work/median.h"
@@ -22,13 +23,15 @@ std::vector<std::set<int>> neighbours_in(const CameraMesh& mesh, std::size_t vie
     return neighbours;
 }
 
-FloatImage tile_maxima(const FloatImage& samples) {
+/// What `best` leaves of the samples of each tile, from `none` on.
+template <class Best>
+FloatImage over_tiles(const FloatImage& samples, float none, const Best& best) {
     FloatImage tiles((samples.width() + kDepthTile - 1) / kDepthTile,
-                     (samples.height() + kDepthTile - 1) / kDepthTile);
+                     (samples.height() + kDepthTile - 1) / kDepthTile, none);
     for (int y = 0; y < samples.height(); ++y) {
         for (int x = 0; x < samples.width(); ++x) {
             float& tile = tiles(x / kDepthTile, y / kDepthTile);
-            tile = std::max(tile, samples(x, y));
+            tile = best(tile, samples(x, y));
         }
     }
     return tiles;
@@ -50,13 +53,17 @@ Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph) {
 std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph) {
     std::vector<ViewGeometry> geometries;
     for (const LumigraphView& view : lumigraph.views) {
-        FloatImage tiles = tile_maxima(view.depth.inverse_depth);
+        const FloatImage& samples = view.depth.inverse_depth;
+        FloatImage tiles =
+            over_tiles(samples, 0.0F, [](float a, float b) { return std::max(a, b); });
         const auto nearest = std::max_element(tiles.pixels().begin(), tiles.pixels().end());
         const double max_inverse_depth =
             nearest == tiles.pixels().end() ? 0.0 : static_cast<double>(*nearest);
         geometries.push_back({centre_in_world(view.cam_from_world),
                               focal_length_px(view.camera).mean(), 0.0, max_inverse_depth,
-                              std::move(tiles)});
+                              std::move(tiles),
+                              over_tiles(samples, std::numeric_limits<float>::max(),
+                                         [](float a, float b) { return std::min(a, b); })});
     }
     const auto neighbours = neighbours_in(lumigraph.mesh, geometries.size());
     for (std::size_t i = 0; i < geometries.size(); ++i) {

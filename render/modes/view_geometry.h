@@ -23,8 +23,9 @@ struct ViewGeometry {
     /// any.
     double baseline = 0.0;
     double max_inverse_depth = 0.0;  ///< Of its depth map; 0 without one.
-    /// The same for each square of kDepthTile samples.
+    /// The largest and the smallest of each square of kDepthTile samples.
     FloatImage tile_max_inverse_depth{};
+    FloatImage tile_min_inverse_depth{};
 };
 
 [[nodiscard]] std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph);

@@ -60,6 +60,22 @@ TEST(DepthSearch, AtACameraIsItsDepthMap) {
     }
 }
 
+TEST(DepthSearch, FindsTheWallWhereTheRayComesOutFromBehindTheCard) {
+    const Lumigraph lumigraph = card_before_wall();
+    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    // Beside the card and already behind it: all cameras see the ray pass behind the card.
+    const Eigen::Vector3d from(-2, 0, 3.2);
+    const Eigen::Vector3d on_wall(2.2, 0, 6);
+    const Eye eye = eye_at(from, on_wall, pinhole_camera(65, 49, 60));
+    const DepthSearch search(lumigraph, geometries, eye, 1.0);
+    const double truth = 1 / (on_wall - from).norm();
+    for (int view = 0; view < static_cast<int>(lumigraph.views.size()); ++view) {
+        const auto hit = search.first_hit({32.5, 24.5}, {view, view, view});
+        ASSERT_TRUE(hit.has_value()) << view;
+        EXPECT_NEAR(hit->inverse_depth, truth, 0.02 * truth) << view;
+    }
+}
+
 TEST(DepthSearch, MeetsNothingWhereNoPhotographLooks) {
     const Lumigraph lumigraph = card_before_wall();
     const Eye eye = eye_at({0, 0, 0}, {0, 0, -4}, pinhole_camera(64, 48, 60));
