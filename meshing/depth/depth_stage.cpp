@@ -160,6 +160,23 @@ std::unique_ptr<DepthModel> model_of(const DepthScene& scene, const std::vector<
     return depth_model_named(chosen.model);
 }
 
+/// What the photographs say of depth beyond all that is known.
+double recession_of_fill(const DepthScene& scene, const std::vector<GrayImage>& masks,
+                         const std::vector<DepthMap>& confirmed_maps,
+                         const std::vector<DepthEstimate>& estimates, DepthResult& result,
+                         Progress& progress) {
+    const double before = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+    const double recession_px =
+        fill_recession(scene, masks, confirmed_maps, estimates, result.memory.views_filled);
+    result.choice_cpu_s += seconds_of(CLOCK_PROCESS_CPUTIME_ID) - before;
+    if (recession_px > 0) {
+        progress.note("depth: beyond what is known the scene recedes by " +
+                      with_one_digit(recession_px) +
+                      " px of disparity a pixel: so the photographs differ least");
+    }
+    return recession_px;
+}
+
 }  // namespace
 
 DepthResult estimate_depth(const PosedPhotographs& photographs,
@@ -210,10 +227,14 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
                   });
     for (DepthEstimate& estimate : estimates) estimate.map = {};  // It has said what it knew.
     const std::vector<DepthMap> confirmed_maps = result.depth_maps;
+    const double recession_px =
+        recession_of_fill(scene, masks, confirmed_maps, estimates, result, progress);
     for_each_view("depth: filling", result, result.memory.views_filled, progress, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         DepthMap& map = result.depth_maps[index];
-        if (!estimates[index].is_complete) fill_unknown_depth(scene, confirmed_maps, i, map);
+        if (!estimates[index].is_complete) {
+            fill_unknown_depth(scene, confirmed_maps, i, recession_px, map);
+        }
         // After filling: what belongs to the scene is not continued from what does not.
         result.evidence[index].background_share = separate_background(masks[index], map);
         result.evidence[index].sparse_residual_px = sparse_residual_px(map, scene.views[index]);

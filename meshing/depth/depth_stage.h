@@ -55,7 +55,7 @@ struct DepthResult {
     std::vector<DepthMap> depth_maps;  ///< One per entry of `view_indices`.
     std::vector<DepthEvidence> evidence;
     std::string choice;         ///< Of "auto": one line, what was chosen and why; else empty.
-    double choice_cpu_s = 0.0;  ///< What choosing took.
+    double choice_cpu_s = 0.0;  ///< What choosing took, the model and how the fill recedes.
     /// The colour of the plain background that was kept out of the scene, if there was one.
     std::optional<Rgb8> background;
     /// What makes the depth doubtful, in one line; empty when nothing does. Said as a note, too.

@@ -174,8 +174,15 @@ float background_mean(std::span<Found> found, float one_pixel) {
     return sum / weights;
 }
 
-void fill_from_background(DepthMap& map, const FloatImage& fallback, float one_pixel,
-                          const Field& field) {
+/// Returns how far from what is known the pixels lie that it continues, where it does not lie on
+/// most sides of them: 0 for all others.
+FloatImage fill_from_background(DepthMap& map, const FloatImage& fallback, float one_pixel,
+                                const Field& field) {
+    constexpr std::size_t kMostOfContinued = kDirections / 2;
+    FloatImage continued_px(map.confidence.width(), map.confidence.height(), 0.0F);
+    const auto nearer = [](const Found& a, const Found& b) {
+        return a.distance_px < b.distance_px;
+    };
     for (int y = 0; y < map.confidence.height(); ++y) {
         for (int x = 0; x < map.confidence.width(); ++x) {
             if (!field.is_known(x + field.margin_x, y + field.margin_y)) continue;
@@ -199,7 +206,10 @@ void fill_from_background(DepthMap& map, const FloatImage& fallback, float one_p
         std::erase_if(around, [](const Found& found) { return found.distance_px <= 0; });
         map.inverse_depth(x, y) =
             around.empty() ? fallback(x, y) : background_mean(around, one_pixel);
+        if (around.empty() || around.size() > kMostOfContinued) return;
+        continued_px(x, y) = std::min_element(around.begin(), around.end(), nearer)->distance_px;
     });
+    return continued_px;
 }
 
 /// How strongly each pixel holds its place. What is known holds, but not at the edge of a nearer
@@ -226,24 +236,30 @@ FloatImage holds_of(const DepthMap& map, float one_pixel) {
     return holds;
 }
 
-/// Smooths what was filled along the photograph's edges.
-void smooth_filled(DepthMap& map, const ColorImage& photograph, float one_pixel) {
-    const FloatImage smooth =
-        smooth_guided(map.inverse_depth, holds_of(map, one_pixel), photograph, {});
+}  // namespace
+
+FloatImage continue_known_depth(DepthMap& map, const FloatImage& fallback, double one_pixel,
+                                SurroundingDepth surrounding) {
+    const auto& confidence = map.confidence.pixels();
+    if (std::find(confidence.begin(), confidence.end(), 0) == confidence.end()) {
+        return FloatImage(map.confidence.width(), map.confidence.height(), 0.0F);
+    }
+    return fill_from_background(map, fallback, static_cast<float>(one_pixel),
+                                field_of(map, std::move(surrounding), one_pixel));
+}
+
+void smooth_filled_depth(DepthMap& map, const ColorImage& photograph, double one_pixel) {
+    const FloatImage smooth = smooth_guided(
+        map.inverse_depth, holds_of(map, static_cast<float>(one_pixel)), photograph, {});
     for (std::size_t i = 0; i < smooth.pixels().size(); ++i) {
         if (map.confidence.pixels()[i] == 0) map.inverse_depth.pixels()[i] = smooth.pixels()[i];
     }
 }
 
-}  // namespace
-
 void edge_aware_fill(DepthMap& map, const ColorImage& photograph, const FloatImage& fallback,
                      double one_pixel, SurroundingDepth surrounding) {
-    const auto& confidence = map.confidence.pixels();
-    if (std::find(confidence.begin(), confidence.end(), 0) == confidence.end()) return;
-    fill_from_background(map, fallback, static_cast<float>(one_pixel),
-                         field_of(map, std::move(surrounding), one_pixel));
-    smooth_filled(map, photograph, static_cast<float>(one_pixel));
+    continue_known_depth(map, fallback, one_pixel, std::move(surrounding));
+    smooth_filled_depth(map, photograph, one_pixel);
 }
 
 }  // namespace lumi

@@ -19,4 +19,12 @@ namespace lumi {
 void edge_aware_fill(DepthMap& map, const ColorImage& photograph, const FloatImage& fallback,
                      double one_pixel, SurroundingDepth surrounding = {});
 
+/// The first half of it: the planes continued. Returns how far from what is known those pixels lie
+/// that have known ones in at most half of the directions; 0 for all others.
+FloatImage continue_known_depth(DepthMap& map, const FloatImage& fallback, double one_pixel,
+                                SurroundingDepth surrounding = {});
+
+/// The second half: what was filled is smoothed along the photograph's edges.
+void smooth_filled_depth(DepthMap& map, const ColorImage& photograph, double one_pixel);
+
 }  // namespace lumi

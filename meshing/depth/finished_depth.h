@@ -15,10 +15,18 @@ namespace lumi {
 [[nodiscard]] DepthMap confirmed_depth(const DepthScene& scene,
                                        const std::vector<DepthEstimate>& estimates, int view_index);
 
+/// By how many pixels of disparity what is continued beyond all that is known should recede, for
+/// each pixel of its distance (receding_fill.h); up to 32 views are asked, evenly over the
+/// capture, of what `masks` (view_mask.h) leave in the scene. 0: not at all.
+[[nodiscard]] double fill_recession(const DepthScene& scene, const std::vector<GrayImage>& masks,
+                                    const std::vector<DepthMap>& confirmed_maps,
+                                    const std::vector<DepthEstimate>& estimates, int threads);
+
 /// Gives every pixel of `map`, view `view_index` among the confirmed maps, an inverse depth: what
-/// is unknown is filled along the photograph's edges from what is known around it, and what is
-/// known ends where the photograph does (edge_aware_fill.h, edge_snapping.h).
+/// is unknown is filled along the photograph's edges from what is known around it, or recedes from
+/// it by `recession_px`, and what is known ends where the photograph does (edge_aware_fill.h,
+/// edge_snapping.h).
 void fill_unknown_depth(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
-                        int view_index, DepthMap& map);
+                        int view_index, double recession_px, DepthMap& map);
 
 }  // namespace lumi

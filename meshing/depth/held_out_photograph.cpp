@@ -167,7 +167,8 @@ std::vector<DepthMap> HeldOutPhotograph::finished(const std::vector<DepthEstimat
     std::vector<DepthMap> maps(confirmed.begin(), confirmed.begin() + predictors_);
     parallel_for(predictors_, threads, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
-        if (!estimates[index].is_complete) fill_unknown_depth(scene_, confirmed, i, maps[index]);
+        if (!estimates[index].is_complete)
+            fill_unknown_depth(scene_, confirmed, i, 0.0, maps[index]);
         separate_background(masks_[index], maps[index]);
     });
     return maps;

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <utility>
+
+#include "meshing/depth/receding_fill.h"
 
 namespace lumi {
 namespace {
@@ -73,6 +78,91 @@ TEST(EdgeAwareFill, WithNothingKnownTakesTheFallback) {
     DepthMap map{FloatImage(kWidth, kHeight), GrayImage(kWidth, kHeight)};
     edge_aware_fill(map, ColorImage(kWidth, kHeight), FloatImage(kWidth, kHeight, 0.5F), kOnePixel);
     for (const float value : map.inverse_depth.pixels()) ASSERT_NEAR(value, 0.5F, 1e-6F);
+}
+
+TEST(EdgeAwareFill, TellsHowFarItContinuedBeyondWhatIsKnown) {
+    // Known on the left half alone: no pixel of the right one has known pixels on most sides.
+    DepthMap map{FloatImage(kWidth, kHeight, 0.7F), GrayImage(kWidth, kHeight, 255)};
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = kWidth / 2; x < kWidth; ++x) map.confidence(x, y) = 0;
+    }
+    const FloatImage distance_px =
+        continue_known_depth(map, FloatImage(kWidth, kHeight, 0.5F), kOnePixel);
+    EXPECT_EQ(distance_px(kWidth / 2 - 1, 40), 0.0F);
+    EXPECT_EQ(distance_px(kWidth / 2, 40), 1.0F);
+    EXPECT_EQ(distance_px(kWidth - 1, 40), static_cast<float>(kWidth / 2));
+    recede(0.5, kOnePixel, distance_px, map);
+    EXPECT_NEAR(map.inverse_depth(kWidth / 2 + 19, 40), 0.7F - 0.5F * 20 * kOnePixel, 1e-5F);
+    EXPECT_EQ(map.inverse_depth(10, 40), 0.7F);
+}
+
+/// Grey of a smooth, textureless scene.
+Rgb8 color_at(double x) {
+    const auto level = static_cast<std::uint8_t>(std::lround(120 + 100 * std::sin(0.05 * x)));
+    return {level, level, level};
+}
+
+/// A view and a neighbour to its right. What is continued from column 30 on recedes by `slope_px`.
+DepthScene receding_pair(double slope_px) {
+    constexpr double kFocalPx = 100;
+    constexpr double kBaseline = 1;  // One pixel of disparity is 0.01 of inverse depth.
+    constexpr double kStartPx = 30;
+    constexpr double kRim = 0.3;
+    DepthScene scene;
+    for (const int j : {0, 1}) {
+        DepthView view;
+        view.camera = {kWidth,
+                       kHeight,
+                       LensModel::kPinhole,
+                       {kFocalPx, kFocalPx, kWidth / 2.0, kHeight / 2.0}};
+        view.cam_from_world.translation = {-kBaseline * j, 0, 0};
+        view.photograph = ColorImage(kWidth, kHeight);
+        view.neighbours = {1 - j};
+        view.disparity_px_per_inverse_depth = kFocalPx * kBaseline;
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const double shift_px = kFocalPx * kBaseline * kRim;
+                // x - (shift - slope * (x - start)) is where the neighbour sees column x.
+                const double own =
+                    j == 0 ? x + 0.5 : (x + 0.5 + shift_px + slope_px * kStartPx) / (1 + slope_px);
+                view.photograph(x, y) = color_at(own);
+            }
+        }
+        scene.views.push_back(view);
+    }
+    return scene;
+}
+
+std::vector<double> differences_at(double slope_px) {
+    const DepthMap nothing{FloatImage(kWidth, kHeight), GrayImage(kWidth, kHeight)};
+    FloatImage distance_px(kWidth, kHeight, 0.0F);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 30; x < kWidth; ++x) distance_px(x, y) = static_cast<float>(x) + 0.5F - 30;
+    }
+    return recession_differences(receding_pair(slope_px), {nothing, nothing}, 0,
+                                 {FloatImage(kWidth, kHeight, 0.3F), GrayImage(kWidth, kHeight)},
+                                 distance_px);
+}
+
+TEST(RecedingFill, PhotographsDifferLeastAtTheSlopeOfTheScene) {
+    for (const auto& [slope_px, expected] : {std::pair{0.0, 0}, {0.3, 1}, {0.6, 2}, {1.0, 3}}) {
+        const std::vector<double> differences = differences_at(slope_px);
+        ASSERT_EQ(differences.size(), 4U);
+        EXPECT_EQ(std::min_element(differences.begin(), differences.end()) - differences.begin(),
+                  expected)
+            << slope_px;
+        const std::vector<std::vector<double>> of_views(4, differences);
+        EXPECT_EQ(chosen_recession(of_views), slope_px);
+    }
+}
+
+TEST(RecedingFill, DoesNotRecedeWhereViewsDisagreeOrAreFew) {
+    const std::vector<double> closer{100, 90, 80, 90};
+    const std::vector<double> farther{100, 110, 130, 140};
+    EXPECT_EQ(chosen_recession({closer, closer, closer, closer}), 0.6);
+    EXPECT_EQ(chosen_recession({closer, farther, closer, farther, closer}), 0.0);
+    EXPECT_EQ(chosen_recession({closer, closer, closer, {}}), 0.0);
+    EXPECT_EQ(chosen_recession({}), 0.0);
 }
 
 }  // namespace
