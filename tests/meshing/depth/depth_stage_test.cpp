@@ -100,6 +100,16 @@ TEST(DepthStage, GivesTheSameBytesForAnyNumberOfThreads) {
     expect_same(one, depth_of(photographs, {0, 1, 2, 3, 4}, {.max_memory_mib = 256}, 5));
 }
 
+TEST(DepthStage, RefinesToTheSameBytesForAnyNumberOfThreads) {
+    const ScratchFolder folder;
+    const PosedPhotographs photographs = written(board_and_wall(), folder.path());
+    const std::vector<int> views{0, 1, 2, 3, 4};
+    const DepthResult one = depth_of(photographs, views, {.model = "refined_sweep"}, 1);
+    EXPECT_EQ(one.evidence[0].model, "refined_sweep");
+    expect_same(one, depth_of(photographs, views, {.model = "refined_sweep"}, 2));
+    expect_same(one, depth_of(photographs, views, {.model = "refined_sweep"}, 8));
+}
+
 TEST(DepthStage, HeldOutViewsTakeNoPart) {
     const ScratchFolder folder;
     const KnownDepthScene known = board_and_wall();
