@@ -95,6 +95,8 @@ std::string verdict_of(const LensChoice& choice, std::size_t index) {
 }
 
 constexpr double kSureStandardErrors = 3.0;
+/// Of the held-out mean square: no more than this is no reason for a richer form.
+constexpr double kImmaterialShare = 0.01;
 
 /// Of the forms without a fault beyond what was seen, the simplest that does not surely predict
 /// worse than the best; the chosen one where there is none.
@@ -138,7 +140,10 @@ LensChoice choose_lens(std::vector<LensTrial> trials) {
         trial.excess_px2 = excess.mean_px2;
         trial.excess_sigma_px2 = excess.sigma_px2;
         const bool is_simpler = free_parameters(trial.form) < free_parameters(choice.choice().form);
-        const bool predicts_as_well = trial.excess_px2 <= trial.excess_sigma_px2;
+        const double immaterial_px2 =
+            kImmaterialShare * best.held_out_rms_px * best.held_out_rms_px;
+        const bool predicts_as_well =
+            trial.excess_px2 <= std::max(trial.excess_sigma_px2, immaterial_px2);
         // Of two with as many parameters the one that predicts better.
         const bool is_better_equal =
             free_parameters(trial.form) == free_parameters(choice.choice().form) &&

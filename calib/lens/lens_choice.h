@@ -47,7 +47,10 @@ struct LensChoice {
 };
 
 /// The form with the fewest free parameters whose held-out error is within one standard error of
-/// the least (Breiman et al., Classification and Regression Trees, 1984, section 3.4.3).
+/// the least (Breiman et al., Classification and Regression Trees, 1984, section 3.4.3), or so
+/// little above it that nobody could see it: by less than a hundredth of the mean square, half a
+/// hundredth of the RMS. The best of a dozen forms is better by as much by chance, and what speaks
+/// for that little are the errors of the features, not the lens.
 ///
 /// The standard error is that of the difference to the best predicting form, paired over folds:
 /// what makes one photograph harder than another is common to all forms and tells nothing about
