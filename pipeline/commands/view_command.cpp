@@ -7,6 +7,7 @@
 #include "pipeline/evaluate/held_out_beside.h"
 #include "pipeline/plan/planned_views.h"
 #include "render/lumigraph/package.h"
+#include "render/viewer/recent_packages.h"
 #include "render/viewer/window.h"
 
 namespace lumi {
@@ -46,6 +47,10 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
         const FrameSize size = frame_size_from(request.size);
         options.width_px = size.width_px;
         options.height_px = size.height_px;
+    }
+    if (request.screenshot.empty()) {
+        options.package = request.package;
+        options.recent_file = recent_packages_file();
     }
     options.planned = planned_views_beside(request.package);
     if (request.screenshot.empty()) options.held_out = held_out_of(request.package, context);

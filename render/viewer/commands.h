@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -76,6 +77,8 @@ struct ViewerState {
     bool wants_screenshot = false;
     bool records_path = false;
     bool wants_to_close = false;
+    std::vector<std::filesystem::path> recent_packages;  ///< That can be opened; may be empty.
+    std::filesystem::path package_to_open;               ///< Empty: the one that is shown stays.
 };
 
 /// At the first photograph.

@@ -54,6 +54,19 @@ void show_photographs(const Lumigraph& lumigraph, ViewerState& state) {
     ImGui::EndCombo();
 }
 
+/// Packages that were opened before.
+void show_recent(ViewerState& state) {
+    if (state.recent_packages.empty()) return;
+    if (!ImGui::BeginCombo("##recent", "open again")) return;
+    for (std::size_t i = 0; i < state.recent_packages.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Selectable(printable(state.recent_packages[i].string()).c_str()))
+            state.package_to_open = state.recent_packages[i];
+        ImGui::PopID();
+    }
+    ImGui::EndCombo();
+}
+
 /// One button for each planned photograph, and the way to the one that is stood at.
 void show_plan(const Lumigraph& lumigraph, ViewerState& state) {
     if (state.planned.empty()) return;
@@ -144,6 +157,7 @@ void show_panel(const Lumigraph& lumigraph, const std::vector<HeldOutView>& held
         show_photographs(lumigraph, state);
         show_plan(lumigraph, state);
         show_comparison(lumigraph, held_out, is_compared, state);
+        show_recent(state);
         ImGui::Separator();
         show_statistics(lumigraph, statistics);
         ImGui::Separator();

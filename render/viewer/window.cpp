@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <utility>
 
 #include "calib/work/error.h"
 #include "render/gl/capabilities.h"
@@ -15,6 +16,7 @@
 #include "render/viewer/moving_resolution.h"
 #include "render/viewer/path_recording.h"
 #include "render/viewer/photograph_eye.h"
+#include "render/viewer/recent_packages.h"
 #include "render/viewer/screenshot.h"
 
 namespace lumi {
@@ -95,14 +97,17 @@ struct ViewerWindow::Implementation {
           window(size_px.x(), size_px.y(), title_of(lumigraph), options.screenshot_path.empty()),
           panels(window),
           renderer(lumigraph),
-          comparison(options.held_out) {
+          comparison(options.held_out),
+          recent_file(options.recent_file) {
         statistics.gl_description = query_capabilities().description;
+        remember(options.package);
     }
 
     void take_in(WindowInput input);
     void draw(double scale, const RenderOptions& options);
     void draw_where_needed();
     void record_path();
+    void remember(const std::filesystem::path& package);
     void present();
     [[nodiscard]] bool is_moving() const;
 
@@ -114,6 +119,7 @@ struct ViewerWindow::Implementation {
     LumigraphRenderer renderer;
     FrameTarget target;
     Comparison comparison;
+    std::filesystem::path recent_file;
     std::optional<DrawnFrame> drawn;
     MovingResolution resolution;
     TriangleBudget budget;
@@ -203,6 +209,17 @@ void ViewerWindow::Implementation::record_path() {
     recorded.clear();
 }
 
+/// Without a list, or for what is not a package's folder, does nothing.
+void ViewerWindow::Implementation::remember(const std::filesystem::path& package) {
+    if (recent_file.empty()) return;
+    try {
+        if (!package.empty()) remember_package(package, recent_file);
+    } catch (const Error& error) {
+        statistics.message = error.what();
+    }
+    state.recent_packages = read_recent_packages(recent_file);
+}
+
 void ViewerWindow::Implementation::present() {
     const auto overlay = comparison.over_frame(state, size_px.x(), size_px.y(), renderer);
     target.show_in_window(size_px.x(), size_px.y());
@@ -222,6 +239,8 @@ bool ViewerWindow::step() {
         viewer.window.poll(viewer.is_moving() || !viewer.drawn ? 0.0 : kIdleWait_s);
     if (viewer.window.should_close()) return false;
     for (const std::filesystem::path& path : input.dropped) open_package(path);
+    if (const auto chosen = std::exchange(viewer.state.package_to_open, {}); !chosen.empty())
+        open_package(chosen);
     viewer.take_in(input);
     viewer.window.wait_for_vsync(viewer.state.waits_for_vsync);
     if (viewer.state.wants_screenshot) {
@@ -250,8 +269,9 @@ void ViewerWindow::write_screenshot_to(const std::filesystem::path& path) {
 void ViewerWindow::open_package(const std::filesystem::path& folder) {
     Implementation& viewer = *implementation_;
     const bool is_manifest = folder.filename() == "lumigraph.json";
+    const std::filesystem::path package = is_manifest ? folder.parent_path() : folder;
     try {
-        Lumigraph lumigraph = read_package(is_manifest ? folder.parent_path() : folder);
+        Lumigraph lumigraph = read_package(package);
         viewer.renderer = LumigraphRenderer(lumigraph);
         viewer.lumigraph = std::move(lumigraph);
     } catch (const Error& error) {
@@ -267,6 +287,7 @@ void ViewerWindow::open_package(const std::filesystem::path& folder) {
     viewer.comparison = Comparison({});
     viewer.drawn.reset();
     viewer.statistics.message = "opened " + viewer.lumigraph.name;
+    viewer.remember(package);
     viewer.window.set_title(title_of(viewer.lumigraph));
 }
 

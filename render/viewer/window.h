@@ -22,6 +22,10 @@ struct WindowOptions {
     std::vector<PlannedView> planned;   ///< Offered in the panel.
     std::vector<HeldOutView> held_out;  ///< To be compared with; offered in the panel.
     int planned_index = -1;             ///< The one it begins at; -1: at the photograph.
+    /// Where the Lumigraph was read, and the list that packages which are opened are kept in
+    /// (recent_packages.h); empty: they are not kept.
+    std::filesystem::path package;
+    std::filesystem::path recent_file;
     /// Not empty: one frame is drawn, without panels, and written here as PNG with its pose as JSON
     /// beside it; nobody sees a window.
     std::filesystem::path screenshot_path;

@@ -11,6 +11,7 @@
 #include "render/viewer/commands.h"
 #include "render/viewer/moving_resolution.h"
 #include "render/viewer/photograph_eye.h"
+#include "render/viewer/recent_packages.h"
 #include "render/viewer/screenshot.h"
 #include "render/viewer/window_input.h"
 #include "tests/calib/scratch_folder.h"
@@ -53,6 +54,32 @@ TEST(KeyBindings, LeaveTheLettersThatFlyAlone) {
     }
     EXPECT_EQ(command_of(GLFW_KEY_F12, false), Command::kScreenshot);
     EXPECT_EQ(command_of(GLFW_KEY_S, true), Command::kScreenshot);
+}
+
+TEST(RecentPackages, ComeLastOpenedFirstOnceEachAndAtMostTen) {
+    const ScratchFolder scratch;
+    const std::filesystem::path file = scratch / "state/lumi/recent";
+    EXPECT_TRUE(read_recent_packages(file).empty());
+    std::vector<std::filesystem::path> packages;
+    for (int i = 0; i < 12; ++i) {
+        packages.push_back(std::filesystem::canonical(scratch.path()) /
+                           ("a package " + std::to_string(i) + ".lumi"));
+        std::filesystem::create_directory(packages.back());
+        put_file(packages.back() / "lumigraph.json", "{}");
+        remember_package(packages.back(), file);
+    }
+    remember_package(packages[5], file);
+    std::vector<std::filesystem::path> read = read_recent_packages(file);
+    ASSERT_EQ(read.size(), 10U);
+    EXPECT_EQ(read[0], packages[5]);
+    EXPECT_EQ(read[1], packages[11]);
+    EXPECT_EQ(std::count(read.begin(), read.end(), packages[5]), 1);
+    std::filesystem::remove_all(packages[11]);
+    EXPECT_EQ(read_recent_packages(file)[1], packages[10]);
+    put_file(file, std::string(100, '\0') + "\nrelative\n" + packages[0].string() + "\n");
+    EXPECT_EQ(read_recent_packages(file), std::vector{packages[0]});
+    remember_package(scratch / "nothing.lumi", file);
+    EXPECT_EQ(read_recent_packages(file), std::vector{packages[0]});
 }
 
 TEST_F(ViewerStateTest, StandsWhereAPhotographIsPlanned) {

@@ -166,7 +166,10 @@ TEST_F(Window, OpensAnotherPackageAndKeepsTheOldOneWhenItCannot) {
     other.mesh.vertices = {{centre_in_world(other.views[2].cam_from_world), 2}};
     write_package(scratch / "other.lumi", other, {});
 
-    ViewerWindow window(box(), small_window());
+    WindowOptions options = small_window();
+    options.recent_file = scratch / "recent";
+    ViewerWindow window(box(), options);
+    EXPECT_TRUE(window.state().recent_packages.empty());
     window.open_package(scratch / "nothing.lumi");
     EXPECT_NE(window.statistics().message.find("nothing.lumi"), std::string::npos);
     EXPECT_TRUE(window.step());
@@ -174,6 +177,11 @@ TEST_F(Window, OpensAnotherPackageAndKeepsTheOldOneWhenItCannot) {
     window.open_package(scratch / "other.lumi/lumigraph.json");
     EXPECT_TRUE(window.step());
     window.write_screenshot_to(scratch / "new.png");
+    EXPECT_EQ(window.state().recent_packages.size(), 1U);
+    window.state().package_to_open = window.state().recent_packages[0];
+    EXPECT_TRUE(window.step());
+    EXPECT_NE(window.statistics().message.find("opened other"), std::string::npos);
+    EXPECT_TRUE(window.state().package_to_open.empty());
 
     const auto name_in = [&](const char* file) {
         return nlohmann::json::parse(read_whole_text(scratch / file))["lumigraph"];
