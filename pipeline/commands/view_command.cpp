@@ -51,6 +51,7 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
     if (request.screenshot.empty()) {
         options.package = request.package;
         options.recent_file = recent_packages_file();
+        options.progress = context.progress.get();
     }
     options.planned = planned_views_beside(request.package);
     if (request.screenshot.empty()) options.held_out = held_out_of(request.package, context);

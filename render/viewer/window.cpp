@@ -298,7 +298,8 @@ void run_window(Lumigraph lumigraph, const WindowOptions& options) {
     ViewerWindow window(std::move(lumigraph), options);
     if (!options.screenshot_path.empty())
         return window.write_screenshot_to(options.screenshot_path);
-    while (window.step()) {
+    const auto is_interrupted = [&] { return options.progress && options.progress->interrupted(); };
+    while (!is_interrupted() && window.step()) {
     }
 }
 

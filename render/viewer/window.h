@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "calib/work/progress.h"
 #include "render/lumigraph/lumigraph.h"
 #include "render/modes/frame.h"
 #include "render/viewer/commands.h"
@@ -26,6 +27,7 @@ struct WindowOptions {
     /// (recent_packages.h); empty: they are not kept.
     std::filesystem::path package;
     std::filesystem::path recent_file;
+    const Progress* progress = nullptr;  ///< Where it is interrupted, the window is closed.
     /// Not empty: one frame is drawn, without panels, and written here as PNG with its pose as JSON
     /// beside it; nobody sees a window.
     std::filesystem::path screenshot_path;

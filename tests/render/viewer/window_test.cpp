@@ -190,6 +190,14 @@ TEST_F(Window, OpensAnotherPackageAndKeepsTheOldOneWhenItCannot) {
     EXPECT_EQ(name_in("new.json"), "other\\x1b");
 }
 
+TEST_F(Window, ClosesWhenItIsInterrupted) {
+    SilentProgress progress;
+    progress.interrupt();
+    WindowOptions options = small_window();
+    options.progress = &progress;
+    run_window(box(), options);  // Comes back.
+}
+
 TEST_F(Window, RefusesAPhotographThatIsNotThere) {
     WindowOptions options;
     options.view_name = "no such photograph";
