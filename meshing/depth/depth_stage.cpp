@@ -165,6 +165,7 @@ double recession_of_fill(const DepthScene& scene, const std::vector<GrayImage>& 
                          const std::vector<DepthMap>& confirmed_maps,
                          const std::vector<DepthEstimate>& estimates, DepthResult& result,
                          Progress& progress) {
+    release_free_memory();
     const double before = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
     const double recession_px =
         fill_recession(scene, masks, confirmed_maps, estimates, result.memory.views_filled);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/error.h"
 #include "pipeline/chart/chart_files.h"
 #include "pipeline/chart/growth_files.h"
 #include "pipeline/chart/run_sweep.h"
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 struct ChartRequest {
     fs::path config;
     fs::path out;
+    bool growth_alone = false;
 };
 
 std::string front_table(const ChartResult& result) {
@@ -38,10 +40,15 @@ std::string front_table(const ChartResult& result) {
 /// Where this program lies, to run stages in processes of their own.
 fs::path this_program() { return fs::read_symlink("/proc/self/exe"); }
 
-void measure_growth_if_wanted(const fs::path& config, const fs::path& folder,
+void measure_growth_if_wanted(const ChartRequest& request, const fs::path& folder,
                               const CommandContext& context) {
-    const ConfigDocument document = ConfigDocument::open(config);
+    const ConfigDocument document = ConfigDocument::open(request.config);
     const GrowthPlan plan = read_growth_plan(document);
+    if (plan.is_empty() && request.growth_alone) {
+        throw Error(ErrorKind::kUsage, "E-GROWTH-NOTHING",
+                    request.config.string() + ": nothing to measure",
+                    "add a table [growth] with photographs = [10, 30, 100]");
+    }
     if (plan.is_empty()) return;
     const GrowthResult growth = measure_growth(document, plan, this_program(), folder / "growth",
                                                context.threads, *context.progress);
@@ -53,6 +60,7 @@ void run_chart(const ChartRequest& request, const CommandContext& context) {
     const Sweep sweep = read_sweep(request.config);
     const fs::path folder =
         request.out.empty() ? fs::path("work") / (sweep.name + "-chart") : request.out;
+    if (request.growth_alone) return measure_growth_if_wanted(request, folder, context);
     const ChartResult result = run_sweep(sweep, folder, context.threads, *context.progress);
     write_chart_files(folder, result, *context.progress);
     if (context.json) {
@@ -60,7 +68,7 @@ void run_chart(const ChartRequest& request, const CommandContext& context) {
     } else {
         context.print_result(front_table(result));
     }
-    measure_growth_if_wanted(request.config, folder, context);
+    measure_growth_if_wanted(request, folder, context);
     context.say(number_text(100.0 * result.work.cached_share(), 0) +
                 " % of the work came from the cache\n" + (folder / "chart.html").string() + "\n");
 }
@@ -76,6 +84,8 @@ void add_chart_command(CLI::App& app, CommandContext& context) {
         .add_option("CONFIG", request->config,
                     "Configuration file with a table [sweep], or a folder of photographs")
         ->required();
+    command.add_flag("--growth-alone", request->growth_alone,
+                     "Only how time and memory grow, by the table [growth]");
     command.add_option("--out", request->out, "Where to work (default: work/NAME-chart)");
     command.callback([request, &context] {
         context.chosen = [request, &context] { run_chart(*request, context); };
