@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "calib/capture/image_io.h"
 #include "meshing/depth/inverse_depth_warp.h"
 
 namespace lumi {
@@ -24,12 +24,8 @@ struct Differences {
 };
 
 ColorImage small_picture(const ColorImage& picture) {
-    ColorImage small(std::max(1, picture.width() / kCell), std::max(1, picture.height() / kCell));
-    const cv::Mat source(picture.height(), picture.width(), CV_8UC3,
-                         const_cast<Rgb8*>(picture.pixels().data()));
-    cv::Mat target(small.height(), small.width(), CV_8UC3, small.pixels().data());
-    cv::resize(source, target, target.size(), 0, 0, cv::INTER_AREA);
-    return small;
+    return resized(picture, std::max(1, picture.width() / kCell),
+                   std::max(1, picture.height() / kCell));
 }
 
 /// A neighbour that is asked.

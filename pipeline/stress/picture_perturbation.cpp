@@ -45,6 +45,7 @@ Lumigraph with_noisy_depth(const Lumigraph& lumigraph, double percent, std::uint
     const SeededNormal random(seed);
     Lumigraph result = lumigraph;
     for (std::size_t i = 0; i < result.views.size(); ++i) {
+        result.views[i].depth_mesh.reset();  // It follows the depth as it was.
         FloatImage& inverse_depth = result.views[i].depth.inverse_depth;
         const double cells_per_px = kDepthCells / std::max(1.0, double(inverse_depth.width()));
         for (int y = 0; y < inverse_depth.height(); ++y) {

@@ -11,6 +11,8 @@
 #include "pipeline/protocol/view_subset.h"
 #include "pipeline/stress/seeded_normal.h"
 #include "pipeline/stress/stress_files.h"
+#include "render/modes/view_depth_mesh.h"
+#include "render/modes/view_geometry.h"
 #include "tests/truth/textured_box_scene.h"
 
 namespace lumi {
@@ -76,6 +78,18 @@ TEST_F(Stress, ErrorsOfDifferentStrengthAreTheSameErrorScaled) {
                centre_in_world(before.views[i].cam_from_world);
     };
     EXPECT_LT((3.0 * shift(2.0, 4) - shift(6.0, 4)).norm(), 1e-9);
+}
+
+TEST_F(Stress, NoDepthMeshOutlivesTheDepthThatItFollows) {
+    Lumigraph whole = lumigraph();
+    SilentProgress progress;
+    make_depth_meshes(whole, 1, progress);
+    ASSERT_TRUE(whole.views[0].depth_mesh);
+    const Lumigraph noisy = with_noisy_depth(whole, 20.0, 1);
+    const double disparity_px = max_disparity_px(view_geometries(noisy)[0]);
+    EXPECT_NE(depth_mesh_of(noisy.views[0], disparity_px)->vertices,
+              whole.views[0].depth_mesh->vertices);
+    EXPECT_TRUE(with_other_exposure(whole, 0.5, 1).views[0].depth_mesh);
 }
 
 TEST_F(Stress, FocalLengthGrowsByTheStatedShare) {
