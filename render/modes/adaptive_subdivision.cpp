@@ -3,23 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
-#include <numeric>
+#include <optional>
 
 #include "calib/work/parallel_for.h"
+#include "render/modes/edge_table.h"
+#include "render/modes/relaxation_search.h"
 
 namespace lumi {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Each round of relaxation multiplies the errors by this.
-constexpr double kRelaxationStep = 1.5;
-constexpr double kMostRelaxation = 1000.0;
+constexpr std::uint32_t kNone = 0xffffffffU;
 /// Triangles with an altitude below this share of the shortest edge are whole: their long edge may
 /// have no reason to be split where the others always have. Vertices lie on the edges of their
 /// neighbours, so that no gap opens.
 constexpr double kThinnest = 0.25;
+/// Vertices that one thread looks up at a time; it takes so long that starting it does not count.
+constexpr std::size_t kVerticesAtATime = 128;
 
 /// The interpolation error at the middle of an edge.
 double edge_error_px(const PatchSample& a, const PatchSample& b, const PatchSample& middle,
@@ -39,137 +40,240 @@ double edge_error_px(const PatchSample& a, const PatchSample& b, const PatchSamp
     return std::max(error_px, 2 * weight_error_px * weight_error);
 }
 
-class AdaptivePatch {
- public:
-    AdaptivePatch(const FacePolygon& polygon, const DepthSearch& search,
-                  const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
-                  const AdaptiveSubdivisionOptions& options)
-        : options_(options),
-          sampler_(polygon, search, scene_plane, sampling),
-          vertices_(sampler_) {}
+/// The edges of a triangle, each after the corner that it starts from.
+using TriangleEdges = std::array<std::uint32_t, 3>;
 
-    /// Keeps what was sampled before: relaxed errors need a part of it.
-    void subdivide(double relaxation) {
-        relaxation_ = relaxation;
-        leaves_.clear();
-        for (std::uint32_t i = 1; i + 1 < vertices_.corner_count(); ++i) subdivide({0, i, i + 1});
+}  // namespace
+
+/// The polygons of one picture as triangles, level by level: all triangles of a level are split, or
+/// not, before any of the next, so that what is to be looked up for them is looked up at once.
+class AdaptiveSubdivider::Mesh {
+ public:
+    void begin(const std::vector<FacePolygon>& polygons, const DepthSearch& search,
+               const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
+               const AdaptiveSubdivisionOptions& options) {
+        options_ = options;
+        samplers_.clear();
+        polygon_of_.clear();
+        samples_.clear();
+        edge_numbers_.clear();
+        edges_.clear();
+        roots_.clear();
+        whole_.clear();
+        for (std::size_t i = 0; i < polygons.size(); ++i) {
+            samplers_.emplace_back(polygons[i], search, scene_plane, sampling);
+            const auto first = static_cast<std::uint32_t>(samples_.size());
+            for (const Eigen::Vector2d& corner : polygons[i].corners_px) {
+                samples_.push_back(samplers_.back().at(corner));
+                polygon_of_.push_back(static_cast<std::uint32_t>(i));
+            }
+            for (std::uint32_t k = first + 1; k + 1 < samples_.size(); ++k)
+                roots_.push_back({first, k, k + 1});
+        }
     }
 
-    [[nodiscard]] std::size_t triangle_count() const { return leaves_.size(); }
-    void append_to(BlendTriangles& drawn) const {
-        vertices_.append_to(drawn, leaves_, VertexDepth::kAffine);
+    /// The number of triangles with errors relaxed so much; nothing, and what was found before
+    /// stays, where they are more than `most`.
+    [[nodiscard]] std::optional<std::size_t> subdivide(double relaxation, std::size_t most) {
+        least_edge_px_ = options_.min_edge_px * std::sqrt(relaxation);
+        leaves_.clear();
+        level_ = roots_;
+        while (!level_.empty()) {
+            look_up_edges();
+            next_level_.clear();
+            for (std::size_t i = 0; i < level_.size(); ++i)
+                split(level_[i], edges_of_level_[i], relaxation);
+            level_.swap(next_level_);
+            if (leaves_.size() + level_.size() > most) return std::nullopt;
+        }
+        whole_.swap(leaves_);
+        return whole_.size();
+    }
+
+    /// The triangles that were found last, and the vertices that they name.
+    [[nodiscard]] BlendTriangles triangles() const {
+        BlendTriangles drawn;
+        drawn.indices.reserve(3 * whole_.size());
+        drawn.vertices.reserve(whole_.size());
+        std::vector<std::uint32_t> index_of(samples_.size(), kNone);
+        for (const Triangle& triangle : whole_) {
+            for (const std::uint32_t vertex : triangle) {
+                if (index_of[vertex] == kNone) {
+                    index_of[vertex] = static_cast<std::uint32_t>(drawn.vertices.size());
+                    drawn.vertices.push_back(blend_vertex(samples_[vertex],
+                                                          samplers_[polygon_of_[vertex]].polygon(),
+                                                          VertexDepth::kAffine));
+                }
+                drawn.indices.push_back(index_of[vertex]);
+            }
+        }
+        return drawn;
     }
 
  private:
-    void subdivide(const Triangle& triangle) {
-        const auto [a, b, c] = triangle;
-        if (altitude_px(triangle) < kThinnest * options_.min_edge_px) {
-            leaves_.push_back(triangle);
-            return;
+    struct Edge {
+        std::uint32_t from;
+        std::uint32_t to;
+        double length_px;
+        std::uint32_t middle = kNone;  ///< A vertex, when it was looked up.
+        /// The error over the greatest allowed: it is split for lesser relaxations.
+        double excess = 0.0;
+    };
+
+    [[nodiscard]] std::uint32_t edge_between(std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t number = edge_numbers_.number_of(a, b);
+        if (number == edges_.size())
+            edges_.push_back({a, b, (samples_[a].pixel - samples_[b].pixel).norm()});
+        return number;
+    }
+
+    /// Looks up the middles of the level's edges that might be split.
+    void look_up_edges() {
+        edges_of_level_.clear();
+        wanted_.clear();
+        for (const Triangle& triangle : level_) {
+            TriangleEdges& edges = edges_of_level_.emplace_back();
+            for (std::size_t i = 0; i < 3; ++i)
+                edges[i] = edge_between(triangle[i], triangle[(i + 1) % 3]);
+            if (is_thin(triangle, edges)) continue;
+            for (const std::uint32_t number : edges) want_middle(number);
         }
-        const std::array<bool, 3> splits{is_split(a, b), is_split(b, c), is_split(c, a)};
+        samples_.resize(polygon_of_.size());
+        const std::size_t blocks = (wanted_.size() + kVerticesAtATime - 1) / kVerticesAtATime;
+        parallel_for(static_cast<int>(blocks), 0, [&](int block) {
+            const std::size_t first = static_cast<std::size_t>(block) * kVerticesAtATime;
+            const std::size_t end = std::min(first + kVerticesAtATime, wanted_.size());
+            for (std::size_t i = first; i < end; ++i) look_up(edges_[wanted_[i]]);
+        });
+    }
+
+    void want_middle(std::uint32_t number) {
+        Edge& edge = edges_[number];
+        const bool is_short = edge.length_px <= std::min(least_edge_px_, options_.max_edge_px);
+        if (edge.middle != kNone || is_short) return;
+        edge.middle = static_cast<std::uint32_t>(polygon_of_.size());
+        polygon_of_.push_back(polygon_of_[edge.from]);
+        wanted_.push_back(number);
+    }
+
+    void look_up(Edge& edge) {
+        const PatchSample& a = samples_[edge.from];
+        const PatchSample& b = samples_[edge.to];
+        PatchSample& middle = samples_[edge.middle];
+        middle = samplers_[polygon_of_[edge.middle]].at(0.5 * (a.pixel + b.pixel));
+        edge.excess = edge_error_px(a, b, middle, options_.weight_error_px) / options_.max_error_px;
+    }
+
+    [[nodiscard]] bool is_split(std::uint32_t number, double relaxation) const {
+        const Edge& edge = edges_[number];
+        if (edge.length_px > options_.max_edge_px) return true;
+        return edge.length_px > least_edge_px_ && edge.excess > relaxation;
+    }
+
+    /// By its smallest altitude: area over longest side.
+    [[nodiscard]] bool is_thin(const Triangle& triangle, const TriangleEdges& edges) const {
+        const Eigen::Vector2d ab = samples_[triangle[1]].pixel - samples_[triangle[0]].pixel;
+        const Eigen::Vector2d ac = samples_[triangle[2]].pixel - samples_[triangle[0]].pixel;
+        const double longest = std::max(
+            {edges_[edges[0]].length_px, edges_[edges[1]].length_px, edges_[edges[2]].length_px});
+        return std::abs(ab.x() * ac.y() - ab.y() * ac.x()) <
+               kThinnest * options_.min_edge_px * longest;
+    }
+
+    void split(const Triangle& triangle, const TriangleEdges& edges, double relaxation) {
+        std::array<bool, 3> splits{};
+        if (!is_thin(triangle, edges))
+            for (std::size_t i = 0; i < 3; ++i) splits[i] = is_split(edges[i], relaxation);
         const int count = static_cast<int>(std::count(splits.begin(), splits.end(), true));
         if (count == 0) {
             leaves_.push_back(triangle);
-        } else if (count == 3) {
-            split_in_four(triangle);
-        } else if (count == 1) {
-            const auto edge = static_cast<std::size_t>(
-                std::find(splits.begin(), splits.end(), true) - splits.begin());
-            split_in_two(turned(triangle, edge));
-        } else {
-            const auto kept = static_cast<std::size_t>(
-                std::find(splits.begin(), splits.end(), false) - splits.begin());
-            split_in_three(turned(triangle, kept));
+            return;
         }
+        // So that the first edge is the only one that is split, or the only one that is not.
+        const bool odd = count == 1;
+        const auto first =
+            static_cast<std::size_t>(std::find(splits.begin(), splits.end(), odd) - splits.begin());
+        const std::size_t turn = count == 3 ? 0 : first;
+        const std::array<std::uint32_t, 3> corners{triangle[turn], triangle[(turn + 1) % 3],
+                                                   triangle[(turn + 2) % 3]};
+        const std::array<std::uint32_t, 3> middles{edges_[edges[turn]].middle,
+                                                   edges_[edges[(turn + 1) % 3]].middle,
+                                                   edges_[edges[(turn + 2) % 3]].middle};
+        if (count == 1) return split_in_two(corners, middles);
+        if (count == 2) return split_in_three(corners, middles);
+        split_in_four(corners, middles);
     }
 
-    /// The smallest: area over longest side.
-    [[nodiscard]] double altitude_px(const Triangle& triangle) const {
-        const auto [a, b, c] = triangle;
-        const Eigen::Vector2d ab = vertices_[b].pixel - vertices_[a].pixel;
-        const Eigen::Vector2d ac = vertices_[c].pixel - vertices_[a].pixel;
-        const double longest = std::max({ab.norm(), ac.norm(), (ac - ab).norm()});
-        return longest > 0 ? std::abs(ab.x() * ac.y() - ab.y() * ac.x()) / longest : 0.0;
-    }
-
-    static Triangle turned(const Triangle& triangle, std::size_t first) {
-        return {triangle[first], triangle[(first + 1) % 3], triangle[(first + 2) % 3]};
-    }
-
-    void split_in_four(const Triangle& triangle) {
-        const auto [a, b, c] = triangle;
-        const std::uint32_t ab = vertices_.midpoint(a, b);
-        const std::uint32_t bc = vertices_.midpoint(b, c);
-        const std::uint32_t ca = vertices_.midpoint(c, a);
-        subdivide({a, ab, ca});
-        subdivide({ab, b, bc});
-        subdivide({ca, bc, c});
-        subdivide({ab, bc, ca});
+    void split_in_four(const Triangle& corners, const Triangle& middles) {
+        const auto [a, b, c] = corners;
+        const auto [ab, bc, ca] = middles;
+        next_level_.insert(next_level_.end(),
+                           {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
     }
 
     /// The first edge is split.
-    void split_in_two(const Triangle& triangle) {
-        const auto [a, b, c] = triangle;
-        const std::uint32_t ab = vertices_.midpoint(a, b);
-        subdivide({a, ab, c});
-        subdivide({ab, b, c});
+    void split_in_two(const Triangle& corners, const Triangle& middles) {
+        const auto [a, b, c] = corners;
+        next_level_.insert(next_level_.end(), {{a, middles[0], c}, {middles[0], b, c}});
     }
 
     /// The first edge is kept. The quadrilateral that is left is cut along its shorter diagonal.
-    void split_in_three(const Triangle& triangle) {
-        const auto [a, b, c] = triangle;
-        const std::uint32_t bc = vertices_.midpoint(b, c);
-        const std::uint32_t ca = vertices_.midpoint(c, a);
-        subdivide({ca, bc, c});
-        if (vertices_.length_px(a, bc) < vertices_.length_px(b, ca)) {
-            subdivide({a, b, bc});
-            subdivide({a, bc, ca});
+    void split_in_three(const Triangle& corners, const Triangle& middles) {
+        const auto [a, b, c] = corners;
+        const std::uint32_t bc = middles[1];
+        const std::uint32_t ca = middles[2];
+        next_level_.push_back({ca, bc, c});
+        const auto squared_length = [&](std::uint32_t from, std::uint32_t to) {
+            return (samples_[from].pixel - samples_[to].pixel).squaredNorm();
+        };
+        if (squared_length(a, bc) < squared_length(b, ca)) {
+            next_level_.insert(next_level_.end(), {{a, b, bc}, {a, bc, ca}});
         } else {
-            subdivide({a, b, ca});
-            subdivide({b, bc, ca});
+            next_level_.insert(next_level_.end(), {{a, b, ca}, {b, bc, ca}});
         }
     }
 
-    [[nodiscard]] bool is_split(std::uint32_t a, std::uint32_t b) {
-        const double length_px = vertices_.length_px(a, b);
-        if (length_px > options_.max_edge_px) return true;
-        if (length_px <= options_.min_edge_px * std::sqrt(relaxation_)) return false;
-        const std::uint32_t middle = vertices_.midpoint(a, b);
-        return edge_error_px(vertices_[a], vertices_[b], vertices_[middle],
-                             options_.weight_error_px) > options_.max_error_px * relaxation_;
-    }
-
-    const AdaptiveSubdivisionOptions& options_;
-    double relaxation_ = 1.0;
-    PatchSampler sampler_;
-    SubdividedPatch vertices_;
+    AdaptiveSubdivisionOptions options_;
+    double least_edge_px_ = 0.0;             ///< Shorter ones are not split.
+    std::vector<PatchSampler> samplers_;     ///< One a polygon.
+    std::vector<std::uint32_t> polygon_of_;  ///< Of each vertex.
+    std::vector<PatchSample> samples_;       ///< The vertices.
+    EdgeTable edge_numbers_;
+    std::vector<Edge> edges_;
+    std::vector<std::uint32_t> wanted_;  ///< Edges whose middles are to be looked up.
+    std::vector<Triangle> roots_;
+    std::vector<Triangle> level_;
+    std::vector<TriangleEdges> edges_of_level_;
+    std::vector<Triangle> next_level_;
     std::vector<Triangle> leaves_;
+    std::vector<Triangle> whole_;
 };
 
-}  // namespace
+AdaptiveSubdivider::AdaptiveSubdivider() : mesh_(std::make_unique<Mesh>()) {}
+AdaptiveSubdivider::~AdaptiveSubdivider() = default;
+AdaptiveSubdivider::AdaptiveSubdivider(AdaptiveSubdivider&&) noexcept = default;
+AdaptiveSubdivider& AdaptiveSubdivider::operator=(AdaptiveSubdivider&&) noexcept = default;
+
+AdaptiveSubdivision AdaptiveSubdivider::subdivide(const std::vector<FacePolygon>& polygons,
+                                                  const DepthSearch& search,
+                                                  const Eigen::Vector3d& scene_plane,
+                                                  const PatchSampler::Options& sampling,
+                                                  const AdaptiveSubdivisionOptions& options) {
+    mesh_->begin(polygons, search, scene_plane, sampling, options);
+    AdaptiveSubdivision result;
+    result.relaxation = least_relaxation(
+        options.max_triangles,
+        [&](double relaxation, std::size_t most) { return mesh_->subdivide(relaxation, most); });
+    result.triangles = mesh_->triangles();
+    return result;
+}
 
 AdaptiveSubdivision adaptive_subdivision(const std::vector<FacePolygon>& polygons,
                                          const DepthSearch& search,
                                          const Eigen::Vector3d& scene_plane,
                                          const PatchSampler::Options& sampling,
                                          const AdaptiveSubdivisionOptions& options) {
-    std::vector<std::unique_ptr<AdaptivePatch>> patches(polygons.size());
-    AdaptiveSubdivision result;
-    for (; result.relaxation < kMostRelaxation; result.relaxation *= kRelaxationStep) {
-        parallel_for(static_cast<int>(polygons.size()), 0, [&](int i) {
-            auto& patch = patches[static_cast<std::size_t>(i)];
-            if (!patch)
-                patch = std::make_unique<AdaptivePatch>(polygons[static_cast<std::size_t>(i)],
-                                                        search, scene_plane, sampling, options);
-            patch->subdivide(result.relaxation);
-        });
-        std::size_t count = 0;
-        for (const auto& patch : patches) count += patch->triangle_count();
-        if (options.max_triangles == 0 || count <= options.max_triangles) break;
-    }
-    for (const auto& patch : patches) patch->append_to(result.triangles);
-    return result;
+    return AdaptiveSubdivider().subdivide(polygons, search, scene_plane, sampling, options);
 }
 
 }  // namespace lumi

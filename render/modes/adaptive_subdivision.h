@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "render/modes/subdivision.h"
 
 namespace lumi {
@@ -28,6 +30,31 @@ struct AdaptiveSubdivision {
 /// weight. Both sides of an edge come to the same decision, also across faces, as the photograph
 /// that they do not share has no weight there: no cracks, without a pass that removes T-vertices. A
 /// plane is split only for the perspective in it, and cameras that are close together ask for less.
+///
+/// Errors are relaxed until the triangles are few enough: the search begins with few triangles, and
+/// what was seen of the scene for a coarse subdivision serves the finer ones, so that the scene is
+/// hardly looked at for more than is drawn.
+class AdaptiveSubdivider {
+ public:
+    AdaptiveSubdivider();
+    ~AdaptiveSubdivider();
+    AdaptiveSubdivider(AdaptiveSubdivider&&) noexcept;
+    AdaptiveSubdivider& operator=(AdaptiveSubdivider&&) noexcept;
+
+    /// The same for any number of threads, and whatever was subdivided before: nothing but memory
+    /// is kept.
+    [[nodiscard]] AdaptiveSubdivision subdivide(const std::vector<FacePolygon>& polygons,
+                                                const DepthSearch& search,
+                                                const Eigen::Vector3d& scene_plane,
+                                                const PatchSampler::Options& sampling,
+                                                const AdaptiveSubdivisionOptions& options);
+
+ private:
+    class Mesh;
+    std::unique_ptr<Mesh> mesh_;
+};
+
+/// For once.
 [[nodiscard]] AdaptiveSubdivision adaptive_subdivision(
     const std::vector<FacePolygon>& polygons, const DepthSearch& search,
     const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,

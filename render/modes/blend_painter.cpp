@@ -2,6 +2,10 @@
 
 #include <epoxy/gl.h>
 
+#include <string>
+#include <utility>
+
+#include "render/modes/blend_lookups.h"
 #include "render/shaders/shader_sources.h"
 
 namespace lumi {
@@ -13,26 +17,48 @@ const std::vector<VertexAttribute>& blend_vertex_attributes() {
     return attributes;
 }
 
+namespace {
+
+PictureProgram blend_program(int lookups, std::vector<std::string> definitions) {
+    definitions.push_back("LOOKUPS " + std::to_string(lookups));
+    return {"blend", {shader_source("blend")}, std::move(definitions)};
+}
+
+std::array<PictureProgram, 3> blend_programs(const std::vector<std::string>& definitions) {
+    return {blend_program(1, definitions), blend_program(2, definitions),
+            blend_program(3, definitions)};
+}
+
+}  // namespace
+
 BlendPainter::BlendPainter(const UploadedLumigraph& uploaded, float least_confidence)
     : uploaded_(uploaded),
       least_confidence_(least_confidence),
-      program_("blend", {shader_source("blend")}),
-      see_through_("blend", {shader_source("blend")}, {"FADES"}),
+      programs_(blend_programs({})),
+      see_through_(blend_programs({"FADES"})),
       triangles_(blend_vertex_attributes()) {}
 
 void BlendPainter::draw(const BlendTriangles& triangles, const Eye& eye,
                         const RenderOptions& options, Opacity opacity) {
     if (triangles.indices.empty()) return;
-    triangles_.upload(triangles.vertices.data(), triangles.vertices.size() * sizeof(BlendVertex),
-                      triangles.indices);
+    const TrianglesByLookups sorted = sorted_by_lookups(triangles);
+    const std::vector<BlendVertex>& vertices = sorted.triangles.vertices;
+    triangles_.upload(vertices.data(), vertices.size() * sizeof(BlendVertex),
+                      sorted.triangles.indices);
     const bool is_opaque = opacity == Opacity::kOpaque;
-    const Program& program = (is_opaque ? program_ : see_through_).use(uploaded_, eye, options);
-    program.set("layer_size",
-                glm::vec2(uploaded_.photographs.width_px(), uploaded_.photographs.height_px()));
-    program.set("least_confidence", least_confidence_);
-    if (!is_opaque) glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    triangles_.draw(0, triangles.indices.size());
+    if (!is_opaque) glEnable(GL_BLEND);
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < sorted.index_counts.size(); ++i) {
+        if (sorted.index_counts[i] == 0) continue;
+        const Program& program =
+            (is_opaque ? programs_ : see_through_)[i].use(uploaded_, eye, options);
+        program.set("layer_size",
+                    glm::vec2(uploaded_.photographs.width_px(), uploaded_.photographs.height_px()));
+        program.set("least_confidence", least_confidence_);
+        triangles_.draw(first, sorted.index_counts[i]);
+        first += sorted.index_counts[i];
+    }
     glDisable(GL_BLEND);
     if (options.debug_picture == DebugPicture::kGrid) grid_.draw(triangles, eye);
 }

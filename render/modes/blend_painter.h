@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "render/gl/vertex_buffer.h"
 #include "render/modes/blend_triangles.h"
 #include "render/modes/grid_painter.h"
@@ -25,8 +27,9 @@ class BlendPainter {
  private:
     const UploadedLumigraph& uploaded_;
     float least_confidence_;
-    PictureProgram program_;
-    PictureProgram see_through_;
+    /// By the number of photographs that are looked up.
+    std::array<PictureProgram, 3> programs_;
+    std::array<PictureProgram, 3> see_through_;
     VertexBuffer triangles_;
     GridPainter grid_;
 };

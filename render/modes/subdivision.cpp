@@ -63,6 +63,16 @@ PatchSample PatchSampler::at(const Eigen::Vector2d& pixel) const {
     double ratio = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const int view = polygon_.view_indices[k];
+        const auto same = static_cast<std::size_t>(
+            std::find(polygon_.view_indices.begin(), polygon_.view_indices.end(), view) -
+            polygon_.view_indices.begin());
+        if (same < k) {  // Meshes of a line name a view twice.
+            sample.view_pixels[k] = sample.view_pixels[same];
+            sample.depth_ratios[k] = sample.depth_ratios[same];
+            ratio += sample.ray_weights[k] * sample.depth_ratios[k];
+            visible[k] = visible[same];
+            continue;
+        }
         const Eigen::Vector3d in_view = search_.line_in(view, pixel).at(sample.inverse_depth);
         if (in_view.z() <= 0) continue;
         sample.view_pixels[k] = in_view.hnormalized();
@@ -88,6 +98,26 @@ PatchSample PatchSampler::at(const Eigen::Vector2d& pixel) const {
             inside[k] = search_.inside(polygon_.view_indices[k], sample.view_pixels[k]);
     sample.weights = redistributed(sample.ray_weights, inside).value_or(std::array<double, 3>{});
     return sample;
+}
+
+BlendVertex blend_vertex(const PatchSample& sample, const FacePolygon& polygon, VertexDepth depth) {
+    BlendVertex corner;
+    corner.pixel = {static_cast<float>(sample.pixel.x()), static_cast<float>(sample.pixel.y())};
+    corner.depth =
+        static_cast<float>(depth == VertexDepth::kTrue ? sample.depth : sample.affine_depth);
+    for (std::size_t k = 0; k < 3; ++k) {
+        corner.view_pixels[k] = {static_cast<float>(sample.view_pixels[k].x()),
+                                 static_cast<float>(sample.view_pixels[k].y())};
+        corner.weights[k] = static_cast<float>(sample.weights[k]);
+        corner.view_layers[k] = static_cast<float>(polygon.view_indices[k]);
+        corner.depth_ratios[k] = static_cast<float>(sample.depth_ratios[k]);
+    }
+    corner.inverse_depth = static_cast<float>(sample.inverse_depth);
+    corner.confidence = static_cast<float>(sample.confidence);
+    corner.occluded = static_cast<float>(sample.occluded);
+    corner.face_index = static_cast<float>(polygon.face_index);
+    corner.opacity = static_cast<float>(sample.opacity);
+    return corner;
 }
 
 SubdividedPatch::SubdividedPatch(const PatchSampler& sampler) : sampler_(sampler) {
@@ -124,24 +154,7 @@ void SubdividedPatch::append_to(BlendTriangles& drawn,
         for (const std::uint32_t vertex : triangle) {
             if (index_of[vertex] == kNone) {
                 index_of[vertex] = static_cast<std::uint32_t>(drawn.vertices.size());
-                const PatchSample& sample = samples_[vertex];
-                BlendVertex& corner = drawn.vertices.emplace_back();
-                corner.pixel = {static_cast<float>(sample.pixel.x()),
-                                static_cast<float>(sample.pixel.y())};
-                corner.depth = static_cast<float>(
-                    depth == VertexDepth::kTrue ? sample.depth : sample.affine_depth);
-                for (std::size_t k = 0; k < 3; ++k) {
-                    corner.view_pixels[k] = {static_cast<float>(sample.view_pixels[k].x()),
-                                             static_cast<float>(sample.view_pixels[k].y())};
-                    corner.weights[k] = static_cast<float>(sample.weights[k]);
-                    corner.view_layers[k] = static_cast<float>(polygon.view_indices[k]);
-                    corner.depth_ratios[k] = static_cast<float>(sample.depth_ratios[k]);
-                }
-                corner.inverse_depth = static_cast<float>(sample.inverse_depth);
-                corner.confidence = static_cast<float>(sample.confidence);
-                corner.occluded = static_cast<float>(sample.occluded);
-                corner.face_index = static_cast<float>(polygon.face_index);
-                corner.opacity = static_cast<float>(sample.opacity);
+                drawn.vertices.push_back(blend_vertex(samples_[vertex], polygon, depth));
             }
             drawn.indices.push_back(index_of[vertex]);
         }

@@ -37,6 +37,10 @@ enum class VertexDepth {
     kTrue,    ///< Vertices lie at their places in space, for projective textures.
 };
 
+/// The sample as a corner of triangles.
+[[nodiscard]] BlendVertex blend_vertex(const PatchSample& sample, const FacePolygon& polygon,
+                                       VertexDepth depth);
+
 /// Looks at the scene through one face of the camera mesh.
 class PatchSampler {
  public:

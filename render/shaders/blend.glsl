@@ -1,5 +1,6 @@
-// Triangles on which three photographs are blended with weights from the corners: what the modes
-// come to that do their work at vertices. Little more than the least that any blend must do.
+// Triangles on which photographs are blended with weights from the corners: what the modes come to
+// that do their work at vertices. Little more than the least that any blend must do. LOOKUPS is how
+// many photographs are looked up, one to three; the others have no weight.
 
 #ifdef LUMI_VERTEX
 #define LUMI_VARYING out
@@ -44,19 +45,36 @@ out vec4 drawn;
 uniform float least_confidence;  // what is less sure is a guess: drawn, but not counted as covered
 
 void main() {
+    vec3 weights = vec3(on_layer2_and_weights.zw, weight2_and_depth.x);
     vec4 color0 = photograph_at(on_layers01.xy, layers_and_face.x);
+    weights.x *= color0.a;
+#if LOOKUPS >= 2
     vec4 color1 = photograph_at(on_layers01.zw, layers_and_face.y);
+    weights.y *= color1.a;
+#endif
+#if LOOKUPS == 3
     vec4 color2 = photograph_at(on_layer2_and_weights.xy, layers_and_face.z);
-    vec3 weights = vec3(on_layer2_and_weights.zw, weight2_and_depth.x) *
-                   vec3(color0.a, color1.a, color2.a);
+    weights.z *= color2.a;
+#endif
+#if LOOKUPS == 1
+    float sum = weights.x;
+#elif LOOKUPS == 2
+    float sum = weights.x + weights.y;
+#else
     float sum = weights.x + weights.y + weights.z;
-    if (sum < kLeastWeight) discard;
-    weights *= 1.0 / sum;
-    float is_known = step(least_confidence, weight2_and_depth.z);
+#endif
+    // What nobody sees is left black; to discard it would cost every pixel.
+    float is_seen = step(kLeastWeight, sum);
+    weights *= is_seen / max(sum, kLeastWeight);
+    float is_known = is_seen * step(least_confidence, weight2_and_depth.z);
 #ifdef DEBUG_PICTURE
-    drawn = vec4(debug_color(weights, layers_and_face, weight2_and_depth.y, weight2_and_depth.z,
-                             weight2_and_depth.w),
+    drawn = vec4(is_seen * debug_color(weights, layers_and_face, weight2_and_depth.y,
+                                       weight2_and_depth.z, weight2_and_depth.w),
                  is_known);
+#elif LOOKUPS == 1
+    drawn = vec4(is_seen * color0.rgb, is_known);
+#elif LOOKUPS == 2
+    drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb, is_known);
 #else
     drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb + weights.z * color2.rgb,
                  is_known);

@@ -1,10 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 
 #include "render/modes/adaptive_subdivision.h"
+#include "render/modes/blend_lookups.h"
+#include "render/modes/edge_table.h"
 #include "render/modes/paper_subdivision.h"
+#include "render/modes/relaxation_search.h"
 #include "render/modes/scene_plane.h"
 #include "render/reference/triangle_reference.h"
 #include "tests/render/analytic_scene.h"
@@ -135,6 +140,122 @@ TEST_F(Subdivision, APlaneWithoutAnythingBeforeItIsHardlySplit) {
         adaptive_subdivision(polygons_, search, plane_, {}, {.min_edge_px = 1});
     EXPECT_LT(planar.triangles.count(), 120U);
     EXPECT_EQ(planar.relaxation, 1.0);
+}
+
+bool are_equal(const BlendTriangles& a, const BlendTriangles& b) {
+    const auto same_place = [](const BlendVertex& p, const BlendVertex& q) {
+        return p.pixel == q.pixel && p.view_pixels == q.view_pixels && p.weights == q.weights;
+    };
+    return a.indices == b.indices && std::equal(a.vertices.begin(), a.vertices.end(),
+                                                b.vertices.begin(), b.vertices.end(), same_place);
+}
+
+TEST_F(Subdivision, WhatWasSubdividedBeforeChangesNothing) {
+    AdaptiveSubdivider subdivider;
+    const Eye elsewhere = eye_at({0.4, 0.2, 0.1}, {0, 0, 4}, kEye.camera);
+    const DepthSearch search_elsewhere(lumigraph_, geometries_, elsewhere, 1.0);
+    for (const std::size_t most : {0U, 300U, 5000U}) {
+        static_cast<void>(subdivider.subdivide(face_polygons(lumigraph_.mesh, elsewhere),
+                                               search_elsewhere, plane_, {},
+                                               {.max_error_px = 0.2, .max_triangles = 700}));
+        const AdaptiveSubdivisionOptions options{.max_error_px = 0.1, .max_triangles = most};
+        EXPECT_TRUE(
+            are_equal(subdivider.subdivide(polygons_, search_, plane_, {}, options).triangles,
+                      adaptive(options)))
+            << most;
+    }
+}
+
+TEST_F(Subdivision, TheAdaptiveUsesMostOfTheTrianglesThatItMay) {
+    for (const std::size_t most : {400U, 800U, 1600U})
+        EXPECT_GE(
+            10 * adaptive({.max_error_px = 0.02, .min_edge_px = 1, .max_triangles = most}).count(),
+            7 * most);
+}
+
+TEST_F(Subdivision, PhotographsThatDoNotCountNeedNotBeLookedUp) {
+    const BlendTriangles triangles = adaptive({});
+    const TrianglesByLookups sorted = sorted_by_lookups(triangles);
+    EXPECT_EQ(sorted.triangles.count(), triangles.count());
+    EXPECT_GT(sorted.index_counts[0], 0U);  // Behind the card's rim one camera alone sees the wall.
+    EXPECT_GT(sorted.index_counts[2], 0U);
+    std::size_t end = 0;
+    for (std::size_t lookups = 1; lookups <= 3; ++lookups) {
+        const std::size_t begin = end;
+        end += sorted.index_counts[lookups - 1];
+        for (std::size_t i = begin; i < end; ++i) {
+            const BlendVertex& vertex = sorted.triangles.vertices[sorted.triangles.indices[i]];
+            for (std::size_t k = lookups; k < 3; ++k) EXPECT_EQ(vertex.weights[k], 0.0F);
+        }
+    }
+    const Frame drawn =
+        draw_reference(sorted.triangles, lumigraph_, kEye.camera, PlaceInterpolation::kLinear);
+    const Frame plain =
+        draw_reference(triangles, lumigraph_, kEye.camera, PlaceInterpolation::kLinear);
+    EXPECT_LT(difference_between(drawn.color, plain.color).mean, 0.01);
+    EXPECT_TRUE(drawn.coverage.pixels() == plain.coverage.pixels());
+}
+
+TEST(BlendLookups, ACameraThatIsNamedTwiceIsLookedUpOnce) {
+    BlendTriangles triangles;
+    for (int i = 0; i < 3; ++i) {
+        BlendVertex& vertex = triangles.vertices.emplace_back();
+        const auto x = static_cast<float>(i);
+        vertex.view_pixels = {{{x, 1.0F}, {x, 1.0F}, {x, 2.0F}}};
+        vertex.view_layers = {4.0F, 4.0F, 7.0F};
+        vertex.weights = {0.5F, 0.2F, 0.3F};
+        triangles.indices.push_back(static_cast<std::uint32_t>(i));
+    }
+    const TrianglesByLookups sorted = sorted_by_lookups(triangles);
+    EXPECT_EQ(sorted.index_counts, (std::array<std::size_t, 3>{0, 3, 0}));
+    for (const BlendVertex& vertex : sorted.triangles.vertices) {
+        EXPECT_FLOAT_EQ(vertex.weights[0], 0.7F);
+        EXPECT_FLOAT_EQ(vertex.weights[1], 0.3F);
+        EXPECT_EQ(vertex.view_layers[0], 4.0F);
+        EXPECT_EQ(vertex.view_layers[1], 7.0F);
+    }
+}
+
+TEST(RelaxationSearch, EndsWithNearlyAllTrianglesThatMayBe) {
+    for (const double power : {0.3, 1.0, 3.0}) {
+        for (const double at_one : {10.0, 4000.0, 1e5, 1e7}) {
+            double last_kept = 0;
+            int rounds = 0;
+            const auto count = [&](double relaxation) {
+                return static_cast<std::size_t>(at_one * std::pow(relaxation, -power));
+            };
+            const double found = least_relaxation(
+                5000, [&](double relaxation, std::size_t most) -> std::optional<std::size_t> {
+                    ++rounds;
+                    if (count(relaxation) > most) return std::nullopt;
+                    last_kept = relaxation;
+                    return count(relaxation);
+                });
+            EXPECT_EQ(found, last_kept);
+            EXPECT_LE(rounds, 10);
+            const bool can_be_kept = count(1024) <= 5000;
+            EXPECT_EQ(count(found) <= 5000, can_be_kept);
+            if (can_be_kept && found > 1) {
+                EXPECT_TRUE(count(found) >= 4250 || count(found / std::exp2(0.25)) > 5000);
+            }
+        }
+    }
+}
+
+TEST(EdgeTable, NumbersEdgesInOrderWhicheverEndComesFirst) {
+    EdgeTable table;
+    for (int round = 0; round < 2; ++round) {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> expected;
+        for (std::uint32_t i = 0; i < 40000; ++i) {
+            const std::uint32_t a = i * 7919U % 1000U;
+            const std::uint32_t b = i * 104729U % 4999U;
+            const auto [known, is_new] = expected.try_emplace(
+                std::minmax(a, b), static_cast<std::uint32_t>(expected.size()));
+            ASSERT_EQ(i % 2 == 0 ? table.number_of(a, b) : table.number_of(b, a), known->second);
+        }
+        EXPECT_EQ(table.count(), expected.size());
+        table.clear();
+    }
 }
 
 }  // namespace
