@@ -40,6 +40,16 @@ double edge_error_px(const PatchSample& a, const PatchSample& b, const PatchSamp
     return std::max(error_px, 2 * weight_error_px * weight_error);
 }
 
+/// How far errors may be relaxed until an edge is whole whose error and length are so many times
+/// those that are allowed. Relaxed errors leave edges longer, by the root; where errors are large
+/// they are shorter, so that not all edges of one length are given up at once.
+double greatest_relaxation(double error, double length) {
+    constexpr double kLargeError = 64.0;
+    constexpr double kLeastShare = 0.25;
+    const double share = std::clamp(std::cbrt(error / kLargeError), kLeastShare, 1.0);
+    return std::min(error, 1 + (length * length - 1) * share);
+}
+
 /// The edges of a triangle, each after the corner that it starts from.
 using TriangleEdges = std::array<std::uint32_t, 3>;
 
@@ -116,8 +126,7 @@ class AdaptiveSubdivider::Mesh {
         std::uint32_t to;
         double length_px;
         std::uint32_t middle = kNone;  ///< A vertex, when it was looked up.
-        /// The error over the greatest allowed: it is split for lesser relaxations.
-        double excess = 0.0;
+        double split_below = 0.0;      ///< It is split where errors are relaxed less.
     };
 
     [[nodiscard]] std::uint32_t edge_between(std::uint32_t a, std::uint32_t b) {
@@ -161,13 +170,15 @@ class AdaptiveSubdivider::Mesh {
         const PatchSample& b = samples_[edge.to];
         PatchSample& middle = samples_[edge.middle];
         middle = samplers_[polygon_of_[edge.middle]].at(0.5 * (a.pixel + b.pixel));
-        edge.excess = edge_error_px(a, b, middle, options_.weight_error_px) / options_.max_error_px;
+        edge.split_below = greatest_relaxation(
+            edge_error_px(a, b, middle, options_.weight_error_px) / options_.max_error_px,
+            edge.length_px / options_.min_edge_px);
     }
 
     [[nodiscard]] bool is_split(std::uint32_t number, double relaxation) const {
         const Edge& edge = edges_[number];
         if (edge.length_px > options_.max_edge_px) return true;
-        return edge.length_px > least_edge_px_ && edge.excess > relaxation;
+        return edge.length_px > least_edge_px_ && edge.split_below > relaxation;
     }
 
     /// By its smallest altitude: area over longest side.
