@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "render/modes/depth_view_choice.h"
 #include "render/modes/scene_plane.h"
@@ -35,18 +36,20 @@ BlendTriangles without_unseen(BlendTriangles triangles) {
 
 std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
                                             const std::vector<ViewGeometry>& geometries,
-                                            const Eye& eye, const RenderOptions& options) {
+                                            const Eye& eye, const RenderOptions& options,
+                                            AdaptiveSubdivider& subdivider) {
     const DepthSearch search(layout, geometries, eye, options.occlusion_tolerance_px);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(layout, eye);
     PatchSampler::Options sampling{.correct_occlusion = options.correct_occlusion,
                                    .fade_beyond_border = options.fade_beyond_capture,
                                    .before_shell = {}};
     const auto subdivided = [&](const CameraMesh& mesh, double overlap_px) {
-        return adaptive_subdivision(face_polygons(mesh, eye, overlap_px), search, plane, sampling,
-                                    {.max_error_px = options.triangle_error_px,
-                                     .min_edge_px = options.min_triangle_px,
-                                     .max_edge_px = options.max_triangle_px,
-                                     .max_triangles = options.max_triangles})
+        return subdivider
+            .subdivide(face_polygons(mesh, eye, overlap_px), search, plane, sampling,
+                       {.max_error_px = options.triangle_error_px,
+                        .min_edge_px = options.min_triangle_px,
+                        .max_edge_px = options.max_triangle_px,
+                        .max_triangles = options.max_triangles})
             .triangles;
     };
     std::vector<BlendTriangles> layers{subdivided(layout.mesh, kOverlap_px)};
@@ -57,14 +60,41 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
     return layers;
 }
 
+std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
+                                            const std::vector<ViewGeometry>& geometries,
+                                            const Eye& eye, const RenderOptions& options) {
+    AdaptiveSubdivider subdivider;
+    return adaptive_layers(layout, geometries, eye, options, subdivider);
+}
+
 Adaptive::Adaptive(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded), blend_(uploaded, kLeastConfidence) {}
 
+bool Adaptive::is_made_for(const Eye& eye, const RenderOptions& options) const {
+    if (!made_for_) return false;
+    const Rigid3& pose = eye.cam_from_world;
+    const Rigid3& made_pose = made_for_->eye.cam_from_world;
+    const auto wishes = [](const RenderOptions& of) {
+        return std::tuple(of.correct_occlusion, of.occlusion_tolerance_px, of.fade_beyond_capture,
+                          of.triangle_error_px, of.min_triangle_px, of.max_triangle_px,
+                          of.max_triangles);
+    };
+    return eye.camera == made_for_->eye.camera &&
+           pose.rotation.coeffs() == made_pose.rotation.coeffs() &&
+           pose.translation == made_pose.translation &&
+           wishes(options) == wishes(made_for_->options);
+}
+
 DrawStatistics Adaptive::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
+    if (!is_made_for(eye, options)) {
+        made_for_.reset();
+        layers_ =
+            adaptive_layers(uploaded_.layout, uploaded_.geometries, eye, options, subdivider_);
+        made_for_ = Request{eye, options};
+    }
     DrawStatistics statistics;
     bool is_base = true;
-    for (const BlendTriangles& layer :
-         adaptive_layers(uploaded_.layout, uploaded_.geometries, eye, options)) {
+    for (const BlendTriangles& layer : layers_) {
         const bool is_opaque = is_base && !options.fade_beyond_capture;
         blend_.draw(layer, eye, options, is_opaque ? Opacity::kOpaque : Opacity::kOfVertices);
         statistics.triangles += layer.count();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "render/modes/adaptive_subdivision.h"
@@ -9,13 +10,19 @@
 namespace lumi {
 
 /// The triangles of the mode `adaptive` for one eye: those of the camera mesh, then those of each
-/// of its shells, which are laid over with their opacity. `geometries` are the layout's.
+/// of its shells, which are laid over with their opacity. `geometries` are the layout's. Of what
+/// `subdivider` did before nothing but memory is used.
+[[nodiscard]] std::vector<BlendTriangles> adaptive_layers(
+    const Lumigraph& layout, const std::vector<ViewGeometry>& geometries, const Eye& eye,
+    const RenderOptions& options, AdaptiveSubdivider& subdivider);
+/// For once.
 [[nodiscard]] std::vector<BlendTriangles> adaptive_layers(
     const Lumigraph& layout, const std::vector<ViewGeometry>& geometries, const Eye& eye,
     const RenderOptions& options);
 
 /// Adaptive depth correction by the error in pixels (adaptive_subdivision.h), with occlusion
-/// correction at the vertices, in one pass.
+/// correction at the vertices, in one pass. While the eye stands still the triangles stay; when it
+/// moves they are made anew, so that no frame depends on how the eye came there.
 class Adaptive : public DrawingMode {
  public:
     explicit Adaptive(const UploadedLumigraph& uploaded);
@@ -23,8 +30,18 @@ class Adaptive : public DrawingMode {
                         const Viewport& viewport) override;
 
  private:
+    /// What layers of triangles were made for.
+    struct Request {
+        Eye eye;
+        RenderOptions options;
+    };
+    [[nodiscard]] bool is_made_for(const Eye& eye, const RenderOptions& options) const;
+
     const UploadedLumigraph& uploaded_;
     BlendPainter blend_;
+    AdaptiveSubdivider subdivider_;
+    std::optional<Request> made_for_;
+    std::vector<BlendTriangles> layers_;
 };
 
 }  // namespace lumi

@@ -6,13 +6,12 @@
 #include <optional>
 
 #include "calib/work/parallel_for.h"
+#include "render/modes/edge_error.h"
 #include "render/modes/edge_table.h"
 #include "render/modes/relaxation_search.h"
 
 namespace lumi {
 namespace {
-
-using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t kNone = 0xffffffffU;
 /// Triangles with an altitude below this share of the shortest edge are whole: their long edge may
@@ -22,36 +21,13 @@ constexpr double kThinnest = 0.25;
 /// Vertices that one thread looks up at a time; it takes so long that starting it does not count.
 constexpr std::size_t kVerticesAtATime = 128;
 
-/// The interpolation error at the middle of an edge.
-double edge_error_px(const PatchSample& a, const PatchSample& b, const PatchSample& middle,
-                     double weight_error_px) {
-    // At the middle of the picture of an edge, its ends count by one over their depths.
-    const double share_a = b.affine_depth / (a.affine_depth + b.affine_depth);
-    const double share_b = 1 - share_a;
-    double error_px = 0;
-    double weight_error = std::abs(middle.opacity - (share_a * a.opacity + share_b * b.opacity));
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Eigen::Vector2d between = share_a * a.view_pixels[k] + share_b * b.view_pixels[k];
-        error_px += middle.weights[k] * (middle.view_pixels[k] - between).norm();
-        weight_error = std::max(
-            weight_error,
-            std::abs(middle.weights[k] - (share_a * a.weights[k] + share_b * b.weights[k])));
-    }
-    return std::max(error_px, 2 * weight_error_px * weight_error);
-}
-
-/// How far errors may be relaxed until an edge is whole whose error and length are so many times
-/// those that are allowed. Relaxed errors leave edges longer, by the root; where errors are large
-/// they are shorter, so that not all edges of one length are given up at once.
-double greatest_relaxation(double error, double length) {
-    constexpr double kLargeError = 64.0;
-    constexpr double kLeastShare = 0.25;
-    const double share = std::clamp(std::cbrt(error / kLargeError), kLeastShare, 1.0);
-    return std::min(error, 1 + (length * length - 1) * share);
-}
-
-/// The edges of a triangle, each after the corner that it starts from.
-using TriangleEdges = std::array<std::uint32_t, 3>;
+/// Corners, and the edges that start from them.
+struct Triangle {
+    std::array<std::uint32_t, 3> corners{};
+    std::array<std::uint32_t, 3> edges{};
+    /// All that it lies in are split in four, and so they are for lesser relaxations.
+    bool is_settled = false;
+};
 
 }  // namespace
 
@@ -65,38 +41,39 @@ class AdaptiveSubdivider::Mesh {
         options_ = options;
         samplers_.clear();
         polygon_of_.clear();
-        samples_.clear();
+        pixels_.clear();
+        vertices_.clear();
         edge_numbers_.clear();
+        inner_edges_.clear();
         edges_.clear();
-        roots_.clear();
+        settled_.clear();
         whole_.clear();
-        for (std::size_t i = 0; i < polygons.size(); ++i) {
-            samplers_.emplace_back(polygons[i], search, scene_plane, sampling);
-            const auto first = static_cast<std::uint32_t>(samples_.size());
-            for (const Eigen::Vector2d& corner : polygons[i].corners_px) {
-                samples_.push_back(samplers_.back().at(corner));
-                polygon_of_.push_back(static_cast<std::uint32_t>(i));
-            }
-            for (std::uint32_t k = first + 1; k + 1 < samples_.size(); ++k)
-                roots_.push_back({first, k, k + 1});
+        for (const FacePolygon& polygon : polygons) {
+            samplers_.emplace_back(polygon, search, scene_plane, sampling);
+            const auto first = static_cast<std::uint32_t>(pixels_.size());
+            for (const Eigen::Vector2d& corner : polygon.corners_px) add_vertex(corner);
+            for (std::uint32_t k = first + 1; k + 1 < pixels_.size(); ++k)
+                settled_.push_back(triangle_of(first, k, k + 1, true));
         }
     }
 
     /// The number of triangles with errors relaxed so much; nothing, and what was found before
-    /// stays, where they are more than `most`.
+    /// stays, where they are more than `most`. To be called for lesser and lesser relaxations once
+    /// it gave a number.
     [[nodiscard]] std::optional<std::size_t> subdivide(double relaxation, std::size_t most) {
         least_edge_px_ = options_.min_edge_px * std::sqrt(relaxation);
         leaves_.clear();
-        level_ = roots_;
+        now_settled_.clear();
+        level_ = settled_;
         while (!level_.empty()) {
             look_up_edges();
             next_level_.clear();
-            for (std::size_t i = 0; i < level_.size(); ++i)
-                split(level_[i], edges_of_level_[i], relaxation);
+            for (const Triangle& triangle : level_) split(triangle, relaxation);
             level_.swap(next_level_);
             if (leaves_.size() + level_.size() > most) return std::nullopt;
         }
         whole_.swap(leaves_);
+        settled_.swap(now_settled_);
         return whole_.size();
     }
 
@@ -105,16 +82,14 @@ class AdaptiveSubdivider::Mesh {
         BlendTriangles drawn;
         drawn.indices.reserve(3 * whole_.size());
         drawn.vertices.reserve(whole_.size());
-        std::vector<std::uint32_t> index_of(samples_.size(), kNone);
+        std::vector<std::uint32_t> index_of(vertices_.size(), kNone);
         for (const Triangle& triangle : whole_) {
-            for (const std::uint32_t vertex : triangle) {
-                if (index_of[vertex] == kNone) {
-                    index_of[vertex] = static_cast<std::uint32_t>(drawn.vertices.size());
-                    drawn.vertices.push_back(blend_vertex(samples_[vertex],
-                                                          samplers_[polygon_of_[vertex]].polygon(),
-                                                          VertexDepth::kAffine));
+            for (const std::uint32_t corner : triangle.corners) {
+                if (index_of[corner] == kNone) {
+                    index_of[corner] = static_cast<std::uint32_t>(drawn.vertices.size());
+                    drawn.vertices.push_back(vertices_[corner]);
                 }
-                drawn.indices.push_back(index_of[vertex]);
+                drawn.indices.push_back(index_of[corner]);
             }
         }
         return drawn;
@@ -125,29 +100,53 @@ class AdaptiveSubdivider::Mesh {
         std::uint32_t from;
         std::uint32_t to;
         double length_px;
-        std::uint32_t middle = kNone;  ///< A vertex, when it was looked up.
         double split_below = 0.0;      ///< It is split where errors are relaxed less.
+        std::uint32_t middle = kNone;  ///< A vertex, when it was looked up.
+        std::array<std::uint32_t, 2> halves{kNone, kNone};  ///< Edges, when they were asked for.
     };
 
-    [[nodiscard]] std::uint32_t edge_between(std::uint32_t a, std::uint32_t b) {
+    void add_vertex(const Eigen::Vector2d& pixel) {
+        const FacePolygon& polygon = samplers_.back().polygon();
+        polygon_of_.push_back(static_cast<std::uint32_t>(samplers_.size() - 1));
+        pixels_.push_back(pixel);
+        vertices_.push_back(
+            blend_vertex(samplers_.back().at(pixel), polygon, VertexDepth::kAffine));
+    }
+
+    [[nodiscard]] std::uint32_t new_edge(std::uint32_t a, std::uint32_t b) {
+        edges_.push_back({a, b, (pixels_[a] - pixels_[b]).norm()});
+        return static_cast<std::uint32_t>(edges_.size() - 1);
+    }
+
+    /// An edge within a triangle, or within a polygon.
+    [[nodiscard]] std::uint32_t inner_edge(std::uint32_t a, std::uint32_t b) {
         const std::uint32_t number = edge_numbers_.number_of(a, b);
-        if (number == edges_.size())
-            edges_.push_back({a, b, (samples_[a].pixel - samples_[b].pixel).norm()});
-        return number;
+        if (number == inner_edges_.size()) inner_edges_.push_back(new_edge(a, b));
+        return inner_edges_[number];
+    }
+
+    /// The half of a split edge that ends at a corner.
+    [[nodiscard]] std::uint32_t half_at(std::uint32_t number, std::uint32_t corner) {
+        const std::size_t side = edges_[number].from == corner ? 0 : 1;
+        if (edges_[number].halves[side] == kNone) {
+            const std::uint32_t half = new_edge(corner, edges_[number].middle);
+            edges_[number].halves[side] = half;
+        }
+        return edges_[number].halves[side];
+    }
+
+    [[nodiscard]] Triangle triangle_of(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                                       bool is_settled) {
+        return {{a, b, c}, {inner_edge(a, b), inner_edge(b, c), inner_edge(c, a)}, is_settled};
     }
 
     /// Looks up the middles of the level's edges that might be split.
     void look_up_edges() {
-        edges_of_level_.clear();
         wanted_.clear();
-        for (const Triangle& triangle : level_) {
-            TriangleEdges& edges = edges_of_level_.emplace_back();
-            for (std::size_t i = 0; i < 3; ++i)
-                edges[i] = edge_between(triangle[i], triangle[(i + 1) % 3]);
-            if (is_thin(triangle, edges)) continue;
-            for (const std::uint32_t number : edges) want_middle(number);
-        }
-        samples_.resize(polygon_of_.size());
+        for (const Triangle& triangle : level_)
+            if (!is_thin(triangle))
+                for (const std::uint32_t edge : triangle.edges) want_middle(edge);
+        vertices_.resize(pixels_.size());
         const std::size_t blocks = (wanted_.size() + kVerticesAtATime - 1) / kVerticesAtATime;
         parallel_for(static_cast<int>(blocks), 0, [&](int block) {
             const std::size_t first = static_cast<std::size_t>(block) * kVerticesAtATime;
@@ -160,19 +159,22 @@ class AdaptiveSubdivider::Mesh {
         Edge& edge = edges_[number];
         const bool is_short = edge.length_px <= std::min(least_edge_px_, options_.max_edge_px);
         if (edge.middle != kNone || is_short) return;
-        edge.middle = static_cast<std::uint32_t>(polygon_of_.size());
+        edge.middle = static_cast<std::uint32_t>(pixels_.size());
+        pixels_.emplace_back(0.5 * (pixels_[edge.from] + pixels_[edge.to]));
         polygon_of_.push_back(polygon_of_[edge.from]);
         wanted_.push_back(number);
     }
 
     void look_up(Edge& edge) {
-        const PatchSample& a = samples_[edge.from];
-        const PatchSample& b = samples_[edge.to];
-        PatchSample& middle = samples_[edge.middle];
-        middle = samplers_[polygon_of_[edge.middle]].at(0.5 * (a.pixel + b.pixel));
-        edge.split_below = greatest_relaxation(
-            edge_error_px(a, b, middle, options_.weight_error_px) / options_.max_error_px,
-            edge.length_px / options_.min_edge_px);
+        const PatchSampler& sampler = samplers_[polygon_of_[edge.middle]];
+        BlendVertex& middle = vertices_[edge.middle];
+        middle =
+            blend_vertex(sampler.at(pixels_[edge.middle]), sampler.polygon(), VertexDepth::kAffine);
+        edge.split_below =
+            greatest_relaxation(edge_error_px(vertices_[edge.from], vertices_[edge.to], middle,
+                                              options_.weight_error_px) /
+                                    options_.max_error_px,
+                                edge.length_px / options_.min_edge_px);
     }
 
     [[nodiscard]] bool is_split(std::uint32_t number, double relaxation) const {
@@ -182,65 +184,85 @@ class AdaptiveSubdivider::Mesh {
     }
 
     /// By its smallest altitude: area over longest side.
-    [[nodiscard]] bool is_thin(const Triangle& triangle, const TriangleEdges& edges) const {
-        const Eigen::Vector2d ab = samples_[triangle[1]].pixel - samples_[triangle[0]].pixel;
-        const Eigen::Vector2d ac = samples_[triangle[2]].pixel - samples_[triangle[0]].pixel;
-        const double longest = std::max(
-            {edges_[edges[0]].length_px, edges_[edges[1]].length_px, edges_[edges[2]].length_px});
+    [[nodiscard]] bool is_thin(const Triangle& triangle) const {
+        const auto [a, b, c] = triangle.corners;
+        const Eigen::Vector2d ab = pixels_[b] - pixels_[a];
+        const Eigen::Vector2d ac = pixels_[c] - pixels_[a];
+        double longest = 0;
+        for (const std::uint32_t edge : triangle.edges)
+            longest = std::max(longest, edges_[edge].length_px);
         return std::abs(ab.x() * ac.y() - ab.y() * ac.x()) <
                kThinnest * options_.min_edge_px * longest;
     }
 
-    void split(const Triangle& triangle, const TriangleEdges& edges, double relaxation) {
+    void split(const Triangle& triangle, double relaxation) {
         std::array<bool, 3> splits{};
-        if (!is_thin(triangle, edges))
-            for (std::size_t i = 0; i < 3; ++i) splits[i] = is_split(edges[i], relaxation);
-        const int count = static_cast<int>(std::count(splits.begin(), splits.end(), true));
-        if (count == 0) {
-            leaves_.push_back(triangle);
-            return;
-        }
-        // So that the first edge is the only one that is split, or the only one that is not.
-        const bool odd = count == 1;
-        const auto first =
-            static_cast<std::size_t>(std::find(splits.begin(), splits.end(), odd) - splits.begin());
-        const std::size_t turn = count == 3 ? 0 : first;
-        const std::array<std::uint32_t, 3> corners{triangle[turn], triangle[(turn + 1) % 3],
-                                                   triangle[(turn + 2) % 3]};
-        const std::array<std::uint32_t, 3> middles{edges_[edges[turn]].middle,
-                                                   edges_[edges[(turn + 1) % 3]].middle,
-                                                   edges_[edges[(turn + 2) % 3]].middle};
-        if (count == 1) return split_in_two(corners, middles);
-        if (count == 2) return split_in_three(corners, middles);
-        split_in_four(corners, middles);
+        if (!is_thin(triangle))
+            for (std::size_t i = 0; i < 3; ++i) splits[i] = is_split(triangle.edges[i], relaxation);
+        const auto count = std::count(splits.begin(), splits.end(), true);
+        if (count < 3 && triangle.is_settled) now_settled_.push_back(triangle);
+        if (count == 0) leaves_.push_back(triangle);
+        if (count == 1) split_in_two(turned_to(true, splits, triangle));
+        if (count == 2) split_in_three(turned_to(false, splits, triangle));
+        if (count == 3) split_in_four(triangle);
     }
 
-    void split_in_four(const Triangle& corners, const Triangle& middles) {
-        const auto [a, b, c] = corners;
-        const auto [ab, bc, ca] = middles;
-        next_level_.insert(next_level_.end(),
-                           {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    /// So that the first edge is the one that is split, or is not.
+    static Triangle turned_to(bool is_split, const std::array<bool, 3>& splits,
+                              const Triangle& triangle) {
+        Triangle turned = triangle;
+        const auto first = std::find(splits.begin(), splits.end(), is_split) - splits.begin();
+        std::rotate(turned.corners.begin(), turned.corners.begin() + first, turned.corners.end());
+        std::rotate(turned.edges.begin(), turned.edges.begin() + first, turned.edges.end());
+        return turned;
+    }
+
+    void split_in_four(const Triangle& triangle) {
+        const auto [a, b, c] = triangle.corners;
+        const auto [edge_ab, edge_bc, edge_ca] = triangle.edges;
+        const std::uint32_t ab = edges_[edge_ab].middle;
+        const std::uint32_t bc = edges_[edge_bc].middle;
+        const std::uint32_t ca = edges_[edge_ca].middle;
+        const Triangle inner = triangle_of(ab, bc, ca, triangle.is_settled);
+        const bool settled = triangle.is_settled;
+        const auto [beside_b, beside_c, beside_a] = inner.edges;
+        next_level_.push_back(
+            {{a, ab, ca}, {half_at(edge_ab, a), beside_a, half_at(edge_ca, a)}, settled});
+        next_level_.push_back(
+            {{ab, b, bc}, {half_at(edge_ab, b), half_at(edge_bc, b), beside_b}, settled});
+        next_level_.push_back(
+            {{ca, bc, c}, {beside_c, half_at(edge_bc, c), half_at(edge_ca, c)}, settled});
+        next_level_.push_back(inner);
     }
 
     /// The first edge is split.
-    void split_in_two(const Triangle& corners, const Triangle& middles) {
-        const auto [a, b, c] = corners;
-        next_level_.insert(next_level_.end(), {{a, middles[0], c}, {middles[0], b, c}});
+    void split_in_two(const Triangle& triangle) {
+        const auto [a, b, c] = triangle.corners;
+        const auto [edge_ab, edge_bc, edge_ca] = triangle.edges;
+        const std::uint32_t ab = edges_[edge_ab].middle;
+        const std::uint32_t across = inner_edge(ab, c);
+        next_level_.push_back({{a, ab, c}, {half_at(edge_ab, a), across, edge_ca}});
+        next_level_.push_back({{ab, b, c}, {half_at(edge_ab, b), edge_bc, across}});
     }
 
     /// The first edge is kept. The quadrilateral that is left is cut along its shorter diagonal.
-    void split_in_three(const Triangle& corners, const Triangle& middles) {
-        const auto [a, b, c] = corners;
-        const std::uint32_t bc = middles[1];
-        const std::uint32_t ca = middles[2];
-        next_level_.push_back({ca, bc, c});
-        const auto squared_length = [&](std::uint32_t from, std::uint32_t to) {
-            return (samples_[from].pixel - samples_[to].pixel).squaredNorm();
-        };
-        if (squared_length(a, bc) < squared_length(b, ca)) {
-            next_level_.insert(next_level_.end(), {{a, b, bc}, {a, bc, ca}});
+    void split_in_three(const Triangle& triangle) {
+        const auto [a, b, c] = triangle.corners;
+        const auto [edge_ab, edge_bc, edge_ca] = triangle.edges;
+        const std::uint32_t bc = edges_[edge_bc].middle;
+        const std::uint32_t ca = edges_[edge_ca].middle;
+        const std::uint32_t opposite = inner_edge(ca, bc);
+        const std::uint32_t at_a = half_at(edge_ca, a);
+        const std::uint32_t at_b = half_at(edge_bc, b);
+        next_level_.push_back({{ca, bc, c}, {opposite, half_at(edge_bc, c), half_at(edge_ca, c)}});
+        if ((pixels_[a] - pixels_[bc]).squaredNorm() < (pixels_[b] - pixels_[ca]).squaredNorm()) {
+            const std::uint32_t diagonal = inner_edge(a, bc);
+            next_level_.push_back({{a, b, bc}, {edge_ab, at_b, diagonal}});
+            next_level_.push_back({{a, bc, ca}, {diagonal, opposite, at_a}});
         } else {
-            next_level_.insert(next_level_.end(), {{a, b, ca}, {b, bc, ca}});
+            const std::uint32_t diagonal = inner_edge(b, ca);
+            next_level_.push_back({{a, b, ca}, {edge_ab, diagonal, at_a}});
+            next_level_.push_back({{b, bc, ca}, {at_b, opposite, diagonal}});
         }
     }
 
@@ -248,13 +270,16 @@ class AdaptiveSubdivider::Mesh {
     double least_edge_px_ = 0.0;             ///< Shorter ones are not split.
     std::vector<PatchSampler> samplers_;     ///< One a polygon.
     std::vector<std::uint32_t> polygon_of_;  ///< Of each vertex.
-    std::vector<PatchSample> samples_;       ///< The vertices.
-    EdgeTable edge_numbers_;
+    std::vector<Eigen::Vector2d> pixels_;    ///< The same.
+    std::vector<BlendVertex> vertices_;
+    EdgeTable edge_numbers_;  ///< Of the edges within triangles.
+    std::vector<std::uint32_t> inner_edges_;
     std::vector<Edge> edges_;
     std::vector<std::uint32_t> wanted_;  ///< Edges whose middles are to be looked up.
-    std::vector<Triangle> roots_;
+    /// Where the next subdivision begins: of what is not split in four the largest triangles.
+    std::vector<Triangle> settled_;
+    std::vector<Triangle> now_settled_;
     std::vector<Triangle> level_;
-    std::vector<TriangleEdges> edges_of_level_;
     std::vector<Triangle> next_level_;
     std::vector<Triangle> leaves_;
     std::vector<Triangle> whole_;

@@ -61,7 +61,7 @@ class TileWalk {
     };
     [[nodiscard]] Place at(double q) const {
         const double z = start_z_ + q * step_z_;
-        const Eigen::Vector2d at = (start_ + q * step_) / z;
+        const Eigen::Vector2d at = (start_ + q * step_) * (1 / z);
         return {z, at, static_cast<int>(clamped(at.x(), last_column_)),
                 static_cast<int>(clamped(at.y(), last_row_))};
     }
@@ -89,10 +89,23 @@ class TileWalk {
     int last_row_;
 };
 
+/// A point on an epipolar line, in pixels of the view.
+struct LinePoint {
+    double z;  ///< Depth in the view over depth in the eye.
+    double inverse_z;
+    Eigen::Vector2d pixel;
+};
+
+LinePoint point_at(const EpipolarLine& line, double q) {
+    const Eigen::Vector3d at = line.at(q);
+    const double inverse_z = 1 / at.z();
+    return {at.z(), inverse_z, at.head<2>() * inverse_z};
+}
+
 /// Pixels that a point moves in the view for each unit of the eye's inverse depth.
-double speed_px(const EpipolarLine& line, const Eigen::Vector3d& at) {
+double speed_px(const EpipolarLine& line, const LinePoint& at) {
     const Eigen::Vector3d& step = line.per_inverse_depth;
-    return (step.head<2>() - at.head<2>() / at.z() * step.z()).norm() / at.z();
+    return (step.head<2>() - at.pixel * step.z()).norm() * std::abs(at.inverse_z);
 }
 
 }  // namespace
@@ -267,15 +280,15 @@ std::optional<RayHit> DepthSearch::first_hit_in(int view_index,
         } else {
             q = past_hiding_tiles(view_index, line, q, stretch.far_end);
         }
-        const Eigen::Vector3d at = line.at(q);
-        const double ahead = q / at.z() - sample_at(view_index, at.hnormalized());
-        const double speed = speed_px(line, at);
+        const LinePoint at = point_at(line, q);
+        const double ahead = q * at.inverse_z - sample_at(view_index, at.pixel);
+        const double px_step = 1 / std::max(speed_px(line, at), 1e-12);
         if (ahead > 0) {
             is_before = true;
             last_before = q;
         } else {
             if (is_before) {
-                const double margin = kShortestStep_px / std::max(speed, 1e-12);
+                const double margin = kShortestStep_px * px_step;
                 const auto hit = refined(view_index, line,
                                          {std::min(stretch.near_end, last_before + margin),
                                           std::max(stretch.far_end, q - margin)});
@@ -284,10 +297,10 @@ std::optional<RayHit> DepthSearch::first_hit_in(int view_index,
             is_before = false;
         }
         if (q <= stretch.far_end) return std::nullopt;
-        const double free_px = 0.5 * std::abs(ahead) * at.z() * speed;
+        const double free_px = 0.5 * ahead * at.z / px_step;
         const double step_px =
             ahead > 0 ? std::clamp(free_px, kShortestStep_px, kLongestStep_px) : kShortestStep_px;
-        q = std::max(stretch.far_end, q - step_px / std::max(speed, 1e-12));
+        q = std::max(stretch.far_end, q - step_px * px_step);
     }
     return std::nullopt;
 }

@@ -14,7 +14,10 @@ constexpr int kFirstSteps = 4 * kStepsPerOctave;
 constexpr int kBlindSteps = kStepsPerOctave;
 /// This share of the triangles that may be drawn is enough: another round would cost more than it
 /// betters the picture.
-constexpr double kEnough = 0.85;
+constexpr double kEnough = 0.8;
+/// Numbers often grow faster than before, and to find that they are too many costs more than
+/// another round.
+constexpr double kCaution = 0.8;
 
 double relaxation_of(int steps) { return std::exp2(static_cast<double>(steps) / kStepsPerOctave); }
 
@@ -30,7 +33,7 @@ int steps_to_go(const Kept& coarser, const Kept& finer, double most) {
     const double growth =
         std::log(finer.triangles / coarser.triangles) / (coarser.steps - finer.steps);
     const double to_go = std::log(most / finer.triangles) / std::max(growth, 0.02);
-    return std::clamp(static_cast<int>(to_go), 1, 3 * kBlindSteps);
+    return std::clamp(static_cast<int>(kCaution * to_go), 1, kBlindSteps);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "render/modes/subdivision.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "render/modes/occlusion.h"
 #include "render/modes/shell_opacity.h"
@@ -15,8 +16,12 @@ PatchSampler::PatchSampler(const FacePolygon& polygon, const DepthSearch& search
 /// there.
 std::array<int, 3> PatchSampler::by_weight(const std::array<double, 3>& weights) const {
     std::array<std::size_t, 3> order{0, 1, 2};
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return weights[a] > weights[b]; });
+    const auto in_order = [&](std::size_t before, std::size_t after) {
+        if (weights[order[before]] < weights[order[after]]) std::swap(order[before], order[after]);
+    };
+    in_order(0, 1);
+    in_order(1, 2);
+    in_order(0, 1);
     return {polygon_.view_indices[order[0]], polygon_.view_indices[order[1]],
             polygon_.view_indices[order[2]]};
 }

@@ -131,6 +131,26 @@ TEST(SubdivisionGl, AdaptiveFadesBeyondTheCapture) {
 TEST(SubdivisionGl, DrawsWhatThePlainCodeDraws) { expect_gl_equals_reference(GlApi::kAny); }
 TEST(SubdivisionGl, DrawsTheSameOnOpenGlEs) { expect_gl_equals_reference(GlApi::kEs); }
 
+TEST(SubdivisionGl, AFrameDoesNotDependOnHowTheEyeCameThere) {
+    const Lumigraph lumigraph = card_before_wall();
+    OffscreenRenderer travelled(lumigraph);
+    const Camera camera = pinhole_camera(160, 120, 140);
+    for (int i = 0; i < 6; ++i) {
+        // Stands still for every second frame; then the options change, too.
+        const Eye eye = eye_at({0.2 - 0.01 * (i / 2), 0.1, 0.02}, {0, 0, 4}, camera);
+        const RenderOptions options{.mode = RenderMode::kAdaptive,
+                                    .max_triangles = i < 4 ? std::size_t{5000} : 300U};
+        OffscreenRenderer fresh(lumigraph);
+        const Frame expected = fresh.draw(eye, options);
+        for (int again = 0; again < 2; ++again) {
+            const Frame drawn = travelled.draw(eye, options);
+            EXPECT_TRUE(drawn.color.pixels() == expected.color.pixels()) << i;
+            EXPECT_TRUE(drawn.coverage.pixels() == expected.coverage.pixels()) << i;
+            EXPECT_EQ(drawn.statistics.triangles, expected.statistics.triangles) << i;
+        }
+    }
+}
+
 TEST(SubdivisionGl, ACameraReturnsItsPhotographButForEdges) {
     const Lumigraph lumigraph = ball_in_sky();
     OffscreenRenderer renderer(lumigraph);

@@ -1,0 +1,36 @@
+#include "render/modes/edge_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumi {
+
+double edge_error_px(const BlendVertex& a, const BlendVertex& b, const BlendVertex& middle,
+                     double weight_error_px) {
+    // At the middle of the picture of an edge, its ends count by one over their depths.
+    const float share_a = b.depth / (a.depth + b.depth);
+    const float share_b = 1 - share_a;
+    float error_px = 0;
+    float weight_error = std::abs(middle.opacity - (share_a * a.opacity + share_b * b.opacity));
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::array<float, 2> off{};
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            off[axis] = middle.view_pixels[k][axis] -
+                        (share_a * a.view_pixels[k][axis] + share_b * b.view_pixels[k][axis]);
+        error_px += middle.weights[k] * std::sqrt(off[0] * off[0] + off[1] * off[1]);
+        weight_error = std::max(
+            weight_error,
+            std::abs(middle.weights[k] - (share_a * a.weights[k] + share_b * b.weights[k])));
+    }
+    return std::max(static_cast<double>(error_px),
+                    2 * weight_error_px * static_cast<double>(weight_error));
+}
+
+double greatest_relaxation(double error, double length) {
+    constexpr double kLargeError = 64.0;
+    constexpr double kLeastShare = 0.25;
+    const double share = std::clamp(std::cbrt(error / kLargeError), kLeastShare, 1.0);
+    return std::min(error, std::pow(length, 2 * share));
+}
+
+}  // namespace lumi
