@@ -12,11 +12,15 @@
 #include "pipeline/commands/frame_size.h"
 #include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/commands/video_file.h"
+#include "pipeline/evaluate/held_out_beside.h"
+#include "pipeline/evaluate/image_metrics.h"
+#include "pipeline/report/number_text.h"
 #include "pipeline/stages/file_stems.h"
 #include "render/lumigraph/package.h"
 #include "render/modes/offscreen_renderer.h"
 #include "render/paths/path_through_views.h"
 #include "render/reference/reference_renderer.h"
+#include "render/viewer/difference_picture.h"
 
 namespace lumi {
 namespace {
@@ -33,6 +37,7 @@ struct RenderRequest {
     double video_fps = 30.0;
     double stereo_baseline = 0.0;
     bool all_views = false;
+    bool difference = false;
     std::string mode = "perpixel";
     std::string debug = "none";
     std::string size;
@@ -49,34 +54,40 @@ struct RenderRequest {
 constexpr const char* kViewsPath = "views";
 constexpr FrameSize kPathSize{1280, 720};
 
-/// A frame to draw and the file it goes to.
+/// A frame to draw, the file it goes to, and what was photographed there.
 struct Job {
     Eye eye;
     fs::path out;
+    ColorImage photograph{};
 };
 
-Eye eye_of(const LumigraphView& view) { return {view.camera, view.cam_from_world}; }
+Job job_at(const LumigraphView& view, const fs::path& out) {
+    return {{view.camera, view.cam_from_world}, out, view.photograph};
+}
 
-const LumigraphView& view_named(const Lumigraph& lumigraph, const std::string& name) {
-    const auto view =
-        std::find_if(lumigraph.views.begin(), lumigraph.views.end(),
-                     [&](const LumigraphView& candidate) { return candidate.name == name; });
-    if (view == lumigraph.views.end()) {
-        throw Error(ErrorKind::kUsage, "E-RENDER-VIEW", "the package has no view named " + name,
-                    "`lumi inspect PACKAGE` lists the views");
-    }
-    return *view;
+/// A photograph of the package, or one that was held out from it.
+Job job_at_view(const RenderRequest& request, const Lumigraph& lumigraph) {
+    const auto is_wanted = [&](const auto& view) { return view.name == request.view; };
+    const auto view = std::find_if(lumigraph.views.begin(), lumigraph.views.end(), is_wanted);
+    if (view != lumigraph.views.end()) return job_at(*view, request.out);
+    const std::vector<HeldOutView> held_out = held_out_views_beside(request.package);
+    const auto beside = std::find_if(held_out.begin(), held_out.end(), is_wanted);
+    if (beside != held_out.end()) return {beside->eye, request.out, beside->photograph};
+    throw Error(
+        ErrorKind::kUsage, "E-RENDER-VIEW",
+        "the package has no view named " + request.view + ", and none of that name was held out",
+        "`lumi inspect PACKAGE` lists the views");
 }
 
 std::vector<Job> jobs_of(const RenderRequest& request, const Lumigraph& lumigraph) {
     if (!request.eye.empty()) return {{read_eye_file(request.eye), request.out}};
-    if (!request.all_views) return {{eye_of(view_named(lumigraph, request.view)), request.out}};
+    if (!request.all_views) return {job_at_view(request, lumigraph)};
     std::vector<std::string> names;
     for (const LumigraphView& view : lumigraph.views) names.push_back(view.name);
     const std::vector<std::string> stems = file_stems_of_views(names);
     std::vector<Job> jobs;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        jobs.push_back({eye_of(lumigraph.views[i]), request.out / (stems[i] + ".png")});
+        jobs.push_back(job_at(lumigraph.views[i], request.out / (stems[i] + ".png")));
     }
     return jobs;
 }
@@ -110,6 +121,35 @@ ColorImage picture_of(const Eye& eye, double stereo_baseline, const Draw& draw) 
     if (stereo_baseline <= 0) return draw(eye).color;
     return side_by_side(draw(moved_right(eye, -0.5 * stereo_baseline)).color,
                         draw(moved_right(eye, 0.5 * stereo_baseline)).color);
+}
+
+/// Draws how far the frame is from the photograph.
+Json draw_difference(const Job& job, const Draw& draw) {
+    const Stopwatch stopwatch;
+    const Frame frame = draw(job.eye);
+    const double ms = 1000.0 * stopwatch.elapsed().wall_s;
+    write_png(job.out, difference_picture(frame.color, job.photograph));
+    Json result{{"file", job.out.string()},
+                {"ms", ms},
+                {"psnr_db", psnr_db(frame.color, job.photograph)},
+                {"psnr_covered_db", nullptr},
+                {"coverage", covered_share(frame.coverage)}};
+    if (const auto covered = psnr_db(frame.color, job.photograph, frame.coverage))
+        result["psnr_covered_db"] = *covered;
+    return result;
+}
+
+/// What is said of a frame that was written.
+std::string frame_text(const Json& frame) {
+    std::string text = frame.at("file").get<std::string>();
+    if (frame.contains("psnr_db")) {
+        text += "  " + number_text(frame.at("psnr_db").get<double>(), 2) + " dB";
+        if (!frame.at("psnr_covered_db").is_null())
+            text += ", " + number_text(frame.at("psnr_covered_db").get<double>(), 2) +
+                    " dB where it is covered (" +
+                    number_text(100 * frame.at("coverage").get<double>(), 1) + " %)";
+    }
+    return text + "\n";
 }
 
 Json draw_to_file(const Job& job, const RenderRequest& request, const Draw& draw) {
@@ -161,9 +201,10 @@ Json draw_jobs(const RenderRequest& request, const Lumigraph& lumigraph, const D
     context.progress->begin("drawing", jobs.size());
     for (const Job& job : jobs) {
         context.progress->throw_if_interrupted();
-        frames.push_back(draw_to_file(job, request, draw));
+        frames.push_back(request.difference ? draw_difference(job, draw)
+                                            : draw_to_file(job, request, draw));
         context.progress->advance();
-        if (!context.json) context.print_result(job.out.string() + "\n");
+        if (!context.json) context.print_result(frame_text(frames.back()));
     }
     return frames;
 }
@@ -202,17 +243,23 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     CLI::App& command = add_command(
         app, "render", "Frames from a package to PNG files or a video, without a window",
         "lumi render work/fountain/fountain.lumi --view 0005.jpg --out frame.png\n"
+        "         lumi render work/fountain/fountain.lumi --view 0005.jpg --difference --out "
+        "error.png\n"
         "         lumi render work/fountain/fountain.lumi --path views --out tour.mp4");
     const auto request = std::make_shared<RenderRequest>();
     command.add_option("PACKAGE", request->package, "Folder NAME.lumi")->required();
     CLI::Option_group* where = command.add_option_group("where from", "Exactly one of");
-    where->add_option("--view", request->view, "From where this photograph was taken");
-    where->add_option("--eye", request->eye, "From an eye described in a JSON file");
+    where->add_option("--view", request->view,
+                      "From where this photograph was taken; also one that was held out, where the "
+                      "package lies in its workspace");
+    CLI::Option* eye =
+        where->add_option("--eye", request->eye, "From an eye described in a JSON file");
     where->add_flag("--all-views", request->all_views,
                     "From every photograph's place; --out names a folder");
-    where->add_option("--path", request->path,
-                      "Along a path that the window recorded (a JSON file), or from photograph to "
-                      "photograph (the word views); --out names a folder or an .mp4 file");
+    CLI::Option* path = where->add_option(
+        "--path", request->path,
+        "Along a path that the window recorded (a JSON file), or from photograph to "
+        "photograph (the word views); --out names a folder or an .mp4 file");
     where->require_option(1);
     command.add_option("--frames", request->frames, "Of the path `views`")
         ->check(CLI::Range(2, 100000))
@@ -220,16 +267,24 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     command.add_option("--video-fps", request->video_fps, "Frames a second of a video")
         ->check(CLI::Range(1.0, 240.0))
         ->capture_default_str();
-    command
-        .add_option("--stereo", request->stereo_baseline,
-                    "A pair side by side, left eye first, this far apart in world units")
-        ->check(CLI::PositiveNumber);
+    CLI::Option* stereo =
+        command
+            .add_option("--stereo", request->stereo_baseline,
+                        "A pair side by side, left eye first, this far apart in world units")
+            ->check(CLI::PositiveNumber);
     command
         .add_option("--mode", request->mode,
                     render_mode_names() + "; paper2001 and heigl leave shells of close-ups out")
         ->capture_default_str();
-    command.add_option("--debug", request->debug, debug_picture_names())->capture_default_str();
-    command.add_option("--size", request->size, "Such as 1280x720 (default: the photograph's)");
+    CLI::Option* debug =
+        command.add_option("--debug", request->debug, debug_picture_names())->capture_default_str();
+    CLI::Option* size =
+        command.add_option("--size", request->size, "Such as 1280x720 (default: the photograph's)");
+    command
+        .add_flag("--difference", request->difference,
+                  "Instead of the picture how far it is from the photograph that was taken there, "
+                  "four times as bright, and its PSNR")
+        ->excludes(eye, path, stereo, debug, size);
     command
         .add_option("--focal-depth", request->focal_depth,
                     "For modes without depth: distance of the plane that is sharp, world units")

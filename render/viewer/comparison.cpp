@@ -2,19 +2,11 @@
 
 #include <epoxy/gl.h>
 
-#include <algorithm>
-#include <cassert>
-#include <cstdlib>
-
+#include "render/viewer/difference_picture.h"
 #include "render/viewer/photograph_eye.h"
 
 namespace lumi {
 namespace {
-
-std::uint8_t brightened_difference(std::uint8_t a, std::uint8_t b) {
-    constexpr int kBrighter = 4;
-    return static_cast<std::uint8_t>(std::min(255, kBrighter * std::abs(a - b)));
-}
 
 ObjectName<delete_texture> uploaded(const ColorImage& picture) {
     GLuint name = 0;
@@ -36,18 +28,6 @@ bool stands_at(const Eye& eye, const Eye& place) {
 }
 
 }  // namespace
-
-ColorImage difference_picture(const ColorImage& drawn, const ColorImage& photograph) {
-    assert(drawn.width() == photograph.width() && drawn.height() == photograph.height());
-    ColorImage difference(drawn.width(), drawn.height());
-    for (std::size_t i = 0; i < difference.pixels().size(); ++i) {
-        const Rgb8& a = drawn.pixels()[i];
-        const Rgb8& b = photograph.pixels()[i];
-        difference.pixels()[i] = {brightened_difference(a.r, b.r), brightened_difference(a.g, b.g),
-                                  brightened_difference(a.b, b.b)};
-    }
-    return difference;
-}
 
 PictureOverlay fitted_overlay(const Eye& eye, int width_px, int height_px) {
     const Camera fitted = fitted_to(eye, width_px, height_px).camera;

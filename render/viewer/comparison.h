@@ -19,9 +19,6 @@ struct PictureOverlay {
     double share = 1.0;                                 ///< So much of its width, from the left.
 };
 
-/// Each channel of |drawn - photograph|, four times as bright; both of one size.
-[[nodiscard]] ColorImage difference_picture(const ColorImage& drawn, const ColorImage& photograph);
-
 /// Where the picture of `eye` lies in a frame that it was fitted to (fitted_to).
 [[nodiscard]] PictureOverlay fitted_overlay(const Eye& eye, int width_px, int height_px);
 

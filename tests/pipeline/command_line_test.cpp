@@ -469,6 +469,42 @@ TEST_F(Line, DrawsPathsToFramesVideosAndPairs) {
         3);
 }
 
+TEST_F(Line, DrawsTheDifferenceFromAHeldOutPhotograph) {
+    configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
+    static_cast<void>(build());
+    const std::string at_held_out = "render " + quoted(package()) + " --view IMG_0005.png ";
+    const fs::path drawn = workspace() / "drawn.png";
+    const fs::path difference = workspace() / "difference.png";
+    ASSERT_EQ(lumi(at_held_out + "--out " + quoted(drawn)).exit_code, 0);
+    const Outcome outcome = lumi(at_held_out + "--json --difference --out " + quoted(difference));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    const double said_db = Json::parse(outcome.out).at("frames").at(0).at("psnr_db").get<double>();
+    EXPECT_GT(said_db, 15);
+
+    // Steps that are four times as bright say what the plain picture's error is, where they fit.
+    const ColorImage picture = read_color_image(drawn);
+    const ColorImage error = read_color_image(difference);
+    const ColorImage photograph = read_color_image(scene_->path() / "photos" / "IMG_0005.png");
+    ASSERT_EQ(error.width(), picture.width());
+    ASSERT_EQ(photograph.width(), picture.width());
+    for (std::size_t i = 0; i < error.pixels().size(); ++i)
+        ASSERT_EQ(error.pixels()[i].g,
+                  std::min(255, 4 * std::abs(picture.pixels()[i].g - photograph.pixels()[i].g)));
+    EXPECT_NEAR(Json::parse(lumi("compare-pictures --json " + quoted(drawn) + " " +
+                                 quoted(scene_->path() / "photos" / "IMG_0005.png"))
+                                .out)
+                    .at("psnr_db")
+                    .get<double>(),
+                said_db, 1e-9);
+
+    EXPECT_EQ(lumi(at_held_out + "--difference --size 96x64 --out " + quoted(difference)).exit_code,
+              2);
+    const Outcome unknown =
+        lumi("render " + quoted(package()) + " --view nobody.png --out " + quoted(drawn));
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_THAT(unknown.talk, HasSubstr("E-RENDER-VIEW"));
+}
+
 TEST_F(Line, PacksNoMoreViewsThanAreWanted) {
     const auto views_packed = [&] {
         return Json::parse(lumi("inspect --json " + quoted(package())).out).at("views").size();

@@ -14,6 +14,7 @@
 #include "render/modes/frame_target.h"
 #include "render/modes/offscreen_renderer.h"
 #include "render/viewer/comparison.h"
+#include "render/viewer/difference_picture.h"
 #include "render/viewer/glfw_window.h"
 #include "render/viewer/photograph_eye.h"
 #include "tests/calib/scratch_folder.h"
