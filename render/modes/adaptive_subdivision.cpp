@@ -66,9 +66,12 @@ class AdaptiveSubdivider::Mesh {
         now_settled_.clear();
         level_ = settled_;
         while (!level_.empty()) {
-            look_up_edges();
             next_level_.clear();
-            for (const Triangle& triangle : level_) split(triangle, relaxation);
+            undecided_.clear();
+            wanted_.clear();
+            for (const Triangle& triangle : level_) split_or_wait(triangle, relaxation);
+            look_up_wanted();
+            for (const Triangle& triangle : undecided_) split(triangle, relaxation);
             level_.swap(next_level_);
             if (leaves_.size() + level_.size() > most) return std::nullopt;
         }
@@ -140,12 +143,32 @@ class AdaptiveSubdivider::Mesh {
         return {{a, b, c}, {inner_edge(a, b), inner_edge(b, c), inner_edge(c, a)}, is_settled};
     }
 
-    /// Looks up the middles of the level's edges that might be split.
-    void look_up_edges() {
-        wanted_.clear();
-        for (const Triangle& triangle : level_)
-            if (!is_thin(triangle))
-                for (const std::uint32_t edge : triangle.edges) want_middle(edge);
+    /// Splits a triangle, or leaves it whole, if what is known of its edges tells.
+    void split_or_wait(const Triangle& triangle, double relaxation) {
+        if (is_thin(triangle)) return leave_whole(triangle);
+        bool is_decided = true;
+        for (const std::uint32_t edge : triangle.edges)
+            if (!knows_enough_of(edge)) is_decided = false;
+        if (is_decided) {
+            split(triangle, relaxation);
+        } else {
+            undecided_.push_back(triangle);
+        }
+    }
+
+    /// False while the middle of an edge that might be split is still to be looked up.
+    [[nodiscard]] bool knows_enough_of(std::uint32_t number) {
+        Edge& edge = edges_[number];
+        if (edge.middle != kNone) return edge.middle < vertices_.size();
+        if (edge.length_px <= std::min(least_edge_px_, options_.max_edge_px)) return true;
+        edge.middle = static_cast<std::uint32_t>(pixels_.size());
+        pixels_.emplace_back(0.5 * (pixels_[edge.from] + pixels_[edge.to]));
+        polygon_of_.push_back(polygon_of_[edge.from]);
+        wanted_.push_back(number);
+        return false;
+    }
+
+    void look_up_wanted() {
         vertices_.resize(pixels_.size());
         const std::size_t blocks = (wanted_.size() + kVerticesAtATime - 1) / kVerticesAtATime;
         parallel_for(static_cast<int>(blocks), 0, [&](int block) {
@@ -153,16 +176,6 @@ class AdaptiveSubdivider::Mesh {
             const std::size_t end = std::min(first + kVerticesAtATime, wanted_.size());
             for (std::size_t i = first; i < end; ++i) look_up(edges_[wanted_[i]]);
         });
-    }
-
-    void want_middle(std::uint32_t number) {
-        Edge& edge = edges_[number];
-        const bool is_short = edge.length_px <= std::min(least_edge_px_, options_.max_edge_px);
-        if (edge.middle != kNone || is_short) return;
-        edge.middle = static_cast<std::uint32_t>(pixels_.size());
-        pixels_.emplace_back(0.5 * (pixels_[edge.from] + pixels_[edge.to]));
-        polygon_of_.push_back(polygon_of_[edge.from]);
-        wanted_.push_back(number);
     }
 
     void look_up(Edge& edge) {
@@ -195,16 +208,20 @@ class AdaptiveSubdivider::Mesh {
                kThinnest * options_.min_edge_px * longest;
     }
 
+    void leave_whole(const Triangle& triangle) {
+        if (triangle.is_settled) now_settled_.push_back(triangle);
+        leaves_.push_back(triangle);
+    }
+
     void split(const Triangle& triangle, double relaxation) {
         std::array<bool, 3> splits{};
-        if (!is_thin(triangle))
-            for (std::size_t i = 0; i < 3; ++i) splits[i] = is_split(triangle.edges[i], relaxation);
+        for (std::size_t i = 0; i < 3; ++i) splits[i] = is_split(triangle.edges[i], relaxation);
         const auto count = std::count(splits.begin(), splits.end(), true);
-        if (count < 3 && triangle.is_settled) now_settled_.push_back(triangle);
-        if (count == 0) leaves_.push_back(triangle);
-        if (count == 1) split_in_two(turned_to(true, splits, triangle));
-        if (count == 2) split_in_three(turned_to(false, splits, triangle));
-        if (count == 3) split_in_four(triangle);
+        if (count == 0) return leave_whole(triangle);
+        if (count == 3) return split_in_four(triangle);
+        if (triangle.is_settled) now_settled_.push_back(triangle);
+        if (count == 1) return split_in_two(turned_to(true, splits, triangle));
+        split_in_three(turned_to(false, splits, triangle));
     }
 
     /// So that the first edge is the one that is split, or is not.
@@ -280,6 +297,7 @@ class AdaptiveSubdivider::Mesh {
     std::vector<Triangle> settled_;
     std::vector<Triangle> now_settled_;
     std::vector<Triangle> level_;
+    std::vector<Triangle> undecided_;  ///< Of the level, until their edges are looked up.
     std::vector<Triangle> next_level_;
     std::vector<Triangle> leaves_;
     std::vector<Triangle> whole_;

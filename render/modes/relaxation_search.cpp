@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kStepsPerOctave = 4;
 constexpr int kMostSteps = 10 * kStepsPerOctave;
-constexpr int kFirstSteps = 4 * kStepsPerOctave;
+constexpr int kFirstSteps = 3 * kStepsPerOctave;
 /// Where nothing tells how the number of triangles grows.
 constexpr int kBlindSteps = kStepsPerOctave;
 /// This share of the triangles that may be drawn is enough: another round would cost more than it
