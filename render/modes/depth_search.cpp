@@ -149,10 +149,9 @@ double DepthSearch::sample_at(int view_index, const Eigen::Vector2d& pixel) cons
                                      static_cast<int>(clamped(at.y(), depth.height() - 1))));
 }
 
-DepthSearch::Surface DepthSearch::surface_at(int view_index, const Eigen::Vector2d& pixel) const {
+double DepthSearch::surface_at(int view_index, const Eigen::Vector2d& pixel) const {
     const auto index = static_cast<std::size_t>(view_index);
-    const DepthMap& depth = lumigraph_.views[index].depth;
-    const FloatImage& map = depth.inverse_depth;
+    const FloatImage& map = lumigraph_.views[index].depth.inverse_depth;
     const Eigen::Vector2d at = pixel.cwiseProduct(targets_[index].samples_per_pixel);
     const double x = clamped(at.x() - 0.5, map.width() - 1.0);
     const double y = clamped(at.y() - 0.5, map.height() - 1.0);
@@ -164,16 +163,26 @@ DepthSearch::Surface DepthSearch::surface_at(int view_index, const Eigen::Vector
     const float b = map(right, top);
     const float c = map(left, bottom);
     const float d = map(right, bottom);
-    const int column = x - left < 0.5 ? left : right;
-    const int row = y - top < 0.5 ? top : bottom;
-    const DepthKind kind =
-        depth.confidence(column, row) > 0 ? DepthKind::kSeen : DepthKind::kFilled;
     const double spread = static_cast<double>(std::max({a, b, c, d}) - std::min({a, b, c, d}));
     if (spread * targets_[index].max_disparity_px > 1.0)
-        return {static_cast<double>(map(column, row)), kind};
-    return {std::lerp(std::lerp(static_cast<double>(a), static_cast<double>(b), x - left),
-                      std::lerp(static_cast<double>(c), static_cast<double>(d), x - left), y - top),
-            kind};
+        return static_cast<double>(
+            map(x - left < 0.5 ? left : right, y - top < 0.5 ? top : bottom));
+    // As std::lerp, but for its care for infinities, which would take half of the time.
+    const auto between = [](double from, double to, double share) {
+        return from + share * (to - from);
+    };
+    return between(between(static_cast<double>(a), static_cast<double>(b), x - left),
+                   between(static_cast<double>(c), static_cast<double>(d), x - left), y - top);
+}
+
+DepthKind DepthSearch::kind_at(int view_index, const Eigen::Vector2d& pixel) const {
+    const auto index = static_cast<std::size_t>(view_index);
+    const GrayImage& confidence = lumigraph_.views[index].depth.confidence;
+    const Eigen::Vector2d at = pixel.cwiseProduct(targets_[index].samples_per_pixel);
+    return confidence(static_cast<int>(clamped(at.x(), confidence.width() - 1)),
+                      static_cast<int>(clamped(at.y(), confidence.height() - 1))) > 0
+               ? DepthKind::kSeen
+               : DepthKind::kFilled;
 }
 
 DepthSearch::Stretch DepthSearch::visible_stretch(int view_index, const EpipolarLine& line) const {
@@ -239,28 +248,30 @@ std::optional<RayHit> DepthSearch::refined(int view_index, const EpipolarLine& l
     const Target& target = targets_[static_cast<std::size_t>(view_index)];
     double before = bracket.near_end;
     double behind = bracket.far_end;
-    Surface surface{0.0, DepthKind::kSeen};
     double q = behind;
     double ahead = 0;
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
     for (int i = 0; i < kRefinements; ++i) {
         q = 0.5 * (before + behind);
-        const Eigen::Vector3d at = line.at(q);
-        surface = surface_at(view_index, at.hnormalized());
+        LinePoint at = point_at(line, q);
+        double surface = surface_at(view_index, at.pixel);
         // Where the ray is as far away as this surface.
-        const double meets = surface.inverse_depth * line.at_infinity.z() /
-                             (1 - surface.inverse_depth * line.per_inverse_depth.z());
-        ahead = q / at.z() - surface.inverse_depth;
+        const double meets =
+            surface * line.at_infinity.z() / (1 - surface * line.per_inverse_depth.z());
+        ahead = q * at.inverse_z - surface;
+        pixel = at.pixel;
         if (meets <= bracket.near_end && meets >= bracket.far_end) {
             q = meets;
-            const Eigen::Vector3d there = line.at(q);
-            surface = surface_at(view_index, there.hnormalized());
-            ahead = q / there.z() - surface.inverse_depth;
+            at = point_at(line, q);
+            surface = surface_at(view_index, at.pixel);
+            ahead = q * at.inverse_z - surface;
+            pixel = at.pixel;
             if (std::abs(ahead) * target.max_disparity_px <= 0.25 * tolerance_px_) break;
         }
         (ahead > 0 ? before : behind) = q;
     }
     if (std::abs(ahead) * target.max_disparity_px > tolerance_px_) return std::nullopt;
-    return RayHit{q, surface.kind, 1};
+    return RayHit{q, kind_at(view_index, pixel), 1};
 }
 
 std::optional<RayHit> DepthSearch::first_hit_in(int view_index,
@@ -316,12 +327,12 @@ std::optional<RayHit> DepthSearch::confirmed(const RayHit& hit, int view_index,
     if (!(in_view.minCoeff() >= 0 && in_view.x() <= view.camera.width_px &&
           in_view.y() <= view.camera.height_px))
         return std::nullopt;
-    const Surface surface = surface_at(view_index, in_view);
+    const double surface = surface_at(view_index, in_view);
     // Where the ray is as far away as this surface.
-    const double meets = surface.inverse_depth * line.at_infinity.z() /
-                         (1 - surface.inverse_depth * line.per_inverse_depth.z());
-    if (surface.kind != DepthKind::kSeen ||
-        !(std::abs(meets - hit.inverse_depth) <= agreeing_inverse_depth_))
+    const double meets =
+        surface * line.at_infinity.z() / (1 - surface * line.per_inverse_depth.z());
+    if (!(std::abs(meets - hit.inverse_depth) <= agreeing_inverse_depth_) ||
+        kind_at(view_index, in_view) != DepthKind::kSeen)
         return std::nullopt;
     return RayHit{0.5 * (hit.inverse_depth + meets), DepthKind::kSeen, 2};
 }
@@ -386,7 +397,7 @@ double DepthSearch::visibility(const Eigen::Vector2d& pixel, double inverse_dept
     if (inside_share <= 0 || lumigraph_.views[index].depth.inverse_depth.empty())
         return inside_share;
     const double difference_px =
-        std::abs(inverse_depth / at.z() - surface_at(view_index, in_view).inverse_depth) *
+        std::abs(inverse_depth / at.z() - surface_at(view_index, in_view)) *
         targets_[index].disparity_px;
     return inside_share * visibility_of(difference_px, tolerance_px_);
 }

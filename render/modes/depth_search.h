@@ -68,10 +68,6 @@ class DepthSearch {
     [[nodiscard]] EpipolarLine line_in(int view_index, const Eigen::Vector2d& pixel) const;
 
  private:
-    struct Surface {
-        double inverse_depth;
-        DepthKind kind;
-    };
     /// A view as the eye needs it.
     struct Target {
         PixelTransfer view_from_eye;
@@ -104,9 +100,11 @@ class DepthSearch {
     /// The hit between a point in front of the surface and one behind it; empty at a tear.
     [[nodiscard]] std::optional<RayHit> refined(int view_index, const EpipolarLine& line,
                                                 const Stretch& bracket) const;
-    /// The surface that a view sees at a pixel within its photograph: interpolated where it is one,
-    /// the nearest sample at a tear.
-    [[nodiscard]] Surface surface_at(int view_index, const Eigen::Vector2d& pixel) const;
+    /// The inverse depth that a view sees at a pixel within its photograph: interpolated where it
+    /// is one surface, the nearest sample at a tear.
+    [[nodiscard]] double surface_at(int view_index, const Eigen::Vector2d& pixel) const;
+    /// Of the nearest sample.
+    [[nodiscard]] DepthKind kind_at(int view_index, const Eigen::Vector2d& pixel) const;
     [[nodiscard]] double sample_at(int view_index, const Eigen::Vector2d& pixel) const;
 
     const Lumigraph& lumigraph_;
