@@ -73,6 +73,14 @@ TEST_F(Subdivision, TheAdaptiveKeepsToTheNumberOfTriangles) {
                   most);
 }
 
+TEST_F(Subdivision, LongEdgesAreSplitHoweverFewTrianglesAreAllowed) {
+    const BlendTriangles triangles =
+        adaptive({.min_edge_px = 6, .max_edge_px = 20, .max_triangles = 10});
+    ASSERT_GT(triangles.count(), 10U);
+    for (std::size_t i = 0; i < triangles.indices.size(); i += 3)
+        EXPECT_LE(longest_edge_px(triangles, i), 20.001);
+}
+
 TEST_F(Subdivision, ThePapersTrianglesAreWithinTheSizesGiven) {
     const BlendTriangles triangles = paper({.min_size_px = 6, .max_size_px = 20});
     ASSERT_GT(triangles.count(), 100U);
