@@ -53,7 +53,9 @@ class Refinement {
                                                 view_.cam_from_world),
                                   &estimates[static_cast<std::size_t>(j)].map});
         }
-        begin_with(estimates[static_cast<std::size_t>(view_index)].map.inverse_depth);
+        const DepthMap& own = estimates[static_cast<std::size_t>(view_index)].map;
+        begin_with(own.inverse_depth);
+        claims_ = own.confidence;
         is_settled_ = GrayImage(width_, height_, 0);
         if (options.only_where_unsure) settle(cross_view_check(scene, estimates, view_index));
     }
@@ -80,7 +82,8 @@ class Refinement {
         DepthMap map{FloatImage(width_, height_), GrayImage(width_, height_)};
         for (std::size_t i = 0; i < planes_.pixels().size(); ++i) {
             map.inverse_depth.pixels()[i] = planes_.pixels()[i].inverse_depth;
-            map.confidence.pixels()[i] = costs_.pixels()[i] < kCorrelates ? 255 : 0;
+            const bool is_known = costs_.pixels()[i] < kCorrelates || claims_.pixels()[i] != 0;
+            map.confidence.pixels()[i] = is_known ? 255 : 0;
         }
         return map;
     }
@@ -215,6 +218,7 @@ class Refinement {
     std::vector<Witness> witnesses_;
     Image<PixelPlane> planes_;
     FloatImage costs_;
+    GrayImage claims_;  ///< What the estimate claims to know.
     GrayImage is_settled_;
     GrayImage last_change_;  ///< stamp_of the iteration that last changed the plane.
 };

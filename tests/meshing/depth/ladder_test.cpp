@@ -164,6 +164,25 @@ TEST(PatchMatch, OnlyWhereUnsureMendsWhatIsWrongAndLeavesWhatTwoViewsConfirm) {
     EXPECT_GT(left, 0.9 * others);
 }
 
+TEST(PatchMatch, WhereItsWindowsSeeNoTextureTheEstimatesClaimsStand) {
+    KnownDepthScene known = slanted_wall({0.5, 0.4, 1});
+    std::vector<DepthEstimate> estimates;
+    for (std::size_t i = 0; i < known.scene.views.size(); ++i) {
+        for (Rgb8& color : known.scene.views[i].photograph.pixels()) color = {90, 90, 90};
+        DepthMap map{known.inverse_depths[i], GrayImage(240, 180, 0)};
+        for (int y = 0; y < 180; ++y) {
+            for (int x = 0; x < 120; ++x) map.confidence(x, y) = 255;
+        }
+        estimates.push_back({std::move(map), "sweep", true, false});
+    }
+    for (const bool only_where_unsure : {false, true}) {
+        const DepthMap refined =
+            patch_match(known.scene, estimates, 0, {.only_where_unsure = only_where_unsure});
+        EXPECT_EQ(refined.confidence.pixels(), estimates[0].map.confidence.pixels());
+        EXPECT_EQ(refined.inverse_depth.pixels(), estimates[0].map.inverse_depth.pixels());
+    }
+}
+
 TEST(DepthChoice, APlaneForAPlanarSceneAndTheSweepForATangledOne) {
     EXPECT_EQ(chosen(slanted_wall({0, 0, 1})), "plane");
     EXPECT_EQ(chosen(slanted_wall({0.5, 0.4, 1})), "slanted_plane");
