@@ -15,11 +15,6 @@ std::string with_two_digits(double value) {
     return text.substr(0, text.find('.') + 3);
 }
 
-bool compares_photographs(const std::string& model) {
-    return model == "pair_stereo" || model == "sweep" || model == "refined_sweep" ||
-           model == "patch_match";
-}
-
 /// Photographs kept back, and what the rungs make of them as far as anybody asked.
 class Race {
  public:
@@ -103,6 +98,24 @@ DepthChoice best_by_photographs(Race& race, const std::vector<std::string>& rung
     return choice;
 }
 
+/// The sweep in place of a rung that knows points alone, where points kept back lie clearly nearer
+/// to it. To keep photographs back thins a capture out, from which the sweep suffers most, and fine
+/// texture differs as much a pixel beside as ten; points can be kept back without that.
+DepthChoice contradicted_by_points(DepthChoice choice, const DepthScene& scene, int threads,
+                                   const Progress& progress) {
+    constexpr double kClearly = 2.0;
+    if (compares_photographs(choice.model)) return choice;
+    const auto of_rung = held_out_points_p95_px(scene, choice.model, threads, progress);
+    const auto of_sweep = held_out_points_p95_px(scene, "sweep", threads, progress);
+    if (!of_rung || !of_sweep || kClearly * *of_sweep >= *of_rung) return choice;
+    choice.explanation = "sweep: 95 % of the points kept back lie within " +
+                         with_two_digits(*of_sweep) + " px of it, and within " +
+                         with_two_digits(*of_rung) + " px of " + choice.model +
+                         ", which predicts photographs kept back as well";
+    choice.model = "sweep";
+    return choice;
+}
+
 /// The sweep, refined where it is unsure; untried, since trials at half the size do not see what it
 /// gains at full size.
 DepthChoice refined(DepthChoice choice) {
@@ -124,12 +137,13 @@ DepthChoice choose_depth_model(const DepthScene& scene, const std::vector<GrayIm
     DepthChoice enough = enough_by_points(scene, rungs, threads, progress);
     if (!enough.model.empty()) return enough;
     Race race(scene, masks, threads, progress);
+    const bool has_sweep = std::find(rungs.begin(), rungs.end(), "sweep") != rungs.end();
     if (race.is_possible()) {
         DepthChoice best = best_by_photographs(race, rungs);
+        if (has_sweep) best = contradicted_by_points(std::move(best), scene, threads, progress);
         return refines ? refined(std::move(best)) : best;
     }
     // Nothing could show that more than the sweep is worth its time.
-    const bool has_sweep = std::find(rungs.begin(), rungs.end(), "sweep") != rungs.end();
     const std::string untried = has_sweep ? "sweep" : highest;
     return {untried,
             untried + ": no view has two neighbours, by which its photograph could be predicted",

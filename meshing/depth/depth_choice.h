@@ -27,6 +27,9 @@ struct DepthChoice {
 /// all are asked: the tiles of a photograph that is not where it is said to be are all wrong
 /// together. What is compared is what would be delivered, `masks` (scene_masks) included.
 ///
+/// Where that ends with a rung that knows points alone, points are asked once more: the sweep is
+/// taken if points kept back lie twice as near to it.
+///
 /// With "refined_sweep" as `highest` the sweep is the last rung that is tried, and where it wins it
 /// is refined, pixel by pixel where it is unsure.
 ///

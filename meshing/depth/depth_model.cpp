@@ -140,6 +140,11 @@ const std::vector<std::string>& depth_model_names() {
     return names;
 }
 
+bool compares_photographs(const std::string& name) {
+    return name == "pair_stereo" || name == "sweep" || name == "refined_sweep" ||
+           name == "patch_match";
+}
+
 std::unique_ptr<DepthModel> depth_model_named(const std::string& name) {
     if (name == "plane") return std::make_unique<SingleViewModel>(name, plane_depth);
     if (name == "slanted_plane") {

@@ -44,6 +44,8 @@ class DepthModel {
 /// (everywhere). A rung that compares photographs gives way to
 /// "sparse_fill" in a view without parallax to any neighbour.
 [[nodiscard]] const std::vector<std::string>& depth_model_names();
+/// Of these names: true for those that compare photographs, false for those that know points alone.
+[[nodiscard]] bool compares_photographs(const std::string& name);
 
 [[nodiscard]] std::unique_ptr<DepthModel> depth_model_named(const std::string& name);
 

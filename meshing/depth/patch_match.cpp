@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxViews = 32;
 constexpr float kMaxCost = 2.0F;
+constexpr float kCorrelates = 0.5F;  // Less.
 
 /// A number from -1 to 1 that depends on its arguments alone.
 float hashed(std::uint32_t pixel, std::uint32_t iteration, std::uint32_t channel) {
@@ -37,6 +38,7 @@ class Refinement {
     Refinement(const DepthScene& scene, const std::vector<DepthEstimate>& estimates, int view_index,
                const PatchMatchOptions& options)
         : view_(scene.views[static_cast<std::size_t>(view_index)]),
+          own_(estimates[static_cast<std::size_t>(view_index)].map),
           options_(options),
           gray_(gray_of(view_.photograph)),
           width_(gray_.width()),
@@ -53,9 +55,7 @@ class Refinement {
                                                 view_.cam_from_world),
                                   &estimates[static_cast<std::size_t>(j)].map});
         }
-        const DepthMap& own = estimates[static_cast<std::size_t>(view_index)].map;
-        begin_with(own.inverse_depth);
-        claims_ = own.confidence;
+        begin_with(own_.inverse_depth);
         is_settled_ = GrayImage(width_, height_, 0);
         if (options.only_where_unsure) settle(cross_view_check(scene, estimates, view_index));
     }
@@ -78,12 +78,15 @@ class Refinement {
     }
 
     [[nodiscard]] DepthMap result() const {
-        constexpr float kCorrelates = 0.5F;
         DepthMap map{FloatImage(width_, height_), GrayImage(width_, height_)};
+        const bool believes_claims = claims_mostly_correlate();
         for (std::size_t i = 0; i < planes_.pixels().size(); ++i) {
-            map.inverse_depth.pixels()[i] = planes_.pixels()[i].inverse_depth;
-            const bool is_known = costs_.pixels()[i] < kCorrelates || claims_.pixels()[i] != 0;
-            map.confidence.pixels()[i] = is_known ? 255 : 0;
+            const bool correlates = costs_.pixels()[i] < kCorrelates;
+            const bool is_claimed = believes_claims && own_.confidence.pixels()[i] != 0;
+            map.inverse_depth.pixels()[i] = !correlates && is_claimed
+                                                ? own_.inverse_depth.pixels()[i]
+                                                : planes_.pixels()[i].inverse_depth;
+            map.confidence.pixels()[i] = correlates || is_claimed ? 255 : 0;
         }
         return map;
     }
@@ -120,6 +123,18 @@ class Refinement {
                                     costs_.pixels()[i] < kCorrelatesWell;
             is_settled_.pixels()[i] = is_settled ? 1 : 0;
         }
+    }
+
+    /// Where they do not, the photographs are noise to these windows, and chance to the estimate.
+    [[nodiscard]] bool claims_mostly_correlate() const {
+        std::size_t claims = 0;
+        std::size_t correlating = 0;
+        for (std::size_t i = 0; i < costs_.pixels().size(); ++i) {
+            if (own_.confidence.pixels()[i] == 0 || costs_.pixels()[i] >= kMaxCost) continue;
+            ++claims;
+            if (costs_.pixels()[i] < kCorrelates) ++correlating;
+        }
+        return 2 * correlating >= claims;
     }
 
     /// 0 stands for the plane that a pixel began with.
@@ -209,6 +224,7 @@ class Refinement {
     }
 
     const DepthView& view_;
+    const DepthMap& own_;  ///< The estimate that is refined.
     PatchMatchOptions options_;
     GrayImage gray_;
     int width_;
@@ -218,7 +234,6 @@ class Refinement {
     std::vector<Witness> witnesses_;
     Image<PixelPlane> planes_;
     FloatImage costs_;
-    GrayImage claims_;  ///< What the estimate claims to know.
     GrayImage is_settled_;
     GrayImage last_change_;  ///< stamp_of the iteration that last changed the plane.
 };

@@ -5,6 +5,7 @@
 #include "meshing/depth/depth_choice.h"
 #include "meshing/depth/depth_model.h"
 #include "meshing/depth/held_out_photograph.h"
+#include "meshing/depth/held_out_points.h"
 #include "meshing/depth/pair_stereo.h"
 #include "meshing/depth/patch_match.h"
 #include "meshing/depth/photograph_loss.h"
@@ -183,6 +184,25 @@ TEST(PatchMatch, WhereItsWindowsSeeNoTextureTheEstimatesClaimsStand) {
     }
 }
 
+TEST(PatchMatch, WhereMostWindowsFindNothingAlikeNoClaimIsBelieved) {
+    KnownDepthScene known = slanted_wall({0.5, 0.4, 1});
+    std::vector<DepthEstimate> estimates;
+    std::uint32_t state = 1;
+    for (std::size_t i = 0; i < known.scene.views.size(); ++i) {
+        for (Rgb8& color : known.scene.views[i].photograph.pixels()) {
+            state = state * 1664525U + 1013904223U;
+            const auto gray = static_cast<std::uint8_t>(state >> 24);
+            color = {gray, gray, gray};
+        }
+        estimates.push_back(
+            {{known.inverse_depths[i], GrayImage(240, 180, 255)}, "sweep", true, false});
+    }
+    const DepthMap refined = patch_match(known.scene, estimates, 0, {.iterations = 1});
+    const auto claimed =
+        std::count(refined.confidence.pixels().begin(), refined.confidence.pixels().end(), 255);
+    EXPECT_LT(static_cast<double>(claimed), 0.5 * 240 * 180);
+}
+
 TEST(DepthChoice, APlaneForAPlanarSceneAndTheSweepForATangledOne) {
     EXPECT_EQ(chosen(slanted_wall({0, 0, 1})), "plane");
     EXPECT_EQ(chosen(slanted_wall({0.5, 0.4, 1})), "slanted_plane");
@@ -202,6 +222,16 @@ TEST(DepthChoice, SparsePointsForASmoothScene) {
                                               cross_of_centres(0.12), {0.1, 1.2});
     add_points(known, 8);
     EXPECT_EQ(chosen(known), "sparse");
+}
+
+TEST(HeldOutPoints, LieOnTheSweepOfATangledSceneAndNotOnTheTrianglesBetweenPoints) {
+    const KnownDepthScene known = boards();
+    const SilentProgress progress;
+    const auto of_points = held_out_points_p95_px(known.scene, "sparse", 2, progress);
+    const auto of_sweep = held_out_points_p95_px(known.scene, "sweep", 2, progress);
+    ASSERT_TRUE(of_points && of_sweep);
+    EXPECT_LT(2 * *of_sweep, *of_points);
+    EXPECT_EQ(of_sweep, held_out_points_p95_px(known.scene, "sweep", 1, progress));
 }
 
 TEST(DepthChoice, ThePhotographsDecideWherePointsLieOnOneSurfaceOnly) {
