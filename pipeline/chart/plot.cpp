@@ -87,6 +87,7 @@ class PlotScript {
             "set tics nomirror\nset key outside top center horizontal maxrows 3\n"
             "set bars small\n";
         script += axis('x', plot_.has_log_x, least_.x) + axis('y', plot_.has_log_y, least_.y);
+        script += ticks();
         for (const PlotLine& line : plot_.vertical_lines) {
             script += "set arrow from first " + number(line.x) + ", graph 0 to first " +
                       number(line.x) + ", graph 1 nohead dt 2 lw 1.5 lc rgb '" +
@@ -100,6 +101,14 @@ class PlotScript {
         const std::string axis_name(1, name);
         if (is_logarithmic) return "set logscale " + axis_name + "\n";
         return least >= 0.0 ? "set " + axis_name + "range [0:*]\n" : "";
+    }
+
+    [[nodiscard]] std::string ticks() const {
+        if (plot_.x_ticks.empty()) return "";
+        std::string places;
+        for (const double x : plot_.x_ticks) places += (places.empty() ? "" : ", ") + number(x);
+        return "set xtics (" + places + ")\nset xrange [" + number(plot_.x_ticks.front()) + ":" +
+               number(plot_.x_ticks.back()) + "]\n";
     }
 
     void add_series(std::size_t index) {

@@ -44,6 +44,9 @@ struct Plot {
     bool has_log_y = false;
     std::vector<PlotSeries> series;
     std::vector<PlotLine> vertical_lines;  ///< Such as breaking points.
+    /// Where the first axis is labelled: it runs from the first to the last of these, which may be
+    /// the smallest. Empty: round numbers, from small to large.
+    std::vector<double> x_ticks = {};
 };
 
 /// Draws a plot as SVG with gnuplot. Series without marks, and marks that are not finite or that a

@@ -77,6 +77,7 @@ Plot plot_of(const std::vector<StabilityTrial>& trials, DepthHazard hazard) {
     plot.x_label = curve.strength;
     plot.y_label = "visible textured pixels right to 1 px, percent";
     plot.has_log_x = true;
+    plot.x_ticks = curve.strengths;  // Harmless on the left, whether that is much or little.
     for (const std::string& model : models_of(trials)) {
         PlotSeries series{model, {}, true, false};
         for (const double strength : curve.strengths) {

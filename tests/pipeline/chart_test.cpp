@@ -254,6 +254,23 @@ TEST(Plot, IsDrawnByGnuplotAndNoTextBecomesMarkup) {
     EXPECT_EQ(svg, plot_svg(plot, progress));
 }
 
+/// How far to the right of its picture a text stands.
+double place_of(const std::string& text, const std::string& svg) {
+    const std::string::size_type begin = svg.rfind("translate(", svg.find("> " + text + "</text>"));
+    return std::stod(svg.substr(begin + std::string("translate(").size()));
+}
+
+TEST(Plot, AnAxisRunsFromTheFirstToTheLastOfItsTicks) {
+    Plot plot{"t", "x", "y", true, false, {}, {}, {16, 7, 2}};
+    plot.series = {
+        {"a", {{16, 300, {}, {}, "", false}, {2, 300, {}, {}, "", false}}, false, false}};
+    const SilentProgress progress;
+    const std::string svg = plot_svg(plot, progress);
+    EXPECT_THAT(svg, Not(HasSubstr("> 10</text>")));
+    EXPECT_LT(place_of("16", svg), place_of("7", svg));
+    EXPECT_LT(place_of("7", svg), place_of("2", svg));
+}
+
 TEST(Plot, WhatALogarithmDoesNotKnowIsLeftOutAndNothingIsAnError) {
     Plot plot{"t", "x", "y", true, false, {}, {}};
     plot.series = {{"a", {{0, 2, {}, {}, "", false}, {-1, 2, {}, {}, "", false}}, false, false}};
