@@ -283,6 +283,7 @@ DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double dispar
         DepthMeshOptions as_it_is = options;
         as_it_is.max_coarse_error_px = options.max_noisy_error_px;
         as_it_is.max_triangles_per_sample = std::numeric_limits<double>::infinity();
+        if (options.decimated_share > 0) as_it_is.decimated_share = options.noisy_decimated_share;
         return triangulate(half, camera, disparity_px, as_it_is);
     }
     DepthMesh mesh = mesh_of(errors, lattice, network.error_px);

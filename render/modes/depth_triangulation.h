@@ -19,6 +19,7 @@ struct DepthMeshOptions {
     /// Vertices are left out as long as that adds no more than this share of the error
     /// (mesh_decimation.h); 0: none is.
     double decimated_share = 0.5;
+    double noisy_decimated_share = 1.0;  ///< The same where samples tell noise.
 };
 
 /// The coarsest right-triangulated irregular network (Evans, Kirkpatrick, Townsend 2001) that stays

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "render/modes/scene_plane.h"
+#include "render/modes/view_geometry.h"
 
 namespace lumi {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kHalfWorth_rad = 0.1;
 /// What one more view is worth where others see the same: two must agree, more are spare.
 constexpr double kWorthOfNext = 0.1;
 
-/// A point of the scene plane as (direction, inverse depth) in the eye's frame: X = direction / q.
+/// A point that the eye may see, as (direction, inverse depth) in its frame: X = direction / q.
 struct Sample {
     Eigen::Vector3d direction_in_world;
     double inverse_depth = 0.0;
@@ -24,14 +25,17 @@ struct Sample {
 
 std::vector<Sample> samples_seen_by(const Lumigraph& lumigraph, const Eye& eye) {
     const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
+    const double near_end = inverse_depth_range(lumigraph).y();
     std::vector<Sample> samples;
     for (int row = 0; row < kGridSteps; ++row) {
         for (int column = 0; column < kGridSteps; ++column) {
             const Eigen::Vector2d pixel(column * eye.camera.width_px / (kGridSteps - 1.0),
                                         row * eye.camera.height_px / (kGridSteps - 1.0));
-            samples.push_back(
-                {eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, pixel),
-                 std::max(0.0, plane.dot(pixel.homogeneous()))});
+            const Eigen::Vector3d direction_in_world =
+                eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, pixel);
+            const double on_plane = std::max(0.0, plane.dot(pixel.homogeneous()));
+            samples.push_back({direction_in_world, on_plane});
+            samples.push_back({direction_in_world, std::max(on_plane, near_end)});
         }
     }
     return samples;

@@ -71,7 +71,8 @@ struct Frame {
     ColorImage color;
     /// 255 where the picture is known, 0 where it is not: there it is black or a guess, on the
     /// scene plane where nobody knows how far the scene is, or, per pixel, on what is stretched
-    /// over a tear in depth where none of the ray's cameras sees it.
+    /// over a tear in depth where none of the ray's cameras sees it, or where only pixels show it
+    /// that are mixed of two surfaces.
     GrayImage coverage;
     DrawStatistics statistics{};
 };

@@ -58,6 +58,8 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
     program.set("depth_layers", 2);
     program.set("viewport_origin", glm::vec2(viewport.x_px, viewport.y_px));
     program.set("max_inverse_depth", static_cast<float>(depth_.max_inverse_depth()));
+    program.set("near_inverse_depth",
+                static_cast<float>(inverse_depth_range(uploaded_.layout).y()));
     program.set("agreeing_inverse_depth",
                 static_cast<float>(agreeing_inverse_depth(uploaded_.geometries, views,
                                                           options.occlusion_tolerance_px)));

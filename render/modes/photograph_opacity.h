@@ -7,6 +7,13 @@
 
 namespace lumi {
 
+/// Where photographs count for less than this share of their weights, mixed pixels are all that is
+/// known: the picture there is a guess, but for the photograph of a camera that is so near the eye
+/// that nothing in the scene moves by more than kMostParallax_px between them. As in
+/// shaders/per_pixel.glsl.
+inline constexpr double kLeastCounting = 0.25;
+inline constexpr double kMostParallax_px = 1.0;
+
 /// How much each pixel of a photograph counts where photographs are blended, 1 to 255: the alpha
 /// of its texture.
 ///

@@ -69,6 +69,7 @@ class ReferenceFrame {
                                                   const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d blended(const RayWeights& ray, const RayPoint& point) const;
     [[nodiscard]] std::optional<Sight> sight_of(int view_index, const RayPoint& point) const;
+    [[nodiscard]] bool is_where_the_eye_is(int view_index) const;
     [[nodiscard]] double visibility(int view_index, const RayPoint& point, bool check_depth) const;
     /// How much its photograph counts there, 0 to 255.
     [[nodiscard]] double opacity(int view_index, const RayPoint& point) const;
@@ -230,6 +231,12 @@ Eigen::Vector3d ReferenceFrame::blended(const RayWeights& ray, const RayPoint& p
     return color;
 }
 
+bool ReferenceFrame::is_where_the_eye_is(int view_index) const {
+    const double disparity_px = disparity_px_per_inverse_depth(
+        geometries_[static_cast<std::size_t>(view_index)], eye_in_world_);
+    return disparity_px * inverse_depth_range(lumigraph_).y() <= kMostParallax_px;
+}
+
 std::optional<DrawnPixel> ReferenceFrame::base_at(const RayPoint& point,
                                                   const ConsensusDepth& depth) const {
     std::optional<RayWeights> ray =
@@ -239,11 +246,19 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const RayPoint& point,
     const std::array<double, 3> seen = visibilities(*ray, point, depth);
     std::optional<std::array<double, 3>> weights = redistributed(ray->weights, seen);
     const double occluded = weights ? occluded_share(*ray, seen) : 1.0;
-    if (weights) weights = redistributed(*weights, opacities(*weights, *ray, point));
+    double counting = weights ? 0.0 : 1.0;
+    if (weights) {
+        const std::array<double, 3> opaque = opacities(*weights, *ray, point);
+        for (std::size_t i = 0; i < 3; ++i)
+            counting +=
+                (*weights)[i] * (opaque[i] + (is_where_the_eye_is(ray->view_indices[i]) ? 1 : 0));
+        weights = redistributed(*weights, opaque);
+    }
     if (!weights && !has_depth) return std::nullopt;
     const double fade = options_.fade_beyond_capture ? capture_fade(*ray) : 1.0;
     DrawnPixel drawn;
-    const bool is_known = has_depth && (weights || depth.kind != DepthKind::kStretched);
+    const bool is_known =
+        has_depth && (weights || depth.kind != DepthKind::kStretched) && counting >= kLeastCounting;
     drawn.coverage = is_known || !uses_depth_ ? fade : 0.0;
     ray->weights = weights.value_or(std::array<double, 3>{});
     if (options_.debug_picture != DebugPicture::kNone)

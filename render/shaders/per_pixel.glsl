@@ -11,11 +11,17 @@ uniform sampler2DArray depth_maps;
 uniform sampler2DArray depth_layers;
 uniform vec2 viewport_origin;
 uniform float max_inverse_depth;
+uniform float near_inverse_depth;        // the scene's near end
 uniform float agreeing_inverse_depth;    // depths that differ by no more are of one surface
 uniform float check_per_px;              // 1 / tolerance; 0 without occlusion correction
 // For each layer its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
 // in window coordinates, then (layer of the photograph, its width, its height, unused).
 uniform vec4 layer_views[16];
+
+// Photographs that count less than this, of their weights, hold mixed pixels alone: see
+// photograph_opacity.h.
+const float kLeastCounting = 0.25;
+const float kMostParallax_px = 1.0;
 
 struct Depth {
     float inverse_depth;
@@ -133,11 +139,19 @@ void main() {
         unseen ? layer_views[4 * depth.layer + 3].x : view_parallax0.w);
     vec4 color1 = photograph_at_pixel(sight1.xy, view_parallax1.w);
     vec4 color2 = photograph_at_pixel(sight2.xy, view_parallax2.w);
-    weights = unseen ? vec3(1.0, 0.0, 0.0) : weights * vec3(color0.a, color1.a, color2.a);
+    vec3 seen_weights = weights;
+    weights *= vec3(color0.a, color1.a, color2.a);
+    float counting = weights.x + weights.y + weights.z;
+    // Where all are mixed of two surfaces the colour is a guess, unless a camera is where the eye is.
+    float pure = counting + dot(seen_weights, step(near_inverse_depth * disparity_and_face.xyz,
+                                                   vec3(kMostParallax_px)));
+    float covered = is_known * (unseen ? 1.0 : step(kLeastCounting * sum, pure));
 #ifdef FADES
-    float seen = unseen ? 0.0 : weights.x + weights.y + weights.z;
+    float seen = unseen ? 0.0 : counting;
+    // A shell is laid over by its alpha: it hides what is beneath.
+    covered = mix(covered, is_known, is_shell);
 #endif
-    weights *= 1.0 / max(weights.x + weights.y + weights.z, 1e-9);
+    weights = unseen ? vec3(1.0, 0.0, 0.0) : weights * (1.0 / max(counting, 1e-9));
 #ifdef DEBUG_PICTURE
     // Two views agree: 1; one has seen it: 0.5; filled: 0.25; stretched: 0.125; a guess: 0.
     float confidence = depth.kind < 0.5   ? 0.5 * depth.support
@@ -147,10 +161,10 @@ void main() {
     // White: none of the three sees the point.
     bool marked = unseen && debug_picture == 1;
     drawn = vec4(marked ? vec3(1.0) : debug_color(weights, layers_and_face(), q, confidence, occluded),
-                 is_known);
+                 covered);
 #else
     drawn = vec4(weights.x * color0.rgb + weights.y * color1.rgb + weights.z * color2.rgb,
-                 is_known);
+                 covered);
 #endif
 #ifdef FADES
     vec3 inside = vec3(inner(sight0.xy, view_size0.xy), inner(sight1.xy, view_size1.xy),
