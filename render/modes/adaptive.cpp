@@ -6,12 +6,13 @@
 
 #include "render/modes/depth_view_choice.h"
 #include "render/modes/scene_plane.h"
+#include "render/modes/unseen_triangles.h"
 
 namespace lumi {
 namespace {
 
 /// The three that see most of what the eye sees; some may be named twice.
-std::array<int, 3> views_before_shells(const Lumigraph& layout, const Eye& eye) {
+std::array<int, 3> views_that_see_most(const Lumigraph& layout, const Eye& eye) {
     const std::vector<int> chosen = choose_depth_views(layout, eye, 3);
     std::array<int, 3> views{};
     for (std::size_t i = 0; i < 3; ++i) views[i] = chosen[std::min(i, chosen.size() - 1)];
@@ -53,8 +54,10 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
             .triangles;
     };
     std::vector<BlendTriangles> layers{subdivided(layout.mesh, kOverlap_px)};
+    const std::array<int, 3> others = views_that_see_most(layout, eye);
+    draw_unseen_from(others, search, plane, sampling, layers.front());
     if (layout.mesh.shells.empty()) return layers;
-    sampling.before_shell = views_before_shells(layout, eye);
+    sampling.before_shell = others;
     for (const CameraMesh& shell : layout.mesh.shells)
         layers.push_back(without_unseen(subdivided(shell, kNoOverlap_px)));
     return layers;

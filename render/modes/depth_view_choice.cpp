@@ -50,10 +50,13 @@ std::vector<double> closeness_of(const LumigraphView& view, const Eigen::Vector3
         const Eigen::Vector3d from_view =
             sample.direction_in_world - sample.inverse_depth * eye_from_view;
         const auto pixel = project(view.camera, view.cam_from_world.rotation * from_view);
+        if (!pixel || !is_inside(view.camera, *pixel)) {
+            closeness.push_back(0.0);
+            continue;
+        }
         const double angle = std::atan2(from_view.cross(sample.direction_in_world).norm(),
                                         from_view.dot(sample.direction_in_world));
-        const bool sees = pixel && is_inside(view.camera, *pixel);
-        closeness.push_back(sees ? kHalfWorth_rad / (kHalfWorth_rad + angle) : 0.0);
+        closeness.push_back(kHalfWorth_rad / (kHalfWorth_rad + angle));
     }
     return closeness;
 }

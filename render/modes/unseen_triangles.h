@@ -1,0 +1,19 @@
+#pragma once
+
+#include <array>
+
+#include "render/modes/subdivision.h"
+
+namespace lumi {
+
+/// Draws what a face's cameras do not see from others.
+///
+/// A triangle with a corner that none of its cameras sees, because something hides it or because it
+/// lies beyond their photographs, gets `other_views` instead, the first of them that sees a corner
+/// there, if these see all of its corners, or show them where its own have nothing. Corners are
+/// looked up anew, once each; those of neighbours stay as they are.
+void draw_unseen_from(const std::array<int, 3>& other_views, const DepthSearch& search,
+                      const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
+                      BlendTriangles& triangles);
+
+}  // namespace lumi
