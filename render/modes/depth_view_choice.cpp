@@ -14,13 +14,15 @@ namespace {
 constexpr int kGridSteps = 9;
 /// At this angle between view and eye a view is worth half.
 constexpr double kHalfWorth_rad = 0.1;
-/// What one more view is worth where others see the same: two must agree, more are spare.
+/// What one more view is worth where others see the same: two must agree, more are spare. No more
+/// than that is a view worth for what may stand before the scene plane.
 constexpr double kWorthOfNext = 0.1;
 
 /// A point that the eye may see, as (direction, inverse depth) in its frame: X = direction / q.
 struct Sample {
     Eigen::Vector3d direction_in_world;
     double inverse_depth = 0.0;
+    double worth = 1.0;  ///< To a view that sees it from the eye's direction, the first to do so.
 };
 
 std::vector<Sample> samples_seen_by(const Lumigraph& lumigraph, const Eye& eye) {
@@ -35,7 +37,7 @@ std::vector<Sample> samples_seen_by(const Lumigraph& lumigraph, const Eye& eye) 
                 eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, pixel);
             const double on_plane = std::max(0.0, plane.dot(pixel.homogeneous()));
             samples.push_back({direction_in_world, on_plane});
-            samples.push_back({direction_in_world, std::max(on_plane, near_end)});
+            samples.push_back({direction_in_world, std::max(on_plane, near_end), kWorthOfNext});
         }
     }
     return samples;
@@ -73,7 +75,8 @@ std::vector<int> choose_depth_views(const Lumigraph& lumigraph, const Eye& eye, 
     std::vector<std::vector<double>> closeness;
     for (const LumigraphView& view : lumigraph.views)
         closeness.push_back(closeness_of(view, eye_in_world, samples));
-    std::vector<double> worth(samples.size(), 1.0);
+    std::vector<double> worth;
+    for (const Sample& sample : samples) worth.push_back(sample.worth);
     std::vector<int> chosen;
     while (static_cast<int>(chosen.size()) < max_views) {
         int best = -1;

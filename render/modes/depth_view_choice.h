@@ -14,11 +14,10 @@ inline constexpr int kMaxDepthViews = 4;
 /// from nearly the same direction, and together all of it.
 ///
 /// The eye's picture is sampled on a grid, placed on the scene plane (scene_plane.h) and again at
-/// the scene's near end: a view whose photograph holds a ray's far part alone cannot tell what
-/// stands before it. Views are taken one by one; each adds, for every sample in its photograph, the
-/// more the smaller the angle between view and eye, and the less the more views see it already. The
-/// first is the nearest.
-/// Views that see nothing of it are left out, unless all are.
+/// the scene's near end, for less: a view whose photograph holds a ray's far part alone cannot tell
+/// what stands before it. Views are taken one by one; each adds, for every sample in its
+/// photograph, the more the smaller the angle between view and eye, and the less the more views see
+/// it already. The first is the nearest. Views that see nothing of it are left out, unless all are.
 [[nodiscard]] std::vector<int> choose_depth_views(const Lumigraph& lumigraph, const Eye& eye,
                                                   int max_views);
 

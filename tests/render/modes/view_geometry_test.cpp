@@ -83,23 +83,24 @@ TEST(DepthViewChoice, PutsTheViewThatStandsThereFirst) {
     }
 }
 
-// Two views beside the eye look at the wall that is the scene plane, and miss most of what stands
-// before the eye; the third misses some of the wall.
+// The first view is the nearest. Of the two others, which stand in one place, one has a photograph
+// so wide that it also shows what stands before the eye.
 TEST(DepthViewChoice, TakesViewsThatSeeWhatStandsBeforeTheScenePlane) {
-    const Camera camera = pinhole_camera(64, 64, 60);
     Lumigraph lumigraph;
-    const auto add = [&](const Eigen::Vector3d& position, const Eigen::Vector3d& target) {
-        const Eye eye = eye_at(position, target, camera);
+    const auto add = [&](double x, double focal_px) {
+        const Eye eye = eye_at({x, 0, 0}, {0, 0, 10}, pinhole_camera(64, 64, focal_px));
         lumigraph.views.push_back({"", eye.camera, eye.cam_from_world, 1, {}, {}});
     };
-    add({0.9, 0, 0}, {0, 0, 10});
-    add({-1, 0, 0}, {0, 0, 10});
-    add({1, 0, 0}, {0, 0, 2.5});
+    add(0.9, 60);
+    add(-1, 60);
+    add(-1, 20);
     lumigraph.mesh.scene_centre_in_world = {0, 0, 10};
     lumigraph.near_depth = 1;
     lumigraph.far_depth = 12;
     const Eye eye = eye_at({0, 0, 0}, {0, 0, 10}, pinhole_camera(64, 64, 90));
     EXPECT_EQ(choose_depth_views(lumigraph, eye, 2), (std::vector<int>{0, 2}));
+    lumigraph.near_depth = 9;
+    EXPECT_EQ(choose_depth_views(lumigraph, eye, 2), (std::vector<int>{0, 1}));
 }
 
 TEST(DepthViewChoice, LeavesOutViewsThatLookElsewhere) {
