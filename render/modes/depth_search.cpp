@@ -316,38 +316,17 @@ std::optional<RayHit> DepthSearch::first_hit_in(int view_index,
     return std::nullopt;
 }
 
-std::optional<RayHit> DepthSearch::confirmed(const RayHit& hit, int view_index,
-                                             const Eigen::Vector2d& pixel) const {
-    const LumigraphView& view = lumigraph_.views[static_cast<std::size_t>(view_index)];
-    if (hit.kind != DepthKind::kSeen || view.depth.inverse_depth.empty()) return std::nullopt;
-    const EpipolarLine line = line_in(view_index, pixel);
-    const Eigen::Vector3d at = line.at(hit.inverse_depth);
-    if (at.z() < kLeastRatio) return std::nullopt;
-    const Eigen::Vector2d in_view = at.hnormalized();
-    if (!(in_view.minCoeff() >= 0 && in_view.x() <= view.camera.width_px &&
-          in_view.y() <= view.camera.height_px))
-        return std::nullopt;
-    const double surface = surface_at(view_index, in_view);
-    // Where the ray is as far away as this surface.
-    const double meets =
-        surface * line.at_infinity.z() / (1 - surface * line.per_inverse_depth.z());
-    if (!(std::abs(meets - hit.inverse_depth) <= agreeing_inverse_depth_) ||
-        kind_at(view_index, in_view) != DepthKind::kSeen)
-        return std::nullopt;
-    return RayHit{0.5 * (hit.inverse_depth + meets), DepthKind::kSeen, 2};
-}
-
 std::optional<RayHit> DepthSearch::first_hit(const Eigen::Vector2d& pixel,
                                              const std::array<int, 3>& view_indices) const {
     std::array<std::optional<RayHit>, 3> hits;
     for (std::size_t k = 0; k < 3; ++k) {
         const auto here = view_indices.begin() + static_cast<std::ptrdiff_t>(k);
-        if (std::find(view_indices.begin(), here, *here) != here) continue;
-        if (k == 1 && hits[0]) {
-            const auto both = confirmed(*hits[0], *here, pixel);
-            if (both) return both;
-        }
-        hits[k] = first_hit_in(*here, pixel);
+        if (std::find(view_indices.begin(), here, *here) == here)
+            hits[k] = first_hit_in(*here, pixel);
+        if (k == 1 && hits[0] && hits[1] && hits[0]->kind == DepthKind::kSeen &&
+            hits[1]->kind == DepthKind::kSeen &&
+            std::abs(hits[0]->inverse_depth - hits[1]->inverse_depth) <= agreeing_inverse_depth_)
+            break;
     }
     DepthKind best_kind = DepthKind::kStretched;
     for (const auto& hit : hits)

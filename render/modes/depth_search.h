@@ -39,10 +39,10 @@ class DepthSearch {
                 const Eye& eye, double tolerance_px);
 
     /// What the ray through `pixel` meets first in the depth maps of three views (a view may be
-    /// named twice). What the first view meets and the second sees at the same place is it; the ray
-    /// is followed through the others only where that fails: then it is the nearest that two agree
-    /// on, or else the nearest, of the most reliable kind. Empty when it meets nothing in any of
-    /// them.
+    /// named twice): the nearest that two agree on, or else the nearest, of the most reliable kind.
+    /// The third is not asked when the first two have both seen it; the second always is: that it
+    /// sees what the first one meets does not tell what it meets before. Empty when the ray meets
+    /// nothing in any of them.
     [[nodiscard]] std::optional<RayHit> first_hit(const Eigen::Vector2d& pixel,
                                                   const std::array<int, 3>& view_indices) const;
 
@@ -93,10 +93,6 @@ class DepthSearch {
     /// skipped.
     [[nodiscard]] double past_hiding_tiles(int view_index, const EpipolarLine& line, double q,
                                            double far_end) const;
-    /// The mean of a hit that another view has seen and of where this view sees the surface there;
-    /// empty where it sees something else.
-    [[nodiscard]] std::optional<RayHit> confirmed(const RayHit& hit, int view_index,
-                                                  const Eigen::Vector2d& pixel) const;
     /// The hit between a point in front of the surface and one behind it; empty at a tear.
     [[nodiscard]] std::optional<RayHit> refined(int view_index, const EpipolarLine& line,
                                                 const Stretch& bracket) const;

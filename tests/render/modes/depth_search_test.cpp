@@ -108,5 +108,33 @@ TEST(DepthSearch, KnowsWhoSeesTheWallBehindTheCard) {
     }
 }
 
+// The card hides parts of the wall from the eye that both views see: one of them past the card's
+// edge, while the ray meets the card in the other.
+TEST(DepthSearch, TheNearestCountsWhereTwoViewsMeetDifferentSurfaces) {
+    const Lumigraph lumigraph = card_before_wall();
+    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    const Eye eye{lumigraph.views[0].camera, lumigraph.views[0].cam_from_world};
+    const DepthSearch search(lumigraph, geometries, eye, 1.0);
+    const double apart = 0.3 * (1.0 / 3 - 1.0 / 6);
+    int differing = 0;
+    for (int far_view = 1; far_view < 9; ++far_view) {
+        for (int near_view = 1; near_view < 9; ++near_view) {
+            for (int y = 0; y < eye.camera.height_px; ++y) {
+                for (int x = 0; x < eye.camera.width_px; ++x) {
+                    const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
+                    const auto far = search.first_hit(pixel, {far_view, far_view, far_view});
+                    const auto near = search.first_hit(pixel, {near_view, near_view, near_view});
+                    if (!far || !near || near->inverse_depth - far->inverse_depth < apart) continue;
+                    ++differing;
+                    const auto both = search.first_hit(pixel, {far_view, near_view, near_view});
+                    ASSERT_TRUE(both);
+                    EXPECT_EQ(both->inverse_depth, near->inverse_depth) << x << ' ' << y;
+                }
+            }
+        }
+    }
+    EXPECT_GT(differing, 100);
+}
+
 }  // namespace
 }  // namespace lumi
