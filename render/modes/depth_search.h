@@ -2,11 +2,13 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "render/lumigraph/depth_mesh.h"
 #include "render/lumigraph/lumigraph.h"
+#include "render/modes/epipolar_walk.h"
 #include "render/modes/pixel_transfer.h"
 #include "render/modes/view_geometry.h"
 
@@ -19,22 +21,12 @@ struct RayHit {
     int support = 0;  ///< How many of the views asked meet it there.
 };
 
-/// One view as a ray of the eye sees it: pixels along its epipolar line.
-struct EpipolarLine {
-    Eigen::Vector3d at_infinity;        ///< Homogeneous pixel at inverse depth 0.
-    Eigen::Vector3d per_inverse_depth;  ///< What each unit of the eye's inverse depth adds.
-
-    [[nodiscard]] Eigen::Vector3d at(double inverse_depth) const {
-        return at_infinity + inverse_depth * per_inverse_depth;
-    }
-};
-
 /// Finds where rays of one eye first meet the scene in the depth maps of views that stand
 /// elsewhere: the inverse search of Vogelgsang and Greiner (2000), which the paper uses for depth
 /// (section 4), here along the epipolar line from near to far.
 class DepthSearch {
  public:
-    /// `views` need depth maps; keeps references to both.
+    /// Keeps references to the depth maps of `geometries`, which are the lumigraph's.
     DepthSearch(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
                 const Eye& eye, double tolerance_px);
 
@@ -62,6 +54,9 @@ class DepthSearch {
         return hit.inverse_depth > other.inverse_depth + agreeing_inverse_depth_;
     }
 
+    /// Whether any view has a depth map.
+    [[nodiscard]] bool has_depth() const { return has_depth_; }
+
     /// What is farther is as good as infinitely far.
     [[nodiscard]] double least_inverse_depth() const { return least_inverse_depth_; }
 
@@ -74,41 +69,48 @@ class DepthSearch {
         Eigen::Vector2d samples_per_pixel = Eigen::Vector2d::Zero();
         double disparity_px = 0.0;  ///< Pixels per unit of inverse depth (view_geometry.h).
         double max_disparity_px = 0.0;
-        double max_inverse_depth = 0.0;  ///< Of the view's depth map.
+        int width_px = 0;
+        int height_px = 0;
+        const TiledDepth* depth = nullptr;
     };
-    /// A stretch of inverse depths, near end first, over which a point lies in a photograph.
+    /// A stretch of inverse depths, near end first.
     struct Stretch {
         double near_end;
         double far_end;
     };
-    [[nodiscard]] Stretch visible_stretch(int view_index, const EpipolarLine& line) const;
-    /// The first inverse depth from `q` on at which the ray might meet something in the view: what
-    /// lies before all that a tile of its depth map holds is skipped.
-    [[nodiscard]] double past_free_tiles(int view_index, const EpipolarLine& line, double q,
-                                         double far_end) const;
+    /// What a view sees at a place in its depth map.
+    struct Surface {
+        double inverse_depth;  ///< Interpolated where it is one surface, else the nearest sample's.
+        DepthKind kind;        ///< Of the nearest sample.
+    };
+    /// The view's ray at a point of the eye's ray.
+    struct Meeting {
+        double q;
+        EpipolarWalk::Place place;
+        Surface surface;
+        double ahead;  ///< Inverse depth of the point in the view, less the surface's.
+    };
+    [[nodiscard]] static Surface surface_at(const Target& target, double x, double y);
+    [[nodiscard]] static Meeting meeting_at(const Target& target, const EpipolarWalk& walk,
+                                            double q);
+    /// Over which a point lies in a photograph, and not before all that it shows.
+    [[nodiscard]] Stretch visible_stretch(const Target& target, const EpipolarLine& line) const;
     [[nodiscard]] std::optional<RayHit> first_hit_in(int view_index,
                                                      const Eigen::Vector2d& pixel) const;
-    /// The same for what lies behind the first surface: the first inverse depth from `q` on at
-    /// which the ray might come out from behind. Tiles whose farthest sample is still before it are
-    /// skipped.
-    [[nodiscard]] double past_hiding_tiles(int view_index, const EpipolarLine& line, double q,
-                                           double far_end) const;
+    /// Whether a point is on the surface by so much of the tolerance.
+    [[nodiscard]] bool is_at_surface(const Target& target, const Meeting& meeting,
+                                     double share) const {
+        return std::abs(meeting.ahead) * target.max_disparity_px <= share * tolerance_px_;
+    }
     /// The hit between a point in front of the surface and one behind it; empty at a tear.
-    [[nodiscard]] std::optional<RayHit> refined(int view_index, const EpipolarLine& line,
+    [[nodiscard]] std::optional<RayHit> refined(const Target& target, const EpipolarWalk& walk,
                                                 const Stretch& bracket) const;
-    /// The inverse depth that a view sees at a pixel within its photograph: interpolated where it
-    /// is one surface, the nearest sample at a tear.
-    [[nodiscard]] double surface_at(int view_index, const Eigen::Vector2d& pixel) const;
-    /// Of the nearest sample.
-    [[nodiscard]] DepthKind kind_at(int view_index, const Eigen::Vector2d& pixel) const;
-    [[nodiscard]] double sample_at(int view_index, const Eigen::Vector2d& pixel) const;
 
-    const Lumigraph& lumigraph_;
-    const std::vector<ViewGeometry>& geometries_;
     double tolerance_px_;
     double agreeing_inverse_depth_;
     double max_inverse_depth_;  ///< Of the eye: nothing nearer is looked for.
     double least_inverse_depth_;
+    bool has_depth_ = false;
     std::vector<Target> targets_;
 };
 

@@ -1,7 +1,6 @@
 #include "render/modes/view_geometry.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 #include "calib/work/median.h"
@@ -23,20 +22,6 @@ std::vector<std::set<int>> neighbours_in(const CameraMesh& mesh, std::size_t vie
     return neighbours;
 }
 
-/// What `best` leaves of the samples of each tile, from `none` on.
-template <class Best>
-FloatImage over_tiles(const FloatImage& samples, float none, const Best& best) {
-    FloatImage tiles((samples.width() + kDepthTile - 1) / kDepthTile,
-                     (samples.height() + kDepthTile - 1) / kDepthTile, none);
-    for (int y = 0; y < samples.height(); ++y) {
-        for (int x = 0; x < samples.width(); ++x) {
-            float& tile = tiles(x / kDepthTile, y / kDepthTile);
-            tile = best(tile, samples(x, y));
-        }
-    }
-    return tiles;
-}
-
 /// The depth at which disparities are halfway between those of the near and the far end.
 double middle_depth(const Lumigraph& lumigraph) { return 2 / inverse_depth_range(lumigraph).sum(); }
 
@@ -53,17 +38,8 @@ Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph) {
 std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph) {
     std::vector<ViewGeometry> geometries;
     for (const LumigraphView& view : lumigraph.views) {
-        const FloatImage& samples = view.depth.inverse_depth;
-        FloatImage tiles =
-            over_tiles(samples, 0.0F, [](float a, float b) { return std::max(a, b); });
-        const auto nearest = std::max_element(tiles.pixels().begin(), tiles.pixels().end());
-        const double max_inverse_depth =
-            nearest == tiles.pixels().end() ? 0.0 : static_cast<double>(*nearest);
         geometries.push_back({centre_in_world(view.cam_from_world),
-                              focal_length_px(view.camera).mean(), 0.0, max_inverse_depth,
-                              std::move(tiles),
-                              over_tiles(samples, std::numeric_limits<float>::max(),
-                                         [](float a, float b) { return std::min(a, b); })});
+                              focal_length_px(view.camera).mean(), 0.0, TiledDepth(view.depth)});
     }
     const auto neighbours = neighbours_in(lumigraph.mesh, geometries.size());
     for (std::size_t i = 0; i < geometries.size(); ++i) {

@@ -3,17 +3,14 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "calib/capture/image.h"
 #include "render/lumigraph/lumigraph.h"
+#include "render/modes/tiled_depth.h"
 
 namespace lumi {
 
 /// Inverse depths of the scene's far and near end, as the views see them; from the distance of the
 /// scene's centre when the Lumigraph does not say.
 [[nodiscard]] Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph);
-
-/// Samples along a side of a tile.
-inline constexpr int kDepthTile = 16;
 
 /// What turns differences of inverse depth into pixels, the same for every eye.
 struct ViewGeometry {
@@ -22,10 +19,7 @@ struct ViewGeometry {
     /// Median distance to the views it shares a face with; a tenth of the scene's depth without
     /// any.
     double baseline = 0.0;
-    double max_inverse_depth = 0.0;  ///< Of its depth map; 0 without one.
-    /// The largest and the smallest of each square of kDepthTile samples.
-    FloatImage tile_max_inverse_depth{};
-    FloatImage tile_min_inverse_depth{};
+    TiledDepth depth{};  ///< Its depth map; empty without one.
 };
 
 [[nodiscard]] std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph);
