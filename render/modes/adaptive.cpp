@@ -54,9 +54,10 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
             .triangles;
     };
     std::vector<BlendTriangles> layers{subdivided(layout.mesh, kOverlap_px)};
+    const bool has_unseen = others_may_show_more(search, layers.front());
+    if (!has_unseen && layout.mesh.shells.empty()) return layers;
     const std::array<int, 3> others = views_that_see_most(layout, eye);
-    draw_unseen_from(others, search, plane, sampling, layers.front());
-    if (layout.mesh.shells.empty()) return layers;
+    if (has_unseen) draw_unseen_from(others, search, plane, sampling, layers.front());
     sampling.before_shell = others;
     for (const CameraMesh& shell : layout.mesh.shells)
         layers.push_back(without_unseen(subdivided(shell, kNoOverlap_px)));

@@ -7,13 +7,13 @@
 
 #include "calib/work/parallel_for.h"
 #include "render/modes/edge_error.h"
-#include "render/modes/edge_table.h"
 #include "render/modes/relaxation_search.h"
+#include "render/modes/split_edges.h"
 
 namespace lumi {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffU;
+constexpr std::uint32_t kNone = SplitEdge::kNone;
 /// Triangles with an altitude below this share of the shortest edge are whole: their long edge may
 /// have no reason to be split where the others always have. Vertices lie on the edges of their
 /// neighbours, so that no gap opens.
@@ -39,12 +39,11 @@ class AdaptiveSubdivider::Mesh {
                const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
                const AdaptiveSubdivisionOptions& options) {
         options_ = options;
+        max_edge_px_ = static_cast<float>(options.max_edge_px);
         samplers_.clear();
         polygon_of_.clear();
         pixels_.clear();
         vertices_.clear();
-        edge_numbers_.clear();
-        inner_edges_.clear();
         edges_.clear();
         settled_.clear();
         whole_.clear();
@@ -60,8 +59,8 @@ class AdaptiveSubdivider::Mesh {
     /// The number of triangles with errors relaxed so much; nothing, and what was found before
     /// stays, where they are more than `most`. To be called for lesser and lesser relaxations once
     /// it gave a number.
-    [[nodiscard]] std::optional<std::size_t> subdivide(double relaxation, std::size_t most) {
-        least_edge_px_ = options_.min_edge_px * std::sqrt(relaxation);
+    [[nodiscard]] std::optional<std::size_t> subdivide(float relaxation, std::size_t most) {
+        least_edge_px_ = static_cast<float>(options_.min_edge_px) * std::sqrt(relaxation);
         leaves_.clear();
         now_settled_.clear();
         level_ = settled_;
@@ -99,15 +98,6 @@ class AdaptiveSubdivider::Mesh {
     }
 
  private:
-    struct Edge {
-        std::uint32_t from;
-        std::uint32_t to;
-        double length_px;
-        double split_below = 0.0;      ///< It is split where errors are relaxed less.
-        std::uint32_t middle = kNone;  ///< A vertex, when it was looked up.
-        std::array<std::uint32_t, 2> halves{kNone, kNone};  ///< Edges, when they were asked for.
-    };
-
     void add_vertex(const Eigen::Vector2d& pixel) {
         const FacePolygon& polygon = samplers_.back().polygon();
         polygon_of_.push_back(static_cast<std::uint32_t>(samplers_.size() - 1));
@@ -116,26 +106,11 @@ class AdaptiveSubdivider::Mesh {
             blend_vertex(samplers_.back().at(pixel), polygon, VertexDepth::kAffine));
     }
 
-    [[nodiscard]] std::uint32_t new_edge(std::uint32_t a, std::uint32_t b) {
-        edges_.push_back({a, b, (pixels_[a] - pixels_[b]).norm()});
-        return static_cast<std::uint32_t>(edges_.size() - 1);
-    }
-
-    /// An edge within a triangle, or within a polygon.
     [[nodiscard]] std::uint32_t inner_edge(std::uint32_t a, std::uint32_t b) {
-        const std::uint32_t number = edge_numbers_.number_of(a, b);
-        if (number == inner_edges_.size()) inner_edges_.push_back(new_edge(a, b));
-        return inner_edges_[number];
+        return edges_.within(a, b, pixels_);
     }
-
-    /// The half of a split edge that ends at a corner.
-    [[nodiscard]] std::uint32_t half_at(std::uint32_t number, std::uint32_t corner) {
-        const std::size_t side = edges_[number].from == corner ? 0 : 1;
-        if (edges_[number].halves[side] == kNone) {
-            const std::uint32_t half = new_edge(corner, edges_[number].middle);
-            edges_[number].halves[side] = half;
-        }
-        return edges_[number].halves[side];
+    [[nodiscard]] std::uint32_t half_at(std::uint32_t edge, std::uint32_t corner) {
+        return edges_.half_at(edge, corner, pixels_);
     }
 
     [[nodiscard]] Triangle triangle_of(std::uint32_t a, std::uint32_t b, std::uint32_t c,
@@ -144,7 +119,7 @@ class AdaptiveSubdivider::Mesh {
     }
 
     /// Splits a triangle, or leaves it whole, if what is known of its edges tells.
-    void split_or_wait(const Triangle& triangle, double relaxation) {
+    void split_or_wait(const Triangle& triangle, float relaxation) {
         if (is_thin(triangle)) return leave_whole(triangle);
         bool is_decided = true;
         for (const std::uint32_t edge : triangle.edges)
@@ -158,9 +133,9 @@ class AdaptiveSubdivider::Mesh {
 
     /// False while the middle of an edge that might be split is still to be looked up.
     [[nodiscard]] bool knows_enough_of(std::uint32_t number) {
-        Edge& edge = edges_[number];
+        SplitEdge& edge = edges_[number];
         if (edge.middle != kNone) return edge.middle < vertices_.size();
-        if (edge.length_px <= std::min(least_edge_px_, options_.max_edge_px)) return true;
+        if (edge.length_px <= std::min(least_edge_px_, max_edge_px_)) return true;
         edge.middle = static_cast<std::uint32_t>(pixels_.size());
         pixels_.emplace_back(0.5 * (pixels_[edge.from] + pixels_[edge.to]));
         polygon_of_.push_back(polygon_of_[edge.from]);
@@ -170,29 +145,27 @@ class AdaptiveSubdivider::Mesh {
 
     void look_up_wanted() {
         vertices_.resize(pixels_.size());
-        const std::size_t blocks = (wanted_.size() + kVerticesAtATime - 1) / kVerticesAtATime;
-        parallel_for(static_cast<int>(blocks), 0, [&](int block) {
-            const std::size_t first = static_cast<std::size_t>(block) * kVerticesAtATime;
-            const std::size_t end = std::min(first + kVerticesAtATime, wanted_.size());
-            for (std::size_t i = first; i < end; ++i) look_up(edges_[wanted_[i]]);
-        });
+        parallel_for_runs(wanted_.size(), kVerticesAtATime, 0,
+                          [&](std::size_t first, std::size_t end) {
+                              for (std::size_t i = first; i < end; ++i) look_up(edges_[wanted_[i]]);
+                          });
     }
 
-    void look_up(Edge& edge) {
+    void look_up(SplitEdge& edge) {
         const PatchSampler& sampler = samplers_[polygon_of_[edge.middle]];
         BlendVertex& middle = vertices_[edge.middle];
         middle =
             blend_vertex(sampler.at(pixels_[edge.middle]), sampler.polygon(), VertexDepth::kAffine);
-        edge.split_below =
-            greatest_relaxation(edge_error_px(vertices_[edge.from], vertices_[edge.to], middle,
-                                              options_.weight_error_px) /
-                                    options_.max_error_px,
-                                edge.length_px / options_.min_edge_px);
+        const double error_px = edge_error_px(vertices_[edge.from], vertices_[edge.to], middle,
+                                              options_.weight_error_px);
+        const double length_px = static_cast<double>(edge.length_px);
+        edge.split_below = static_cast<float>(greatest_relaxation(
+            error_px / options_.max_error_px, length_px / options_.min_edge_px));
     }
 
-    [[nodiscard]] bool is_split(std::uint32_t number, double relaxation) const {
-        const Edge& edge = edges_[number];
-        if (edge.length_px > options_.max_edge_px) return true;
+    [[nodiscard]] bool is_split(std::uint32_t number, float relaxation) const {
+        const SplitEdge& edge = edges_[number];
+        if (edge.length_px > max_edge_px_) return true;
         return edge.length_px > least_edge_px_ && edge.split_below > relaxation;
     }
 
@@ -201,11 +174,11 @@ class AdaptiveSubdivider::Mesh {
         const auto [a, b, c] = triangle.corners;
         const Eigen::Vector2d ab = pixels_[b] - pixels_[a];
         const Eigen::Vector2d ac = pixels_[c] - pixels_[a];
-        double longest = 0;
+        float longest = 0;
         for (const std::uint32_t edge : triangle.edges)
             longest = std::max(longest, edges_[edge].length_px);
         return std::abs(ab.x() * ac.y() - ab.y() * ac.x()) <
-               kThinnest * options_.min_edge_px * longest;
+               kThinnest * options_.min_edge_px * static_cast<double>(longest);
     }
 
     void leave_whole(const Triangle& triangle) {
@@ -213,7 +186,7 @@ class AdaptiveSubdivider::Mesh {
         leaves_.push_back(triangle);
     }
 
-    void split(const Triangle& triangle, double relaxation) {
+    void split(const Triangle& triangle, float relaxation) {
         std::array<bool, 3> splits{};
         for (std::size_t i = 0; i < 3; ++i) splits[i] = is_split(triangle.edges[i], relaxation);
         const auto count = std::count(splits.begin(), splits.end(), true);
@@ -284,14 +257,13 @@ class AdaptiveSubdivider::Mesh {
     }
 
     AdaptiveSubdivisionOptions options_;
-    double least_edge_px_ = 0.0;             ///< Shorter ones are not split.
+    float least_edge_px_ = 0.0F;             ///< Shorter ones are not split.
+    float max_edge_px_ = 0.0F;               ///< Longer ones are, in any case.
     std::vector<PatchSampler> samplers_;     ///< One a polygon.
     std::vector<std::uint32_t> polygon_of_;  ///< Of each vertex.
     std::vector<Eigen::Vector2d> pixels_;    ///< The same.
     std::vector<BlendVertex> vertices_;
-    EdgeTable edge_numbers_;  ///< Of the edges within triangles.
-    std::vector<std::uint32_t> inner_edges_;
-    std::vector<Edge> edges_;
+    SplitEdges edges_;
     std::vector<std::uint32_t> wanted_;  ///< Edges whose middles are to be looked up.
     /// Where the next subdivision begins: of what is not split in four the largest triangles.
     std::vector<Triangle> settled_;
@@ -315,9 +287,10 @@ AdaptiveSubdivision AdaptiveSubdivider::subdivide(const std::vector<FacePolygon>
                                                   const AdaptiveSubdivisionOptions& options) {
     mesh_->begin(polygons, search, scene_plane, sampling, options);
     AdaptiveSubdivision result;
-    result.relaxation = least_relaxation(
-        options.max_triangles,
-        [&](double relaxation, std::size_t most) { return mesh_->subdivide(relaxation, most); });
+    result.relaxation =
+        least_relaxation(options.max_triangles, [&](double relaxation, std::size_t most) {
+            return mesh_->subdivide(static_cast<float>(relaxation), most);
+        });
     result.triangles = mesh_->triangles();
     return result;
 }

@@ -29,6 +29,8 @@ double edge_error_px(const BlendVertex& a, const BlendVertex& b, const BlendVert
 double greatest_relaxation(double error, double length) {
     constexpr double kLargeError = 64.0;
     constexpr double kLeastShare = 0.25;
+    // The power below is at least this much: most edges are done without it.
+    if (length >= 1 && error * error <= length) return error;
     const double share = std::clamp(std::cbrt(error / kLargeError), kLeastShare, 1.0);
     return std::min(error, std::pow(length, 2 * share));
 }

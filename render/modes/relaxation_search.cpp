@@ -12,6 +12,10 @@ constexpr int kMostSteps = 10 * kStepsPerOctave;
 constexpr int kFirstSteps = 3 * kStepsPerOctave;
 /// Where nothing tells how the number of triangles grows.
 constexpr int kBlindSteps = kStepsPerOctave;
+/// From this share of the triangles that may be drawn on, half as many: beyond the number, what was
+/// looked up for too many triangles is lost.
+constexpr double kMany = 0.25;
+constexpr int kBlindStepsFromMany = kBlindSteps / 2;
 /// This share of the triangles that may be drawn is enough: another round would cost more than it
 /// betters the picture.
 constexpr double kEnough = 0.8;
@@ -29,11 +33,12 @@ struct Kept {
 
 /// How many steps less make as many triangles as may be, by the growth from one to the other.
 int steps_to_go(const Kept& coarser, const Kept& finer, double most) {
-    if (coarser.steps > kMostSteps) return kBlindSteps;
+    const int most_steps = finer.triangles < kMany * most ? kBlindSteps : kBlindStepsFromMany;
+    if (coarser.steps > kMostSteps) return most_steps;
     const double growth =
         std::log(finer.triangles / coarser.triangles) / (coarser.steps - finer.steps);
     const double to_go = std::log(most / finer.triangles) / std::max(growth, 0.02);
-    return std::clamp(static_cast<int>(kCaution * to_go), 1, kBlindSteps);
+    return std::clamp(static_cast<int>(kCaution * to_go), 1, most_steps);
 }
 
 }  // namespace

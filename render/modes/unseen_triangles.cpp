@@ -5,12 +5,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "calib/work/parallel_for.h"
+
 namespace lumi {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
 /// The weight of the next view beside one that sees the point: it counts where that does not.
 constexpr double kNextWeight = 1e-3;
+/// Corners that one thread looks up at a time.
+constexpr std::size_t kCornersAtATime = 64;
 
 /// How well the corner's photographs stand for what is there.
 enum class Standing { kNothing, kGuess, kSeen };
@@ -32,56 +36,112 @@ FacePolygon picture_through(const std::array<int, 3>& views) {
     return polygon;
 }
 
-/// The same corners seen by other views, looked up when they are asked for.
+/// The best that other views can do.
+Standing best_standing(const DepthSearch& search) {
+    return search.has_depth() ? Standing::kSeen : Standing::kGuess;
+}
+
+/// Corners seen by other views.
 class OtherCorners {
  public:
     OtherCorners(const PatchSampler& sampler, BlendTriangles& triangles)
         : sampler_(sampler), triangles_(triangles), other_of_(triangles.vertices.size(), kNone) {}
 
-    std::uint32_t other_of(std::uint32_t corner) {
-        if (other_of_[corner] == kNone) {
-            const BlendVertex& known = triangles_.vertices[corner];
-            const PatchSample sample = sampler_.at(
-                {static_cast<double>(known.pixel[0]), static_cast<double>(known.pixel[1])});
-            BlendVertex other = blend_vertex(sample, sampler_.polygon(), VertexDepth::kAffine);
-            other.face_index = known.face_index;
-            other.occluded = known.occluded;
-            other.opacity = known.opacity;
-            other_of_[corner] = static_cast<std::uint32_t>(triangles_.vertices.size());
-            triangles_.vertices.push_back(other);
-        }
-        return other_of_[corner];
+    /// Looked up with all that are wanted, unless it was.
+    void want(std::uint32_t corner) {
+        if (other_of_[corner] != kNone) return;
+        other_of_[corner] = static_cast<std::uint32_t>(other_of_.size() + looked_up_.size());
+        looked_up_.push_back(corner);
     }
 
+    void look_up_wanted() {
+        const std::size_t known = triangles_.vertices.size();
+        const std::size_t done = known - other_of_.size();
+        triangles_.vertices.resize(other_of_.size() + looked_up_.size());
+        parallel_for_runs(looked_up_.size() - done, kCornersAtATime, 0,
+                          [&](std::size_t first, std::size_t end) {
+                              for (std::size_t i = first; i < end; ++i)
+                                  triangles_.vertices[known + i] =
+                                      seen_by_others(triangles_.vertices[looked_up_[done + i]]);
+                          });
+    }
+
+    [[nodiscard]] std::uint32_t operator[](std::uint32_t corner) const { return other_of_[corner]; }
+
  private:
+    [[nodiscard]] BlendVertex seen_by_others(const BlendVertex& known) const {
+        const PatchSample sample =
+            sampler_.at({static_cast<double>(known.pixel[0]), static_cast<double>(known.pixel[1])});
+        BlendVertex other = blend_vertex(sample, sampler_.polygon(), VertexDepth::kAffine);
+        other.face_index = known.face_index;
+        other.occluded = known.occluded;
+        other.opacity = known.opacity;
+        return other;
+    }
+
     const PatchSampler& sampler_;
     BlendTriangles& triangles_;
-    std::vector<std::uint32_t> other_of_;
+    std::vector<std::uint32_t> other_of_;   ///< Of the corners that there were at first.
+    std::vector<std::uint32_t> looked_up_;  ///< Corners; their others stand behind all of those.
 };
 
+/// A triangle that others may show better.
+struct Candidate {
+    std::size_t first_index;
+    std::uint32_t worst_corner;
+    Standing standing;  ///< Of this corner.
+};
+
+std::vector<Candidate> candidates_in(const BlendTriangles& triangles, Standing best) {
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
+        Candidate candidate{i, 0, best};
+        for (std::size_t k = i; k < i + 3; ++k) {
+            const Standing standing = standing_of(triangles.vertices[triangles.indices[k]]);
+            if (standing >= candidate.standing) continue;
+            candidate.worst_corner = triangles.indices[k];
+            candidate.standing = standing;
+        }
+        if (candidate.standing < best) candidates.push_back(candidate);
+    }
+    return candidates;
+}
+
 }  // namespace
+
+bool others_may_show_more(const DepthSearch& search, const BlendTriangles& triangles) {
+    const Standing best = best_standing(search);
+    return std::any_of(
+        triangles.indices.begin(), triangles.indices.end(),
+        [&](std::uint32_t corner) { return standing_of(triangles.vertices[corner]) < best; });
+}
 
 void draw_unseen_from(const std::array<int, 3>& other_views, const DepthSearch& search,
                       const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
                       BlendTriangles& triangles) {
     const FacePolygon polygon = picture_through(other_views);
     const PatchSampler sampler(polygon, search, scene_plane, sampling);
-    OtherCorners corners(sampler, triangles);
-    const auto least_standing = [&](const std::array<std::uint32_t, 3>& of) {
-        return std::min({standing_of(triangles.vertices[of[0]]),
-                         standing_of(triangles.vertices[of[1]]),
-                         standing_of(triangles.vertices[of[2]])});
+    std::vector<Candidate> candidates = candidates_in(triangles, best_standing(search));
+    OtherCorners others(sampler, triangles);
+    const auto corner_of = [&](const Candidate& of, std::size_t k) -> std::uint32_t& {
+        return triangles.indices[of.first_index + k];
     };
-    for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
-        const std::array<std::uint32_t, 3> own{triangles.indices[i], triangles.indices[i + 1],
-                                               triangles.indices[i + 2]};
-        const Standing standing = least_standing(own);
-        if (standing == Standing::kSeen) continue;
-        const std::array<std::uint32_t, 3> others{
-            corners.other_of(own[0]), corners.other_of(own[1]), corners.other_of(own[2])};
-        if (least_standing(others) <= standing) continue;
-        std::copy(others.begin(), others.end(),
-                  triangles.indices.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto is_better = [&](const Candidate& than, std::uint32_t corner) {
+        return standing_of(triangles.vertices[others[corner]]) > than.standing;
+    };
+    for (const Candidate& candidate : candidates) others.want(candidate.worst_corner);
+    others.look_up_wanted();
+    std::erase_if(candidates, [&](const Candidate& of) { return !is_better(of, of.worst_corner); });
+    for (const Candidate& candidate : candidates)
+        for (std::size_t k = 0; k < 3; ++k) others.want(corner_of(candidate, k));
+    others.look_up_wanted();
+    for (const Candidate& candidate : candidates) {
+        if (!is_better(candidate, corner_of(candidate, 0)) ||
+            !is_better(candidate, corner_of(candidate, 1)) ||
+            !is_better(candidate, corner_of(candidate, 2)))
+            continue;
+        for (std::size_t k = 0; k < 3; ++k)
+            corner_of(candidate, k) = others[corner_of(candidate, k)];
     }
 }
 

@@ -6,12 +6,17 @@
 
 namespace lumi {
 
+/// Whether there is a triangle that other views may show better: without depth anywhere, only one
+/// that shows nothing.
+[[nodiscard]] bool others_may_show_more(const DepthSearch& search, const BlendTriangles& triangles);
+
 /// Draws what a face's cameras do not see from others.
 ///
 /// A triangle with a corner that none of its cameras sees, because something hides it or because it
 /// lies beyond their photographs, gets `other_views` instead, the first of them that sees a corner
 /// there, if these see all of its corners, or show them where its own have nothing. Corners are
-/// looked up anew, once each; those of neighbours stay as they are.
+/// looked up anew, once each; those of neighbours stay as they are. The same for any number of
+/// threads.
 void draw_unseen_from(const std::array<int, 3>& other_views, const DepthSearch& search,
                       const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
                       BlendTriangles& triangles);

