@@ -69,6 +69,8 @@ DepthMemory predicted_depth_memory(const std::vector<std::uint64_t>& map_pixels,
             : static_cast<double>(*std::max_element(map_pixels.begin(), map_pixels.end()));
     const double while_matching = (kPicture + (refines(model) ? 2 : 1) * kMap) * pixels;
     const double while_filling = (kPicture + 2 * kMap) * pixels;
+    // What was estimated first, refined, and confirmed.
+    const double while_confirming = (kPicture + (refines(model) ? 3 : 2) * kMap) * pixels;
     const double left = static_cast<double>(budget) - static_cast<double>(in_use);
     const int most =
         std::min(threads, static_cast<int>(std::max<std::size_t>(1, map_pixels.size())));
@@ -78,8 +80,8 @@ DepthMemory predicted_depth_memory(const std::vector<std::uint64_t>& map_pixels,
     memory.views_matched = views_within(left, while_matching, matching, most);
     memory.views_filled = views_within(left, while_filling, kFilling * largest, most);
     memory.matching = static_cast<std::uint64_t>(while_matching + memory.views_matched * matching);
-    memory.finishing =
-        static_cast<std::uint64_t>(while_filling + memory.views_filled * kFilling * largest);
+    memory.finishing = static_cast<std::uint64_t>(
+        std::max(while_confirming, while_filling + memory.views_filled * kFilling * largest));
     if (model == "auto") {
         memory.choosing = static_cast<std::uint64_t>(choosing_of(pixels, largest, most));
     }

@@ -160,22 +160,72 @@ std::unique_ptr<DepthModel> model_of(const DepthScene& scene, const std::vector<
     return depth_model_named(chosen.model);
 }
 
-/// What the photographs say of depth beyond all that is known.
-double recession_of_fill(const DepthScene& scene, const std::vector<GrayImage>& masks,
-                         const std::vector<DepthMap>& confirmed_maps,
-                         const std::vector<DepthEstimate>& estimates, DepthResult& result,
-                         Progress& progress) {
+/// Leaves in `result` what the views confirm of each other's estimates.
+void confirm(const DepthScene& scene, const std::vector<DepthEstimate>& estimates,
+             DepthResult& result, Progress& progress) {
+    for_each_view(
+        "depth: agreement of views", result, result.memory.views_filled, progress, [&](int i) {
+            result.depth_maps[static_cast<std::size_t>(i)] = confirmed_depth(scene, estimates, i);
+        });
+}
+
+/// Makes the estimates better, as often as the model does. Returns what they were.
+std::vector<DepthEstimate> refine(const DepthModel& model, const DepthScene& scene,
+                                  const std::vector<GrayImage>& masks,
+                                  std::vector<DepthEstimate>& estimates, DepthResult& result,
+                                  Progress& progress) {
+    std::vector<DepthEstimate> first;
+    for (int round = 0; round < model.refinements(); ++round) {
+        std::vector<DepthEstimate> before =
+            std::exchange(estimates, std::vector<DepthEstimate>(estimates.size()));
+        for_each_view("depth: refinement", result, result.memory.views_matched, progress,
+                      [&](int i) {
+                          const auto index = static_cast<std::size_t>(i);
+                          estimates[index] = model.refine(scene, before, i);
+                          claim_nothing_beyond(masks[index], estimates[index].map);
+                      });
+        if (round == 0) first = std::move(before);
+    }
+    return first;
+}
+
+/// What the photographs say of depth beyond what is confirmed; empty where they do not tell.
+std::optional<double> recession_of_fill(const DepthScene& scene,
+                                        const std::vector<GrayImage>& masks,
+                                        const std::vector<DepthEstimate>& estimates,
+                                        DepthResult& result) {
     release_free_memory();
     const double before = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
-    const double recession_px =
-        fill_recession(scene, masks, confirmed_maps, estimates, result.memory.views_filled);
+    const auto recession_px =
+        fill_recession(scene, masks, result.depth_maps, estimates, result.memory.views_filled);
     result.choice_cpu_s += seconds_of(CLOCK_PROCESS_CPUTIME_ID) - before;
-    if (recession_px > 0) {
-        progress.note("depth: beyond what is known the scene recedes by " +
-                      with_one_digit(recession_px) +
-                      " px of disparity a pixel: so the photographs differ least");
-    }
     return recession_px;
+}
+
+void forget_maps(std::vector<DepthEstimate>& estimates) {
+    for (DepthEstimate& estimate : estimates) estimate.map = {};
+}
+
+/// The same, of what matching alone confirms: refinement confirms more, and may leave too little to
+/// ask where it does so best. What `result` holds stays.
+std::optional<double> recession_before_refinement(const DepthScene& scene,
+                                                  const std::vector<GrayImage>& masks,
+                                                  std::vector<DepthEstimate> first,
+                                                  DepthResult& result, Progress& progress) {
+    std::vector<DepthMap> kept =
+        std::exchange(result.depth_maps, std::vector<DepthMap>(result.depth_maps.size()));
+    confirm(scene, first, result, progress);
+    forget_maps(first);
+    const auto recession_px = recession_of_fill(scene, masks, first, result);
+    result.depth_maps = std::move(kept);
+    return recession_px;
+}
+
+void tell_recession(double recession_px, Progress& progress) {
+    if (recession_px <= 0) return;
+    progress.note("depth: beyond what is known the scene recedes by " +
+                  with_one_digit(recession_px) +
+                  " px of disparity a pixel: so the photographs differ least");
 }
 
 }  // namespace
@@ -206,39 +256,32 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
         claim_nothing_beyond(masks[index], estimates[index].map);
     });
     require_seen(estimates, options);
-    for (int round = 0; round < model->refinements(); ++round) {
-        const std::vector<DepthEstimate> before = estimates;
-        for_each_view("depth: refinement", result, result.memory.views_matched, progress,
-                      [&](int i) {
-                          const auto index = static_cast<std::size_t>(i);
-                          estimates[index] = model->refine(scene, before, i);
-                          claim_nothing_beyond(masks[index], estimates[index].map);
-                      });
-    }
+    std::vector<DepthEstimate> first = refine(*model, scene, masks, estimates, result, progress);
     model.reset();  // And the memory it matched in.
-    for_each_view("depth: agreement of views", result, result.memory.views_filled, progress,
-                  [&](int i) {
-                      const auto index = static_cast<std::size_t>(i);
-                      DepthMap& map = result.depth_maps[index];
-                      map = confirmed_depth(scene, estimates, i);
-                      DepthEvidence& evidence = result.evidence[index];
-                      evidence.view_name = scene.views[index].name;
-                      evidence.model = estimates[index].model;
-                      evidence.confident_share = confident_share(map);
-                  });
-    for (DepthEstimate& estimate : estimates) estimate.map = {};  // It has said what it knew.
+    confirm(scene, estimates, result, progress);
+    forget_maps(estimates);  // They have said what they knew.
+    auto told_recession_px = recession_of_fill(scene, masks, estimates, result);
+    if (!told_recession_px && !first.empty()) {
+        told_recession_px =
+            recession_before_refinement(scene, masks, std::move(first), result, progress);
+    }
+    first.clear();
+    const double recession_px = told_recession_px.value_or(0.0);
+    tell_recession(recession_px, progress);
     const std::vector<DepthMap> confirmed_maps = result.depth_maps;
-    const double recession_px =
-        recession_of_fill(scene, masks, confirmed_maps, estimates, result, progress);
     for_each_view("depth: filling", result, result.memory.views_filled, progress, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         DepthMap& map = result.depth_maps[index];
+        DepthEvidence& evidence = result.evidence[index];
+        evidence.view_name = scene.views[index].name;
+        evidence.model = estimates[index].model;
+        evidence.confident_share = confident_share(map);
         if (!estimates[index].is_complete) {
             fill_unknown_depth(scene, confirmed_maps, i, recession_px, map);
         }
         // After filling: what belongs to the scene is not continued from what does not.
-        result.evidence[index].background_share = separate_background(masks[index], map);
-        result.evidence[index].sparse_residual_px = sparse_residual_px(map, scene.views[index]);
+        evidence.background_share = separate_background(masks[index], map);
+        evidence.sparse_residual_px = sparse_residual_px(map, scene.views[index]);
     });
     result.warning = doubt_about(result.evidence, estimates, scene);
     if (!result.warning.empty()) progress.note(result.warning);

@@ -40,9 +40,9 @@ DepthMap confirmed_depth(const DepthScene& scene, const std::vector<DepthEstimat
     return map;
 }
 
-double fill_recession(const DepthScene& scene, const std::vector<GrayImage>& masks,
-                      const std::vector<DepthMap>& confirmed_maps,
-                      const std::vector<DepthEstimate>& estimates, int threads) {
+std::optional<double> fill_recession(const DepthScene& scene, const std::vector<GrayImage>& masks,
+                                     const std::vector<DepthMap>& confirmed_maps,
+                                     const std::vector<DepthEstimate>& estimates, int threads) {
     constexpr std::size_t kMostViews = 32;
     std::vector<int> asked;
     for (std::size_t i = 0; i < estimates.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "meshing/depth/depth_model.h"
@@ -17,10 +18,13 @@ namespace lumi {
 
 /// By how many pixels of disparity what is continued beyond all that is known should recede, for
 /// each pixel of its distance (receding_fill.h); up to 32 views are asked, evenly over the
-/// capture, of what `masks` (view_mask.h) leave in the scene. 0: not at all.
-[[nodiscard]] double fill_recession(const DepthScene& scene, const std::vector<GrayImage>& masks,
-                                    const std::vector<DepthMap>& confirmed_maps,
-                                    const std::vector<DepthEstimate>& estimates, int threads);
+/// capture, of what `masks` (view_mask.h) leave in the scene. 0: not at all; empty: too few can
+/// tell.
+[[nodiscard]] std::optional<double> fill_recession(const DepthScene& scene,
+                                                   const std::vector<GrayImage>& masks,
+                                                   const std::vector<DepthMap>& confirmed_maps,
+                                                   const std::vector<DepthEstimate>& estimates,
+                                                   int threads);
 
 /// Gives every pixel of `map`, view `view_index` among the confirmed maps, an inverse depth: what
 /// is unknown is filled along the photograph's edges from what is known around it, or recedes from

@@ -122,9 +122,13 @@ std::vector<double> recession_differences(const DepthScene& scene,
     return differences;
 }
 
-double chosen_recession(const std::vector<std::vector<double>>& differences) {
+std::optional<double> chosen_recession(const std::vector<std::vector<double>>& differences) {
     constexpr std::size_t kLeastViews = 4;
     constexpr double kStandardErrors = 2.0;
+    const std::size_t telling =
+        differences.size() - static_cast<std::size_t>(std::count(
+                                 differences.begin(), differences.end(), std::vector<double>{}));
+    if (telling < kLeastViews) return std::nullopt;
     double least = 0;
     double chosen = kSlopes.front();
     for (std::size_t k = 1; k < kSlopes.size(); ++k) {
@@ -138,7 +142,6 @@ double chosen_recession(const std::vector<std::vector<double>>& differences) {
             squares += change * change;
             ++count;
         }
-        if (count < kLeastViews) return kSlopes.front();
         const double mean = sum / count;
         const double variance = std::max(0.0, squares / count - mean * mean) / (count - 1);
         if (mean >= least || mean > -kStandardErrors * std::sqrt(variance)) continue;

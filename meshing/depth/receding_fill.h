@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "meshing/depth/depth_scene.h"
@@ -23,9 +24,10 @@ namespace lumi {
                                                         const FloatImage& distance_px);
 
 /// The slope at which the photographs differ least, in pixels of disparity a pixel; 0 unless they
-/// differ less than without, by more than two standard errors over the views. `differences` are
-/// those of some views.
-[[nodiscard]] double chosen_recession(const std::vector<std::vector<double>>& differences);
+/// differ less than without, by more than two standard errors over the views. Empty where fewer
+/// than four views can tell. `differences` are those of some views.
+[[nodiscard]] std::optional<double> chosen_recession(
+    const std::vector<std::vector<double>>& differences);
 
 /// Lets the pixels of `map` recede by `slope_px` times the distance over which they were continued.
 void recede(double slope_px, double one_pixel, const FloatImage& distance_px, DepthMap& map);

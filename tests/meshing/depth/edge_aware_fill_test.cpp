@@ -161,8 +161,8 @@ TEST(RecedingFill, DoesNotRecedeWhereViewsDisagreeOrAreFew) {
     const std::vector<double> farther{100, 110, 130, 140};
     EXPECT_EQ(chosen_recession({closer, closer, closer, closer}), 0.6);
     EXPECT_EQ(chosen_recession({closer, farther, closer, farther, closer}), 0.0);
-    EXPECT_EQ(chosen_recession({closer, closer, closer, {}}), 0.0);
-    EXPECT_EQ(chosen_recession({}), 0.0);
+    EXPECT_EQ(chosen_recession({closer, closer, closer, {}}), std::nullopt) << "too few to tell";
+    EXPECT_EQ(chosen_recession({}), std::nullopt);
 }
 
 }  // namespace
