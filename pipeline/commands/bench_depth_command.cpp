@@ -53,7 +53,8 @@ std::string line_of(const RungMeasurement& rung) {
            number_text(rung.rms_standard_error, 2) + "  covered " +
            (rung.held_out.psnr_covered_db ? number_text(*rung.held_out.psnr_covered_db, 2)
                                           : "none") +
-           " dB  full " + number_text(rung.held_out.psnr_db, 2) + " dB" +
+           " dB of " + number_text(100 * rung.held_out.coverage, 1) + " %  full " +
+           number_text(rung.held_out.psnr_db, 2) + " dB" +
            (rung.right_share ? "  right " + number_text(100 * *rung.right_share, 1) + " %"
                              : std::string()) +
            (rung.right_visible_share
