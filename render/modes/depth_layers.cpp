@@ -16,14 +16,6 @@ namespace {
 /// The scene's near end lies this many times beyond the nearest that an eye can look at.
 constexpr double kNearMargin = 100.0;
 
-struct DepthRange {
-    float begin;
-    float end;
-};
-/// As in shaders/per_pixel.glsl; 1 is nothing.
-constexpr std::array<DepthRange, kDepthKinds> kRangeOfKind{
-    {{0.0F, 0.49F}, {0.5F, 0.74F}, {0.75F, 0.99F}}};
-
 /// So many meshes are made before they are uploaded: more of them only take memory.
 constexpr std::size_t kMeshesAtOnce = 16;
 
@@ -58,6 +50,11 @@ DepthLayers::DepthLayers(const UploadedLumigraph& uploaded, int layers)
             view.kind_begin = mesh->kind_begin;
         }
     }
+}
+
+double DepthLayers::buffer_difference(double inverse_depth_difference) const {
+    return std::min(kDepthKindWidth * inverse_depth_difference / max_inverse_depth_,
+                    0.5 * (kDepthKindStep - kDepthKindWidth));
 }
 
 void DepthLayers::resize(int width_px, int height_px) {
@@ -102,8 +99,9 @@ void DepthLayers::draw_view(const Eye& eye, int view_index) const {
         clip_from_pixel(eye.camera.width_px, eye.camera.height_px, max_inverse_depth_);
     program_.set("clip_from_view_pixel", to_glm(Eigen::Matrix4d(clip * transfer)));
     const ViewMesh& mesh = meshes_[index];
-    for (std::size_t kind = 0; kind < kRangeOfKind.size(); ++kind) {
-        glDepthRangef(kRangeOfKind[kind].begin, kRangeOfKind[kind].end);
+    for (std::size_t kind = 0; kind < kDepthKinds; ++kind) {
+        const double begin = kDepthKindStep * static_cast<double>(kind);
+        glDepthRangef(static_cast<float>(begin), static_cast<float>(begin + kDepthKindWidth));
         mesh.triangles.draw(mesh.kind_begin[kind],
                             mesh.kind_begin[kind + 1] - mesh.kind_begin[kind]);
     }

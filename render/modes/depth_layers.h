@@ -11,6 +11,12 @@
 
 namespace lumi {
 
+/// Each kind of depth has a range of the depth buffer of its own: it begins at the step times the
+/// kind, and inverse depth falls from DepthLayers::max_inverse_depth to 0 over the width. As in
+/// shaders/per_pixel.glsl; 1 is nothing.
+inline constexpr double kDepthKindStep = 0.33;
+inline constexpr double kDepthKindWidth = 0.32;
+
 /// Depth maps of views as the eye sees them: one layer of a depth texture a view.
 ///
 /// A layer holds the nearest surface of the most reliable kind: each kind is drawn into a range of
@@ -23,13 +29,16 @@ class DepthLayers {
     DepthLayers(const UploadedLumigraph& uploaded, int layers);
 
     /// Draws the layers of these views, at most as many as there are layers; the others are empty.
+    /// The layers get the size of the eye's picture.
     /// Leaves another framebuffer bound, and the depth test and face culling off.
     void draw(const Eye& eye, const std::vector<int>& view_indices);
 
     [[nodiscard]] const TextureArray& texture() const { return layers_; }
-    /// 1 / (nearest depth that can be drawn): inverse depth at the near end of each kind's range; 0
-    /// is at its far end.
+    /// 1 / (nearest depth that can be drawn).
     [[nodiscard]] double max_inverse_depth() const { return max_inverse_depth_; }
+    /// A difference of inverse depths in units of the depth buffer, but no more than what keeps
+    /// kinds apart.
+    [[nodiscard]] double buffer_difference(double inverse_depth_difference) const;
 
  private:
     struct ViewMesh {

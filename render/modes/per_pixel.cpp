@@ -6,6 +6,7 @@
 #include <string>
 
 #include "render/gl/to_glm.h"
+#include "render/modes/depth_eye.h"
 #include "render/modes/depth_view_choice.h"
 #include "render/modes/pixel_transfer.h"
 #include "render/modes/scene_plane.h"
@@ -28,7 +29,7 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
     const std::vector<int> views = choose_depth_views(uploaded_.layout, eye, layer_count_);
     {
         const FramebufferBindingKeeper keeper;
-        depth_.draw(eye, views);
+        depth_.draw(depth_eye(uploaded_.layout, eye, options).eye, views);
     }
     glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(uploaded_.layout, eye);
@@ -60,9 +61,15 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
     program.set("max_inverse_depth", static_cast<float>(depth_.max_inverse_depth()));
     program.set("near_inverse_depth",
                 static_cast<float>(inverse_depth_range(uploaded_.layout).y()));
-    program.set("agreeing_inverse_depth",
-                static_cast<float>(agreeing_inverse_depth(uploaded_.geometries, views,
-                                                          options.occlusion_tolerance_px)));
+    const double agreeing =
+        agreeing_inverse_depth(uploaded_.geometries, views, options.occlusion_tolerance_px);
+    program.set("agreeing_depth", static_cast<float>(depth_.buffer_difference(agreeing)));
+    const DepthEye depth_eye = lumi::depth_eye(uploaded_.layout, eye, options);
+    // Rows are counted from the top of either picture, window coordinates from the bottom.
+    program.set("texels_per_pixel", static_cast<float>(depth_eye.texels_per_pixel));
+    program.set("texels_below",
+                static_cast<float>(depth_eye.eye.camera.height_px -
+                                   depth_eye.texels_per_pixel * eye.camera.height_px));
     program.set(
         "check_per_px",
         static_cast<float>(options.correct_occlusion ? 1 / options.occlusion_tolerance_px : 0.0));

@@ -6,18 +6,12 @@
 #include <vector>
 
 #include "calib/work/median.h"
+#include "render/modes/pixels_per_unit.h"
 
 namespace lumi {
 namespace {
 
 constexpr double kFineEnough = 1.5;
-
-/// Pixels for each unit of length at the scene's centre.
-double pixels_per_unit(const Camera& camera, const Rigid3& cam_from_world,
-                       const Eigen::Vector3d& centre_in_world) {
-    const double distance = (cam_from_world * centre_in_world).norm();
-    return distance > 0 ? focal_length_px(camera).maxCoeff() / distance : 0.0;
-}
 
 }  // namespace
 

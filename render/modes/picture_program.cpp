@@ -37,6 +37,9 @@ const Program& PictureProgram::use(const UploadedLumigraph& uploaded, const Eye&
         uploaded.photographs.bind(0);
     }
     program->set("photographs", 0);
+    program->set("photograph_layers_per_pixel",
+                 glm::vec2(1.0F / static_cast<float>(uploaded.photographs.width_px()),
+                           1.0F / static_cast<float>(uploaded.photographs.height_px())));
     program->set("clip_from_eye_pixel",
                  to_glm(clip_from_pixel(eye.camera.width_px, eye.camera.height_px, 1.0)));
     if (is_debug) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "meshing/surface/camera_mesh.h"
+#include "render/modes/depth_eye.h"
 #include "render/modes/depth_view_choice.h"
 #include "render/modes/occlusion.h"
 #include "render/modes/photograph_layer.h"
@@ -92,6 +93,7 @@ class ReferenceFrame {
     double lod_;
     Eigen::Vector2d layer_size_px_ = Eigen::Vector2d::Zero();
     std::vector<MipLevels> mip_levels_;  ///< Of the photographs; without at the finest level.
+    DepthEye depth_eye_;
     std::vector<int> depth_views_;
     double agreeing_inverse_depth_ = 0.0;
     std::vector<Image<EyeDepth>> layers_;
@@ -119,7 +121,8 @@ ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
       plane_(scene_plane_inverse_depth(lumigraph, eye)),
       geometries_(view_geometries(lumigraph)),
       opacities_(photograph_opacities(lumigraph)),
-      lod_(photograph_lod(lumigraph, eye)) {
+      lod_(photograph_lod(lumigraph, eye)),
+      depth_eye_(depth_eye(lumigraph, eye, options)) {
     if (lod_ > 0) make_mip_levels();
     if (uses_depth_) draw_depth_layers();
 }
@@ -151,14 +154,17 @@ void ReferenceFrame::draw_depth_layers() {
     for (const int index : depth_views_) {
         const ViewGeometry& geometry = geometries_[static_cast<std::size_t>(index)];
         const auto mesh = depth_mesh_of(view(index), max_disparity_px(geometry));
-        layers_.push_back(rasterise(*mesh, view(index), eye_));
+        layers_.push_back(rasterise(*mesh, view(index), depth_eye_.eye));
     }
 }
 
 /// Without any support: the scene plane, for the mode that draws it or as a guess.
 ConsensusDepth ReferenceFrame::depth_at(int x, int y) const {
     std::vector<EyeDepth> depths;
-    for (const Image<EyeDepth>& layer : layers_) depths.push_back(layer(x, y));
+    const auto texel = [&](int pixel) {
+        return static_cast<int>((pixel + 0.5) * depth_eye_.texels_per_pixel);
+    };
+    for (const Image<EyeDepth>& layer : layers_) depths.push_back(layer(texel(x), texel(y)));
     ConsensusDepth depth = consensus_of(depths, agreeing_inverse_depth_);
     if (depth.support == 0)
         depth.inverse_depth = std::max(0.0, plane_.dot(Eigen::Vector3d(x + 0.5, y + 0.5, 1)));

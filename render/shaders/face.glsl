@@ -68,8 +68,10 @@ void main() {
 #ifdef LUMI_FRAGMENT
 out vec4 drawn;
 
+uniform vec2 photograph_layers_per_pixel;  // 1 / size of a layer
+
 vec4 photograph_at_pixel(vec2 pixel, float layer) {
-    return photograph_at((pixel + kGutter_px) / vec2(textureSize(photographs, 0).xy), layer);
+    return photograph_at((pixel + kGutter_px) * photograph_layers_per_pixel, layer);
 }
 
 vec3 blending_weights() {

@@ -12,7 +12,9 @@ uniform sampler2DArray depth_layers;
 uniform vec2 viewport_origin;
 uniform float max_inverse_depth;
 uniform float near_inverse_depth;        // the scene's near end
-uniform float agreeing_inverse_depth;    // depths that differ by no more are of one surface
+uniform float agreeing_depth;            // layers that differ by no more are of one surface
+uniform float texels_per_pixel;          // of the layers; see depth_eye.h
+uniform float texels_below;              // the picture, where it ends within a texel
 uniform float check_per_px;              // 1 / tolerance; 0 without occlusion correction
 // For each layer its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
 // in window coordinates, then (layer of the photograph, its width, its height, unused).
@@ -23,6 +25,11 @@ uniform vec4 layer_views[16];
 const float kLeastCounting = 0.25;
 const float kMostParallax_px = 1.0;
 
+// Where each kind of depth begins in the depth buffer, times the kind, and how far it goes; 1 is
+// nothing. See depth_layers.h.
+const float kKindStep = 0.33;
+const float kKindWidth = 0.32;
+
 struct Depth {
     float inverse_depth;
     float kind;     // 0 seen, 1 filled, 2 stretched, 3 nothing known
@@ -30,52 +37,53 @@ struct Depth {
     int layer;      // the first of them
 };
 
-float largest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
 float smallest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
 vec4 agree(vec4 depths, float depth) {
-    return vec4(lessThanEqual(abs(depths - depth), vec4(agreeing_inverse_depth)));
+    return vec4(lessThanEqual(abs(depths - depth), vec4(agreeing_depth)));
 }
 
-vec4 layer_depths(ivec2 pixel) {
+vec4 layer_depths(ivec2 texel) {
     vec4 depths = vec4(1.0);
-    depths.x = texelFetch(depth_layers, ivec3(pixel, 0), 0).r;
+    depths.x = texelFetch(depth_layers, ivec3(texel, 0), 0).r;
 #if LAYERS > 1
-    depths.y = texelFetch(depth_layers, ivec3(pixel, 1), 0).r;
+    depths.y = texelFetch(depth_layers, ivec3(texel, 1), 0).r;
 #endif
 #if LAYERS > 2
-    depths.z = texelFetch(depth_layers, ivec3(pixel, 2), 0).r;
+    depths.z = texelFetch(depth_layers, ivec3(texel, 2), 0).r;
 #endif
 #if LAYERS > 3
-    depths.w = texelFetch(depth_layers, ivec3(pixel, 3), 0).r;
+    depths.w = texelFetch(depth_layers, ivec3(texel, 3), 0).r;
 #endif
     return depths;
+}
+
+// 1 for layers that no other agrees with.
+vec4 alone(vec4 depths) {
+    vec3 with_x = step(agreeing_depth, abs(depths.yzw - depths.x));
+    vec3 others = step(agreeing_depth, abs(depths.yyz - depths.zww));
+    return vec4(with_x.x * with_x.y * with_x.z, with_x.x * others.x * others.y,
+                with_x.y * others.x * others.z, with_x.z * others.y * others.z);
 }
 
 // The nearest depth that two views agree on, or else the nearest; only the most reliable kind
 // counts, and of fills the farthest, because a fill continues the background. A surface that one
 // view imagines before those that others see is thus left out.
-Depth consensus(ivec2 pixel) {
-    vec4 depths = layer_depths(pixel);
-    // Kinds are kept apart in ranges of the depth buffer; see depth_layers.h.
-    vec4 kinds = step(0.5, depths) + step(0.75, depths) + step(0.995, depths);
-    float kind = smallest(kinds);
-    float begin = kind < 0.5 ? 0.0 : kind < 1.5 ? 0.5 : 0.75;
-    float scale = kind < 0.5 ? 1.0 / 0.49 : 1.0 / 0.24;
-    vec4 counts = vec4(equal(kinds, vec4(kind)));
-    // Nothing agrees with what is of another kind.
-    vec4 q = mix(vec4(-1e15, -2e15, -3e15, -4e15), max_inverse_depth * (1.0 - (depths - begin) * scale),
-                 counts);
-    vec4 support = min(vec4(dot(agree(q, q.x), vec4(1.0)), dot(agree(q, q.y), vec4(1.0)),
-                            dot(agree(q, q.z), vec4(1.0)), dot(agree(q, q.w), vec4(1.0))),
-                       2.0) *
-                   counts;
-    float most = largest(support);
-    vec4 most_agreed = vec4(equal(support, vec4(most)));
-    float chosen = kind < 0.5 ? largest(mix(vec4(-1e15), q, most_agreed))
-                              : smallest(mix(vec4(1e15), q, most_agreed));
-    vec4 agreeing = agree(q, chosen);
+//
+// In the units of the depth buffer: kinds are kept so far apart there that none agrees with another
+// (depth_layers.h).
+Depth consensus(ivec2 texel) {
+    vec4 depths = layer_depths(texel);
+    float nearest = smallest(depths);
+    float kind = step(kKindStep, nearest) + step(2.0 * kKindStep, nearest) + step(0.995, nearest);
+    float preferred = kind < 0.5 ? 1.0 : -1.0;
+    // Nothing of another kind is chosen.
+    vec4 order = mix(vec4(9.0), preferred * depths, lessThan(depths, vec4(kKindStep * (kind + 1.0))));
+    float first_agreed = smallest(order + 9.0 * alone(depths));
+    float support = first_agreed < 4.0 ? 2.0 : 1.0;
+    vec4 agreeing = agree(depths, preferred * (support > 1.5 ? first_agreed : smallest(order)));
     int layer = agreeing.x > 0.0 ? 0 : agreeing.y > 0.0 ? 1 : agreeing.z > 0.0 ? 2 : 3;
-    return Depth(max(0.0, dot(agreeing, q) / dot(agreeing, vec4(1.0))), kind, most, layer);
+    float depth = dot(agreeing, depths) / dot(agreeing, vec4(1.0)) - kKindStep * kind;
+    return Depth(max_inverse_depth * max(0.0, 1.0 - depth / kKindWidth), kind, support, layer);
 }
 
 // A view at a point: xy its pixel, z the inverse of its homogeneous coordinate.
@@ -98,7 +106,7 @@ float visibility(vec3 sight, float is_before, vec4 size, float layer, float inve
 
 void main() {
     vec2 window = gl_FragCoord.xy - viewport_origin;
-    Depth depth = consensus(ivec2(window));
+    Depth depth = consensus(ivec2(window * texels_per_pixel + vec2(0.0, texels_below)));
     // Where no depth is known the scene plane is a guess: drawn, but not counted as covered.
     bool is_guess = depth.kind > 2.5;
     float q = is_guess ? max(0.0, side_products_and_plane.w) : depth.inverse_depth;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "render/lumigraph/lumigraph.h"
+#include "render/modes/frame.h"
+
+namespace lumi {
+
+/// Of an eye's pixels no more are needed for depth than this; fewer would show as steps along
+/// silhouettes.
+inline constexpr double kLeastTexelsPerPixel = 0.5;
+
+/// The eye that depth is drawn for: its texels are as large as the samples of the views' depth
+/// maps, as the eye sees them at the scene's centre (median view). Finer ones cost time and tell
+/// nothing, but for an eye of several samples a pixel, whose silhouettes are to be smooth: it has
+/// a texel for each sample. Eye pixel (x, y) lies in texel (x, y) * texels_per_pixel.
+struct DepthEye {
+    Eye eye;
+    double texels_per_pixel = 1.0;  ///< kLeastTexelsPerPixel to 1.
+};
+
+[[nodiscard]] DepthEye depth_eye(const Lumigraph& lumigraph, const Eye& eye,
+                                 const RenderOptions& options);
+
+}  // namespace lumi
