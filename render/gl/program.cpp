@@ -94,6 +94,10 @@ void Program::set(const char* uniform, const glm::vec3& value) const {
     glUniform3f(location(name_.get(), uniform), value.x, value.y, value.z);
 }
 
+void Program::set(const char* uniform, const glm::vec4& value) const {
+    glUniform4f(location(name_.get(), uniform), value.x, value.y, value.z, value.w);
+}
+
 void Program::set(const char* uniform, const glm::mat4& value) const {
     glUniformMatrix4fv(location(name_.get(), uniform), 1, GL_FALSE, glm::value_ptr(value));
 }

@@ -32,6 +32,7 @@ class Program {
     void set(const char* uniform, float value) const;
     void set(const char* uniform, const glm::vec2& value) const;
     void set(const char* uniform, const glm::vec3& value) const;
+    void set(const char* uniform, const glm::vec4& value) const;
     void set(const char* uniform, const glm::mat4& value) const;
     void set(const char* uniform, const std::vector<glm::vec4>& values) const;
 

@@ -7,6 +7,7 @@
 #include "render/gl/program.h"
 #include "render/gl/vertex_buffer.h"
 #include "render/lumigraph/depth_mesh.h"
+#include "render/modes/depth_layer_views.h"
 #include "render/modes/uploaded_lumigraph.h"
 
 namespace lumi {
@@ -28,11 +29,12 @@ class DepthLayers {
     /// Uploads the depth meshes of all views; those that the package lacks are made, on all cores.
     DepthLayers(const UploadedLumigraph& uploaded, int layers);
 
-    /// Draws the layers of these views, at most as many as there are layers; the others are empty.
+    /// Draws the layers: to texels of each of the sets those of its views.
     /// The layers get the size of the eye's picture.
     /// Leaves another framebuffer bound, and the depth test and face culling off.
-    void draw(const Eye& eye, const std::vector<int>& view_indices);
+    void draw(const Eye& eye, const std::vector<DepthViewSet>& sets);
 
+    [[nodiscard]] int count() const { return layer_count_; }
     [[nodiscard]] const TextureArray& texture() const { return layers_; }
     /// 1 / (nearest depth that can be drawn).
     [[nodiscard]] double max_inverse_depth() const { return max_inverse_depth_; }
@@ -47,15 +49,21 @@ class DepthLayers {
     };
 
     void resize(int width_px, int height_px);
-    void draw_view(const Eye& eye, int view_index) const;
+    void draw_layer(const Eye& eye, const std::vector<DepthViewSet>& sets,
+                    const DepthLayerViews& views, std::size_t layer) const;
+    void draw_view(const Eye& eye, int view_index, const Program& program) const;
 
     const UploadedLumigraph& uploaded_;
     int layer_count_ = 0;
     double max_inverse_depth_ = 1.0;
     Program program_;
+    Program program_for_some_;  ///< Texels, those of some of the sets.
     std::vector<ViewMesh> meshes_;
     TextureArray layers_;
     Framebuffer framebuffer_;
 };
+
+/// Tells a program that includes shaders/depth_view_sets.glsl which texels ask which set.
+void set_ends_of_sets(const std::vector<DepthViewSet>& sets, const Program& program);
 
 }  // namespace lumi

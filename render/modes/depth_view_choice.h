@@ -1,14 +1,26 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "render/lumigraph/lumigraph.h"
+#include "render/modes/view_geometry.h"
 
 namespace lumi {
 
 /// How many views' depths are compared at each pixel: enough for two to outvote one, and for what
 /// one does not see.
 inline constexpr int kMaxDepthViews = 4;
+
+/// Views to ask for depth, in the order of their use, and the share of the picture that they are
+/// asked for.
+struct DepthViewSet {
+    std::vector<int> view_indices;
+    double share = 1.0;
+};
+
+/// No more sets than this are made for an eye.
+inline constexpr int kMaxDepthViewSets = 4;
 
 /// The views, at most `max_views`, whose depth is most use to the eye: those that see what it sees
 /// from nearly the same direction, and together all of it.
@@ -20,5 +32,22 @@ inline constexpr int kMaxDepthViews = 4;
 /// it already. The first is the nearest. Views that see nothing of it are left out, unless all are.
 [[nodiscard]] std::vector<int> choose_depth_views(const Lumigraph& lumigraph, const Eye& eye,
                                                   int max_views);
+
+/// The same for an eye that moves: where the next view would be nearly as much use, there is a set
+/// with either. Their shares, whose sum is 1, change steadily with the eye, so that nothing has to
+/// change all at once where one view is exchanged for another. In an order that does not depend on
+/// the eye.
+[[nodiscard]] std::vector<DepthViewSet> depth_view_sets(const Lumigraph& lumigraph, const Eye& eye,
+                                                        int max_views);
+
+/// agreeing_inverse_depth (view_geometry.h) of the sets' views: the mean by their shares.
+[[nodiscard]] double agreeing_inverse_depth(const std::vector<ViewGeometry>& geometries,
+                                            const std::vector<DepthViewSet>& sets,
+                                            double tolerance_px);
+
+/// Which of the sets a texel of the eye's picture asks, row 0 at the bottom: pseudo-random, so that
+/// one set dissolves into the other (the sequence R2 of M. Roberts, 2018, in whole numbers). As in
+/// shaders/depth_view_sets.glsl.
+[[nodiscard]] std::size_t set_at(const std::vector<DepthViewSet>& sets, int column, int row);
 
 }  // namespace lumi

@@ -13,35 +13,43 @@
 #include "render/shaders/shader_sources.h"
 
 namespace lumi {
+namespace {
+
+constexpr std::size_t kRowsPerView = 4;
+
+}  // namespace
 
 PerPixel::PerPixel(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded),
       layer_count_(std::min(kMaxDepthViews, static_cast<int>(uploaded.layout.views.size()))),
       depth_(uploaded, layer_count_),
       faces_(uploaded),
-      program_("per_pixel", {shader_source("face"), shader_source("per_pixel")},
-               {"LAYERS " + std::to_string(layer_count_)}),
-      fading_("per_pixel", {shader_source("face"), shader_source("per_pixel")},
+      program_(
+          "per_pixel",
+          {shader_source("face"), shader_source("depth_view_sets"), shader_source("per_pixel")},
+          {"LAYERS " + std::to_string(layer_count_)}),
+      fading_("per_pixel",
+              {shader_source("face"), shader_source("depth_view_sets"), shader_source("per_pixel")},
               {"LAYERS " + std::to_string(layer_count_), "FADES"}) {}
 
 DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
                               const Viewport& viewport) {
-    const std::vector<int> views = choose_depth_views(uploaded_.layout, eye, layer_count_);
+    const std::vector<DepthViewSet> sets = depth_view_sets(uploaded_.layout, eye, layer_count_);
     {
         const FramebufferBindingKeeper keeper;
-        depth_.draw(depth_eye(uploaded_.layout, eye, options).eye, views);
+        depth_.draw(depth_eye(uploaded_.layout, eye, options).eye, sets);
     }
     glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(uploaded_.layout, eye);
     const CameraMesh& mesh = uploaded_.layout.mesh;
     const Program& program =
-        use(options.fade_beyond_capture ? fading_ : program_, eye, options, viewport, views);
+        use(options.fade_beyond_capture ? fading_ : program_, eye, options, viewport, sets);
     if (options.fade_beyond_capture) set_fade(program, false);
     const std::vector<FacePolygon> polygons = face_polygons(mesh, eye);
     std::size_t triangles = faces_.draw(polygons, eye, plane);
     if (options.debug_picture == DebugPicture::kGrid) grid_.draw(polygons, eye);
     if (mesh.shells.empty()) return {triangles};
-    set_fade(use(fading_, eye, options, viewport, views), true);
+    set_fade(use(fading_, eye, options, viewport, sets), true);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     for (const CameraMesh& shell : mesh.shells)
@@ -51,7 +59,7 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
 }
 
 const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const RenderOptions& options,
-                             const Viewport& viewport, const std::vector<int>& views) {
+                             const Viewport& viewport, const std::vector<DepthViewSet>& sets) {
     const Program& program = picture.use(uploaded_, eye, options);
     uploaded_.depth_maps.bind(1);
     depth_.texture().bind(2);
@@ -62,7 +70,7 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
     program.set("near_inverse_depth",
                 static_cast<float>(inverse_depth_range(uploaded_.layout).y()));
     const double agreeing =
-        agreeing_inverse_depth(uploaded_.geometries, views, options.occlusion_tolerance_px);
+        agreeing_inverse_depth(uploaded_.geometries, sets, options.occlusion_tolerance_px);
     program.set("agreeing_depth", static_cast<float>(depth_.buffer_difference(agreeing)));
     const DepthEye depth_eye = lumi::depth_eye(uploaded_.layout, eye, options);
     // Rows are counted from the top of either picture, window coordinates from the bottom.
@@ -73,27 +81,35 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
     program.set(
         "check_per_px",
         static_cast<float>(options.correct_occlusion ? 1 / options.occlusion_tolerance_px : 0.0));
-    set_layer_views(eye, views, program);
+    set_ends_of_sets(sets, program);
+    set_layer_views(eye, sets, program);
     return program;
 }
 
-/// Four vectors a layer, as shaders/per_pixel.glsl expects them.
-void PerPixel::set_layer_views(const Eye& eye, const std::vector<int>& view_indices,
+/// Four vectors for each layer of each set, as shaders/per_pixel.glsl expects them.
+void PerPixel::set_layer_views(const Eye& eye, const std::vector<DepthViewSet>& sets,
                                const Program& program) const {
     std::vector<glm::vec4> rows;
-    for (const int view_index : view_indices) {
-        const LumigraphView& view = uploaded_.layout.views[static_cast<std::size_t>(view_index)];
-        const PixelTransfer view_from_eye =
-            pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world);
-        const Eigen::Matrix3d view_from_window =
-            view_from_eye.at_infinity * pixel_from_window(eye.camera.height_px);
-        for (Eigen::Index row = 0; row < 3; ++row)
-            rows.push_back(to_glm(
-                Eigen::Vector4d(view_from_window(row, 0), view_from_window(row, 1),
-                                view_from_window(row, 2), view_from_eye.per_inverse_depth[row])));
-        rows.emplace_back(view_index, view.camera.width_px, view.camera.height_px, 1.0F);
+    for (const std::vector<int>& in_layers : depth_layer_views(sets, layer_count_)) {
+        for (const int view_index : in_layers) append_view(eye, view_index, rows);
+        rows.resize(rows.size() +
+                    kRowsPerView * static_cast<std::size_t>(kMaxDepthViews - layer_count_));
     }
     program.set("layer_views", rows);
+}
+
+void PerPixel::append_view(const Eye& eye, int view_index, std::vector<glm::vec4>& rows) const {
+    if (view_index == kNoView) return rows.resize(rows.size() + kRowsPerView);
+    const LumigraphView& view = uploaded_.layout.views[static_cast<std::size_t>(view_index)];
+    const PixelTransfer view_from_eye =
+        pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world);
+    const Eigen::Matrix3d view_from_window =
+        view_from_eye.at_infinity * pixel_from_window(eye.camera.height_px);
+    for (Eigen::Index row = 0; row < 3; ++row)
+        rows.push_back(to_glm(Eigen::Vector4d(view_from_window(row, 0), view_from_window(row, 1),
+                                              view_from_window(row, 2),
+                                              view_from_eye.per_inverse_depth[row])));
+    rows.emplace_back(view_index, view.camera.width_px, view.camera.height_px, 1.0F);
 }
 
 }  // namespace lumi

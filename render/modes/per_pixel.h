@@ -1,5 +1,8 @@
 #pragma once
 
+#include <glm/vec4.hpp>
+#include <vector>
+
 #include "render/modes/depth_layers.h"
 #include "render/modes/drawing_mode.h"
 #include "render/modes/face_painter.h"
@@ -21,9 +24,10 @@ class PerPixel : public DrawingMode {
  private:
     /// Puts the program in use, with all that both of them need.
     const Program& use(PictureProgram& picture, const Eye& eye, const RenderOptions& options,
-                       const Viewport& viewport, const std::vector<int>& views);
-    void set_layer_views(const Eye& eye, const std::vector<int>& view_indices,
+                       const Viewport& viewport, const std::vector<DepthViewSet>& sets);
+    void set_layer_views(const Eye& eye, const std::vector<DepthViewSet>& sets,
                          const Program& program) const;
+    void append_view(const Eye& eye, int view_index, std::vector<glm::vec4>& rows) const;
 
     const UploadedLumigraph& uploaded_;
     int layer_count_;

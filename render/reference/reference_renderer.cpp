@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "meshing/surface/camera_mesh.h"
 #include "render/modes/depth_eye.h"
+#include "render/modes/depth_layer_views.h"
 #include "render/modes/depth_view_choice.h"
 #include "render/modes/occlusion.h"
 #include "render/modes/photograph_layer.h"
@@ -30,6 +32,7 @@ namespace {
 struct RayPoint {
     Eigen::Vector3d direction_in_world;  ///< Of unit depth along the eye's optical axis.
     double inverse_depth = 0.0;
+    int known_by = kNoView;  ///< The first of the views whose depth says so.
 };
 
 /// A point as one view sees it.
@@ -58,6 +61,7 @@ class ReferenceFrame {
     void draw_depth_layers();
     void make_mip_levels();
     [[nodiscard]] Eigen::Vector3d at_mip_level(int view_index, const Eigen::Vector2d& pixel) const;
+    [[nodiscard]] const std::vector<int>& depth_views_at(int x, int y) const;
     [[nodiscard]] ConsensusDepth depth_at(int x, int y) const;
     [[nodiscard]] std::optional<DrawnPixel> base_at(const RayPoint& point,
                                                     const ConsensusDepth& depth) const;
@@ -78,6 +82,11 @@ class ReferenceFrame {
     [[nodiscard]] Eigen::Vector3d debug_color(const RayWeights& ray, bool unseen,
                                               const ConsensusDepth& depth, double occluded) const;
 
+    /// Of the depth that is drawn for the eye: the column or row that a pixel lies in.
+    [[nodiscard]] int texel(int pixel) const {
+        return static_cast<int>((pixel + 0.5) * depth_eye_.texels_per_pixel);
+    }
+
     [[nodiscard]] const LumigraphView& view(int index) const {
         return lumigraph_.views[static_cast<std::size_t>(index)];
     }
@@ -94,9 +103,10 @@ class ReferenceFrame {
     Eigen::Vector2d layer_size_px_ = Eigen::Vector2d::Zero();
     std::vector<MipLevels> mip_levels_;  ///< Of the photographs; without at the finest level.
     DepthEye depth_eye_;
-    std::vector<int> depth_views_;
+    std::vector<DepthViewSet> depth_views_;
+    DepthLayerViews layer_views_;
     double agreeing_inverse_depth_ = 0.0;
-    std::vector<Image<EyeDepth>> layers_;
+    std::map<int, Image<EyeDepth>> eye_depth_of_view_;
 };
 
 /// Of a ray's weight, what views do not see.
@@ -148,24 +158,36 @@ Eigen::Vector3d ReferenceFrame::at_mip_level(int view_index, const Eigen::Vector
 }
 
 void ReferenceFrame::draw_depth_layers() {
-    depth_views_ = choose_depth_views(lumigraph_, eye_, kMaxDepthViews);
+    depth_views_ = depth_view_sets(lumigraph_, eye_, kMaxDepthViews);
+    layer_views_ = depth_layer_views(depth_views_, kMaxDepthViews);
     agreeing_inverse_depth_ =
         agreeing_inverse_depth(geometries_, depth_views_, options_.occlusion_tolerance_px);
-    for (const int index : depth_views_) {
-        const ViewGeometry& geometry = geometries_[static_cast<std::size_t>(index)];
-        const auto mesh = depth_mesh_of(view(index), max_disparity_px(geometry));
-        layers_.push_back(rasterise(*mesh, view(index), depth_eye_.eye));
+    for (const DepthViewSet& set : depth_views_) {
+        for (const int index : set.view_indices) {
+            if (eye_depth_of_view_.contains(index)) continue;
+            const ViewGeometry& geometry = geometries_[static_cast<std::size_t>(index)];
+            const auto mesh = depth_mesh_of(view(index), max_disparity_px(geometry));
+            eye_depth_of_view_[index] = rasterise(*mesh, view(index), depth_eye_.eye);
+        }
     }
+}
+
+/// The views that are asked at a pixel, kNoView among them.
+const std::vector<int>& ReferenceFrame::depth_views_at(int x, int y) const {
+    const int row_from_below = depth_eye_.eye.camera.height_px - 1 - texel(y);
+    return layer_views_[set_at(depth_views_, texel(x), row_from_below)];
 }
 
 /// Without any support: the scene plane, for the mode that draws it or as a guess.
 ConsensusDepth ReferenceFrame::depth_at(int x, int y) const {
-    std::vector<EyeDepth> depths;
-    const auto texel = [&](int pixel) {
-        return static_cast<int>((pixel + 0.5) * depth_eye_.texels_per_pixel);
-    };
-    for (const Image<EyeDepth>& layer : layers_) depths.push_back(layer(texel(x), texel(y)));
-    ConsensusDepth depth = consensus_of(depths, agreeing_inverse_depth_);
+    ConsensusDepth depth;
+    if (uses_depth_) {
+        std::vector<EyeDepth> depths;
+        for (const int index : depth_views_at(x, y))
+            depths.push_back(index == kNoView ? EyeDepth{}
+                                              : eye_depth_of_view_.at(index)(texel(x), texel(y)));
+        depth = consensus_of(depths, agreeing_inverse_depth_);
+    }
     if (depth.support == 0)
         depth.inverse_depth = std::max(0.0, plane_.dot(Eigen::Vector3d(x + 0.5, y + 0.5, 1)));
     return depth;
@@ -272,8 +294,7 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const RayPoint& point,
     else if (weights)
         drawn.color = fade * blended(*ray, point);
     else
-        drawn.color =
-            fade * color_in(depth_views_[static_cast<std::size_t>(depth.best_layer)], point);
+        drawn.color = fade * color_in(point.known_by, point);
     return drawn;
 }
 
@@ -310,7 +331,9 @@ DrawnPixel ReferenceFrame::color_at(int x, int y) const {
     const Eigen::Vector3d direction =
         eye_.cam_from_world.rotation.conjugate() * unproject(eye_.camera, {x + 0.5, y + 0.5});
     const ConsensusDepth depth = depth_at(x, y);
-    const RayPoint point{direction, depth.inverse_depth};
+    RayPoint point{direction, depth.inverse_depth};
+    if (depth.support > 0)
+        point.known_by = depth_views_at(x, y)[static_cast<std::size_t>(depth.best_layer)];
     DrawnPixel drawn = base_at(point, depth).value_or(DrawnPixel{});
     for (const CameraMesh& shell : lumigraph_.mesh.shells) lay_over(drawn, shell, point, depth);
     return drawn;

@@ -16,9 +16,9 @@ uniform float agreeing_depth;            // layers that differ by no more are of
 uniform float texels_per_pixel;          // of the layers; see depth_eye.h
 uniform float texels_below;              // the picture, where it ends within a texel
 uniform float check_per_px;              // 1 / tolerance; 0 without occlusion correction
-// For each layer its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
+// For each layer of each set its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
 // in window coordinates, then (layer of the photograph, its width, its height, unused).
-uniform vec4 layer_views[16];
+uniform vec4 layer_views[64];
 
 // Photographs that count less than this, of their weights, hold mixed pixels alone: see
 // photograph_opacity.h.
@@ -106,7 +106,8 @@ float visibility(vec3 sight, float is_before, vec4 size, float layer, float inve
 
 void main() {
     vec2 window = gl_FragCoord.xy - viewport_origin;
-    Depth depth = consensus(ivec2(window * texels_per_pixel + vec2(0.0, texels_below)));
+    ivec2 texel = ivec2(window * texels_per_pixel + vec2(0.0, texels_below));
+    Depth depth = consensus(texel);
     // Where no depth is known the scene plane is a guess: drawn, but not counted as covered.
     bool is_guess = depth.kind > 2.5;
     float q = is_guess ? max(0.0, side_products_and_plane.w) : depth.inverse_depth;
@@ -138,13 +139,14 @@ void main() {
     // What none of the three sees and no view has seen is drawn as a guess too.
     float is_known = is_guess || (unseen && depth.kind > 1.5) ? 0.0 : 1.0;
     // Unseen by the three: the layer's view takes the first one's place.
+    int view = 16 * set_at(texel) + 4 * depth.layer;
     vec4 ray = vec4(window, 1.0, q);
-    vec3 in_layer = sight_of(vec3(dot(layer_views[4 * depth.layer], ray),
-                                  dot(layer_views[4 * depth.layer + 1], ray),
-                                  dot(layer_views[4 * depth.layer + 2], ray)));
+    vec3 in_layer = sight_of(vec3(dot(layer_views[view], ray),
+                                  dot(layer_views[view + 1], ray),
+                                  dot(layer_views[view + 2], ray)));
     vec4 color0 = photograph_at_pixel(
         unseen ? in_layer.xy : sight0.xy,
-        unseen ? layer_views[4 * depth.layer + 3].x : view_parallax0.w);
+        unseen ? layer_views[view + 3].x : view_parallax0.w);
     vec4 color1 = photograph_at_pixel(sight1.xy, view_parallax1.w);
     vec4 color2 = photograph_at_pixel(sight2.xy, view_parallax2.w);
     vec3 seen_weights = weights;
