@@ -39,10 +39,7 @@ DepthLayers::DepthLayers(const UploadedLumigraph& uploaded, int layers)
     : uploaded_(uploaded),
       layer_count_(layers),
       max_inverse_depth_(kNearMargin * inverse_depth_range(uploaded.layout).y()),
-      program_("depth_layer", {shader_source("depth_layer")}),
-      program_for_some_("depth_layer",
-                        {shader_source("depth_view_sets"), shader_source("depth_layer")},
-                        {"SEVERAL_SETS"}) {
+      program_("depth_layer", {shader_source("depth_layer")}) {
     static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
     while (meshes_.size() < uploaded.layout.views.size()) {
         for (const auto& mesh : some_meshes(uploaded, meshes_.size())) {
@@ -76,43 +73,32 @@ void DepthLayers::draw(const Eye& eye, const std::vector<DepthViewSet>& sets) {
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
     glFrontFace(GL_CCW);
+    program_.use();
+    const std::vector<int> ends = strip_ends(sets, eye.camera.width_px);
     const DepthLayerViews views = depth_layer_views(sets, layer_count_);
     for (int layer = 0; layer < layer_count_; ++layer) {
         framebuffer_.attach_depth_layer(layers_, layer);
         glDepthRangef(0.0F, 1.0F);
         glClear(GL_DEPTH_BUFFER_BIT);
-        draw_layer(eye, sets, views, static_cast<std::size_t>(layer));
+        glEnable(GL_SCISSOR_TEST);
+        int begin = 0;
+        for (std::size_t set = 0; set < sets.size(); ++set) {
+            const int view = views[set][static_cast<std::size_t>(layer)];
+            const bool goes_on =
+                set + 1 < sets.size() && views[set + 1][static_cast<std::size_t>(layer)] == view;
+            if (goes_on) continue;
+            glScissor(begin, 0, ends[set] - begin, eye.camera.height_px);
+            if (view != kNoView && begin < ends[set]) draw_view(eye, view);
+            begin = ends[set];
+        }
+        glDisable(GL_SCISSOR_TEST);
     }
     glDepthRangef(0.0F, 1.0F);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
 }
 
-void DepthLayers::draw_layer(const Eye& eye, const std::vector<DepthViewSet>& sets,
-                             const DepthLayerViews& views, std::size_t layer) const {
-    for (std::size_t first = 0; first < sets.size(); ++first) {
-        const int view = views[first][layer];
-        glm::vec4 is_in_set(0.0F);
-        bool is_drawn = view == kNoView;
-        std::size_t count = 0;
-        for (std::size_t set = 0; set < sets.size(); ++set) {
-            if (views[set][layer] != view) continue;
-            if (set < first) is_drawn = true;
-            is_in_set[static_cast<int>(set)] = 1.0F;
-            ++count;
-        }
-        if (is_drawn) continue;
-        const Program& program = count == sets.size() ? program_ : program_for_some_;
-        program.use();
-        if (count < sets.size()) {
-            program.set("is_in_set", is_in_set);
-            set_ends_of_sets(sets, program);
-        }
-        draw_view(eye, view, program);
-    }
-}
-
-void DepthLayers::draw_view(const Eye& eye, int view_index, const Program& program) const {
+void DepthLayers::draw_view(const Eye& eye, int view_index) const {
     const auto index = static_cast<std::size_t>(view_index);
     const LumigraphView& view = uploaded_.layout.views[index];
     const PixelTransfer eye_from_view =
@@ -123,7 +109,7 @@ void DepthLayers::draw_view(const Eye& eye, int view_index, const Program& progr
     transfer.topRightCorner<3, 1>() = eye_from_view.per_inverse_depth;
     const Eigen::Matrix4d clip =
         clip_from_pixel(eye.camera.width_px, eye.camera.height_px, max_inverse_depth_);
-    program.set("clip_from_view_pixel", to_glm(Eigen::Matrix4d(clip * transfer)));
+    program_.set("clip_from_view_pixel", to_glm(Eigen::Matrix4d(clip * transfer)));
     const ViewMesh& mesh = meshes_[index];
     for (std::size_t kind = 0; kind < kDepthKinds; ++kind) {
         const double begin = kDepthKindStep * static_cast<double>(kind);
@@ -131,16 +117,6 @@ void DepthLayers::draw_view(const Eye& eye, int view_index, const Program& progr
         mesh.triangles.draw(mesh.kind_begin[kind],
                             mesh.kind_begin[kind + 1] - mesh.kind_begin[kind]);
     }
-}
-
-void set_ends_of_sets(const std::vector<DepthViewSet>& sets, const Program& program) {
-    glm::vec4 ends(1.0F);
-    double end = 0;
-    for (std::size_t i = 0; i + 1 < sets.size(); ++i) {
-        end += sets[i].share;
-        ends[static_cast<int>(i)] = static_cast<float>(end);
-    }
-    program.set("set_ends", ends);
 }
 
 }  // namespace lumi

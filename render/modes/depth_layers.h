@@ -29,7 +29,7 @@ class DepthLayers {
     /// Uploads the depth meshes of all views; those that the package lacks are made, on all cores.
     DepthLayers(const UploadedLumigraph& uploaded, int layers);
 
-    /// Draws the layers: to texels of each of the sets those of its views.
+    /// Draws the layers, in the strip of each set (strip_ends) those of its views.
     /// The layers get the size of the eye's picture.
     /// Leaves another framebuffer bound, and the depth test and face culling off.
     void draw(const Eye& eye, const std::vector<DepthViewSet>& sets);
@@ -49,21 +49,15 @@ class DepthLayers {
     };
 
     void resize(int width_px, int height_px);
-    void draw_layer(const Eye& eye, const std::vector<DepthViewSet>& sets,
-                    const DepthLayerViews& views, std::size_t layer) const;
-    void draw_view(const Eye& eye, int view_index, const Program& program) const;
+    void draw_view(const Eye& eye, int view_index) const;
 
     const UploadedLumigraph& uploaded_;
     int layer_count_ = 0;
     double max_inverse_depth_ = 1.0;
     Program program_;
-    Program program_for_some_;  ///< Texels, those of some of the sets.
     std::vector<ViewMesh> meshes_;
     TextureArray layers_;
     Framebuffer framebuffer_;
 };
-
-/// Tells a program that includes shaders/depth_view_sets.glsl which texels ask which set.
-void set_ends_of_sets(const std::vector<DepthViewSet>& sets, const Program& program);
 
 }  // namespace lumi

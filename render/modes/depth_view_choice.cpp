@@ -2,9 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -20,9 +18,10 @@ constexpr double kHalfWorth_rad = 0.1;
 /// than that is a view worth for what may stand before the scene plane.
 constexpr double kWorthOfNext = 0.1;
 /// A view that is worth less by no more than this share might be the best of an eye close by.
-constexpr double kNearlyAsMuch = 0.05;
-/// Sets for less of the picture than this are left out.
-constexpr double kLeastShare = 1e-3;
+constexpr double kNearlyAsMuch = 0.03;
+constexpr double kOnlyTheBest = 1e-12;
+/// So much of the picture is taken from each set that is not the best: most of them get nothing.
+constexpr double kLeastShare = 0.02;
 
 /// A point that the eye may see, as (direction, inverse depth) in its frame: X = direction / q.
 struct Sample {
@@ -72,9 +71,13 @@ Sight sight_of(const LumigraphView& view, const Eigen::Vector3d& eye_in_world,
             sample.direction_in_world - sample.inverse_depth * eye_from_view;
         const auto pixel = project(view.camera, view.cam_from_world.rotation * from_view);
         const double inside = pixel ? inside_share(view.camera, *pixel) : 0.0;
+        sight.inside.push_back(inside);
+        if (inside <= 0) {
+            sight.closeness.push_back(0.0);
+            continue;
+        }
         const double angle = std::atan2(from_view.cross(sample.direction_in_world).norm(),
                                         from_view.dot(sample.direction_in_world));
-        sight.inside.push_back(inside);
         sight.closeness.push_back(inside * kHalfWorth_rad / (kHalfWorth_rad + angle));
     }
     return sight;
@@ -98,49 +101,50 @@ class Choice {
     }
 
  private:
-    struct Candidate {
-        int view = -1;
-        double gain = 0.0;
-    };
-
-    /// The best views to take next, the very best first. The first view may see nothing.
-    [[nodiscard]] std::array<Candidate, 2> next(const std::vector<int>& chosen,
-                                                const std::vector<double>& worth) const {
-        std::array<Candidate, 2> best;
-        if (chosen.empty()) best[0].gain = best[1].gain = -1.0;
-        for (int i = 0; i < static_cast<int>(sights_.size()); ++i) {
-            if (std::find(chosen.begin(), chosen.end(), i) != chosen.end()) continue;
-            const std::vector<double>& closeness = sights_[static_cast<std::size_t>(i)].closeness;
-            const double gain =
-                std::inner_product(closeness.begin(), closeness.end(), worth.begin(), 0.0);
-            if (gain > best[0].gain) {
-                best[1] = std::exchange(best[0], {i, gain});
-            } else if (gain > best[1].gain) {
-                best[1] = {i, gain};
-            }
-        }
-        return best;
-    }
-
-    /// Half for the second best where it is as good; 0 where it is clearly worse.
-    [[nodiscard]] double share_of_second(const std::array<Candidate, 2>& best) const {
-        if (best[1].view < 0 || best[0].gain <= 0 || nearly_ <= 0) return 0.0;
-        const double worse = 1 - best[1].gain / best[0].gain;
-        return std::max(0.0, 0.5 * (1 - worse / nearly_));
+    /// What each view would add; nothing once it is taken.
+    [[nodiscard]] std::vector<double> gains(const std::vector<int>& chosen,
+                                            const std::vector<double>& worth) const {
+        std::vector<double> all;
+        for (const Sight& sight : sights_)
+            all.push_back(std::inner_product(sight.closeness.begin(), sight.closeness.end(),
+                                             worth.begin(), 0.0));
+        for (const int view : chosen) all[static_cast<std::size_t>(view)] = 0.0;
+        return all;
     }
 
     void complete(const DepthViewSet& set, const std::vector<double>& worth) {
         if (static_cast<int>(set.view_indices.size()) == max_views_) return add(set);
-        const std::array<Candidate, 2> best = next(set.view_indices, worth);
-        if (best[0].view < 0) return add(set);
-        const double second = share_of_second(best);
-        complete_with(best[0].view, 1 - second, set, worth);
-        if (second * set.share > kLeastShare) complete_with(best[1].view, second, set, worth);
+        const std::vector<double> gain = gains(set.view_indices, worth);
+        const auto best = std::max_element(gain.begin(), gain.end());
+        if (*best <= 0) {
+            // The first view may see nothing.
+            return set.view_indices.empty() ? add({{static_cast<int>(best - gain.begin())}, 1.0})
+                                            : add(set);
+        }
+        const std::vector<double> shares = shares_of(gain, *best);
+        for (std::size_t view = 0; view < shares.size(); ++view) {
+            const double share = shares[view] * set.share;
+            const bool is_best = static_cast<std::ptrdiff_t>(view) == best - gain.begin();
+            if (is_best || share > kLeastShare)
+                complete_with(static_cast<int>(view), is_best ? share : share - kLeastShare, set,
+                              worth);
+        }
+    }
+
+    /// The less the more a view is worse than the best; nothing where it is clearly worse.
+    [[nodiscard]] std::vector<double> shares_of(const std::vector<double>& gain,
+                                                double best) const {
+        std::vector<double> shares;
+        for (const double of_view : gain)
+            shares.push_back(std::max(0.0, 1 - (1 - of_view / best) / nearly_));
+        const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+        for (double& share : shares) share /= sum;
+        return shares;
     }
 
     void complete_with(int view, double share, DepthViewSet set, std::vector<double> worth) {
         set.view_indices.push_back(view);
-        set.share *= share;
+        set.share = share;
         const std::vector<double>& inside = sights_[static_cast<std::size_t>(view)].inside;
         for (std::size_t s = 0; s < worth.size(); ++s)
             worth[s] *= 1 - (1 - kWorthOfNext) * inside[s];
@@ -163,10 +167,21 @@ class Choice {
     std::vector<DepthViewSet> sets_;
 };
 
+/// The first kMaxDepthViewSets, less what the next one has: so that none is gone all at once.
+void keep_largest(std::vector<DepthViewSet>& sets) {
+    const std::size_t most = kMaxDepthViewSets;
+    const double next = sets.size() > most ? sets[most].share : 0.0;
+    if (next >= sets.front().share) sets.resize(1);
+    while (sets.size() > most || (sets.size() > 1 && sets.back().share <= next)) sets.pop_back();
+    double sum = 0;
+    for (const DepthViewSet& set : sets) sum += set.share - next;
+    for (DepthViewSet& set : sets) set.share = sum > 0 ? (set.share - next) / sum : 1.0;
+}
+
 }  // namespace
 
 std::vector<int> choose_depth_views(const Lumigraph& lumigraph, const Eye& eye, int max_views) {
-    return Choice(lumigraph, eye, max_views, 0.0).sets().front().view_indices;
+    return Choice(lumigraph, eye, max_views, kOnlyTheBest).sets().front().view_indices;
 }
 
 std::vector<DepthViewSet> depth_view_sets(const Lumigraph& lumigraph, const Eye& eye,
@@ -174,10 +189,7 @@ std::vector<DepthViewSet> depth_view_sets(const Lumigraph& lumigraph, const Eye&
     std::vector<DepthViewSet> sets = Choice(lumigraph, eye, max_views, kNearlyAsMuch).sets();
     std::sort(sets.begin(), sets.end(),
               [](const DepthViewSet& a, const DepthViewSet& b) { return a.share > b.share; });
-    sets.resize(std::min(sets.size(), static_cast<std::size_t>(kMaxDepthViewSets)));
-    double sum = 0;
-    for (const DepthViewSet& set : sets) sum += set.share;
-    for (DepthViewSet& set : sets) set.share /= sum;
+    keep_largest(sets);
     std::sort(sets.begin(), sets.end(), [](const DepthViewSet& a, const DepthViewSet& b) {
         return a.view_indices < b.view_indices;
     });
@@ -192,16 +204,15 @@ double agreeing_inverse_depth(const std::vector<ViewGeometry>& geometries,
     return mean;
 }
 
-std::size_t set_at(const std::vector<DepthViewSet>& sets, int column, int row) {
-    const std::uint32_t number = 3242174889U * static_cast<std::uint32_t>(column) +
-                                 2447445414U * static_cast<std::uint32_t>(row);
-    const auto place = static_cast<float>(number >> 8) / 16777216.0F;
-    double end = 0;
-    for (std::size_t i = 0; i + 1 < sets.size(); ++i) {
-        end += sets[i].share;
-        if (place < static_cast<float>(end)) return i;
+std::vector<int> strip_ends(const std::vector<DepthViewSet>& sets, int width_px) {
+    std::vector<int> ends;
+    double share = 0;
+    for (const DepthViewSet& set : sets) {
+        share += set.share;
+        ends.push_back(static_cast<int>(std::lround(share * width_px)));
     }
-    return sets.size() - 1;
+    ends.back() = width_px;
+    return ends;
 }
 
 }  // namespace lumi

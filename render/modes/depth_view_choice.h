@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "render/lumigraph/lumigraph.h"
@@ -45,9 +44,9 @@ inline constexpr int kMaxDepthViewSets = 4;
                                             const std::vector<DepthViewSet>& sets,
                                             double tolerance_px);
 
-/// Which of the sets a texel of the eye's picture asks, row 0 at the bottom: pseudo-random, so that
-/// one set dissolves into the other (the sequence R2 of M. Roberts, 2018, in whole numbers). As in
-/// shaders/depth_view_sets.glsl.
-[[nodiscard]] std::size_t set_at(const std::vector<DepthViewSet>& sets, int column, int row);
+/// Each set is asked in a strip of the eye's picture, from the left to the right, as wide as its
+/// share: where the strips end, in columns of a picture of this width. Strips move with the eye, so
+/// that it is a line that passes when one view is exchanged for another.
+[[nodiscard]] std::vector<int> strip_ends(const std::vector<DepthViewSet>& sets, int width_px);
 
 }  // namespace lumi

@@ -24,12 +24,9 @@ PerPixel::PerPixel(const UploadedLumigraph& uploaded)
       layer_count_(std::min(kMaxDepthViews, static_cast<int>(uploaded.layout.views.size()))),
       depth_(uploaded, layer_count_),
       faces_(uploaded),
-      program_(
-          "per_pixel",
-          {shader_source("face"), shader_source("depth_view_sets"), shader_source("per_pixel")},
-          {"LAYERS " + std::to_string(layer_count_)}),
-      fading_("per_pixel",
-              {shader_source("face"), shader_source("depth_view_sets"), shader_source("per_pixel")},
+      program_("per_pixel", {shader_source("face"), shader_source("per_pixel")},
+               {"LAYERS " + std::to_string(layer_count_)}),
+      fading_("per_pixel", {shader_source("face"), shader_source("per_pixel")},
               {"LAYERS " + std::to_string(layer_count_), "FADES"}) {}
 
 DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
@@ -73,6 +70,11 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
         agreeing_inverse_depth(uploaded_.geometries, sets, options.occlusion_tolerance_px);
     program.set("agreeing_depth", static_cast<float>(depth_.buffer_difference(agreeing)));
     const DepthEye depth_eye = lumi::depth_eye(uploaded_.layout, eye, options);
+    glm::vec4 ends(static_cast<float>(depth_eye.eye.camera.width_px));
+    for (std::size_t set = 0; set < sets.size(); ++set)
+        ends[static_cast<int>(set)] =
+            static_cast<float>(strip_ends(sets, depth_eye.eye.camera.width_px)[set]);
+    program.set("strip_ends", ends);
     // Rows are counted from the top of either picture, window coordinates from the bottom.
     program.set("texels_per_pixel", static_cast<float>(depth_eye.texels_per_pixel));
     program.set("texels_below",
@@ -81,7 +83,6 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
     program.set(
         "check_per_px",
         static_cast<float>(options.correct_occlusion ? 1 / options.occlusion_tolerance_px : 0.0));
-    set_ends_of_sets(sets, program);
     set_layer_views(eye, sets, program);
     return program;
 }

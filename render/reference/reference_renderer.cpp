@@ -61,7 +61,7 @@ class ReferenceFrame {
     void draw_depth_layers();
     void make_mip_levels();
     [[nodiscard]] Eigen::Vector3d at_mip_level(int view_index, const Eigen::Vector2d& pixel) const;
-    [[nodiscard]] const std::vector<int>& depth_views_at(int x, int y) const;
+    [[nodiscard]] const std::vector<int>& depth_views_at(int x) const;
     [[nodiscard]] ConsensusDepth depth_at(int x, int y) const;
     [[nodiscard]] std::optional<DrawnPixel> base_at(const RayPoint& point,
                                                     const ConsensusDepth& depth) const;
@@ -104,6 +104,7 @@ class ReferenceFrame {
     std::vector<MipLevels> mip_levels_;  ///< Of the photographs; without at the finest level.
     DepthEye depth_eye_;
     std::vector<DepthViewSet> depth_views_;
+    std::vector<int> strip_ends_;
     DepthLayerViews layer_views_;
     double agreeing_inverse_depth_ = 0.0;
     std::map<int, Image<EyeDepth>> eye_depth_of_view_;
@@ -159,6 +160,7 @@ Eigen::Vector3d ReferenceFrame::at_mip_level(int view_index, const Eigen::Vector
 
 void ReferenceFrame::draw_depth_layers() {
     depth_views_ = depth_view_sets(lumigraph_, eye_, kMaxDepthViews);
+    strip_ends_ = strip_ends(depth_views_, depth_eye_.eye.camera.width_px);
     layer_views_ = depth_layer_views(depth_views_, kMaxDepthViews);
     agreeing_inverse_depth_ =
         agreeing_inverse_depth(geometries_, depth_views_, options_.occlusion_tolerance_px);
@@ -172,10 +174,10 @@ void ReferenceFrame::draw_depth_layers() {
     }
 }
 
-/// The views that are asked at a pixel, kNoView among them.
-const std::vector<int>& ReferenceFrame::depth_views_at(int x, int y) const {
-    const int row_from_below = depth_eye_.eye.camera.height_px - 1 - texel(y);
-    return layer_views_[set_at(depth_views_, texel(x), row_from_below)];
+/// The views that are asked at a column of pixels, kNoView among them.
+const std::vector<int>& ReferenceFrame::depth_views_at(int x) const {
+    const auto end = std::upper_bound(strip_ends_.begin(), strip_ends_.end(), texel(x));
+    return layer_views_[static_cast<std::size_t>(end - strip_ends_.begin())];
 }
 
 /// Without any support: the scene plane, for the mode that draws it or as a guess.
@@ -183,7 +185,7 @@ ConsensusDepth ReferenceFrame::depth_at(int x, int y) const {
     ConsensusDepth depth;
     if (uses_depth_) {
         std::vector<EyeDepth> depths;
-        for (const int index : depth_views_at(x, y))
+        for (const int index : depth_views_at(x))
             depths.push_back(index == kNoView ? EyeDepth{}
                                               : eye_depth_of_view_.at(index)(texel(x), texel(y)));
         depth = consensus_of(depths, agreeing_inverse_depth_);
@@ -333,7 +335,7 @@ DrawnPixel ReferenceFrame::color_at(int x, int y) const {
     const ConsensusDepth depth = depth_at(x, y);
     RayPoint point{direction, depth.inverse_depth};
     if (depth.support > 0)
-        point.known_by = depth_views_at(x, y)[static_cast<std::size_t>(depth.best_layer)];
+        point.known_by = depth_views_at(x)[static_cast<std::size_t>(depth.best_layer)];
     DrawnPixel drawn = base_at(point, depth).value_or(DrawnPixel{});
     for (const CameraMesh& shell : lumigraph_.mesh.shells) lay_over(drawn, shell, point, depth);
     return drawn;

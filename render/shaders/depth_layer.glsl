@@ -11,13 +11,5 @@ void main() {
 #endif
 
 #ifdef LUMI_FRAGMENT
-#ifdef SEVERAL_SETS
-uniform vec4 is_in_set;  // 1 for sets that have this view in this layer
-
-void main() {
-    if (is_in_set[set_at(ivec2(gl_FragCoord.xy))] < 0.5) discard;
-}
-#else
 void main() {}
-#endif
 #endif

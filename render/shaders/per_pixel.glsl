@@ -16,6 +16,7 @@ uniform float agreeing_depth;            // layers that differ by no more are of
 uniform float texels_per_pixel;          // of the layers; see depth_eye.h
 uniform float texels_below;              // the picture, where it ends within a texel
 uniform float check_per_px;              // 1 / tolerance; 0 without occlusion correction
+uniform vec4 strip_ends;                 // of each set of views: see depth_view_choice.h
 // For each layer of each set its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
 // in window coordinates, then (layer of the photograph, its width, its height, unused).
 uniform vec4 layer_views[64];
@@ -139,7 +140,8 @@ void main() {
     // What none of the three sees and no view has seen is drawn as a guess too.
     float is_known = is_guess || (unseen && depth.kind > 1.5) ? 0.0 : 1.0;
     // Unseen by the three: the layer's view takes the first one's place.
-    int view = 16 * set_at(texel) + 4 * depth.layer;
+    int set = int(dot(vec4(greaterThanEqual(vec4(texel.x), strip_ends)), vec4(1.0)));
+    int view = 16 * set + 4 * depth.layer;
     vec4 ray = vec4(window, 1.0, q);
     vec3 in_layer = sight_of(vec3(dot(layer_views[view], ray),
                                   dot(layer_views[view + 1], ray),
