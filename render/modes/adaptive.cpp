@@ -11,12 +11,32 @@
 namespace lumi {
 namespace {
 
-/// The three that see most of what the eye sees; some may be named twice.
-std::array<int, 3> views_that_see_most(const Lumigraph& layout, const Eye& eye) {
-    const std::vector<int> chosen = choose_depth_views(layout, eye, 3);
+/// Views that see most of what the eye sees; some may be named twice.
+std::array<int, 3> three_of(const DepthViewSet& set) {
     std::array<int, 3> views{};
-    for (std::size_t i = 0; i < 3; ++i) views[i] = chosen[std::min(i, chosen.size() - 1)];
+    for (std::size_t i = 0; i < 3; ++i)
+        views[i] = set.view_indices[std::min(i, set.view_indices.size() - 1)];
     return views;
+}
+
+/// Each strip of the picture from the views of its set (strip_ends).
+void draw_unseen(const std::vector<DepthViewSet>& sets, const Eye& eye, const DepthSearch& search,
+                 const Eigen::Vector3d& plane, const PatchSampler::Options& sampling,
+                 BlendTriangles& triangles) {
+    const std::vector<int> ends = strip_ends(sets, eye.camera.width_px);
+    // The first and the last go on beyond the picture, as triangles do.
+    PictureStrip strip;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        strip.end_px = i + 1 < sets.size() ? ends[i] : PictureStrip{}.end_px;
+        draw_unseen_from(three_of(sets[i]), strip, search, plane, sampling, triangles);
+        strip.begin_px = strip.end_px;
+    }
+}
+
+const DepthViewSet& largest(const std::vector<DepthViewSet>& sets) {
+    return *std::max_element(
+        sets.begin(), sets.end(),
+        [](const DepthViewSet& a, const DepthViewSet& b) { return a.share < b.share; });
 }
 
 /// Without the triangles that nothing is seen of.
@@ -56,9 +76,9 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
     std::vector<BlendTriangles> layers{subdivided(layout.mesh, kOverlap_px)};
     const bool has_unseen = others_may_show_more(search, layers.front());
     if (!has_unseen && layout.mesh.shells.empty()) return layers;
-    const std::array<int, 3> others = views_that_see_most(layout, eye);
-    if (has_unseen) draw_unseen_from(others, search, plane, sampling, layers.front());
-    sampling.before_shell = others;
+    const std::vector<DepthViewSet> others = depth_view_sets(layout, eye, 3);
+    if (has_unseen) draw_unseen(others, eye, search, plane, sampling, layers.front());
+    sampling.before_shell = three_of(largest(others));
     for (const CameraMesh& shell : layout.mesh.shells)
         layers.push_back(without_unseen(subdivided(shell, kNoOverlap_px)));
     return layers;

@@ -92,7 +92,15 @@ struct Candidate {
     Standing standing;  ///< Of this corner.
 };
 
-std::vector<Candidate> candidates_in(const BlendTriangles& triangles, Standing best) {
+bool is_in(const PictureStrip& strip, const BlendTriangles& triangles, std::size_t first_index) {
+    double x = 0;
+    for (std::size_t k = first_index; k < first_index + 3; ++k)
+        x += static_cast<double>(triangles.vertices[triangles.indices[k]].pixel[0]) / 3;
+    return x >= strip.begin_px && x < strip.end_px;
+}
+
+std::vector<Candidate> candidates_in(const PictureStrip& strip, const BlendTriangles& triangles,
+                                     Standing best) {
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
         Candidate candidate{i, 0, best};
@@ -102,7 +110,8 @@ std::vector<Candidate> candidates_in(const BlendTriangles& triangles, Standing b
             candidate.worst_corner = triangles.indices[k];
             candidate.standing = standing;
         }
-        if (candidate.standing < best) candidates.push_back(candidate);
+        if (candidate.standing < best && is_in(strip, triangles, i))
+            candidates.push_back(candidate);
     }
     return candidates;
 }
@@ -116,12 +125,12 @@ bool others_may_show_more(const DepthSearch& search, const BlendTriangles& trian
         [&](std::uint32_t corner) { return standing_of(triangles.vertices[corner]) < best; });
 }
 
-void draw_unseen_from(const std::array<int, 3>& other_views, const DepthSearch& search,
-                      const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
-                      BlendTriangles& triangles) {
+void draw_unseen_from(const std::array<int, 3>& other_views, const PictureStrip& strip,
+                      const DepthSearch& search, const Eigen::Vector3d& scene_plane,
+                      const PatchSampler::Options& sampling, BlendTriangles& triangles) {
     const FacePolygon polygon = picture_through(other_views);
     const PatchSampler sampler(polygon, search, scene_plane, sampling);
-    std::vector<Candidate> candidates = candidates_in(triangles, best_standing(search));
+    std::vector<Candidate> candidates = candidates_in(strip, triangles, best_standing(search));
     OtherCorners others(sampler, triangles);
     const auto corner_of = [&](const Candidate& of, std::size_t k) -> std::uint32_t& {
         return triangles.indices[of.first_index + k];

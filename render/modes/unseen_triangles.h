@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "render/modes/subdivision.h"
 
@@ -10,15 +11,22 @@ namespace lumi {
 /// that shows nothing.
 [[nodiscard]] bool others_may_show_more(const DepthSearch& search, const BlendTriangles& triangles);
 
-/// Draws what a face's cameras do not see from others.
+/// Columns of the eye's picture, from one to before the other; all of them.
+struct PictureStrip {
+    double begin_px = std::numeric_limits<double>::lowest();
+    double end_px = std::numeric_limits<double>::max();
+};
+
+/// Draws what a face's cameras do not see from others, of the triangles whose middle lies in the
+/// strip.
 ///
 /// A triangle with a corner that none of its cameras sees, because something hides it or because it
 /// lies beyond their photographs, gets `other_views` instead, the first of them that sees a corner
 /// there, if these see all of its corners, or show them where its own have nothing. Corners are
 /// looked up anew, once each; those of neighbours stay as they are. The same for any number of
 /// threads.
-void draw_unseen_from(const std::array<int, 3>& other_views, const DepthSearch& search,
-                      const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
-                      BlendTriangles& triangles);
+void draw_unseen_from(const std::array<int, 3>& other_views, const PictureStrip& strip,
+                      const DepthSearch& search, const Eigen::Vector3d& scene_plane,
+                      const PatchSampler::Options& sampling, BlendTriangles& triangles);
 
 }  // namespace lumi

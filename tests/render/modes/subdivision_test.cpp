@@ -296,7 +296,11 @@ TEST(UnseenTriangles, ComeFromTheViewThatSeesThem) {
         adaptive_subdivision(polygons, search, plane, {}, {.max_edge_px = 4}).triangles;
     const std::size_t count = triangles.count();
     ASSERT_GT(empty_corners(triangles), count / 2);
-    draw_unseen_from({3, 3, 3}, search, plane, {}, triangles);
+    draw_unseen_from({3, 3, 3}, {.end_px = 48}, search, plane, {}, triangles);
+    const std::size_t empty_on_the_right = empty_corners(triangles);
+    EXPECT_GT(empty_on_the_right, count / 4);
+    EXPECT_LT(empty_on_the_right, 2 * count);
+    draw_unseen_from({3, 3, 3}, {.begin_px = 48}, search, plane, {}, triangles);
     EXPECT_EQ(triangles.count(), count);
     EXPECT_EQ(empty_corners(triangles), 0U);
     const Frame drawn =
@@ -317,7 +321,7 @@ TEST(UnseenTriangles, ComeFromTheViewThatSeesThem) {
 TEST_F(Subdivision, WhatItsCamerasSeeIsNotDrawnFromOthers) {
     BlendTriangles triangles = adaptive({});
     const std::vector<std::uint32_t> before = triangles.indices;
-    draw_unseen_from({0, 1, 2}, search_, plane_, {}, triangles);
+    draw_unseen_from({0, 1, 2}, {}, search_, plane_, {}, triangles);
     for (std::size_t i = 0; i < before.size(); i += 3) {
         const bool all_seen =
             std::all_of(before.begin() + static_cast<std::ptrdiff_t>(i),
