@@ -44,16 +44,16 @@ class Job {
 /// Threads that stay, waiting for jobs: to start one for each job of a frame would cost more than
 /// many a job. A job's caller works on it, too, and waits only for those who are at work on it, so
 /// that jobs within jobs always come to an end, however few threads are free.
-class Helpers {
+class WaitingThreads {
  public:
-    void work_with(int most_helpers, Job& job) {
-        Offer offer{&job, most_helpers};
+    void work_with(int most_others, Job& job) {
+        Offer offer{&job, most_others};
         {
             const std::scoped_lock lock(mutex_);
-            start_threads(most_helpers);
+            start_threads(most_others);
             offers_.push_back(&offer);
         }
-        for (int i = 0; i < most_helpers; ++i) offered_.notify_one();
+        for (int i = 0; i < most_others; ++i) offered_.notify_one();
         job.work();
         std::unique_lock lock(mutex_);
         std::erase(offers_, &offer);
@@ -64,7 +64,7 @@ class Helpers {
     /// Guarded by the mutex.
     struct Offer {
         Job* job;
-        int places;  ///< For so many more helpers.
+        int places;  ///< For so many more threads.
         int at_work = 0;
     };
 
@@ -101,8 +101,8 @@ class Helpers {
 };
 
 /// Never destroyed: its threads wait until the process ends.
-Helpers& helpers() {
-    static auto* const all = new Helpers;
+WaitingThreads& waiting_threads() {
+    static auto* const all = new WaitingThreads;
     return *all;
 }
 
@@ -115,9 +115,9 @@ int resolve_threads(int threads) {
 
 void parallel_for(int count, int threads, const std::function<void(int)>& body) {
     Job job(count, body);
-    const int most_helpers = std::min(resolve_threads(threads), count) - 1;
-    if (most_helpers > 0) {
-        helpers().work_with(most_helpers, job);
+    const int most_others = std::min(resolve_threads(threads), count) - 1;
+    if (most_others > 0) {
+        waiting_threads().work_with(most_others, job);
     } else {
         job.work();
     }
