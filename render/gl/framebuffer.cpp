@@ -40,9 +40,9 @@ void Framebuffer::attach_depth_layer(const TextureArray& depth, int layer) {
     require_complete();
 }
 
-void Framebuffer::attach_color_layer(const TextureArray& color, int layer) {
+void Framebuffer::attach_color_layer(const TextureArray& color, int layer, int level) {
     bind();
-    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, color.name(), 0, layer);
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, color.name(), level, layer);
     require_complete();
 }
 

@@ -16,8 +16,8 @@ class Framebuffer {
 
     /// Draws go to this depth layer, with no colour. Binds the framebuffer.
     void attach_depth_layer(const TextureArray& depth, int layer);
-    /// Draws go to this colour layer. Binds the framebuffer.
-    void attach_color_layer(const TextureArray& color, int layer);
+    /// Draws go to this colour layer, or to a mip level of it. Binds the framebuffer.
+    void attach_color_layer(const TextureArray& color, int layer, int level = 0);
     /// Draws go to an own RGBA8 raster of this size. Binds the framebuffer.
     void attach_color(int width_px, int height_px);
     void bind() const;

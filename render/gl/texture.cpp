@@ -2,8 +2,12 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <vector>
+
+#include "render/gl/framebuffer.h"
 
 namespace lumi {
 
@@ -35,6 +39,12 @@ unsigned new_texture() {
     GLuint name = 0;
     glGenTextures(1, &name);
     return name;
+}
+
+void clear_rectangle(int x, int y, int width_px, int height_px) {
+    constexpr std::array<GLfloat, 4> kNothing{};
+    glScissor(x, y, width_px, height_px);
+    glClearBufferfv(GL_COLOR, 0, kNothing.data());
 }
 
 }  // namespace
@@ -98,14 +108,33 @@ void TextureArray::bind(unsigned unit) const {
 }
 
 void TextureArray::bind_mip_levels(unsigned unit) const {
-    constexpr GLint kAllLevels = 1000;
     bind(unit);
-    if (!has_mip_levels_) {
-        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, kAllLevels);
-        glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
-        has_mip_levels_ = true;
-    }
+    if (!has_mip_levels_) make_mip_levels();
+    has_mip_levels_ = true;
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+}
+
+void TextureArray::make_mip_levels() const {
+    constexpr GLint kAllLevels = 1000;
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, kAllLevels);
+    glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
+    const FramebufferBindingKeeper keeper;
+    Framebuffer framebuffer;
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+    glEnable(GL_SCISSOR_TEST);
+    for (int level = 1; std::max(width_px_, height_px_) >> level > 0; ++level) {
+        const int width = std::max(1, width_px_ >> level);
+        const int height = std::max(1, height_px_ >> level);
+        for (int layer = 0; layer < layers_; ++layer) {
+            framebuffer.attach_color_layer(*this, layer, level);
+            clear_rectangle(0, 0, width, 1);
+            clear_rectangle(0, height - 1, width, 1);
+            clear_rectangle(0, 0, 1, height);
+            clear_rectangle(width - 1, 0, 1, height);
+        }
+    }
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 }  // namespace lumi

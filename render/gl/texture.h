@@ -31,7 +31,8 @@ class TextureArray {
     void upload(int layer, const FloatImage& image);
     void bind(unsigned unit) const;
     /// With all mip levels, which are made when they are first asked for: for colours that are
-    /// looked up at a level (textureLod) and are not changed any more.
+    /// looked up at a level (textureLod) and are not changed any more. Along the borders of each
+    /// level alpha is 0, so that beyond a layer it is 0, too, where coarse levels have no gutter.
     void bind_mip_levels(unsigned unit) const;
 
     [[nodiscard]] unsigned name() const { return name_.get(); }
@@ -40,6 +41,8 @@ class TextureArray {
     [[nodiscard]] int layers() const { return layers_; }
 
  private:
+    void make_mip_levels() const;
+
     ObjectName<delete_texture> name_;
     int width_px_ = 0;
     int height_px_ = 0;

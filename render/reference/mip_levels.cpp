@@ -20,6 +20,16 @@ MipLevels::MipLevels(std::vector<unsigned char> rgba, int width_px, int height_p
         }
         levels_.push_back(std::move(level));
     }
+    for (std::size_t i = 1; i < levels_.size(); ++i) levels_[i].end_at_borders();
+}
+
+void MipLevels::Level::end_at_borders() {
+    for (int y = 0; y < height_px; ++y)
+        for (int x = 0; x < width_px; ++x)
+            if (x == 0 || y == 0 || x == width_px - 1 || y == height_px - 1)
+                rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) +
+                          static_cast<std::size_t>(x)) +
+                     3] = 0;
 }
 
 Eigen::Vector4d MipLevels::at(const Eigen::Vector2d& place, double lod) const {

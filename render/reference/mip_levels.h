@@ -7,7 +7,8 @@
 namespace lumi {
 
 /// The mip levels of a picture of four bytes a texel, as glGenerateMipmap makes them: each level
-/// has half as many rows and columns, rounded down, read between the texels of the one before.
+/// has half as many rows and columns, rounded down, read between the texels of the one before. Of
+/// all but the finest alpha is 0 along the borders (TextureArray::bind_mip_levels).
 class MipLevels {
  public:
     MipLevels(std::vector<unsigned char> rgba, int width_px, int height_px);
@@ -22,6 +23,7 @@ class MipLevels {
         int height_px = 0;
 
         [[nodiscard]] Eigen::Vector4d at(const Eigen::Vector2d& place) const;
+        void end_at_borders();
     };
     std::vector<Level> levels_;
 };

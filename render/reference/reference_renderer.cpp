@@ -60,7 +60,7 @@ class ReferenceFrame {
  private:
     void draw_depth_layers();
     void make_mip_levels();
-    [[nodiscard]] Eigen::Vector3d at_mip_level(int view_index, const Eigen::Vector2d& pixel) const;
+    [[nodiscard]] Eigen::Vector4d at_mip_level(int view_index, const Eigen::Vector2d& pixel) const;
     [[nodiscard]] const std::vector<int>& depth_views_at(int x) const;
     [[nodiscard]] ConsensusDepth depth_at(int x, int y) const;
     [[nodiscard]] std::optional<DrawnPixel> base_at(const RayPoint& point,
@@ -151,11 +151,10 @@ void ReferenceFrame::make_mip_levels() {
             size.x(), size.y());
 }
 
-Eigen::Vector3d ReferenceFrame::at_mip_level(int view_index, const Eigen::Vector2d& pixel) const {
+Eigen::Vector4d ReferenceFrame::at_mip_level(int view_index, const Eigen::Vector2d& pixel) const {
     const Eigen::Vector2d texel = pixel + Eigen::Vector2d::Constant(kGutter_px);
-    return mip_levels_[static_cast<std::size_t>(view_index)]
-        .at(texel.cwiseQuotient(layer_size_px_), lod_)
-        .head<3>();
+    return mip_levels_[static_cast<std::size_t>(view_index)].at(texel.cwiseQuotient(layer_size_px_),
+                                                                lod_);
 }
 
 void ReferenceFrame::draw_depth_layers() {
@@ -225,13 +224,14 @@ double ReferenceFrame::visibility(int view_index, const RayPoint& point, bool ch
 
 double ReferenceFrame::opacity(int view_index, const RayPoint& point) const {
     const std::optional<Sight> sight = sight_of(view_index, point);
+    if (sight && lod_ > 0) return at_mip_level(view_index, sight->pixel)[3];
     return sight ? bilinear_to_zero(opacities_[static_cast<std::size_t>(view_index)], sight->pixel)
                  : 0.0;
 }
 
 Eigen::Vector3d ReferenceFrame::color_in(int view_index, const RayPoint& point) const {
     const std::optional<Sight> sight = sight_of(view_index, point);
-    if (sight && lod_ > 0) return at_mip_level(view_index, sight->pixel);
+    if (sight && lod_ > 0) return at_mip_level(view_index, sight->pixel).head<3>();
     return sight ? bilinear(view(view_index).photograph, sight->pixel) : Eigen::Vector3d::Zero();
 }
 

@@ -16,12 +16,11 @@ uniform float photograph_lod;  // see photograph_lod.h
 // A colour of a layer, whose coordinates run from 0 to 1; encoded sRGB, blended as such. Alpha is
 // how much it counts: 0 beyond the photograph.
 vec4 photograph_at(vec2 on_layer, float layer) {
-    vec4 color = textureLod(photographs, vec3(on_layer, layer), 0.0);
 #ifdef MIP_LEVELS
-    // Where a photograph ends the finest level tells: the gutter around it is too narrow for others.
-    color.rgb = textureLod(photographs, vec3(on_layer, layer), photograph_lod).rgb;
+    return textureLod(photographs, vec3(on_layer, layer), photograph_lod);
+#else
+    return textureLod(photographs, vec3(on_layer, layer), 0.0);
 #endif
-    return color;
 }
 
 #ifdef FOUR_SAMPLES
