@@ -11,6 +11,9 @@
 namespace lumi {
 namespace {
 
+/// What the first three others do not see either is asked of three more.
+constexpr int kRoundsOfOthers = 2;
+
 /// Views that see most of what the eye sees; some may be named twice.
 std::array<int, 3> three_of(const DepthViewSet& set) {
     std::array<int, 3> views{};
@@ -31,12 +34,6 @@ void draw_unseen(const std::vector<DepthViewSet>& sets, const Eye& eye, const De
         draw_unseen_from(three_of(sets[i]), strip, search, plane, sampling, triangles);
         strip.begin_px = strip.end_px;
     }
-}
-
-const DepthViewSet& largest(const std::vector<DepthViewSet>& sets) {
-    return *std::max_element(
-        sets.begin(), sets.end(),
-        [](const DepthViewSet& a, const DepthViewSet& b) { return a.share < b.share; });
 }
 
 /// Without the triangles that nothing is seen of.
@@ -74,11 +71,14 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
             .triangles;
     };
     std::vector<BlendTriangles> layers{subdivided(layout.mesh, kOverlap_px)};
-    const bool has_unseen = others_may_show_more(search, layers.front());
-    if (!has_unseen && layout.mesh.shells.empty()) return layers;
-    const std::vector<DepthViewSet> others = depth_view_sets(layout, eye, 3);
-    if (has_unseen) draw_unseen(others, eye, search, plane, sampling, layers.front());
-    sampling.before_shell = three_of(largest(others));
+    for (int round = 0; round < kRoundsOfOthers; ++round) {
+        const std::vector<Eigen::Vector2d> unseen = middles_of_unseen(search, layers.front());
+        if (unseen.empty()) break;
+        draw_unseen(depth_view_sets(layout, eye, 3, unseen), eye, search, plane, sampling,
+                    layers.front());
+    }
+    if (layout.mesh.shells.empty()) return layers;
+    sampling.before_shell = three_of({choose_depth_views(layout, eye, 3)});
     for (const CameraMesh& shell : layout.mesh.shells)
         layers.push_back(without_unseen(subdivided(shell, kNoOverlap_px)));
     return layers;

@@ -30,20 +30,26 @@ struct Sample {
     double worth = 1.0;  ///< To a view that sees it from the eye's direction, the first to do so.
 };
 
-std::vector<Sample> samples_seen_by(const Lumigraph& lumigraph, const Eye& eye) {
+std::vector<Eigen::Vector2d> grid_over(const Camera& camera) {
+    std::vector<Eigen::Vector2d> pixels;
+    for (int row = 0; row < kGridSteps; ++row)
+        for (int column = 0; column < kGridSteps; ++column)
+            pixels.emplace_back(column * camera.width_px / (kGridSteps - 1.0),
+                                row * camera.height_px / (kGridSteps - 1.0));
+    return pixels;
+}
+
+std::vector<Sample> samples_at(const Lumigraph& lumigraph, const Eye& eye,
+                               const std::vector<Eigen::Vector2d>& pixels) {
     const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
     const double near_end = inverse_depth_range(lumigraph).y();
     std::vector<Sample> samples;
-    for (int row = 0; row < kGridSteps; ++row) {
-        for (int column = 0; column < kGridSteps; ++column) {
-            const Eigen::Vector2d pixel(column * eye.camera.width_px / (kGridSteps - 1.0),
-                                        row * eye.camera.height_px / (kGridSteps - 1.0));
-            const Eigen::Vector3d direction_in_world =
-                eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, pixel);
-            const double on_plane = std::max(0.0, plane.dot(pixel.homogeneous()));
-            samples.push_back({direction_in_world, on_plane});
-            samples.push_back({direction_in_world, std::max(on_plane, near_end), kWorthOfNext});
-        }
+    for (const Eigen::Vector2d& pixel : pixels) {
+        const Eigen::Vector3d direction_in_world =
+            eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, pixel);
+        const double on_plane = std::max(0.0, plane.dot(pixel.homogeneous()));
+        samples.push_back({direction_in_world, on_plane});
+        samples.push_back({direction_in_world, std::max(on_plane, near_end), kWorthOfNext});
     }
     return samples;
 }
@@ -86,10 +92,11 @@ Sight sight_of(const LumigraphView& view, const Eigen::Vector3d& eye_in_world,
 /// Takes views one by one.
 class Choice {
  public:
-    Choice(const Lumigraph& lumigraph, const Eye& eye, int max_views, double nearly)
+    Choice(const Lumigraph& lumigraph, const Eye& eye, int max_views, double nearly,
+           const std::vector<Eigen::Vector2d>& pixels)
         : max_views_(max_views), nearly_(nearly) {
         const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
-        const std::vector<Sample> samples = samples_seen_by(lumigraph, eye);
+        const std::vector<Sample> samples = samples_at(lumigraph, eye, pixels);
         for (const LumigraphView& view : lumigraph.views)
             sights_.push_back(sight_of(view, eye_in_world, samples));
         for (const Sample& sample : samples) worth_.push_back(sample.worth);
@@ -181,12 +188,17 @@ void keep_largest(std::vector<DepthViewSet>& sets) {
 }  // namespace
 
 std::vector<int> choose_depth_views(const Lumigraph& lumigraph, const Eye& eye, int max_views) {
-    return Choice(lumigraph, eye, max_views, kOnlyTheBest).sets().front().view_indices;
+    return Choice(lumigraph, eye, max_views, kOnlyTheBest, grid_over(eye.camera))
+        .sets()
+        .front()
+        .view_indices;
 }
 
-std::vector<DepthViewSet> depth_view_sets(const Lumigraph& lumigraph, const Eye& eye,
-                                          int max_views) {
-    std::vector<DepthViewSet> sets = Choice(lumigraph, eye, max_views, kNearlyAsMuch).sets();
+std::vector<DepthViewSet> depth_view_sets(const Lumigraph& lumigraph, const Eye& eye, int max_views,
+                                          const std::vector<Eigen::Vector2d>& pixels) {
+    std::vector<DepthViewSet> sets = Choice(lumigraph, eye, max_views, kNearlyAsMuch,
+                                            pixels.empty() ? grid_over(eye.camera) : pixels)
+                                         .sets();
     std::sort(sets.begin(), sets.end(),
               [](const DepthViewSet& a, const DepthViewSet& b) { return a.share > b.share; });
     keep_largest(sets);

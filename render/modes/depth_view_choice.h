@@ -35,9 +35,10 @@ inline constexpr int kMaxDepthViewSets = 4;
 /// The same for an eye that moves: where the next view would be nearly as much use, there is a set
 /// with either. Their shares, whose sum is 1, change steadily with the eye, so that nothing has to
 /// change all at once where one view is exchanged for another. In an order that does not depend on
-/// the eye.
-[[nodiscard]] std::vector<DepthViewSet> depth_view_sets(const Lumigraph& lumigraph, const Eye& eye,
-                                                        int max_views);
+/// the eye. Where `pixels` are given it is these that are to be seen, not the whole picture.
+[[nodiscard]] std::vector<DepthViewSet> depth_view_sets(
+    const Lumigraph& lumigraph, const Eye& eye, int max_views,
+    const std::vector<Eigen::Vector2d>& pixels = {});
 
 /// agreeing_inverse_depth (view_geometry.h) of the sets' views: the mean by their shares.
 [[nodiscard]] double agreeing_inverse_depth(const std::vector<ViewGeometry>& geometries,

@@ -92,11 +92,17 @@ struct Candidate {
     Standing standing;  ///< Of this corner.
 };
 
-bool is_in(const PictureStrip& strip, const BlendTriangles& triangles, std::size_t first_index) {
-    double x = 0;
-    for (std::size_t k = first_index; k < first_index + 3; ++k)
-        x += static_cast<double>(triangles.vertices[triangles.indices[k]].pixel[0]) / 3;
-    return x >= strip.begin_px && x < strip.end_px;
+Eigen::Vector2d middle_of(const BlendTriangles& triangles, std::size_t first_index) {
+    Eigen::Vector2d sum(0, 0);
+    for (std::size_t k = first_index; k < first_index + 3; ++k) {
+        const std::array<float, 2>& pixel = triangles.vertices[triangles.indices[k]].pixel;
+        sum += Eigen::Vector2d(static_cast<double>(pixel[0]), static_cast<double>(pixel[1]));
+    }
+    return sum / 3;
+}
+
+bool is_in(const PictureStrip& strip, const Eigen::Vector2d& pixel) {
+    return pixel.x() >= strip.begin_px && pixel.x() < strip.end_px;
 }
 
 std::vector<Candidate> candidates_in(const PictureStrip& strip, const BlendTriangles& triangles,
@@ -110,7 +116,7 @@ std::vector<Candidate> candidates_in(const PictureStrip& strip, const BlendTrian
             candidate.worst_corner = triangles.indices[k];
             candidate.standing = standing;
         }
-        if (candidate.standing < best && is_in(strip, triangles, i))
+        if (candidate.standing < best && is_in(strip, middle_of(triangles, i)))
             candidates.push_back(candidate);
     }
     return candidates;
@@ -118,11 +124,14 @@ std::vector<Candidate> candidates_in(const PictureStrip& strip, const BlendTrian
 
 }  // namespace
 
-bool others_may_show_more(const DepthSearch& search, const BlendTriangles& triangles) {
-    const Standing best = best_standing(search);
-    return std::any_of(
-        triangles.indices.begin(), triangles.indices.end(),
-        [&](std::uint32_t corner) { return standing_of(triangles.vertices[corner]) < best; });
+std::vector<Eigen::Vector2d> middles_of_unseen(const DepthSearch& search,
+                                               const BlendTriangles& triangles) {
+    const std::vector<Candidate> unseen = candidates_in({}, triangles, best_standing(search));
+    const std::size_t step = (unseen.size() + kMostMiddles - 1) / kMostMiddles;
+    std::vector<Eigen::Vector2d> middles;
+    for (std::size_t i = 0; i < unseen.size(); i += step)
+        middles.push_back(middle_of(triangles, unseen[i].first_index));
+    return middles;
 }
 
 void draw_unseen_from(const std::array<int, 3>& other_views, const PictureStrip& strip,

@@ -1,15 +1,20 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "render/modes/subdivision.h"
 
 namespace lumi {
 
-/// Whether there is a triangle that other views may show better: without depth anywhere, only one
-/// that shows nothing.
-[[nodiscard]] bool others_may_show_more(const DepthSearch& search, const BlendTriangles& triangles);
+/// The middles of triangles that other views may show better: without depth anywhere, only of those
+/// that show nothing. No more than kMostMiddles, spread over them.
+[[nodiscard]] std::vector<Eigen::Vector2d> middles_of_unseen(const DepthSearch& search,
+                                                             const BlendTriangles& triangles);
+inline constexpr std::size_t kMostMiddles = 64;
 
 /// Columns of the eye's picture, from one to before the other; all of them.
 struct PictureStrip {
