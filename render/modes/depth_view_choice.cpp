@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "render/modes/pixel_transfer.h"
 #include "render/modes/scene_plane.h"
 
 namespace lumi {
@@ -19,15 +20,18 @@ constexpr double kHalfWorth_rad = 0.1;
 constexpr double kWorthOfNext = 0.1;
 /// A view that is worth less by no more than this share might be the best of an eye close by.
 constexpr double kNearlyAsMuch = 0.03;
+/// Opposite directions: beside the longest.
+constexpr double kLeastLength = 1e-9;
 constexpr double kOnlyTheBest = 1e-12;
 /// So much of the picture is taken from each set that is not the best: most of them get nothing.
 constexpr double kLeastShare = 0.02;
 
-/// A point that the eye may see, as (direction, inverse depth) in its frame: X = direction / q.
-struct Sample {
-    Eigen::Vector3d direction_in_world;
-    double inverse_depth = 0.0;
-    double worth = 1.0;  ///< To a view that sees it from the eye's direction, the first to do so.
+/// Points that the eye may see, as (direction, inverse depth) in its frame: X = direction / q. One
+/// a column.
+struct Samples {
+    Eigen::Matrix3Xd directions_in_world;
+    Eigen::RowVectorXd inverse_depths;
+    Eigen::RowVectorXd worth;  ///< To a view that sees it from the eye's direction, the first to.
 };
 
 std::vector<Eigen::Vector2d> grid_over(const Camera& camera) {
@@ -39,53 +43,64 @@ std::vector<Eigen::Vector2d> grid_over(const Camera& camera) {
     return pixels;
 }
 
-std::vector<Sample> samples_at(const Lumigraph& lumigraph, const Eye& eye,
-                               const std::vector<Eigen::Vector2d>& pixels) {
+Samples samples_at(const Lumigraph& lumigraph, const Eye& eye,
+                   const std::vector<Eigen::Vector2d>& pixels) {
     const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
     const double near_end = inverse_depth_range(lumigraph).y();
-    std::vector<Sample> samples;
+    const auto count = static_cast<Eigen::Index>(2 * pixels.size());
+    Samples samples{Eigen::Matrix3Xd(3, count), Eigen::RowVectorXd(count),
+                    Eigen::RowVectorXd(count)};
+    Eigen::Index next = 0;
     for (const Eigen::Vector2d& pixel : pixels) {
         const Eigen::Vector3d direction_in_world =
             eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, pixel);
         const double on_plane = std::max(0.0, plane.dot(pixel.homogeneous()));
-        samples.push_back({direction_in_world, on_plane});
-        samples.push_back({direction_in_world, std::max(on_plane, near_end), kWorthOfNext});
+        for (const bool is_near : {false, true}) {
+            samples.directions_in_world.col(next) = direction_in_world;
+            samples.inverse_depths[next] = is_near ? std::max(on_plane, near_end) : on_plane;
+            samples.worth[next] = is_near ? kWorthOfNext : 1.0;
+            ++next;
+        }
     }
     return samples;
 }
 
-/// How a view sees the samples, one number a sample.
+/// How a view sees the samples.
 struct Sight {
-    /// 1 within the photograph, 0 outside; from one to the other over the distance of two samples.
-    std::vector<double> inside;
-    std::vector<double> closeness;  ///< The same, the less the larger the angle to the eye.
+    /// 1 within the photograph, 0 outside; from one to the other over a fraction of the way between
+    /// two samples of the grid.
+    Eigen::RowVectorXd inside;
+    Eigen::RowVectorXd closeness;  ///< The same, the less the larger the angle to the eye.
 };
 
-double inside_share(const Camera& camera, const Eigen::Vector2d& pixel) {
-    const double to_border_px =
-        std::min({pixel.x(), pixel.y(), camera.width_px - pixel.x(), camera.height_px - pixel.y()});
+Eigen::RowVectorXd inside_shares(const Camera& camera, const Eigen::Matrix3Xd& in_camera) {
+    const Eigen::Matrix3Xd pixels = pinhole_matrix(camera) * in_camera;
+    const Eigen::Array<double, 1, Eigen::Dynamic> x = pixels.row(0).array() / pixels.row(2).array();
+    const Eigen::Array<double, 1, Eigen::Dynamic> y = pixels.row(1).array() / pixels.row(2).array();
+    const auto to_border_px = x.min(camera.width_px - x).min(y.min(camera.height_px - y)).eval();
     const double sample_px = std::min(camera.width_px, camera.height_px) / (kGridSteps - 1.0);
-    return std::clamp(0.5 + 4 * to_border_px / sample_px, 0.0, 1.0);
+    return (pixels.row(2).array() > 0)
+        .select((0.5 + 4 * to_border_px / sample_px).max(0.0).min(1.0), 0.0);
 }
 
 Sight sight_of(const LumigraphView& view, const Eigen::Vector3d& eye_in_world,
-               const std::vector<Sample>& samples) {
+               const Samples& samples) {
     const Eigen::Vector3d eye_from_view = centre_in_world(view.cam_from_world) - eye_in_world;
+    const Eigen::Matrix3Xd from_view =
+        samples.directions_in_world - eye_from_view * samples.inverse_depths;
+    const Eigen::Matrix3Xd in_camera = view.cam_from_world.rotation.toRotationMatrix() * from_view;
     Sight sight;
-    for (const Sample& sample : samples) {
-        const Eigen::Vector3d from_view =
-            sample.direction_in_world - sample.inverse_depth * eye_from_view;
-        const auto pixel = project(view.camera, view.cam_from_world.rotation * from_view);
-        const double inside = pixel ? inside_share(view.camera, *pixel) : 0.0;
-        sight.inside.push_back(inside);
-        if (inside <= 0) {
-            sight.closeness.push_back(0.0);
-            continue;
-        }
-        const double angle = std::atan2(from_view.cross(sample.direction_in_world).norm(),
-                                        from_view.dot(sample.direction_in_world));
-        sight.closeness.push_back(inside * kHalfWorth_rad / (kHalfWorth_rad + angle));
-    }
+    sight.inside = inside_shares(view.camera, in_camera);
+    const auto dot =
+        (from_view.array() * samples.directions_in_world.array()).colwise().sum().eval();
+    const auto lengths =
+        (from_view.colwise().norm().array() * samples.directions_in_world.colwise().norm().array())
+            .eval();
+    // Twice the tangent of half the angle: nearly the angle, and no less where it is large.
+    const Eigen::Array<double, 1, Eigen::Dynamic> angle =
+        2 * (lengths.square() - dot.square()).max(0.0).sqrt() /
+        (lengths + dot).max(kLeastLength * lengths.maxCoeff());
+    sight.closeness = sight.inside.array() * kHalfWorth_rad / (kHalfWorth_rad + angle);
     return sight;
 }
 
@@ -96,10 +111,10 @@ class Choice {
            const std::vector<Eigen::Vector2d>& pixels)
         : max_views_(max_views), nearly_(nearly) {
         const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
-        const std::vector<Sample> samples = samples_at(lumigraph, eye, pixels);
+        const Samples samples = samples_at(lumigraph, eye, pixels);
         for (const LumigraphView& view : lumigraph.views)
             sights_.push_back(sight_of(view, eye_in_world, samples));
-        for (const Sample& sample : samples) worth_.push_back(sample.worth);
+        worth_ = samples.worth;
     }
 
     [[nodiscard]] std::vector<DepthViewSet> sets() {
@@ -110,16 +125,14 @@ class Choice {
  private:
     /// What each view would add; nothing once it is taken.
     [[nodiscard]] std::vector<double> gains(const std::vector<int>& chosen,
-                                            const std::vector<double>& worth) const {
+                                            const Eigen::RowVectorXd& worth) const {
         std::vector<double> all;
-        for (const Sight& sight : sights_)
-            all.push_back(std::inner_product(sight.closeness.begin(), sight.closeness.end(),
-                                             worth.begin(), 0.0));
+        for (const Sight& sight : sights_) all.push_back(sight.closeness.dot(worth));
         for (const int view : chosen) all[static_cast<std::size_t>(view)] = 0.0;
         return all;
     }
 
-    void complete(const DepthViewSet& set, const std::vector<double>& worth) {
+    void complete(const DepthViewSet& set, const Eigen::RowVectorXd& worth) {
         if (static_cast<int>(set.view_indices.size()) == max_views_) return add(set);
         const std::vector<double> gain = gains(set.view_indices, worth);
         const auto best = std::max_element(gain.begin(), gain.end());
@@ -149,13 +162,11 @@ class Choice {
         return shares;
     }
 
-    void complete_with(int view, double share, DepthViewSet set, std::vector<double> worth) {
+    void complete_with(int view, double share, DepthViewSet set, const Eigen::RowVectorXd& worth) {
         set.view_indices.push_back(view);
         set.share = share;
-        const std::vector<double>& inside = sights_[static_cast<std::size_t>(view)].inside;
-        for (std::size_t s = 0; s < worth.size(); ++s)
-            worth[s] *= 1 - (1 - kWorthOfNext) * inside[s];
-        complete(set, worth);
+        const Eigen::RowVectorXd& inside = sights_[static_cast<std::size_t>(view)].inside;
+        complete(set, worth.array() * (1 - (1 - kWorthOfNext) * inside.array()));
     }
 
     void add(const DepthViewSet& set) {
@@ -170,7 +181,7 @@ class Choice {
     int max_views_;
     double nearly_;
     std::vector<Sight> sights_;
-    std::vector<double> worth_;
+    Eigen::RowVectorXd worth_;
     std::vector<DepthViewSet> sets_;
 };
 
