@@ -80,22 +80,26 @@ void DepthLayers::draw(const Eye& eye, const std::vector<DepthViewSet>& sets) {
         framebuffer_.attach_depth_layer(layers_, layer);
         glDepthRangef(0.0F, 1.0F);
         glClear(GL_DEPTH_BUFFER_BIT);
-        glEnable(GL_SCISSOR_TEST);
-        int begin = 0;
-        for (std::size_t set = 0; set < sets.size(); ++set) {
-            const int view = views[set][static_cast<std::size_t>(layer)];
-            const bool goes_on =
-                set + 1 < sets.size() && views[set + 1][static_cast<std::size_t>(layer)] == view;
-            if (goes_on) continue;
-            glScissor(begin, 0, ends[set] - begin, eye.camera.height_px);
-            if (view != kNoView && begin < ends[set]) draw_view(eye, view);
-            begin = ends[set];
-        }
-        glDisable(GL_SCISSOR_TEST);
+        draw_strips(eye, ends, views, static_cast<std::size_t>(layer));
     }
     glDepthRangef(0.0F, 1.0F);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
+}
+
+void DepthLayers::draw_strips(const Eye& eye, const std::vector<int>& ends,
+                              const DepthLayerViews& views, std::size_t layer) const {
+    glEnable(GL_SCISSOR_TEST);
+    int begin = 0;
+    for (std::size_t set = 0; set < ends.size(); ++set) {
+        const int view = views[set][layer];
+        const bool goes_on = set + 1 < ends.size() && views[set + 1][layer] == view;
+        if (goes_on) continue;
+        glScissor(begin, 0, ends[set] - begin, eye.camera.height_px);
+        if (view != kNoView && begin < ends[set]) draw_view(eye, view);
+        begin = ends[set];
+    }
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void DepthLayers::draw_view(const Eye& eye, int view_index) const {

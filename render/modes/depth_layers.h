@@ -34,7 +34,6 @@ class DepthLayers {
     /// Leaves another framebuffer bound, and the depth test and face culling off.
     void draw(const Eye& eye, const std::vector<DepthViewSet>& sets);
 
-    [[nodiscard]] int count() const { return layer_count_; }
     [[nodiscard]] const TextureArray& texture() const { return layers_; }
     /// 1 / (nearest depth that can be drawn).
     [[nodiscard]] double max_inverse_depth() const { return max_inverse_depth_; }
@@ -49,6 +48,9 @@ class DepthLayers {
     };
 
     void resize(int width_px, int height_px);
+    /// One layer: each view in the strips of the sets that have it there.
+    void draw_strips(const Eye& eye, const std::vector<int>& ends, const DepthLayerViews& views,
+                     std::size_t layer) const;
     void draw_view(const Eye& eye, int view_index) const;
 
     const UploadedLumigraph& uploaded_;

@@ -31,22 +31,23 @@ PerPixel::PerPixel(const UploadedLumigraph& uploaded)
 
 DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
                               const Viewport& viewport) {
-    const std::vector<DepthViewSet> sets = depth_view_sets(uploaded_.layout, eye, layer_count_);
+    const AskedDepth asked{depth_view_sets(uploaded_.layout, eye, layer_count_),
+                           depth_eye(uploaded_.layout, eye, options)};
     {
         const FramebufferBindingKeeper keeper;
-        depth_.draw(depth_eye(uploaded_.layout, eye, options).eye, sets);
+        depth_.draw(asked.depth_eye.eye, asked.sets);
     }
     glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(uploaded_.layout, eye);
     const CameraMesh& mesh = uploaded_.layout.mesh;
     const Program& program =
-        use(options.fade_beyond_capture ? fading_ : program_, eye, options, viewport, sets);
+        use(options.fade_beyond_capture ? fading_ : program_, eye, options, viewport, asked);
     if (options.fade_beyond_capture) set_fade(program, false);
     const std::vector<FacePolygon> polygons = face_polygons(mesh, eye);
     std::size_t triangles = faces_.draw(polygons, eye, plane);
     if (options.debug_picture == DebugPicture::kGrid) grid_.draw(polygons, eye);
     if (mesh.shells.empty()) return {triangles};
-    set_fade(use(fading_, eye, options, viewport, sets), true);
+    set_fade(use(fading_, eye, options, viewport, asked), true);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     for (const CameraMesh& shell : mesh.shells)
@@ -56,7 +57,7 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
 }
 
 const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const RenderOptions& options,
-                             const Viewport& viewport, const std::vector<DepthViewSet>& sets) {
+                             const Viewport& viewport, const AskedDepth& asked) {
     const Program& program = picture.use(uploaded_, eye, options);
     uploaded_.depth_maps.bind(1);
     depth_.texture().bind(2);
@@ -66,25 +67,29 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
     program.set("max_inverse_depth", static_cast<float>(depth_.max_inverse_depth()));
     program.set("near_inverse_depth",
                 static_cast<float>(inverse_depth_range(uploaded_.layout).y()));
-    const double agreeing =
-        agreeing_inverse_depth(uploaded_.geometries, sets, options.occlusion_tolerance_px);
-    program.set("agreeing_depth", static_cast<float>(depth_.buffer_difference(agreeing)));
-    const DepthEye depth_eye = lumi::depth_eye(uploaded_.layout, eye, options);
-    glm::vec4 ends(static_cast<float>(depth_eye.eye.camera.width_px));
-    for (std::size_t set = 0; set < sets.size(); ++set)
-        ends[static_cast<int>(set)] =
-            static_cast<float>(strip_ends(sets, depth_eye.eye.camera.width_px)[set]);
-    program.set("strip_ends", ends);
-    // Rows are counted from the top of either picture, window coordinates from the bottom.
-    program.set("texels_per_pixel", static_cast<float>(depth_eye.texels_per_pixel));
-    program.set("texels_below",
-                static_cast<float>(depth_eye.eye.camera.height_px -
-                                   depth_eye.texels_per_pixel * eye.camera.height_px));
     program.set(
         "check_per_px",
         static_cast<float>(options.correct_occlusion ? 1 / options.occlusion_tolerance_px : 0.0));
-    set_layer_views(eye, sets, program);
+    set_layers(eye, options, asked, program);
     return program;
+}
+
+void PerPixel::set_layers(const Eye& eye, const RenderOptions& options, const AskedDepth& asked,
+                          const Program& program) const {
+    const double agreeing =
+        agreeing_inverse_depth(uploaded_.geometries, asked.sets, options.occlusion_tolerance_px);
+    program.set("agreeing_depth", static_cast<float>(depth_.buffer_difference(agreeing)));
+    const auto& [depth_eye, texels_per_pixel] = asked.depth_eye;
+    program.set("texels_per_pixel", static_cast<float>(texels_per_pixel));
+    // Rows are counted from the top of either picture, window coordinates from the bottom.
+    program.set("texels_below", static_cast<float>(depth_eye.camera.height_px -
+                                                   texels_per_pixel * eye.camera.height_px));
+    glm::vec4 ends(static_cast<float>(depth_eye.camera.width_px));
+    int set = 0;
+    for (const int end : strip_ends(asked.sets, depth_eye.camera.width_px))
+        ends[set++] = static_cast<float>(end);
+    program.set("strip_ends", ends);
+    set_layer_views(eye, asked.sets, program);
 }
 
 /// Four vectors for each layer of each set, as shaders/per_pixel.glsl expects them.

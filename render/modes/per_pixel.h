@@ -3,6 +3,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "render/modes/depth_eye.h"
 #include "render/modes/depth_layers.h"
 #include "render/modes/drawing_mode.h"
 #include "render/modes/face_painter.h"
@@ -22,9 +23,17 @@ class PerPixel : public DrawingMode {
                         const Viewport& viewport) override;
 
  private:
+    /// Which views are asked for depth, and where.
+    struct AskedDepth {
+        std::vector<DepthViewSet> sets;
+        DepthEye depth_eye;
+    };
+
     /// Puts the program in use, with all that both of them need.
     const Program& use(PictureProgram& picture, const Eye& eye, const RenderOptions& options,
-                       const Viewport& viewport, const std::vector<DepthViewSet>& sets);
+                       const Viewport& viewport, const AskedDepth& asked);
+    void set_layers(const Eye& eye, const RenderOptions& options, const AskedDepth& asked,
+                    const Program& program) const;
     void set_layer_views(const Eye& eye, const std::vector<DepthViewSet>& sets,
                          const Program& program) const;
     void append_view(const Eye& eye, int view_index, std::vector<glm::vec4>& rows) const;

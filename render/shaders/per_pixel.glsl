@@ -17,8 +17,9 @@ uniform float texels_per_pixel;          // of the layers; see depth_eye.h
 uniform float texels_below;              // the picture, where it ends within a texel
 uniform float check_per_px;              // 1 / tolerance; 0 without occlusion correction
 uniform vec4 strip_ends;                 // of each set of views: see depth_view_choice.h
-// For each layer of each set its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
-// in window coordinates, then (layer of the photograph, its width, its height, unused).
+// For each layer of each set its view: three rows that give its homogeneous pixel from (x, y, 1,
+// inverse depth) in window coordinates, then (layer of the photograph, its width, its height,
+// unused).
 uniform vec4 layer_views[64];
 
 // Photographs that count less than this, of their weights, hold mixed pixels alone: see
