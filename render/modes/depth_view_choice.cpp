@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "render/modes/pixel_transfer.h"
+#include "render/modes/points_in_view.h"
 #include "render/modes/scene_plane.h"
 
 namespace lumi {
@@ -20,17 +20,13 @@ constexpr double kHalfWorth_rad = 0.1;
 constexpr double kWorthOfNext = 0.1;
 /// A view that is worth less by no more than this share might be the best of an eye close by.
 constexpr double kNearlyAsMuch = 0.03;
-/// Opposite directions: beside the longest.
-constexpr double kLeastLength = 1e-9;
 constexpr double kOnlyTheBest = 1e-12;
 /// So much of the picture is taken from each set that is not the best: most of them get nothing.
 constexpr double kLeastShare = 0.02;
 
-/// Points that the eye may see, as (direction, inverse depth) in its frame: X = direction / q. One
-/// a column.
+/// Points that the eye may see.
 struct Samples {
-    Eigen::Matrix3Xd directions_in_world;
-    Eigen::RowVectorXd inverse_depths;
+    RayPoints points;
     Eigen::RowVectorXd worth;  ///< To a view that sees it from the eye's direction, the first to.
 };
 
@@ -48,7 +44,7 @@ Samples samples_at(const Lumigraph& lumigraph, const Eye& eye,
     const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
     const double near_end = inverse_depth_range(lumigraph).y();
     const auto count = static_cast<Eigen::Index>(2 * pixels.size());
-    Samples samples{Eigen::Matrix3Xd(3, count), Eigen::RowVectorXd(count),
+    Samples samples{{Eigen::Matrix3Xd(3, count), Eigen::RowVectorXd(count)},
                     Eigen::RowVectorXd(count)};
     Eigen::Index next = 0;
     for (const Eigen::Vector2d& pixel : pixels) {
@@ -56,8 +52,8 @@ Samples samples_at(const Lumigraph& lumigraph, const Eye& eye,
             eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, pixel);
         const double on_plane = std::max(0.0, plane.dot(pixel.homogeneous()));
         for (const bool is_near : {false, true}) {
-            samples.directions_in_world.col(next) = direction_in_world;
-            samples.inverse_depths[next] = is_near ? std::max(on_plane, near_end) : on_plane;
+            samples.points.directions_in_world.col(next) = direction_in_world;
+            samples.points.inverse_depths[next] = is_near ? std::max(on_plane, near_end) : on_plane;
             samples.worth[next] = is_near ? kWorthOfNext : 1.0;
             ++next;
         }
@@ -73,34 +69,15 @@ struct Sight {
     Eigen::RowVectorXd closeness;  ///< The same, the less the larger the angle to the eye.
 };
 
-Eigen::RowVectorXd inside_shares(const Camera& camera, const Eigen::Matrix3Xd& in_camera) {
-    const Eigen::Matrix3Xd pixels = pinhole_matrix(camera) * in_camera;
-    const Eigen::Array<double, 1, Eigen::Dynamic> x = pixels.row(0).array() / pixels.row(2).array();
-    const Eigen::Array<double, 1, Eigen::Dynamic> y = pixels.row(1).array() / pixels.row(2).array();
-    const auto to_border_px = x.min(camera.width_px - x).min(y.min(camera.height_px - y)).eval();
-    const double sample_px = std::min(camera.width_px, camera.height_px) / (kGridSteps - 1.0);
-    return (pixels.row(2).array() > 0)
-        .select((0.5 + 4 * to_border_px / sample_px).max(0.0).min(1.0), 0.0);
-}
-
 Sight sight_of(const LumigraphView& view, const Eigen::Vector3d& eye_in_world,
-               const Samples& samples) {
-    const Eigen::Vector3d eye_from_view = centre_in_world(view.cam_from_world) - eye_in_world;
-    const Eigen::Matrix3Xd from_view =
-        samples.directions_in_world - eye_from_view * samples.inverse_depths;
-    const Eigen::Matrix3Xd in_camera = view.cam_from_world.rotation.toRotationMatrix() * from_view;
+               const RayPoints& points) {
+    const PointsInView seen = seen_by(view, eye_in_world, points);
+    const double sample_px =
+        std::min(view.camera.width_px, view.camera.height_px) / (kGridSteps - 1.0);
     Sight sight;
-    sight.inside = inside_shares(view.camera, in_camera);
-    const auto dot =
-        (from_view.array() * samples.directions_in_world.array()).colwise().sum().eval();
-    const auto lengths =
-        (from_view.colwise().norm().array() * samples.directions_in_world.colwise().norm().array())
-            .eval();
-    // Twice the tangent of half the angle: nearly the angle, and no less where it is large.
-    const Eigen::Array<double, 1, Eigen::Dynamic> angle =
-        2 * (lengths.square() - dot.square()).max(0.0).sqrt() /
-        (lengths + dot).max(kLeastLength * lengths.maxCoeff());
-    sight.closeness = sight.inside.array() * kHalfWorth_rad / (kHalfWorth_rad + angle);
+    sight.inside = seen.are_before.select(
+        (0.5 + 4 * seen.to_border_px(view.camera) / sample_px).max(0.0).min(1.0), 0.0);
+    sight.closeness = sight.inside.array() * kHalfWorth_rad / (kHalfWorth_rad + seen.angles_rad);
     return sight;
 }
 
@@ -113,7 +90,7 @@ class Choice {
         const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
         const Samples samples = samples_at(lumigraph, eye, pixels);
         for (const LumigraphView& view : lumigraph.views)
-            sights_.push_back(sight_of(view, eye_in_world, samples));
+            sights_.push_back(sight_of(view, eye_in_world, samples.points));
         worth_ = samples.worth;
     }
 
