@@ -44,6 +44,7 @@ struct RenderRequest {
     bool supersample = false;
     bool fade = false;
     bool no_fade = false;
+    bool black_surroundings = false;
     bool as_taken = false;
     double focal_depth = 0.0;
     bool reference = false;
@@ -217,7 +218,8 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
                                 .debug_picture = debug_picture_from(request.debug),
                                 .focal_depth = request.focal_depth,
                                 .supersample = request.supersample,
-                                .fade_beyond_capture = fades};
+                                .fade_beyond_capture = fades,
+                                .guess_surroundings = !request.black_surroundings};
     if (request.reference && options.debug_picture == DebugPicture::kGrid) {
         throw Error(ErrorKind::kUsage, "E-RENDER-GRID",
                     "the reference draws pixel by pixel: there is no grid to show",
@@ -296,6 +298,9 @@ void add_render_command(CLI::App& app, CommandContext& context) {
                      "adaptive, lightfield)");
     command.add_flag("--no-fade", request->no_fade,
                      "Do not, though the package was built with [render] fade_beyond_capture");
+    command.add_flag("--black-surroundings", request->black_surroundings,
+                     "Leave black what no photograph shows instead of going on with the colours "
+                     "next to it");
     command.add_flag("--as-taken", request->as_taken,
                      "Leave differences in exposure and white balance between photographs as they "
                      "are");

@@ -22,6 +22,7 @@ struct ViewRequest {
     bool fade = false;
     double frames_per_second = 0.0;
     bool no_fade = false;
+    bool black_surroundings = false;
     bool as_taken = false;
     int planned = 0;
 };
@@ -66,6 +67,7 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
                                        request.as_taken ? Exposures::kAsTaken : Exposures::kEvened);
     options.render.fade_beyond_capture =
         request.fade || (lumigraph.fade_beyond_capture && !request.no_fade);
+    options.render.guess_surroundings = !request.black_surroundings;
     run_window(std::move(lumigraph), options);
     if (!request.screenshot.empty()) context.print_result(request.screenshot.string() + "\n");
 }
@@ -85,6 +87,9 @@ void add_view_command(CLI::App& app, CommandContext& context) {
                      "adaptive, lightfield)");
     command.add_flag("--no-fade", request->no_fade,
                      "Do not, though the package was built with [render] fade_beyond_capture");
+    command.add_flag("--black-surroundings", request->black_surroundings,
+                     "Leave black what no photograph shows instead of going on with the colours "
+                     "next to it");
     command.add_flag("--as-taken", request->as_taken,
                      "Leave differences in exposure and white balance between photographs as they "
                      "are");

@@ -1,6 +1,7 @@
 #include "render/modes/blend_lookups.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -9,6 +10,9 @@ namespace {
 
 constexpr std::size_t kViews = 3;
 constexpr std::uint32_t kNone = 0xffffffffU;
+/// A photograph with this weight all over a triangle shows something at each of its pixels that
+/// lies inside by a pixel; times the least opacity (photograph_opacity.h) it still counts.
+constexpr float kSureWeight = 0.05F;
 
 /// For each of the three photographs of a triangle the one that it is looked up with: itself, an
 /// earlier one that is the same, or none when it has no weight.
@@ -72,19 +76,43 @@ BlendVertex arranged(const BlendVertex& vertex, const Lookups& lookups) {
     return result;
 }
 
+bool is_inside(const std::array<float, 2>& pixel, const Camera& camera) {
+    return pixel[0] >= 1.0F && pixel[1] >= 1.0F &&
+           pixel[0] <= static_cast<float>(camera.width_px - 1) &&
+           pixel[1] <= static_cast<float>(camera.height_px - 1);
+}
+
+/// Places vary projectively on a triangle: what is inside at the corners is inside between them.
+bool may_show_none(const std::array<const BlendVertex*, 3>& corners,
+                   const std::vector<LumigraphView>& views) {
+    for (std::size_t k = 0; k < kViews; ++k) {
+        const Camera& camera = views[static_cast<std::size_t>(corners[0]->view_layers[k])].camera;
+        const bool is_sure =
+            std::all_of(corners.begin(), corners.end(), [&](const BlendVertex* corner) {
+                return corner->weights[k] >= kSureWeight &&
+                       is_inside(corner->view_pixels[k], camera);
+            });
+        if (is_sure) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
-TrianglesByLookups sorted_by_lookups(const BlendTriangles& triangles) {
+TrianglesByLookups sorted_by_lookups(const BlendTriangles& triangles,
+                                     const std::vector<LumigraphView>& views) {
     TrianglesByLookups sorted;
-    std::array<std::vector<std::uint32_t>, kViews> indices;
+    std::array<std::array<std::vector<std::uint32_t>, 2>, kViews> indices;
     std::array<std::vector<std::uint32_t>, kWays> places;  // Of vertices, where there are any.
     sorted.triangles.vertices.reserve(triangles.vertices.size());
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
         const std::uint32_t* corner = &triangles.indices[i];
-        const Lookups lookups =
-            lookups_on({&triangles.vertices[corner[0]], &triangles.vertices[corner[1]],
-                        &triangles.vertices[corner[2]]});
-        std::vector<std::uint32_t>& among = indices[count_of(lookups) - 1];
+        const std::array<const BlendVertex*, 3> corners{&triangles.vertices[corner[0]],
+                                                        &triangles.vertices[corner[1]],
+                                                        &triangles.vertices[corner[2]]};
+        const Lookups lookups = lookups_on(corners);
+        std::vector<std::uint32_t>& among =
+            indices[count_of(lookups) - 1][may_show_none(corners, views) ? 1 : 0];
         std::vector<std::uint32_t>& place = places[number_of(lookups)];
         if (place.empty()) place.assign(triangles.vertices.size(), kNone);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -97,10 +125,13 @@ TrianglesByLookups sorted_by_lookups(const BlendTriangles& triangles) {
             among.push_back(at);
         }
     }
-    for (std::size_t count = 0; count < kViews; ++count) {
-        sorted.index_counts[count] = indices[count].size();
-        sorted.triangles.indices.insert(sorted.triangles.indices.end(), indices[count].begin(),
-                                        indices[count].end());
+    for (std::size_t lookups = 1; lookups <= kViews; ++lookups) {
+        for (const bool none : {false, true}) {
+            const std::vector<std::uint32_t>& run = indices[lookups - 1][none ? 1 : 0];
+            if (run.empty()) continue;
+            sorted.runs.push_back({lookups, none, run.size()});
+            sorted.triangles.indices.insert(sorted.triangles.indices.end(), run.begin(), run.end());
+        }
     }
     return sorted;
 }

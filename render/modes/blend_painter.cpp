@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "render/modes/blend_lookups.h"
 #include "render/shaders/shader_sources.h"
 
 namespace lumi {
@@ -35,32 +34,35 @@ BlendPainter::BlendPainter(const UploadedLumigraph& uploaded, float least_confid
     : uploaded_(uploaded),
       least_confidence_(least_confidence),
       programs_(blend_programs({})),
+      discarding_(blend_programs({"DISCARDS"})),
       see_through_(blend_programs({"FADES"})),
       triangles_(blend_vertex_attributes()) {}
 
 void BlendPainter::draw(const BlendTriangles& triangles, const Eye& eye,
                         const RenderOptions& options, Opacity opacity) {
     if (triangles.indices.empty()) return;
-    const TrianglesByLookups sorted = sorted_by_lookups(triangles);
+    const TrianglesByLookups sorted = sorted_by_lookups(triangles, uploaded_.layout.views);
     const std::vector<BlendVertex>& vertices = sorted.triangles.vertices;
     triangles_.upload(vertices.data(), vertices.size() * sizeof(BlendVertex),
                       sorted.triangles.indices);
-    const bool is_opaque = opacity == Opacity::kOpaque;
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    if (!is_opaque) glEnable(GL_BLEND);
+    if (opacity == Opacity::kOfVertices) glEnable(GL_BLEND);
     std::size_t first = 0;
-    for (std::size_t i = 0; i < sorted.index_counts.size(); ++i) {
-        if (sorted.index_counts[i] == 0) continue;
-        const Program& program =
-            (is_opaque ? programs_ : see_through_)[i].use(uploaded_, eye, options);
+    for (const LookupRun& run : sorted.runs) {
+        const Program& program = program_for(run, opacity).use(uploaded_, eye, options);
         program.set("layer_size",
                     glm::vec2(uploaded_.photographs.width_px(), uploaded_.photographs.height_px()));
         program.set("least_confidence", least_confidence_);
-        triangles_.draw(first, sorted.index_counts[i]);
-        first += sorted.index_counts[i];
+        triangles_.draw(first, run.index_count);
+        first += run.index_count;
     }
     glDisable(GL_BLEND);
     if (options.debug_picture == DebugPicture::kGrid) grid_.draw(triangles, eye);
+}
+
+PictureProgram& BlendPainter::program_for(const LookupRun& run, Opacity opacity) {
+    if (opacity == Opacity::kOfVertices) return see_through_[run.lookups - 1];
+    return (run.may_show_none ? discarding_ : programs_)[run.lookups - 1];
 }
 
 }  // namespace lumi

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "render/gl/vertex_buffer.h"
+#include "render/modes/blend_lookups.h"
 #include "render/modes/blend_triangles.h"
 #include "render/modes/grid_painter.h"
 #include "render/modes/picture_program.h"
@@ -25,10 +26,13 @@ class BlendPainter {
               Opacity opacity = Opacity::kOpaque);
 
  private:
+    [[nodiscard]] PictureProgram& program_for(const LookupRun& run, Opacity opacity);
+
     const UploadedLumigraph& uploaded_;
     float least_confidence_;
     /// By the number of photographs that are looked up.
     std::array<PictureProgram, 3> programs_;
+    std::array<PictureProgram, 3> discarding_;  ///< Where photographs may end.
     std::array<PictureProgram, 3> see_through_;
     VertexBuffer triangles_;
     GridPainter grid_;

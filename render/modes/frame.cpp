@@ -63,4 +63,13 @@ std::optional<DebugPicture> debug_picture_named(const std::string& name) {
     return value_in(kDebugPictureNames, name);
 }
 
+bool are_surroundings_drawn(const RenderOptions& options) {
+    const bool is_picture = options.debug_picture == DebugPicture::kNone ||
+                            options.debug_picture == DebugPicture::kGrid;
+    const bool is_of_a_paper =
+        options.mode == RenderMode::kPaper2001 || options.mode == RenderMode::kHeigl;
+    return options.guess_surroundings && is_picture && !is_of_a_paper &&
+           !options.fade_beyond_capture;
+}
+
 }  // namespace lumi

@@ -53,6 +53,9 @@ struct RenderOptions {
     /// (see `capture_fade`). Not heeded by `paper2001` and `heigl`, which draw what their papers
     /// say.
     bool fade_beyond_capture = false;
+    /// What no photograph shows gets the colours of what lies next to it (surroundings.h) instead
+    /// of black; not where the capture fades to black, and not in `paper2001` and `heigl`.
+    bool guess_surroundings = true;
     /// For modes that subdivide.
     double triangle_error_px = 0.7;       ///< `adaptive`: of where photographs are looked up.
     double depth_threshold_share = 0.02;  ///< `paper2001`: of the scene's depth range.
@@ -60,6 +63,9 @@ struct RenderOptions {
     double max_triangle_px = 96.0;        ///< Longer edges are split in any case.
     std::size_t max_triangles = 5000;     ///< `adaptive`: errors give way to this. 0: any number.
 };
+
+/// Whether these options ask for colours where no photograph shows anything.
+[[nodiscard]] bool are_surroundings_drawn(const RenderOptions& options);
 
 /// What drawing a frame took.
 struct DrawStatistics {
@@ -69,10 +75,11 @@ struct DrawStatistics {
 /// What was drawn.
 struct Frame {
     ColorImage color;
-    /// 255 where the picture is known, 0 where it is not: there it is black or a guess, on the
-    /// scene plane where nobody knows how far the scene is, or, per pixel, on what is stretched
-    /// over a tear in depth where none of the ray's cameras sees it, or where only pixels show it
-    /// that are mixed of two surfaces.
+    /// 255 where the picture is known, 0 where it is not. There it is a guess: on the scene plane
+    /// where nobody knows how far the scene is, or, per pixel, on what is stretched over a tear in
+    /// depth where none of the ray's cameras sees it, or where only pixels show it that are mixed
+    /// of two surfaces; where no photograph shows anything it is what surroundings.h says, or
+    /// black.
     GrayImage coverage;
     DrawStatistics statistics{};
 };

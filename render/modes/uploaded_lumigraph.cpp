@@ -5,6 +5,7 @@
 
 #include "calib/work/error.h"
 #include "render/modes/photograph_opacity.h"
+#include "render/modes/surroundings.h"
 
 namespace lumi {
 namespace {
@@ -86,7 +87,8 @@ TextureArray upload_depth_maps(const std::vector<LumigraphView>& views) {
 UploadedLumigraph::UploadedLumigraph(const Lumigraph& lumigraph)
     : capabilities(query_capabilities()),
       layout(without_photographs(lumigraph)),
-      geometries(view_geometries(lumigraph)) {
+      geometries(view_geometries(lumigraph)),
+      small_photographs(lumi::small_photographs(lumigraph)) {
     require_fits(capabilities, lumigraph);
     photographs = upload_photographs(lumigraph);
     depth_maps = upload_depth_maps(lumigraph.views);

@@ -23,6 +23,7 @@ struct UploadedLumigraph {
     /// (photograph_opacity.h), 0 beyond the photograph.
     TextureArray photographs;
     TextureArray depth_maps;  ///< The same for inverse depth; empty when no view has depth.
+    std::vector<ColorImage> small_photographs;  ///< surroundings.h
     /// Sizes of the depth maps, (0, 0) without.
     std::vector<Eigen::Vector2i> depth_sizes_px;
 

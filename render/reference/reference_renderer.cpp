@@ -18,6 +18,7 @@
 #include "render/modes/photograph_opacity.h"
 #include "render/modes/scene_plane.h"
 #include "render/modes/shell_opacity.h"
+#include "render/modes/surroundings.h"
 #include "render/modes/view_depth_mesh.h"
 #include "render/modes/view_geometry.h"
 #include "render/reference/depth_consensus.h"
@@ -65,6 +66,8 @@ class ReferenceFrame {
     [[nodiscard]] ConsensusDepth depth_at(int x, int y) const;
     [[nodiscard]] std::optional<DrawnPixel> base_at(const RayPoint& point,
                                                     const ConsensusDepth& depth) const;
+    /// Where nothing is seen.
+    [[nodiscard]] DrawnPixel behind(int x, int y) const;
     void lay_over(DrawnPixel& drawn, const CameraMesh& shell, const RayPoint& point,
                   const ConsensusDepth& depth) const;
     [[nodiscard]] std::array<double, 3> visibilities(const RayWeights& ray, const RayPoint& point,
@@ -108,6 +111,7 @@ class ReferenceFrame {
     DepthLayerViews layer_views_;
     double agreeing_inverse_depth_ = 0.0;
     std::map<int, Image<EyeDepth>> eye_depth_of_view_;
+    ColorGrid surroundings_;
 };
 
 /// Of a ray's weight, what views do not see.
@@ -133,7 +137,8 @@ ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
       geometries_(view_geometries(lumigraph)),
       opacities_(photograph_opacities(lumigraph)),
       lod_(photograph_lod(lumigraph, eye)),
-      depth_eye_(depth_eye(lumigraph, eye, options)) {
+      depth_eye_(depth_eye(lumigraph, eye, options)),
+      surroundings_(surrounding_colors(lumigraph, small_photographs(lumigraph), eye)) {
     if (lod_ > 0) make_mip_levels();
     if (uses_depth_) draw_depth_layers();
 }
@@ -336,8 +341,15 @@ DrawnPixel ReferenceFrame::color_at(int x, int y) const {
     RayPoint point{direction, depth.inverse_depth};
     if (depth.support > 0)
         point.known_by = depth_views_at(x)[static_cast<std::size_t>(depth.best_layer)];
-    DrawnPixel drawn = base_at(point, depth).value_or(DrawnPixel{});
+    DrawnPixel drawn = base_at(point, depth).value_or(behind(x, y));
     for (const CameraMesh& shell : lumigraph_.mesh.shells) lay_over(drawn, shell, point, depth);
+    return drawn;
+}
+
+DrawnPixel ReferenceFrame::behind(int x, int y) const {
+    DrawnPixel drawn;
+    if (are_surroundings_drawn(options_))
+        drawn.color = surroundings_.at({x + 0.5, y + 0.5}).cast<double>();
     return drawn;
 }
 

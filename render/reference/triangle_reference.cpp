@@ -112,8 +112,9 @@ void draw_triangle(const std::array<const BlendVertex*, 3>& corners, const Photo
 }  // namespace
 
 Frame draw_reference(const BlendTriangles& triangles, const Lumigraph& lumigraph,
-                     const Camera& eye_camera, PlaceInterpolation places) {
-    Frame frame{ColorImage(eye_camera.width_px, eye_camera.height_px),
+                     const Camera& eye_camera, PlaceInterpolation places,
+                     const ColorImage& behind) {
+    Frame frame{behind.empty() ? ColorImage(eye_camera.width_px, eye_camera.height_px) : behind,
                 GrayImage(eye_camera.width_px, eye_camera.height_px),
                 {triangles.count()}};
     const Photographs photographs{lumigraph, places, photograph_opacities(lumigraph)};

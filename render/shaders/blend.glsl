@@ -63,7 +63,10 @@ void main() {
 #else
     float sum = weights.x + weights.y + weights.z;
 #endif
-    // What nobody sees is left black; to discard it would cost every pixel.
+    // What nobody sees shows what is behind. Only where that may be: to discard costs every pixel.
+#ifdef DISCARDS
+    if (sum < kLeastWeight) discard;
+#endif
     float is_seen = step(kLeastWeight, sum);
     weights *= is_seen / max(sum, kLeastWeight);
     float is_known = is_seen * step(least_confidence, weight2_and_depth.z);

@@ -45,7 +45,8 @@ bool Comparison::is_shown(const Shown& wanted) const {
     const RenderOptions& b = wanted.options;
     return !wanted.is_difference ||
            (a.mode == b.mode && a.correct_occlusion == b.correct_occlusion &&
-            a.fade_beyond_capture == b.fade_beyond_capture);
+            a.fade_beyond_capture == b.fade_beyond_capture &&
+            a.guess_surroundings == b.guess_surroundings);
 }
 
 std::optional<PictureOverlay> Comparison::over_frame(const ViewerState& state, int width_px,

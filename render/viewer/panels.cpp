@@ -29,6 +29,7 @@ void show_modes(RenderOptions& render) {
     ImGui::Separator();
     ImGui::Checkbox("occlusion correction", &render.correct_occlusion);
     ImGui::Checkbox("fade beyond the capture", &render.fade_beyond_capture);
+    ImGui::Checkbox("guess what lies around it", &render.guess_surroundings);
 }
 
 /// Frames a second that `adaptive` keeps while the eye moves.

@@ -17,6 +17,7 @@ void write_screenshot(const std::filesystem::path& path, const Frame& frame, con
                                    {"debug_picture", name_of(options.debug_picture)},
                                    {"correct_occlusion", options.correct_occlusion},
                                    {"fade_beyond_capture", options.fade_beyond_capture},
+                                   {"guess_surroundings", options.guess_surroundings},
                                    {"occlusion_tolerance_px", options.occlusion_tolerance_px}};
     pose.update(eye_json(eye));
     write_png(path, frame.color);

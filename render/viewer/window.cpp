@@ -50,6 +50,7 @@ bool same(const DrawnFrame& a, const DrawnFrame& b) {
            a.options.debug_picture == b.options.debug_picture &&
            a.options.correct_occlusion == b.options.correct_occlusion &&
            a.options.fade_beyond_capture == b.options.fade_beyond_capture &&
+           a.options.guess_surroundings == b.options.guess_surroundings &&
            a.options.occlusion_tolerance_px == b.options.occlusion_tolerance_px &&
            a.options.triangle_error_px == b.options.triangle_error_px;
 }

@@ -139,7 +139,7 @@ void expect_fading_equals_reference(RenderMode mode) {
         EXPECT_LE(difference_between(as_color(drawn.coverage), as_color(expected.coverage)).mean,
                   1.5)
             << name;
-        const Frame plain = renderer.draw(eye, {.mode = mode});
+        const Frame plain = renderer.draw(eye, {.mode = mode, .guess_surroundings = false});
         if (mean_of(plain.color) > 0)
             darkest = std::min(darkest, mean_of(drawn.color) / mean_of(plain.color));
         if (std::string(name) == "at a camera") {

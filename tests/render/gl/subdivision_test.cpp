@@ -8,6 +8,7 @@
 #include "render/modes/offscreen_renderer.h"
 #include "render/modes/paper_subdivision.h"
 #include "render/modes/scene_plane.h"
+#include "render/modes/surroundings.h"
 #include "render/modes/triangle_budget.h"
 #include "render/reference/triangle_reference.h"
 #include "tests/render/analytic_scene.h"
@@ -15,6 +16,21 @@
 
 namespace lumi {
 namespace {
+
+/// What lies behind all triangles.
+ColorImage surroundings(const Lumigraph& lumigraph, const Eye& eye) {
+    const ColorGrid grid = surrounding_colors(lumigraph, small_photographs(lumigraph), eye);
+    ColorImage picture(eye.camera.width_px, eye.camera.height_px);
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const Eigen::Vector3f color = grid.at({x + 0.5, y + 0.5}).array().round();
+            picture(x, y) = {static_cast<std::uint8_t>(color.x()),
+                             static_cast<std::uint8_t>(color.y()),
+                             static_cast<std::uint8_t>(color.z())};
+        }
+    }
+    return picture;
+}
 
 void expect_equal(const Frame& drawn, const Frame& expected, const std::string& what) {
     const FrameDifference difference = difference_between(drawn.color, expected.color);
@@ -40,10 +56,10 @@ void expect_gl_equals_reference(GlApi api) {
                                                     .min_edge_px = defaults.min_triangle_px,
                                                     .max_edge_px = defaults.max_triangle_px,
                                                     .max_triangles = defaults.max_triangles});
-        expect_equal(
-            renderer.draw(eye, {.mode = RenderMode::kAdaptive}),
-            draw_reference(adaptive.triangles, lumigraph, eye.camera, PlaceInterpolation::kLinear),
-            "adaptive");
+        expect_equal(renderer.draw(eye, {.mode = RenderMode::kAdaptive}),
+                     draw_reference(adaptive.triangles, lumigraph, eye.camera,
+                                    PlaceInterpolation::kLinear, surroundings(lumigraph, eye)),
+                     "adaptive");
         const auto paper =
             paper_subdivision(polygons, search, plane, inverse_depth_range(lumigraph), true,
                               {.depth_threshold_share = defaults.depth_threshold_share,
@@ -64,7 +80,9 @@ Frame adaptive_reference(const Lumigraph& lumigraph, const Eye& eye, const Rende
         all.vertices.insert(all.vertices.end(), layer.vertices.begin(), layer.vertices.end());
         for (const std::uint32_t index : layer.indices) all.indices.push_back(first + index);
     }
-    return draw_reference(all, lumigraph, eye.camera, PlaceInterpolation::kLinear);
+    return draw_reference(
+        all, lumigraph, eye.camera, PlaceInterpolation::kLinear,
+        are_surroundings_drawn(options) ? surroundings(lumigraph, eye) : ColorImage{});
 }
 
 const Camera kShellEyeCamera = pinhole_camera(160, 120, 140);
@@ -121,7 +139,8 @@ TEST(SubdivisionGl, AdaptiveFadesBeyondTheCapture) {
         const Eye eye = eye_at(place, {0, 0, 4}, kShellEyeCamera);
         const Frame drawn = renderer.draw(eye, fading);
         expect_equal(drawn, adaptive_reference(lumigraph, eye, fading), "fading");
-        const Frame plain = renderer.draw(eye, {.mode = RenderMode::kAdaptive});
+        const Frame plain =
+            renderer.draw(eye, {.mode = RenderMode::kAdaptive, .guess_surroundings = false});
         EXPECT_LT(difference_between(drawn.color, faded(plain.color, lumigraph.mesh, eye)).mean,
                   1.5)
             << place.transpose();

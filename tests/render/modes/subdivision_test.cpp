@@ -184,25 +184,48 @@ TEST_F(Subdivision, TheAdaptiveUsesMostOfTheTrianglesThatItMay) {
 
 TEST_F(Subdivision, PhotographsThatDoNotCountNeedNotBeLookedUp) {
     const BlendTriangles triangles = adaptive({});
-    const TrianglesByLookups sorted = sorted_by_lookups(triangles);
+    const TrianglesByLookups sorted = sorted_by_lookups(triangles, lumigraph_.views);
     EXPECT_EQ(sorted.triangles.count(), triangles.count());
-    EXPECT_GT(sorted.index_counts[0], 0U);  // Behind the card's rim one camera alone sees the wall.
-    EXPECT_GT(sorted.index_counts[2], 0U);
+    // Behind the card's rim one camera alone sees the wall.
+    EXPECT_EQ(sorted.runs.front().lookups, 1U);
+    EXPECT_EQ(sorted.runs.back().lookups, 3U);
     std::size_t end = 0;
-    for (std::size_t lookups = 1; lookups <= 3; ++lookups) {
+    for (const LookupRun& run : sorted.runs) {
+        EXPECT_GT(run.index_count, 0U);
         const std::size_t begin = end;
-        end += sorted.index_counts[lookups - 1];
+        end += run.index_count;
         for (std::size_t i = begin; i < end; ++i) {
             const BlendVertex& vertex = sorted.triangles.vertices[sorted.triangles.indices[i]];
-            for (std::size_t k = lookups; k < 3; ++k) EXPECT_EQ(vertex.weights[k], 0.0F);
+            for (std::size_t k = run.lookups; k < 3; ++k) EXPECT_EQ(vertex.weights[k], 0.0F);
         }
     }
+    EXPECT_EQ(end, sorted.triangles.indices.size());
     const Frame drawn =
         draw_reference(sorted.triangles, lumigraph_, kEye.camera, PlaceInterpolation::kLinear);
     const Frame plain =
         draw_reference(triangles, lumigraph_, kEye.camera, PlaceInterpolation::kLinear);
     EXPECT_LT(difference_between(drawn.color, plain.color).mean, 0.01);
     EXPECT_TRUE(drawn.coverage.pixels() == plain.coverage.pixels());
+}
+
+/// A triangle looked up in one photograph of 20 x 10 pixels.
+TrianglesByLookups sorted_with(const std::array<std::array<float, 2>, 3>& places, float weight) {
+    BlendTriangles triangles;
+    for (const std::array<float, 2>& place : places) {
+        BlendVertex& vertex = triangles.vertices.emplace_back();
+        vertex.view_pixels[0] = place;
+        vertex.weights = {weight, 0.0F, 0.0F};
+        triangles.indices.push_back(static_cast<std::uint32_t>(triangles.indices.size()));
+    }
+    LumigraphView view;
+    view.camera = pinhole_camera(20, 10, 10);
+    return sorted_by_lookups(triangles, {view});
+}
+
+TEST(BlendLookups, ATriangleWithinAPhotographHasNoEmptyPixels) {
+    EXPECT_FALSE(sorted_with({{{2, 2}, {18, 2}, {2, 8}}}, 1.0F).runs[0].may_show_none);
+    EXPECT_TRUE(sorted_with({{{2, 2}, {21, 2}, {2, 8}}}, 1.0F).runs[0].may_show_none);
+    EXPECT_TRUE(sorted_with({{{2, 2}, {18, 2}, {2, 8}}}, 0.0F).runs[0].may_show_none);
 }
 
 TEST(BlendLookups, ACameraThatIsNamedTwiceIsLookedUpOnce) {
@@ -215,8 +238,13 @@ TEST(BlendLookups, ACameraThatIsNamedTwiceIsLookedUpOnce) {
         vertex.weights = {0.5F, 0.2F, 0.3F};
         triangles.indices.push_back(static_cast<std::uint32_t>(i));
     }
-    const TrianglesByLookups sorted = sorted_by_lookups(triangles);
-    EXPECT_EQ(sorted.index_counts, (std::array<std::size_t, 3>{0, 3, 0}));
+    LumigraphView view;
+    view.camera = pinhole_camera(20, 10, 10);
+    const TrianglesByLookups sorted =
+        sorted_by_lookups(triangles, std::vector<LumigraphView>(8, view));
+    ASSERT_EQ(sorted.runs.size(), 1U);
+    EXPECT_EQ(sorted.runs[0].lookups, 2U);
+    EXPECT_EQ(sorted.runs[0].index_count, 3U);
     for (const BlendVertex& vertex : sorted.triangles.vertices) {
         EXPECT_FLOAT_EQ(vertex.weights[0], 0.7F);
         EXPECT_FLOAT_EQ(vertex.weights[1], 0.3F);

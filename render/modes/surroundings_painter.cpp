@@ -1,0 +1,56 @@
+#include "render/modes/surroundings_painter.h"
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "render/gl/to_glm.h"
+#include "render/modes/pixel_transfer.h"
+#include "render/shaders/shader_sources.h"
+
+namespace lumi {
+namespace {
+
+std::vector<float> vertices_of(const ColorGrid& grid) {
+    std::vector<float> vertices;
+    for (int row = 0; row < grid.rows; ++row) {
+        for (int column = 0; column < grid.columns; ++column) {
+            const Eigen::Vector3f& color = grid.corner(column, row);
+            vertices.insert(vertices.end(), {static_cast<float>(column * grid.cell_px),
+                                             static_cast<float>(row * grid.cell_px), color.x(),
+                                             color.y(), color.z()});
+        }
+    }
+    return vertices;
+}
+
+/// Two a cell, on either side of the diagonal from its top left.
+std::vector<std::uint32_t> triangles_of(const ColorGrid& grid) {
+    std::vector<std::uint32_t> indices;
+    for (int row = 0; row + 1 < grid.rows; ++row) {
+        for (int column = 0; column + 1 < grid.columns; ++column) {
+            const auto start = static_cast<std::uint32_t>(row * grid.columns + column);
+            const auto below = start + static_cast<std::uint32_t>(grid.columns);
+            indices.insert(indices.end(), {start, start + 1, below + 1, start, below + 1, below});
+        }
+    }
+    return indices;
+}
+
+}  // namespace
+
+void SurroundingsPainter::draw(const ColorGrid& colors, const Eye& eye) {
+    if (!program_) {
+        program_.emplace("surroundings",
+                         std::vector<std::string_view>{shader_source("surroundings")});
+        triangles_ = VertexBuffer({{0, 2}, {1, 3}});
+    }
+    program_->use();
+    program_->set("clip_from_eye_pixel",
+                  to_glm(clip_from_pixel(eye.camera.width_px, eye.camera.height_px, 1.0)));
+    const std::vector<std::uint32_t> indices = triangles_of(colors);
+    triangles_.upload(vertices_of(colors), indices);
+    triangles_.draw(0, indices.size());
+}
+
+}  // namespace lumi

@@ -1,0 +1,108 @@
+#include "render/modes/surroundings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "render/modes/frame.h"
+#include "tests/render/analytic_scene.h"
+
+namespace lumi {
+namespace {
+
+const Camera kEyeCamera = pinhole_camera(80, 60, 70);
+const Eigen::Vector3d kCentre(0, 0, 4);
+
+ColorGrid around(const Lumigraph& lumigraph, const Eye& eye) {
+    return surrounding_colors(lumigraph, small_photographs(lumigraph), eye);
+}
+
+/// The largest difference of a colour between two grids.
+float difference(const ColorGrid& a, const ColorGrid& b) {
+    float largest = 0;
+    for (std::size_t i = 0; i < a.colors.size(); ++i)
+        largest = std::max(largest, (a.colors[i] - b.colors[i]).cwiseAbs().maxCoeff());
+    return largest;
+}
+
+TEST(ColorGrid, IsLinearOnEitherSideOfADiagonal) {
+    const ColorGrid grid{10.0,
+                         2,
+                         2,
+                         {Eigen::Vector3f(0, 0, 0), Eigen::Vector3f(100, 0, 0),
+                          Eigen::Vector3f(0, 100, 0), Eigen::Vector3f(100, 100, 200)}};
+    EXPECT_TRUE(grid.at({0, 0}).isApprox(Eigen::Vector3f(0, 0, 0)));
+    EXPECT_TRUE(grid.at({10, 10}).isApprox(Eigen::Vector3f(100, 100, 200)));
+    EXPECT_TRUE(grid.at({8, 2}).isApprox(Eigen::Vector3f(80, 20, 40)));
+    EXPECT_TRUE(grid.at({2, 8}).isApprox(Eigen::Vector3f(20, 80, 40)));
+    EXPECT_TRUE(grid.at({5, 5}).isApprox(Eigen::Vector3f(50, 50, 100)));
+}
+
+TEST(Surroundings, OfPhotographsOfOneColourHaveThatColourEverywhere) {
+    Lumigraph lumigraph = card_before_wall();
+    for (LumigraphView& view : lumigraph.views)
+        view.photograph =
+            ColorImage(view.camera.width_px, view.camera.height_px, Rgb8{30, 90, 200});
+    for (const Eigen::Vector3d& target :
+         {kCentre, Eigen::Vector3d(9, 0, 1), Eigen::Vector3d(0, 0, -9)}) {
+        const ColorGrid grid = around(lumigraph, eye_at({0.2, 0.1, 0}, target, kEyeCamera));
+        for (const Eigen::Vector3f& color : grid.colors)
+            EXPECT_LT((color - Eigen::Vector3f(30, 90, 200)).cwiseAbs().maxCoeff(), 0.01F);
+    }
+}
+
+TEST(Surroundings, AtACameraAreItsPhotographBlurred) {
+    const Lumigraph lumigraph = card_before_wall();
+    const LumigraphView& view = lumigraph.views[0];
+    const ColorGrid grid = around(lumigraph, {view.camera, view.cam_from_world});
+    const ColorImage small = small_photographs(lumigraph)[0];
+    double sum = 0;
+    for (int y = 0; y < small.height(); ++y) {
+        for (int x = 0; x < small.width(); ++x) {
+            const Eigen::Vector2d pixel((x + 0.5) * view.camera.width_px / small.width(),
+                                        (y + 0.5) * view.camera.height_px / small.height());
+            const Rgb8& color = small(x, y);
+            sum += static_cast<double>(
+                (grid.at(pixel) - Eigen::Vector3f(color.r, color.g, color.b)).cwiseAbs().mean());
+        }
+    }
+    EXPECT_LT(sum / (small.width() * small.height()), 12.0);
+}
+
+TEST(Surroundings, GoOnWithTheColourAtTheBorder) {
+    // Red on the left half, blue on the right one.
+    Lumigraph lumigraph = card_before_wall();
+    for (LumigraphView& view : lumigraph.views)
+        for (int y = 0; y < view.photograph.height(); ++y)
+            for (int x = 0; x < view.photograph.width(); ++x)
+                view.photograph(x, y) =
+                    2 * x < view.photograph.width() ? Rgb8{200, 0, 0} : Rgb8{0, 0, 200};
+    const Camera wide = pinhole_camera(80, 60, 25);
+    const ColorGrid grid = around(lumigraph, eye_at({0, 0, 0}, kCentre, wide));
+    EXPECT_GT(grid.at({1, 30}).x(), 190.0F);
+    EXPECT_GT(grid.at({79, 30}).z(), 190.0F);
+}
+
+TEST(Surroundings, AreSteadyInTheEye) {
+    const Lumigraph lumigraph = card_before_wall();
+    const Eigen::Vector3d way(1e-4, 2e-4, 1e-4);
+    for (double x = -3; x <= 3; x += 0.25) {
+        const Eigen::Vector3d place(x, 0.3, -0.5);
+        const Eye eye = eye_at(place, kCentre, kEyeCamera);
+        const Eye moved{
+            kEyeCamera,
+            {eye.cam_from_world.rotation, -(eye.cam_from_world.rotation * (place + way))}};
+        EXPECT_LT(difference(around(lumigraph, eye), around(lumigraph, moved)), 0.5F) << x;
+    }
+}
+
+TEST(Surroundings, AreDrawnOnlyBehindPicturesOfModesThatGuess) {
+    EXPECT_TRUE(are_surroundings_drawn({}));
+    EXPECT_FALSE(are_surroundings_drawn({.guess_surroundings = false}));
+    EXPECT_FALSE(are_surroundings_drawn({.fade_beyond_capture = true}));
+    EXPECT_FALSE(are_surroundings_drawn({.debug_picture = DebugPicture::kDepth}));
+    EXPECT_FALSE(are_surroundings_drawn({.mode = RenderMode::kPaper2001}));
+}
+
+}  // namespace
+}  // namespace lumi
