@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "render/modes/depth_view_choice.h"
+#include "render/modes/empty_cells.h"
 #include "render/modes/scene_plane.h"
 #include "render/modes/unseen_triangles.h"
 
@@ -92,7 +93,7 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
 }
 
 Adaptive::Adaptive(const UploadedLumigraph& uploaded)
-    : uploaded_(uploaded), blend_(uploaded, kLeastConfidence) {}
+    : uploaded_(uploaded), surroundings_(uploaded), blend_(uploaded, kLeastConfidence) {}
 
 bool Adaptive::is_made_for(const Eye& eye, const RenderOptions& options) const {
     if (!made_for_) return false;
@@ -115,6 +116,11 @@ DrawStatistics Adaptive::draw(const Eye& eye, const RenderOptions& options, cons
         layers_ =
             adaptive_layers(uploaded_.layout, uploaded_.geometries, eye, options, subdivider_);
         made_for_ = Request{eye, options};
+    }
+    if (are_surroundings_drawn(options)) {
+        PictureCells cells(eye.camera);
+        mark_where_none_may_be_shown(layers_.front(), uploaded_.layout.views, cells);
+        surroundings_.draw(cells, eye);
     }
     DrawStatistics statistics;
     bool is_base = true;

@@ -6,6 +6,7 @@
 #include "render/modes/adaptive_subdivision.h"
 #include "render/modes/blend_painter.h"
 #include "render/modes/drawing_mode.h"
+#include "render/modes/surroundings_painter.h"
 
 namespace lumi {
 
@@ -38,6 +39,7 @@ class Adaptive : public DrawingMode {
     [[nodiscard]] bool is_made_for(const Eye& eye, const RenderOptions& options) const;
 
     const UploadedLumigraph& uploaded_;
+    SurroundingsPainter surroundings_;
     BlendPainter blend_;
     AdaptiveSubdivider subdivider_;
     std::optional<Request> made_for_;

@@ -5,14 +5,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/modes/empty_cells.h"
+
 namespace lumi {
 namespace {
 
 constexpr std::size_t kViews = 3;
 constexpr std::uint32_t kNone = 0xffffffffU;
-/// A photograph with this weight all over a triangle shows something at each of its pixels that
-/// lies inside by a pixel; times the least opacity (photograph_opacity.h) it still counts.
-constexpr float kSureWeight = 0.05F;
 
 /// For each of the three photographs of a triangle the one that it is looked up with: itself, an
 /// earlier one that is the same, or none when it has no weight.
@@ -74,27 +73,6 @@ BlendVertex arranged(const BlendVertex& vertex, const Lookups& lookups) {
         result.weights[place[lookups[k]]] += vertex.weights[k];
     }
     return result;
-}
-
-bool is_inside(const std::array<float, 2>& pixel, const Camera& camera) {
-    return pixel[0] >= 1.0F && pixel[1] >= 1.0F &&
-           pixel[0] <= static_cast<float>(camera.width_px - 1) &&
-           pixel[1] <= static_cast<float>(camera.height_px - 1);
-}
-
-/// Places vary projectively on a triangle: what is inside at the corners is inside between them.
-bool may_show_none(const std::array<const BlendVertex*, 3>& corners,
-                   const std::vector<LumigraphView>& views) {
-    for (std::size_t k = 0; k < kViews; ++k) {
-        const Camera& camera = views[static_cast<std::size_t>(corners[0]->view_layers[k])].camera;
-        const bool is_sure =
-            std::all_of(corners.begin(), corners.end(), [&](const BlendVertex* corner) {
-                return corner->weights[k] >= kSureWeight &&
-                       is_inside(corner->view_pixels[k], camera);
-            });
-        if (is_sure) return false;
-    }
-    return true;
 }
 
 }  // namespace

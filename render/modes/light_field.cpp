@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include "render/modes/affine_pieces.h"
+#include "render/modes/empty_cells.h"
 #include "render/modes/pixel_transfer.h"
 #include "render/modes/polygon_clipping.h"
 #include "render/modes/scene_plane.h"
@@ -30,6 +31,7 @@ std::vector<PlaneView> plane_views(const Lumigraph& lumigraph, const Eye& eye,
 
 LightField::LightField(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded),
+      surroundings_(uploaded),
       blend_(uploaded),
       faces_(uploaded),
       program_("light_field", {shader_source("face"), shader_source("light_field")}),
@@ -72,6 +74,11 @@ DrawStatistics LightField::draw_polygons(std::vector<FacePolygon> polygons, cons
     const Eigen::Vector3d plane = plane_of(eye, options);
     const std::vector<PlaneView> on_plane = plane_views(layout, eye, plane);
     const std::vector<PlaneView> beyond = plane_views(layout, eye, Eigen::Vector3d::Zero());
+    if (are_surroundings_drawn(options)) {
+        PictureCells cells(eye.camera);
+        mark_where_none_may_be_shown(polygons, layout.views, eye, plane, cells);
+        surroundings_.draw(cells, eye);
+    }
     affine_.clear();
     exact_.clear();
     for (FacePolygon& polygon : polygons) {

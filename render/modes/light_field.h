@@ -4,6 +4,7 @@
 #include "render/modes/drawing_mode.h"
 #include "render/modes/face_painter.h"
 #include "render/modes/picture_program.h"
+#include "render/modes/surroundings_painter.h"
 
 namespace lumi {
 
@@ -29,6 +30,7 @@ class LightField : public DrawingMode {
     [[nodiscard]] Eigen::Vector3d plane_of(const Eye& eye, const RenderOptions& options) const;
 
     const UploadedLumigraph& uploaded_;
+    SurroundingsPainter surroundings_;
     BlendPainter blend_;
     FacePainter faces_;
     PictureProgram program_;

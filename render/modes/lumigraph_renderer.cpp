@@ -9,7 +9,6 @@
 #include "render/modes/light_field.h"
 #include "render/modes/paper2001.h"
 #include "render/modes/per_pixel.h"
-#include "render/modes/surroundings_painter.h"
 #include "render/rivals/heigl.h"
 
 namespace lumi {
@@ -54,11 +53,6 @@ struct LumigraphRenderer::Implementation {
         return *mode;
     }
 
-    void draw_surroundings(const Eye& eye) {
-        surroundings.draw(surrounding_colors(uploaded.layout, uploaded.small_photographs, eye),
-                          eye);
-    }
-
     [[nodiscard]] std::unique_ptr<DrawingMode> made(RenderMode mode) const {
         switch (mode) {
             case RenderMode::kLightField:
@@ -76,7 +70,6 @@ struct LumigraphRenderer::Implementation {
     }
 
     UploadedLumigraph uploaded;
-    SurroundingsPainter surroundings;
     std::map<RenderMode, std::unique_ptr<DrawingMode>> modes;
 };
 
@@ -90,7 +83,6 @@ DrawStatistics LumigraphRenderer::draw(const Eye& eye, const RenderOptions& opti
                                        const Viewport& viewport) {
     const Eye fitted_eye = fitted(eye, viewport);
     clear(viewport);
-    if (are_surroundings_drawn(options)) implementation_->draw_surroundings(fitted_eye);
     const DrawStatistics statistics =
         implementation_->mode(options.mode).draw(fitted_eye, options, viewport);
     glUseProgram(0);

@@ -8,6 +8,7 @@
 #include "render/gl/to_glm.h"
 #include "render/modes/depth_eye.h"
 #include "render/modes/depth_view_choice.h"
+#include "render/modes/empty_cells.h"
 #include "render/modes/pixel_transfer.h"
 #include "render/modes/scene_plane.h"
 #include "render/shaders/shader_sources.h"
@@ -21,6 +22,7 @@ constexpr std::size_t kRowsPerView = 4;
 
 PerPixel::PerPixel(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded),
+      surroundings_(uploaded),
       layer_count_(std::min(kMaxDepthViews, static_cast<int>(uploaded.layout.views.size()))),
       depth_(uploaded, layer_count_),
       faces_(uploaded),
@@ -40,10 +42,15 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
     glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(uploaded_.layout, eye);
     const CameraMesh& mesh = uploaded_.layout.mesh;
+    const std::vector<FacePolygon> polygons = face_polygons(mesh, eye);
+    if (are_surroundings_drawn(options)) {
+        PictureCells cells(eye.camera);
+        mark_where_none_may_be_shown(polygons, uploaded_.layout.views, eye, plane, cells);
+        surroundings_.draw(cells, eye);
+    }
     const Program& program =
         use(options.fade_beyond_capture ? fading_ : program_, eye, options, viewport, asked);
     if (options.fade_beyond_capture) set_fade(program, false);
-    const std::vector<FacePolygon> polygons = face_polygons(mesh, eye);
     std::size_t triangles = faces_.draw(polygons, eye, plane);
     if (options.debug_picture == DebugPicture::kGrid) grid_.draw(polygons, eye);
     if (mesh.shells.empty()) return {triangles};

@@ -9,6 +9,7 @@
 #include "render/modes/face_painter.h"
 #include "render/modes/grid_painter.h"
 #include "render/modes/picture_program.h"
+#include "render/modes/surroundings_painter.h"
 
 namespace lumi {
 
@@ -39,6 +40,7 @@ class PerPixel : public DrawingMode {
     void append_view(const Eye& eye, int view_index, std::vector<glm::vec4>& rows) const;
 
     const UploadedLumigraph& uploaded_;
+    SurroundingsPainter surroundings_;
     int layer_count_;
     DepthLayers depth_;
     FacePainter faces_;

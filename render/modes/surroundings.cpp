@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include "calib/capture/image_io.h"
 #include "render/modes/points_in_view.h"
@@ -13,7 +15,6 @@ namespace {
 
 /// Of the longer side.
 constexpr double kSmallPhotograph_px = 16.0;
-constexpr double kCellsAcross = 24.0;
 /// At this angle between view and eye a view counts a quarter.
 constexpr double kHalfCloseness_rad = 0.1;
 /// So far outside of a photograph, of its shorter side, its border counts a quarter.
@@ -49,19 +50,41 @@ Eigen::Vector3d mean_of(const std::vector<ColorImage>& images) {
     return sum / std::max(count, 1.0);
 }
 
-/// The scene plane at the corners of the grid.
-RayPoints corners_on_plane(const Lumigraph& lumigraph, const Eye& eye, const ColorGrid& grid) {
+/// The corners of marked cells, as indices and as points on the scene plane.
+struct CornerPoints {
+    std::vector<std::size_t> indices;
+    RayPoints on_plane;
+};
+
+std::vector<bool> corners_of_marked(const ColorGrid& grid) {
+    std::vector<bool> wanted(grid.colors.size());
+    for (int row = 0; row < grid.cells.rows(); ++row)
+        for (int column = 0; column < grid.cells.columns(); ++column)
+            if (grid.cells.is_marked(column, row))
+                for (const int down : {0, 1})
+                    for (const int right : {0, 1})
+                        wanted[grid.corner_index(column + right, row + down)] = true;
+    return wanted;
+}
+
+CornerPoints corner_points(const Lumigraph& lumigraph, const Eye& eye, const ColorGrid& grid) {
+    const std::vector<bool> wanted = corners_of_marked(grid);
+    CornerPoints corners;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (wanted[i]) corners.indices.push_back(i);
+    const auto count = static_cast<Eigen::Index>(corners.indices.size());
+    corners.on_plane = {Eigen::Matrix3Xd(3, count), Eigen::RowVectorXd(count)};
     const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
-    const auto count = static_cast<Eigen::Index>(grid.columns) * grid.rows;
-    RayPoints points{Eigen::Matrix3Xd(3, count), Eigen::RowVectorXd(count)};
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const Eigen::Vector2d pixel(static_cast<double>(i % grid.columns) * grid.cell_px,
-                                    static_cast<double>(i / grid.columns) * grid.cell_px);
-        points.directions_in_world.col(i) =
+    const auto columns = static_cast<std::size_t>(grid.cells.columns() + 1);
+    for (Eigen::Index k = 0; k < count; ++k) {
+        const std::size_t index = corners.indices[static_cast<std::size_t>(k)];
+        const Eigen::Vector2d pixel(static_cast<double>(index % columns) * grid.cells.cell_px(),
+                                    static_cast<double>(index / columns) * grid.cells.cell_px());
+        corners.on_plane.directions_in_world.col(k) =
             eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, pixel);
-        points.inverse_depths[i] = std::max(0.0, plane.dot(pixel.homogeneous()));
+        corners.on_plane.inverse_depths[k] = std::max(0.0, plane.dot(pixel.homogeneous()));
     }
-    return points;
+    return corners;
 }
 
 /// How much the view counts at each point.
@@ -76,9 +99,9 @@ PointsInView::Row weights_of(const Camera& camera, const PointsInView& seen) {
 }  // namespace
 
 Eigen::Vector3f ColorGrid::at(const Eigen::Vector2d& pixel) const {
-    const Eigen::Vector2d in_cells = pixel / cell_px;
-    const int column = std::clamp(static_cast<int>(in_cells.x()), 0, columns - 2);
-    const int row = std::clamp(static_cast<int>(in_cells.y()), 0, rows - 2);
+    const Eigen::Vector2d in_cells = pixel / cells.cell_px();
+    const int column = std::clamp(static_cast<int>(in_cells.x()), 0, cells.columns() - 1);
+    const int row = std::clamp(static_cast<int>(in_cells.y()), 0, cells.rows() - 1);
     const auto right = static_cast<float>(in_cells.x() - column);
     const auto down = static_cast<float>(in_cells.y() - row);
     const Eigen::Vector3f& start = corner(column, row);
@@ -106,12 +129,10 @@ std::vector<ColorImage> small_photographs(const Lumigraph& lumigraph) {
 }
 
 ColorGrid surrounding_colors(const Lumigraph& lumigraph, const std::vector<ColorImage>& small,
-                             const Eye& eye) {
-    ColorGrid grid;
-    grid.cell_px = std::max(eye.camera.width_px, eye.camera.height_px) / kCellsAcross;
-    grid.columns = 1 + static_cast<int>(std::ceil(eye.camera.width_px / grid.cell_px));
-    grid.rows = 1 + static_cast<int>(std::ceil(eye.camera.height_px / grid.cell_px));
-    const RayPoints points = corners_on_plane(lumigraph, eye, grid);
+                             const Eye& eye, const PictureCells& cells) {
+    ColorGrid grid{cells, {}};
+    grid.colors.assign(grid.corner_index(0, cells.rows() + 1), Eigen::Vector3f::Zero());
+    const auto [indices, points] = corner_points(lumigraph, eye, grid);
     const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
     Eigen::Matrix3Xd sums =
         (kWeightOfMean * mean_of(small)).replicate(1, points.inverse_depths.size());
@@ -130,9 +151,27 @@ ColorGrid surrounding_colors(const Lumigraph& lumigraph, const std::vector<Color
         }
         weight_sums += weights;
     }
-    for (Eigen::Index k = 0; k < weight_sums.size(); ++k)
-        grid.colors.emplace_back((sums.col(k) / weight_sums[k]).cast<float>());
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        grid.colors[indices[i]] = (sums.col(k) / weight_sums[k]).cast<float>();
+    }
     return grid;
+}
+
+ColorImage surroundings_picture(const Lumigraph& lumigraph, const Eye& eye) {
+    PictureCells cells(eye.camera);
+    cells.mark_all();
+    const ColorGrid grid = surrounding_colors(lumigraph, small_photographs(lumigraph), eye, cells);
+    ColorImage picture(eye.camera.width_px, eye.camera.height_px);
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const Eigen::Vector3f color = grid.at({x + 0.5, y + 0.5}).array().round();
+            picture(x, y) = {static_cast<std::uint8_t>(color.x()),
+                             static_cast<std::uint8_t>(color.y()),
+                             static_cast<std::uint8_t>(color.z())};
+        }
+    }
+    return picture;
 }
 
 }  // namespace lumi

@@ -5,21 +5,25 @@
 
 #include "calib/capture/image.h"
 #include "render/lumigraph/lumigraph.h"
+#include "render/modes/picture_cells.h"
 
 namespace lumi {
 
-/// Colours at the corners of square cells over a picture, row by row; between them they vary
-/// linearly on two triangles a cell, above and below the diagonal from its top left.
+/// Colours at the corners of the marked cells over a picture; between them they vary linearly on
+/// two triangles a cell, above and below the diagonal from its top left.
 struct ColorGrid {
-    double cell_px = 1.0;
-    int columns = 0;  ///< Of corners.
-    int rows = 0;
-    std::vector<Eigen::Vector3f> colors;  ///< 0 to 255.
+    PictureCells cells;
+    /// Of all corners of cells, row by row, 0 to 255; black where no cell is marked.
+    std::vector<Eigen::Vector3f> colors;
 
-    [[nodiscard]] const Eigen::Vector3f& corner(int column, int row) const {
-        return colors[static_cast<std::size_t>(row * columns + column)];
+    [[nodiscard]] std::size_t corner_index(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.columns() + 1) +
+               static_cast<std::size_t>(column);
     }
-    /// Within the picture.
+    [[nodiscard]] const Eigen::Vector3f& corner(int column, int row) const {
+        return colors[corner_index(column, row)];
+    }
+    /// In a marked cell.
     [[nodiscard]] Eigen::Vector3f at(const Eigen::Vector2d& pixel) const;
 };
 
@@ -34,8 +38,13 @@ struct ColorGrid {
 /// photograph, or of the nearest place at its border; views count the less the larger the angle
 /// between them and the eye, and those that do not show the place the less the farther it lies
 /// outside. Steady in the eye: colours do not jump. `small` holds as many pictures as there are
-/// views; the photographs of `lumigraph` are not looked at.
+/// views; the photographs of `lumigraph` are not looked at. Of the cells of the eye's picture only
+/// the marked ones get their colours.
 [[nodiscard]] ColorGrid surrounding_colors(const Lumigraph& lumigraph,
-                                           const std::vector<ColorImage>& small, const Eye& eye);
+                                           const std::vector<ColorImage>& small, const Eye& eye,
+                                           const PictureCells& cells);
+
+/// The whole of such a picture.
+[[nodiscard]] ColorImage surroundings_picture(const Lumigraph& lumigraph, const Eye& eye);
 
 }  // namespace lumi

@@ -6,6 +6,7 @@
 
 #include "render/gl/to_glm.h"
 #include "render/modes/pixel_transfer.h"
+#include "render/modes/surroundings.h"
 #include "render/shaders/shader_sources.h"
 
 namespace lumi {
@@ -13,12 +14,12 @@ namespace {
 
 std::vector<float> vertices_of(const ColorGrid& grid) {
     std::vector<float> vertices;
-    for (int row = 0; row < grid.rows; ++row) {
-        for (int column = 0; column < grid.columns; ++column) {
+    for (int row = 0; row <= grid.cells.rows(); ++row) {
+        for (int column = 0; column <= grid.cells.columns(); ++column) {
             const Eigen::Vector3f& color = grid.corner(column, row);
-            vertices.insert(vertices.end(), {static_cast<float>(column * grid.cell_px),
-                                             static_cast<float>(row * grid.cell_px), color.x(),
-                                             color.y(), color.z()});
+            vertices.insert(vertices.end(), {static_cast<float>(column * grid.cells.cell_px()),
+                                             static_cast<float>(row * grid.cells.cell_px()),
+                                             color.x(), color.y(), color.z()});
         }
     }
     return vertices;
@@ -27,10 +28,11 @@ std::vector<float> vertices_of(const ColorGrid& grid) {
 /// Two a cell, on either side of the diagonal from its top left.
 std::vector<std::uint32_t> triangles_of(const ColorGrid& grid) {
     std::vector<std::uint32_t> indices;
-    for (int row = 0; row + 1 < grid.rows; ++row) {
-        for (int column = 0; column + 1 < grid.columns; ++column) {
-            const auto start = static_cast<std::uint32_t>(row * grid.columns + column);
-            const auto below = start + static_cast<std::uint32_t>(grid.columns);
+    for (int row = 0; row < grid.cells.rows(); ++row) {
+        for (int column = 0; column < grid.cells.columns(); ++column) {
+            if (!grid.cells.is_marked(column, row)) continue;
+            const auto start = static_cast<std::uint32_t>(grid.corner_index(column, row));
+            const auto below = static_cast<std::uint32_t>(grid.corner_index(column, row + 1));
             indices.insert(indices.end(), {start, start + 1, below + 1, start, below + 1, below});
         }
     }
@@ -39,7 +41,10 @@ std::vector<std::uint32_t> triangles_of(const ColorGrid& grid) {
 
 }  // namespace
 
-void SurroundingsPainter::draw(const ColorGrid& colors, const Eye& eye) {
+void SurroundingsPainter::draw(const PictureCells& cells, const Eye& eye) {
+    if (!cells.is_any_marked()) return;
+    const ColorGrid colors =
+        surrounding_colors(uploaded_.layout, uploaded_.small_photographs, eye, cells);
     if (!program_) {
         program_.emplace("surroundings",
                          std::vector<std::string_view>{shader_source("surroundings")});

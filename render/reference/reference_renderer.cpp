@@ -111,7 +111,7 @@ class ReferenceFrame {
     DepthLayerViews layer_views_;
     double agreeing_inverse_depth_ = 0.0;
     std::map<int, Image<EyeDepth>> eye_depth_of_view_;
-    ColorGrid surroundings_;
+    ColorImage surroundings_;  ///< Empty where they are not drawn.
 };
 
 /// Of a ray's weight, what views do not see.
@@ -138,7 +138,8 @@ ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
       opacities_(photograph_opacities(lumigraph)),
       lod_(photograph_lod(lumigraph, eye)),
       depth_eye_(depth_eye(lumigraph, eye, options)),
-      surroundings_(surrounding_colors(lumigraph, small_photographs(lumigraph), eye)) {
+      surroundings_(are_surroundings_drawn(options) ? surroundings_picture(lumigraph, eye)
+                                                    : ColorImage{}) {
     if (lod_ > 0) make_mip_levels();
     if (uses_depth_) draw_depth_layers();
 }
@@ -348,8 +349,10 @@ DrawnPixel ReferenceFrame::color_at(int x, int y) const {
 
 DrawnPixel ReferenceFrame::behind(int x, int y) const {
     DrawnPixel drawn;
-    if (are_surroundings_drawn(options_))
-        drawn.color = surroundings_.at({x + 0.5, y + 0.5}).cast<double>();
+    if (surroundings_.empty()) return drawn;
+    const Rgb8& color = surroundings_(x, y);
+    drawn.color = {static_cast<double>(color.r), static_cast<double>(color.g),
+                   static_cast<double>(color.b)};
     return drawn;
 }
 

@@ -17,21 +17,6 @@
 namespace lumi {
 namespace {
 
-/// What lies behind all triangles.
-ColorImage surroundings(const Lumigraph& lumigraph, const Eye& eye) {
-    const ColorGrid grid = surrounding_colors(lumigraph, small_photographs(lumigraph), eye);
-    ColorImage picture(eye.camera.width_px, eye.camera.height_px);
-    for (int y = 0; y < picture.height(); ++y) {
-        for (int x = 0; x < picture.width(); ++x) {
-            const Eigen::Vector3f color = grid.at({x + 0.5, y + 0.5}).array().round();
-            picture(x, y) = {static_cast<std::uint8_t>(color.x()),
-                             static_cast<std::uint8_t>(color.y()),
-                             static_cast<std::uint8_t>(color.z())};
-        }
-    }
-    return picture;
-}
-
 void expect_equal(const Frame& drawn, const Frame& expected, const std::string& what) {
     const FrameDifference difference = difference_between(drawn.color, expected.color);
     EXPECT_LE(difference.mean, 1.0) << what;
@@ -56,10 +41,11 @@ void expect_gl_equals_reference(GlApi api) {
                                                     .min_edge_px = defaults.min_triangle_px,
                                                     .max_edge_px = defaults.max_triangle_px,
                                                     .max_triangles = defaults.max_triangles});
-        expect_equal(renderer.draw(eye, {.mode = RenderMode::kAdaptive}),
-                     draw_reference(adaptive.triangles, lumigraph, eye.camera,
-                                    PlaceInterpolation::kLinear, surroundings(lumigraph, eye)),
-                     "adaptive");
+        expect_equal(
+            renderer.draw(eye, {.mode = RenderMode::kAdaptive}),
+            draw_reference(adaptive.triangles, lumigraph, eye.camera, PlaceInterpolation::kLinear,
+                           surroundings_picture(lumigraph, eye)),
+            "adaptive");
         const auto paper =
             paper_subdivision(polygons, search, plane, inverse_depth_range(lumigraph), true,
                               {.depth_threshold_share = defaults.depth_threshold_share,
@@ -82,7 +68,7 @@ Frame adaptive_reference(const Lumigraph& lumigraph, const Eye& eye, const Rende
     }
     return draw_reference(
         all, lumigraph, eye.camera, PlaceInterpolation::kLinear,
-        are_surroundings_drawn(options) ? surroundings(lumigraph, eye) : ColorImage{});
+        are_surroundings_drawn(options) ? surroundings_picture(lumigraph, eye) : ColorImage{});
 }
 
 const Camera kShellEyeCamera = pinhole_camera(160, 120, 140);

@@ -14,7 +14,9 @@ const Camera kEyeCamera = pinhole_camera(80, 60, 70);
 const Eigen::Vector3d kCentre(0, 0, 4);
 
 ColorGrid around(const Lumigraph& lumigraph, const Eye& eye) {
-    return surrounding_colors(lumigraph, small_photographs(lumigraph), eye);
+    PictureCells cells(eye.camera);
+    cells.mark_all();
+    return surrounding_colors(lumigraph, small_photographs(lumigraph), eye, cells);
 }
 
 /// The largest difference of a colour between two grids.
@@ -26,11 +28,12 @@ float difference(const ColorGrid& a, const ColorGrid& b) {
 }
 
 TEST(ColorGrid, IsLinearOnEitherSideOfADiagonal) {
-    const ColorGrid grid{10.0,
-                         2,
-                         2,
-                         {Eigen::Vector3f(0, 0, 0), Eigen::Vector3f(100, 0, 0),
-                          Eigen::Vector3f(0, 100, 0), Eigen::Vector3f(100, 100, 200)}};
+    PictureCells cells(pinhole_camera(240, 240, 100));
+    ColorGrid grid{cells, std::vector<Eigen::Vector3f>(25 * 25, Eigen::Vector3f::Zero())};
+    ASSERT_EQ(cells.cell_px(), 10.0);
+    grid.colors[1] = {100, 0, 0};
+    grid.colors[25] = {0, 100, 0};
+    grid.colors[26] = {100, 100, 200};
     EXPECT_TRUE(grid.at({0, 0}).isApprox(Eigen::Vector3f(0, 0, 0)));
     EXPECT_TRUE(grid.at({10, 10}).isApprox(Eigen::Vector3f(100, 100, 200)));
     EXPECT_TRUE(grid.at({8, 2}).isApprox(Eigen::Vector3f(80, 20, 40)));
@@ -81,6 +84,22 @@ TEST(Surroundings, GoOnWithTheColourAtTheBorder) {
     const ColorGrid grid = around(lumigraph, eye_at({0, 0, 0}, kCentre, wide));
     EXPECT_GT(grid.at({1, 30}).x(), 190.0F);
     EXPECT_GT(grid.at({79, 30}).z(), 190.0F);
+}
+
+TEST(Surroundings, OfMarkedCellsAreThoseOfTheWhole) {
+    const Lumigraph lumigraph = card_before_wall();
+    const Eye eye = eye_at({0.2, 0.1, 0}, kCentre, kEyeCamera);
+    const ColorGrid whole = around(lumigraph, eye);
+    PictureCells cells(eye.camera);
+    cells.mark(3, 2);
+    const ColorGrid part = surrounding_colors(lumigraph, small_photographs(lumigraph), eye, cells);
+    for (int row = 0; row <= cells.rows(); ++row) {
+        for (int column = 0; column <= cells.columns(); ++column) {
+            const bool is_wanted = (column == 3 || column == 4) && (row == 2 || row == 3);
+            EXPECT_EQ(part.corner(column, row),
+                      is_wanted ? whole.corner(column, row) : Eigen::Vector3f(0, 0, 0));
+        }
+    }
 }
 
 TEST(Surroundings, AreSteadyInTheEye) {
