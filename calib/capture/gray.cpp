@@ -1,7 +1,6 @@
 #include "calib/capture/gray.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace lumi {
 
@@ -10,7 +9,7 @@ GrayImage gray_of(const ColorImage& image) {
     std::transform(image.pixels().begin(), image.pixels().end(), result.pixels().begin(),
                    [](const Rgb8& pixel) {
                        const double luma = 0.2126 * pixel.r + 0.7152 * pixel.g + 0.0722 * pixel.b;
-                       return static_cast<std::uint8_t>(std::lround(luma));
+                       return static_cast<std::uint8_t>(luma + 0.5);
                    });
     return result;
 }

@@ -66,40 +66,55 @@ int color_difference(const Rgb8& a, const Rgb8& b) {
     return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-/// The votes for one of two surfaces, and the nearest pixel that gave one.
-struct Votes {
-    float weight = 0.0F;
-    int least_distance = 1 << 20;  ///< Squared.
-    int x = 0;
-    int y = 0;
+/// The part of the window around a pixel that lies in the picture.
+struct Window {
+    int left, right, top, bottom;  ///< All inclusive.
 };
+
+Window window_around(const DepthMap& map, int x, int y) {
+    return {std::max(0, x - kWindow), std::min(map.confidence.width() - 1, x + kWindow),
+            std::max(0, y - kWindow), std::min(map.confidence.height() - 1, y + kWindow)};
+}
+
+/// The pixel of the window nearest to (x, y) that lies on the wanted side of `middle`.
+std::array<int, 2> nearest_beyond(const DepthMap& map, const Window& window, int x, int y,
+                                  float middle, bool wants_nearer) {
+    std::array<int, 2> found{x, y};
+    int least_distance = 1 << 20;  // Squared.
+    for (int row = window.top; row <= window.bottom; ++row) {
+        for (int column = window.left; column <= window.right; ++column) {
+            const int distance = (column - x) * (column - x) + (row - y) * (row - y);
+            if (distance >= least_distance) continue;
+            if ((map.inverse_depth(column, row) > middle) != wants_nearer) continue;
+            least_distance = distance;
+            found = {column, row};
+        }
+    }
+    return found;
+}
 
 /// Where the pixel should take its depth from; empty when it is on the right surface.
 std::optional<std::array<int, 2>> better_source(const DepthMap& map, const ColorImage& photograph,
                                                 int x, int y, float middle) {
     static const std::array<float, 256> similarity = similarity_by_difference();
-    std::array<Votes, 2> votes;  // For the farther and the nearer surface.
-    for (int dy = -kWindow; dy <= kWindow; ++dy) {
-        for (int dx = -kWindow; dx <= kWindow; ++dx) {
-            if (!map.confidence.contains(x + dx, y + dy) || (dx == 0 && dy == 0)) continue;
-            const int difference = color_difference(photograph(x, y), photograph(x + dx, y + dy));
-            const bool is_nearer = map.inverse_depth(x + dx, y + dy) > middle;
-            Votes& side = votes[is_nearer ? 1 : 0];
-            side.weight += similarity[static_cast<std::size_t>(difference)];
-            const int distance = dx * dx + dy * dy;
-            if (distance >= side.least_distance) continue;
-            side.least_distance = distance;
-            side.x = x + dx;
-            side.y = y + dy;
+    const Window window = window_around(map, x, y);
+    const Rgb8 own = photograph(x, y);
+    std::array<float, 2> votes{};  // For the farther and the nearer surface.
+    for (int row = window.top; row <= window.bottom; ++row) {
+        const Rgb8* colors = photograph.row(row);
+        const float* inverse_depths = map.inverse_depth.row(row);
+        for (int column = window.left; column <= window.right; ++column) {
+            if (column == x && row == y) continue;
+            const int difference = color_difference(own, colors[column]);
+            votes[inverse_depths[column] > middle ? 1 : 0] +=
+                similarity[static_cast<std::size_t>(difference)];
         }
     }
     // To stay is easier than to change: texture is no silhouette.
     constexpr float kClearly = 1.5F;
     const bool is_nearer = map.inverse_depth(x, y) > middle;
-    const Votes& own = votes[is_nearer ? 1 : 0];
-    const Votes& other = votes[is_nearer ? 0 : 1];
-    if (other.weight <= kClearly * own.weight) return std::nullopt;
-    return std::array{other.x, other.y};
+    if (votes[is_nearer ? 0 : 1] <= kClearly * votes[is_nearer ? 1 : 0]) return std::nullopt;
+    return nearest_beyond(map, window, x, y, middle, !is_nearer);
 }
 
 }  // namespace

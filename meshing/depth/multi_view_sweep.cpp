@@ -29,8 +29,30 @@ int level_count(const Camera& camera) {
     return levels;
 }
 
-SweepView at_level(const DepthView& view, int level) {
-    const GrayImage gray = gray_of(view.photograph);
+/// A view in grey, at full size.
+struct GrayView {
+    const DepthView* view;
+    GrayImage gray;
+};
+
+/// What one sweep compares.
+struct Compared {
+    GrayView own;
+    std::vector<GrayView> others;
+};
+
+Compared compared_in(const DepthScene& scene, const DepthView& view) {
+    Compared compared{{&view, gray_of(view.photograph)}, {}};
+    for (const int j : view.neighbours) {
+        const DepthView& other = scene.views[static_cast<std::size_t>(j)];
+        compared.others.push_back({&other, gray_of(other.photograph)});
+    }
+    return compared;
+}
+
+SweepView at_level(const GrayView& full, int level) {
+    const DepthView& view = *full.view;
+    const GrayImage& gray = full.gray;
     if (level == 0) return {view.camera, view.cam_from_world, gray};
     const int width = gray.width() >> level;
     const int height = gray.height() >> level;
@@ -145,13 +167,12 @@ GrayImage told_apart(const GrayImage& mean_costs, const GrayImage& chosen_costs)
     return result;
 }
 
-DepthMap match_level(const DepthScene& scene, const DepthView& view, int level,
-                     const std::vector<TileSurface>& surfaces, SweepMemory& memory) {
-    const SweepView own = at_level(view, level);
+DepthMap match_level(const Compared& compared, int level, const std::vector<TileSurface>& surfaces,
+                     SweepMemory& memory) {
+    const DepthView& view = *compared.own.view;
+    const SweepView own = at_level(compared.own, level);
     std::vector<SweepView> others;
-    for (const int j : view.neighbours) {
-        others.push_back(at_level(scene.views[static_cast<std::size_t>(j)], level));
-    }
+    for (const GrayView& other : compared.others) others.push_back(at_level(other, level));
     const double level_scale = static_cast<double>(own.camera.width_px) / view.camera.width_px;
     Search search = search_of(view, level_scale, level == 0 ? 0.75 : 1.0, surfaces);
     CostVolume volume =
@@ -190,36 +211,36 @@ double one_pixel_at(const DepthView& view, double level_scale) {
 
 /// The whole range, first along the slopes that the points suggest, then along those it found: a
 /// floor comes out in shreds first, which lie on the floor's plane all the same.
-DepthMap match_coarsest(const DepthScene& scene, const DepthView& view, int level,
-                        SweepMemory& memory) {
+DepthMap match_coarsest(const Compared& compared, int level, SweepMemory& memory) {
     constexpr int kRounds = 2;
     constexpr double kFollowPx = 5.0;
+    const DepthView& view = *compared.own.view;
     const int width = view.camera.width_px >> level;
     const int height = view.camera.height_px >> level;
     const double one_pixel = one_pixel_at(view, static_cast<double>(width) / view.camera.width_px);
-    DepthMap found =
-        match_level(scene, view, level,
-                    search_whole_range(view.range, width, height, slope_guide(view)), memory);
+    DepthMap found = match_level(
+        compared, level, search_whole_range(view.range, width, height, slope_guide(view)), memory);
     for (int round = 0; round < kRounds; ++round) {
         std::vector<TileSurface> surfaces =
             search_around(found.inverse_depth, width, height, kFollowPx * one_pixel);
         for (TileSurface& surface : surfaces) surface.at_centre = surface.core = view.range;
-        found = match_level(scene, view, level, surfaces, memory);
+        found = match_level(compared, level, surfaces, memory);
     }
     return found;
 }
 
 /// One level finer, around what the coarser level found.
-DepthMap match_finer(const DepthScene& scene, const DepthView& view, int level,
-                     const DepthMap& coarser, SweepMemory& memory) {
+DepthMap match_finer(const Compared& compared, int level, const DepthMap& coarser,
+                     SweepMemory& memory) {
     constexpr double kFollowPx = 2.0;
+    const DepthView& view = *compared.own.view;
     const int width = view.camera.width_px >> level;
     const int height = view.camera.height_px >> level;
     const double scale = static_cast<double>(width) / view.camera.width_px;
     std::vector<TileSurface> surfaces =
         search_around(coarser.inverse_depth, width, height, kFollowPx * one_pixel_at(view, scale));
     include_points(view, scale, width, surfaces);
-    DepthMap finer = match_level(scene, view, level, surfaces, memory);
+    DepthMap finer = match_level(compared, level, surfaces, memory);
     add_coarser(finer.confidence, coarser.confidence);
     return finer;
 }
@@ -241,10 +262,11 @@ void SweepMemoryPool::give_back(SweepMemory memory) {
 
 DepthMap multi_view_sweep(const DepthScene& scene, int view_index, SweepMemory& memory) {
     const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
+    const Compared compared = compared_in(scene, view);
     const int coarsest = level_count(view.camera) - 1;
-    DepthMap found = match_coarsest(scene, view, coarsest, memory);
+    DepthMap found = match_coarsest(compared, coarsest, memory);
     for (int level = coarsest - 1; level >= 0; --level) {
-        found = match_finer(scene, view, level, found, memory);
+        found = match_finer(compared, level, found, memory);
     }
     return found;
 }

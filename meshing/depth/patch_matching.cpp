@@ -45,7 +45,8 @@ struct WarpPixels {
         const float shift_z = shift[2];
         for (int block = 0; block < kPatchPixels; block += kLanes) {
             const int begin = block + kLanes <= kPatchPixels ? block : kPatchPixels - kLanes;
-            int index[kLanes], right[kLanes], down[kLanes];
+            int index[kLanes];
+            std::uint32_t right[kLanes], down[kLanes];
             for (int i = 0; i < kLanes; ++i) {
                 const float z = ray_z[begin + i] + shift_z;
                 const float scale = kSubpixels / z;
@@ -56,17 +57,21 @@ struct WarpPixels {
                 const int fixed_u = static_cast<int>(inside != 0 ? u : 0.0F);
                 const int fixed_v = static_cast<int>(inside != 0 ? v : 0.0F);
                 index[i] = (fixed_v >> kSubpixelBits) * width + (fixed_u >> kSubpixelBits);
-                right[i] = fixed_u & (kOne - 1);
-                down[i] = fixed_v & (kOne - 1);
+                right[i] = static_cast<std::uint32_t>(fixed_u & (kOne - 1));
+                down[i] = static_cast<std::uint32_t>(fixed_v & (kOne - 1));
                 hidden[begin + i] = static_cast<std::uint8_t>(inside != 0 ? 0 : kNotSeen);
             }
             for (int i = 0; i < kLanes; ++i) index[i] = static_cast<int>(quads[index[i]]);
             for (int i = 0; i < kLanes; ++i) {
-                const int quad = index[i];
-                const int upper = (quad & 255) * (kOne - right[i]) + ((quad >> 8) & 255) * right[i];
-                const int lower =
-                    ((quad >> 16) & 255) * (kOne - right[i]) + ((quad >> 24) & 255) * right[i];
-                const int value = upper * (kOne - down[i]) + lower * down[i];
+                // Upper and lower row at once, in the halves of a word: each stays below 2^16.
+                const auto quad = static_cast<std::uint32_t>(index[i]);
+                const std::uint32_t left_pixels = quad & 0x00FF00FFU;
+                const std::uint32_t right_pixels = (quad >> 8) & 0x00FF00FFU;
+                const std::uint32_t rows =
+                    (left_pixels << kSubpixelBits) + right[i] * (right_pixels - left_pixels);
+                const std::uint32_t upper = rows & 0xFFFFU;
+                const std::uint32_t lower = rows >> 16;
+                const std::uint32_t value = (upper << kSubpixelBits) + down[i] * (lower - upper);
                 gray[begin + i] =
                     static_cast<std::uint8_t>((value + kOne * kOne / 2) >> (2 * kSubpixelBits));
             }

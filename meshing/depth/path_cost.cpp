@@ -29,63 +29,64 @@ template <class Vector>
     return v[0];
 }
 
-struct PathStep {
-    std::uint8_t previous_min;
-    std::uint8_t p1;
-    std::uint8_t p2;
-};
-
 /// Sixteen planes at a time, and eight where so many are left.
-struct AdvancePath {
-    template <class Bytes, class Words>
-    LUMI_KERNEL Bytes block(const std::uint8_t* cost, const std::uint8_t* previous,
-                            const PathStep& step, std::uint8_t* current, std::uint16_t* sum) {
-        Bytes below, stay, above, own;
-        load(previous - 1, below);
-        load(previous, stay);
-        load(previous + 1, above);
-        load(cost, own);
-        const auto jump = Bytes{} + static_cast<std::uint8_t>(step.previous_min + step.p2);
-        const Bytes best = smaller<Bytes>(smaller<Bytes>(below + step.p1, above + step.p1),
-                                          smaller<Bytes>(stay, jump));
-        const Bytes total = own + best - step.previous_min;
-        std::memcpy(current, &total, sizeof(total));
-        Words sums;
-        load(sum, sums);
-        sums += __builtin_convertvector(total, Words);
-        std::memcpy(sum, &sums, sizeof(sums));
+struct AdvancePaths {
+    /// Extends one path by as many planes as a vector holds.
+    template <class Bytes>
+    LUMI_KERNEL Bytes extended(const Bytes& own, const IncomingPath& path, std::uint8_t p1, int k) {
+        Bytes below, stay, above;
+        load(path.previous + k - 1, below);
+        load(path.previous + k, stay);
+        load(path.previous + k + 1, above);
+        const auto jump = Bytes{} + static_cast<std::uint8_t>(path.previous_min + path.p2);
+        const Bytes best =
+            smaller<Bytes>(smaller<Bytes>(below + p1, above + p1), smaller<Bytes>(stay, jump));
+        const Bytes total = own + best - path.previous_min;
+        std::memcpy(path.current + k, &total, sizeof(total));
         return total;
     }
 
-    LUMI_KERNEL void run(const std::uint8_t* cost, const std::uint8_t* previous,
-                         const PathStep* step, int count, std::uint8_t* current, std::uint16_t* sum,
-                         std::uint8_t* minimum) {
-        Bytes16 lowest = Bytes16{} + kUnreachable;
+    /// All paths, and their sum.
+    template <class Bytes, class Words>
+    LUMI_KERNEL void block(const std::uint8_t* cost, const IncomingPath* paths, std::uint8_t p1,
+                           int k, bool adds, std::uint16_t* sum, Bytes* lowest) {
+        Bytes own;
+        load(cost + k, own);
+        Words sums{};
+        if (adds) load(sum + k, sums);
+        for (int i = 0; i < kPathsAtOnce; ++i) {
+            const Bytes total = extended(own, paths[i], p1, k);
+            lowest[i] = smaller(lowest[i], total);
+            sums += __builtin_convertvector(total, Words);
+        }
+        std::memcpy(sum + k, &sums, sizeof(sums));
+    }
+
+    LUMI_KERNEL void run(const std::uint8_t* cost, const IncomingPath* paths, std::uint8_t p1,
+                         int count, bool adds, std::uint16_t* sum, std::uint8_t* minima) {
+        Bytes16 lowest[kPathsAtOnce];
+        Bytes8 lower[kPathsAtOnce];
+        for (Bytes16& values : lowest) values = Bytes16{} + kUnreachable;
         int k = 0;
         for (; k + 16 <= count; k += 16) {
-            lowest = smaller(lowest, block<Bytes16, Words16>(cost + k, previous + k, *step,
-                                                             current + k, sum + k));
+            block<Bytes16, Words16>(cost, paths, p1, k, adds, sum, lowest);
         }
-        Bytes8 lower = __builtin_shufflevector(lowest, lowest, 0, 1, 2, 3, 4, 5, 6, 7);
-        lower =
-            smaller(lower, __builtin_shufflevector(lowest, lowest, 8, 9, 10, 11, 12, 13, 14, 15));
-        if (k < count) {
-            lower = smaller(
-                lower, block<Bytes8, Words8>(cost + k, previous + k, *step, current + k, sum + k));
+        for (int i = 0; i < kPathsAtOnce; ++i) {
+            lower[i] = smaller(
+                __builtin_shufflevector(lowest[i], lowest[i], 0, 1, 2, 3, 4, 5, 6, 7),
+                __builtin_shufflevector(lowest[i], lowest[i], 8, 9, 10, 11, 12, 13, 14, 15));
         }
-        *minimum = least(lower);
+        if (k < count) block<Bytes8, Words8>(cost, paths, p1, k, adds, sum, lower);
+        for (int i = 0; i < kPathsAtOnce; ++i) minima[i] = least(lower[i]);
     }
 };
 
 }  // namespace
 
-std::uint8_t advance_path(const std::uint8_t* cost, const std::uint8_t* previous,
-                          std::uint8_t previous_min, std::uint8_t p1, std::uint8_t p2, int count,
-                          std::uint8_t* current, std::uint16_t* sum) {
-    const PathStep step{previous_min, p1, p2};
-    std::uint8_t minimum = 0;
-    run_fastest<AdvancePath>(cost, previous, &step, count, current, sum, &minimum);
-    return minimum;
+void advance_paths(const std::uint8_t* cost, const IncomingPath paths[kPathsAtOnce],
+                   std::uint8_t p1, int count, bool adds, std::uint16_t* sum,
+                   std::uint8_t minima[kPathsAtOnce]) {
+    run_fastest<AdvancePaths>(cost, paths, p1, count, adds, sum, minima);
 }
 
 }  // namespace lumi

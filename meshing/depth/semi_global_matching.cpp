@@ -54,10 +54,12 @@ class PathSweep {
           p1_(static_cast<std::uint8_t>(penalty.one_plane)),
           p2_(jump_penalties(penalty)),
           sums_(sums),
-          start_(static_cast<std::size_t>(volume.max_count()) + 2, 0),
-          aligned_(static_cast<std::size_t>(volume.max_count()) + 2, kUnreachable) {}
+          start_(static_cast<std::size_t>(volume.max_count()) + 2, 0) {
+        aligned_.fill(std::vector<std::uint8_t>(static_cast<std::size_t>(volume.max_count()) + 2));
+    }
 
-    /// `step` is +1 from the top-left corner, -1 from the bottom-right one.
+    /// `step` is +1 from the top-left corner, which writes the sums, and then -1 from the
+    /// bottom-right one, which adds to them.
     void run(int step) {
         const int width = volume_.width();
         const int height = volume_.height();
@@ -68,39 +70,47 @@ class PathSweep {
         for (int row = 0; row < height; ++row) {
             const int y = step > 0 ? row : height - 1 - row;
             for (int column = 0; column < width; ++column) {
-                const int x = x_begin + step * column;
-                advance(along, along, x, y, x - step, y);
-                for (int d = 0; d < 3; ++d) {
-                    const auto direction = static_cast<std::size_t>(d);
-                    advance(previous[direction], current[direction], x, y, x + d - 1, y - step);
-                }
+                advance(along, previous, current, x_begin + step * column, y, step);
             }
             std::swap(previous, current);
         }
     }
 
  private:
-    /// Extends the path that comes from (from_x, from_y) to (x, y).
-    void advance(PathRow& from, PathRow& to, int x, int y, int from_x, int from_y) {
-        const int count = volume_.tile(x, y).count;
+    /// Extends the path along the row and the three from the row before to (x, y).
+    void advance(PathRow& along, std::vector<PathRow>& above, std::vector<PathRow>& own, int x,
+                 int y, int step) {
+        const TilePlanes& tile = volume_.tile(x, y);
         const std::size_t offset = volume_.offset(x, y);
-        const std::uint8_t* previous = start_.data() + 1;
-        std::uint8_t previous_min = 0;
-        std::uint8_t p2 = p1_;
-        if (gray_.contains(from_x, from_y)) {
-            previous = aligned(from.at(from_x), from_x, from_y, x, y);
-            previous_min = from.minimum(from_x);
-            p2 = p2_[static_cast<std::size_t>(std::abs(gray_(x, y) - gray_(from_x, from_y)))];
+        std::array<IncomingPath, kPathsAtOnce> paths;
+        paths[0] = incoming(along, along, 0, x, y, x - step, y);
+        for (int d = 0; d < 3; ++d) {
+            const auto direction = static_cast<std::size_t>(d);
+            paths[direction + 1] = incoming(above[direction], own[direction], direction + 1, x, y,
+                                            x + d - 1, y - step);
         }
-        std::uint8_t* current = to.at(x);
-        current[count] = kUnreachable;
-        to.minimum(x) = advance_path(volume_.costs().data() + offset, previous, previous_min, p1_,
-                                     p2, count, current, sums_.data() + offset);
+        std::array<std::uint8_t, kPathsAtOnce> minima;
+        for (const IncomingPath& path : paths) path.current[tile.count] = kUnreachable;
+        advance_paths(volume_.costs().data() + offset, paths.data(), p1_, tile.count, step < 0,
+                      sums_.data() + offset, minima.data());
+        along.minimum(x) = minima[0];
+        for (std::size_t d = 0; d < 3; ++d) own[d].minimum(x) = minima[d + 1];
+    }
+
+    /// The path of row `from` that leads from (from_x, from_y) to (x, y) in row `to`.
+    IncomingPath incoming(PathRow& from, PathRow& to, std::size_t direction, int x, int y,
+                          int from_x, int from_y) {
+        if (!gray_.contains(from_x, from_y)) return {start_.data() + 1, to.at(x), 0, p1_};
+        const auto difference =
+            static_cast<std::size_t>(std::abs(gray_(x, y) - gray_(from_x, from_y)));
+        return {aligned(from.at(from_x), aligned_[direction], from_x, from_y, x, y), to.at(x),
+                from.minimum(from_x), p2_[difference]};
     }
 
     /// The previous pixel's path costs by the planes of (x, y): index for index within a tile,
-    /// whose planes slope with it, and shifted across the border of two tiles.
-    const std::uint8_t* aligned(const std::uint8_t* costs, int from_x, int from_y, int x, int y) {
+    /// whose planes slope with it, and shifted, into `shifted`, across the border of two tiles.
+    const std::uint8_t* aligned(const std::uint8_t* costs, std::vector<std::uint8_t>& shifted,
+                                int from_x, int from_y, int x, int y) const {
         const TilePlanes& from = volume_.tile(from_x, from_y);
         const TilePlanes& to = volume_.tile(x, y);
         if (&from == &to) return costs;
@@ -109,13 +119,13 @@ class PathSweep {
                                  slope.dot(Eigen::Vector2d(x - from_x, y - from_y));
         const int shift = static_cast<int>(std::lround(volume_.first_plane(x, y) - continued));
         if (shift == 0 && from.count == to.count) return costs;
-        std::fill(aligned_.begin(), aligned_.end(), kUnreachable);
+        std::fill(shifted.begin(), shifted.end(), kUnreachable);
         const int begin = std::max(-1, -shift);
         const int end = std::min(to.count + 1, from.count - shift);
         for (int k = begin; k < end; ++k) {
-            aligned_[static_cast<std::size_t>(k + 1)] = costs[k + shift];
+            shifted[static_cast<std::size_t>(k + 1)] = costs[k + shift];
         }
-        return aligned_.data() + 1;
+        return shifted.data() + 1;
     }
 
     const CostVolume& volume_;
@@ -124,7 +134,7 @@ class PathSweep {
     PenaltyTable p2_;
     std::vector<std::uint16_t>& sums_;
     std::vector<std::uint8_t> start_;  ///< A path begins as if the pixel before it cost nothing.
-    std::vector<std::uint8_t> aligned_;
+    std::array<std::vector<std::uint8_t>, kPathsAtOnce> aligned_;  ///< One each path.
 };
 
 /// The smallest of some sums.
@@ -152,7 +162,7 @@ void aggregate_paths(const CostVolume& volume, const GrayImage& gray,
     assert(kMaxMatchingCost + penalty.one_plane + penalty.jump < kUnreachable);
     assert(kUnreachable + penalty.one_plane <= 255);
     if (sums.capacity() < volume.costs().size()) std::vector<std::uint16_t>().swap(sums);
-    sums.assign(volume.costs().size(), 0);
+    sums.resize(volume.costs().size());
     PathSweep sweep(volume, gray, penalty, sums);
     sweep.run(+1);
     sweep.run(-1);

@@ -42,18 +42,36 @@ std::vector<Sample> samples_around(const FloatImage& found, int width, int heigh
     return samples;
 }
 
-/// Slope of the plane of least squares.
-Eigen::Vector2d fitted_slope(const std::vector<Sample>& samples) {
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
-    for (const Sample& sample : samples) {
-        const Eigen::Vector3d row = sample.offset_px.homogeneous();
-        normal += row * row.transpose();
-        right_side += row * sample.inverse_depth;
+/// Sums for the plane of least squares through samples.
+struct PlaneFit {
+    double xx = 0, xy = 0, yy = 0, x = 0, y = 0, xq = 0, yq = 0, q = 0;
+    std::size_t count = 0;
+
+    void add(const Sample& sample) {
+        const Eigen::Vector2d& at = sample.offset_px;
+        xx += at.x() * at.x();
+        xy += at.x() * at.y();
+        yy += at.y() * at.y();
+        x += at.x();
+        y += at.y();
+        xq += at.x() * sample.inverse_depth;
+        yq += at.y() * sample.inverse_depth;
+        q += sample.inverse_depth;
+        ++count;
     }
-    // A strip of one pixel tells no slope across it.
-    normal.diagonal().head<2>().array() += 1e-3;
-    return normal.ldlt().solve(right_side).head<2>();
+    [[nodiscard]] Eigen::Vector2d slope() const {
+        constexpr double kRidge = 1e-3;  // A strip of one pixel tells no slope across it.
+        const auto n = static_cast<double>(count);
+        Eigen::Matrix3d normal;
+        normal << xx + kRidge, xy, x, xy, yy + kRidge, y, x, y, n;
+        return normal.ldlt().solve(Eigen::Vector3d(xq, yq, q)).head<2>();
+    }
+};
+
+Eigen::Vector2d fitted_slope(const std::vector<Sample>& samples) {
+    PlaneFit fit;
+    for (const Sample& sample : samples) fit.add(sample);
+    return fit.slope();
 }
 
 std::vector<double> residuals(const std::vector<Sample>& samples, const Eigen::Vector2d& slope) {
@@ -65,28 +83,35 @@ std::vector<double> residuals(const std::vector<Sample>& samples, const Eigen::V
     return result;
 }
 
-/// The samples that lie within `tolerance` of the middle one, once `slope` is taken away.
-std::vector<Sample> followers(const std::vector<Sample>& samples, const Eigen::Vector2d& slope,
-                              double tolerance) {
-    const std::vector<double> values = residuals(samples, slope);
-    std::vector<double> sorted = values;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    std::vector<Sample> result;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (std::abs(values[i] - *middle) <= tolerance) result.push_back(samples[i]);
-    }
+/// The samples that lie within a tolerance of the middle one, once a slope is taken away.
+struct Followers {
+    std::vector<double> values;  ///< Of all samples.
+    double middle = 0;
+    std::size_t count = 0;
+};
+
+Followers followers(const std::vector<Sample>& samples, const Eigen::Vector2d& slope,
+                    double tolerance, std::vector<double>& scratch) {
+    Followers result{residuals(samples, slope)};
+    scratch = result.values;
+    const auto middle = scratch.begin() + static_cast<std::ptrdiff_t>(scratch.size() / 2);
+    std::nth_element(scratch.begin(), middle, scratch.end());
+    result.middle = *middle;
+    result.count = static_cast<std::size_t>(
+        std::count_if(result.values.begin(), result.values.end(),
+                      [&](double value) { return std::abs(value - result.middle) <= tolerance; }));
     return result;
 }
 
-/// The samples on one side of the tile's centre, for each of the four sides.
-std::array<std::vector<Sample>, 4> halves(const std::vector<Sample>& samples) {
-    std::array<std::vector<Sample>, 4> result;
+/// Through the samples on one side of the tile's centre, for each of the four sides, after all.
+std::array<PlaneFit, 5> fits_of(const std::vector<Sample>& samples) {
+    std::array<PlaneFit, 5> fits;
     for (const Sample& sample : samples) {
-        result[sample.offset_px.x() < 0 ? 0 : 1].push_back(sample);
-        result[sample.offset_px.y() < 0 ? 2 : 3].push_back(sample);
+        fits[0].add(sample);
+        fits[sample.offset_px.x() < 0 ? 1 : 2].add(sample);
+        fits[sample.offset_px.y() < 0 ? 3 : 4].add(sample);
     }
-    return result;
+    return fits;
 }
 
 /// The slope that most samples follow: of all of them or of one half, so that a step between two
@@ -94,19 +119,22 @@ std::array<std::vector<Sample>, 4> halves(const std::vector<Sample>& samples) {
 Eigen::Vector2d supported_slope(const std::vector<Sample>& samples, double tolerance) {
     constexpr double kClearly = 1.1;
     constexpr double kLeastShare = 0.4;
-    std::vector<Sample> best;
-    const auto consider = [&](const std::vector<Sample>& subset) {
-        if (subset.size() < 3) return;
-        std::vector<Sample> following = followers(samples, fitted_slope(subset), tolerance);
-        if (following.size() > best.size()) best = std::move(following);
-    };
-    consider(samples);
-    for (const std::vector<Sample>& half : halves(samples)) consider(half);
-    const std::vector<Sample> frontal = followers(samples, Eigen::Vector2d::Zero(), tolerance);
-    const auto required = std::max(kClearly * static_cast<double>(frontal.size()),
+    std::vector<double> scratch;
+    Followers best;
+    for (const PlaneFit& fit : fits_of(samples)) {
+        if (fit.count < 3) continue;
+        Followers following = followers(samples, fit.slope(), tolerance, scratch);
+        if (following.count > best.count) best = std::move(following);
+    }
+    const Followers frontal = followers(samples, Eigen::Vector2d::Zero(), tolerance, scratch);
+    const auto required = std::max(kClearly * static_cast<double>(frontal.count),
                                    kLeastShare * static_cast<double>(samples.size()));
-    if (static_cast<double>(best.size()) < required) return Eigen::Vector2d::Zero();
-    return fitted_slope(best);
+    if (static_cast<double>(best.count) < required) return Eigen::Vector2d::Zero();
+    PlaneFit of_followers;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (std::abs(best.values[i] - best.middle) <= tolerance) of_followers.add(samples[i]);
+    }
+    return of_followers.slope();
 }
 
 /// What the values span but for so many at either end.
