@@ -26,6 +26,25 @@ FloatImage continued(const DepthScene& scene, const std::vector<DepthMap>& confi
                                 surrounding_depth(scene, confirmed_maps, view_index));
 }
 
+/// Evenly over those whose depth is continued.
+std::vector<int> views_to_ask(const std::vector<DepthEstimate>& estimates) {
+    constexpr std::size_t kMostViews = 32;
+    std::vector<int> all;
+    for (std::size_t i = 0; i < estimates.size(); ++i) {
+        if (!estimates[i].is_complete) all.push_back(static_cast<int>(i));
+    }
+    std::vector<int> asked(std::min(kMostViews, all.size()));
+    for (std::size_t i = 0; i < asked.size(); ++i) asked[i] = all[i * all.size() / asked.size()];
+    return asked;
+}
+
+FloatImage within(const GrayImage& mask, FloatImage distance_px) {
+    for (std::size_t k = 0; k < mask.pixels().size(); ++k) {
+        if (mask.pixels()[k] == 0) distance_px.pixels()[k] = 0.0F;
+    }
+    return distance_px;
+}
+
 }  // namespace
 
 DepthMap confirmed_depth(const DepthScene& scene, const std::vector<DepthEstimate>& estimates,
@@ -40,38 +59,50 @@ DepthMap confirmed_depth(const DepthScene& scene, const std::vector<DepthEstimat
     return map;
 }
 
-std::optional<double> fill_recession(const DepthScene& scene, const std::vector<GrayImage>& masks,
-                                     const std::vector<DepthMap>& confirmed_maps,
-                                     const std::vector<DepthEstimate>& estimates, int threads) {
-    constexpr std::size_t kMostViews = 32;
-    std::vector<int> asked;
-    for (std::size_t i = 0; i < estimates.size(); ++i) {
-        if (!estimates[i].is_complete) asked.push_back(static_cast<int>(i));
-    }
-    const std::size_t count = std::min(kMostViews, asked.size());
-    std::vector<std::vector<double>> differences(count);
-    parallel_for(static_cast<int>(count), threads, [&](int i) {
-        const auto index = static_cast<std::size_t>(i);
-        const int view_index = asked[index * asked.size() / count];
-        DepthMap map = confirmed_maps[static_cast<std::size_t>(view_index)];
-        FloatImage distance_px = continued(scene, confirmed_maps, view_index, map);
-        const GrayImage& mask = masks[static_cast<std::size_t>(view_index)];
-        for (std::size_t k = 0; k < mask.pixels().size(); ++k) {
-            if (mask.pixels()[k] == 0) distance_px.pixels()[k] = 0.0F;
+Recession fill_recession(const DepthScene& scene, const std::vector<GrayImage>& masks,
+                         const std::vector<DepthEstimate>& estimates, int threads,
+                         std::vector<DepthMap>& confirmed_maps) {
+    const std::vector<int> asked = views_to_ask(estimates);
+    Recession recession{std::nullopt, std::vector<FloatImage>(estimates.size())};
+    std::vector<std::vector<double>> differences(asked.size());
+    const auto at_one_time = static_cast<std::size_t>(std::max(1, threads));
+    for (std::size_t begin = 0; begin < asked.size(); begin += at_one_time) {
+        const std::size_t count = std::min(at_one_time, asked.size() - begin);
+        std::vector<FloatImage> inverse_depths(count);
+        parallel_for(static_cast<int>(count), threads, [&](int i) {
+            const auto index = static_cast<std::size_t>(i);
+            const auto view = static_cast<std::size_t>(asked[begin + index]);
+            DepthMap map = confirmed_maps[view];
+            recession.distance_px[view] =
+                continued(scene, confirmed_maps, asked[begin + index], map);
+            differences[begin + index] =
+                recession_differences(scene, confirmed_maps, asked[begin + index], map,
+                                      within(masks[view], recession.distance_px[view]));
+            inverse_depths[index] = std::move(map.inverse_depth);
+        });
+        // Not before: the views beside it read the maps, if not what is unknown in them.
+        for (std::size_t i = 0; i < count; ++i) {
+            confirmed_maps[static_cast<std::size_t>(asked[begin + i])].inverse_depth =
+                std::move(inverse_depths[i]);
         }
-        differences[index] =
-            recession_differences(scene, confirmed_maps, view_index, map, distance_px);
-    });
-    return chosen_recession(differences);
+    }
+    recession.slope_px = chosen_recession(differences);
+    return recession;
 }
 
 void fill_unknown_depth(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
                         int view_index, double recession_px, DepthMap& map) {
-    const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
     const FloatImage distance_px = continued(scene, confirmed_maps, view_index, map);
-    recede(recession_px, one_pixel_of(view), distance_px, map);
-    smooth_filled_depth(map, view.photograph, one_pixel_of(view));
-    snap_edges(map, view.photograph, one_pixel_of(view));
+    finish_continued_depth(scene.views[static_cast<std::size_t>(view_index)], distance_px,
+                           recession_px, map);
+}
+
+void finish_continued_depth(const DepthView& view, const FloatImage& distance_px,
+                            double recession_px, DepthMap& map) {
+    const double one_pixel = one_pixel_of(view);
+    recede(recession_px, one_pixel, distance_px, map);
+    smooth_filled_depth(map, view.photograph, one_pixel);
+    snap_edges(map, view.photograph, one_pixel);
 }
 
 }  // namespace lumi

@@ -16,15 +16,22 @@ namespace lumi {
 [[nodiscard]] DepthMap confirmed_depth(const DepthScene& scene,
                                        const std::vector<DepthEstimate>& estimates, int view_index);
 
-/// By how many pixels of disparity what is continued beyond all that is known should recede, for
-/// each pixel of its distance (receding_fill.h); up to 32 views are asked, evenly over the
-/// capture, of what `masks` (view_mask.h) leave in the scene. 0: not at all; empty: too few can
-/// tell.
-[[nodiscard]] std::optional<double> fill_recession(const DepthScene& scene,
-                                                   const std::vector<GrayImage>& masks,
-                                                   const std::vector<DepthMap>& confirmed_maps,
-                                                   const std::vector<DepthEstimate>& estimates,
-                                                   int threads);
+/// What the photographs say of depth beyond what is confirmed, and what was found on the way.
+struct Recession {
+    /// By how many pixels of disparity what is continued beyond all that is known should recede,
+    /// for each pixel of its distance (receding_fill.h). 0: not at all; empty: too few can tell.
+    std::optional<double> slope_px;
+    /// How far from what is known each pixel of a view was continued; empty for views that were not
+    /// asked.
+    std::vector<FloatImage> distance_px;
+};
+
+/// Asks up to 32 views, evenly over the capture, of what `masks` (view_mask.h) leave in the scene.
+/// Their unknown depth is continued for that, in `confirmed_maps` too, at most `threads` of them at
+/// one time.
+[[nodiscard]] Recession fill_recession(const DepthScene& scene, const std::vector<GrayImage>& masks,
+                                       const std::vector<DepthEstimate>& estimates, int threads,
+                                       std::vector<DepthMap>& confirmed_maps);
 
 /// Gives every pixel of `map`, view `view_index` among the confirmed maps, an inverse depth: what
 /// is unknown is filled along the photograph's edges from what is known around it, or recedes from
@@ -32,5 +39,9 @@ namespace lumi {
 /// edge_snapping.h).
 void fill_unknown_depth(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
                         int view_index, double recession_px, DepthMap& map);
+
+/// The same of a map that is continued already, over `distance_px`.
+void finish_continued_depth(const DepthView& view, const FloatImage& distance_px,
+                            double recession_px, DepthMap& map);
 
 }  // namespace lumi

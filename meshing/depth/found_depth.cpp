@@ -1,0 +1,218 @@
+#include "meshing/depth/found_depth.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "calib/work/median.h"
+#include "calib/work/parallel_for.h"
+#include "calib/work/process_memory.h"
+#include "calib/work/stopwatch.h"
+#include "meshing/depth/finished_depth.h"
+#include "meshing/depth/held_out_points.h"
+#include "meshing/depth/view_mask.h"
+
+namespace lumi {
+namespace {
+
+double thread_cpu_s() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Calls `work(view)` for each view, adds its CPU time to the view's evidence and reports progress.
+void for_each_view(const std::string& step, DepthResult& result, int views_at_one_time,
+                   Progress& progress, const std::function<void(int)>& work) {
+    release_free_memory();
+    progress.begin(step, result.evidence.size());
+    parallel_for(static_cast<int>(result.evidence.size()), views_at_one_time, [&](int i) {
+        progress.throw_if_interrupted();
+        const double start = thread_cpu_s();
+        work(i);
+        result.evidence[static_cast<std::size_t>(i)].cpu_s += thread_cpu_s() - start;
+        progress.advance();
+    });
+}
+
+double confident_share(const DepthMap& map) {
+    const auto& confidence = map.confidence.pixels();
+    const auto unknown = std::count(confidence.begin(), confidence.end(), 0);
+    return 1.0 - static_cast<double>(unknown) / static_cast<double>(confidence.size());
+}
+
+/// Median distance of the map to the view's points, in pixels of disparity.
+double sparse_residual_px(const DepthMap& map, const DepthView& view) {
+    std::vector<double> residuals;
+    for (const SparsePoint& point : view.points) {
+        const double found = static_cast<double>(map.inverse_depth(
+            static_cast<int>(point.pixel.x()), static_cast<int>(point.pixel.y())));
+        residuals.push_back(std::abs(found - point.inverse_depth) *
+                            view.disparity_px_per_inverse_depth);
+    }
+    return median_of(std::move(residuals));
+}
+
+std::string with_one_digit(double value) {
+    const std::string text = std::to_string(value);
+    return text.substr(0, text.find('.') + 2);
+}
+
+/// Views that agree with each other may all be wrong, where poses or lens are: the scene points are
+/// a second opinion on what was found by comparing photographs.
+std::string doubt_about(const std::vector<DepthEvidence>& evidence,
+                        const std::vector<DepthEstimate>& estimates, const DepthScene& scene) {
+    constexpr double kDoubtfulPx = 1.0;
+    std::vector<double> residuals_px;
+    for (std::size_t i = 0; i < evidence.size(); ++i) {
+        if (!estimates[i].needs_confirmation || scene.views[i].points.size() < kMinTrialPoints) {
+            continue;
+        }
+        residuals_px.push_back(evidence[i].sparse_residual_px);
+    }
+    if (residuals_px.empty()) return "";
+    const double residual_px = median_of(std::move(residuals_px));
+    if (residual_px <= kDoubtfulPx) return "";
+    return "depth is doubtful: in half of the views half of the scene points lie more than " +
+           with_one_digit(residual_px) +
+           " px of disparity from it. Are poses and focal length right, the photographs sharp and "
+           "free of noise?";
+}
+
+/// Leaves in `result` what the views confirm of each other's estimates.
+void confirm(const DepthScene& scene, const std::vector<DepthEstimate>& estimates,
+             DepthResult& result, Progress& progress) {
+    for_each_view(
+        "depth: agreement of views", result, result.memory.views_filled, progress, [&](int i) {
+            result.depth_maps[static_cast<std::size_t>(i)] = confirmed_depth(scene, estimates, i);
+        });
+}
+
+/// Makes the estimates better, as often as the model does. Returns what they were.
+std::vector<DepthEstimate> refine(const DepthModel& model, const DepthScene& scene,
+                                  const std::vector<GrayImage>& masks,
+                                  std::vector<DepthEstimate>& estimates, DepthResult& result,
+                                  Progress& progress) {
+    std::vector<DepthEstimate> first;
+    for (int round = 0; round < model.refinements(); ++round) {
+        std::vector<DepthEstimate> before =
+            std::exchange(estimates, std::vector<DepthEstimate>(estimates.size()));
+        for_each_view("depth: refinement", result, result.memory.views_matched, progress,
+                      [&](int i) {
+                          const auto index = static_cast<std::size_t>(i);
+                          estimates[index] = model.refine(scene, before, i);
+                          claim_nothing_beyond(masks[index], estimates[index].map);
+                      });
+        if (round == 0) first = std::move(before);
+    }
+    return first;
+}
+
+/// What the photographs say of depth beyond what is confirmed.
+Recession recession_of_fill(const DepthScene& scene, const std::vector<GrayImage>& masks,
+                            const std::vector<DepthEstimate>& estimates, DepthResult& result) {
+    release_free_memory();
+    const Stopwatch stopwatch;
+    Recession recession =
+        fill_recession(scene, masks, estimates, result.memory.views_filled, result.depth_maps);
+    result.choice_cpu_s += stopwatch.elapsed().cpu_s;
+    return recession;
+}
+
+void forget_maps(std::vector<DepthEstimate>& estimates) {
+    for (DepthEstimate& estimate : estimates) estimate.map = {};
+}
+
+/// The same, of what matching alone confirms: refinement confirms more, and may leave too little to
+/// ask where it does so best. What `result` holds stays.
+std::optional<double> recession_before_refinement(const DepthScene& scene,
+                                                  const std::vector<GrayImage>& masks,
+                                                  std::vector<DepthEstimate> first,
+                                                  DepthResult& result, Progress& progress) {
+    std::vector<DepthMap> kept =
+        std::exchange(result.depth_maps, std::vector<DepthMap>(result.depth_maps.size()));
+    confirm(scene, first, result, progress);
+    forget_maps(first);
+    const auto recession_px = recession_of_fill(scene, masks, first, result).slope_px;
+    result.depth_maps = std::move(kept);
+    return recession_px;
+}
+
+/// The confirmed maps, where views are still to be continued from them while others are filled.
+std::vector<DepthMap> maps_to_continue_from(const DepthResult& result,
+                                            const std::vector<DepthEstimate>& estimates,
+                                            const Recession& recession) {
+    for (std::size_t i = 0; i < estimates.size(); ++i) {
+        if (!estimates[i].is_complete && recession.distance_px[i].empty()) {
+            return result.depth_maps;
+        }
+    }
+    return {};
+}
+
+void tell_recession(double recession_px, Progress& progress) {
+    if (recession_px <= 0) return;
+    progress.note("depth: beyond what is known the scene recedes by " +
+                  with_one_digit(recession_px) +
+                  " px of disparity a pixel: so the photographs differ least");
+}
+
+/// Fills one view's confirmed map, and says what speaks for it.
+void finish(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
+            const DepthEstimate& estimate, const FloatImage& distance_px, double recession_px,
+            const GrayImage& mask, int view_index, DepthMap& map, DepthEvidence& evidence) {
+    const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
+    evidence.view_name = view.name;
+    evidence.model = estimate.model;
+    evidence.confident_share = confident_share(map);
+    if (!distance_px.empty()) {
+        finish_continued_depth(view, distance_px, recession_px, map);
+    } else if (!estimate.is_complete) {
+        fill_unknown_depth(scene, confirmed_maps, view_index, recession_px, map);
+    }
+    // After filling: what belongs to the scene is not continued from what does not.
+    evidence.background_share = separate_background(mask, map);
+    evidence.sparse_residual_px = sparse_residual_px(map, view);
+}
+
+}  // namespace
+
+void find_depth(const DepthScene& scene, const std::vector<GrayImage>& masks,
+                std::unique_ptr<DepthModel> model, Progress& progress, DepthResult& result) {
+    result.depth_maps.resize(scene.views.size());
+    result.evidence.resize(scene.views.size());
+    std::vector<DepthEstimate> estimates(scene.views.size());
+    for_each_view("depth: matching", result, result.memory.views_matched, progress, [&](int i) {
+        const auto index = static_cast<std::size_t>(i);
+        estimates[index] = model->estimate(scene, i);
+        claim_nothing_beyond(masks[index], estimates[index].map);
+    });
+    std::vector<DepthEstimate> first = refine(*model, scene, masks, estimates, result, progress);
+    model.reset();  // And the memory it matched in.
+    confirm(scene, estimates, result, progress);
+    forget_maps(estimates);  // They have said what they knew.
+    Recession recession = recession_of_fill(scene, masks, estimates, result);
+    if (!recession.slope_px && !first.empty()) {
+        recession.slope_px =
+            recession_before_refinement(scene, masks, std::move(first), result, progress);
+    }
+    first.clear();
+    const double recession_px = recession.slope_px.value_or(0.0);
+    tell_recession(recession_px, progress);
+    const std::vector<DepthMap> confirmed_maps =
+        maps_to_continue_from(result, estimates, recession);
+    for_each_view("depth: filling", result, result.memory.views_filled, progress, [&](int i) {
+        const auto index = static_cast<std::size_t>(i);
+        const FloatImage distance_px = std::exchange(recession.distance_px[index], {});
+        finish(scene, confirmed_maps, estimates[index], distance_px, recession_px, masks[index], i,
+               result.depth_maps[index], result.evidence[index]);
+    });
+    result.warning = doubt_about(result.evidence, estimates, scene);
+    if (!result.warning.empty()) progress.note(result.warning);
+}
+
+}  // namespace lumi

@@ -1,0 +1,157 @@
+#include "meshing/depth/found_depth.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lumi {
+namespace {
+
+constexpr int kWidth = 120;
+constexpr int kHeight = 80;
+constexpr double kFocalPx = 100;
+constexpr double kBaseline = 0.5;
+constexpr int kStartPx = 30;
+constexpr float kRim = 0.9F;
+constexpr double kSlopePx = 0.6;
+constexpr int kViews = 5;
+
+/// What recedes from column 30 of the first view on, as inverse depth.
+double inverse_depth_at(double x) {
+    return static_cast<double>(kRim) -
+           kSlopePx / (kFocalPx * kBaseline) * std::max(0.0, x - kStartPx);
+}
+
+/// Where column x of a view that stands `j` baselines to the right shows the first view's surface.
+double column_in_first_view(double x, int j) {
+    const double shift_px = kFocalPx * kBaseline * j * static_cast<double>(kRim);
+    const double before = x + shift_px;
+    return before <= kStartPx ? before : (before + kSlopePx * j * kStartPx) / (1 + kSlopePx * j);
+}
+
+/// A wall that recedes from column 30 of the first view on. The second view stands to its right,
+/// all others where it stands: each tells the same.
+DepthScene receding_wall() {
+    DepthScene scene;
+    for (int j = 0; j < kViews; ++j) {
+        DepthView view;
+        view.name = std::to_string(j);
+        view.camera = {kWidth,
+                       kHeight,
+                       LensModel::kPinhole,
+                       {kFocalPx, kFocalPx, kWidth / 2.0, kHeight / 2.0}};
+        const int place = j == 1 ? 1 : 0;
+        view.cam_from_world.translation = {-kBaseline * place, 0, 0};
+        view.photograph = ColorImage(kWidth, kHeight);
+        view.neighbours = {j == 1 ? 0 : 1};
+        view.disparity_px_per_inverse_depth = kFocalPx * kBaseline;
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const double own = column_in_first_view(x + 0.5, place);
+                const auto level =
+                    static_cast<std::uint8_t>(std::lround(120 + 100 * std::sin(0.05 * own)));
+                view.photograph(x, y) = {level, level, level};
+            }
+        }
+        scene.views.push_back(view);
+    }
+    return scene;
+}
+
+DepthMap known_up_to(int column) {
+    DepthMap map{FloatImage(kWidth, kHeight, kRim), GrayImage(kWidth, kHeight)};
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < column; ++x) map.confidence(x, y) = 255;
+    }
+    return map;
+}
+
+/// Knows at last all that there is to know, but of the first `unfinished` views only what lies
+/// before column 30, and of the second of them nothing; and where it refines, no more than that of
+/// any view before.
+class ModelThatMayRefine final : public DepthModel {
+ public:
+    ModelThatMayRefine(bool refines, int unfinished) : refines_(refines), unfinished_(unfinished) {}
+    [[nodiscard]] DepthEstimate estimate(const DepthScene&, int view) const override {
+        return !refines_ && view >= unfinished_ ? all() : little_of(view);
+    }
+    [[nodiscard]] DepthEstimate refine(const DepthScene&, const std::vector<DepthEstimate>&,
+                                       int view) const override {
+        return view >= unfinished_ ? all() : little_of(view);
+    }
+    [[nodiscard]] std::string begins_as() const override { return "little"; }
+    [[nodiscard]] int refinements() const override { return refines_ ? 1 : 0; }
+
+ private:
+    static DepthEstimate all() { return {known_up_to(kWidth), "all", false, false}; }
+    static DepthEstimate little_of(int view) {
+        return {known_up_to(view == 1 ? 0 : kStartPx), "little", false, false};
+    }
+
+    bool refines_;
+    int unfinished_;
+};
+
+/// What was noted on the way.
+class NotedProgress final : public Progress {
+ public:
+    void begin(const std::string&, std::size_t) override {}
+    void advance(std::size_t) override {}
+    void note(const std::string& message) override { notes.push_back(message); }
+    std::vector<std::string> notes;
+};
+
+struct Found {
+    DepthResult result;
+    std::vector<std::string> notes;
+};
+
+Found depth_by(const ModelThatMayRefine& model) {
+    NotedProgress progress;
+    Found found;
+    found.result.memory.views_matched = found.result.memory.views_filled = 2;
+    find_depth(receding_wall(), std::vector<GrayImage>(kViews),
+               std::make_unique<ModelThatMayRefine>(model), progress, found.result);
+    found.notes = progress.notes;
+    return found;
+}
+
+/// Mean pixels of disparity by which the first view is wrong beyond what is known.
+double error_beyond_px(const DepthResult& result) {
+    double sum = 0;
+    for (int x = kStartPx; x < kWidth / 2; ++x) {
+        const double found = static_cast<double>(result.depth_maps[0].inverse_depth(x, 40));
+        sum += std::abs(found - inverse_depth_at(x + 0.5)) * kFocalPx * kBaseline;
+    }
+    return sum / (kWidth / 2 - kStartPx);
+}
+
+// Without receding the first view would be wrong by 9 pixels.
+constexpr double kSmoothed_px = 2.0;
+
+TEST(FoundDepth, RecedesBeyondWhatIsKnownWhereFourViewsTell) {
+    const Found found = depth_by({false, kViews});
+    EXPECT_THAT(found.notes, testing::ElementsAre(testing::HasSubstr("recedes by 0.6 px")));
+    EXPECT_LT(error_beyond_px(found.result), kSmoothed_px);
+}
+
+TEST(FoundDepth, WhereRefinementLeavesTooFewToAskTheUnrefinedViewsTell) {
+    const Found found = depth_by({true, 1});  // One view alone is left with something to continue.
+    EXPECT_THAT(found.notes, testing::ElementsAre(testing::HasSubstr("recedes by 0.6 px")));
+    EXPECT_LT(error_beyond_px(found.result), kSmoothed_px);
+    EXPECT_EQ(found.result.depth_maps[2].confidence, GrayImage(kWidth, kHeight, 255))
+        << "what was refined stays";
+}
+
+TEST(FoundDepth, DoesNotRecedeWhereNobodyTells) {
+    // The same single view, and no estimates before it that could be asked.
+    const Found found = depth_by({false, 1});
+    EXPECT_THAT(found.notes, testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace lumi
