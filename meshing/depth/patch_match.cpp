@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calib/capture/gray.h"
+#include "calib/work/median.h"
 #include "meshing/depth/cross_view_check.h"
 #include "meshing/depth/inverse_depth_warp.h"
 #include "meshing/depth/window_match.h"
@@ -117,12 +118,28 @@ class Refinement {
 
     void settle(const DepthMap& checked) {
         constexpr std::uint8_t kConfirmedByTwo = 255;
-        constexpr float kCorrelatesWell = 0.25F;
+        std::vector<std::size_t> confirmed;
+        std::vector<double> costs;
         for (std::size_t i = 0; i < costs_.pixels().size(); ++i) {
-            const bool is_settled = checked.confidence.pixels()[i] == kConfirmedByTwo &&
-                                    costs_.pixels()[i] < kCorrelatesWell;
-            is_settled_.pixels()[i] = is_settled ? 1 : 0;
+            if (checked.confidence.pixels()[i] != kConfirmedByTwo) continue;
+            if (costs_.pixels()[i] >= kMaxCost) continue;
+            confirmed.push_back(i);
+            costs.push_back(static_cast<double>(costs_.pixels()[i]));
         }
+        const float enough = settling_cost(static_cast<float>(median_of(std::move(costs))));
+        for (const std::size_t i : confirmed) {
+            if (costs_.pixels()[i] < enough) is_settled_.pixels()[i] = 1;
+        }
+    }
+
+    /// What a confirmed pixel may cost without anything to gain: as much as photographs like these
+    /// differ where depth is right. Of clean ones a window that costs a tenth shows another
+    /// surface; of noisy or glossy ones most cost that much.
+    [[nodiscard]] static float settling_cost(float median_of_confirmed) {
+        constexpr float kLikeTheOthers = 3.0F;
+        constexpr float kAlwaysEnough = 0.05F;
+        constexpr float kCorrelatesWell = 0.25F;
+        return std::clamp(kLikeTheOthers * median_of_confirmed, kAlwaysEnough, kCorrelatesWell);
     }
 
     /// Where they do not, the photographs are noise to these windows, and chance to the estimate.

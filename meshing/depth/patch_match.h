@@ -12,8 +12,8 @@ struct PatchMatchOptions {
     /// Cost of one pixel by which a neighbour's own depth disagrees beyond the first half, where 1
     /// is no correlation.
     float disagreement_per_px = 0.1F;
-    /// Pixels that two neighbours' estimates confirm keep their plane where it already correlates
-    /// to three quarters.
+    /// Pixels that two neighbours' estimates confirm keep their plane where it fits as well as it
+    /// does there on the whole: costs less than three times the median, within 0.05 and 0.25.
     bool only_where_unsure = false;
 };
 
