@@ -165,6 +165,42 @@ TEST(PatchMatch, OnlyWhereUnsureMendsWhatIsWrongAndLeavesWhatTwoViewsConfirm) {
     EXPECT_GT(left, 0.9 * others);
 }
 
+TEST(PatchMatch, OnlyWhereUnsureMendsWhatAllViewsConfirmWhereCleanPhotographsFitBetter) {
+    // Half of the wall stands before its place in all views, which fits fairly well.
+    const KnownDepthScene known = slanted_wall({0.5, 0.4, 1});
+    const DepthView& view = known.scene.views[0];
+    constexpr double kBefore_px = 0.7;
+    const double before = kBefore_px / view.disparity_px_per_inverse_depth;
+    std::vector<DepthEstimate> estimates;
+    for (std::size_t i = 0; i < known.scene.views.size(); ++i) {
+        FloatImage inverse_depth = known.inverse_depths[i];
+        const DepthView& own = known.scene.views[i];
+        for (int y = 0; y < inverse_depth.height(); ++y) {
+            for (int x = 0; x < inverse_depth.width(); ++x) {
+                const double depth = 1.0 / static_cast<double>(inverse_depth(x, y));
+                const Eigen::Vector3d point =
+                    inverse(own.cam_from_world) *
+                    (depth * unproject(own.camera, Eigen::Vector2d(x + 0.5, y + 0.5)));
+                if (std::abs(point.x()) < 0.15) inverse_depth(x, y) += static_cast<float>(before);
+            }
+        }
+        estimates.push_back({{inverse_depth, GrayImage(240, 180, 255)}, "sweep", true, false});
+    }
+    const DepthMap refined = patch_match(known.scene, estimates, 0, {.only_where_unsure = true});
+    const FloatImage errors = errors_px(refined, known.inverse_depths[0], view);
+    int mended = 0;
+    int displaced = 0;
+    for (int y = 20; y < 160; ++y) {
+        for (int x = 20; x < 220; ++x) {
+            if (estimates[0].map.inverse_depth(x, y) == known.inverse_depths[0](x, y)) continue;
+            ++displaced;
+            if (errors(x, y) <= 0.35F) ++mended;
+        }
+    }
+    ASSERT_GT(displaced, 2000);
+    EXPECT_GT(mended, 0.7 * displaced);
+}
+
 TEST(PatchMatch, WhereItsWindowsSeeNoTextureTheEstimatesClaimsStand) {
     KnownDepthScene known = slanted_wall({0.5, 0.4, 1});
     std::vector<DepthEstimate> estimates;
