@@ -17,7 +17,7 @@ constexpr double kFilling = 50;
 
 // A view that is matched takes its pictures, and so much for each plane that a pixel is compared
 // at; see kMaxCells of the sweep for the bound.
-constexpr double kPictures = 30;
+constexpr double kPictures = 35;
 constexpr double kPlanes = 52;
 constexpr double kPlane = 3;
 constexpr double kMaxMatching = 3.0 * (std::uint64_t{96} << 20);
