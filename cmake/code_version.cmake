@@ -13,7 +13,8 @@ endfunction()
 
 hash_of(calib ${CALIB} ${STAGES})
 hash_of(meshing ${MESHING} ${STAGES})
-hash_of(pack ${MESHING} ${LUMIGRAPH} ${STAGES}) # Packing chooses views and compares exposures.
+# Packing chooses views, compares exposures, and draws to see how many views to ask for depth.
+hash_of(pack ${MESHING} ${LUMIGRAPH} ${STAGES} ${EVALUATE})
 hash_of(evaluate ${EVALUATE})
 
 file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [[

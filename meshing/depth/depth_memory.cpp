@@ -17,13 +17,13 @@ constexpr double kFilling = 50;
 
 // A view that is matched takes its pictures, and so much for each plane that a pixel is compared
 // at; see kMaxCells of the sweep for the bound.
-constexpr double kPictures = 35;
+constexpr double kPictures = 37;
 constexpr double kPlanes = 52;
 constexpr double kPlane = 3;
 constexpr double kMaxMatching = 3.0 * (std::uint64_t{96} << 20);
 // Planes, costs and packed neighbours of PatchMatch, which begins when the sweep's pictures are
 // gone.
-constexpr double kRefining = 45;
+constexpr double kRefining = 52;
 constexpr double kPair = 60;  // Two rectified pictures, and what OpenCV matches them in.
 
 bool refines(const std::string& model) {

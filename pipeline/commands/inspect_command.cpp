@@ -32,6 +32,7 @@ Json package_json(const Lumigraph& lumigraph) {
     return Json{{"name", lumigraph.name},
                 {"near_depth", lumigraph.near_depth},
                 {"far_depth", lumigraph.far_depth},
+                {"depth_views", lumigraph.depth_views},
                 {"mesh",
                  {{"construction", name_of(lumigraph.mesh.construction)},
                   {"vertices", lumigraph.mesh.vertices.size()},
@@ -47,12 +48,13 @@ std::string gain_text(const LumigraphView& view) {
 }
 
 std::string package_text(const Lumigraph& lumigraph) {
-    std::string text = lumigraph.name + ": " + std::to_string(lumigraph.views.size()) +
-                       " views, depth " + number_text(lumigraph.near_depth, 3) + " to " +
-                       number_text(lumigraph.far_depth, 3) + ", camera mesh " +
-                       name_of(lumigraph.mesh.construction) + " with " +
-                       std::to_string(lumigraph.mesh.vertices.size()) + " vertices and " +
-                       std::to_string(lumigraph.mesh.faces.size()) + " faces\n";
+    std::string text =
+        lumigraph.name + ": " + std::to_string(lumigraph.views.size()) + " views, depth " +
+        number_text(lumigraph.near_depth, 3) + " to " + number_text(lumigraph.far_depth, 3) +
+        ", camera mesh " + name_of(lumigraph.mesh.construction) + " with " +
+        std::to_string(lumigraph.mesh.vertices.size()) + " vertices and " +
+        std::to_string(lumigraph.mesh.faces.size()) + " faces, depth compared from " +
+        std::to_string(lumigraph.depth_views) + " views\n";
     for (const LumigraphView& view : lumigraph.views) {
         text += view.name + "  " + std::to_string(view.camera.width_px) + "x" +
                 std::to_string(view.camera.height_px) + "  focal length " +

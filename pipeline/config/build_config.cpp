@@ -4,6 +4,7 @@
 
 #include "calib/lens_files/lens_files.h"
 #include "pipeline/config/lens_file.h"
+#include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
 namespace {
@@ -60,6 +61,10 @@ DrawingOptions read_drawing_options(const ConfigSection& render) {
     options.even_exposure = render.boolean("even_exposure", options.even_exposure);
     options.fade_beyond_capture =
         render.boolean("fade_beyond_capture", options.fade_beyond_capture);
+    options.depth_views = render.integer("depth_views", options.depth_views);
+    if (options.depth_views != 0 &&
+        (options.depth_views < kLeastDepthViews || options.depth_views > kMaxDepthViews))
+        render.refuse("depth_views", "0 (as photographs ask for), 3 or 4");
     return options;
 }
 

@@ -33,6 +33,8 @@ struct DrawingOptions {
     /// Differences in exposure and white balance between neighbours are measured and evened out.
     bool even_exposure = true;
     bool fade_beyond_capture = false;  ///< The default of `lumi render` and `lumi view`.
+    /// How many views' depths are compared at each pixel, 3 or 4; 0: as photographs ask for.
+    int depth_views = 0;
 };
 
 /// Everything that one run of the line is told.

@@ -12,6 +12,7 @@
 #include "meshing/depth/depth_scene.h"
 #include "meshing/depth/imported_depth.h"
 #include "pipeline/depth_bench/right_shares.h"
+#include "pipeline/evaluate/depth_view_count.h"
 #include "pipeline/stages/depth_range.h"
 
 namespace lumi {
@@ -135,9 +136,12 @@ RungMeasurement measure_rung(const DepthBenchScene& scene, const DepthOptions& o
     if (!scene.truth_folder.empty()) {
         take_truth(scene, options, result.depth_maps, threads, progress, measured);
     }
+    Lumigraph lumigraph = lumigraph_of(scene, std::move(result.depth_maps), threads);
+    lumigraph.depth_views =
+        sufficient_depth_views(lumigraph, scene.used.capture, {}, progress).views;
     TileErrors tiles;
     const Evaluation evaluation = evaluate_held_out(
-        lumigraph_of(scene, std::move(result.depth_maps), threads), scene.held_out,
+        lumigraph, scene.held_out,
         {.modes = {RenderMode::kPerPixel}, .ghost_energy = false, .timed_frames = 1},
         [&](RenderMode mode, const JudgedView& view) {
             tiles.add(view);

@@ -6,11 +6,10 @@
 
 #include "calib/capture/image_io.h"
 #include "calib/work/stopwatch.h"
-#include "pipeline/evaluate/image_metrics.h"
+#include "pipeline/evaluate/pictured_eye.h"
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/synth/hashed_random.h"
 #include "render/lumigraph/even_exposure.h"
-#include "render/modes/offscreen_renderer.h"
 
 namespace lumi {
 namespace {
@@ -21,17 +20,11 @@ constexpr double kFineShare = 0.05;
 constexpr int kLeastToChooseFrom = 12;
 constexpr int kValidateEvery = 6;
 
-/// A photograph and the eye it was taken with.
-struct HeldOutPicture {
-    Eye eye;
-    ColorImage photograph;
-};
-
 /// Draws held-out pictures from chosen views.
 class ChoiceJudge {
  public:
     ChoiceJudge(const Lumigraph& lumigraph, const Capture& capture,
-                std::vector<HeldOutPicture> pictures, const CameraMeshOptions& mesh_options)
+                std::vector<PicturedEye> pictures, const CameraMeshOptions& mesh_options)
         : lumigraph_(lumigraph),
           capture_(capture),
           pictures_(std::move(pictures)),
@@ -39,27 +32,17 @@ class ChoiceJudge {
 
     /// Minus the PSNR in dB at each held-out place.
     [[nodiscard]] std::vector<double> losses_of(const std::vector<int>& views) {
-        OffscreenRenderer renderer(lumigraph_of_views(lumigraph_, capture_, views, mesh_options_));
-        std::vector<double> losses;
-        std::vector<double> frame_ms;
-        for (const HeldOutPicture& picture : pictures_) {
-            const Stopwatch stopwatch;
-            const Frame frame = renderer.draw(picture.eye, {});
-            frame_ms.push_back(1000.0 * stopwatch.elapsed().wall_s);
-            losses.push_back(-psnr_db(picture.photograph, frame.color));
-        }
-        std::nth_element(frame_ms.begin(),
-                         frame_ms.begin() + static_cast<std::ptrdiff_t>(frame_ms.size() / 2),
-                         frame_ms.end());
-        last_ms_ = frame_ms[frame_ms.size() / 2];
-        return losses;
+        DrawnPictures drawn = draw_pictures(
+            lumigraph_of_views(lumigraph_, capture_, views, mesh_options_), pictures_);
+        last_ms_ = drawn.median_ms;
+        return std::move(drawn.losses_db);
     }
     [[nodiscard]] double last_ms() const { return last_ms_; }
 
  private:
     const Lumigraph& lumigraph_;
     const Capture& capture_;
-    std::vector<HeldOutPicture> pictures_;
+    std::vector<PicturedEye> pictures_;
     CameraMeshOptions mesh_options_;
     double last_ms_ = 0.0;
 };
@@ -133,7 +116,7 @@ int next_fewer(const std::vector<ViewCurvePoint>& points, int views) {
 ViewCurve measure_view_curve(const Lumigraph& lumigraph, const Capture& capture,
                              const PosedPhotographs& held_out, const ViewCurveOptions& options,
                              Progress& progress) {
-    std::vector<HeldOutPicture> pictures;
+    std::vector<PicturedEye> pictures;
     for (std::size_t i = 0; i < held_out.capture.views.size(); ++i) {
         const View& view = held_out.capture.views[i];
         pictures.push_back({{camera_of(held_out.capture, view), view.cam_from_world},
@@ -179,18 +162,10 @@ int sufficient_views(const Lumigraph& lumigraph, const Capture& capture,
     if (count < kLeastToChooseFrom) return count;
     Lumigraph evened = lumigraph;
     even_exposures(evened);
-    std::vector<HeldOutPicture> pictures;
-    std::vector<int> candidates;
     const int every = std::min(kValidateEvery, count / 3);
-    for (int i = 0; i < count; ++i) {
-        const LumigraphView& view = evened.views[static_cast<std::size_t>(i)];
-        if (i % every == every / 2) {
-            pictures.push_back({{view.camera, view.cam_from_world}, view.photograph});
-        } else {
-            candidates.push_back(i);
-        }
-    }
-    ChoiceJudge judge(evened, capture, std::move(pictures), mesh_options);
+    KeptBackViews kept = keep_back(evened, every, every / 2);
+    const std::vector<int> candidates = std::move(kept.others);
+    ChoiceJudge judge(evened, capture, std::move(kept.pictures), mesh_options);
     const std::vector<int> sizes = selection_sizes(static_cast<int>(candidates.size()), 4);
     progress.begin("looking for the fewest views", sizes.size());
     const ViewSelection selection =

@@ -6,6 +6,7 @@
 
 #include "calib/work/whole_file.h"
 #include "meshing/geometry/binary_volume.h"
+#include "pipeline/evaluate/depth_view_count.h"
 #include "pipeline/evaluate/view_curve.h"
 #include "pipeline/line/code_version.h"
 #include "pipeline/line/external_tools.h"
@@ -156,6 +157,10 @@ class Line {
                          config_.drawing, config_.mesh,
                          [this](const Lumigraph& lumigraph, const Capture& capture) {
                              return sufficient_views(lumigraph, capture, config_.mesh, progress_);
+                         },
+                         [this](const Lumigraph& lumigraph, const Capture& capture) {
+                             return sufficient_depth_views(lumigraph, capture, config_.mesh,
+                                                           progress_);
                          }},
                         workspace_.package_folder(), folder, threads_, progress_);
                 },

@@ -44,11 +44,7 @@ Capture capture_of(const Lumigraph& lumigraph) {
 }  // namespace
 
 Lumigraph only_these_views(const Lumigraph& lumigraph, const std::vector<int>& kept) {
-    Lumigraph result;
-    result.name = lumigraph.name;
-    result.near_depth = lumigraph.near_depth;
-    result.far_depth = lumigraph.far_depth;
-    result.fade_beyond_capture = lumigraph.fade_beyond_capture;
+    Lumigraph result = without_its_views(lumigraph);
     for (const int index : kept) {
         result.views.push_back(lumigraph.views[static_cast<std::size_t>(index)]);
     }

@@ -9,11 +9,7 @@ namespace lumi {
 
 Lumigraph lumigraph_of_views(const Lumigraph& lumigraph, const Capture& capture,
                              const std::vector<int>& views, const CameraMeshOptions& mesh_options) {
-    Lumigraph chosen;
-    chosen.name = lumigraph.name;
-    chosen.near_depth = lumigraph.near_depth;
-    chosen.far_depth = lumigraph.far_depth;
-    chosen.fade_beyond_capture = lumigraph.fade_beyond_capture;
+    Lumigraph chosen = without_its_views(lumigraph);
     std::vector<int> new_index(lumigraph.views.size(), -1);
     for (const int view : views) {
         new_index[static_cast<std::size_t>(view)] = static_cast<int>(chosen.views.size());

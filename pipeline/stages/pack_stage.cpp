@@ -94,6 +94,38 @@ Json exposure_json(const ExposureGains& found) {
             {"largest_stops", found.largest_stops}};
 }
 
+/// Of the Lumigraph's views: names lead back to the capture when some were left out.
+Capture capture_of(const Lumigraph& lumigraph, const PosedPhotographs& photographs) {
+    std::vector<std::string> names;
+    for (const LumigraphView& view : lumigraph.views) names.push_back(view.name);
+    std::sort(names.begin(), names.end());
+    return only_views(photographs, names).capture;
+}
+
+/// As the options or the photographs want it; where nothing can be drawn, as many as there can be.
+DepthViewCount depth_view_count(const PackSources& sources, const Lumigraph& lumigraph,
+                                Progress& progress) {
+    if (sources.drawing.depth_views != 0) return {.views = sources.drawing.depth_views};
+    if (!sources.sufficient_depth_views) return {};
+    try {
+        return sources.sufficient_depth_views(lumigraph,
+                                              capture_of(lumigraph, sources.photographs));
+    } catch (const Error& error) {
+        if (!error.code().starts_with("E-GL-")) throw;
+        progress.note(std::string("nothing can be drawn here to see how many views' depth is "
+                                  "enough: ") +
+                      error.what());
+        return {};
+    }
+}
+
+Json depth_views_json(const DepthViewCount& count) {
+    return {{"views", count.views},
+            {"pictures", count.pictures},
+            {"one_fewer_loses_db", count.loss_db},
+            {"standard_error_db", count.standard_error_db}};
+}
+
 PackageExtras extras_of(const PackSources& sources) {
     return {.resolved_config_toml = sources.resolved_config_toml,
             .evidence_json = sources.evidence_json,
@@ -138,25 +170,18 @@ class ViewLimit {
         for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
             if (kept.count(lumigraph.views[i].name) > 0) chosen.push_back(static_cast<int>(i));
         }
-        lumigraph =
-            lumigraph_of_views(lumigraph, capture_of(lumigraph), chosen, sources_.mesh_options);
+        lumigraph = lumigraph_of_views(lumigraph, capture_of(lumigraph, sources_.photographs),
+                                       chosen, sources_.mesh_options);
     }
 
     /// Once, while all views are there.
     void rank(const Lumigraph& lumigraph) {
         std::vector<int> all(lumigraph.views.size());
         std::iota(all.begin(), all.end(), 0);
-        for (const int view : views_by_worth(lumigraph, capture_of(lumigraph), all, progress_)) {
+        for (const int view : views_by_worth(lumigraph, capture_of(lumigraph, sources_.photographs),
+                                             all, progress_)) {
             names_by_worth_.push_back(lumigraph.views[static_cast<std::size_t>(view)].name);
         }
-    }
-
-    /// Names lead back to the capture when views were left out before.
-    [[nodiscard]] Capture capture_of(const Lumigraph& lumigraph) const {
-        std::vector<std::string> names;
-        for (const LumigraphView& view : lumigraph.views) names.push_back(view.name);
-        std::sort(names.begin(), names.end());
-        return only_views(sources_.photographs, names).capture;
     }
 
     /// As many views as a package of the wished size holds: it is written aside and weighed until
@@ -200,6 +225,8 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     }
     ViewLimit(sources, folder, threads, progress).apply_to(lumigraph);
     make_depth_meshes(lumigraph, threads, progress);
+    const DepthViewCount depth_views = depth_view_count(sources, lumigraph, progress);
+    lumigraph.depth_views = depth_views.views;
     progress.begin("writing the package", 0);
     write_package(package_folder, lumigraph, extras_of(sources));
     write_json_file(record_path(folder),
@@ -211,7 +238,8 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
                      {"points", sources.photographs.capture.points.size()},
                      {"near_depth", lumigraph.near_depth},
                      {"far_depth", lumigraph.far_depth},
-                     {"exposure", exposure_json(exposures)}};
+                     {"exposure", exposure_json(exposures)},
+                     {"depth_views", depth_views_json(depth_views)}};
     return {json_text(facts), "{}"};
 }
 

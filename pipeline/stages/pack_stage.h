@@ -13,6 +13,15 @@
 
 namespace lumi {
 
+/// How many views' depths are compared at each pixel (Lumigraph::depth_views), and why.
+struct DepthViewCount {
+    int views = kMaxDepthViews;
+    int pictures = 0;  ///< That were asked; 0: nobody was.
+    /// What one view fewer than the most loses at them, in the mean; negative where it gains.
+    double loss_db = 0.0;
+    double standard_error_db = 0.0;
+};
+
 /// Where the pack stage finds what it packs, and what else goes in.
 struct PackSources {
     std::string name;
@@ -29,6 +38,9 @@ struct PackSources {
     CameraMeshOptions mesh_options;  ///< For the camera mesh over fewer views.
     /// How many views are enough; asked for when the options want the fewest.
     std::function<int(const Lumigraph& lumigraph, const Capture& capture)> sufficient_views;
+    /// How many views' depths to compare; asked for where the drawing options do not say.
+    std::function<DepthViewCount(const Lumigraph& lumigraph, const Capture& capture)>
+        sufficient_depth_views;
 };
 
 /// Everything -> the package at `package_folder`, and pack.json (PackRecord) in `folder`. Where

@@ -71,6 +71,8 @@ void validate_view(const LumigraphView& view, const std::string& where) {
 
 void validate(const Lumigraph& lumigraph, const std::string& where) {
     if (lumigraph.views.empty()) refuse(where, "expected at least one view");
+    if (lumigraph.depth_views < kLeastDepthViews || lumigraph.depth_views > kMaxDepthViews)
+        refuse(where, "expected 3 or 4 depth views");
     std::set<std::string> names;
     for (const LumigraphView& view : lumigraph.views) {
         validate_view(view, where + ": " + printable(view.name));
@@ -84,6 +86,16 @@ void validate(const Lumigraph& lumigraph, const std::string& where) {
                           lumigraph.near_depth <= lumigraph.far_depth &&
                           std::isfinite(lumigraph.far_depth);
     if (!in_range) refuse(where, "expected 0 <= near_depth <= far_depth");
+}
+
+Lumigraph without_its_views(const Lumigraph& lumigraph) {
+    Lumigraph rest;
+    rest.name = lumigraph.name;
+    rest.near_depth = lumigraph.near_depth;
+    rest.far_depth = lumigraph.far_depth;
+    rest.fade_beyond_capture = lumigraph.fade_beyond_capture;
+    rest.depth_views = lumigraph.depth_views;
+    return rest;
 }
 
 }  // namespace lumi

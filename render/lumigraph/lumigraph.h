@@ -34,6 +34,10 @@ struct LumigraphView {
     std::shared_ptr<const DepthMesh> depth_mesh{};
 };
 
+/// Two views whose depths agree outvote a third; with four, one may also not know.
+inline constexpr int kLeastDepthViews = 3;
+inline constexpr int kMaxDepthViews = 4;
+
 /// The free-form Lumigraph as it is drawn: what a package holds once it is in memory.
 /// The camera mesh's view indices point into `views`.
 struct Lumigraph {
@@ -44,13 +48,18 @@ struct Lumigraph {
     double far_depth = 0.0;   ///< units.
     /// How it wants to be drawn where nobody says otherwise (RenderOptions::fade_beyond_capture).
     bool fade_beyond_capture = false;
+    /// How many views' depths are compared at each pixel, or as many views as there are.
+    int depth_views = kMaxDepthViews;
 };
 
 /// Throws Error (E-LUMIGRAPH-INVALID, E-CAMERA-INVALID, E-MESH-INVALID) unless there is a view, the
 /// names are unique, each camera is a pinhole of its photograph's size, poses and depths are
-/// finite, exposure gains within their limits and the mesh names views that exist; `where` begins
-/// the message.
+/// finite, exposure gains and depth views within their limits and the mesh names views that exist;
+/// `where` begins the message.
 void validate(const Lumigraph& lumigraph, const std::string& where);
+
+/// What holds for the Lumigraph whichever views it has: neither views nor camera mesh.
+[[nodiscard]] Lumigraph without_its_views(const Lumigraph& lumigraph);
 
 /// The eye that a frame is drawn for. Pinhole, any size.
 struct Eye {

@@ -64,6 +64,7 @@ struct Manifest {
     double near_depth = 0.0;
     double far_depth = 0.0;
     bool fade_beyond_capture = false;
+    int depth_views = kMaxDepthViews;
     std::vector<ManifestView> views;
     PackageFile camera_mesh;
     PackageFile points;

@@ -163,6 +163,9 @@ Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
     if (document.has("fade_beyond_capture")) {
         manifest.fade_beyond_capture = document.boolean("fade_beyond_capture");
     }
+    if (document.has("depth_views")) {
+        manifest.depth_views = document.integer("depth_views", kLeastDepthViews, kMaxDepthViews);
+    }
     for (const StrictJsonObject& view : document.objects("views", limits.max_views)) {
         manifest.views.push_back(view_of(view));
     }

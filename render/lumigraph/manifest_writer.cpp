@@ -95,6 +95,7 @@ std::string manifest_text(const Manifest& manifest) {
                      {"views", views},
                      {"evidence", evidence_of(manifest)}};
     if (manifest.fade_beyond_capture) document["fade_beyond_capture"] = true;
+    if (manifest.depth_views != kMaxDepthViews) document["depth_views"] = manifest.depth_views;
     try {
         return with_manifest_checksum(document.dump(1) + "\n").value();
     } catch (const Json::exception&) {

@@ -7,10 +7,6 @@
 
 namespace lumi {
 
-/// How many views' depths are compared at each pixel: enough for two to outvote one, and for what
-/// one does not see.
-inline constexpr int kMaxDepthViews = 4;
-
 /// Views to ask for depth, in the order of their use, and the share of the picture that they are
 /// asked for.
 struct DepthViewSet {

@@ -23,7 +23,8 @@ constexpr std::size_t kRowsPerView = 4;
 PerPixel::PerPixel(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded),
       surroundings_(uploaded),
-      layer_count_(std::min(kMaxDepthViews, static_cast<int>(uploaded.layout.views.size()))),
+      layer_count_(
+          std::min(uploaded.layout.depth_views, static_cast<int>(uploaded.layout.views.size()))),
       depth_(uploaded, layer_count_),
       faces_(uploaded),
       program_("per_pixel", {shader_source("face"), shader_source("per_pixel")},

@@ -11,11 +11,8 @@ namespace lumi {
 namespace {
 
 Lumigraph without_photographs(const Lumigraph& lumigraph) {
-    Lumigraph layout;
-    layout.name = lumigraph.name;
+    Lumigraph layout = without_its_views(lumigraph);
     layout.mesh = lumigraph.mesh;
-    layout.near_depth = lumigraph.near_depth;
-    layout.far_depth = lumigraph.far_depth;
     for (const LumigraphView& view : lumigraph.views)
         layout.views.push_back({view.name,
                                 view.camera,

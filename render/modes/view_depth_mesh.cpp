@@ -1,6 +1,5 @@
 #include "render/modes/view_depth_mesh.h"
 
-#include <cmath>
 #include <vector>
 
 #include "calib/work/parallel_for.h"
@@ -11,12 +10,14 @@
 namespace lumi {
 namespace {
 
-/// Of what is computed anew from the same numbers, perhaps by another machine.
-constexpr double kRounding = 1e-9;
+/// A unit of inverse depth changes with the views around: where some are left out, meshes that were
+/// made among all of them are fine or coarse enough for the others.
+constexpr double kMostStretch = 1.5;
 
 bool is_made_for(const DepthMesh& mesh, double disparity_px, const DepthMeshOptions& options) {
     return mesh.wanted_error_px == options.max_error_px &&
-           std::abs(mesh.disparity_px - disparity_px) <= kRounding * disparity_px;
+           mesh.disparity_px <= kMostStretch * disparity_px &&
+           disparity_px <= kMostStretch * mesh.disparity_px;
 }
 
 }  // namespace

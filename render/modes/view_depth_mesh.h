@@ -9,7 +9,8 @@
 namespace lumi {
 
 /// The depth mesh that a view is drawn with: the one that came with it, if it was made for the
-/// options' error and for `disparity_px` pixels a unit of inverse depth; otherwise one made now.
+/// options' error and for about `disparity_px` pixels a unit of inverse depth (within a factor of
+/// 1.5); otherwise one made now.
 /// Either is rounded as in a package, so that a view is drawn the same with and without its mesh
 /// there. Without depth, an empty mesh.
 [[nodiscard]] std::shared_ptr<const DepthMesh> depth_mesh_of(const LumigraphView& view,

@@ -164,9 +164,9 @@ Eigen::Vector4d ReferenceFrame::at_mip_level(int view_index, const Eigen::Vector
 }
 
 void ReferenceFrame::draw_depth_layers() {
-    depth_views_ = depth_view_sets(lumigraph_, eye_, kMaxDepthViews);
+    depth_views_ = depth_view_sets(lumigraph_, eye_, lumigraph_.depth_views);
     strip_ends_ = strip_ends(depth_views_, depth_eye_.eye.camera.width_px);
-    layer_views_ = depth_layer_views(depth_views_, kMaxDepthViews);
+    layer_views_ = depth_layer_views(depth_views_, lumigraph_.depth_views);
     agreeing_inverse_depth_ =
         agreeing_inverse_depth(geometries_, depth_views_, options_.occlusion_tolerance_px);
     for (const DepthViewSet& set : depth_views_) {

@@ -48,11 +48,8 @@ Eigen::Matrix3d rotation_with_axis(const Eigen::Vector3d& z, const Eigen::Vector
 }
 
 Lumigraph resampled(const Lumigraph& source, LightFieldLayout layout, const DrawEye& draw) {
-    Lumigraph result;
-    result.name = source.name;
+    Lumigraph result = without_its_views(source);
     result.mesh = std::move(layout.mesh);
-    result.near_depth = source.near_depth;
-    result.far_depth = source.far_depth;
     const bool with_depth = has_depth(source);
     for (std::size_t i = 0; i < layout.eyes.size(); ++i) {
         const Eye& eye = layout.eyes[i];

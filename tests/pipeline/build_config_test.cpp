@@ -79,6 +79,7 @@ TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
                             "[render]",
                             "even_exposure",
                             "fade_beyond_capture",
+                            "depth_views",
                             "[evaluate]",
                             "hold_out_every",
                             "hold_out"}) {

@@ -12,139 +12,25 @@
 #include "pipeline/evaluate/image_metrics.h"
 #include "pipeline/evaluate/view_curve.h"
 #include "pipeline/stages/chosen_views.h"
-#include "pipeline/synth/exact_points.h"
 #include "pipeline/synth/hand_held_path.h"
 #include "pipeline/synth/hashed_random.h"
-#include "pipeline/synth/photographer.h"
-#include "pipeline/synth/scene_description.h"
-#include "pipeline/synth/sensor.h"
 #include "render/modes/offscreen_renderer.h"
-#include "tests/truth/textured_box_scene.h"
+#include "tests/pipeline/studio.h"
 
 namespace lumi {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kDistance = 2.6;
 constexpr double kGap_deg = 50;
-
-/// A few bodies that hide one another from every side.
-constexpr const char* kScene = R"(
-[camera]
-width_px = 72
-height_px = 72
-focal_length_px = 90
-[path]
-kind = "ring"
-count = 4
-distance = 2.6
-[[material]]
-name = "stone"
-pattern = "stone"
-colors = ["#b05a3c", "#e8d8a0", "#304860"]
-feature_size = 0.12
-detail_size = 0.05
-[[material]]
-name = "marble"
-pattern = "marble"
-colors = ["#5f7f6c", "#d9dfc9", "#2e4a40"]
-feature_size = 0.2
-gloss = 0.2
-[[body]]
-name = "middle"
-material = "stone"
-solids = [{ shape = "ellipsoid", at = [0, 0, 0], radii = [0.35, 0.3, 0.4] }]
-[[body]]
-name = "bars"
-material = "marble"
-solids = [
-    { shape = "box", at = [0.45, 0.1, 0.1], size = [0.12, 0.5, 0.12] },
-    { shape = "box", at = [-0.45, -0.1, 0.2], size = [0.12, 0.12, 0.6] },
-    { shape = "box", at = [0.1, 0.48, -0.1], size = [0.5, 0.12, 0.12] },
-    { shape = "box", at = [-0.1, -0.48, 0.0], size = [0.3, 0.12, 0.4] },
-    { shape = "box", at = [0.0, 0.1, 0.5], size = [0.5, 0.2, 0.08] },
-    { shape = "box", at = [0.1, 0.0, -0.5], size = [0.2, 0.5, 0.08] },
-]
-)";
-
-/// Another one: thin things that stand apart, another gap.
-constexpr const char* kOtherScene = R"(
-[camera]
-width_px = 72
-height_px = 72
-focal_length_px = 90
-[path]
-kind = "ring"
-count = 4
-distance = 2.6
-[[material]]
-name = "stone"
-pattern = "stone"
-colors = ["#3c70b0", "#f0e0c0", "#602020"]
-feature_size = 0.1
-detail_size = 0.04
-[[body]]
-name = "posts"
-material = "stone"
-solids = [
-    { shape = "box", at = [0.5, 0.3, 0.0], size = [0.1, 0.1, 0.9] },
-    { shape = "box", at = [-0.4, 0.4, 0.1], size = [0.1, 0.1, 0.7] },
-    { shape = "box", at = [-0.3, -0.5, -0.1], size = [0.1, 0.1, 0.8] },
-    { shape = "box", at = [0.4, -0.4, 0.0], size = [0.12, 0.3, 0.12] },
-    { shape = "ellipsoid", at = [0, 0, 0.45], radii = [0.2, 0.25, 0.12] },
-    { shape = "ellipsoid", at = [0.05, 0.1, -0.45], radii = [0.3, 0.15, 0.1] },
-]
-)";
 
 struct GapCase {
     const char* scene;
     Eigen::Vector3d gap;
 };
 
-std::vector<Eigen::Vector3d> spiral(int count, double turn) {
-    const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
-    std::vector<Eigen::Vector3d> directions;
-    for (int i = 0; i < count; ++i) {
-        const double z = 1 - 2 * (i + 0.5) / count;
-        const double radius = std::sqrt(1 - z * z);
-        const double azimuth = golden_angle * i + turn;
-        directions.emplace_back(radius * std::cos(azimuth), radius * std::sin(azimuth), z);
-    }
-    return directions;
-}
-
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
-
-/// Photographs with exact depth, and what is known of them.
-class Studio {
- public:
-    explicit Studio(const char* scene)
-        : description_(read_scene_description(ConfigSection::from_text(scene, "the studio"))) {}
-
-    void photograph_from(const Rigid3& cam_from_world) {
-        const ExactPicture picture = lumi::photograph(description_.scene, description_.camera,
-                                                      cam_from_world, description_.sampling);
-        const std::string name = "view" + std::to_string(1000 + lumigraph.views.size());
-        lumigraph.views.push_back({name, description_.camera, cam_from_world, 1,
-                                   develop(picture.light, description_.sensor, 1),
-                                   exact_depth_map(picture.depth)});
-        if (capture.cameras.empty()) capture.cameras.push_back(description_.camera);
-        capture.views.push_back({name, 0, cam_from_world});
-    }
-    void find_points() {
-        capture.points = exact_scene_points(description_.scene, capture, 300, 1);
-        lumigraph.near_depth = kDistance - 0.7;
-        lumigraph.far_depth = kDistance + 0.7;
-    }
-
-    Lumigraph lumigraph;
-    Capture capture;
-
- private:
-    SceneDescription description_;
-};
 
 double mean_squared_error(const ColorImage& a, const ColorImage& b) {
     return 255.0 * 255.0 * std::pow(10.0, -psnr_db(a, b) / 10.0);
@@ -170,7 +56,7 @@ TEST_P(PlannedView, LowersHeldOutErrorMoreThanRandomOnes) {
     Studio taken(GetParam().scene);
     for (const Eigen::Vector3d& direction : spiral(60, 0)) {
         if (angle_between(direction, gap) < kGap_deg * kDegree) continue;
-        taken.photograph_from(looking_at(kDistance * direction, Eigen::Vector3d::Zero()));
+        taken.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
     }
     const auto count = static_cast<int>(taken.capture.views.size());
     taken.find_points();
@@ -187,11 +73,11 @@ TEST_P(PlannedView, LowersHeldOutErrorMoreThanRandomOnes) {
     for (int i = 0; i < kRandom; ++i) {
         const Eigen::Vector3d direction =
             Eigen::Vector3d(random.gaussian(), random.gaussian(), random.gaussian()).normalized();
-        taken.photograph_from(looking_at(kDistance * direction, Eigen::Vector3d::Zero()));
+        taken.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
     }
     Studio wanted(GetParam().scene);
     for (const Eigen::Vector3d& direction : spiral(40, 1.0)) {
-        wanted.photograph_from(looking_at(kDistance * direction, Eigen::Vector3d::Zero()));
+        wanted.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
     }
 
     std::vector<double> errors;  // with the planned one, then with each random one
@@ -211,17 +97,17 @@ TEST_P(PlannedView, LowersHeldOutErrorMoreThanRandomOnes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfScenes, PlannedView,
-                         testing::Values(GapCase{kScene, {1, 0.4, 0.3}},
-                                         GapCase{kOtherScene, {-0.6, 0.7, 0.4}}));
+                         testing::Values(GapCase{kBodiesInTheWay, {1, 0.4, 0.3}},
+                                         GapCase{kThinThings, {-0.6, 0.7, 0.4}}));
 
 /// Every place was photographed twice, a hair apart: half of the views are enough, whatever they
 /// show, and the choice must find that without being told.
 TEST(SufficientViews, LeavesOutNearDuplicates) {
-    Studio studio(kScene);
+    Studio studio(kBodiesInTheWay);
     for (const Eigen::Vector3d& direction : spiral(24, 0)) {
         for (const double aside : {0.0, 0.004}) {
             const Eigen::Vector3d place = (direction + aside * direction.unitOrthogonal());
-            studio.photograph_from(looking_at(kDistance * place, Eigen::Vector3d::Zero()));
+            studio.photograph_from(looking_at(kStudioDistance * place, Eigen::Vector3d::Zero()));
         }
     }
     studio.find_points();
@@ -232,9 +118,9 @@ TEST(SufficientViews, LeavesOutNearDuplicates) {
 }
 
 TEST(SufficientViews, AreAllOfFewerThanTwelve) {
-    Studio studio(kScene);
+    Studio studio(kBodiesInTheWay);
     for (const Eigen::Vector3d& direction : spiral(8, 0)) {
-        studio.photograph_from(looking_at(kDistance * direction, Eigen::Vector3d::Zero()));
+        studio.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
     }
     studio.find_points();
     SilentProgress progress;

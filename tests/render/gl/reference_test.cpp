@@ -108,6 +108,13 @@ TEST(GlAgainstReference, PerPixelWithoutOcclusionCorrection) {
                                GlApi::kAny);
 }
 
+TEST(GlAgainstReference, PerPixelWithTheFewestDepthViews) {
+    Lumigraph lumigraph = card_before_wall();
+    lumigraph.depth_views = kLeastDepthViews;
+    expect_gl_equals_reference(lumigraph, eyes_before_wall(lumigraph),
+                               {.mode = RenderMode::kPerPixel}, GlApi::kAny);
+}
+
 std::vector<NamedEye> eyes_near_card() {
     const Eigen::Vector3d centre(0, 0, 3);
     return {{"between the close-ups", eye_at({0.02, 0.06, 2.25}, centre, kEyeCamera)},

@@ -125,6 +125,8 @@ TEST_F(PackageReader, RefusesNumbersOutOfRange) {
         expect_refused_value(bad, "/views/0/exposure_gain", gain);
     }
     expect_refused_value(bad, "/fade_beyond_capture", 1);
+    for (const Json& views : {Json(2), Json(5), Json(3.5), Json("3")})
+        expect_refused_value(bad, "/depth_views", views);
     expect_refused_value("E-PACKAGE-VERSION", "/schema_version", 2);
 }
 

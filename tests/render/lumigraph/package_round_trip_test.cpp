@@ -125,6 +125,13 @@ TEST_F(PackageRoundTrip, KeepsConfigurationAndEvidence) {
     EXPECT_EQ(read_whole_text(folder_ / manifest.config.path), "name = \"tiny\"\n");
 }
 
+TEST_F(PackageRoundTrip, KeepsHowManyViewsAreAskedForDepth) {
+    EXPECT_EQ(read_.depth_views, kMaxDepthViews);
+    written_.depth_views = kLeastDepthViews;
+    write_package(folder_, written_, tiny_extras());
+    EXPECT_EQ(read_package(folder_).depth_views, kLeastDepthViews);
+}
+
 TEST_F(PackageRoundTrip, KeepsExposureGainsToTheBitAndEvensThemOutUnlessToldOtherwise) {
     written_.views[1].exposure_gain = {0.5, 1.0 / 3.0, 2.0};
     written_.fade_beyond_capture = true;

@@ -1,0 +1,42 @@
+#include "meshing/selection/one_standard_error.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace lumi {
+namespace {
+
+double mean_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) /
+           std::max(1.0, static_cast<double>(values.size()));
+}
+
+}  // namespace
+
+Excess excess_over(const std::vector<double>& losses, const std::vector<double>& least) {
+    assert(losses.size() == least.size());
+    std::vector<double> excesses;
+    for (std::size_t i = 0; i < losses.size(); ++i) excesses.push_back(losses[i] - least[i]);
+    Excess excess{mean_of(excesses), 0.0};
+    double squares = 0;
+    for (const double of_place : excesses) squares += std::pow(of_place - excess.mean, 2);
+    const auto count = static_cast<double>(excesses.size());
+    if (count > 1) excess.standard_error = std::sqrt(squares / (count - 1) / count);
+    return excess;
+}
+
+std::size_t simplest_as_good(const std::vector<std::vector<double>>& losses) {
+    const auto& least =
+        *std::min_element(losses.begin(), losses.end(),
+                          [](const auto& a, const auto& b) { return mean_of(a) < mean_of(b); });
+    std::size_t simplest = losses.size() - 1;
+    for (; simplest > 0; --simplest) {
+        const Excess excess = excess_over(losses[simplest], least);
+        if (excess.mean <= excess.standard_error) break;
+    }
+    return simplest;
+}
+
+}  // namespace lumi

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace lumi {
+
+/// How much worse a choice is than another one, measured at the same places.
+struct Excess {
+    double mean = 0.0;
+    double standard_error = 0.0;  ///< Of the mean, over the places; 0 for a single place.
+};
+
+/// Of `losses` over `least`, place by place. Both must be of one size.
+[[nodiscard]] Excess excess_over(const std::vector<double>& losses,
+                                 const std::vector<double>& least);
+
+/// The simplest choice whose loss cannot be told from the least: the one-standard-error rule
+/// (Breiman et al., Classification and Regression Trees, 1984, section 3.4.3) on differences at the
+/// same places. `losses` are those of each choice, the richest first; there must be one.
+[[nodiscard]] std::size_t simplest_as_good(const std::vector<std::vector<double>>& losses);
+
+}  // namespace lumi

@@ -1,0 +1,52 @@
+#include "pipeline/evaluate/pictured_eye.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calib/capture/image_io.h"
+#include "calib/work/stopwatch.h"
+#include "pipeline/evaluate/image_metrics.h"
+#include "render/modes/offscreen_renderer.h"
+
+namespace lumi {
+
+KeptBackViews keep_back(const Lumigraph& lumigraph, int every, int first) {
+    KeptBackViews kept;
+    for (int i = 0; i < static_cast<int>(lumigraph.views.size()); ++i) {
+        const LumigraphView& view = lumigraph.views[static_cast<std::size_t>(i)];
+        if (i % every == first) {
+            kept.pictures.push_back({{view.camera, view.cam_from_world}, view.photograph});
+        } else {
+            kept.others.push_back(i);
+        }
+    }
+    return kept;
+}
+
+PicturedEye no_larger_than(PicturedEye picture, int max_px) {
+    const Camera& camera = picture.eye.camera;
+    const double scale = max_px / static_cast<double>(std::max(camera.width_px, camera.height_px));
+    if (scale >= 1) return picture;
+    const int width_px = std::max(1, static_cast<int>(std::lround(scale * camera.width_px)));
+    const int height_px = std::max(1, static_cast<int>(std::lround(scale * camera.height_px)));
+    return {{resized(camera, width_px, height_px), picture.eye.cam_from_world},
+            resized(picture.photograph, width_px, height_px)};
+}
+
+DrawnPictures draw_pictures(const Lumigraph& lumigraph, const std::vector<PicturedEye>& pictures) {
+    OffscreenRenderer renderer(lumigraph);
+    DrawnPictures drawn;
+    std::vector<double> frame_ms;
+    for (const PicturedEye& picture : pictures) {
+        const Stopwatch stopwatch;
+        const Frame frame = renderer.draw(picture.eye, {});
+        frame_ms.push_back(1000.0 * stopwatch.elapsed().wall_s);
+        drawn.losses_db.push_back(-psnr_db(picture.photograph, frame.color));
+    }
+    const auto middle = frame_ms.begin() + static_cast<std::ptrdiff_t>(frame_ms.size() / 2);
+    std::nth_element(frame_ms.begin(), middle, frame_ms.end());
+    drawn.median_ms = *middle;
+    return drawn;
+}
+
+}  // namespace lumi

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// A photograph and the eye that it was taken with: what a Lumigraph should show there.
+struct PicturedEye {
+    Eye eye;
+    ColorImage photograph;
+};
+
+/// Some of a Lumigraph's own views, to be drawn from the others.
+struct KeptBackViews {
+    std::vector<PicturedEye> pictures;
+    std::vector<int> others;  ///< Indices of the views, ascending.
+};
+
+/// Keeps back every so many views, of which the first is `first`.
+[[nodiscard]] KeptBackViews keep_back(const Lumigraph& lumigraph, int every, int first);
+
+/// The picture in a size of at most so many pixels across.
+[[nodiscard]] PicturedEye no_larger_than(PicturedEye picture, int max_px);
+
+/// How close a Lumigraph comes to photographs, and how fast.
+struct DrawnPictures {
+    std::vector<double> losses_db;  ///< Minus the PSNR of each, full frame.
+    double median_ms = 0.0;         ///< Of a frame.
+};
+
+/// Draws each per pixel. There must be one. Throws Error (E-GL-...).
+[[nodiscard]] DrawnPictures draw_pictures(const Lumigraph& lumigraph,
+                                          const std::vector<PicturedEye>& pictures);
+
+}  // namespace lumi
