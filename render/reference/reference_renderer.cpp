@@ -4,26 +4,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <vector>
 
 #include "meshing/surface/camera_mesh.h"
-#include "render/modes/depth_eye.h"
-#include "render/modes/depth_layer_views.h"
-#include "render/modes/depth_view_choice.h"
 #include "render/modes/occlusion.h"
-#include "render/modes/photograph_layer.h"
-#include "render/modes/photograph_lod.h"
 #include "render/modes/photograph_opacity.h"
 #include "render/modes/scene_plane.h"
 #include "render/modes/shell_opacity.h"
 #include "render/modes/surroundings.h"
-#include "render/modes/view_depth_mesh.h"
 #include "render/modes/view_geometry.h"
-#include "render/reference/depth_consensus.h"
-#include "render/reference/depth_raster.h"
-#include "render/reference/mip_levels.h"
+#include "render/reference/agreed_depth.h"
+#include "render/reference/debug_color.h"
+#include "render/reference/photograph_samples.h"
 #include "render/reference/sampling.h"
 
 namespace lumi {
@@ -59,11 +52,7 @@ class ReferenceFrame {
     [[nodiscard]] DrawnPixel color_at(int x, int y) const;
 
  private:
-    void draw_depth_layers();
-    void make_mip_levels();
-    [[nodiscard]] Eigen::Vector4d at_mip_level(int view_index, const Eigen::Vector2d& pixel) const;
-    [[nodiscard]] const std::vector<int>& depth_views_at(int x) const;
-    [[nodiscard]] ConsensusDepth depth_at(int x, int y) const;
+    [[nodiscard]] AgreedPixelDepth depth_at(int x, int y) const;
     [[nodiscard]] std::optional<DrawnPixel> base_at(const RayPoint& point,
                                                     const ConsensusDepth& depth) const;
     /// Where nothing is seen.
@@ -82,14 +71,9 @@ class ReferenceFrame {
     /// How much its photograph counts there, 0 to 255.
     [[nodiscard]] double opacity(int view_index, const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d color_in(int view_index, const RayPoint& point) const;
-    [[nodiscard]] Eigen::Vector3d debug_color(const RayWeights& ray, bool unseen,
-                                              const ConsensusDepth& depth, double occluded) const;
-
-    /// Of the depth that is drawn for the eye: the column or row that a pixel lies in.
-    [[nodiscard]] int texel(int pixel) const {
-        return static_cast<int>((pixel + 0.5) * depth_eye_.texels_per_pixel);
-    }
-
+    [[nodiscard]] Eigen::Vector3d debug_color_of(const RayWeights& ray, bool unseen,
+                                                 const ConsensusDepth& depth,
+                                                 double occluded) const;
     [[nodiscard]] const LumigraphView& view(int index) const {
         return lumigraph_.views[static_cast<std::size_t>(index)];
     }
@@ -97,21 +81,12 @@ class ReferenceFrame {
     const Lumigraph& lumigraph_;
     const Eye& eye_;
     const RenderOptions& options_;
-    bool uses_depth_;
     Eigen::Vector3d eye_in_world_;
     Eigen::Vector3d plane_;
     std::vector<ViewGeometry> geometries_;
-    std::vector<GrayImage> opacities_;
-    double lod_;
-    Eigen::Vector2d layer_size_px_ = Eigen::Vector2d::Zero();
-    std::vector<MipLevels> mip_levels_;  ///< Of the photographs; without at the finest level.
-    DepthEye depth_eye_;
-    std::vector<DepthViewSet> depth_views_;
-    std::vector<int> strip_ends_;
-    DepthLayerViews layer_views_;
-    double agreeing_inverse_depth_ = 0.0;
-    std::map<int, Image<EyeDepth>> eye_depth_of_view_;
-    ColorImage surroundings_;  ///< Empty where they are not drawn.
+    PhotographSamples photographs_;
+    std::optional<AgreedDepth> depth_;  ///< None where the scene plane is drawn.
+    ColorImage surroundings_;           ///< Empty where they are not drawn.
 };
 
 /// Of a ray's weight, what views do not see.
@@ -131,73 +106,23 @@ ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
     : lumigraph_(lumigraph),
       eye_(eye),
       options_(options),
-      uses_depth_(options.mode == RenderMode::kPerPixel && has_depth(lumigraph)),
       eye_in_world_(centre_in_world(eye.cam_from_world)),
       plane_(scene_plane_inverse_depth(lumigraph, eye)),
       geometries_(view_geometries(lumigraph)),
-      opacities_(photograph_opacities(lumigraph)),
-      lod_(photograph_lod(lumigraph, eye)),
-      depth_eye_(depth_eye(lumigraph, eye, options)),
+      photographs_(lumigraph, eye),
       surroundings_(are_surroundings_drawn(options) ? surroundings_picture(lumigraph, eye)
                                                     : ColorImage{}) {
-    if (lod_ > 0) make_mip_levels();
-    if (uses_depth_) draw_depth_layers();
-}
-
-/// Of layers as large as the largest photograph, as they are uploaded.
-void ReferenceFrame::make_mip_levels() {
-    Eigen::Vector2i size(1, 1);
-    for (const LumigraphView& view : lumigraph_.views)
-        size = size.cwiseMax(Eigen::Vector2i(view.photograph.width(), view.photograph.height()));
-    size += Eigen::Vector2i::Constant(2 * kGutter_px);
-    layer_size_px_ = size.cast<double>();
-    for (std::size_t i = 0; i < opacities_.size(); ++i)
-        mip_levels_.emplace_back(
-            photograph_layer(lumigraph_.views[i].photograph, opacities_[i], size.x(), size.y()),
-            size.x(), size.y());
-}
-
-Eigen::Vector4d ReferenceFrame::at_mip_level(int view_index, const Eigen::Vector2d& pixel) const {
-    const Eigen::Vector2d texel = pixel + Eigen::Vector2d::Constant(kGutter_px);
-    return mip_levels_[static_cast<std::size_t>(view_index)].at(texel.cwiseQuotient(layer_size_px_),
-                                                                lod_);
-}
-
-void ReferenceFrame::draw_depth_layers() {
-    depth_views_ = depth_view_sets(lumigraph_, eye_, lumigraph_.depth_views);
-    strip_ends_ = strip_ends(depth_views_, depth_eye_.eye.camera.width_px);
-    layer_views_ = depth_layer_views(depth_views_, lumigraph_.depth_views);
-    agreeing_inverse_depth_ =
-        agreeing_inverse_depth(geometries_, depth_views_, options_.occlusion_tolerance_px);
-    for (const DepthViewSet& set : depth_views_) {
-        for (const int index : set.view_indices) {
-            if (eye_depth_of_view_.contains(index)) continue;
-            const ViewGeometry& geometry = geometries_[static_cast<std::size_t>(index)];
-            const auto mesh = depth_mesh_of(view(index), max_disparity_px(geometry));
-            eye_depth_of_view_[index] = rasterise(*mesh, view(index), depth_eye_.eye);
-        }
-    }
-}
-
-/// The views that are asked at a column of pixels, kNoView among them.
-const std::vector<int>& ReferenceFrame::depth_views_at(int x) const {
-    const auto end = std::upper_bound(strip_ends_.begin(), strip_ends_.end(), texel(x));
-    return layer_views_[static_cast<std::size_t>(end - strip_ends_.begin())];
+    if (options.mode == RenderMode::kPerPixel && has_depth(lumigraph))
+        depth_.emplace(lumigraph, geometries_, eye, options);
 }
 
 /// Without any support: the scene plane, for the mode that draws it or as a guess.
-ConsensusDepth ReferenceFrame::depth_at(int x, int y) const {
-    ConsensusDepth depth;
-    if (uses_depth_) {
-        std::vector<EyeDepth> depths;
-        for (const int index : depth_views_at(x))
-            depths.push_back(index == kNoView ? EyeDepth{}
-                                              : eye_depth_of_view_.at(index)(texel(x), texel(y)));
-        depth = consensus_of(depths, agreeing_inverse_depth_);
-    }
-    if (depth.support == 0)
-        depth.inverse_depth = std::max(0.0, plane_.dot(Eigen::Vector3d(x + 0.5, y + 0.5, 1)));
-    return depth;
+AgreedPixelDepth ReferenceFrame::depth_at(int x, int y) const {
+    AgreedPixelDepth agreed = depth_ ? depth_->at(x, y) : AgreedPixelDepth{};
+    if (agreed.depth.support == 0)
+        agreed.depth.inverse_depth =
+            std::max(0.0, plane_.dot(Eigen::Vector3d(x + 0.5, y + 0.5, 1)));
+    return agreed;
 }
 
 std::optional<Sight> ReferenceFrame::sight_of(int view_index, const RayPoint& point) const {
@@ -214,7 +139,7 @@ double ReferenceFrame::visibility(int view_index, const RayPoint& point, bool ch
     const std::optional<Sight> sight = sight_of(view_index, point);
     if (!sight) return 0;
     const LumigraphView& seen_by = view(view_index);
-    if (!uses_depth_) return 1;
+    if (!depth_) return 1;
     const bool is_inside = border_distance_px(seen_by.camera, sight->pixel) >= 0;
     if (!check_depth || !is_inside) return is_inside ? 1 : 0;
     const FloatImage& depth = seen_by.depth.inverse_depth;
@@ -230,15 +155,12 @@ double ReferenceFrame::visibility(int view_index, const RayPoint& point, bool ch
 
 double ReferenceFrame::opacity(int view_index, const RayPoint& point) const {
     const std::optional<Sight> sight = sight_of(view_index, point);
-    if (sight && lod_ > 0) return at_mip_level(view_index, sight->pixel)[3];
-    return sight ? bilinear_to_zero(opacities_[static_cast<std::size_t>(view_index)], sight->pixel)
-                 : 0.0;
+    return sight ? photographs_.opacity(view_index, sight->pixel) : 0.0;
 }
 
 Eigen::Vector3d ReferenceFrame::color_in(int view_index, const RayPoint& point) const {
     const std::optional<Sight> sight = sight_of(view_index, point);
-    if (sight && lod_ > 0) return at_mip_level(view_index, sight->pixel).head<3>();
-    return sight ? bilinear(view(view_index).photograph, sight->pixel) : Eigen::Vector3d::Zero();
+    return sight ? photographs_.color(view_index, sight->pixel) : Eigen::Vector3d::Zero();
 }
 
 std::array<double, 3> ReferenceFrame::visibilities(const RayWeights& ray, const RayPoint& point,
@@ -295,10 +217,10 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const RayPoint& point,
     DrawnPixel drawn;
     const bool is_known =
         has_depth && (weights || depth.kind != DepthKind::kStretched) && counting >= kLeastCounting;
-    drawn.coverage = is_known || !uses_depth_ ? fade : 0.0;
+    drawn.coverage = is_known || !depth_ ? fade : 0.0;
     ray->weights = weights.value_or(std::array<double, 3>{});
     if (options_.debug_picture != DebugPicture::kNone)
-        drawn.color = fade * debug_color(*ray, !weights, depth, occluded);
+        drawn.color = fade * debug_color_of(*ray, !weights, depth, occluded);
     else if (weights)
         drawn.color = fade * blended(*ray, point);
     else
@@ -309,7 +231,7 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const RayPoint& point,
 void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell, const RayPoint& point,
                               const ConsensusDepth& depth) const {
     std::optional<RayWeights> ray = weights_of_ray(shell, eye_in_world_, point.direction_in_world);
-    if (!ray || (uses_depth_ && depth.support == 0)) return;
+    if (!ray || (depth_ && depth.support == 0)) return;
     std::array<double, 3> seen = visibilities(*ray, point, depth);
     const double occluded = occluded_share(*ray, seen);
     const std::array<double, 3> opaque = opacities(ray->weights, *ray, point);
@@ -329,7 +251,7 @@ void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell, const 
     const double opacity = shell_opacity(capture_fade(*ray, kShellFadedShare), sum, inside);
     ray->weights = *weights;
     const Eigen::Vector3d color = options_.debug_picture != DebugPicture::kNone
-                                      ? debug_color(*ray, false, depth, occluded)
+                                      ? debug_color_of(*ray, false, depth, occluded)
                                       : blended(*ray, point);
     drawn.color = opacity * color + (1 - opacity) * drawn.color;
     drawn.coverage = opacity + (1 - opacity) * drawn.coverage;
@@ -338,10 +260,8 @@ void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell, const 
 DrawnPixel ReferenceFrame::color_at(int x, int y) const {
     const Eigen::Vector3d direction =
         eye_.cam_from_world.rotation.conjugate() * unproject(eye_.camera, {x + 0.5, y + 0.5});
-    const ConsensusDepth depth = depth_at(x, y);
-    RayPoint point{direction, depth.inverse_depth};
-    if (depth.support > 0)
-        point.known_by = depth_views_at(x)[static_cast<std::size_t>(depth.best_layer)];
+    const auto [depth, known_by] = depth_at(x, y);
+    const RayPoint point{direction, depth.inverse_depth, known_by};
     DrawnPixel drawn = base_at(point, depth).value_or(behind(x, y));
     for (const CameraMesh& shell : lumigraph_.mesh.shells) lay_over(drawn, shell, point, depth);
     return drawn;
@@ -356,37 +276,10 @@ DrawnPixel ReferenceFrame::behind(int x, int y) const {
     return drawn;
 }
 
-/// A colour for an index; neighbours differ (golden ratio).
-Eigen::Vector3d index_color(int index) {
-    const double turn = 0.618034 * index - std::floor(0.618034 * index);
-    constexpr double kFullTurn = 6.2831853;
-    return 255 * (Eigen::Vector3d::Constant(0.5) +
-                  0.5 * Eigen::Vector3d(std::cos(kFullTurn * turn),
-                                        std::cos(kFullTurn * (turn + 1.0 / 3)),
-                                        std::cos(kFullTurn * (turn + 2.0 / 3))));
-}
-
-double confidence_of(const ConsensusDepth& depth) {
-    if (depth.support == 0) return 0;
-    if (depth.kind == DepthKind::kSeen) return 0.5 * depth.support;
-    return depth.kind == DepthKind::kFilled ? 0.25 : 0.125;
-}
-
-Eigen::Vector3d ReferenceFrame::debug_color(const RayWeights& ray, bool unseen,
-                                            const ConsensusDepth& depth, double occluded) const {
-    const Eigen::Vector3d white = Eigen::Vector3d::Constant(255);
-    if (options_.debug_picture == DebugPicture::kFaces) return index_color(ray.face_index);
-    if (options_.debug_picture == DebugPicture::kOcclusion) return occluded * white;
-    if (options_.debug_picture == DebugPicture::kConfidence) return confidence_of(depth) * white;
-    if (options_.debug_picture == DebugPicture::kDepth) {
-        const Eigen::Vector2d range = inverse_depth_range(lumigraph_);
-        const double share = (depth.inverse_depth - range.x()) / (range.y() - range.x());
-        return std::clamp(share, 0.0, 1.0) * white;
-    }
-    if (unseen) return white;
-    Eigen::Vector3d color = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < 3; ++i) color += ray.weights[i] * index_color(ray.view_indices[i]);
-    return color;
+Eigen::Vector3d ReferenceFrame::debug_color_of(const RayWeights& ray, bool unseen,
+                                               const ConsensusDepth& depth, double occluded) const {
+    return debug_color(options_.debug_picture, ray, unseen, depth, occluded,
+                       inverse_depth_range(lumigraph_));
 }
 
 std::uint8_t to_byte(double value) {

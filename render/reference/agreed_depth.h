@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "render/modes/depth_eye.h"
+#include "render/modes/depth_layer_views.h"
+#include "render/modes/frame.h"
+#include "render/modes/view_geometry.h"
+#include "render/reference/depth_consensus.h"
+
+namespace lumi {
+
+/// What the views that an eye asks for depth agree on at a pixel, and the first of those that do.
+struct AgreedPixelDepth {
+    ConsensusDepth depth;    ///< Support 0 where nothing is known.
+    int known_by = kNoView;  ///< Index of a view.
+};
+
+/// The depth pre-pass of the mode `perpixel` in plain code: depth of the views that are most use to
+/// the eye, each in its strips of the picture (depth_view_choice.h), drawn as finely as depth is
+/// sampled (depth_eye.h).
+class AgreedDepth {
+ public:
+    /// The Lumigraph must have depth; `geometries` are those of its views (view_geometry.h).
+    AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
+                const Eye& eye, const RenderOptions& options);
+
+    /// At a pixel of the eye's picture.
+    [[nodiscard]] AgreedPixelDepth at(int x, int y) const;
+
+ private:
+    /// Of the depth that is drawn for the eye: the column or row that a pixel lies in.
+    [[nodiscard]] int texel(int pixel) const {
+        return static_cast<int>((pixel + 0.5) * depth_eye_.texels_per_pixel);
+    }
+    /// The views that are asked at a column of pixels, kNoView among them.
+    [[nodiscard]] const std::vector<int>& views_at(int x) const;
+
+    DepthEye depth_eye_;
+    std::vector<int> strip_ends_;
+    DepthLayerViews layer_views_;
+    double agreeing_inverse_depth_;
+    std::map<int, Image<EyeDepth>> eye_depth_of_view_;
+};
+
+}  // namespace lumi
