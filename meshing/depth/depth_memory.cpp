@@ -13,7 +13,7 @@ constexpr double kPicture = 3;
 constexpr double kMap = 5;  // Inverse depth and confidence.
 // The surroundings, three times as large, or the smoother's arrays; and a copy of the map, with how
 // far each pixel is from what is known, while the recession is asked for.
-constexpr double kFilling = 50;
+constexpr double kFilling = 53;
 
 // A view that is matched takes its pictures, and so much for each plane that a pixel is compared
 // at; see kMaxCells of the sweep for the bound.

@@ -14,6 +14,7 @@
 #include "pipeline/depth_bench/right_shares.h"
 #include "pipeline/evaluate/depth_view_count.h"
 #include "pipeline/stages/depth_range.h"
+#include "render/modes/view_depth_mesh.h"
 
 namespace lumi {
 namespace {
@@ -137,6 +138,7 @@ RungMeasurement measure_rung(const DepthBenchScene& scene, const DepthOptions& o
         take_truth(scene, options, result.depth_maps, threads, progress, measured);
     }
     Lumigraph lumigraph = lumigraph_of(scene, std::move(result.depth_maps), threads);
+    make_depth_meshes(lumigraph, threads, progress);
     lumigraph.depth_views =
         sufficient_depth_views(lumigraph, scene.used.capture, {}, progress).views;
     TileErrors tiles;
