@@ -11,6 +11,8 @@ namespace {
 // Bytes for each pixel of a depth map.
 constexpr double kPicture = 3;
 constexpr double kMap = 5;  // Inverse depth and confidence.
+// How far each pixel is from what is known: four bytes in views that are continued, about half.
+constexpr double kDistance = 2;
 // The surroundings, three times as large, or the smoother's arrays; and a copy of the map, with how
 // far each pixel is from what is known, while the recession is asked for.
 constexpr double kFilling = 53;
@@ -68,7 +70,7 @@ DepthMemory predicted_depth_memory(const std::vector<std::uint64_t>& map_pixels,
             ? 0
             : static_cast<double>(*std::max_element(map_pixels.begin(), map_pixels.end()));
     const double while_matching = (kPicture + (refines(model) ? 2 : 1) * kMap) * pixels;
-    const double while_filling = (kPicture + 2 * kMap) * pixels;
+    const double while_filling = (kPicture + 2 * kMap + kDistance) * pixels;
     // What was estimated first, refined, and confirmed.
     const double while_confirming = (kPicture + (refines(model) ? 3 : 2) * kMap) * pixels;
     const double left = static_cast<double>(budget) - static_cast<double>(in_use);

@@ -11,6 +11,7 @@
 #include "calib/work/parallel_for.h"
 #include "meshing/exposure/exposure_gains.h"
 #include "meshing/surface/mesh_io.h"
+#include "pipeline/report/number_text.h"
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/stages/depth_files.h"
 #include "pipeline/stages/depth_range.h"
@@ -117,6 +118,16 @@ DepthViewCount depth_view_count(const PackSources& sources, const Lumigraph& lum
                       error.what());
         return {};
     }
+}
+
+/// Where photographs were asked.
+void tell_depth_views(const DepthViewCount& count, Progress& progress) {
+    if (count.pictures == 0) return;
+    progress.note("pack: " + std::to_string(count.views) +
+                  " views' depth is compared at each pixel: with one more than the least " +
+                  std::to_string(count.pictures) + " photographs are drawn " +
+                  number_text(count.loss_db, 2) + " +- " + number_text(count.standard_error_db, 2) +
+                  " dB better");
 }
 
 Json depth_views_json(const DepthViewCount& count) {
@@ -227,6 +238,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     make_depth_meshes(lumigraph, threads, progress);
     const DepthViewCount depth_views = depth_view_count(sources, lumigraph, progress);
     lumigraph.depth_views = depth_views.views;
+    tell_depth_views(depth_views, progress);
     progress.begin("writing the package", 0);
     write_package(package_folder, lumigraph, extras_of(sources));
     write_json_file(record_path(folder),

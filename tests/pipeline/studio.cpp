@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "pipeline/synth/exact_points.h"
 #include "pipeline/synth/photographer.h"
@@ -10,7 +11,10 @@
 
 namespace lumi {
 
-const char* const kBodiesInTheWay = R"(
+namespace {
+
+/// Of every scene; the path is not walked, photographs are taken one by one.
+constexpr const char* kCameraAndPath = R"(
 [camera]
 width_px = 72
 height_px = 72
@@ -19,6 +23,16 @@ focal_length_px = 90
 kind = "ring"
 count = 4
 distance = 2.6
+)";
+
+SceneDescription described(const char* scene) {
+    return read_scene_description(
+        ConfigSection::from_text(std::string(kCameraAndPath) + scene, "the studio"));
+}
+
+}  // namespace
+
+const char* const kBodiesInTheWay = R"(
 [[material]]
 name = "stone"
 pattern = "stone"
@@ -49,14 +63,6 @@ solids = [
 )";
 
 const char* const kThinThings = R"(
-[camera]
-width_px = 72
-height_px = 72
-focal_length_px = 90
-[path]
-kind = "ring"
-count = 4
-distance = 2.6
 [[material]]
 name = "stone"
 pattern = "stone"
@@ -77,14 +83,6 @@ solids = [
 )";
 
 const char* const kFlatBoard = R"(
-[camera]
-width_px = 72
-height_px = 72
-focal_length_px = 90
-[path]
-kind = "ring"
-count = 4
-distance = 2.6
 [[material]]
 name = "stone"
 pattern = "stone"
@@ -109,8 +107,7 @@ std::vector<Eigen::Vector3d> spiral(int count, double turn) {
     return directions;
 }
 
-Studio::Studio(const char* scene)
-    : description_(read_scene_description(ConfigSection::from_text(scene, "the studio"))) {}
+Studio::Studio(const char* scene) : description_(described(scene)) {}
 
 void Studio::photograph_from(const Rigid3& cam_from_world) {
     const ExactPicture picture = lumi::photograph(description_.scene, description_.camera,

@@ -16,10 +16,11 @@ DepthMemory predicted(std::size_t views, int threads, std::uint64_t budget_mib,
                                   budget_mib * kMiB, 150 * kMiB);
 }
 
-TEST(DepthMemory, AViewMoreAddsItsPictureAndTwoMaps) {
-    // 3 bytes of colour, and twice 4 of inverse depth and 1 of confidence.
+TEST(DepthMemory, AViewMoreAddsItsPictureTwoMapsAndHalfOfItsDistances) {
+    // 3 bytes of colour, twice 4 of inverse depth and 1 of confidence, and half of the 4 that tell
+    // how far each pixel is from what is known.
     EXPECT_EQ(predicted(9, 1, 100'000).finishing - predicted(8, 1, 100'000).finishing,
-              13 * kPixels);
+              15 * kPixels);
     EXPECT_EQ(predicted(9, 1, 100'000).in_use, 150 * kMiB);
 }
 
