@@ -33,6 +33,7 @@ Json package_json(const Lumigraph& lumigraph) {
                 {"near_depth", lumigraph.near_depth},
                 {"far_depth", lumigraph.far_depth},
                 {"depth_views", lumigraph.depth_views},
+                {"depth_block_px", lumigraph.depth_block_px},
                 {"mesh",
                  {{"construction", name_of(lumigraph.mesh.construction)},
                   {"vertices", lumigraph.mesh.vertices.size()},
@@ -54,7 +55,9 @@ std::string package_text(const Lumigraph& lumigraph) {
         ", camera mesh " + name_of(lumigraph.mesh.construction) + " with " +
         std::to_string(lumigraph.mesh.vertices.size()) + " vertices and " +
         std::to_string(lumigraph.mesh.faces.size()) + " faces, depth compared from " +
-        std::to_string(lumigraph.depth_views) + " views\n";
+        std::to_string(lumigraph.depth_views) + " views " +
+        (lumigraph.depth_block_px == 1 ? "for each pixel" : "for each block of 2 by 2 pixels") +
+        "\n";
     for (const LumigraphView& view : lumigraph.views) {
         text += view.name + "  " + std::to_string(view.camera.width_px) + "x" +
                 std::to_string(view.camera.height_px) + "  focal length " +

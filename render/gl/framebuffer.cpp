@@ -2,13 +2,16 @@
 
 #include <epoxy/gl.h>
 
+#include <cassert>
 #include <string>
 
 #include "calib/work/error.h"
 
 namespace lumi {
-
 namespace {
+
+/// That any GL can draw at once.
+constexpr int kMostOutputs = 4;
 
 unsigned new_framebuffer() {
     GLuint name = 0;
@@ -43,6 +46,18 @@ void Framebuffer::attach_depth_layer(const TextureArray& depth, int layer) {
 void Framebuffer::attach_color_layer(const TextureArray& color, int layer, int level) {
     bind();
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, color.name(), level, layer);
+    require_complete();
+}
+
+void Framebuffer::attach_color_layers(const TextureArray& color) {
+    assert(color.layers() <= kMostOutputs);
+    bind();
+    std::vector<GLenum> outputs;
+    for (int layer = 0; layer < color.layers(); ++layer) {
+        outputs.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(layer));
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, outputs.back(), color.name(), 0, layer);
+    }
+    glDrawBuffers(static_cast<GLsizei>(outputs.size()), outputs.data());
     require_complete();
 }
 

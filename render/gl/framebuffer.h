@@ -18,6 +18,9 @@ class Framebuffer {
     void attach_depth_layer(const TextureArray& depth, int layer);
     /// Draws go to this colour layer, or to a mip level of it. Binds the framebuffer.
     void attach_color_layer(const TextureArray& color, int layer, int level = 0);
+    /// Draws go to all layers at once, at most four: output k of a fragment to layer k. Binds the
+    /// framebuffer.
+    void attach_color_layers(const TextureArray& color);
     /// Draws go to an own RGBA8 raster of this size. Binds the framebuffer.
     void attach_color(int width_px, int height_px);
     void bind() const;

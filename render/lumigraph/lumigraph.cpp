@@ -73,6 +73,8 @@ void validate(const Lumigraph& lumigraph, const std::string& where) {
     if (lumigraph.views.empty()) refuse(where, "expected at least one view");
     if (lumigraph.depth_views < kLeastDepthViews || lumigraph.depth_views > kMaxDepthViews)
         refuse(where, "expected 3 or 4 depth views");
+    if (lumigraph.depth_block_px < 1 || lumigraph.depth_block_px > kMaxDepthBlock_px)
+        refuse(where, "expected depth blocks of 1 or 2 pixels");
     std::set<std::string> names;
     for (const LumigraphView& view : lumigraph.views) {
         validate_view(view, where + ": " + printable(view.name));
@@ -95,6 +97,7 @@ Lumigraph without_its_views(const Lumigraph& lumigraph) {
     rest.far_depth = lumigraph.far_depth;
     rest.fade_beyond_capture = lumigraph.fade_beyond_capture;
     rest.depth_views = lumigraph.depth_views;
+    rest.depth_block_px = lumigraph.depth_block_px;
     return rest;
 }
 

@@ -38,6 +38,9 @@ struct LumigraphView {
 inline constexpr int kLeastDepthViews = 3;
 inline constexpr int kMaxDepthViews = 4;
 
+/// A GL draws four pixels at once, and no more.
+inline constexpr int kMaxDepthBlock_px = 2;
+
 /// The free-form Lumigraph as it is drawn: what a package holds once it is in memory.
 /// The camera mesh's view indices point into `views`.
 struct Lumigraph {
@@ -50,11 +53,14 @@ struct Lumigraph {
     bool fade_beyond_capture = false;
     /// How many views' depths are compared at each pixel, or as many views as there are.
     int depth_views = kMaxDepthViews;
+    /// Per pixel, depth is worked out for blocks of so many by so many pixels: 1, or
+    /// kMaxDepthBlock_px.
+    int depth_block_px = 1;
 };
 
 /// Throws Error (E-LUMIGRAPH-INVALID, E-CAMERA-INVALID, E-MESH-INVALID) unless there is a view, the
 /// names are unique, each camera is a pinhole of its photograph's size, poses and depths are
-/// finite, exposure gains and depth views within their limits and the mesh names views that exist;
+/// finite, exposure gains, depth views and blocks within their limits and the mesh names views that exist;
 /// `where` begins the message.
 void validate(const Lumigraph& lumigraph, const std::string& where);
 

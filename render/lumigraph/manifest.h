@@ -65,6 +65,7 @@ struct Manifest {
     double far_depth = 0.0;
     bool fade_beyond_capture = false;
     int depth_views = kMaxDepthViews;
+    int depth_block_px = 1;
     std::vector<ManifestView> views;
     PackageFile camera_mesh;
     PackageFile points;

@@ -166,6 +166,9 @@ Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
     if (document.has("depth_views")) {
         manifest.depth_views = document.integer("depth_views", kLeastDepthViews, kMaxDepthViews);
     }
+    if (document.has("depth_block_px")) {
+        manifest.depth_block_px = document.integer("depth_block_px", 1, kMaxDepthBlock_px);
+    }
     for (const StrictJsonObject& view : document.objects("views", limits.max_views)) {
         manifest.views.push_back(view_of(view));
     }

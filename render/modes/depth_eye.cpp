@@ -34,12 +34,23 @@ double texels_per_pixel(const Lumigraph& lumigraph, const Eye& eye) {
     return in_steps > kNearlyAll ? 1.0 : std::max(in_steps, kLeastTexelsPerPixel);
 }
 
+double texels_asked_per_pixel(const Lumigraph& lumigraph, const Eye& eye,
+                              const RenderOptions& options) {
+    if (options.supersample) return 1.0;
+    if (is_drawn_in_blocks(lumigraph, options)) return kLeastTexelsPerPixel;
+    return texels_per_pixel(lumigraph, eye);
+}
+
 int texels(int pixels, double per_pixel) { return static_cast<int>(std::ceil(pixels * per_pixel)); }
 
 }  // namespace
 
+bool is_drawn_in_blocks(const Lumigraph& lumigraph, const RenderOptions& options) {
+    return lumigraph.depth_block_px > 1 && !options.supersample && !options.fade_beyond_capture;
+}
+
 DepthEye depth_eye(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
-    const double scale = options.supersample ? 1.0 : texels_per_pixel(lumigraph, eye);
+    const double scale = texels_asked_per_pixel(lumigraph, eye, options);
     const Eigen::Vector2d focal = scale * focal_length_px(eye.camera);
     const Eigen::Vector2d principal_point = scale * principal_point_px(eye.camera);
     const Camera camera{texels(eye.camera.width_px, scale),

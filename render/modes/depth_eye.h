@@ -18,6 +18,11 @@ struct DepthEye {
     double texels_per_pixel = 1.0;  ///< kLeastTexelsPerPixel to 1.
 };
 
+/// Whether `perpixel` works out depth, weights and visibility once for each block of two by two
+/// pixels (pixel_blocks.h), as the Lumigraph asks for: not where a frame has several samples a
+/// pixel, nor where it fades. Texels of depth are blocks then.
+[[nodiscard]] bool is_drawn_in_blocks(const Lumigraph& lumigraph, const RenderOptions& options);
+
 [[nodiscard]] DepthEye depth_eye(const Lumigraph& lumigraph, const Eye& eye,
                                  const RenderOptions& options);
 

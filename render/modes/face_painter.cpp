@@ -96,9 +96,8 @@ void set_fade(const Program& program, bool is_shell) {
 FacePainter::FacePainter(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded), polygons_(kFaceVertex) {}
 
-std::size_t FacePainter::draw(const std::vector<FacePolygon>& polygons, const Eye& eye,
-                              const Eigen::Vector3d& plane) {
-    if (polygons.empty()) return 0;
+void FacePainter::upload(const std::vector<FacePolygon>& polygons, const Eye& eye,
+                         const Eigen::Vector3d& plane) {
     const VertexWriter writer(uploaded_, eye, plane);
     std::vector<float> vertices;
     std::vector<std::uint32_t> indices;
@@ -112,8 +111,12 @@ std::size_t FacePainter::draw(const std::vector<FacePolygon>& polygons, const Ey
         count += corners;
     }
     polygons_.upload(vertices, indices);
-    polygons_.draw(0, indices.size());
-    return indices.size() / 3;
+    index_count_ = indices.size();
+}
+
+std::size_t FacePainter::draw() const {
+    polygons_.draw(0, index_count_);
+    return index_count_ / 3;
 }
 
 }  // namespace lumi

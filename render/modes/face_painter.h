@@ -17,15 +17,18 @@ class FacePainter {
  public:
     explicit FacePainter(const UploadedLumigraph& uploaded);
 
-    /// Draws polygons (face_polygons.h) in their order with the program in use, which is made from
-    /// face.glsl; `plane` stands for the scene where no depth is known (scene_plane.h). Returns the
+    /// Takes polygons (face_polygons.h) for the eye; `plane` stands for the scene where no depth is
+    /// known (scene_plane.h).
+    void upload(const std::vector<FacePolygon>& polygons, const Eye& eye,
+                const Eigen::Vector3d& plane);
+    /// Draws them in their order with the program in use, which is made from face.glsl. Returns the
     /// number of triangles.
-    std::size_t draw(const std::vector<FacePolygon>& polygons, const Eye& eye,
-                     const Eigen::Vector3d& plane);
+    std::size_t draw() const;
 
  private:
     const UploadedLumigraph& uploaded_;
     VertexBuffer polygons_;
+    std::size_t index_count_ = 0;
 };
 
 }  // namespace lumi

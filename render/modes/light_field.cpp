@@ -59,8 +59,8 @@ std::size_t LightField::draw_fading(const CameraMesh& mesh, const Eye& eye,
                                     const RenderOptions& options, bool is_shell) {
     const Eigen::Vector3d plane = plane_of(eye, options);
     set_fade(fading_.use(uploaded_, eye, options), is_shell);
-    return faces_.draw(face_polygons(mesh, eye, is_shell ? kNoOverlap_px : kOverlap_px), eye,
-                       plane);
+    faces_.upload(face_polygons(mesh, eye, is_shell ? kNoOverlap_px : kOverlap_px), eye, plane);
+    return faces_.draw();
 }
 
 Eigen::Vector3d LightField::plane_of(const Eye& eye, const RenderOptions& options) const {
@@ -93,7 +93,8 @@ DrawStatistics LightField::draw_polygons(std::vector<FacePolygon> polygons, cons
     DrawStatistics statistics{affine_.count()};
     if (exact_.empty()) return statistics;
     program_.use(uploaded_, eye, options);
-    statistics.triangles += faces_.draw(exact_, eye, plane);
+    faces_.upload(exact_, eye, plane);
+    statistics.triangles += faces_.draw();
     return statistics;
 }
 

@@ -27,20 +27,21 @@ AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeome
     }
 }
 
-AgreedPixelDepth AgreedDepth::at(int x, int y) const {
-    const std::vector<int>& views = views_at(x);
+AgreedPixelDepth AgreedDepth::at(const Eigen::Vector2d& pixel) const {
+    const int column = texel(pixel.x());
+    const int row = texel(pixel.y());
+    const std::vector<int>& views = views_at(column);
     std::vector<EyeDepth> depths;
     for (const int index : views)
-        depths.push_back(index == kNoView ? EyeDepth{}
-                                          : eye_depth_of_view_.at(index)(texel(x), texel(y)));
+        depths.push_back(index == kNoView ? EyeDepth{} : eye_depth_of_view_.at(index)(column, row));
     AgreedPixelDepth agreed{consensus_of(depths, agreeing_inverse_depth_), kNoView};
     if (agreed.depth.support > 0)
         agreed.known_by = views[static_cast<std::size_t>(agreed.depth.best_layer)];
     return agreed;
 }
 
-const std::vector<int>& AgreedDepth::views_at(int x) const {
-    const auto end = std::upper_bound(strip_ends_.begin(), strip_ends_.end(), texel(x));
+const std::vector<int>& AgreedDepth::views_at(int column) const {
+    const auto end = std::upper_bound(strip_ends_.begin(), strip_ends_.end(), column);
     return layer_views_[static_cast<std::size_t>(end - strip_ends_.begin())];
 }
 

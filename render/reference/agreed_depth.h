@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <map>
 #include <vector>
 
@@ -26,16 +27,16 @@ class AgreedDepth {
     AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
                 const Eye& eye, const RenderOptions& options);
 
-    /// At a pixel of the eye's picture.
-    [[nodiscard]] AgreedPixelDepth at(int x, int y) const;
+    /// At a place in the eye's picture.
+    [[nodiscard]] AgreedPixelDepth at(const Eigen::Vector2d& pixel) const;
 
  private:
-    /// Of the depth that is drawn for the eye: the column or row that a pixel lies in.
-    [[nodiscard]] int texel(int pixel) const {
-        return static_cast<int>((pixel + 0.5) * depth_eye_.texels_per_pixel);
+    /// Of the depth that is drawn for the eye: the column or row that a place lies in.
+    [[nodiscard]] int texel(double pixel) const {
+        return static_cast<int>(pixel * depth_eye_.texels_per_pixel);
     }
-    /// The views that are asked at a column of pixels, kNoView among them.
-    [[nodiscard]] const std::vector<int>& views_at(int x) const;
+    /// The views that are asked at a column of texels, kNoView among them.
+    [[nodiscard]] const std::vector<int>& views_at(int column) const;
 
     DepthEye depth_eye_;
     std::vector<int> strip_ends_;

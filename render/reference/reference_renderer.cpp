@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "meshing/surface/camera_mesh.h"
+#include "render/modes/depth_eye.h"
 #include "render/modes/occlusion.h"
 #include "render/modes/photograph_opacity.h"
 #include "render/modes/scene_plane.h"
@@ -27,6 +28,13 @@ struct RayPoint {
     Eigen::Vector3d direction_in_world;  ///< Of unit depth along the eye's optical axis.
     double inverse_depth = 0.0;
     int known_by = kNoView;  ///< The first of the views whose depth says so.
+};
+
+/// The same with how it is known. Without any support: the scene plane, for the mode that draws it
+/// or as a guess.
+struct KnownPoint {
+    RayPoint point;
+    ConsensusDepth depth;
 };
 
 /// A point as one view sees it.
@@ -52,9 +60,11 @@ class ReferenceFrame {
     [[nodiscard]] DrawnPixel color_at(int x, int y) const;
 
  private:
-    [[nodiscard]] AgreedPixelDepth depth_at(int x, int y) const;
-    [[nodiscard]] std::optional<DrawnPixel> base_at(const RayPoint& point,
-                                                    const ConsensusDepth& depth) const;
+    [[nodiscard]] Eigen::Vector3d direction_in_world(const Eigen::Vector2d& pixel) const;
+    [[nodiscard]] KnownPoint point_at(const Eigen::Vector2d& pixel) const;
+    /// `shared` is what the fragment of a pixel is drawn for, its centre or that of its block.
+    [[nodiscard]] std::optional<DrawnPixel> base_at(const KnownPoint& shared,
+                                                    const Eigen::Vector2d& pixel) const;
     /// Where nothing is seen.
     [[nodiscard]] DrawnPixel behind(int x, int y) const;
     void lay_over(DrawnPixel& drawn, const CameraMesh& shell, const RayPoint& point,
@@ -85,6 +95,7 @@ class ReferenceFrame {
     Eigen::Vector3d plane_;
     std::vector<ViewGeometry> geometries_;
     PhotographSamples photographs_;
+    bool is_in_blocks_ = false;
     std::optional<AgreedDepth> depth_;  ///< None where the scene plane is drawn.
     ColorImage surroundings_;           ///< Empty where they are not drawn.
 };
@@ -112,17 +123,20 @@ ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
       photographs_(lumigraph, eye),
       surroundings_(are_surroundings_drawn(options) ? surroundings_picture(lumigraph, eye)
                                                     : ColorImage{}) {
-    if (options.mode == RenderMode::kPerPixel && has_depth(lumigraph))
-        depth_.emplace(lumigraph, geometries_, eye, options);
+    if (options.mode != RenderMode::kPerPixel || !has_depth(lumigraph)) return;
+    depth_.emplace(lumigraph, geometries_, eye, options);
+    is_in_blocks_ = is_drawn_in_blocks(lumigraph, options);
 }
 
-/// Without any support: the scene plane, for the mode that draws it or as a guess.
-AgreedPixelDepth ReferenceFrame::depth_at(int x, int y) const {
-    AgreedPixelDepth agreed = depth_ ? depth_->at(x, y) : AgreedPixelDepth{};
-    if (agreed.depth.support == 0)
-        agreed.depth.inverse_depth =
-            std::max(0.0, plane_.dot(Eigen::Vector3d(x + 0.5, y + 0.5, 1)));
-    return agreed;
+Eigen::Vector3d ReferenceFrame::direction_in_world(const Eigen::Vector2d& pixel) const {
+    return eye_.cam_from_world.rotation.conjugate() * unproject(eye_.camera, pixel);
+}
+
+KnownPoint ReferenceFrame::point_at(const Eigen::Vector2d& pixel) const {
+    const auto [depth, known_by] = depth_ ? depth_->at(pixel) : AgreedPixelDepth{};
+    const double inverse_depth =
+        depth.support > 0 ? depth.inverse_depth : std::max(0.0, plane_.dot(pixel.homogeneous()));
+    return {{direction_in_world(pixel), inverse_depth, known_by}, depth};
 }
 
 std::optional<Sight> ReferenceFrame::sight_of(int view_index, const RayPoint& point) const {
@@ -195,13 +209,16 @@ bool ReferenceFrame::is_where_the_eye_is(int view_index) const {
     return disparity_px * inverse_depth_range(lumigraph_).y() <= kMostParallax_px;
 }
 
-std::optional<DrawnPixel> ReferenceFrame::base_at(const RayPoint& point,
-                                                  const ConsensusDepth& depth) const {
+std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
+                                                  const Eigen::Vector2d& pixel) const {
+    const ConsensusDepth& depth = shared.depth;
     std::optional<RayWeights> ray =
-        weights_of_ray(lumigraph_.mesh, eye_in_world_, point.direction_in_world);
+        weights_of_ray(lumigraph_.mesh, eye_in_world_, shared.point.direction_in_world);
     if (!ray) return std::nullopt;
     const bool has_depth = depth.support > 0;
-    const std::array<double, 3> seen = visibilities(*ray, point, depth);
+    const std::array<double, 3> seen = visibilities(*ray, shared.point, depth);
+    RayPoint point = shared.point;
+    point.direction_in_world = direction_in_world(pixel);
     std::optional<std::array<double, 3>> weights = redistributed(ray->weights, seen);
     const double occluded = weights ? occluded_share(*ray, seen) : 1.0;
     double counting = weights ? 0.0 : 1.0;
@@ -258,12 +275,17 @@ void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell, const 
 }
 
 DrawnPixel ReferenceFrame::color_at(int x, int y) const {
-    const Eigen::Vector3d direction =
-        eye_.cam_from_world.rotation.conjugate() * unproject(eye_.camera, {x + 0.5, y + 0.5});
-    const auto [depth, known_by] = depth_at(x, y);
-    const RayPoint point{direction, depth.inverse_depth, known_by};
-    DrawnPixel drawn = base_at(point, depth).value_or(behind(x, y));
-    for (const CameraMesh& shell : lumigraph_.mesh.shells) lay_over(drawn, shell, point, depth);
+    const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
+    const Eigen::Vector2d block(x / kMaxDepthBlock_px, y / kMaxDepthBlock_px);
+    const KnownPoint known = point_at(pixel);
+    DrawnPixel drawn =
+        base_at(is_in_blocks_
+                    ? point_at(kMaxDepthBlock_px * (block + Eigen::Vector2d::Constant(0.5)))
+                    : known,
+                pixel)
+            .value_or(behind(x, y));
+    for (const CameraMesh& shell : lumigraph_.mesh.shells)
+        lay_over(drawn, shell, known.point, known.depth);
     return drawn;
 }
 

@@ -115,6 +115,52 @@ TEST(GlAgainstReference, PerPixelWithTheFewestDepthViews) {
                                {.mode = RenderMode::kPerPixel}, GlApi::kAny);
 }
 
+/// With `camera` instead of their own.
+std::vector<NamedEye> with_camera(std::vector<NamedEye> eyes, const Camera& camera) {
+    for (NamedEye& named : eyes) named.eye.camera = camera;
+    return eyes;
+}
+
+TEST(GlAgainstReference, PerPixelInBlocks) {
+    Lumigraph wall = card_before_wall();
+    wall.depth_block_px = kMaxDepthBlock_px;
+    const RenderOptions per_pixel{.mode = RenderMode::kPerPixel};
+    expect_gl_equals_reference(wall, eyes_before_wall(wall), per_pixel, GlApi::kAny);
+    expect_gl_equals_reference(wall, eyes_before_wall(wall), per_pixel, GlApi::kEs);
+    Lumigraph ball = ball_in_sky();
+    ball.depth_block_px = kMaxDepthBlock_px;
+    expect_gl_equals_reference(ball, eyes_around_ball(ball), per_pixel, GlApi::kAny);
+}
+
+TEST(GlAgainstReference, PerPixelInBlocksThatReachBeyondAnOddFrame) {
+    Lumigraph wall = card_before_wall();
+    wall.depth_block_px = kMaxDepthBlock_px;
+    const Camera odd = pinhole_camera(79, 59, 70);
+    expect_gl_equals_reference(wall, with_camera(eyes_before_wall(wall), odd),
+                               {.mode = RenderMode::kPerPixel}, GlApi::kAny);
+}
+
+TEST(GlAgainstReference, PerPixelInBlocksOfFourPixelsEachHasItsOwnColour) {
+    Lumigraph wall = card_before_wall();
+    const Eye eye = eyes_before_wall(wall).front().eye;
+    const ColorImage alone = OffscreenRenderer(wall).draw(eye, {}).color;
+    wall.depth_block_px = kMaxDepthBlock_px;
+    const ColorImage together = OffscreenRenderer(wall).draw(eye, {}).color;
+    const FrameDifference difference = difference_between(alone, together);
+    EXPECT_GT(difference.mean, 0.0);
+    // A block away from silhouettes differs by what its weights vary within: next to nothing.
+    EXPECT_LE(difference.share_beyond_two, 0.1);
+}
+
+TEST(GlAgainstReference, PerPixelOfSeveralSamplesIsNeverDrawnInBlocks) {
+    Lumigraph wall = card_before_wall();
+    const Eye eye = eyes_before_wall(wall).front().eye;
+    const RenderOptions supersampled{.supersample = true};
+    const ColorImage alone = OffscreenRenderer(wall).draw(eye, supersampled).color;
+    wall.depth_block_px = kMaxDepthBlock_px;
+    EXPECT_EQ(OffscreenRenderer(wall).draw(eye, supersampled).color, alone);
+}
+
 std::vector<NamedEye> eyes_near_card() {
     const Eigen::Vector3d centre(0, 0, 3);
     return {{"between the close-ups", eye_at({0.02, 0.06, 2.25}, centre, kEyeCamera)},
@@ -126,6 +172,13 @@ std::vector<NamedEye> eyes_near_card() {
 TEST(GlAgainstReference, PerPixelWithCloseUpsInAShell) {
     const Lumigraph lumigraph = card_with_close_ups();
     ASSERT_EQ(lumigraph.mesh.shells.size(), 1U);
+    expect_gl_equals_reference(lumigraph, eyes_near_card(), {.mode = RenderMode::kPerPixel},
+                               GlApi::kAny);
+}
+
+TEST(GlAgainstReference, PerPixelInBlocksUnderAShell) {
+    Lumigraph lumigraph = card_with_close_ups();
+    lumigraph.depth_block_px = kMaxDepthBlock_px;
     expect_gl_equals_reference(lumigraph, eyes_near_card(), {.mode = RenderMode::kPerPixel},
                                GlApi::kAny);
 }

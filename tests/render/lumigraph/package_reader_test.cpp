@@ -127,6 +127,8 @@ TEST_F(PackageReader, RefusesNumbersOutOfRange) {
     expect_refused_value(bad, "/fade_beyond_capture", 1);
     for (const Json& views : {Json(2), Json(5), Json(3.5), Json("3")})
         expect_refused_value(bad, "/depth_views", views);
+    for (const Json& block : {Json(0), Json(3), Json(1.5), Json("2")})
+        expect_refused_value(bad, "/depth_block_px", block);
     expect_refused_value("E-PACKAGE-VERSION", "/schema_version", 2);
 }
 

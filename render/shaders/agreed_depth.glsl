@@ -1,0 +1,81 @@
+// The depth that several views agree on: each of the layers holds what one view's depth looks like
+// to the eye (depth_layer.glsl).
+
+#ifdef LUMI_FRAGMENT
+uniform sampler2DArray depth_layers;
+uniform float max_inverse_depth;
+uniform float agreeing_depth;  // layers that differ by no more are of one surface
+// For each layer its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
+// in window coordinates, then (layer of the photograph, its width, its height, unused).
+uniform vec4 layer_views[16];
+
+// Where each kind of depth begins in the depth buffer, times the kind, and how far it goes; 1 is
+// nothing. See depth_layers.h.
+const float kKindStep = 0.33;
+const float kKindWidth = 0.32;
+
+struct Depth {
+    float inverse_depth;
+    float kind;     // 0 seen, 1 filled, 2 stretched, 3 nothing known
+    float support;  // how many views agree, at most 2
+    int layer;      // the first of them
+};
+
+float smallest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
+vec4 agree(vec4 depths, float depth) {
+    return vec4(lessThanEqual(abs(depths - depth), vec4(agreeing_depth)));
+}
+
+vec4 layer_depths(ivec2 texel) {
+    vec4 depths = vec4(1.0);
+    depths.x = texelFetch(depth_layers, ivec3(texel, 0), 0).r;
+#if LAYERS > 1
+    depths.y = texelFetch(depth_layers, ivec3(texel, 1), 0).r;
+#endif
+#if LAYERS > 2
+    depths.z = texelFetch(depth_layers, ivec3(texel, 2), 0).r;
+#endif
+#if LAYERS > 3
+    depths.w = texelFetch(depth_layers, ivec3(texel, 3), 0).r;
+#endif
+    return depths;
+}
+
+// 1 for layers that no other agrees with.
+vec4 alone(vec4 depths) {
+    vec3 with_x = step(agreeing_depth, abs(depths.yzw - depths.x));
+    vec3 others = step(agreeing_depth, abs(depths.yyz - depths.zww));
+    return vec4(with_x.x * with_x.y * with_x.z, with_x.x * others.x * others.y,
+                with_x.y * others.x * others.z, with_x.z * others.y * others.z);
+}
+
+// The nearest depth that two views agree on, or else the nearest; only the most reliable kind
+// counts, and of fills the farthest, because a fill continues the background. A surface that one
+// view imagines before those that others see is thus left out.
+//
+// In the units of the depth buffer: kinds are kept so far apart there that none agrees with another
+// (depth_layers.h).
+Depth agreed_depth(ivec2 texel) {
+    vec4 depths = layer_depths(texel);
+    float nearest = smallest(depths);
+    float kind = step(kKindStep, nearest) + step(2.0 * kKindStep, nearest) + step(0.995, nearest);
+    float preferred = kind < 0.5 ? 1.0 : -1.0;
+    // Nothing of another kind is chosen.
+    vec4 order = mix(vec4(9.0), preferred * depths, lessThan(depths, vec4(kKindStep * (kind + 1.0))));
+    float first_agreed = smallest(order + 9.0 * alone(depths));
+    float support = first_agreed < 4.0 ? 2.0 : 1.0;
+    vec4 agreeing = agree(depths, preferred * (support > 1.5 ? first_agreed : smallest(order)));
+    int layer = agreeing.x > 0.0 ? 0 : agreeing.y > 0.0 ? 1 : agreeing.z > 0.0 ? 2 : 3;
+    float depth = dot(agreeing, depths) / dot(agreeing, vec4(1.0)) - kKindStep * kind;
+    return Depth(max_inverse_depth * max(0.0, 1.0 - depth / kKindWidth), kind, support, layer);
+}
+
+// The homogeneous pixel of (x, y, 1, inverse depth) in the layer's view. Linear in the ray: of
+// (1, 0, 0, 0) it is the change along x.
+vec3 pixel_in_layer(int layer, vec4 ray) {
+    return vec3(dot(layer_views[4 * layer], ray), dot(layer_views[4 * layer + 1], ray),
+                dot(layer_views[4 * layer + 2], ray));
+}
+
+float photograph_of_layer(int layer) { return layer_views[4 * layer + 3].x; }
+#endif
