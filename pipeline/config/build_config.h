@@ -35,6 +35,9 @@ struct DrawingOptions {
     bool fade_beyond_capture = false;  ///< The default of `lumi render` and `lumi view`.
     /// How many views' depths are compared at each pixel, 3 or 4; 0: as photographs ask for.
     int depth_views = 0;
+    /// Depth is worked out for blocks of so many by so many pixels, 1 or 2; 0: 2 where photographs
+    /// cannot tell.
+    int depth_block_px = 0;
 };
 
 /// Everything that one run of the line is told.

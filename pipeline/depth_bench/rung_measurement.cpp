@@ -12,7 +12,7 @@
 #include "meshing/depth/depth_scene.h"
 #include "meshing/depth/imported_depth.h"
 #include "pipeline/depth_bench/right_shares.h"
-#include "pipeline/evaluate/depth_view_count.h"
+#include "pipeline/evaluate/depth_effort.h"
 #include "pipeline/stages/depth_range.h"
 #include "render/modes/view_depth_mesh.h"
 
@@ -140,7 +140,7 @@ RungMeasurement measure_rung(const DepthBenchScene& scene, const DepthOptions& o
     Lumigraph lumigraph = lumigraph_of(scene, std::move(result.depth_maps), threads);
     make_depth_meshes(lumigraph, threads, progress);
     lumigraph.depth_views =
-        sufficient_depth_views(lumigraph, scene.used.capture, {}, progress).views;
+        sufficient_depth_effort(lumigraph, scene.used.capture, {}, progress).views;
     TileErrors tiles;
     const Evaluation evaluation = evaluate_held_out(
         lumigraph, scene.held_out,

@@ -103,38 +103,54 @@ Capture capture_of(const Lumigraph& lumigraph, const PosedPhotographs& photograp
     return only_views(photographs, names).capture;
 }
 
-/// As the options or the photographs want it; where nothing can be drawn, as many as there can be.
-DepthViewCount depth_view_count(const PackSources& sources, const Lumigraph& lumigraph,
-                                Progress& progress) {
-    if (sources.drawing.depth_views != 0) return {.views = sources.drawing.depth_views};
-    if (!sources.sufficient_depth_views) return {};
+/// As photographs want it; where nothing can be drawn, as much as there can be.
+DepthEffort asked_depth_effort(const PackSources& sources, const Lumigraph& lumigraph,
+                               Progress& progress) {
+    if (!sources.sufficient_depth_effort) return {};
     try {
-        return sources.sufficient_depth_views(lumigraph,
-                                              capture_of(lumigraph, sources.photographs));
+        return sources.sufficient_depth_effort(lumigraph,
+                                               capture_of(lumigraph, sources.photographs));
     } catch (const Error& error) {
         if (!error.code().starts_with("E-GL-")) throw;
         progress.note(std::string("nothing can be drawn here to see how many views' depth is "
-                                  "enough: ") +
+                                  "enough, and for how many pixels: ") +
                       error.what());
         return {};
     }
 }
 
-/// Where photographs were asked.
-void tell_depth_views(const DepthViewCount& count, Progress& progress) {
-    if (count.pictures == 0) return;
-    progress.note("pack: " + std::to_string(count.views) +
-                  " views' depth is compared at each pixel: with one more than the least " +
-                  std::to_string(count.pictures) + " photographs are drawn " +
-                  number_text(count.loss_db, 2) + " +- " + number_text(count.standard_error_db, 2) +
-                  " dB better");
+/// Options come before what photographs want.
+DepthEffort depth_effort(const PackSources& sources, const Lumigraph& lumigraph,
+                         Progress& progress) {
+    const DrawingOptions& wanted = sources.drawing;
+    DepthEffort effort;
+    if (wanted.depth_views == 0 || wanted.depth_block_px == 0)
+        effort = asked_depth_effort(sources, lumigraph, progress);
+    if (wanted.depth_views != 0) effort.views = wanted.depth_views;
+    if (wanted.depth_block_px != 0) effort.block_px = wanted.depth_block_px;
+    return effort;
 }
 
-Json depth_views_json(const DepthViewCount& count) {
-    return {{"views", count.views},
-            {"pictures", count.pictures},
-            {"one_fewer_loses_db", count.loss_db},
-            {"standard_error_db", count.standard_error_db}};
+/// Where photographs were asked.
+void tell_depth_effort(const DepthEffort& effort, Progress& progress) {
+    if (effort.pictures == 0) return;
+    const std::string pixels = effort.block_px == 1 ? "each pixel" : "each block of 2 by 2 pixels";
+    progress.note("pack: " + std::to_string(effort.views) + " views' depth is compared at " +
+                  pixels + ": " + std::to_string(effort.pictures) + " photographs are drawn " +
+                  number_text(effort.fewer_views_lose_db, 2) + " +- " +
+                  number_text(effort.standard_error_db, 2) + " dB better with " +
+                  std::to_string(kMaxDepthViews) + " views than with " +
+                  std::to_string(kLeastDepthViews) + ", and " +
+                  number_text(effort.blocks_lose_db, 2) + " dB better pixel by pixel");
+}
+
+Json depth_effort_json(const DepthEffort& effort) {
+    return {{"views", effort.views},
+            {"block_px", effort.block_px},
+            {"pictures", effort.pictures},
+            {"fewer_views_lose_db", effort.fewer_views_lose_db},
+            {"standard_error_db", effort.standard_error_db},
+            {"blocks_lose_db", effort.blocks_lose_db}};
 }
 
 PackageExtras extras_of(const PackSources& sources) {
@@ -236,9 +252,10 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     }
     ViewLimit(sources, folder, threads, progress).apply_to(lumigraph);
     make_depth_meshes(lumigraph, threads, progress);
-    const DepthViewCount depth_views = depth_view_count(sources, lumigraph, progress);
-    lumigraph.depth_views = depth_views.views;
-    tell_depth_views(depth_views, progress);
+    const DepthEffort effort = depth_effort(sources, lumigraph, progress);
+    lumigraph.depth_views = effort.views;
+    lumigraph.depth_block_px = effort.block_px;
+    tell_depth_effort(effort, progress);
     progress.begin("writing the package", 0);
     write_package(package_folder, lumigraph, extras_of(sources));
     write_json_file(record_path(folder),
@@ -251,7 +268,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
                      {"near_depth", lumigraph.near_depth},
                      {"far_depth", lumigraph.far_depth},
                      {"exposure", exposure_json(exposures)},
-                     {"depth_views", depth_views_json(depth_views)}};
+                     {"depth_effort", depth_effort_json(effort)}};
     return {json_text(facts), "{}"};
 }
 

@@ -13,13 +13,16 @@
 
 namespace lumi {
 
-/// How many views' depths are compared at each pixel (Lumigraph::depth_views), and why.
-struct DepthViewCount {
+/// How much `perpixel` does to know depth: how many views' depths are compared
+/// (Lumigraph::depth_views), for how many pixels at once (Lumigraph::depth_block_px), and why.
+struct DepthEffort {
     int views = kMaxDepthViews;
+    int block_px = 1;
     int pictures = 0;  ///< That were asked; 0: nobody was.
     /// What one view fewer than the most loses at them, in the mean; negative where it gains.
-    double loss_db = 0.0;
-    double standard_error_db = 0.0;
+    double fewer_views_lose_db = 0.0;
+    double standard_error_db = 0.0;  ///< Of that.
+    double blocks_lose_db = 0.0;     ///< The same for blocks.
 };
 
 /// Where the pack stage finds what it packs, and what else goes in.
@@ -38,9 +41,9 @@ struct PackSources {
     CameraMeshOptions mesh_options;  ///< For the camera mesh over fewer views.
     /// How many views are enough; asked for when the options want the fewest.
     std::function<int(const Lumigraph& lumigraph, const Capture& capture)> sufficient_views;
-    /// How many views' depths to compare; asked for where the drawing options do not say.
-    std::function<DepthViewCount(const Lumigraph& lumigraph, const Capture& capture)>
-        sufficient_depth_views;
+    /// How much is enough to know depth; asked for where the drawing options do not say.
+    std::function<DepthEffort(const Lumigraph& lumigraph, const Capture& capture)>
+        sufficient_depth_effort;
 };
 
 /// Everything -> the package at `package_folder`, and pack.json (PackRecord) in `folder`. Where

@@ -80,6 +80,7 @@ TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
                             "even_exposure",
                             "fade_beyond_capture",
                             "depth_views",
+                            "depth_block_px",
                             "[evaluate]",
                             "hold_out_every",
                             "hold_out"}) {

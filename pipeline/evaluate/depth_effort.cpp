@@ -1,4 +1,4 @@
-#include "pipeline/evaluate/depth_view_count.h"
+#include "pipeline/evaluate/depth_effort.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,16 @@ constexpr std::size_t kEnoughPictures = 8;
 constexpr std::size_t kMostPictures = 12;
 constexpr int kMaxPicture_px = 640;
 
-constexpr std::array<int, 2> kCounts{kMaxDepthViews, kLeastDepthViews};
+/// Viewers begin to see half a decibel.
+constexpr double kUnseenLoss_db = 0.1;
+
+struct Choice {
+    int depth_views;
+    int depth_block_px;
+};
+/// Each but the first is to be told from the one before it.
+constexpr std::array<Choice, 3> kChoices{
+    {{kMaxDepthViews, 1}, {kLeastDepthViews, 1}, {kLeastDepthViews, kMaxDepthBlock_px}}};
 
 void keep_evenly(std::vector<PicturedEye>& pictures, std::size_t most) {
     if (pictures.size() <= most) return;
@@ -38,30 +47,37 @@ std::vector<PicturedEye> to_be_drawn(std::vector<PicturedEye> pictures, std::siz
 
 }  // namespace
 
-DepthViewCount sufficient_depth_views(const Lumigraph& lumigraph, const Capture& capture,
-                                      const CameraMeshOptions& mesh_options, Progress& progress) {
+DepthEffort sufficient_depth_effort(const Lumigraph& lumigraph, const Capture& capture,
+                                    const CameraMeshOptions& mesh_options, Progress& progress) {
     if (lumigraph.views.size() < kLeastViews) return {};
     Lumigraph evened = lumigraph;
     even_exposures(evened);
-    std::vector<std::vector<double>> losses_db(kCounts.size());
-    progress.begin("asking photographs how many views' depth to compare", 0);
+    std::vector<std::vector<double>> losses_db(kChoices.size());
+    progress.begin("asking photographs how well depth must be known", 0);
     for (int round = 0; round < kMostRounds && losses_db.front().size() < kEnoughPictures;
          ++round) {
         // Views that follow each other are alike: the rounds keep apart from each other.
         KeptBackViews kept = keep_back(evened, kEvery, (round * kEvery) / kMostRounds);
         const auto pictures = to_be_drawn(std::move(kept.pictures), kMostPictures);
         Lumigraph others = lumigraph_of_views(evened, capture, kept.others, mesh_options);
-        for (std::size_t choice = 0; choice < kCounts.size(); ++choice) {
+        for (std::size_t choice = 0; choice < kChoices.size(); ++choice) {
             progress.throw_if_interrupted();
-            others.depth_views = kCounts[choice];
+            others.depth_views = kChoices[choice].depth_views;
+            others.depth_block_px = kChoices[choice].depth_block_px;
             const DrawnPictures drawn = draw_pictures(others, pictures);
             losses_db[choice].insert(losses_db[choice].end(), drawn.losses_db.begin(),
                                      drawn.losses_db.end());
         }
     }
-    const Excess of_fewest = excess_over(losses_db.back(), losses_db.front());
-    return {kCounts[simplest_as_good(losses_db)], static_cast<int>(losses_db.front().size()),
-            of_fewest.mean, of_fewest.standard_error};
+    const Excess of_fewest = excess_over(losses_db[1], losses_db[0]);
+    const Excess of_blocks = excess_over(losses_db[2], losses_db[1]);
+    const std::size_t views = simplest_as_good({losses_db[0], losses_db[1]});
+    return {kChoices[views].depth_views,
+            of_blocks.mean <= kUnseenLoss_db ? kMaxDepthBlock_px : 1,
+            static_cast<int>(losses_db.front().size()),
+            of_fewest.mean,
+            of_fewest.standard_error,
+            of_blocks.mean};
 }
 
 }  // namespace lumi

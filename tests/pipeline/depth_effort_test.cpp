@@ -1,0 +1,78 @@
+#include "pipeline/evaluate/depth_effort.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numeric>
+
+#include "pipeline/stages/chosen_views.h"
+#include "pipeline/synth/hand_held_path.h"
+#include "tests/pipeline/studio.h"
+
+namespace lumi {
+namespace {
+
+/// A board photographed from so many places within a disc before it, whatever each of them shows.
+Studio before_a_board(int count, double radius) {
+    Studio studio(kFlatBoard);
+    const double golden_angle = 2.4;
+    for (int i = 0; i < count; ++i) {
+        const double from_middle = radius * std::sqrt((i + 0.5) / count);
+        const Eigen::Vector3d place(from_middle * std::cos(golden_angle * i),
+                                    from_middle * std::sin(golden_angle * i), kStudioDistance);
+        studio.photograph_from(looking_at(place, Eigen::Vector3d(place.x(), place.y(), 0)));
+    }
+    return studio;
+}
+
+DepthEffort effort_in(Studio& studio) {
+    studio.find_points();
+    std::vector<int> all(studio.capture.views.size());
+    std::iota(all.begin(), all.end(), 0);
+    SilentProgress progress;
+    return sufficient_depth_effort(lumigraph_of_views(studio.lumigraph, studio.capture, all, {}),
+                                   studio.capture, {}, progress);
+}
+
+TEST(DepthEffort, IsTheLeastWhereEachViewSeesEverything) {
+    Studio studio = before_a_board(18, 0.04);
+    const DepthEffort effort = effort_in(studio);
+    EXPECT_EQ(effort.views, kLeastDepthViews);
+    EXPECT_EQ(effort.pictures, 9);
+    EXPECT_NEAR(effort.fewer_views_lose_db, 0, 0.1);
+}
+
+TEST(DepthEffort, IsForBlocksOfAPlaneWhichHasNoSilhouettes) {
+    Studio studio = before_a_board(18, 0.04);
+    const DepthEffort effort = effort_in(studio);
+    EXPECT_EQ(effort.block_px, kMaxDepthBlock_px);
+    EXPECT_NEAR(effort.blocks_lose_db, 0, 0.1);
+}
+
+TEST(DepthEffort, IsTheMostWhereEachViewSeesAPart) {
+    Studio studio = before_a_board(18, 1.6);
+    const DepthEffort effort = effort_in(studio);
+    EXPECT_EQ(effort.views, kMaxDepthViews);
+    EXPECT_GT(effort.fewer_views_lose_db, effort.standard_error_db);
+}
+
+TEST(DepthEffort, IsForEachPixelOfThinThingsThatStandApart) {
+    Studio studio(kThinThings);
+    for (const Eigen::Vector3d& direction : spiral(40, 0.0))
+        studio.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
+    const DepthEffort effort = effort_in(studio);
+    EXPECT_EQ(effort.block_px, 1);
+    EXPECT_GT(effort.blocks_lose_db, 0.1);
+}
+
+TEST(DepthEffort, IsTheMostOfFewerThanEightViewsUnasked) {
+    Studio studio = before_a_board(7, 0.04);
+    const DepthEffort effort = effort_in(studio);
+    EXPECT_EQ(effort.views, kMaxDepthViews);
+    EXPECT_EQ(effort.block_px, 1);
+    EXPECT_EQ(effort.pictures, 0);
+}
+
+}  // namespace
+}  // namespace lumi
