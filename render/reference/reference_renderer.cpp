@@ -218,7 +218,9 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
     const bool has_depth = depth.support > 0;
     const std::array<double, 3> seen = visibilities(*ray, shared.point, depth);
     RayPoint point = shared.point;
-    point.direction_in_world = direction_in_world(pixel);
+    // Steep as a tear is, all of a block shows nearly the same.
+    const bool is_stretched = has_depth && depth.kind == DepthKind::kStretched;
+    if (!is_in_blocks_ || !is_stretched) point.direction_in_world = direction_in_world(pixel);
     std::optional<std::array<double, 3>> weights = redistributed(ray->weights, seen);
     const double occluded = weights ? occluded_share(*ray, seen) : 1.0;
     double counting = weights ? 0.0 : 1.0;

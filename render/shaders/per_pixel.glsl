@@ -156,17 +156,21 @@ Blend blend_at(vec2 window) {
     blend.sum = weights.x + weights.y + weights.z;
     blend.is_unseen = blend.sum < 1e-4;
     bool is_unseen = blend.is_unseen;
-    const float kPerPixel = 1.0 / kFragment_px;
+    // What is stretched over a tear is steep: the next pixel of the block is much farther, and shows
+    // nearly the same, not what is beside it at this depth.
+    bool is_stretched = depth.kind > 1.5 && !blend.is_guess;
+    float per_pixel = is_stretched ? 0.0 : 1.0 / kFragment_px;
+    float per_layer_pixel = is_stretched ? 0.0 : 1.0;
     blend.place0 = place_of(
         is_unseen ? sight_of(pixel_in_layer(depth.layer, vec4(window, 1.0, q))) : sight0,
-        is_unseen ? pixel_in_layer(depth.layer, vec4(1.0, 0.0, 0.0, 0.0))
-                  : kPerPixel * dFdx(view_pixel0),
-        is_unseen ? pixel_in_layer(depth.layer, vec4(0.0, 1.0, 0.0, 0.0))
-                  : kPerPixel * dFdy(view_pixel0),
+        is_unseen ? pixel_in_layer(depth.layer, vec4(per_layer_pixel, 0.0, 0.0, 0.0))
+                  : per_pixel * dFdx(view_pixel0),
+        is_unseen ? pixel_in_layer(depth.layer, vec4(0.0, per_layer_pixel, 0.0, 0.0))
+                  : per_pixel * dFdy(view_pixel0),
         is_unseen ? photograph_of_layer(depth.layer) : view_parallax0.w);
-    blend.place1 = place_of(sight1, kPerPixel * dFdx(view_pixel1), kPerPixel * dFdy(view_pixel1),
+    blend.place1 = place_of(sight1, per_pixel * dFdx(view_pixel1), per_pixel * dFdy(view_pixel1),
                             view_parallax1.w);
-    blend.place2 = place_of(sight2, kPerPixel * dFdx(view_pixel2), kPerPixel * dFdy(view_pixel2),
+    blend.place2 = place_of(sight2, per_pixel * dFdx(view_pixel2), per_pixel * dFdy(view_pixel2),
                             view_parallax2.w);
     return blend;
 }
