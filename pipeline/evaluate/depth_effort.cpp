@@ -17,7 +17,8 @@ constexpr int kEvery = 6;
 constexpr int kMostRounds = 3;
 constexpr std::size_t kEnoughPictures = 8;
 constexpr std::size_t kMostPictures = 12;
-constexpr int kMaxPicture_px = 640;
+/// As large as frames are looked at: in smaller ones blocks are coarser than they will be.
+constexpr int kMaxPicture_px = 1280;
 
 /// Viewers begin to see half a decibel.
 constexpr double kUnseenLoss_db = 0.1;

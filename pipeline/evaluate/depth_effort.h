@@ -5,7 +5,7 @@
 namespace lumi {
 
 /// The least that photographs cannot tell from more: of the Lumigraph's own views some are kept
-/// back and drawn from the others, no larger than 640 pixels.
+/// back and drawn from the others, no larger than 1280 pixels.
 ///
 /// Of how many views depth is compared the one-standard-error rule chooses: a further view fills
 /// what the others do not see, but may as well be wrong. Blocks of pixels lose a little on every
