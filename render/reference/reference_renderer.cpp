@@ -17,18 +17,10 @@
 #include "render/modes/view_geometry.h"
 #include "render/reference/agreed_depth.h"
 #include "render/reference/debug_color.h"
-#include "render/reference/photograph_samples.h"
-#include "render/reference/sampling.h"
+#include "render/reference/point_in_views.h"
 
 namespace lumi {
 namespace {
-
-/// A scene point on the eye's ray: eye + direction / inverse_depth, perhaps infinitely far.
-struct RayPoint {
-    Eigen::Vector3d direction_in_world;  ///< Of unit depth along the eye's optical axis.
-    double inverse_depth = 0.0;
-    int known_by = kNoView;  ///< The first of the views whose depth says so.
-};
 
 /// The same with how it is known. Without any support: the scene plane, for the mode that draws it
 /// or as a guess.
@@ -36,17 +28,6 @@ struct KnownPoint {
     RayPoint point;
     ConsensusDepth depth;
 };
-
-/// A point as one view sees it.
-struct Sight {
-    Eigen::Vector2d pixel;
-    double inverse_depth = 0.0;
-};
-
-double border_distance_px(const Camera& camera, const Eigen::Vector2d& pixel) {
-    return std::min(
-        {pixel.x(), pixel.y(), camera.width_px - pixel.x(), camera.height_px - pixel.y()});
-}
 
 struct DrawnPixel {
     Eigen::Vector3d color = Eigen::Vector3d::Zero();
@@ -75,17 +56,11 @@ class ReferenceFrame {
                                                   const RayWeights& ray,
                                                   const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d blended(const RayWeights& ray, const RayPoint& point) const;
-    [[nodiscard]] std::optional<Sight> sight_of(int view_index, const RayPoint& point) const;
-    [[nodiscard]] bool is_where_the_eye_is(int view_index) const;
-    [[nodiscard]] double visibility(int view_index, const RayPoint& point, bool check_depth) const;
-    /// How much its photograph counts there, 0 to 255.
-    [[nodiscard]] double opacity(int view_index, const RayPoint& point) const;
-    [[nodiscard]] Eigen::Vector3d color_in(int view_index, const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d debug_color_of(const RayWeights& ray, bool unseen,
                                                  const ConsensusDepth& depth,
                                                  double occluded) const;
-    [[nodiscard]] const LumigraphView& view(int index) const {
-        return lumigraph_.views[static_cast<std::size_t>(index)];
+    [[nodiscard]] const Camera& camera_of(int view) const {
+        return lumigraph_.views[static_cast<std::size_t>(view)].camera;
     }
 
     const Lumigraph& lumigraph_;
@@ -93,8 +68,7 @@ class ReferenceFrame {
     const RenderOptions& options_;
     Eigen::Vector3d eye_in_world_;
     Eigen::Vector3d plane_;
-    std::vector<ViewGeometry> geometries_;
-    PhotographSamples photographs_;
+    PointInViews views_;
     bool is_in_blocks_ = false;
     std::optional<AgreedDepth> depth_;  ///< None where the scene plane is drawn.
     ColorImage surroundings_;           ///< Empty where they are not drawn.
@@ -119,12 +93,11 @@ ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
       options_(options),
       eye_in_world_(centre_in_world(eye.cam_from_world)),
       plane_(scene_plane_inverse_depth(lumigraph, eye)),
-      geometries_(view_geometries(lumigraph)),
-      photographs_(lumigraph, eye),
+      views_(lumigraph, eye, options),
       surroundings_(are_surroundings_drawn(options) ? surroundings_picture(lumigraph, eye)
                                                     : ColorImage{}) {
     if (options.mode != RenderMode::kPerPixel || !has_depth(lumigraph)) return;
-    depth_.emplace(lumigraph, geometries_, eye, options);
+    depth_.emplace(lumigraph, views_.geometries(), eye, options);
     is_in_blocks_ = is_drawn_in_blocks(lumigraph, options);
 }
 
@@ -139,51 +112,17 @@ KnownPoint ReferenceFrame::point_at(const Eigen::Vector2d& pixel) const {
     return {{direction_in_world(pixel), inverse_depth, known_by}, depth};
 }
 
-std::optional<Sight> ReferenceFrame::sight_of(int view_index, const RayPoint& point) const {
-    const LumigraphView& seen_by = view(view_index);
-    // Scaled by the inverse depth, so that a point at infinity is a direction.
-    const Eigen::Vector3d in_view = seen_by.cam_from_world.rotation * point.direction_in_world +
-                                    point.inverse_depth * (seen_by.cam_from_world * eye_in_world_);
-    const auto pixel = project(seen_by.camera, in_view);
-    if (!pixel) return std::nullopt;
-    return Sight{*pixel, point.inverse_depth / in_view.z()};
-}
-
-double ReferenceFrame::visibility(int view_index, const RayPoint& point, bool check_depth) const {
-    const std::optional<Sight> sight = sight_of(view_index, point);
-    if (!sight) return 0;
-    const LumigraphView& seen_by = view(view_index);
-    if (!depth_) return 1;
-    const bool is_inside = border_distance_px(seen_by.camera, sight->pixel) >= 0;
-    if (!check_depth || !is_inside) return is_inside ? 1 : 0;
-    const FloatImage& depth = seen_by.depth.inverse_depth;
-    const Eigen::Vector2d in_depth_map(
-        sight->pixel.x() * depth.width() / seen_by.camera.width_px,
-        sight->pixel.y() * depth.height() / seen_by.camera.height_px);
-    const double difference_px =
-        std::abs(sight->inverse_depth - nearest(depth, in_depth_map)) *
-        disparity_px_per_inverse_depth(geometries_[static_cast<std::size_t>(view_index)],
-                                       eye_in_world_);
-    return visibility_of(difference_px, options_.occlusion_tolerance_px);
-}
-
-double ReferenceFrame::opacity(int view_index, const RayPoint& point) const {
-    const std::optional<Sight> sight = sight_of(view_index, point);
-    return sight ? photographs_.opacity(view_index, sight->pixel) : 0.0;
-}
-
-Eigen::Vector3d ReferenceFrame::color_in(int view_index, const RayPoint& point) const {
-    const std::optional<Sight> sight = sight_of(view_index, point);
-    return sight ? photographs_.color(view_index, sight->pixel) : Eigen::Vector3d::Zero();
-}
-
 std::array<double, 3> ReferenceFrame::visibilities(const RayWeights& ray, const RayPoint& point,
                                                    const ConsensusDepth& depth) const {
     std::array<double, 3> seen{};
-    for (std::size_t i = 0; i < 3; ++i)
-        if (ray.weights[i] > 0)
-            seen[i] = visibility(ray.view_indices[i], point,
-                                 depth.support > 0 && options_.correct_occlusion);
+    const bool check_depth = depth.support > 0 && options_.correct_occlusion;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!(ray.weights[i] > 0)) continue;
+        const int view = ray.view_indices[i];
+        seen[i] = depth_                      ? views_.visibility(view, point, check_depth)
+                  : views_.sight(view, point) ? 1.0
+                                              : 0.0;
+    }
     return seen;
 }
 
@@ -192,21 +131,15 @@ std::array<double, 3> ReferenceFrame::opacities(const std::array<double, 3>& wei
                                                 const RayPoint& point) const {
     std::array<double, 3> result{};
     for (std::size_t i = 0; i < 3; ++i)
-        if (weights[i] > 0) result[i] = opacity(ray.view_indices[i], point) / 255;
+        if (weights[i] > 0) result[i] = views_.opacity(ray.view_indices[i], point) / 255;
     return result;
 }
 
 Eigen::Vector3d ReferenceFrame::blended(const RayWeights& ray, const RayPoint& point) const {
     Eigen::Vector3d color = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < 3; ++i)
-        if (ray.weights[i] > 0) color += ray.weights[i] * color_in(ray.view_indices[i], point);
+        if (ray.weights[i] > 0) color += ray.weights[i] * views_.color(ray.view_indices[i], point);
     return color;
-}
-
-bool ReferenceFrame::is_where_the_eye_is(int view_index) const {
-    const double disparity_px = disparity_px_per_inverse_depth(
-        geometries_[static_cast<std::size_t>(view_index)], eye_in_world_);
-    return disparity_px * inverse_depth_range(lumigraph_).y() <= kMostParallax_px;
 }
 
 std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
@@ -227,8 +160,8 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
     if (weights) {
         const std::array<double, 3> opaque = opacities(*weights, *ray, point);
         for (std::size_t i = 0; i < 3; ++i)
-            counting +=
-                (*weights)[i] * (opaque[i] + (is_where_the_eye_is(ray->view_indices[i]) ? 1 : 0));
+            counting += (*weights)[i] *
+                        (opaque[i] + (views_.is_where_the_eye_is(ray->view_indices[i]) ? 1 : 0));
         weights = redistributed(*weights, opaque);
     }
     if (!weights && !has_depth) return std::nullopt;
@@ -243,7 +176,7 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
     else if (weights)
         drawn.color = fade * blended(*ray, point);
     else
-        drawn.color = fade * color_in(point.known_by, point);
+        drawn.color = fade * views_.color(point.known_by, point);
     return drawn;
 }
 
@@ -260,9 +193,9 @@ void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell, const 
     double sum = 0;
     double inside = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto sight = sight_of(ray->view_indices[i], point);
+        const auto sight = views_.sight(ray->view_indices[i], point);
         if (!sight || !(ray->weights[i] > 0)) continue;
-        const Camera& camera = view(ray->view_indices[i]).camera;
+        const Camera& camera = camera_of(ray->view_indices[i]);
         sum += ray->weights[i] * seen[i];
         inside += ray->weights[i] * inner_share(border_distance_px(camera, sight->pixel),
                                                 std::min(camera.width_px, camera.height_px));

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "render/lumigraph/lumigraph.h"
+#include "render/modes/depth_layer_views.h"
+#include "render/modes/frame.h"
+#include "render/modes/view_geometry.h"
+#include "render/reference/photograph_samples.h"
+
+namespace lumi {
+
+/// A scene point on the eye's ray: eye + direction / inverse_depth, perhaps infinitely far.
+struct RayPoint {
+    Eigen::Vector3d direction_in_world;  ///< Of unit depth along the eye's optical axis.
+    double inverse_depth = 0.0;
+    int known_by = kNoView;  ///< The first of the views whose depth says so.
+};
+
+/// A point as one view sees it.
+struct Sight {
+    Eigen::Vector2d pixel;
+    double inverse_depth = 0.0;
+};
+
+/// From a place in a photograph to its nearest border; negative beyond it.
+[[nodiscard]] double border_distance_px(const Camera& camera, const Eigen::Vector2d& pixel);
+
+/// What the views of a Lumigraph show of points on an eye's rays.
+class PointInViews {
+ public:
+    /// Lumigraph and options must outlive it.
+    PointInViews(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options);
+
+    /// None where the point is behind the view.
+    [[nodiscard]] std::optional<Sight> sight(int view_index, const RayPoint& point) const;
+    /// 1 when the view sees the point, 0 when it sees something else or the point is not in its
+    /// photograph; in between a ramp (occlusion.h). The view has depth.
+    [[nodiscard]] double visibility(int view_index, const RayPoint& point, bool check_depth) const;
+    /// How much the photograph counts there, 0 to 255.
+    [[nodiscard]] double opacity(int view_index, const RayPoint& point) const;
+    [[nodiscard]] Eigen::Vector3d color(int view_index, const RayPoint& point) const;
+    /// Whether it sees all of the scene as the eye does, to a pixel (photograph_opacity.h).
+    [[nodiscard]] bool is_where_the_eye_is(int view_index) const;
+    [[nodiscard]] const std::vector<ViewGeometry>& geometries() const { return geometries_; }
+
+ private:
+    [[nodiscard]] const LumigraphView& view(int index) const {
+        return lumigraph_.views[static_cast<std::size_t>(index)];
+    }
+
+    const Lumigraph& lumigraph_;
+    const RenderOptions& options_;
+    Eigen::Vector3d eye_in_world_;
+    std::vector<ViewGeometry> geometries_;
+    PhotographSamples photographs_;
+};
+
+}  // namespace lumi
