@@ -160,7 +160,7 @@ class Line {
                          },
                          [this](const Lumigraph& lumigraph, const Capture& capture) {
                              return sufficient_depth_effort(lumigraph, capture, config_.mesh,
-                                                           progress_);
+                                                            progress_);
                          }},
                         workspace_.package_folder(), folder, threads_, progress_);
                 },

@@ -60,8 +60,8 @@ struct Lumigraph {
 
 /// Throws Error (E-LUMIGRAPH-INVALID, E-CAMERA-INVALID, E-MESH-INVALID) unless there is a view, the
 /// names are unique, each camera is a pinhole of its photograph's size, poses and depths are
-/// finite, exposure gains, depth views and blocks within their limits and the mesh names views that exist;
-/// `where` begins the message.
+/// finite, exposure gains, depth views and blocks within their limits and the mesh names views that
+/// exist; `where` begins the message.
 void validate(const Lumigraph& lumigraph, const std::string& where);
 
 /// What holds for the Lumigraph whichever views it has: neither views nor camera mesh.
