@@ -77,5 +77,6 @@ vec3 pixel_in_layer(int layer, vec4 ray) {
                 dot(layer_views[4 * layer + 2], ray));
 }
 
+vec2 size_in_layer(int layer) { return layer_views[4 * layer + 3].yz; }
 float photograph_of_layer(int layer) { return layer_views[4 * layer + 3].x; }
 #endif

@@ -38,18 +38,21 @@ struct Place {
     vec2 pixel;
     vec2 along_x;
     vec2 along_y;
+    vec2 size;  // of the photograph
     float photograph;
 };
 
 // `along_x` and `along_y` are those of the homogeneous pixel: derivatives of the quotient follow.
-Place place_of(vec3 sight, vec3 along_x, vec3 along_y, float photograph) {
+Place place_of(vec3 sight, vec3 along_x, vec3 along_y, vec2 size, float photograph) {
     return Place(sight.xy, (along_x.xy - sight.xy * along_x.z) * sight.z,
-                 (along_y.xy - sight.xy * along_y.z) * sight.z, photograph);
+                 (along_y.xy - sight.xy * along_y.z) * sight.z, size, photograph);
 }
 
 vec4 color_of(Place place, vec2 from_centre_px) {
 #ifdef BLOCKS
     place.pixel += from_centre_px.x * place.along_x + from_centre_px.y * place.along_y;
+    // A block on the border of a photograph that shows its centre shows all of it.
+    place.pixel = clamp(place.pixel, vec2(0.0), place.size);
 #endif
     return photograph_at_pixel(place.pixel, place.photograph);
 }
@@ -167,11 +170,12 @@ Blend blend_at(vec2 window) {
                   : per_pixel * dFdx(view_pixel0),
         is_unseen ? pixel_in_layer(depth.layer, vec4(0.0, per_layer_pixel, 0.0, 0.0))
                   : per_pixel * dFdy(view_pixel0),
+        is_unseen ? size_in_layer(depth.layer) : view_size0.xy,
         is_unseen ? photograph_of_layer(depth.layer) : view_parallax0.w);
     blend.place1 = place_of(sight1, per_pixel * dFdx(view_pixel1), per_pixel * dFdy(view_pixel1),
-                            view_parallax1.w);
+                            view_size1.xy, view_parallax1.w);
     blend.place2 = place_of(sight2, per_pixel * dFdx(view_pixel2), per_pixel * dFdy(view_pixel2),
-                            view_parallax2.w);
+                            view_size2.xy, view_parallax2.w);
     return blend;
 }
 

@@ -152,6 +152,27 @@ TEST(GlAgainstReference, PerPixelInBlocksOfFourPixelsEachHasItsOwnColour) {
     EXPECT_LE(difference.share_beyond_two, 0.1);
 }
 
+TEST(GlAgainstReference, PerPixelInBlocksIsNowhereDarkerAtTheBordersOfPhotographs) {
+    Lumigraph wall = card_before_wall();
+    const RenderOptions without_surroundings{.guess_surroundings = false};
+    const auto darkest_drawn = [&] {
+        OffscreenRenderer renderer(wall);
+        int darkest = 3 * 255;
+        for (const auto& [name, eye] : eyes_before_wall(wall)) {
+            const Frame frame = renderer.draw(eye, without_surroundings);
+            for (std::size_t i = 0; i < frame.color.pixels().size(); ++i) {
+                const Rgb8& color = frame.color.pixels()[i];
+                if (frame.coverage.pixels()[i] > 0)
+                    darkest = std::min(darkest, color.r + color.g + color.b);
+            }
+        }
+        return darkest;
+    };
+    const int alone = darkest_drawn();
+    wall.depth_block_px = kMaxDepthBlock_px;
+    EXPECT_GE(darkest_drawn(), alone - 12);
+}
+
 TEST(GlAgainstReference, PerPixelOfSeveralSamplesIsNeverDrawnInBlocks) {
     Lumigraph wall = card_before_wall();
     const Eye eye = eyes_before_wall(wall).front().eye;
