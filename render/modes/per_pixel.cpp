@@ -184,7 +184,7 @@ void PerPixel::append_view(const Eye& eye, int view_index, std::vector<glm::vec4
         rows.push_back(to_glm(Eigen::Vector4d(view_from_window(row, 0), view_from_window(row, 1),
                                               view_from_window(row, 2),
                                               view_from_eye.per_inverse_depth[row])));
-    rows.emplace_back(view_index, view.camera.width_px, view.camera.height_px, 1.0F);
+    rows.emplace_back(view_index, 0.0F, 0.0F, 0.0F);
 }
 
 }  // namespace lumi

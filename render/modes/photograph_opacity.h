@@ -14,6 +14,10 @@ namespace lumi {
 inline constexpr double kLeastCounting = 0.25;
 inline constexpr double kMostParallax_px = 1.0;
 
+/// What a photograph counts per pixel even where its opacity is 0, beyond its border: nothing
+/// beside any other, but it is shown where it alone sees a point. As in shaders/per_pixel.glsl.
+inline constexpr double kLeastOpacity = 1.0 / 1024;
+
 /// How much each pixel of a photograph counts where photographs are blended, 1 to 255: the alpha
 /// of its texture.
 ///

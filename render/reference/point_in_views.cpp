@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/modes/depth_eye.h"
 #include "render/modes/occlusion.h"
 #include "render/modes/photograph_opacity.h"
 #include "render/reference/sampling.h"
@@ -19,8 +18,6 @@ double border_distance_px(const Camera& camera, const Eigen::Vector2d& pixel) {
 PointInViews::PointInViews(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options)
     : lumigraph_(lumigraph),
       options_(options),
-      is_in_blocks_(options.mode == RenderMode::kPerPixel &&
-                    is_drawn_in_blocks(lumigraph, options)),
       eye_in_world_(centre_in_world(eye.cam_from_world)),
       geometries_(view_geometries(lumigraph)),
       photographs_(lumigraph, eye) {}
@@ -51,22 +48,14 @@ double PointInViews::visibility(int view_index, const RayPoint& point, bool chec
     return visibility_of(difference_px, options_.occlusion_tolerance_px);
 }
 
-std::optional<Eigen::Vector2d> PointInViews::place(int view_index, const RayPoint& point) const {
-    const std::optional<Sight> seen = sight(view_index, point);
-    if (!seen) return std::nullopt;
-    if (!is_in_blocks_) return seen->pixel;
-    const Camera& camera = view(view_index).camera;
-    return seen->pixel.cwiseMax(0.0).cwiseMin(Eigen::Vector2d(camera.width_px, camera.height_px));
-}
-
 double PointInViews::opacity(int view_index, const RayPoint& point) const {
-    const auto pixel = place(view_index, point);
-    return pixel ? photographs_.opacity(view_index, *pixel) : 0.0;
+    const std::optional<Sight> seen = sight(view_index, point);
+    return seen ? photographs_.opacity(view_index, seen->pixel) : 0.0;
 }
 
 Eigen::Vector3d PointInViews::color(int view_index, const RayPoint& point) const {
-    const auto pixel = place(view_index, point);
-    return pixel ? photographs_.color(view_index, *pixel) : Eigen::Vector3d::Zero();
+    const std::optional<Sight> seen = sight(view_index, point);
+    return seen ? photographs_.color(view_index, seen->pixel) : Eigen::Vector3d::Zero();
 }
 
 bool PointInViews::is_where_the_eye_is(int view_index) const {

@@ -39,8 +39,7 @@ class PointInViews {
     /// 1 when the view sees the point, 0 when it sees something else or the point is not in its
     /// photograph; in between a ramp (occlusion.h). The view has depth.
     [[nodiscard]] double visibility(int view_index, const RayPoint& point, bool check_depth) const;
-    /// How much the photograph counts there, 0 to 255. Of a block of pixels whose centre it shows
-    /// it shows all.
+    /// How much the photograph counts there, 0 to 255.
     [[nodiscard]] double opacity(int view_index, const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d color(int view_index, const RayPoint& point) const;
     /// Whether it sees all of the scene as the eye does, to a pixel (photograph_opacity.h).
@@ -52,12 +51,8 @@ class PointInViews {
         return lumigraph_.views[static_cast<std::size_t>(index)];
     }
 
-    /// Where the photograph is looked up; none where the point is behind the view.
-    [[nodiscard]] std::optional<Eigen::Vector2d> place(int view_index, const RayPoint& point) const;
-
     const Lumigraph& lumigraph_;
     const RenderOptions& options_;
-    bool is_in_blocks_;
     Eigen::Vector3d eye_in_world_;
     std::vector<ViewGeometry> geometries_;
     PhotographSamples photographs_;

@@ -158,7 +158,9 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
     const double occluded = weights ? occluded_share(*ray, seen) : 1.0;
     double counting = weights ? 0.0 : 1.0;
     if (weights) {
-        const std::array<double, 3> opaque = opacities(*weights, *ray, point);
+        std::array<double, 3> opaque = opacities(*weights, *ray, point);
+        if (depth_)
+            for (double& opacity : opaque) opacity = std::max(opacity, kLeastOpacity);
         for (std::size_t i = 0; i < 3; ++i)
             counting += (*weights)[i] *
                         (opaque[i] + (views_.is_where_the_eye_is(ray->view_indices[i]) ? 1 : 0));

@@ -6,7 +6,7 @@ uniform sampler2DArray depth_layers;
 uniform float max_inverse_depth;
 uniform float agreeing_depth;  // layers that differ by no more are of one surface
 // For each layer its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
-// in window coordinates, then (layer of the photograph, its width, its height, unused).
+// in window coordinates, then (layer of the photograph, unused).
 uniform vec4 layer_views[16];
 
 // Where each kind of depth begins in the depth buffer, times the kind, and how far it goes; 1 is
@@ -77,6 +77,5 @@ vec3 pixel_in_layer(int layer, vec4 ray) {
                 dot(layer_views[4 * layer + 2], ray));
 }
 
-vec2 size_in_layer(int layer) { return layer_views[4 * layer + 3].yz; }
 float photograph_of_layer(int layer) { return layer_views[4 * layer + 3].x; }
 #endif

@@ -20,6 +20,8 @@ uniform float check_per_px;              // 1 / tolerance; 0 without occlusion c
 // photograph_opacity.h.
 const float kLeastCounting = 0.25;
 const float kMostParallax_px = 1.0;
+// What a photograph counts beyond its border, which it continues: a quarter of the least within.
+const float kLeastOpacity = 1.0 / 1024.0;
 
 #ifdef BLOCKS
 const float kFragment_px = 2.0;
@@ -38,21 +40,18 @@ struct Place {
     vec2 pixel;
     vec2 along_x;
     vec2 along_y;
-    vec2 size;  // of the photograph
     float photograph;
 };
 
 // `along_x` and `along_y` are those of the homogeneous pixel: derivatives of the quotient follow.
-Place place_of(vec3 sight, vec3 along_x, vec3 along_y, vec2 size, float photograph) {
+Place place_of(vec3 sight, vec3 along_x, vec3 along_y, float photograph) {
     return Place(sight.xy, (along_x.xy - sight.xy * along_x.z) * sight.z,
-                 (along_y.xy - sight.xy * along_y.z) * sight.z, size, photograph);
+                 (along_y.xy - sight.xy * along_y.z) * sight.z, photograph);
 }
 
 vec4 color_of(Place place, vec2 from_centre_px) {
 #ifdef BLOCKS
     place.pixel += from_centre_px.x * place.along_x + from_centre_px.y * place.along_y;
-    // A block on the border of a photograph that shows its centre shows all of it.
-    place.pixel = clamp(place.pixel, vec2(0.0), place.size);
 #endif
     return photograph_at_pixel(place.pixel, place.photograph);
 }
@@ -91,7 +90,9 @@ vec4 drawn_at(Blend blend, vec2 from_centre_px) {
     vec4 color0 = color_of(blend.place0, from_centre_px);
     vec4 color1 = color_of(blend.place1, from_centre_px);
     vec4 color2 = color_of(blend.place2, from_centre_px);
-    vec3 weights = blend.weights * vec3(color0.a, color1.a, color2.a);
+    // Only the middle of a block needs to be within a photograph, and the borders of mip levels count
+    // nothing: whom no other sees better is seen all the same.
+    vec3 weights = blend.weights * max(vec3(color0.a, color1.a, color2.a), kLeastOpacity);
     float counting = weights.x + weights.y + weights.z;
     // Where all are mixed of two surfaces the colour is a guess, unless a camera is where the eye is.
     float pure = counting + dot(blend.weights, step(near_inverse_depth * disparity_and_face.xyz,
@@ -170,12 +171,11 @@ Blend blend_at(vec2 window) {
                   : per_pixel * dFdx(view_pixel0),
         is_unseen ? pixel_in_layer(depth.layer, vec4(0.0, per_layer_pixel, 0.0, 0.0))
                   : per_pixel * dFdy(view_pixel0),
-        is_unseen ? size_in_layer(depth.layer) : view_size0.xy,
         is_unseen ? photograph_of_layer(depth.layer) : view_parallax0.w);
     blend.place1 = place_of(sight1, per_pixel * dFdx(view_pixel1), per_pixel * dFdy(view_pixel1),
-                            view_size1.xy, view_parallax1.w);
+                            view_parallax1.w);
     blend.place2 = place_of(sight2, per_pixel * dFdx(view_pixel2), per_pixel * dFdy(view_pixel2),
-                            view_size2.xy, view_parallax2.w);
+                            view_parallax2.w);
     return blend;
 }
 
