@@ -11,7 +11,19 @@
 namespace lumi {
 namespace {
 
-constexpr double kFineEnough = 1.5;
+/// A level is looked up alone where so many of its texels fall on a pixel: fewer were blurred, and
+/// of more some would be left out between two lookups.
+constexpr double kFewestAlone = 1.5;
+constexpr double kMostAlone = 2.0;
+
+/// Between these the next level takes over.
+double level_for(double texels_per_pixel) {
+    const double finer = std::floor(std::log2(texels_per_pixel / kFewestAlone));
+    const double beyond_alone = texels_per_pixel / std::exp2(finer) / kMostAlone;
+    const double share_of_coarser =
+        std::max(0.0, std::log(beyond_alone) / std::log(2 * kFewestAlone / kMostAlone));
+    return std::max(0.0, finer + share_of_coarser);
+}
 
 }  // namespace
 
@@ -22,8 +34,7 @@ double photograph_lod(const Lumigraph& lumigraph, const Eye& eye, double samples
     std::vector<double> of_views;
     for (const LumigraphView& view : lumigraph.views)
         of_views.push_back(pixels_per_unit(view.camera, view.cam_from_world, centre));
-    const double minified = samples_across_pixel * median_of(std::move(of_views)) / of_eye;
-    return minified > kFineEnough ? std::log2(minified / kFineEnough) : 0.0;
+    return level_for(samples_across_pixel * median_of(std::move(of_views)) / of_eye);
 }
 
 }  // namespace lumi
