@@ -18,7 +18,8 @@ const ColorImage& photograph(const Lumigraph& lumigraph, int layer) {
 }  // namespace
 
 ThreeTextureBlend::ThreeTextureBlend(const Lumigraph& lumigraph)
-    : screen_({{0, 2}}), program_("three_texture_blend", {shader_source("three_texture_blend")}) {
+    : program_("three_texture_blend",
+               {shader_source("screen"), shader_source("three_texture_blend")}) {
     int width = 0;
     int height = 0;
     for (int layer = 0; layer < kTextures; ++layer) {
@@ -33,7 +34,6 @@ ThreeTextureBlend::ThreeTextureBlend(const Lumigraph& lumigraph)
     const ColorImage& first = photograph(lumigraph, 0);
     width_share_ = static_cast<float>(first.width()) / static_cast<float>(width);
     height_share_ = static_cast<float>(first.height()) / static_cast<float>(height);
-    screen_.upload({0, 0, 1, 0, 1, 1, 0, 1}, {0, 1, 2, 0, 2, 3});
 }
 
 void ThreeTextureBlend::draw(const Viewport& viewport) const {
@@ -44,7 +44,7 @@ void ThreeTextureBlend::draw(const Viewport& viewport) const {
     photographs_.bind(0);
     program_.set("photographs", 0);
     program_.set("photograph_share", glm::vec2(width_share_, height_share_));
-    screen_.draw(0, 6);
+    screen_.draw();
 }
 
 }  // namespace lumi

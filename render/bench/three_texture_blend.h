@@ -1,8 +1,8 @@
 #pragma once
 
 #include "render/gl/program.h"
+#include "render/gl/screen.h"
 #include "render/gl/texture.h"
-#include "render/gl/vertex_buffer.h"
 #include "render/lumigraph/lumigraph.h"
 #include "render/modes/viewport.h"
 
@@ -19,7 +19,7 @@ class ThreeTextureBlend {
 
  private:
     TextureArray photographs_;
-    VertexBuffer screen_;
+    Screen screen_;
     Program program_;
     float width_share_ = 1.0F;
     float height_share_ = 1.0F;

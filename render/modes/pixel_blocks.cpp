@@ -15,9 +15,8 @@ int blocks_along(int pixels) {
 
 }  // namespace
 
-PixelBlocks::PixelBlocks() : lay_out_("lay_out", {shader_source("lay_out")}), screen_({{0, 2}}) {
-    screen_.upload({0, 0, 1, 0, 1, 1, 0, 1}, {0, 1, 2, 0, 2, 3});
-}
+PixelBlocks::PixelBlocks()
+    : lay_out_("lay_out", {shader_source("screen"), shader_source("lay_out")}) {}
 
 Viewport PixelBlocks::begin(int width_px, int height_px) {
     const int columns = blocks_along(width_px);
@@ -39,7 +38,7 @@ void PixelBlocks::lay_out(const Viewport& viewport) const {
     lay_out_.set("blocks", 0);
     lay_out_.set("from_origin_px",
                  glm::vec2(-viewport.x_px, rows_below(viewport.height_px) - viewport.y_px));
-    screen_.draw(0, 6);
+    screen_.draw();
 }
 
 Eye PixelBlocks::covering(Eye eye) {

@@ -2,8 +2,8 @@
 
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
+#include "render/gl/screen.h"
 #include "render/gl/texture.h"
-#include "render/gl/vertex_buffer.h"
 #include "render/lumigraph/lumigraph.h"
 #include "render/modes/viewport.h"
 
@@ -36,7 +36,7 @@ class PixelBlocks {
     TextureArray rasters_;
     Framebuffer framebuffer_;
     Program lay_out_;
-    VertexBuffer screen_;
+    Screen screen_;
 };
 
 }  // namespace lumi

@@ -10,10 +10,8 @@ SupersampledTarget::SupersampledTarget(int width_px, int height_px)
     : width_px_(width_px),
       height_px_(height_px),
       samples_(TexelFormat::kColor, TexelFilter::kNearest, 2 * width_px, 2 * height_px, 1),
-      program_("halve", {shader_source("halve")}),
-      screen_({{0, 2}}) {
+      program_("halve", {shader_source("screen"), shader_source("halve")}) {
     framebuffer_.attach_color_layer(samples_, 0);
-    screen_.upload({0, 0, 1, 0, 1, 1, 0, 1}, {0, 1, 2, 0, 2, 3});
 }
 
 void SupersampledTarget::halve() const {
@@ -21,7 +19,7 @@ void SupersampledTarget::halve() const {
     program_.use();
     samples_.bind(0);
     program_.set("picture", 0);
-    screen_.draw(0, 6);
+    screen_.draw();
     glUseProgram(0);
 }
 

@@ -2,8 +2,8 @@
 
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
+#include "render/gl/screen.h"
 #include "render/gl/texture.h"
-#include "render/gl/vertex_buffer.h"
 
 namespace lumi {
 
@@ -24,7 +24,7 @@ class SupersampledTarget {
     TextureArray samples_;
     Framebuffer framebuffer_;
     Program program_;
-    VertexBuffer screen_;
+    Screen screen_;
 };
 
 }  // namespace lumi

@@ -1,14 +1,6 @@
 // Each pixel becomes the mean of four of a picture that is twice as wide and high. Not left to a
 // scaling blit, as drivers may round each of its steps up.
 
-#ifdef LUMI_VERTEX
-layout(location = 0) in vec2 in_position;
-
-void main() {
-    gl_Position = vec4(2.0 * in_position - 1.0, 0.0, 1.0);
-}
-#endif
-
 #ifdef LUMI_FRAGMENT
 uniform sampler2DArray picture;
 out vec4 drawn;

@@ -1,14 +1,6 @@
 // Four pictures of half the size become the frame: each holds one pixel of every block of two by
 // two (pixel_blocks.h).
 
-#ifdef LUMI_VERTEX
-layout(location = 0) in vec2 in_position;
-
-void main() {
-    gl_Position = vec4(2.0 * in_position - 1.0, 0.0, 1.0);
-}
-#endif
-
 #ifdef LUMI_FRAGMENT
 uniform sampler2DArray blocks;
 uniform vec2 from_origin_px;  // of the picture that the blocks make: its first block begins there

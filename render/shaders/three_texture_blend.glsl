@@ -1,24 +1,8 @@
 // The measure of all frame times: the full screen, three photographs, weights that vary. No method
 // that blends three views can be faster.
 
-#ifdef LUMI_VERTEX
-#define LUMI_VARYING out
-#else
-#define LUMI_VARYING in
-#endif
-
-LUMI_VARYING vec2 position;  // 0 to 1 over the screen
-
-#ifdef LUMI_VERTEX
-layout(location = 0) in vec2 in_position;
-
-void main() {
-    position = in_position;
-    gl_Position = vec4(2.0 * in_position - 1.0, 0.0, 1.0);
-}
-#endif
-
 #ifdef LUMI_FRAGMENT
+in vec2 position;  // 0 to 1 over the screen
 uniform sampler2DArray photographs;
 uniform vec2 photograph_share;  // of a layer that the photograph fills
 out vec4 drawn;
