@@ -119,6 +119,7 @@ DrawStatistics Adaptive::draw(const Eye& eye, const RenderOptions& options, cons
     }
     if (are_surroundings_drawn(options)) {
         PictureCells cells(eye.camera);
+        mark_beyond_mesh(uploaded_.layout.mesh, eye, cells);
         mark_where_none_may_be_shown(layers_.front(), uploaded_.layout.views, cells);
         surroundings_.draw(cells, eye);
     }

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "render/modes/pixel_transfer.h"
+#include "render/modes/polygon_clipping.h"
 
 namespace lumi {
 namespace {
@@ -28,6 +29,36 @@ CellCorners corners_of(const PictureCells& cells, int column, int row) {
     const double bottom = top + cells.cell_px();
     return {Eigen::Vector3d(left, top, 1), Eigen::Vector3d(right, top, 1),
             Eigen::Vector3d(left, bottom, 1), Eigen::Vector3d(right, bottom, 1)};
+}
+
+/// Of a cell, in square pixels: what rounding may leave out between faces that fit together.
+constexpr double kRounding_px2 = 0.01;
+
+using Corners = std::vector<Eigen::Vector2d>;
+
+PictureCells::Block touched_by(const FacePolygon& polygon, const PictureCells& cells) {
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& corner : polygon.corners_px) box.extend(corner);
+    return cells.touched_by(box.min(), box.max());
+}
+
+double area_px2(const Corners& corners) {
+    double doubled = 0;
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        const Eigen::Vector2d a = corners[i - 1] - corners[0];
+        const Eigen::Vector2d b = corners[i] - corners[0];
+        doubled += a.x() * b.y() - a.y() * b.x();
+    }
+    return 0.5 * std::abs(doubled);
+}
+
+/// The part of a convex polygon from `low` to `high` along an axis.
+Corners between(const Corners& corners, Eigen::Index axis, double low, double high) {
+    Eigen::Vector3d from_low(0, 0, -low);
+    Eigen::Vector3d to_high(0, 0, high);
+    from_low[axis] = 1;
+    to_high[axis] = -1;
+    return clipped(clipped(corners, from_low), to_high);
 }
 
 /// What is seen through the faces, on the plane and infinitely far beyond its horizon.
@@ -114,15 +145,36 @@ void mark_where_none_may_be_shown(const std::vector<FacePolygon>& polygons,
     const OnPlane on_plane(views, eye, plane);
     for (const FacePolygon& polygon : polygons) {
         if (polygon.corners_px.empty()) continue;
-        Eigen::AlignedBox2d box;
-        for (const Eigen::Vector2d& corner : polygon.corners_px) box.extend(corner);
-        const PictureCells::Block block = cells.touched_by(box.min(), box.max());
+        const PictureCells::Block block = touched_by(polygon, cells);
         for (int row = block.begin_row; row < block.end_row; ++row)
             for (int column = block.begin_column; column < block.end_column; ++column)
                 if (!cells.is_marked(column, row) &&
                     !on_plane.is_surely_shown(polygon, corners_of(cells, column, row)))
                     cells.mark(column, row);
     }
+}
+
+void mark_beyond_mesh(const CameraMesh& mesh, const Eye& eye, PictureCells& cells) {
+    const double cell_px = cells.cell_px();
+    Eigen::MatrixXd open_px2(cells.rows(), cells.columns());
+    for (int row = 0; row < cells.rows(); ++row)
+        for (int column = 0; column < cells.columns(); ++column)
+            open_px2(row, column) = std::min(cell_px, eye.camera.width_px - column * cell_px) *
+                                    std::min(cell_px, eye.camera.height_px - row * cell_px);
+    // Faces do not overlap: areas add up.
+    for (const FacePolygon& polygon : face_polygons(mesh, eye, kNoOverlap_px)) {
+        const PictureCells::Block block = touched_by(polygon, cells);
+        for (int row = block.begin_row; row < block.end_row; ++row) {
+            const Corners in_row =
+                between(polygon.corners_px, 1, row * cell_px, (row + 1) * cell_px);
+            for (int column = block.begin_column; column < block.end_column; ++column)
+                open_px2(row, column) -=
+                    area_px2(between(in_row, 0, column * cell_px, (column + 1) * cell_px));
+        }
+    }
+    for (int row = 0; row < cells.rows(); ++row)
+        for (int column = 0; column < cells.columns(); ++column)
+            if (open_px2(row, column) > kRounding_px2) cells.mark(column, row);
 }
 
 }  // namespace lumi

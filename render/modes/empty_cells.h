@@ -27,4 +27,8 @@ void mark_where_none_may_be_shown(const std::vector<FacePolygon>& polygons,
                                   const std::vector<LumigraphView>& views, const Eye& eye,
                                   const Eigen::Vector3d& plane, PictureCells& cells);
 
+/// Marks the cells that reach beyond the camera mesh as the eye sees it: there is no face to look
+/// through, as far behind the cameras or past the mesh's border.
+void mark_beyond_mesh(const CameraMesh& mesh, const Eye& eye, PictureCells& cells);
+
 }  // namespace lumi

@@ -76,6 +76,7 @@ DrawStatistics LightField::draw_polygons(std::vector<FacePolygon> polygons, cons
     const std::vector<PlaneView> beyond = plane_views(layout, eye, Eigen::Vector3d::Zero());
     if (are_surroundings_drawn(options)) {
         PictureCells cells(eye.camera);
+        mark_beyond_mesh(layout.mesh, eye, cells);
         mark_where_none_may_be_shown(polygons, layout.views, eye, plane, cells);
         surroundings_.draw(cells, eye);
     }

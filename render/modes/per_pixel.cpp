@@ -59,6 +59,7 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
         face_polygons(uploaded_.layout.mesh, in_blocks ? PixelBlocks::covering(eye) : eye);
     if (are_surroundings_drawn(options)) {
         PictureCells cells(eye.camera);
+        mark_beyond_mesh(uploaded_.layout.mesh, eye, cells);
         mark_where_none_may_be_shown(polygons, uploaded_.layout.views, eye,
                                      scene_plane_inverse_depth(uploaded_.layout, eye), cells);
         surroundings_.draw(cells, eye);

@@ -67,6 +67,47 @@ TEST(EmptyCells, AreMarkedWhereverAPixelIsNotShown) {
     EXPECT_LT(marked_cells, all_cells / 2);
 }
 
+TEST(EmptyCells, AreMarkedWhereverThePictureReachesBeyondTheMesh) {
+    const Lumigraph lumigraph = card_before_wall();
+    const Camera wide = pinhole_camera(80, 60, 12);
+    for (const Eye& eye : {eye_at({0.2, 0.1, -300}, {0, 0, 4}, wide),
+                           eye_at({200, 0.1, -100}, {0, 0, 4}, kEyeCamera),
+                           eye_at({0.2, 0.1, 0}, {0.2, 0.1, -4}, kEyeCamera)}) {
+        const auto polygons = face_polygons(lumigraph.mesh, eye);
+        PictureCells cells(eye.camera);
+        mark_beyond_mesh(lumigraph.mesh, eye, cells);
+        const auto is_within = [&](const Eigen::Vector2d& pixel) {
+            return std::any_of(polygons.begin(), polygons.end(), [&](const FacePolygon& polygon) {
+                return std::all_of(polygon.side_lines.begin(), polygon.side_lines.end(),
+                                   [&](const Eigen::Vector3d& line) {
+                                       return line.dot(pixel.homogeneous()) >= 0;
+                                   });
+            });
+        };
+        int marked = 0;
+        int marked_without_need = 0;
+        for (int row = 0; row < cells.rows(); ++row) {
+            for (int column = 0; column < cells.columns(); ++column) {
+                bool is_all_within = true;
+                for (double x = 0.25; x < cells.cell_px(); x += 0.5)
+                    for (double y = 0.25; y < cells.cell_px(); y += 0.5)
+                        if (!is_within({column * cells.cell_px() + x, row * cells.cell_px() + y}))
+                            is_all_within = false;
+                const bool is_marked = cells.is_marked(column, row);
+                EXPECT_TRUE(is_marked || is_all_within) << column << ' ' << row;
+                if (is_marked && is_all_within) ++marked_without_need;
+                if (is_marked) ++marked;
+            }
+        }
+        EXPECT_GT(marked, 0);
+        EXPECT_LE(marked_without_need, 12);
+    }
+    const Eye among_cameras = eye_at({0.2, 0.13, 0}, {0, 0, 4}, kEyeCamera);
+    PictureCells cells(among_cameras.camera);
+    mark_beyond_mesh(lumigraph.mesh, among_cameras, cells);
+    EXPECT_FALSE(cells.is_any_marked());
+}
+
 TEST(EmptyCells, OfATriangleBeyondAPhotographAreThoseItTouches) {
     BlendTriangles triangles;
     for (const std::array<float, 2>& pixel : {std::array<float, 2>{35, 15}, {55, 15}, {35, 25}}) {
