@@ -21,6 +21,7 @@
 #include "render/paths/path_through_views.h"
 #include "render/reference/reference_renderer.h"
 #include "render/viewer/difference_picture.h"
+#include "render/viewer/photograph_eye.h"
 
 namespace lumi {
 namespace {
@@ -93,10 +94,11 @@ std::vector<Job> jobs_of(const RenderRequest& request, const Lumigraph& lumigrap
     return jobs;
 }
 
-Camera camera_of_size(const Camera& camera, const std::string& size) {
-    if (size.empty()) return camera;
+/// As the window shows it in a frame of that size.
+Eye eye_of_size(const Eye& eye, const std::string& size) {
+    if (size.empty()) return eye;
     const FrameSize frame_size = frame_size_from(size);
-    return resized(camera, frame_size.width_px, frame_size.height_px);
+    return fitted_to(eye, frame_size.width_px, frame_size.height_px);
 }
 
 using Draw = std::function<Frame(const Eye&)>;
@@ -154,7 +156,7 @@ std::string frame_text(const Json& frame) {
 }
 
 Json draw_to_file(const Job& job, const RenderRequest& request, const Draw& draw) {
-    const Eye eye{camera_of_size(job.eye.camera, request.size), job.eye.cam_from_world};
+    const Eye eye = eye_of_size(job.eye, request.size);
     const Stopwatch stopwatch;
     const ColorImage picture = picture_of(eye, request.stereo_baseline, draw);
     const double ms = 1000.0 * stopwatch.elapsed().wall_s;
@@ -163,7 +165,11 @@ Json draw_to_file(const Job& job, const RenderRequest& request, const Draw& draw
 }
 
 std::vector<Eye> path_of(const RenderRequest& request, const Lumigraph& lumigraph) {
-    if (request.path != kViewsPath) return read_path_file(request.path);
+    if (request.path != kViewsPath) {
+        std::vector<Eye> path = read_path_file(request.path);
+        for (Eye& eye : path) eye = eye_of_size(eye, request.size);
+        return path;
+    }
     const FrameSize size = request.size.empty() ? kPathSize : frame_size_from(request.size);
     return path_through_views(lumigraph, request.frames, size.width_px, size.height_px);
 }
@@ -280,8 +286,10 @@ void add_render_command(CLI::App& app, CommandContext& context) {
         ->capture_default_str();
     CLI::Option* debug =
         command.add_option("--debug", request->debug, debug_picture_names())->capture_default_str();
-    CLI::Option* size =
-        command.add_option("--size", request->size, "Such as 1280x720 (default: the photograph's)");
+    CLI::Option* size = command.add_option(
+        "--size", request->size,
+        "Such as 1280x720 (default: the photograph's); the whole picture fits into "
+        "it, and more where its shape differs");
     command
         .add_flag("--difference", request->difference,
                   "Instead of the picture how far it is from the photograph that was taken there, "

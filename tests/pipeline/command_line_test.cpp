@@ -470,6 +470,48 @@ TEST_F(Line, DrawsPathsToFramesVideosAndPairs) {
         3);
 }
 
+/// Of one channel, over the pixels from `left` on that the smaller picture has.
+double mean_difference(const ColorImage& wide, int left, const ColorImage& narrow) {
+    double sum = 0;
+    for (int y = 0; y < narrow.height(); ++y)
+        for (int x = 0; x < narrow.width(); ++x)
+            sum += std::abs(wide(left + x, y).g - narrow(x, y).g);
+    return sum / static_cast<double>(narrow.pixels().size());
+}
+
+TEST_F(Line, DrawsAnyShapeOfFrameWithoutStretchingWhatItShows) {
+    configure("");
+    static_cast<void>(build());
+    const fs::path drawn = workspace() / "drawn.png";
+    const auto draw = [&](const std::string& arguments) {
+        const std::string to = " --out " + quoted(drawn);
+        EXPECT_EQ(lumi("render " + quoted(package()) + " " + arguments + to).exit_code, 0);
+        return read_color_image(drawn);
+    };
+    const std::string view = "--view IMG_0005.png ";
+    const ColorImage still = draw(view);
+    ASSERT_EQ(still.width(), 160);
+    const ColorImage wide = draw(view + "--size 240x120");
+    ASSERT_EQ(wide.width(), 240);
+    ASSERT_EQ(wide.height(), 120);
+    EXPECT_LT(mean_difference(wide, 40, still), 2);
+
+    const std::string eye =
+        R"({"camera": {"model": "PINHOLE", "width_px": 64, "height_px": 48,
+                       "parameters": [60, 60, 32, 24]},
+            "cam_from_world": {"rotation_wxyz": [1, 0, 0, 0], "translation": [0, 0, 0]}})";
+    const fs::path path = workspace() / "path.json";
+    const fs::path frames = workspace() / "frames";
+    write_whole_text(path, R"({"eyes": [)" + eye + "]}");
+    ASSERT_EQ(lumi("render " + quoted(package()) + " --size 32x30 --path " + quoted(path) +
+                   " --out " + quoted(frames))
+                  .exit_code,
+              0);
+    const ColorImage frame = read_color_image(frames / "frame-000001.png");
+    EXPECT_EQ(frame.width(), 32);
+    EXPECT_EQ(frame.height(), 30);
+}
+
 TEST_F(Line, DrawsTheDifferenceFromAHeldOutPhotograph) {
     configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
     static_cast<void>(build());
