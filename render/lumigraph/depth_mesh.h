@@ -32,7 +32,7 @@ struct DepthMesh {
     int rows = 0;
     /// ... to follow the depth map to so many pixels, where that does not take too many triangles;
     double wanted_error_px = 0.0;
-    double error_px = 0.0;      ///< and to so many it does,
+    double error_px = 0.0;      ///< and to so many it does, where the view saw it,
     double disparity_px = 0.0;  ///< a unit of inverse depth being so many (view_geometry.h).
 };
 

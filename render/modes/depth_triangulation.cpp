@@ -274,7 +274,7 @@ DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double dispar
                       const DepthMeshOptions& options) {
     if (depth.inverse_depth.empty()) return {};
     const DepthLattice lattice(depth, camera, disparity_px);
-    const SplitErrors errors(lattice);
+    const SplitErrors errors(lattice, options.guess_error_ratio);
     const Network network = affordable_network(errors, lattice, options);
     const auto samples = static_cast<double>(depth.inverse_depth.pixels().size());
     if (network.triangles > options.max_triangles &&
@@ -292,6 +292,7 @@ DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double dispar
         const double pitch_px = static_cast<double>(camera.width_px) / depth.inverse_depth.width();
         mesh = decimated(mesh, disparity_px,
                          {.max_error_px = options.decimated_share * network_error_px,
+                          .guess_error_ratio = options.guess_error_ratio,
                           .max_tear_px = kMaxMovedTear * pitch_px,
                           .max_kind_border_px = kMaxMovedKindBorder * pitch_px});
     }

@@ -12,6 +12,8 @@ struct DepthMeshOptions {
     double max_error_px = 0.1;         ///< The mesh follows the depth map this closely.
     double max_coarse_error_px = 0.4;  ///< Allowed instead when there would be too many triangles.
     std::size_t max_triangles = 8'000;
+    /// What is filled or stretched is a guess: the mesh follows it so many times less closely.
+    double guess_error_ratio = 4.0;
     /// Where a depth map would need more than this even so, its samples tell noise: pairs of rows
     /// and of columns are drawn as one, and the mesh follows these less closely.
     double max_triangles_per_sample = 0.25;
@@ -24,8 +26,9 @@ struct DepthMeshOptions {
 
 /// The coarsest right-triangulated irregular network (Evans, Kirkpatrick, Townsend 2001) that stays
 /// within the error: without cracks, and down to single samples along tears and at the edges of
-/// what was seen; then without the vertices that it keeps to the error without. `disparity_px`
-/// turns inverse depth into pixels (view_geometry.h).
+/// what was seen; then without the vertices that it keeps to the error without. The error is that
+/// of what was seen; what is filled or stretched errs more. `disparity_px` turns inverse depth into
+/// pixels (view_geometry.h).
 [[nodiscard]] DepthMesh triangulate(const DepthMap& depth, const Camera& camera,
                                     double disparity_px, const DepthMeshOptions& options = {});
 

@@ -145,7 +145,7 @@ class Collapsing {
             (borders_.size() != 2 || borders_[0].is_open != borders_[1].is_open))
             return std::nullopt;
         std::optional<Collapse> best;
-        float most_px = static_cast<float>(options_.max_error_px) * allowed_share_;
+        float most_px = allowed_error_px(ring) * allowed_share_;
         for (const Neighbour& neighbour : neighbours_) {
             const std::optional<Collapse> collapse =
                 collapse_into(vertex, neighbour.vertex, most_px);
@@ -154,6 +154,14 @@ class Collapsing {
             most_px = collapse->error_px;
         }
         return best;
+    }
+
+    [[nodiscard]] float allowed_error_px(const std::vector<PointIndex>& ring) const {
+        const bool is_guess = std::none_of(ring.begin(), ring.end(), [&](PointIndex t) {
+            return triangles_[t].kind == DepthKind::kSeen;
+        });
+        return static_cast<float>(is_guess ? options_.guess_error_ratio * options_.max_error_px
+                                           : options_.max_error_px);
     }
 
     /// Empty where the error would be larger than `most_px`, or a border moved too far.

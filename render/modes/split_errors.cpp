@@ -6,7 +6,8 @@
 
 namespace lumi {
 
-SplitErrors::SplitErrors(const DepthLattice& lattice) : lattice_(lattice) {
+SplitErrors::SplitErrors(const DepthLattice& lattice, double guess_error_ratio)
+    : lattice_(lattice), guess_error_ratio_(guess_error_ratio) {
     while (side_ + 1 < std::max(lattice.columns(), lattice.rows())) side_ *= 2;
     errors_.assign(static_cast<std::size_t>(side_ + 1) * static_cast<std::size_t>(side_ + 1), 0.0F);
     // From the finest triangles up, so that a triangle knows the errors of those within it.
@@ -61,7 +62,8 @@ float SplitErrors::interpolation_error(const LatticeNode& at, const LatticeNode&
         0.5 * (static_cast<double>(lattice_.continued_inverse_depth(a.column, a.row)) +
                static_cast<double>(lattice_.continued_inverse_depth(b.column, b.row)));
     const double here = lattice_.inverse_depth(at.column, at.row);
-    return static_cast<float>(std::abs(here - straight) * lattice_.disparity_px());
+    const double counts = lattice_.is_seen(at.column, at.row) ? 1.0 : 1.0 / guess_error_ratio_;
+    return static_cast<float>(counts * std::abs(here - straight) * lattice_.disparity_px());
 }
 
 float SplitErrors::smallest_scale_error(const LatticeNode& at) const {

@@ -19,7 +19,8 @@ struct LatticeNode {
 /// contains a tear or a change between seen and filled.
 class SplitErrors {
  public:
-    explicit SplitErrors(const DepthLattice& lattice);
+    /// Errors of what is filled count as so many times smaller: it is a guess.
+    SplitErrors(const DepthLattice& lattice, double guess_error_ratio);
 
     [[nodiscard]] int side() const { return side_; }
     [[nodiscard]] float at(const LatticeNode& node) const { return errors_[index(node)]; }
@@ -40,6 +41,7 @@ class SplitErrors {
     void add_diagonal_level(int half);
 
     const DepthLattice& lattice_;
+    double guess_error_ratio_;
     int side_ = 1;
     std::vector<float> errors_;
 };

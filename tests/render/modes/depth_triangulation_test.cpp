@@ -161,6 +161,33 @@ TEST(DepthMesh, KeepsFilledSamplesApart) {
     }
 }
 
+TEST(DepthMesh, FollowsWhatIsFilledLessCloselyThanWhatIsSeen) {
+    DepthMap depth = depth_map(61, 47, [](double x, double y) {
+        return 0.3 + 0.02 * std::sin(0.4 * x) * std::cos(0.5 * y);
+    });
+    for (int y = 0; y < 47; ++y)
+        for (int x = 30; x < 61; ++x) depth.confidence(x, y) = 0;
+    const DepthMeshOptions alike{.max_triangles = 100'000, .guess_error_ratio = 1.0};
+    DepthMeshOptions less = alike;
+    less.guess_error_ratio = 4.0;
+    const DepthMesh close = triangulate(depth, kCamera, kDisparity_px, alike);
+    const DepthMesh mesh = triangulate(depth, kCamera, kDisparity_px, less);
+    EXPECT_LT(2 * triangle_count(mesh, DepthKind::kFilled),
+              triangle_count(close, DepthKind::kFilled));
+    EXPECT_LE(triangle_count(mesh, DepthKind::kSeen), triangle_count(close, DepthKind::kSeen));
+    EXPECT_DOUBLE_EQ(mesh.error_px, close.error_px);
+    const Image<EyeDepth> drawn = at_samples(mesh);
+    for (int y = 0; y < 47; ++y) {
+        for (int x = 0; x < 61; ++x) {
+            const bool is_filled = drawn(x, y).kind == DepthKind::kFilled;
+            const double error_px =
+                kDisparity_px * std::abs(drawn(x, y).inverse_depth -
+                                         static_cast<double>(depth.inverse_depth(x, y)));
+            EXPECT_LE(error_px, (is_filled ? 4.0 : 1.0) * mesh.error_px + 1e-3) << x << ' ' << y;
+        }
+    }
+}
+
 TEST(DepthMesh, TradesErrorForTrianglesWhenThereAreTooMany) {
     const DepthMap noisy = depth_map(61, 47, [](double x, double y) {
         return 0.3 + 0.002 * std::sin(12.9898 * x + 78.233 * y);
