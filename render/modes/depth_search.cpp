@@ -56,7 +56,8 @@ DepthSearch::DepthSearch(const Lumigraph& lumigraph, const std::vector<ViewGeome
     const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
     std::vector<int> all(lumigraph.views.size());
     std::iota(all.begin(), all.end(), 0);
-    agreeing_inverse_depth_ = agreeing_inverse_depth(geometries, all, tolerance_px);
+    agreeing_inverse_depth_ =
+        agreeing_inverse_depth(lumigraph, geometries, all, eye_in_world, tolerance_px);
     for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
         const LumigraphView& view = lumigraph.views[i];
         const TiledDepth& depth = geometries[i].depth;

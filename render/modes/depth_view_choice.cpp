@@ -196,11 +196,14 @@ std::vector<DepthViewSet> depth_view_sets(const Lumigraph& lumigraph, const Eye&
     return sets;
 }
 
-double agreeing_inverse_depth(const std::vector<ViewGeometry>& geometries,
-                              const std::vector<DepthViewSet>& sets, double tolerance_px) {
+double agreeing_inverse_depth(const Lumigraph& lumigraph,
+                              const std::vector<ViewGeometry>& geometries,
+                              const std::vector<DepthViewSet>& sets,
+                              const Eigen::Vector3d& eye_in_world, double tolerance_px) {
     double mean = 0;
     for (const DepthViewSet& set : sets)
-        mean += set.share * agreeing_inverse_depth(geometries, set.view_indices, tolerance_px);
+        mean += set.share * agreeing_inverse_depth(lumigraph, geometries, set.view_indices,
+                                                   eye_in_world, tolerance_px);
     return mean;
 }
 

@@ -37,8 +37,10 @@ inline constexpr int kMaxDepthViewSets = 4;
     const std::vector<Eigen::Vector2d>& pixels = {});
 
 /// agreeing_inverse_depth (view_geometry.h) of the sets' views: the mean by their shares.
-[[nodiscard]] double agreeing_inverse_depth(const std::vector<ViewGeometry>& geometries,
+[[nodiscard]] double agreeing_inverse_depth(const Lumigraph& lumigraph,
+                                            const std::vector<ViewGeometry>& geometries,
                                             const std::vector<DepthViewSet>& sets,
+                                            const Eigen::Vector3d& eye_in_world,
                                             double tolerance_px);
 
 /// Each set is asked in a strip of the eye's picture, from the left to the right, as wide as its

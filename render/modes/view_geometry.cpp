@@ -62,12 +62,28 @@ double disparity_px_per_inverse_depth(const ViewGeometry& view,
 
 double max_disparity_px(const ViewGeometry& view) { return view.focal_px * view.baseline; }
 
-double agreeing_inverse_depth(const std::vector<ViewGeometry>& views,
-                              const std::vector<int>& view_indices, double tolerance_px) {
+double inverse_depth_in_eye(const std::vector<ViewGeometry>& views,
+                            const Eigen::Vector3d& scene_centre_in_world,
+                            const Eigen::Vector3d& eye_in_world) {
+    constexpr double kMostTimesNearer = 4.0;
+    std::vector<double> distances;
+    for (const ViewGeometry& view : views)
+        distances.push_back((view.centre_in_world - scene_centre_in_world).norm());
+    const double of_views = median_of(std::move(distances));
+    const double of_eye = (eye_in_world - scene_centre_in_world).norm();
+    const double times_nearer =
+        of_eye * kMostTimesNearer > of_views ? of_views / of_eye : kMostTimesNearer;
+    return times_nearer * times_nearer;
+}
+
+double agreeing_inverse_depth(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& views,
+                              const std::vector<int>& view_indices,
+                              const Eigen::Vector3d& eye_in_world, double tolerance_px) {
     std::vector<double> disparities;
     for (const int index : view_indices)
         disparities.push_back(max_disparity_px(views[static_cast<std::size_t>(index)]));
-    return 2 * tolerance_px / median_of(std::move(disparities));
+    return 2 * tolerance_px / median_of(std::move(disparities)) *
+           inverse_depth_in_eye(views, lumigraph.mesh.scene_centre_in_world, eye_in_world);
 }
 
 }  // namespace lumi

@@ -33,10 +33,20 @@ struct ViewGeometry {
 /// The largest that this can be, for any eye.
 [[nodiscard]] double max_disparity_px(const ViewGeometry& view);
 
-/// Inverse depths of several views that differ by no more than this are of one surface: each may be
-/// wrong by the tolerance, in pixels of the views' median disparity.
-[[nodiscard]] double agreeing_inverse_depth(const std::vector<ViewGeometry>& views,
+/// What a small difference of inverse depth in the views is in the eye, at the scene's centre: a
+/// surface that is uncertain by so much for cameras is less so for an eye that is farther, by the
+/// square of the median of their distances over the eye's. 16 at most: where the eye is nearer than
+/// a quarter of the cameras' distance, what it looks at is not at the centre.
+[[nodiscard]] double inverse_depth_in_eye(const std::vector<ViewGeometry>& views,
+                                          const Eigen::Vector3d& scene_centre_in_world,
+                                          const Eigen::Vector3d& eye_in_world);
+
+/// Inverse depths in the eye that differ by no more than this are of one surface: each may be wrong
+/// by the tolerance, in pixels of the median disparity of the views that they come from.
+[[nodiscard]] double agreeing_inverse_depth(const Lumigraph& lumigraph,
+                                            const std::vector<ViewGeometry>& views,
                                             const std::vector<int>& view_indices,
+                                            const Eigen::Vector3d& eye_in_world,
                                             double tolerance_px);
 
 }  // namespace lumi

@@ -10,7 +10,9 @@ EyeDepths eye_depths(const Lumigraph& lumigraph, const Eye& eye, double toleranc
     const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
     EyeDepths result{Image<ConsensusDepth>(eye.camera.width_px, eye.camera.height_px),
                      choose_depth_views(lumigraph, eye, lumigraph.depth_views)};
-    const double agreeing = agreeing_inverse_depth(geometries, result.view_indices, tolerance_px);
+    const double agreeing =
+        agreeing_inverse_depth(lumigraph, geometries, result.view_indices,
+                               centre_in_world(eye.cam_from_world), tolerance_px);
     std::vector<Image<EyeDepth>> layers;
     for (const int index : result.view_indices) {
         const auto view = static_cast<std::size_t>(index);

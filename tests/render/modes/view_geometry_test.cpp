@@ -57,6 +57,25 @@ TEST(ScenePlane, KeepsItsDistanceFromAnEyeAtTheCentre) {
     EXPECT_NEAR(line.dot(Eigen::Vector3d(40, 30, 1)), 0.5, 1e-12);
 }
 
+TEST(ViewGeometry, TellsHowMuchLessUncertainASurfaceIsFromFarAway) {
+    const Eigen::Vector3d scene_centre(0, 0, 4);
+    const std::vector<ViewGeometry> views{
+        {{0, 0, 0}, 100, 1}, {{4, 0, 4}, 100, 1}, {{0, -4, 4}, 100, 1}};
+    const auto scale = [&](double depth) {
+        return inverse_depth_in_eye(views, scene_centre, {0, 0, 4 - depth});
+    };
+    for (const double depth : {1.0, 2.0, 4.0, 9.0, 30.0}) {
+        // The derivative of the eye's inverse depth by the cameras', of which both are functions of
+        // where the surface is.
+        const double step = 1e-5;
+        const double in_eye = 1 / (depth - step) - 1 / (depth + step);
+        const double in_views = 1 / (4 - step) - 1 / (4 + step);
+        EXPECT_NEAR(scale(depth), in_eye / in_views, 1e-6 * scale(depth)) << depth;
+    }
+    EXPECT_DOUBLE_EQ(scale(0.3), 16);
+    EXPECT_DOUBLE_EQ(scale(0), 16);
+}
+
 TEST(ViewGeometry, TakesTheMedianDistanceToNeighbours) {
     Lumigraph lumigraph;
     for (int i = 0; i < 4; ++i) {
