@@ -132,13 +132,17 @@ std::vector<FacePolygon> face_polygons(const CameraMesh& mesh, const Eye& eye, d
 }
 
 std::array<double, 3> weights_at(const FacePolygon& polygon, const Eigen::Vector2d& pixel) {
+    std::array<double, 3> products{};
+    for (std::size_t i = 0; i < 3; ++i) products[i] = value_at(polygon.side_lines[i], pixel);
     std::array<double, 3> weights{};
     double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        weights[i] = std::max(0.0, value_at(polygon.side_lines[i], pixel));
-        sum += weights[i];
+    for (std::size_t i = 0; i < 3; ++i) sum += weights[i] = std::max(0.0, products[i]);
+    if (sum > 0) {
+        for (double& weight : weights) weight /= sum;
+    } else {
+        const auto largest = std::max_element(products.begin(), products.end());
+        weights[static_cast<std::size_t>(largest - products.begin())] = 1;
     }
-    for (double& weight : weights) weight /= sum;
     return weights;
 }
 

@@ -40,7 +40,9 @@ struct FacePolygon {
 [[nodiscard]] std::vector<FacePolygon> face_polygons(const CameraMesh& mesh, const Eye& eye,
                                                      double overlap_px = kOverlap_px);
 
-/// Blending weights at a pixel of the polygon: side products, clamped at zero, over their sum.
+/// Blending weights at a pixel of the polygon: side products, clamped at zero, over their sum;
+/// where that is zero, as at the tip of a thin polygon that was widened, the largest product has
+/// all.
 [[nodiscard]] std::array<double, 3> weights_at(const FacePolygon& polygon,
                                                const Eigen::Vector2d& pixel);
 

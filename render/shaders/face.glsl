@@ -82,7 +82,8 @@ vec4 photograph_at_pixel(vec2 pixel, float layer) {
 
 vec3 blending_weights() {
     vec3 weights = max(side_products_and_plane.xyz, 0.0);
-    return weights / (weights.x + weights.y + weights.z);
+    // At the tip of a polygon that reaches a little beyond its face all may be 0.
+    return weights / max(weights.x + weights.y + weights.z, 1e-20);
 }
 
 vec4 layers_and_face() {

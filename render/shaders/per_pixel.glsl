@@ -143,8 +143,7 @@ Blend blend_at(vec2 window) {
     vec3 sight2 = sight_of(pixel2);
     vec3 is_before = vec3(greaterThan(vec3(pixel0.z, pixel1.z, pixel2.z), vec3(0.0)));
     float check = blend.is_guess ? 0.0 : check_per_px;
-    vec3 weights = max(side_products_and_plane.xyz, 0.0);
-    weights *= 1.0 / (weights.x + weights.y + weights.z);
+    vec3 weights = blending_weights();
 #ifdef FADES
     blend.ray_weights = weights;
     blend.inside = vec3(inner(sight0.xy, view_size0.xy), inner(sight1.xy, view_size1.xy),

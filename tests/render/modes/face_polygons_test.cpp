@@ -224,5 +224,13 @@ TEST(FacePolygons, OneViewFillsThePicture) {
     EXPECT_EQ(painted_at(polygons, {0.5, 17.5}), (WeightOfView{{4, 1.0}}));
 }
 
+TEST(FacePolygon, WeightsBesideItAreThoseOfTheNearestCorner) {
+    // Polygons reach a little beyond their edges; the tip of a thin one is beyond all three.
+    FacePolygon polygon;
+    polygon.side_lines = {Eigen::Vector3d(0, 0, -1e-3), Eigen::Vector3d(0, 0, -1e-5),
+                          Eigen::Vector3d(0, 0, -1e-4)};
+    EXPECT_EQ(weights_at(polygon, {3, 4}), (std::array<double, 3>{0, 1, 0}));
+}
+
 }  // namespace
 }  // namespace lumi
