@@ -11,8 +11,8 @@
 namespace lumi {
 namespace {
 
-/// A level is looked up alone where so many of its texels fall on a pixel: fewer were blurred, and
-/// of more some would be left out between two lookups.
+/// A level is looked up alone where so many of its texels fall on a pixel: fewer would be blurred,
+/// and of more some would be left out between two lookups.
 constexpr double kFewestAlone = 1.5;
 constexpr double kMostAlone = 2.0;
 
