@@ -34,6 +34,7 @@ Json package_json(const Lumigraph& lumigraph) {
                 {"far_depth", lumigraph.far_depth},
                 {"depth_views", lumigraph.depth_views},
                 {"depth_block_px", lumigraph.depth_block_px},
+                {"triangle_error_px", lumigraph.triangle_error_px},
                 {"mesh",
                  {{"construction", name_of(lumigraph.mesh.construction)},
                   {"vertices", lumigraph.mesh.vertices.size()},
@@ -57,7 +58,7 @@ std::string package_text(const Lumigraph& lumigraph) {
         std::to_string(lumigraph.mesh.faces.size()) + " faces, depth compared from " +
         std::to_string(lumigraph.depth_views) + " views " +
         (lumigraph.depth_block_px == 1 ? "for each pixel" : "for each block of 2 by 2 pixels") +
-        "\n";
+        ", triangles within " + number_text(lumigraph.triangle_error_px, 2) + " px\n";
     for (const LumigraphView& view : lumigraph.views) {
         text += view.name + "  " + std::to_string(view.camera.width_px) + "x" +
                 std::to_string(view.camera.height_px) + "  focal length " +

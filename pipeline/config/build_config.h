@@ -38,6 +38,8 @@ struct DrawingOptions {
     /// Depth is worked out for blocks of so many by so many pixels, 1 or 2; 0: 2 where photographs
     /// cannot tell.
     int depth_block_px = 0;
+    /// Of the triangles that `adaptive` draws; 0: as photographs ask for.
+    double triangle_error_px = 0.0;
 };
 
 /// Everything that one run of the line is told.

@@ -1,11 +1,14 @@
 #pragma once
 
-#include "pipeline/stages/pack_stage.h"
+#include "calib/work/progress.h"
+#include "meshing/cameras/camera_mesh_builder.h"
+#include "pipeline/stages/drawing_effort.h"
+#include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
 
 /// The least that photographs cannot tell from more: of the Lumigraph's own views some are kept
-/// back and drawn from the others, no larger than 1280 pixels.
+/// back and drawn from the others (kept_back_rounds.h).
 ///
 /// Of how many views depth is compared the one-standard-error rule chooses: a further view fills
 /// what the others do not see, but may as well be wrong. Blocks of pixels lose a little on every

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "render/lumigraph/lumigraph.h"
+#include "render/modes/offscreen_renderer.h"
 
 namespace lumi {
 
@@ -28,7 +29,13 @@ struct KeptBackViews {
 struct DrawnPictures {
     std::vector<double> losses_db;  ///< Minus the PSNR of each, full frame.
     double median_ms = 0.0;         ///< Of a frame.
+    double mean_triangles = 0.0;    ///< The same.
 };
+
+/// Draws each. There must be one.
+[[nodiscard]] DrawnPictures draw_pictures(OffscreenRenderer& renderer,
+                                          const std::vector<PicturedEye>& pictures,
+                                          const RenderOptions& options);
 
 /// Draws each per pixel. There must be one. Throws Error (E-GL-...).
 [[nodiscard]] DrawnPictures draw_pictures(const Lumigraph& lumigraph,

@@ -7,6 +7,7 @@
 #include "calib/work/whole_file.h"
 #include "meshing/geometry/binary_volume.h"
 #include "pipeline/evaluate/depth_effort.h"
+#include "pipeline/evaluate/triangle_effort.h"
 #include "pipeline/evaluate/view_curve.h"
 #include "pipeline/line/code_version.h"
 #include "pipeline/line/external_tools.h"
@@ -161,6 +162,10 @@ class Line {
                          [this](const Lumigraph& lumigraph, const Capture& capture) {
                              return sufficient_depth_effort(lumigraph, capture, config_.mesh,
                                                             progress_);
+                         },
+                         [this](const Lumigraph& lumigraph, const Capture& capture) {
+                             return sufficient_triangle_effort(lumigraph, capture, config_.mesh,
+                                                               progress_);
                          }},
                         workspace_.package_folder(), folder, threads_, progress_);
                 },

@@ -11,7 +11,6 @@
 #include "calib/work/parallel_for.h"
 #include "meshing/exposure/exposure_gains.h"
 #include "meshing/surface/mesh_io.h"
-#include "pipeline/report/number_text.h"
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/stages/depth_files.h"
 #include "pipeline/stages/depth_range.h"
@@ -104,16 +103,17 @@ Capture capture_of(const Lumigraph& lumigraph, const PosedPhotographs& photograp
 }
 
 /// As photographs want it; where nothing can be drawn, as much as there can be.
-DepthEffort asked_depth_effort(const PackSources& sources, const Lumigraph& lumigraph,
-                               Progress& progress) {
-    if (!sources.sufficient_depth_effort) return {};
+template <typename Effort>
+Effort asked(const std::function<Effort(const Lumigraph&, const Capture&)>& sufficient,
+             const PackSources& sources, const Lumigraph& lumigraph, Progress& progress) {
+    if (!sufficient) return {};
     try {
-        return sources.sufficient_depth_effort(lumigraph,
-                                               capture_of(lumigraph, sources.photographs));
+        const Effort effort = sufficient(lumigraph, capture_of(lumigraph, sources.photographs));
+        if (const std::string text = text_of(effort); !text.empty()) progress.note("pack: " + text);
+        return effort;
     } catch (const Error& error) {
         if (!error.code().starts_with("E-GL-")) throw;
-        progress.note(std::string("nothing can be drawn here to see how many views' depth is "
-                                  "enough, and for how many pixels: ") +
+        progress.note(std::string("nothing can be drawn here to see how much is enough: ") +
                       error.what());
         return {};
     }
@@ -125,32 +125,16 @@ DepthEffort depth_effort(const PackSources& sources, const Lumigraph& lumigraph,
     const DrawingOptions& wanted = sources.drawing;
     DepthEffort effort;
     if (wanted.depth_views == 0 || wanted.depth_block_px == 0)
-        effort = asked_depth_effort(sources, lumigraph, progress);
+        effort = asked(sources.sufficient_depth_effort, sources, lumigraph, progress);
     if (wanted.depth_views != 0) effort.views = wanted.depth_views;
     if (wanted.depth_block_px != 0) effort.block_px = wanted.depth_block_px;
     return effort;
 }
 
-/// Where photographs were asked.
-void tell_depth_effort(const DepthEffort& effort, Progress& progress) {
-    if (effort.pictures == 0) return;
-    const std::string pixels = effort.block_px == 1 ? "each pixel" : "each block of 2 by 2 pixels";
-    progress.note("pack: " + std::to_string(effort.views) + " views' depth is compared at " +
-                  pixels + ": " + std::to_string(effort.pictures) + " photographs are drawn " +
-                  number_text(effort.fewer_views_lose_db, 2) + " +- " +
-                  number_text(effort.standard_error_db, 2) + " dB better with " +
-                  std::to_string(kMaxDepthViews) + " views than with " +
-                  std::to_string(kLeastDepthViews) + ", and " +
-                  number_text(effort.blocks_lose_db, 2) + " dB better pixel by pixel");
-}
-
-Json depth_effort_json(const DepthEffort& effort) {
-    return {{"views", effort.views},
-            {"block_px", effort.block_px},
-            {"pictures", effort.pictures},
-            {"fewer_views_lose_db", effort.fewer_views_lose_db},
-            {"standard_error_db", effort.standard_error_db},
-            {"blocks_lose_db", effort.blocks_lose_db}};
+TriangleEffort triangle_effort(const PackSources& sources, const Lumigraph& lumigraph,
+                               Progress& progress) {
+    if (sources.drawing.triangle_error_px != 0) return {sources.drawing.triangle_error_px};
+    return asked(sources.sufficient_triangle_effort, sources, lumigraph, progress);
 }
 
 PackageExtras extras_of(const PackSources& sources) {
@@ -255,7 +239,8 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     const DepthEffort effort = depth_effort(sources, lumigraph, progress);
     lumigraph.depth_views = effort.views;
     lumigraph.depth_block_px = effort.block_px;
-    tell_depth_effort(effort, progress);
+    const TriangleEffort of_triangles = triangle_effort(sources, lumigraph, progress);
+    lumigraph.triangle_error_px = of_triangles.error_px;
     progress.begin("writing the package", 0);
     write_package(package_folder, lumigraph, extras_of(sources));
     write_json_file(record_path(folder),
@@ -268,7 +253,8 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
                      {"near_depth", lumigraph.near_depth},
                      {"far_depth", lumigraph.far_depth},
                      {"exposure", exposure_json(exposures)},
-                     {"depth_effort", depth_effort_json(effort)}};
+                     {"depth_effort", json_of(effort)},
+                     {"triangle_effort", json_of(of_triangles)}};
     return {json_text(facts), "{}"};
 }
 

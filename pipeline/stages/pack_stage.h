@@ -8,22 +8,11 @@
 #include "calib/capture/posed_photographs.h"
 #include "calib/ingest/ingest.h"
 #include "pipeline/config/build_config.h"
+#include "pipeline/stages/drawing_effort.h"
 #include "pipeline/workspace/done_marker.h"
 #include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
-
-/// How much `perpixel` does to know depth: how many views' depths are compared
-/// (Lumigraph::depth_views), for how many pixels at once (Lumigraph::depth_block_px), and why.
-struct DepthEffort {
-    int views = kMaxDepthViews;
-    int block_px = 1;
-    int pictures = 0;  ///< That were asked; 0: nobody was.
-    /// What one view fewer than the most loses at them, in the mean; negative where it gains.
-    double fewer_views_lose_db = 0.0;
-    double standard_error_db = 0.0;  ///< Of that.
-    double blocks_lose_db = 0.0;     ///< The same for blocks.
-};
 
 /// Where the pack stage finds what it packs, and what else goes in.
 struct PackSources {
@@ -44,6 +33,9 @@ struct PackSources {
     /// How much is enough to know depth; asked for where the drawing options do not say.
     std::function<DepthEffort(const Lumigraph& lumigraph, const Capture& capture)>
         sufficient_depth_effort;
+    /// How fine triangles must be; the same.
+    std::function<TriangleEffort(const Lumigraph& lumigraph, const Capture& capture)>
+        sufficient_triangle_effort;
 };
 
 /// Everything -> the package at `package_folder`, and pack.json (PackRecord) in `folder`. Where

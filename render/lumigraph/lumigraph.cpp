@@ -75,6 +75,9 @@ void validate(const Lumigraph& lumigraph, const std::string& where) {
         refuse(where, "expected 3 or 4 depth views");
     if (lumigraph.depth_block_px < 1 || lumigraph.depth_block_px > kMaxDepthBlock_px)
         refuse(where, "expected depth blocks of 1 or 2 pixels");
+    if (!(lumigraph.triangle_error_px >= kLeastTriangleError_px &&
+          lumigraph.triangle_error_px <= kMostTriangleError_px))
+        refuse(where, "expected triangles that err by 0.1 to 10 pixels");
     std::set<std::string> names;
     for (const LumigraphView& view : lumigraph.views) {
         validate_view(view, where + ": " + printable(view.name));
@@ -98,6 +101,7 @@ Lumigraph without_its_views(const Lumigraph& lumigraph) {
     rest.fade_beyond_capture = lumigraph.fade_beyond_capture;
     rest.depth_views = lumigraph.depth_views;
     rest.depth_block_px = lumigraph.depth_block_px;
+    rest.triangle_error_px = lumigraph.triangle_error_px;
     return rest;
 }
 

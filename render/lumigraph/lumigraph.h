@@ -41,6 +41,12 @@ inline constexpr int kMaxDepthViews = 4;
 /// A GL draws four pixels at once, and no more.
 inline constexpr int kMaxDepthBlock_px = 2;
 
+/// Of the triangles that `adaptive` draws: what is asked for where photographs were not asked, and
+/// what may be.
+inline constexpr double kTriangleError_px = 0.7;
+inline constexpr double kLeastTriangleError_px = 0.1;
+inline constexpr double kMostTriangleError_px = 10.0;
+
 /// The free-form Lumigraph as it is drawn: what a package holds once it is in memory.
 /// The camera mesh's view indices point into `views`.
 struct Lumigraph {
@@ -56,12 +62,14 @@ struct Lumigraph {
     /// Per pixel, depth is worked out for blocks of so many by so many pixels: 1, or
     /// kMaxDepthBlock_px.
     int depth_block_px = 1;
+    /// How far from the right place `adaptive` may look up photographs before it splits triangles.
+    double triangle_error_px = kTriangleError_px;
 };
 
 /// Throws Error (E-LUMIGRAPH-INVALID, E-CAMERA-INVALID, E-MESH-INVALID) unless there is a view, the
 /// names are unique, each camera is a pinhole of its photograph's size, poses and depths are
-/// finite, exposure gains, depth views and blocks within their limits and the mesh names views that
-/// exist; `where` begins the message.
+/// finite, exposure gains, depth views, blocks and the triangles' error within their limits and the
+/// mesh names views that exist; `where` begins the message.
 void validate(const Lumigraph& lumigraph, const std::string& where);
 
 /// What holds for the Lumigraph whichever views it has: neither views nor camera mesh.

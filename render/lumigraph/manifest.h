@@ -66,6 +66,7 @@ struct Manifest {
     bool fade_beyond_capture = false;
     int depth_views = kMaxDepthViews;
     int depth_block_px = 1;
+    double triangle_error_px = kTriangleError_px;
     std::vector<ManifestView> views;
     PackageFile camera_mesh;
     PackageFile points;

@@ -169,6 +169,12 @@ Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
     if (document.has("depth_block_px")) {
         manifest.depth_block_px = document.integer("depth_block_px", 1, kMaxDepthBlock_px);
     }
+    if (document.has("triangle_error_px")) {
+        manifest.triangle_error_px = document.number("triangle_error_px");
+        if (manifest.triangle_error_px < kLeastTriangleError_px ||
+            manifest.triangle_error_px > kMostTriangleError_px)
+            document.refuse("triangle_error_px", "0.1 to 10");
+    }
     for (const StrictJsonObject& view : document.objects("views", limits.max_views)) {
         manifest.views.push_back(view_of(view));
     }

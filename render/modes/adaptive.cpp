@@ -65,7 +65,7 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
     const auto subdivided = [&](const CameraMesh& mesh, double overlap_px) {
         return subdivider
             .subdivide(face_polygons(mesh, eye, overlap_px), search, plane, sampling,
-                       {.max_error_px = options.triangle_error_px,
+                       {.max_error_px = options.triangle_error_ratio * layout.triangle_error_px,
                         .min_edge_px = options.min_triangle_px,
                         .max_edge_px = options.max_triangle_px,
                         .max_triangles = options.max_triangles})
@@ -101,7 +101,7 @@ bool Adaptive::is_made_for(const Eye& eye, const RenderOptions& options) const {
     const Rigid3& made_pose = made_for_->eye.cam_from_world;
     const auto wishes = [](const RenderOptions& of) {
         return std::tuple(of.correct_occlusion, of.occlusion_tolerance_px, of.fade_beyond_capture,
-                          of.triangle_error_px, of.min_triangle_px, of.max_triangle_px,
+                          of.triangle_error_ratio, of.min_triangle_px, of.max_triangle_px,
                           of.max_triangles);
     };
     return eye.camera == made_for_->eye.camera &&

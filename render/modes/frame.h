@@ -57,7 +57,7 @@ struct RenderOptions {
     /// of black; not where the capture fades to black, and not in `paper2001` and `heigl`.
     bool guess_surroundings = true;
     /// For modes that subdivide.
-    double triangle_error_px = 0.7;       ///< `adaptive`: of where photographs are looked up.
+    double triangle_error_ratio = 1.0;    ///< `adaptive`: times Lumigraph::triangle_error_px.
     double depth_threshold_share = 0.02;  ///< `paper2001`: of the scene's depth range.
     double min_triangle_px = 6.0;         ///< Shorter edges are not split.
     double max_triangle_px = 96.0;        ///< Longer edges are split in any case.

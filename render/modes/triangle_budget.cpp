@@ -57,7 +57,7 @@ double TriangleBudget::affordable_triangles() const {
 }
 
 RenderOptions TriangleBudget::within(RenderOptions options) const {
-    options.triangle_error_px *= relaxation_;
+    options.triangle_error_ratio *= relaxation_;
     if (affordable_ <= 0) return options;
     const auto most = static_cast<std::size_t>(std::ceil(kMostExcess * affordable_));
     if (options.max_triangles == 0 || most < options.max_triangles) options.max_triangles = most;

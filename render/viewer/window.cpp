@@ -52,7 +52,7 @@ bool same(const DrawnFrame& a, const DrawnFrame& b) {
            a.options.fade_beyond_capture == b.options.fade_beyond_capture &&
            a.options.guess_surroundings == b.options.guess_surroundings &&
            a.options.occlusion_tolerance_px == b.options.occlusion_tolerance_px &&
-           a.options.triangle_error_px == b.options.triangle_error_px;
+           a.options.triangle_error_ratio == b.options.triangle_error_ratio;
 }
 
 ViewerState beginning(const Lumigraph& lumigraph, const WindowOptions& options) {

@@ -81,6 +81,7 @@ TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
                             "fade_beyond_capture",
                             "depth_views",
                             "depth_block_px",
+                            "triangle_error_px",
                             "[evaluate]",
                             "hold_out_every",
                             "hold_out"}) {
@@ -115,6 +116,10 @@ TEST(BuildConfig, RefusesWhatContradictsItself) {
           "[capture]\nphotos = \"p\"\n[package]\nmax_views = -7\n",
           "[capture]\nphotos = \"p\"\n[package]\nmax_mib = -0.5\n",
           "[capture]\nphotos = \"p\"\n[package]\nviews = \"some\"\n",
+          "[capture]\nphotos = \"p\"\n[render]\ndepth_views = 2\n",
+          "[capture]\nphotos = \"p\"\n[render]\ndepth_block_px = 3\n",
+          "[capture]\nphotos = \"p\"\n[render]\ntriangle_error_px = 0.01\n",
+          "[capture]\nphotos = \"p\"\n[render]\ntriangle_error_px = nan\n",
           "threads = -1\n[capture]\nphotos = \"p\"\n",
           "name = \"a/b\"\n[capture]\nphotos = \"p\"\n",
           "name = \"..\"\n[capture]\nphotos = \"p\"\n"}) {

@@ -37,7 +37,7 @@ void expect_gl_equals_reference(GlApi api) {
         const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
         OffscreenRenderer renderer(lumigraph, api);
         const auto adaptive = adaptive_subdivision(polygons, search, plane, {},
-                                                   {.max_error_px = defaults.triangle_error_px,
+                                                   {.max_error_px = lumigraph.triangle_error_px,
                                                     .min_edge_px = defaults.min_triangle_px,
                                                     .max_edge_px = defaults.max_triangle_px,
                                                     .max_triangles = defaults.max_triangles});

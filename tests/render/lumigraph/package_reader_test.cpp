@@ -129,6 +129,8 @@ TEST_F(PackageReader, RefusesNumbersOutOfRange) {
         expect_refused_value(bad, "/depth_views", views);
     for (const Json& block : {Json(0), Json(3), Json(1.5), Json("2")})
         expect_refused_value(bad, "/depth_block_px", block);
+    for (const Json& error : {Json(0), Json(-1), Json(11), Json("1"), Json(nullptr)})
+        expect_refused_value(bad, "/triangle_error_px", error);
     expect_refused_value("E-PACKAGE-VERSION", "/schema_version", 2);
 }
 

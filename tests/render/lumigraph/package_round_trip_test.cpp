@@ -139,6 +139,13 @@ TEST_F(PackageRoundTrip, KeepsForHowManyPixelsDepthIsWorkedOutAtOnce) {
     EXPECT_EQ(read_package(folder_).depth_block_px, kMaxDepthBlock_px);
 }
 
+TEST_F(PackageRoundTrip, KeepsHowFarTrianglesMayErr) {
+    EXPECT_EQ(read_.triangle_error_px, kTriangleError_px);
+    written_.triangle_error_px = 1.4;
+    write_package(folder_, written_, tiny_extras());
+    EXPECT_EQ(read_package(folder_).triangle_error_px, 1.4);
+}
+
 TEST_F(PackageRoundTrip, KeepsExposureGainsToTheBitAndEvensThemOutUnlessToldOtherwise) {
     written_.views[1].exposure_gain = {0.5, 1.0 / 3.0, 2.0};
     written_.fade_beyond_capture = true;

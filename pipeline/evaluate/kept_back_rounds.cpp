@@ -1,0 +1,53 @@
+#include "pipeline/evaluate/kept_back_rounds.h"
+
+#include <utility>
+
+#include "pipeline/stages/chosen_views.h"
+#include "render/lumigraph/even_exposure.h"
+
+namespace lumi {
+namespace {
+
+constexpr int kEvery = 6;
+/// Each round costs a camera mesh and textures of the others.
+constexpr int kMostRounds = 3;
+constexpr std::size_t kEnoughPictures = 8;
+constexpr std::size_t kMostPictures = 12;
+/// As large as frames are looked at: in smaller ones blocks are coarser than they will be.
+constexpr int kMaxPicture_px = 1280;
+
+void keep_evenly(std::vector<PicturedEye>& pictures, std::size_t most) {
+    if (pictures.size() <= most) return;
+    std::vector<PicturedEye> kept;
+    for (std::size_t i = 0; i < most; ++i)
+        kept.push_back(std::move(pictures[i * pictures.size() / most]));
+    pictures = std::move(kept);
+}
+
+std::vector<PicturedEye> to_be_drawn(std::vector<PicturedEye> pictures, std::size_t most) {
+    keep_evenly(pictures, most);
+    for (PicturedEye& picture : pictures)
+        picture = no_larger_than(std::move(picture), kMaxPicture_px);
+    return pictures;
+}
+
+}  // namespace
+
+std::size_t visit_kept_back(const Lumigraph& lumigraph, const Capture& capture,
+                            const CameraMeshOptions& mesh_options, const KeptBackVisitor& visit) {
+    if (lumigraph.views.size() < kLeastViewsToKeepBackFrom) return 0;
+    Lumigraph evened = lumigraph;
+    even_exposures(evened);
+    std::size_t asked = 0;
+    for (int round = 0; round < kMostRounds && asked < kEnoughPictures; ++round) {
+        // Views that follow each other are alike: the rounds keep apart from each other.
+        KeptBackViews kept = keep_back(evened, kEvery, (round * kEvery) / kMostRounds);
+        const auto pictures = to_be_drawn(std::move(kept.pictures), kMostPictures);
+        Lumigraph others = lumigraph_of_views(evened, capture, kept.others, mesh_options);
+        visit(others, pictures);
+        asked += pictures.size();
+    }
+    return asked;
+}
+
+}  // namespace lumi

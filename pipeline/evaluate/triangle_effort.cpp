@@ -1,0 +1,57 @@
+#include "pipeline/evaluate/triangle_effort.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "pipeline/evaluate/kept_back_rounds.h"
+
+namespace lumi {
+namespace {
+
+/// Steps of about half an octave.
+constexpr std::array<double, 6> kErrors_px{0.35, 0.5, kTriangleError_px, 1.0, 1.4, 2.0};
+/// A tenth of what viewers begin to see.
+constexpr double kUnseenLoss_db = 0.05;
+
+/// Of one error, over all pictures.
+struct Outcome {
+    double loss_db = 0.0;
+    double triangles = 0.0;
+};
+
+}  // namespace
+
+TriangleEffort sufficient_triangle_effort(const Lumigraph& lumigraph, const Capture& capture,
+                                          const CameraMeshOptions& mesh_options,
+                                          Progress& progress) {
+    if (lumigraph.views.size() < kLeastViewsToKeepBackFrom) return {};
+    progress.begin("asking photographs how fine triangles must be", 0);
+    std::array<Outcome, kErrors_px.size()> sums;
+    const std::size_t asked = visit_kept_back(
+        lumigraph, capture, mesh_options,
+        [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
+            OffscreenRenderer renderer(others);
+            for (std::size_t i = 0; i < kErrors_px.size(); ++i) {
+                progress.throw_if_interrupted();
+                const DrawnPictures drawn = draw_pictures(
+                    renderer, pictures,
+                    {.mode = RenderMode::kAdaptive,
+                     .triangle_error_ratio = kErrors_px[i] / others.triangle_error_px});
+                for (const double loss_db : drawn.losses_db) sums[i].loss_db += loss_db;
+                sums[i].triangles += drawn.mean_triangles * static_cast<double>(pictures.size());
+            }
+        });
+    const auto count = static_cast<double>(asked);
+    const double least_db =
+        std::min_element(sums.begin(), sums.end(),
+                         [](const Outcome& a, const Outcome& b) { return a.loss_db < b.loss_db; })
+            ->loss_db /
+        count;
+    std::size_t chosen = kErrors_px.size() - 1;
+    while (sums[chosen].loss_db / count > least_db + kUnseenLoss_db) --chosen;
+    return {kErrors_px[chosen], static_cast<int>(asked), sums[chosen].loss_db / count - least_db,
+            sums[chosen].triangles / count};
+}
+
+}  // namespace lumi

@@ -1,0 +1,47 @@
+#include "pipeline/stages/drawing_effort.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/report/number_text.h"
+
+namespace lumi {
+
+using Json = nlohmann::ordered_json;
+
+std::string text_of(const DepthEffort& effort) {
+    if (effort.pictures == 0) return "";
+    const std::string pixels = effort.block_px == 1 ? "each pixel" : "each block of 2 by 2 pixels";
+    return std::to_string(effort.views) + " views' depth is compared at " + pixels + ": " +
+           std::to_string(effort.pictures) + " photographs are drawn " +
+           number_text(effort.fewer_views_lose_db, 2) + " +- " +
+           number_text(effort.standard_error_db, 2) + " dB better with " +
+           std::to_string(kMaxDepthViews) + " views than with " + std::to_string(kLeastDepthViews) +
+           ", and " + number_text(effort.blocks_lose_db, 2) + " dB better pixel by pixel";
+}
+
+std::string text_of(const TriangleEffort& effort) {
+    if (effort.pictures == 0) return "";
+    return "triangles may err by " + number_text(effort.error_px, 2) +
+           " px: " + std::to_string(effort.pictures) + " photographs are drawn with " +
+           std::to_string(std::lround(effort.triangles)) + " of them, and at best " +
+           number_text(effort.loses_db, 2) + " dB better";
+}
+
+Json json_of(const DepthEffort& effort) {
+    return {{"views", effort.views},
+            {"block_px", effort.block_px},
+            {"pictures", effort.pictures},
+            {"fewer_views_lose_db", effort.fewer_views_lose_db},
+            {"standard_error_db", effort.standard_error_db},
+            {"blocks_lose_db", effort.blocks_lose_db}};
+}
+
+Json json_of(const TriangleEffort& effort) {
+    return {{"error_px", effort.error_px},
+            {"pictures", effort.pictures},
+            {"loses_db", effort.loses_db},
+            {"triangles", effort.triangles}};
+}
+
+}  // namespace lumi

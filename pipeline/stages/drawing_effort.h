@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// How much `perpixel` does to know depth: how many views' depths are compared
+/// (Lumigraph::depth_views), for how many pixels at once (Lumigraph::depth_block_px), and why.
+struct DepthEffort {
+    int views = kMaxDepthViews;
+    int block_px = 1;
+    int pictures = 0;  ///< That were asked; 0: nobody was.
+    /// What one view fewer than the most loses at them, in the mean; negative where it gains.
+    double fewer_views_lose_db = 0.0;
+    double standard_error_db = 0.0;  ///< Of that.
+    double blocks_lose_db = 0.0;     ///< The same for blocks.
+};
+
+/// How far the triangles of `adaptive` may err (Lumigraph::triangle_error_px), and why.
+struct TriangleEffort {
+    double error_px = kTriangleError_px;
+    int pictures = 0;        ///< That were asked; 0: nobody was.
+    double loses_db = 0.0;   ///< At them, in the mean, beside the best of the errors asked.
+    double triangles = 0.0;  ///< Drawn, in the mean.
+};
+
+/// For the journal of a build: what was chosen, and what was measured for it. Empty where nobody
+/// was asked.
+[[nodiscard]] std::string text_of(const DepthEffort& effort);
+[[nodiscard]] std::string text_of(const TriangleEffort& effort);
+
+[[nodiscard]] nlohmann::ordered_json json_of(const DepthEffort& effort);
+[[nodiscard]] nlohmann::ordered_json json_of(const TriangleEffort& effort);
+
+}  // namespace lumi

@@ -1,0 +1,64 @@
+#include "pipeline/evaluate/triangle_effort.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "pipeline/stages/chosen_views.h"
+#include "pipeline/synth/hand_held_path.h"
+#include "tests/pipeline/studio.h"
+
+namespace lumi {
+namespace {
+
+Studio before_a_board(int count) {
+    Studio studio(kFlatBoard);
+    for (int i = 0; i < count; ++i) {
+        const Eigen::Vector3d place(0.1 * std::cos(2.4 * i), 0.1 * std::sin(2.4 * i),
+                                    kStudioDistance);
+        studio.photograph_from(looking_at(place, Eigen::Vector3d(place.x(), place.y(), 0)));
+    }
+    return studio;
+}
+
+TriangleEffort effort_of(const Studio& studio) {
+    std::vector<int> all(studio.capture.views.size());
+    std::iota(all.begin(), all.end(), 0);
+    SilentProgress progress;
+    return sufficient_triangle_effort(lumigraph_of_views(studio.lumigraph, studio.capture, all, {}),
+                                      studio.capture, {}, progress);
+}
+
+TEST(TriangleEffort, IsTheLeastWherePicturesShowTheSameEverywhere) {
+    Studio studio = before_a_board(18);
+    studio.find_points();
+    for (LumigraphView& view : studio.lumigraph.views)
+        for (Rgb8& pixel : view.photograph.pixels()) pixel = {120, 130, 140};
+    const TriangleEffort effort = effort_of(studio);
+    EXPECT_GE(effort.error_px, 2.0);
+    EXPECT_EQ(effort.pictures, 9);
+    EXPECT_NEAR(effort.loses_db, 0, 0.05);
+    EXPECT_GT(effort.triangles, 0);
+}
+
+TEST(TriangleEffort, IsGreaterWhereBodiesHideOneAnother) {
+    Studio studio(kBodiesInTheWay);
+    for (const Eigen::Vector3d& direction : spiral(40, 0.0))
+        studio.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
+    studio.find_points();
+    const TriangleEffort effort = effort_of(studio);
+    EXPECT_LT(effort.error_px, 2.0);
+    EXPECT_LE(effort.loses_db, 0.05);
+}
+
+TEST(TriangleEffort, IsAsUsualForFewerThanEightViewsUnasked) {
+    Studio studio = before_a_board(7);
+    studio.find_points();
+    const TriangleEffort effort = effort_of(studio);
+    EXPECT_EQ(effort.error_px, kTriangleError_px);
+    EXPECT_EQ(effort.pictures, 0);
+}
+
+}  // namespace
+}  // namespace lumi
