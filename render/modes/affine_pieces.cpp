@@ -18,6 +18,8 @@ constexpr double kSmallest_px = 4.0;
 
 /// What is nearer to the view's focal plane than this share of its depth in the eye is behind it.
 constexpr double kLeastRatio = 1e-3;
+/// Added to weights, so that there are always some.
+constexpr float kNoWeight = 1e-12F;
 /// So far beyond its border a photograph counts nothing (uploaded_lumigraph.h).
 constexpr double kBeyond_px = 1.0;
 
@@ -89,7 +91,7 @@ class PieceCutter {
                 !is_beyond(corners, views_[static_cast<std::size_t>(polygon_.view_indices[k])]);
         if (visible == Visible{}) return;
         const std::vector<BlendVertex> vertices = vertices_of(corners, visible);
-        if (is_affine(vertices, visible)) return keep_affine(vertices);
+        if (is_affine(vertices, visible)) return keep_affine(centred(vertices, visible));
         const Eigen::Vector2d size = bounds(corners).sizes();
         if (size.maxCoeff() <= kSmallest_px) return keep_exact(corners);
         const Eigen::Vector2d middle = bounds(corners).center();
@@ -104,16 +106,14 @@ class PieceCutter {
         exact_.back().corners_px = corners;
     }
 
-    /// Weights of photographs that see nothing of the piece are 0. The depth is that for
-    /// which the mean of the others is affine.
+    /// Weights of photographs that see nothing of the piece are 0. The depth is that for which the
+    /// weighted mean of the others is affine: those that count most are nearly so themselves.
     [[nodiscard]] std::vector<BlendVertex> vertices_of(const Corners& corners,
                                                        const Visible& visible) const {
         std::vector<BlendVertex> vertices;
         for (const Eigen::Vector2d& corner : corners) {
             BlendVertex& vertex = vertices.emplace_back();
             vertex.pixel = {static_cast<float>(corner.x()), static_cast<float>(corner.y())};
-            vertex.depth = 0.0F;
-            float inside = 0.0F;
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto view = static_cast<std::size_t>(polygon_.view_indices[k]);
                 vertex.view_layers[k] = static_cast<float>(view);
@@ -122,22 +122,60 @@ class PieceCutter {
                 vertex.view_pixels[k] = {static_cast<float>(pixel.x() / pixel.z()),
                                          static_cast<float>(pixel.y() / pixel.z())};
                 vertex.depth_ratios[k] = static_cast<float>(pixel.z());
-                vertex.depth += vertex.depth_ratios[k];
-                inside += 1.0F;
                 vertex.weights[k] = static_cast<float>(
                     std::max(0.0, polygon_.side_lines[k].dot(corner.homogeneous())));
             }
-            vertex.depth = inside / vertex.depth;
             vertex.inverse_depth =
                 static_cast<float>(std::max(0.0, plane_.dot(corner.homogeneous())));
             vertex.face_index = static_cast<float>(polygon_.face_index);
         }
+        const std::array<float, 3> shares = mean_weights(vertices, visible);
+        for (BlendVertex& vertex : vertices) {
+            float ratio = 0.0F;
+            for (std::size_t k = 0; k < 3; ++k) ratio += shares[k] * vertex.depth_ratios[k];
+            vertex.depth = 1 / ratio;
+        }
         return vertices;
+    }
+
+    /// Whether one of the photographs ends within the piece: beyond its border the others count as
+    /// much as it does elsewhere.
+    [[nodiscard]] bool ends_within(const std::vector<BlendVertex>& vertices,
+                                   const Visible& visible) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!visible[k]) continue;
+            const PlaneView& view = views_[static_cast<std::size_t>(polygon_.view_indices[k])];
+            for (const BlendVertex& vertex : vertices) {
+                const auto [x, y] = vertex.view_pixels[k];
+                if (x < 0 || y < 0 || static_cast<double>(x) > view.width_px ||
+                    static_cast<double>(y) > view.height_px)
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    /// Their sum is 1; alike where no photograph has a weight.
+    static std::array<float, 3> mean_weights(const std::vector<BlendVertex>& vertices,
+                                             const Visible& visible) {
+        std::array<float, 3> shares{};
+        float sum = 0.0F;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!visible[k]) continue;
+            for (const BlendVertex& vertex : vertices)
+                shares[k] +=
+                    (vertex.weights[k] + kNoWeight) /
+                    (vertex.weights[0] + vertex.weights[1] + vertex.weights[2] + 3 * kNoWeight);
+            sum += shares[k];
+        }
+        for (float& share : shares) share /= sum;
+        return shares;
     }
 
     /// Weights are still side products here.
     [[nodiscard]] bool is_affine(const std::vector<BlendVertex>& vertices,
                                  const Visible& visible) const {
+        const bool may_count_alone = ends_within(vertices, visible);
         Range sums;
         for (const BlendVertex& vertex : vertices)
             sums.extend(sum_of_weights(vertex) * static_cast<double>(vertex.depth));
@@ -152,12 +190,48 @@ class PieceCutter {
                 ratios.extend(vertex.depth_ratios[k] * vertex.depth);
                 pixels.extend(Eigen::Vector2d(vertex.view_pixels[k][0], vertex.view_pixels[k][1]));
             }
-            const double error_px = pixels.diagonal().norm() * ratios.half_spread();
+            // Half as much either way as it would be one way (centred).
+            const double error_px = 0.5 * pixels.diagonal().norm() * ratios.half_spread();
             if ((weights.high - weights.low) * sums.half_spread() > options_.max_weight_error ||
-                weights.high * error_px > options_.max_error_px)
+                (may_count_alone ? 1.0 : weights.high) * error_px > options_.max_error_px)
                 return false;
         }
         return true;
+    }
+
+    /// Interpolated between corners, places are wrong to one side, the most halfway between two of
+    /// them: moved by half of that they are wrong by half as much, at corners and halfway alike.
+    [[nodiscard]] std::vector<BlendVertex> centred(std::vector<BlendVertex> vertices,
+                                                   const Visible& visible) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!visible[k]) continue;
+            Eigen::Vector2f worst = Eigen::Vector2f::Zero();
+            for (std::size_t i = 1; i < vertices.size(); ++i) {
+                for (const std::size_t from : {std::size_t{0}, i - 1}) {
+                    const Eigen::Vector2f off = off_halfway(vertices[from], vertices[i], k);
+                    if (off.squaredNorm() > worst.squaredNorm()) worst = off;
+                }
+            }
+            for (BlendVertex& vertex : vertices) {
+                vertex.view_pixels[k][0] += 0.5F * worst.x();
+                vertex.view_pixels[k][1] += 0.5F * worst.y();
+            }
+        }
+        return vertices;
+    }
+
+    /// From where photograph k is looked up halfway between two corners to where it should be.
+    [[nodiscard]] Eigen::Vector2f off_halfway(const BlendVertex& a, const BlendVertex& b,
+                                              std::size_t k) const {
+        const auto view = static_cast<std::size_t>(polygon_.view_indices[k]);
+        const Eigen::Vector3d halfway(0.5 * static_cast<double>(a.pixel[0] + b.pixel[0]),
+                                      0.5 * static_cast<double>(a.pixel[1] + b.pixel[1]), 1);
+        // There the ends count by one over their depths.
+        const float share_a = b.depth / (a.depth + b.depth);
+        const Eigen::Vector2f interpolated =
+            share_a * Eigen::Vector2f(a.view_pixels[k][0], a.view_pixels[k][1]) +
+            (1 - share_a) * Eigen::Vector2f(b.view_pixels[k][0], b.view_pixels[k][1]);
+        return (views_[view].view_from_eye * halfway).hnormalized().cast<float>() - interpolated;
     }
 
     static double sum_of_weights(const BlendVertex& vertex) {

@@ -44,9 +44,13 @@ const FacePolygon& polygon_of_face(const std::vector<FacePolygon>& polygons, int
     });
 }
 
-TEST(AffinePieces, LookUpPhotographsWithinTheStatedError) {
-    const Lumigraph lumigraph = ball_in_sky();
-    const Eye eye = eye_at({0.5, 0.6, -2}, {0, 0, 0}, pinhole_camera(320, 240, 260));
+bool is_within(const PlaneView& view, const Eigen::Vector2d& pixel) {
+    return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= view.width_px &&
+           pixel.y() <= view.height_px;
+}
+
+/// At a place on each triangle; photographs that have ended there do not count.
+void expect_within_the_stated_error(const Lumigraph& lumigraph, const Eye& eye) {
     const std::vector<FacePolygon> polygons = face_polygons(lumigraph.mesh, eye);
     const AffinePieceOptions options{.max_error_px = 0.05, .max_weight_error = 0.01};
     const Pieces pieces = pieces_of(lumigraph, eye, polygons, options);
@@ -78,6 +82,14 @@ TEST(AffinePieces, LookUpPhotographsWithinTheStatedError) {
                               static_cast<double>(corners[c]->weights[k]);
             if (weights[k] > 0) visible += exact_weights[k];
         }
+        std::array<Eigen::Vector2d, 3> expected;
+        double counting = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const PlaneView& view = pieces.views[static_cast<std::size_t>(polygon.view_indices[k])];
+            expected[k] = (view.view_from_eye * pixel.homogeneous()).hnormalized();
+            if (!is_within(view, expected[k])) continue;
+            counting += weights[k];
+        }
         for (std::size_t k = 0; k < 3; ++k) {
             if (weights[k] <= 0) continue;
             EXPECT_NEAR(weights[k], exact_weights[k] / visible, 2 * options.max_weight_error);
@@ -85,12 +97,22 @@ TEST(AffinePieces, LookUpPhotographsWithinTheStatedError) {
             for (std::size_t c = 0; c < 3; ++c)
                 at += in_space[static_cast<Eigen::Index>(c)] *
                       Eigen::Vector2d(corners[c]->view_pixels[k][0], corners[c]->view_pixels[k][1]);
-            const auto view = static_cast<std::size_t>(polygon.view_indices[k]);
-            const Eigen::Vector2d expected =
-                (pieces.views[view].view_from_eye * pixel.homogeneous()).hnormalized();
-            EXPECT_LE(weights[k] * (at - expected).norm(), options.max_error_px + 1e-3);
+            const PlaneView& view = pieces.views[static_cast<std::size_t>(polygon.view_indices[k])];
+            if (!is_within(view, expected[k])) continue;
+            EXPECT_LE(weights[k] / counting * (at - expected[k]).norm(),
+                      options.max_error_px + 1e-3);
         }
     }
+}
+
+TEST(AffinePieces, LookUpPhotographsWithinTheStatedError) {
+    expect_within_the_stated_error(
+        ball_in_sky(), eye_at({0.5, 0.6, -2}, {0, 0, 0}, pinhole_camera(320, 240, 260)));
+}
+
+TEST(AffinePieces, KeepToTheErrorWhereAPhotographEndsAndOthersCountForIt) {
+    expect_within_the_stated_error(
+        card_before_wall(), eye_at({1.2, 0.3, 0.2}, {0, 0, 4}, pinhole_camera(320, 240, 260)));
 }
 
 TEST(AffinePieces, AndExactOnesTogetherCoverWhatPhotographsSee) {
