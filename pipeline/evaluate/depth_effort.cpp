@@ -24,12 +24,10 @@ constexpr std::array<Choice, 3> kChoices{
 
 DepthEffort sufficient_depth_effort(const Lumigraph& lumigraph, const Capture& capture,
                                     const CameraMeshOptions& mesh_options, Progress& progress) {
-    if (lumigraph.views.size() < kLeastViewsToKeepBackFrom) return {};
     std::vector<std::vector<double>> losses_db(kChoices.size());
-    progress.begin("asking photographs how well depth must be known", 0);
     const std::size_t asked = visit_kept_back(
-        lumigraph, capture, mesh_options,
-        [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
+        lumigraph, capture, mesh_options, "asking photographs how well depth must be known",
+        progress, [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
             for (std::size_t choice = 0; choice < kChoices.size(); ++choice) {
                 progress.throw_if_interrupted();
                 others.depth_views = kChoices[choice].depth_views;
@@ -39,12 +37,16 @@ DepthEffort sufficient_depth_effort(const Lumigraph& lumigraph, const Capture& c
                                          drawn.losses_db.end());
             }
         });
+    if (asked == 0) return {};
     const Excess of_fewest = excess_over(losses_db[1], losses_db[0]);
     const Excess of_blocks = excess_over(losses_db[2], losses_db[1]);
     const std::size_t views = simplest_as_good({losses_db[0], losses_db[1]});
-    return {kChoices[views].depth_views, of_blocks.mean <= kUnseenLoss_db ? kMaxDepthBlock_px : 1,
-            static_cast<int>(asked),     of_fewest.mean,
-            of_fewest.standard_error,    of_blocks.mean};
+    return {.views = kChoices[views].depth_views,
+            .block_px = of_blocks.mean <= kUnseenLoss_db ? kMaxDepthBlock_px : 1,
+            .pictures = static_cast<int>(asked),
+            .fewer_views_lose_db = of_fewest.mean,
+            .standard_error_db = of_fewest.standard_error,
+            .blocks_lose_db = of_blocks.mean};
 }
 
 }  // namespace lumi

@@ -8,6 +8,8 @@
 namespace lumi {
 namespace {
 
+/// What is left of fewer views would tell of another capture.
+constexpr std::size_t kLeastViews = 8;
 constexpr int kEvery = 6;
 /// Each round costs a camera mesh and textures of the others.
 constexpr int kMostRounds = 3;
@@ -34,8 +36,10 @@ std::vector<PicturedEye> to_be_drawn(std::vector<PicturedEye> pictures, std::siz
 }  // namespace
 
 std::size_t visit_kept_back(const Lumigraph& lumigraph, const Capture& capture,
-                            const CameraMeshOptions& mesh_options, const KeptBackVisitor& visit) {
-    if (lumigraph.views.size() < kLeastViewsToKeepBackFrom) return 0;
+                            const CameraMeshOptions& mesh_options, const std::string& question,
+                            Progress& progress, const KeptBackVisitor& visit) {
+    if (lumigraph.views.size() < kLeastViews) return 0;
+    progress.begin(question, 0);
     Lumigraph evened = lumigraph;
     even_exposures(evened);
     std::size_t asked = 0;

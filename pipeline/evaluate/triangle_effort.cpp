@@ -12,7 +12,7 @@ namespace {
 /// Steps of about half an octave.
 constexpr std::array<double, 6> kErrors_px{0.35, 0.5, kTriangleError_px, 1.0, 1.4, 2.0};
 /// A tenth of what viewers begin to see.
-constexpr double kUnseenLoss_db = 0.05;
+constexpr double kMostLoss_db = 0.05;
 
 /// Of one error, over all pictures.
 struct Outcome {
@@ -25,11 +25,9 @@ struct Outcome {
 TriangleEffort sufficient_triangle_effort(const Lumigraph& lumigraph, const Capture& capture,
                                           const CameraMeshOptions& mesh_options,
                                           Progress& progress) {
-    if (lumigraph.views.size() < kLeastViewsToKeepBackFrom) return {};
-    progress.begin("asking photographs how fine triangles must be", 0);
     std::array<Outcome, kErrors_px.size()> sums;
     const std::size_t asked = visit_kept_back(
-        lumigraph, capture, mesh_options,
+        lumigraph, capture, mesh_options, "asking photographs how fine triangles must be", progress,
         [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
             OffscreenRenderer renderer(others);
             for (std::size_t i = 0; i < kErrors_px.size(); ++i) {
@@ -42,6 +40,7 @@ TriangleEffort sufficient_triangle_effort(const Lumigraph& lumigraph, const Capt
                 sums[i].triangles += drawn.mean_triangles * static_cast<double>(pictures.size());
             }
         });
+    if (asked == 0) return {};
     const auto count = static_cast<double>(asked);
     const double least_db =
         std::min_element(sums.begin(), sums.end(),
@@ -49,7 +48,7 @@ TriangleEffort sufficient_triangle_effort(const Lumigraph& lumigraph, const Capt
             ->loss_db /
         count;
     std::size_t chosen = kErrors_px.size() - 1;
-    while (sums[chosen].loss_db / count > least_db + kUnseenLoss_db) --chosen;
+    while (sums[chosen].loss_db / count > least_db + kMostLoss_db) --chosen;
     return {kErrors_px[chosen], static_cast<int>(asked), sums[chosen].loss_db / count - least_db,
             sums[chosen].triangles / count};
 }

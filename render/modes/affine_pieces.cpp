@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "render/modes/polygon_clipping.h"
 
@@ -90,8 +91,8 @@ class PieceCutter {
                 visible[k] &&
                 !is_beyond(corners, views_[static_cast<std::size_t>(polygon_.view_indices[k])]);
         if (visible == Visible{}) return;
-        const std::vector<BlendVertex> vertices = vertices_of(corners, visible);
-        if (is_affine(vertices, visible)) return keep_affine(centred(vertices, visible));
+        std::vector<BlendVertex> vertices = vertices_of(corners, visible);
+        if (is_affine(vertices, visible)) return keep_affine(centred(std::move(vertices), visible));
         const Eigen::Vector2d size = bounds(corners).sizes();
         if (size.maxCoeff() <= kSmallest_px) return keep_exact(corners);
         const Eigen::Vector2d middle = bounds(corners).center();

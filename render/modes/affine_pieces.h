@@ -26,9 +26,9 @@ struct AffinePieceOptions {
 /// between W and W' and pixels within a diameter d, linear interpolation is wrong by at most
 /// d / 2 * (W' - W) / (W' + W), always to one side; moved by half of that, by half as much. What
 /// the photographs have in common of W, those the most that count most, is left to the rasteriser's
-/// perspective, so that pieces are large. `affine` gets them; `exact` gets the few
-/// small ones that are not affine even so: polygons as they were, with fewer corners. What lies
-/// beyond the borders of all three photographs is left out.
+/// perspective, so that pieces are large. `affine` gets them; `exact` gets the few small ones that
+/// are not affine even so: polygons as they were, with fewer corners. What lies beyond the borders
+/// of all three photographs is left out.
 void cut_into_affine_pieces(const FacePolygon& polygon, const std::vector<PlaneView>& views,
                             const Eigen::Vector3d& plane_inverse_depth,
                             const AffinePieceOptions& options, BlendTriangles& affine,

@@ -13,19 +13,6 @@
 namespace lumi {
 namespace {
 
-/// A board photographed from so many places within a disc before it, whatever each of them shows.
-Studio before_a_board(int count, double radius) {
-    Studio studio(kFlatBoard);
-    const double golden_angle = 2.4;
-    for (int i = 0; i < count; ++i) {
-        const double from_middle = radius * std::sqrt((i + 0.5) / count);
-        const Eigen::Vector3d place(from_middle * std::cos(golden_angle * i),
-                                    from_middle * std::sin(golden_angle * i), kStudioDistance);
-        studio.photograph_from(looking_at(place, Eigen::Vector3d(place.x(), place.y(), 0)));
-    }
-    return studio;
-}
-
 DepthEffort effort_in(Studio& studio) {
     studio.find_points();
     std::vector<int> all(studio.capture.views.size());

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pipeline/synth/exact_points.h"
+#include "pipeline/synth/hand_held_path.h"
 #include "pipeline/synth/photographer.h"
 #include "pipeline/synth/sensor.h"
 #include "tests/truth/textured_box_scene.h"
@@ -124,6 +125,18 @@ void Studio::find_points() {
     capture.points = exact_scene_points(description_.scene, capture, 300, 1);
     lumigraph.near_depth = kStudioDistance - 0.7;
     lumigraph.far_depth = kStudioDistance + 0.7;
+}
+
+Studio before_a_board(int count, double radius) {
+    Studio studio(kFlatBoard);
+    const double golden_angle = 2.4;
+    for (int i = 0; i < count; ++i) {
+        const double from_middle = radius * std::sqrt((i + 0.5) / count);
+        const Eigen::Vector3d place(from_middle * std::cos(golden_angle * i),
+                                    from_middle * std::sin(golden_angle * i), kStudioDistance);
+        studio.photograph_from(looking_at(place, Eigen::Vector3d(place.x(), place.y(), 0)));
+    }
+    return studio;
 }
 
 }  // namespace lumi

@@ -37,4 +37,7 @@ class Studio {
     SceneDescription description_;
 };
 
+/// kFlatBoard from so many places within a disc before it, whatever each of them shows.
+[[nodiscard]] Studio before_a_board(int count, double radius);
+
 }  // namespace lumi

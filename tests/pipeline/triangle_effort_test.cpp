@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <numeric>
 
 #include "pipeline/stages/chosen_views.h"
@@ -11,16 +10,6 @@
 
 namespace lumi {
 namespace {
-
-Studio before_a_board(int count) {
-    Studio studio(kFlatBoard);
-    for (int i = 0; i < count; ++i) {
-        const Eigen::Vector3d place(0.1 * std::cos(2.4 * i), 0.1 * std::sin(2.4 * i),
-                                    kStudioDistance);
-        studio.photograph_from(looking_at(place, Eigen::Vector3d(place.x(), place.y(), 0)));
-    }
-    return studio;
-}
 
 TriangleEffort effort_of(const Studio& studio) {
     std::vector<int> all(studio.capture.views.size());
@@ -31,7 +20,7 @@ TriangleEffort effort_of(const Studio& studio) {
 }
 
 TEST(TriangleEffort, IsTheLeastWherePicturesShowTheSameEverywhere) {
-    Studio studio = before_a_board(18);
+    Studio studio = before_a_board(18, 0.1);
     studio.find_points();
     for (LumigraphView& view : studio.lumigraph.views)
         for (Rgb8& pixel : view.photograph.pixels()) pixel = {120, 130, 140};
@@ -53,7 +42,7 @@ TEST(TriangleEffort, IsGreaterWhereBodiesHideOneAnother) {
 }
 
 TEST(TriangleEffort, IsAsUsualForFewerThanEightViewsUnasked) {
-    Studio studio = before_a_board(7);
+    Studio studio = before_a_board(7, 0.1);
     studio.find_points();
     const TriangleEffort effort = effort_of(studio);
     EXPECT_EQ(effort.error_px, kTriangleError_px);
