@@ -4,6 +4,13 @@
 #include <cmath>
 
 namespace lumi {
+namespace {
+
+/// Where the photographs do not see the scene, they are looked up at a guess, and others may take
+/// their place: as far off as at a step of depth.
+constexpr float kLostError_px = 8.0F;
+
+}  // namespace
 
 double edge_error_px(const BlendVertex& a, const BlendVertex& b, const BlendVertex& middle,
                      double weight_error_px) {
@@ -22,6 +29,9 @@ double edge_error_px(const BlendVertex& a, const BlendVertex& b, const BlendVert
             weight_error,
             std::abs(middle.weights[k] - (share_a * a.weights[k] + share_b * b.weights[k])));
     }
+    const auto seen = [](const BlendVertex& vertex) { return vertex.confidence > 0 ? 1.0F : 0.0F; };
+    error_px =
+        std::max(error_px, kLostError_px * std::abs(seen(middle) - 0.5F * (seen(a) + seen(b))));
     return std::max(static_cast<double>(error_px),
                     2 * weight_error_px * static_cast<double>(weight_error));
 }

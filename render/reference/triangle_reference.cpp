@@ -15,6 +15,9 @@ namespace {
 
 /// As in shaders/photographs.glsl.
 constexpr double kLeastWeight = 1e-4;
+/// A pixel whose middle lies on an edge belongs to the triangle on its right, or else above: to
+/// one of them, as in OpenGL, and the same one.
+const Eigen::Vector3d kOffEdges_px(1e-4, -1e-5, 0);
 
 std::uint8_t to_byte(double value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
@@ -100,10 +103,9 @@ void draw_triangle(const std::array<const BlendVertex*, 3>& corners, const Photo
     const int end_y = std::min(frame.color.height(), static_cast<int>(std::ceil(high.y())));
     for (int y = std::max(0, static_cast<int>(low.y())); y < end_y; ++y) {
         for (int x = std::max(0, static_cast<int>(low.x())); x < end_x; ++x) {
-            const Eigen::Array3d in_picture =
-                shares_from_pixel * Eigen::Vector3d(x + 0.5, y + 0.5, 1);
-            if (in_picture.minCoeff() < 0) continue;
-            const Eigen::Array3d in_space = in_picture * inverse_depths;
+            const Eigen::Vector3d middle(x + 0.5, y + 0.5, 1);
+            if ((shares_from_pixel * (middle + kOffEdges_px)).minCoeff() < 0) continue;
+            const Eigen::Array3d in_space = (shares_from_pixel * middle).array() * inverse_depths;
             draw_pixel(corners, in_space / in_space.sum(), photographs, x, y, frame);
         }
     }

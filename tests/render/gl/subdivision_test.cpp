@@ -20,7 +20,7 @@ namespace {
 void expect_equal(const Frame& drawn, const Frame& expected, const std::string& what) {
     const FrameDifference difference = difference_between(drawn.color, expected.color);
     EXPECT_LE(difference.mean, 1.0) << what;
-    EXPECT_LE(difference.share_beyond_two, 0.02) << what;
+    EXPECT_LE(difference.share_beyond_two, 0.01) << what;
     EXPECT_GT(drawn.statistics.triangles, 0U) << what;
 }
 

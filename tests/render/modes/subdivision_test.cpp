@@ -55,6 +55,16 @@ double longest_edge_px(const BlendTriangles& triangles, std::size_t first_index)
     return longest;
 }
 
+double area_px2(const BlendTriangles& triangles, std::size_t first_index) {
+    const auto corner = [&](std::size_t i) {
+        const auto& [x, y] = triangles.vertices[triangles.indices[first_index + i]].pixel;
+        return Eigen::Vector2d(static_cast<double>(x), static_cast<double>(y));
+    };
+    const Eigen::Vector2d ab = corner(1) - corner(0);
+    const Eigen::Vector2d ac = corner(2) - corner(0);
+    return 0.5 * std::abs(ab.x() * ac.y() - ab.y() * ac.x());
+}
+
 TEST_F(Subdivision, BothReproduceTheSceneButForItsOutlines) {
     EXPECT_LT(error_of(adaptive({.min_edge_px = 3}), PlaceInterpolation::kLinear), 2.5);
     EXPECT_LT(error_of(paper({.min_size_px = 3}), PlaceInterpolation::kProjective), 3.0);
@@ -72,6 +82,40 @@ TEST_F(Subdivision, TheAdaptiveKeepsToTheNumberOfTriangles) {
     for (const std::size_t most : {200U, 400U, 800U})
         EXPECT_LE(adaptive({.max_error_px = 0.1, .min_edge_px = 1, .max_triangles = most}).count(),
                   most);
+}
+
+/// The whole picture through one camera.
+FacePolygon picture_through_camera(int view_index, const Eye& eye) {
+    const double width = eye.camera.width_px;
+    const double height = eye.camera.height_px;
+    FacePolygon polygon;
+    polygon.corners_px = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+    polygon.view_indices.fill(view_index);
+    polygon.side_lines.fill({0, 0, 1});
+    return polygon;
+}
+
+// From behind a camera the wall is hidden from it around the card; there nothing tells where its
+// photograph is to be looked up, least of all the plane through the card, which has no error.
+TEST_F(Subdivision, EdgesAreSplitWhereTheCamerasLoseTheScene) {
+    const Eye behind = eye_at({0, 0, -2}, {0, 0, 4}, kEye.camera);
+    const DepthSearch search(lumigraph_, geometries_, behind, 1.0);
+    const AdaptiveSubdivisionOptions options{.min_edge_px = 3, .max_triangles = 0};
+    const BlendTriangles triangles = adaptive_subdivision({picture_through_camera(0, behind)},
+                                                          search, {0, 0, 1.0 / 5}, {}, options)
+                                         .triangles;
+    double half_seen_px2 = 0;
+    for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
+        const auto seen = std::count_if(
+            triangles.indices.begin() + static_cast<std::ptrdiff_t>(i),
+            triangles.indices.begin() + static_cast<std::ptrdiff_t>(i) + 3,
+            [&](std::uint32_t corner) { return triangles.vertices[corner].confidence > 0; });
+        if (seen == 0 || seen == 3) continue;
+        half_seen_px2 += area_px2(triangles, i);
+    }
+    // A strip along the outline, and triangles that are too thin to be split.
+    EXPECT_GT(half_seen_px2, 100);
+    EXPECT_LT(half_seen_px2, 1000);
 }
 
 TEST_F(Subdivision, LongEdgesAreSplitHoweverFewTrianglesAreAllowed) {

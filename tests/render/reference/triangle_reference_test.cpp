@@ -1,0 +1,45 @@
+#include "render/reference/triangle_reference.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/render/analytic_scene.h"
+
+namespace lumi {
+namespace {
+
+// Both diagonals and both middle lines of the picture run through the middles of pixels.
+TEST(TriangleReference, DrawsPixelsOnSharedEdgesOnce) {
+    const Camera camera = pinhole_camera(9, 9, 10);
+    Lumigraph lumigraph;
+    LumigraphView& view = lumigraph.views.emplace_back();
+    view.camera = camera;
+    view.photograph = ColorImage(9, 9, {200, 100, 50});
+    BlendTriangles triangles;
+    const auto add_corner = [&](float x, float y) {
+        BlendVertex& corner = triangles.vertices.emplace_back();
+        corner.pixel = {x, y};
+        corner.depth = 1;
+        corner.view_pixels[0] = {4.5F, 4.5F};
+        corner.depth_ratios[0] = 1;
+        corner.weights[0] = 1;
+        corner.opacity = 0.5F;
+    };
+    add_corner(4.5F, 4.5F);
+    for (const auto& [x, y] : {std::pair{0.0F, 0.0F},
+                               {4.5F, 0.0F},
+                               {9.0F, 0.0F},
+                               {9.0F, 4.5F},
+                               {9.0F, 9.0F},
+                               {4.5F, 9.0F},
+                               {0.0F, 9.0F},
+                               {0.0F, 4.5F}})
+        add_corner(x, y);
+    for (std::uint32_t i = 1; i <= 8; ++i)
+        triangles.indices.insert(triangles.indices.end(), {0U, i, i % 8 + 1});
+    const Frame drawn =
+        draw_reference(triangles, lumigraph, camera, PlaceInterpolation::kProjective);
+    for (const Rgb8& color : drawn.color.pixels()) EXPECT_EQ(color, (Rgb8{100, 50, 25}));
+}
+
+}  // namespace
+}  // namespace lumi
