@@ -102,21 +102,45 @@ void FacePainter::upload(const std::vector<FacePolygon>& polygons, const Eye& ey
     std::vector<float> vertices;
     std::vector<std::uint32_t> indices;
     std::uint32_t count = 0;
+    uploaded_polygons_.clear();
     for (const FacePolygon& polygon : polygons) {
         const auto corners = static_cast<std::uint32_t>(polygon.corners_px.size());
         for (const Eigen::Vector2d& corner : polygon.corners_px)
             writer.append_vertex(vertices, polygon, corner);
+        const std::size_t first_index = indices.size();
         for (std::uint32_t i = 1; i + 1 < corners; ++i)
             indices.insert(indices.end(), {count, count + i, count + i + 1});
         count += corners;
+        uploaded_polygons_.push_back(
+            {polygon.view_indices, first_index, indices.size() - first_index});
     }
     polygons_.upload(vertices, indices);
-    index_count_ = indices.size();
 }
 
 std::size_t FacePainter::draw() const {
-    polygons_.draw(0, index_count_);
-    return index_count_ / 3;
+    return draw_if([](const std::array<int, 3>&) { return true; });
+}
+
+std::size_t FacePainter::draw_if(
+    const std::function<bool(const std::array<int, 3>&)>& is_wanted) const {
+    std::size_t drawn = 0;
+    std::size_t first = 0;
+    std::size_t count = 0;
+    const auto draw_run = [&] {
+        if (count > 0) polygons_.draw(first, count);
+        drawn += count;
+        count = 0;
+    };
+    for (const UploadedPolygon& polygon : uploaded_polygons_) {
+        if (!is_wanted(polygon.view_indices)) {
+            draw_run();
+            continue;
+        }
+        if (count == 0) first = polygon.first_index;
+        count += polygon.index_count;
+    }
+    draw_run();
+    return drawn / 3;
 }
 
 }  // namespace lumi

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <functional>
+#include <vector>
+
 #include "render/gl/program.h"
 #include "render/gl/vertex_buffer.h"
 #include "render/modes/face_polygons.h"
@@ -24,11 +28,18 @@ class FacePainter {
     /// Draws them in their order with the program in use, which is made from face.glsl. Returns the
     /// number of triangles.
     std::size_t draw() const;
+    /// The same for those that look at the scene through such views.
+    std::size_t draw_if(const std::function<bool(const std::array<int, 3>&)>& is_wanted) const;
 
  private:
+    struct UploadedPolygon {
+        std::array<int, 3> view_indices{};
+        std::size_t first_index = 0;
+        std::size_t index_count = 0;
+    };
     const UploadedLumigraph& uploaded_;
     VertexBuffer polygons_;
-    std::size_t index_count_ = 0;
+    std::vector<UploadedPolygon> uploaded_polygons_;
 };
 
 }  // namespace lumi

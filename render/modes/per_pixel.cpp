@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kRowsPerView = 4;
 
-PictureProgram program_of(int layers, std::vector<std::string> definitions = {}) {
+PictureProgram program_of(int layers, std::vector<std::string> definitions) {
     definitions.push_back("LAYERS " + std::to_string(layers));
     return {"per_pixel",
             {shader_source("face"), shader_source("agreed_depth"), shader_source("per_pixel")},
@@ -41,9 +41,15 @@ PerPixel::PerPixel(const UploadedLumigraph& uploaded)
           std::min(uploaded.layout.depth_views, static_cast<int>(uploaded.layout.views.size()))),
       depth_(uploaded, layer_count_),
       faces_(uploaded),
-      program_(program_of(layer_count_)),
-      in_blocks_(program_of(layer_count_, {"BLOCKS"})),
-      fading_(program_of(layer_count_, {"FADES"})) {}
+      in_pixels_(programs_of(layer_count_, {})),
+      in_blocks_(programs_of(layer_count_, {"BLOCKS"})),
+      fading_(programs_of(layer_count_, {"FADES"})) {}
+
+PerPixel::Programs PerPixel::programs_of(int layers, std::vector<std::string> definitions) {
+    PictureProgram of_any_views = program_of(layers, definitions);
+    definitions.emplace_back("VIEWS_ARE_ASKED");
+    return {program_of(layers, std::move(definitions)), std::move(of_any_views)};
+}
 
 DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
                               const Viewport& viewport) {
@@ -75,11 +81,8 @@ std::size_t PerPixel::draw_base(const std::vector<FacePolygon>& polygons, const 
                                 const AskedDepth& asked) {
     faces_.upload(polygons, eye, scene_plane_inverse_depth(uploaded_.layout, eye));
     if (!is_drawn_in_blocks(uploaded_.layout, options)) {
-        const Fragments pixels{viewport};
-        const bool fades = options.fade_beyond_capture;
-        const Program& program = use(fades ? fading_ : program_, eye, options, pixels, asked);
-        if (fades) set_fade(program, false);
-        return draw_strips(eye, pixels, asked, program);
+        const Fade fade = options.fade_beyond_capture ? Fade::kBeyondCapture : Fade::kNone;
+        return draw_strips(eye, options, {viewport}, asked, fade);
     }
     std::size_t triangles = 0;
     {
@@ -87,9 +90,7 @@ std::size_t PerPixel::draw_base(const std::vector<FacePolygon>& polygons, const 
         const Viewport rasters = blocks_.begin(viewport.width_px, viewport.height_px);
         const Fragments blocks{rasters, PixelBlocks::rows_below(viewport.height_px),
                                PixelBlocks::kSide_px};
-        const Program& program =
-            use(in_blocks_, PixelBlocks::covering(eye), options, blocks, asked);
-        triangles = draw_strips(eye, blocks, asked, program);
+        triangles = draw_strips(eye, options, blocks, asked, Fade::kNone);
     }
     blocks_.lay_out(viewport);
     return triangles;
@@ -98,16 +99,13 @@ std::size_t PerPixel::draw_base(const std::vector<FacePolygon>& polygons, const 
 std::size_t PerPixel::draw_shells(const Eye& eye, const RenderOptions& options,
                                   const Viewport& viewport, const AskedDepth& asked) {
     if (uploaded_.layout.mesh.shells.empty()) return 0;
-    const Fragments pixels{viewport};
-    const Program& program = use(fading_, eye, options, pixels, asked);
-    set_fade(program, true);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(uploaded_.layout, eye);
     std::size_t triangles = 0;
     for (const CameraMesh& shell : uploaded_.layout.mesh.shells) {
         faces_.upload(face_polygons(shell, eye, kNoOverlap_px), eye, plane);
-        triangles += draw_strips(eye, pixels, asked, program);
+        triangles += draw_strips(eye, options, {viewport}, asked, Fade::kShell);
     }
     glDisable(GL_BLEND);
     return triangles;
@@ -142,8 +140,8 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
     return program;
 }
 
-std::size_t PerPixel::draw_strips(const Eye& eye, const Fragments& fragments,
-                                  const AskedDepth& asked, const Program& program) const {
+std::size_t PerPixel::draw_strips(const Eye& eye, const RenderOptions& options,
+                                  const Fragments& fragments, const AskedDepth& asked, Fade fade) {
     const DepthLayerViews views = depth_layer_views(asked.sets, layer_count_);
     const std::vector<int> ends = strip_ends(asked.sets, asked.depth_eye.eye.camera.width_px);
     const double texels_per_fragment = fragments.side_px * asked.depth_eye.texels_per_pixel;
@@ -158,11 +156,34 @@ std::size_t PerPixel::draw_strips(const Eye& eye, const Fragments& fragments,
                     : std::min(viewport.width_px, first_fragment(ends[set], texels_per_fragment));
         if (end <= begin) continue;
         glScissor(viewport.x_px + begin, viewport.y_px, end - begin, viewport.height_px);
-        set_layer_views(eye, views[set], program);
-        triangles = faces_.draw();
+        triangles = draw_faces(eye, options, fragments, asked, fade, views[set]);
         begin = end;
     }
     glDisable(GL_SCISSOR_TEST);
+    return triangles;
+}
+
+std::size_t PerPixel::draw_faces(const Eye& eye, const RenderOptions& options,
+                                 const Fragments& fragments, const AskedDepth& asked, Fade fade,
+                                 const std::vector<int>& layer_views) {
+    Programs& programs = fade != Fade::kNone     ? fading_
+                         : fragments.side_px > 1 ? in_blocks_
+                                                 : in_pixels_;
+    const auto are_asked = [&](const std::array<int, 3>& views) {
+        return std::all_of(views.begin(), views.end(), [&](int view) {
+            return std::find(layer_views.begin(), layer_views.end(), view) != layer_views.end();
+        });
+    };
+    const Eye drawn = fragments.side_px > 1 ? PixelBlocks::covering(eye) : eye;
+    std::size_t triangles = 0;
+    for (const bool all_asked : {true, false}) {
+        const Program& program = use(all_asked ? programs.of_asked_views : programs.of_any_views,
+                                     drawn, options, fragments, asked);
+        if (fade != Fade::kNone) set_fade(program, fade == Fade::kShell);
+        set_layer_views(eye, layer_views, program);
+        triangles += faces_.draw_if(
+            [&](const std::array<int, 3>& views) { return are_asked(views) == all_asked; });
+    }
     return triangles;
 }
 
@@ -171,12 +192,16 @@ void PerPixel::set_layer_views(const Eye& eye, const std::vector<int>& view_indi
                                const Program& program) const {
     std::vector<glm::vec4> rows;
     for (const int view_index : view_indices) append_view(eye, view_index, rows);
-    rows.resize(kRowsPerView * kMaxDepthViews);
+    while (rows.size() < kRowsPerView * kMaxDepthViews) append_view(eye, kNoView, rows);
     program.set("layer_views", rows);
 }
 
 void PerPixel::append_view(const Eye& eye, int view_index, std::vector<glm::vec4>& rows) const {
-    if (view_index == kNoView) return rows.resize(rows.size() + kRowsPerView);
+    if (view_index == kNoView) {
+        rows.resize(rows.size() + kRowsPerView - 1);
+        rows.emplace_back(kNoView, 0.0F, 0.0F, 0.0F);
+        return;
+    }
     const LumigraphView& view = uploaded_.layout.views[static_cast<std::size_t>(view_index)];
     const PixelTransfer view_from_eye =
         pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world);

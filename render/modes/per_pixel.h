@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec4.hpp>
+#include <string>
 #include <vector>
 
 #include "render/modes/depth_eye.h"
@@ -40,6 +41,14 @@ class PerPixel : public DrawingMode {
         int side_px = 1;
     };
 
+    /// For faces whose three views are asked for depth, which then say what they see, and for any.
+    struct Programs {
+        PictureProgram of_asked_views;
+        PictureProgram of_any_views;
+    };
+    [[nodiscard]] static Programs programs_of(int layers, std::vector<std::string> definitions);
+    enum class Fade { kNone, kBeyondCapture, kShell };
+
     /// The faces of the camera mesh, and the triangles that they take.
     std::size_t draw_base(const std::vector<FacePolygon>& polygons, const Eye& eye,
                           const RenderOptions& options, const Viewport& viewport,
@@ -49,9 +58,11 @@ class PerPixel : public DrawingMode {
     /// Puts the program in use, with all that they need.
     const Program& use(PictureProgram& picture, const Eye& eye, const RenderOptions& options,
                        const Fragments& fragments, const AskedDepth& asked);
-    /// The uploaded faces with the program in use; in the strip of each set with its views.
-    std::size_t draw_strips(const Eye& eye, const Fragments& fragments, const AskedDepth& asked,
-                            const Program& program) const;
+    /// The uploaded faces, in the strip of each set with its views.
+    std::size_t draw_strips(const Eye& eye, const RenderOptions& options,
+                            const Fragments& fragments, const AskedDepth& asked, Fade fade);
+    std::size_t draw_faces(const Eye& eye, const RenderOptions& options, const Fragments& fragments,
+                           const AskedDepth& asked, Fade fade, const std::vector<int>& layer_views);
     void set_layer_views(const Eye& eye, const std::vector<int>& view_indices,
                          const Program& program) const;
     void append_view(const Eye& eye, int view_index, std::vector<glm::vec4>& rows) const;
@@ -63,9 +74,9 @@ class PerPixel : public DrawingMode {
     FacePainter faces_;
     GridPainter grid_;
     PixelBlocks blocks_;
-    PictureProgram program_;
-    PictureProgram in_blocks_;
-    PictureProgram fading_;  ///< For shells, and for what fades beyond the capture.
+    Programs in_pixels_;
+    Programs in_blocks_;
+    Programs fading_;  ///< For shells, and for what fades beyond the capture.
 };
 
 }  // namespace lumi

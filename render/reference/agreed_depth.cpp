@@ -32,10 +32,13 @@ AgreedPixelDepth AgreedDepth::at(const Eigen::Vector2d& pixel) const {
     const int column = texel(pixel.x());
     const int row = texel(pixel.y());
     const std::vector<int>& views = views_at(column);
+    AgreedPixelDepth agreed;
     std::vector<EyeDepth> depths;
-    for (const int index : views)
+    for (const int index : views) {
         depths.push_back(index == kNoView ? EyeDepth{} : eye_depth_of_view_.at(index)(column, row));
-    AgreedPixelDepth agreed{consensus_of(depths, agreeing_inverse_depth_), kNoView};
+        if (index != kNoView) agreed.of_views[index] = depths.back();
+    }
+    agreed.depth = consensus_of(depths, agreeing_inverse_depth_);
     if (agreed.depth.support > 0)
         agreed.known_by = views[static_cast<std::size_t>(agreed.depth.best_layer)];
     return agreed;

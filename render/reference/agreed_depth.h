@@ -16,6 +16,8 @@ namespace lumi {
 struct AgreedPixelDepth {
     ConsensusDepth depth;    ///< Support 0 where nothing is known.
     int known_by = kNoView;  ///< Index of a view.
+    /// What each of the views that were asked knows, by its index.
+    std::map<int, EyeDepth> of_views;
 };
 
 /// The depth pre-pass of the mode `perpixel` in plain code: depth of the views that are most use to

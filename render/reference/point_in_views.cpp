@@ -29,20 +29,36 @@ std::optional<Sight> PointInViews::sight(int view_index, const RayPoint& point) 
                                     point.inverse_depth * (seen_by.cam_from_world * eye_in_world_);
     const auto pixel = project(seen_by.camera, in_view);
     if (!pixel) return std::nullopt;
-    return Sight{*pixel, point.inverse_depth / in_view.z()};
+    return Sight{*pixel, point.inverse_depth / in_view.z(), in_view.z()};
 }
 
-double PointInViews::visibility(int view_index, const RayPoint& point, bool check_depth) const {
-    const std::optional<Sight> seen = sight(view_index, point);
+bool PointInViews::is_inside(int view_index, const RayPoint& point) const {
+    const std::optional<Sight> at = sight(view_index, point);
+    return at && border_distance_px(view(view_index).camera, at->pixel) >= 0;
+}
+
+std::optional<double> PointInViews::seen_by(int view_index, const Sight& sight,
+                                            const std::map<int, EyeDepth>& asked) const {
+    const auto said = asked.find(view_index);
+    if (said != asked.end()) {
+        const EyeDepth& depth = said->second;
+        if (!depth.is_known() || depth.kind == DepthKind::kStretched) return std::nullopt;
+        return depth.inverse_depth / sight.depth_ratio;
+    }
+    const Camera& camera = view(view_index).camera;
+    const FloatImage& depth = view(view_index).depth.inverse_depth;
+    return nearest(depth, {sight.pixel.x() * depth.width() / camera.width_px,
+                           sight.pixel.y() * depth.height() / camera.height_px});
+}
+
+double PointInViews::visibility(int view_index, const RayPoint& point,
+                                const std::map<int, EyeDepth>& asked) const {
+    if (!is_inside(view_index, point)) return 0;
+    const Sight at = *sight(view_index, point);
+    const std::optional<double> seen = seen_by(view_index, at, asked);
     if (!seen) return 0;
-    const LumigraphView& seen_by = view(view_index);
-    const bool is_inside = border_distance_px(seen_by.camera, seen->pixel) >= 0;
-    if (!check_depth || !is_inside) return is_inside ? 1 : 0;
-    const FloatImage& depth = seen_by.depth.inverse_depth;
-    const Eigen::Vector2d in_depth_map(seen->pixel.x() * depth.width() / seen_by.camera.width_px,
-                                       seen->pixel.y() * depth.height() / seen_by.camera.height_px);
     const double difference_px =
-        std::abs(seen->inverse_depth - nearest(depth, in_depth_map)) *
+        std::abs(at.inverse_depth - *seen) *
         disparity_px_per_inverse_depth(geometries_[static_cast<std::size_t>(view_index)],
                                        eye_in_world_);
     return visibility_of(difference_px, options_.occlusion_tolerance_px);

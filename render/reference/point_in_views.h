@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "render/modes/depth_layer_views.h"
 #include "render/modes/frame.h"
 #include "render/modes/view_geometry.h"
+#include "render/reference/depth_raster.h"
 #include "render/reference/photograph_samples.h"
 
 namespace lumi {
@@ -23,6 +25,7 @@ struct RayPoint {
 struct Sight {
     Eigen::Vector2d pixel;
     double inverse_depth = 0.0;
+    double depth_ratio = 1.0;  ///< Of its depth in the view over that in the eye.
 };
 
 /// From a place in a photograph to its nearest border; negative beyond it.
@@ -36,9 +39,13 @@ class PointInViews {
 
     /// None where the point is behind the view.
     [[nodiscard]] std::optional<Sight> sight(int view_index, const RayPoint& point) const;
+    /// Whether the point is in the view's photograph.
+    [[nodiscard]] bool is_inside(int view_index, const RayPoint& point) const;
     /// 1 when the view sees the point, 0 when it sees something else or the point is not in its
-    /// photograph; in between a ramp (occlusion.h). The view has depth.
-    [[nodiscard]] double visibility(int view_index, const RayPoint& point, bool check_depth) const;
+    /// photograph; in between a ramp (occlusion.h). A view that was asked for depth has said what
+    /// it sees on the eye's ray, of others the depth map tells.
+    [[nodiscard]] double visibility(int view_index, const RayPoint& point,
+                                    const std::map<int, EyeDepth>& asked) const;
     /// How much the photograph counts there, 0 to 255.
     [[nodiscard]] double opacity(int view_index, const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d color(int view_index, const RayPoint& point) const;
@@ -47,6 +54,9 @@ class PointInViews {
     [[nodiscard]] const std::vector<ViewGeometry>& geometries() const { return geometries_; }
 
  private:
+    /// The inverse depth in the view of what it sees there; none where it sees nothing.
+    [[nodiscard]] std::optional<double> seen_by(int view_index, const Sight& sight,
+                                                const std::map<int, EyeDepth>& asked) const;
     [[nodiscard]] const LumigraphView& view(int index) const {
         return lumigraph_.views[static_cast<std::size_t>(index)];
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,7 @@ namespace {
 struct KnownPoint {
     RayPoint point;
     ConsensusDepth depth;
+    std::map<int, EyeDepth> of_views;  ///< What those say that were asked.
 };
 
 struct DrawnPixel {
@@ -48,10 +50,9 @@ class ReferenceFrame {
                                                     const Eigen::Vector2d& pixel) const;
     /// Where nothing is seen.
     [[nodiscard]] DrawnPixel behind(int x, int y) const;
-    void lay_over(DrawnPixel& drawn, const CameraMesh& shell, const RayPoint& point,
-                  const ConsensusDepth& depth) const;
-    [[nodiscard]] std::array<double, 3> visibilities(const RayWeights& ray, const RayPoint& point,
-                                                     const ConsensusDepth& depth) const;
+    void lay_over(DrawnPixel& drawn, const CameraMesh& shell, const KnownPoint& known) const;
+    [[nodiscard]] std::array<double, 3> visibilities(const RayWeights& ray,
+                                                     const KnownPoint& known) const;
     [[nodiscard]] std::array<double, 3> opacities(const std::array<double, 3>& weights,
                                                   const RayWeights& ray,
                                                   const RayPoint& point) const;
@@ -106,22 +107,24 @@ Eigen::Vector3d ReferenceFrame::direction_in_world(const Eigen::Vector2d& pixel)
 }
 
 KnownPoint ReferenceFrame::point_at(const Eigen::Vector2d& pixel) const {
-    const auto [depth, known_by] = depth_ ? depth_->at(pixel) : AgreedPixelDepth{};
+    const auto [depth, known_by, of_views] = depth_ ? depth_->at(pixel) : AgreedPixelDepth{};
     const double inverse_depth =
         depth.support > 0 ? depth.inverse_depth : std::max(0.0, plane_.dot(pixel.homogeneous()));
-    return {{direction_in_world(pixel), inverse_depth, known_by}, depth};
+    return {{direction_in_world(pixel), inverse_depth, known_by}, depth, of_views};
 }
 
-std::array<double, 3> ReferenceFrame::visibilities(const RayWeights& ray, const RayPoint& point,
-                                                   const ConsensusDepth& depth) const {
+std::array<double, 3> ReferenceFrame::visibilities(const RayWeights& ray,
+                                                   const KnownPoint& known) const {
+    const RayPoint& point = known.point;
     std::array<double, 3> seen{};
-    const bool check_depth = depth.support > 0 && options_.correct_occlusion;
+    const bool check_depth = known.depth.support > 0 && options_.correct_occlusion;
     for (std::size_t i = 0; i < 3; ++i) {
         if (!(ray.weights[i] > 0)) continue;
         const int view = ray.view_indices[i];
-        seen[i] = depth_                      ? views_.visibility(view, point, check_depth)
-                  : views_.sight(view, point) ? 1.0
-                                              : 0.0;
+        if (check_depth)
+            seen[i] = views_.visibility(view, point, known.of_views);
+        else if (depth_ ? views_.is_inside(view, point) : views_.sight(view, point).has_value())
+            seen[i] = 1;
     }
     return seen;
 }
@@ -149,7 +152,7 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
         weights_of_ray(lumigraph_.mesh, eye_in_world_, shared.point.direction_in_world);
     if (!ray) return std::nullopt;
     const bool has_depth = depth.support > 0;
-    const std::array<double, 3> seen = visibilities(*ray, shared.point, depth);
+    const std::array<double, 3> seen = visibilities(*ray, shared);
     RayPoint point = shared.point;
     // Steep as a tear is, all of a block shows nearly the same.
     const bool is_stretched = has_depth && depth.kind == DepthKind::kStretched;
@@ -182,11 +185,13 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
     return drawn;
 }
 
-void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell, const RayPoint& point,
-                              const ConsensusDepth& depth) const {
+void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell,
+                              const KnownPoint& known) const {
+    const RayPoint& point = known.point;
+    const ConsensusDepth& depth = known.depth;
     std::optional<RayWeights> ray = weights_of_ray(shell, eye_in_world_, point.direction_in_world);
     if (!ray || (depth_ && depth.support == 0)) return;
-    std::array<double, 3> seen = visibilities(*ray, point, depth);
+    std::array<double, 3> seen = visibilities(*ray, known);
     const double occluded = occluded_share(*ray, seen);
     const std::array<double, 3> opaque = opacities(ray->weights, *ray, point);
     for (std::size_t i = 0; i < 3; ++i) seen[i] *= opaque[i];
@@ -221,8 +226,7 @@ DrawnPixel ReferenceFrame::color_at(int x, int y) const {
                     : known,
                 pixel)
             .value_or(behind(x, y));
-    for (const CameraMesh& shell : lumigraph_.mesh.shells)
-        lay_over(drawn, shell, known.point, known.depth);
+    for (const CameraMesh& shell : lumigraph_.mesh.shells) lay_over(drawn, shell, known);
     return drawn;
 }
 

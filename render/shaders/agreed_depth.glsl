@@ -6,19 +6,22 @@ uniform sampler2DArray depth_layers;
 uniform float max_inverse_depth;
 uniform float agreeing_depth;  // layers that differ by no more are of one surface
 // For each layer its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
-// in window coordinates, then (layer of the photograph, unused).
+// in window coordinates, then (layer of the photograph, unused): -1 where there is none.
 uniform vec4 layer_views[16];
 
 // Where each kind of depth begins in the depth buffer, times the kind, and how far it goes; 1 is
 // nothing. See depth_layers.h.
 const float kKindStep = 0.33;
 const float kKindWidth = 0.32;
+// Where a view knows nothing: as far as can be from any inverse depth.
+const float kNowhere = -1e9;
 
 struct Depth {
     float inverse_depth;
     float kind;     // 0 seen, 1 filled, 2 stretched, 3 nothing known
     float support;  // how many views agree, at most 2
     int layer;      // the first of them
+    vec4 of_layers; // what each layer's view sees or fills in there
 };
 
 float smallest(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
@@ -49,6 +52,13 @@ vec4 alone(vec4 depths) {
                 with_x.y * others.x * others.z, with_x.z * others.y * others.z);
 }
 
+// A view that stretches its surface over a tear does not see it.
+vec4 seen_in_layers(vec4 depths) {
+    vec4 kinds = step(kKindStep, depths) + step(2.0 * kKindStep, depths);
+    vec4 inverse_depths = max_inverse_depth * (1.0 - (depths - kKindStep * kinds) / kKindWidth);
+    return mix(inverse_depths, vec4(kNowhere), greaterThan(kinds, vec4(1.5)));
+}
+
 // The nearest depth that two views agree on, or else the nearest; only the most reliable kind
 // counts, and of fills the farthest, because a fill continues the background. A surface that one
 // view imagines before those that others see is thus left out.
@@ -67,7 +77,8 @@ Depth agreed_depth(ivec2 texel) {
     vec4 agreeing = agree(depths, preferred * (support > 1.5 ? first_agreed : smallest(order)));
     int layer = agreeing.x > 0.0 ? 0 : agreeing.y > 0.0 ? 1 : agreeing.z > 0.0 ? 2 : 3;
     float depth = dot(agreeing, depths) / dot(agreeing, vec4(1.0)) - kKindStep * kind;
-    return Depth(max_inverse_depth * max(0.0, 1.0 - depth / kKindWidth), kind, support, layer);
+    return Depth(max_inverse_depth * max(0.0, 1.0 - depth / kKindWidth), kind, support, layer,
+                 seen_in_layers(depths));
 }
 
 // The homogeneous pixel of (x, y, 1, inverse depth) in the layer's view. Linear in the ray: of
@@ -78,4 +89,10 @@ vec3 pixel_in_layer(int layer, vec4 ray) {
 }
 
 float photograph_of_layer(int layer) { return layer_views[4 * layer + 3].x; }
+
+// 1 for the layer that shows what the photograph's view knows, if any does.
+vec4 layer_of_photograph(float photograph) {
+    return vec4(equal(vec4(layer_views[3].x, layer_views[7].x, layer_views[11].x, layer_views[15].x),
+                      vec4(photograph)));
+}
 #endif
