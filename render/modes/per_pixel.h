@@ -17,8 +17,9 @@ namespace lumi {
 
 /// Depth, weights and visibility at each pixel: first the depth maps of the views nearest to the
 /// eye are drawn, each into a layer; then each face blends its three photographs at the depth that
-/// the layers agree on, with the paper's occlusion correction (section 4). Shells over close-ups
-/// are laid over that. The cost does not depend on the scene.
+/// the layers agree on, with the paper's occlusion correction (section 4): views whose depth was
+/// drawn see what their layers show, of others the depth maps tell. Shells over close-ups are laid
+/// over that. The cost does not depend on the scene.
 ///
 /// Where photographs cannot tell the difference, all but the colours is worked out for blocks of
 /// two by two pixels (Lumigraph::depth_block_px), at less than two thirds of the cost.
