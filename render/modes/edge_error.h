@@ -6,7 +6,8 @@ namespace lumi {
 
 /// How far photographs are looked up from where they should be, in the middle of an edge that is
 /// not split, each counting as its weight; or twice the error of a weight or of the opacity, which
-/// counts as `weight_error_px` pixels; or what it counts that the photographs lose the scene there.
+/// counts as `weight_error_px` pixels; or a step of depth's worth, where the photographs lose the
+/// scene along the edge.
 [[nodiscard]] double edge_error_px(const BlendVertex& a, const BlendVertex& b,
                                    const BlendVertex& middle, double weight_error_px);
 
