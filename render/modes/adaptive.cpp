@@ -12,29 +12,10 @@
 namespace lumi {
 namespace {
 
-/// What the first three others do not see either is asked of three more.
-constexpr int kRoundsOfOthers = 2;
-
 /// Views that see most of what the eye sees; some may be named twice.
-std::array<int, 3> three_of(const DepthViewSet& set) {
-    std::array<int, 3> views{};
-    for (std::size_t i = 0; i < 3; ++i)
-        views[i] = set.view_indices[std::min(i, set.view_indices.size() - 1)];
-    return views;
-}
-
-/// Each strip of the picture from the views of its set (strip_ends).
-void draw_unseen(const std::vector<DepthViewSet>& sets, const Eye& eye, const DepthSearch& search,
-                 const Eigen::Vector3d& plane, const PatchSampler::Options& sampling,
-                 BlendTriangles& triangles) {
-    const std::vector<int> ends = strip_ends(sets, eye.camera.width_px);
-    // The first and the last go on beyond the picture, as triangles do.
-    PictureStrip strip;
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-        strip.end_px = i + 1 < sets.size() ? ends[i] : PictureStrip{}.end_px;
-        draw_unseen_from(three_of(sets[i]), strip, search, plane, sampling, triangles);
-        strip.begin_px = strip.end_px;
-    }
+std::array<int, 3> three_depth_views(const Lumigraph& layout, const Eye& eye) {
+    const std::vector<int> chosen = choose_depth_views(layout, eye, 3);
+    return {chosen[0], chosen[std::min<std::size_t>(1, chosen.size() - 1)], chosen.back()};
 }
 
 /// Without the triangles that nothing is seen of.
@@ -72,14 +53,9 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
             .triangles;
     };
     std::vector<BlendTriangles> layers{subdivided(layout.mesh, kOverlap_px)};
-    for (int round = 0; round < kRoundsOfOthers; ++round) {
-        const std::vector<Eigen::Vector2d> unseen = middles_of_unseen(search, layers.front());
-        if (unseen.empty()) break;
-        draw_unseen(depth_view_sets(layout, eye, 3, unseen), eye, search, plane, sampling,
-                    layers.front());
-    }
+    draw_unseen(layout, eye, search, plane, sampling, layers.front());
     if (layout.mesh.shells.empty()) return layers;
-    sampling.before_shell = three_of({choose_depth_views(layout, eye, 3)});
+    sampling.before_shell = three_depth_views(layout, eye);
     for (const CameraMesh& shell : layout.mesh.shells)
         layers.push_back(without_unseen(subdivided(shell, kNoOverlap_px)));
     return layers;

@@ -1,94 +1,37 @@
 #include "render/modes/depth_view_choice.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
-#include "render/modes/points_in_view.h"
-#include "render/modes/scene_plane.h"
+#include "render/modes/view_sight.h"
 
 namespace lumi {
 namespace {
 
-constexpr int kGridSteps = 17;
-/// At this angle between view and eye a view is worth half.
-constexpr double kHalfWorth_rad = 0.1;
-/// What one more view is worth where others see the same: two must agree, more are spare. No more
-/// than that is a view worth for what may stand before the scene plane.
-constexpr double kWorthOfNext = 0.1;
 /// A view that is worth less by no more than this share might be the best of an eye close by.
 constexpr double kNearlyAsMuch = 0.03;
 constexpr double kOnlyTheBest = 1e-12;
 /// So much of the picture is taken from each set that is not the best: most of them get nothing.
 constexpr double kLeastShare = 0.02;
 
-/// Points that the eye may see.
-struct Samples {
-    RayPoints points;
-    Eigen::RowVectorXd worth;  ///< To a view that sees it from the eye's direction, the first to.
-};
-
 std::vector<Eigen::Vector2d> grid_over(const Camera& camera) {
     std::vector<Eigen::Vector2d> pixels;
-    for (int row = 0; row < kGridSteps; ++row)
-        for (int column = 0; column < kGridSteps; ++column)
-            pixels.emplace_back(column * camera.width_px / (kGridSteps - 1.0),
-                                row * camera.height_px / (kGridSteps - 1.0));
+    for (int row = 0; row <= kSightSteps; ++row)
+        for (int column = 0; column <= kSightSteps; ++column)
+            pixels.emplace_back(column * camera.width_px / static_cast<double>(kSightSteps),
+                                row * camera.height_px / static_cast<double>(kSightSteps));
     return pixels;
-}
-
-Samples samples_at(const Lumigraph& lumigraph, const Eye& eye,
-                   const std::vector<Eigen::Vector2d>& pixels) {
-    const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
-    const double near_end = inverse_depth_range(lumigraph).y();
-    const auto count = static_cast<Eigen::Index>(2 * pixels.size());
-    Samples samples{{Eigen::Matrix3Xd(3, count), Eigen::RowVectorXd(count)},
-                    Eigen::RowVectorXd(count)};
-    Eigen::Index next = 0;
-    for (const Eigen::Vector2d& pixel : pixels) {
-        const Eigen::Vector3d direction_in_world =
-            eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, pixel);
-        const double on_plane = std::max(0.0, plane.dot(pixel.homogeneous()));
-        for (const bool is_near : {false, true}) {
-            samples.points.directions_in_world.col(next) = direction_in_world;
-            samples.points.inverse_depths[next] = is_near ? std::max(on_plane, near_end) : on_plane;
-            samples.worth[next] = is_near ? kWorthOfNext : 1.0;
-            ++next;
-        }
-    }
-    return samples;
-}
-
-/// How a view sees the samples.
-struct Sight {
-    /// 1 within the photograph, 0 outside; from one to the other over a fraction of the way between
-    /// two samples of the grid.
-    Eigen::RowVectorXd inside;
-    Eigen::RowVectorXd closeness;  ///< The same, the less the larger the angle to the eye.
-};
-
-Sight sight_of(const LumigraphView& view, const Eigen::Vector3d& eye_in_world,
-               const RayPoints& points) {
-    const PointsInView seen = seen_by(view, eye_in_world, points);
-    const double sample_px =
-        std::min(view.camera.width_px, view.camera.height_px) / (kGridSteps - 1.0);
-    Sight sight;
-    sight.inside = seen.are_before.select(
-        (0.5 + 4 * seen.to_border_px(view.camera) / sample_px).max(0.0).min(1.0), 0.0);
-    sight.closeness = sight.inside.array() * kHalfWorth_rad / (kHalfWorth_rad + seen.angles_rad);
-    return sight;
 }
 
 /// Takes views one by one.
 class Choice {
  public:
-    Choice(const Lumigraph& lumigraph, const Eye& eye, int max_views, double nearly,
-           const std::vector<Eigen::Vector2d>& pixels)
+    Choice(const Lumigraph& lumigraph, const Eye& eye, int max_views, double nearly)
         : max_views_(max_views), nearly_(nearly) {
         const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
-        const Samples samples = samples_at(lumigraph, eye, pixels);
+        const SightSamples samples = sight_samples(lumigraph, eye, grid_over(eye.camera));
         for (const LumigraphView& view : lumigraph.views)
             sights_.push_back(sight_of(view, eye_in_world, samples.points));
         worth_ = samples.worth;
@@ -104,7 +47,7 @@ class Choice {
     [[nodiscard]] std::vector<double> gains(const std::vector<int>& chosen,
                                             const Eigen::RowVectorXd& worth) const {
         std::vector<double> all;
-        for (const Sight& sight : sights_) all.push_back(sight.closeness.dot(worth));
+        for (const ViewSight& sight : sights_) all.push_back(sight.closeness.dot(worth));
         for (const int view : chosen) all[static_cast<std::size_t>(view)] = 0.0;
         return all;
     }
@@ -157,7 +100,7 @@ class Choice {
 
     int max_views_;
     double nearly_;
-    std::vector<Sight> sights_;
+    std::vector<ViewSight> sights_;
     Eigen::RowVectorXd worth_;
     std::vector<DepthViewSet> sets_;
 };
@@ -176,17 +119,12 @@ void keep_largest(std::vector<DepthViewSet>& sets) {
 }  // namespace
 
 std::vector<int> choose_depth_views(const Lumigraph& lumigraph, const Eye& eye, int max_views) {
-    return Choice(lumigraph, eye, max_views, kOnlyTheBest, grid_over(eye.camera))
-        .sets()
-        .front()
-        .view_indices;
+    return Choice(lumigraph, eye, max_views, kOnlyTheBest).sets().front().view_indices;
 }
 
-std::vector<DepthViewSet> depth_view_sets(const Lumigraph& lumigraph, const Eye& eye, int max_views,
-                                          const std::vector<Eigen::Vector2d>& pixels) {
-    std::vector<DepthViewSet> sets = Choice(lumigraph, eye, max_views, kNearlyAsMuch,
-                                            pixels.empty() ? grid_over(eye.camera) : pixels)
-                                         .sets();
+std::vector<DepthViewSet> depth_view_sets(const Lumigraph& lumigraph, const Eye& eye,
+                                          int max_views) {
+    std::vector<DepthViewSet> sets = Choice(lumigraph, eye, max_views, kNearlyAsMuch).sets();
     std::sort(sets.begin(), sets.end(),
               [](const DepthViewSet& a, const DepthViewSet& b) { return a.share > b.share; });
     keep_largest(sets);

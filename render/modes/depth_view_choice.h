@@ -20,21 +20,19 @@ inline constexpr int kMaxDepthViewSets = 4;
 /// The views, at most `max_views`, whose depth is most use to the eye: those that see what it sees
 /// from nearly the same direction, and together all of it.
 ///
-/// The eye's picture is sampled on a grid, placed on the scene plane (scene_plane.h) and again at
-/// the scene's near end, for less: a view whose photograph holds a ray's far part alone cannot tell
-/// what stands before it. Views are taken one by one; each adds, for every sample in its
-/// photograph, the more the smaller the angle between view and eye, and the less the more views see
-/// it already. The first is the nearest. Views that see nothing of it are left out, unless all are.
+/// The eye's picture is sampled on a grid (view_sight.h). Views are taken one by one; each adds,
+/// for every sample in its photograph, the more the smaller the angle between view and eye, and the
+/// less the more views see it already. The first is the nearest. Views that see nothing of it are
+/// left out, unless all are.
 [[nodiscard]] std::vector<int> choose_depth_views(const Lumigraph& lumigraph, const Eye& eye,
                                                   int max_views);
 
 /// The same for an eye that moves: where the next view would be nearly as much use, there is a set
 /// with either. Their shares, whose sum is 1, change steadily with the eye, so that nothing has to
 /// change all at once where one view is exchanged for another. In an order that does not depend on
-/// the eye. Where `pixels` are given it is these that are to be seen, not the whole picture.
-[[nodiscard]] std::vector<DepthViewSet> depth_view_sets(
-    const Lumigraph& lumigraph, const Eye& eye, int max_views,
-    const std::vector<Eigen::Vector2d>& pixels = {});
+/// the eye.
+[[nodiscard]] std::vector<DepthViewSet> depth_view_sets(const Lumigraph& lumigraph, const Eye& eye,
+                                                        int max_views);
 
 /// agreeing_inverse_depth (view_geometry.h) of the sets' views: the mean by their shares.
 [[nodiscard]] double agreeing_inverse_depth(const Lumigraph& lumigraph,

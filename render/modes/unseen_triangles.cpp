@@ -1,20 +1,32 @@
 #include "render/modes/unseen_triangles.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "calib/work/parallel_for.h"
+#include "render/modes/nearest_views.h"
 
 namespace lumi {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffU;
-/// The weight of the next view beside one that sees the point: it counts where that does not.
+/// What the first three others do not see either is asked of three more.
+constexpr std::size_t kRounds = 2;
+/// So many and the face's own.
+constexpr std::size_t kMostAsked = 3 * kRounds + 3;
+/// The weight of the next view beside one that sees the point: depth is the first one's.
 constexpr double kNextWeight = 1e-3;
 /// Corners that one thread looks up at a time.
 constexpr std::size_t kCornersAtATime = 64;
+
+/// Three, in the order in which they are asked.
+using Views = std::array<int, 3>;
 
 /// How well the corner's photographs stand for what is there.
 enum class Standing { kNothing, kGuess, kSeen };
@@ -23,67 +35,6 @@ Standing standing_of(const BlendVertex& corner) {
     if (corner.weights == std::array<float, 3>{}) return Standing::kNothing;
     return corner.confidence > 0 ? Standing::kSeen : Standing::kGuess;
 }
-
-/// The whole picture, looked at through three views in the order in which they are asked.
-FacePolygon picture_through(const std::array<int, 3>& views) {
-    FacePolygon polygon;
-    polygon.view_indices = views;
-    double weight = 1.0;
-    for (Eigen::Vector3d& line : polygon.side_lines) {
-        line = {0, 0, weight};
-        weight *= kNextWeight;
-    }
-    return polygon;
-}
-
-/// The best that other views can do.
-Standing best_standing(const DepthSearch& search) {
-    return search.has_depth() ? Standing::kSeen : Standing::kGuess;
-}
-
-/// Corners seen by other views.
-class OtherCorners {
- public:
-    OtherCorners(const PatchSampler& sampler, BlendTriangles& triangles)
-        : sampler_(sampler), triangles_(triangles), other_of_(triangles.vertices.size(), kNone) {}
-
-    /// Looked up with all that are wanted, unless it was.
-    void want(std::uint32_t corner) {
-        if (other_of_[corner] != kNone) return;
-        other_of_[corner] = static_cast<std::uint32_t>(other_of_.size() + looked_up_.size());
-        looked_up_.push_back(corner);
-    }
-
-    void look_up_wanted() {
-        const std::size_t known = triangles_.vertices.size();
-        const std::size_t done = known - other_of_.size();
-        triangles_.vertices.resize(other_of_.size() + looked_up_.size());
-        parallel_for_runs(looked_up_.size() - done, kCornersAtATime, 0,
-                          [&](std::size_t first, std::size_t end) {
-                              for (std::size_t i = first; i < end; ++i)
-                                  triangles_.vertices[known + i] =
-                                      seen_by_others(triangles_.vertices[looked_up_[done + i]]);
-                          });
-    }
-
-    [[nodiscard]] std::uint32_t operator[](std::uint32_t corner) const { return other_of_[corner]; }
-
- private:
-    [[nodiscard]] BlendVertex seen_by_others(const BlendVertex& known) const {
-        const PatchSample sample =
-            sampler_.at({static_cast<double>(known.pixel[0]), static_cast<double>(known.pixel[1])});
-        BlendVertex other = blend_vertex(sample, sampler_.polygon(), VertexDepth::kAffine);
-        other.face_index = known.face_index;
-        other.occluded = known.occluded;
-        other.opacity = known.opacity;
-        return other;
-    }
-
-    const PatchSampler& sampler_;
-    BlendTriangles& triangles_;
-    std::vector<std::uint32_t> other_of_;   ///< Of the corners that there were at first.
-    std::vector<std::uint32_t> looked_up_;  ///< Corners; their others stand behind all of those.
-};
 
 /// A triangle that others may show better.
 struct Candidate {
@@ -101,12 +52,16 @@ Eigen::Vector2d middle_of(const BlendTriangles& triangles, std::size_t first_ind
     return sum / 3;
 }
 
-bool is_in(const PictureStrip& strip, const Eigen::Vector2d& pixel) {
-    return pixel.x() >= strip.begin_px && pixel.x() < strip.end_px;
+std::vector<Eigen::Vector2d> middles_of(const BlendTriangles& triangles,
+                                        const std::vector<Candidate>& candidates) {
+    std::vector<Eigen::Vector2d> middles;
+    for (const Candidate& candidate : candidates)
+        middles.push_back(middle_of(triangles, candidate.first_index));
+    return middles;
 }
 
-std::vector<Candidate> candidates_in(const PictureStrip& strip, const BlendTriangles& triangles,
-                                     Standing best) {
+/// Of triangles with a corner that stands worse than `best`.
+std::vector<Candidate> candidates_among(const BlendTriangles& triangles, Standing best) {
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
         Candidate candidate{i, 0, best};
@@ -116,50 +71,224 @@ std::vector<Candidate> candidates_in(const PictureStrip& strip, const BlendTrian
             candidate.worst_corner = triangles.indices[k];
             candidate.standing = standing;
         }
-        if (candidate.standing < best && is_in(strip, middle_of(triangles, i)))
-            candidates.push_back(candidate);
+        if (candidate.standing < best) candidates.push_back(candidate);
     }
     return candidates;
 }
 
-}  // namespace
-
-std::vector<Eigen::Vector2d> middles_of_unseen(const DepthSearch& search,
-                                               const BlendTriangles& triangles) {
-    const std::vector<Candidate> unseen = candidates_in({}, triangles, best_standing(search));
-    const std::size_t step = (unseen.size() + kMostMiddles - 1) / kMostMiddles;
-    std::vector<Eigen::Vector2d> middles;
-    for (std::size_t i = 0; i < unseen.size(); i += step)
-        middles.push_back(middle_of(triangles, unseen[i].first_index));
-    return middles;
+/// Of the face that the triangle is part of; where there are no faces there is one view.
+std::vector<int> own_views_of(const Candidate& candidate, const BlendTriangles& triangles,
+                              const CameraMesh& mesh) {
+    const auto face =
+        static_cast<int>(triangles.vertices[triangles.indices[candidate.first_index]].face_index);
+    std::vector<int> views;
+    if (face < 0) return views;
+    for (const int vertex : mesh.faces[static_cast<std::size_t>(face)])
+        views.push_back(mesh.vertices[static_cast<std::size_t>(vertex)].view_index);
+    return views;
 }
 
-void draw_unseen_from(const std::array<int, 3>& other_views, const PictureStrip& strip,
-                      const DepthSearch& search, const Eigen::Vector3d& scene_plane,
-                      const PatchSampler::Options& sampling, BlendTriangles& triangles) {
-    const FacePolygon polygon = picture_through(other_views);
-    const PatchSampler sampler(polygon, search, scene_plane, sampling);
-    std::vector<Candidate> candidates = candidates_in(strip, triangles, best_standing(search));
-    OtherCorners others(sampler, triangles);
-    const auto corner_of = [&](const Candidate& of, std::size_t k) -> std::uint32_t& {
-        return triangles.indices[of.first_index + k];
-    };
-    const auto is_better = [&](const Candidate& than, std::uint32_t corner) {
-        return standing_of(triangles.vertices[others[corner]]) > than.standing;
-    };
-    for (const Candidate& candidate : candidates) others.want(candidate.worst_corner);
-    others.look_up_wanted();
-    std::erase_if(candidates, [&](const Candidate& of) { return !is_better(of, of.worst_corner); });
-    for (const Candidate& candidate : candidates)
-        for (std::size_t k = 0; k < 3; ++k) others.want(corner_of(candidate, k));
-    others.look_up_wanted();
+/// Candidates by the views that they ask in this round.
+using Groups = std::map<Views, std::vector<Candidate>>;
+
+Groups grouped(const std::vector<Candidate>& candidates, const BlendTriangles& triangles,
+               const CameraMesh& mesh, const NearestViews& nearest, std::size_t round) {
+    Groups groups;
     for (const Candidate& candidate : candidates) {
-        if (!is_better(candidate, corner_of(candidate, 0)) ||
-            !is_better(candidate, corner_of(candidate, 1)) ||
-            !is_better(candidate, corner_of(candidate, 2)))
-            continue;
+        std::vector<int> others = nearest.at(middle_of(triangles, candidate.first_index));
+        for (const int own : own_views_of(candidate, triangles, mesh)) std::erase(others, own);
+        if (others.size() <= 3 * round) continue;
+        Views asked{};
         for (std::size_t k = 0; k < 3; ++k)
-            corner_of(candidate, k) = others[corner_of(candidate, k)];
+            asked[k] = others[std::min(others.size() - 1, 3 * round + k)];
+        groups[asked].push_back(candidate);
+    }
+    return groups;
+}
+
+/// The whole picture, looked at through three views.
+FacePolygon picture_through(const Views& views) {
+    FacePolygon polygon;
+    polygon.view_indices = views;
+    double weight = 1.0;
+    for (Eigen::Vector3d& line : polygon.side_lines) {
+        line = {0, 0, weight};
+        weight *= kNextWeight;
+    }
+    return polygon;
+}
+
+/// Corners as three views see them.
+class OtherSights {
+ public:
+    OtherSights(const PatchSampler& sampler, const BlendTriangles& triangles)
+        : sampler_(sampler), triangles_(triangles) {}
+
+    /// Looked up with all that are wanted, unless it was.
+    void want(std::uint32_t corner) {
+        if (number_of_.try_emplace(corner, wanted_.size()).second) wanted_.push_back(corner);
+    }
+
+    /// Makes room for those that are wanted: the first of their numbers. The last is one before
+    /// wanted_count().
+    [[nodiscard]] std::size_t make_room() {
+        const std::size_t first = sights_.size();
+        sights_.resize(wanted_.size());
+        return first;
+    }
+    [[nodiscard]] std::size_t wanted_count() const { return wanted_.size(); }
+    /// One of those that there is room for; several at once, too.
+    void look_up(std::size_t number) {
+        const std::array<float, 2>& pixel = triangles_.vertices[wanted_[number]].pixel;
+        sights_[number] = blend_vertex(
+            sampler_.at({static_cast<double>(pixel[0]), static_cast<double>(pixel[1])}),
+            sampler_.polygon(), VertexDepth::kAffine);
+    }
+
+    [[nodiscard]] const BlendVertex& at(std::uint32_t corner) const {
+        return sights_[number_of_.at(corner)];
+    }
+    [[nodiscard]] const Views& views() const { return sampler_.polygon().view_indices; }
+
+ private:
+    PatchSampler sampler_;
+    const BlendTriangles& triangles_;
+    std::vector<std::uint32_t> wanted_;
+    std::vector<BlendVertex> sights_;  ///< Of the corners that are wanted, as far as looked up.
+    std::unordered_map<std::uint32_t, std::size_t> number_of_;
+};
+
+/// Candidates that ask the same views.
+struct Asking {
+    std::vector<Candidate> candidates;
+    OtherSights sights;
+};
+
+/// On all cores: few are wanted of most.
+void look_up_wanted(std::vector<Asking>& all) {
+    std::vector<std::pair<OtherSights*, std::size_t>> wanted;
+    for (auto& [candidates, sights] : all)
+        for (std::size_t i = sights.make_room(); i < sights.wanted_count(); ++i)
+            wanted.emplace_back(&sights, i);
+    parallel_for_runs(wanted.size(), kCornersAtATime, 0, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) wanted[i].first->look_up(wanted[i].second);
+    });
+}
+
+/// Gives candidates what other views see.
+class Takeover {
+ public:
+    Takeover(const DepthSearch& search, Standing best, BlendTriangles& triangles)
+        : search_(search), best_(best), triangles_(triangles) {}
+
+    void take(std::vector<Asking>& all) {
+        for (auto& [candidates, sights] : all)
+            for (const Candidate& candidate : candidates) sights.want(candidate.worst_corner);
+        look_up_wanted(all);
+        for (auto& [candidates, sights] : all) {
+            std::erase_if(candidates, [&](const Candidate& candidate) {
+                return standing_of(sights.at(candidate.worst_corner)) < best_;
+            });
+            for (const Candidate& candidate : candidates)
+                for (std::size_t k = 0; k < 3; ++k)
+                    sights.want(triangles_.indices[candidate.first_index + k]);
+        }
+        look_up_wanted(all);
+        for (const Asking& asking : all) take_seen(asking);
+    }
+
+ private:
+    using Sights = std::array<const BlendVertex*, 3>;
+
+    void take_seen(const Asking& asking) {
+        std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> taken;
+        for (const Candidate& candidate : asking.candidates) {
+            std::uint32_t* corners = &triangles_.indices[candidate.first_index];
+            const Sights sights{&asking.sights.at(corners[0]), &asking.sights.at(corners[1]),
+                                &asking.sights.at(corners[2])};
+            const std::optional<std::size_t> view = view_that_sees(sights, asking.sights.views());
+            if (!view) continue;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto next = static_cast<std::uint32_t>(triangles_.vertices.size());
+                const auto [place, is_new] = taken.try_emplace({corners[k], *view}, next);
+                if (is_new)
+                    triangles_.vertices.push_back(
+                        as_seen(*view, *sights[k], triangles_.vertices[corners[k]]));
+                corners[k] = place->second;
+            }
+        }
+    }
+
+    [[nodiscard]] std::optional<std::size_t> view_that_sees(const Sights& corners,
+                                                            const Views& views) const {
+        for (const BlendVertex* corner : corners)
+            if (standing_of(*corner) < best_) return std::nullopt;
+        for (std::size_t view = 0; view < 3; ++view) {
+            const bool sees_corners =
+                std::all_of(corners.begin(), corners.end(),
+                            [&](const BlendVertex* corner) { return corner->weights[view] > 0; });
+            if (sees_corners && sees_between(corners, views[view])) return view;
+        }
+        return std::nullopt;
+    }
+
+    /// Whether the view sees the plane through the corners at the middles of the edges and of the
+    /// triangle: another surface before it would be drawn on it.
+    [[nodiscard]] bool sees_between(const Sights& corners, int view) const {
+        constexpr double kThird = 1.0 / 3.0;
+        for (const Eigen::Vector3d& shares :
+             {Eigen::Vector3d(0.5, 0.5, 0), Eigen::Vector3d(0, 0.5, 0.5),
+              Eigen::Vector3d(0.5, 0, 0.5), Eigen::Vector3d(kThird, kThird, kThird)}) {
+            Eigen::Vector3d pixel_and_inverse_depth(0, 0, 0);
+            for (std::size_t k = 0; k < 3; ++k)
+                pixel_and_inverse_depth +=
+                    shares[static_cast<Eigen::Index>(k)] *
+                    Eigen::Vector3d(static_cast<double>(corners[k]->pixel[0]),
+                                    static_cast<double>(corners[k]->pixel[1]),
+                                    static_cast<double>(corners[k]->inverse_depth));
+            if (search_.visibility(pixel_and_inverse_depth.head<2>(), pixel_and_inverse_depth.z(),
+                                   view) <= 0)
+                return false;
+        }
+        return true;
+    }
+
+    /// A corner as one of the views sees it.
+    static BlendVertex as_seen(std::size_t view, const BlendVertex& sight,
+                               const BlendVertex& known) {
+        BlendVertex taken = sight;
+        taken.weights = {};
+        taken.weights[view] = 1.0F;
+        taken.depth = 1 / sight.depth_ratios[view];
+        taken.face_index = known.face_index;
+        taken.occluded = known.occluded;
+        taken.opacity = known.opacity;
+        return taken;
+    }
+
+    const DepthSearch& search_;
+    Standing best_;
+    BlendTriangles& triangles_;
+};
+
+}  // namespace
+
+void draw_unseen(const Lumigraph& lumigraph, const Eye& eye, const DepthSearch& search,
+                 const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
+                 BlendTriangles& triangles) {
+    const Standing best = search.has_depth() ? Standing::kSeen : Standing::kGuess;
+    std::vector<Candidate> candidates = candidates_among(triangles, best);
+    const NearestViews nearest(lumigraph, eye, middles_of(triangles, candidates), kMostAsked);
+    for (std::size_t round = 0; round < kRounds && !candidates.empty(); ++round) {
+        const Groups groups = grouped(candidates, triangles, lumigraph.mesh, nearest, round);
+        std::vector<FacePolygon> pictures;
+        for (const auto& [views, members] : groups) pictures.push_back(picture_through(views));
+        std::vector<Asking> all;
+        for (const auto& [views, members] : groups)
+            all.push_back(
+                {members, {{pictures[all.size()], search, scene_plane, sampling}, triangles}});
+        Takeover(search, best, triangles).take(all);
+        candidates = candidates_among(triangles, best);
     }
 }
 

@@ -11,7 +11,6 @@
 #include "render/modes/paper_subdivision.h"
 #include "render/modes/relaxation_search.h"
 #include "render/modes/scene_plane.h"
-#include "render/modes/unseen_triangles.h"
 #include "render/reference/triangle_reference.h"
 #include "tests/render/analytic_scene.h"
 #include "tests/render/frame_difference.h"
@@ -336,71 +335,6 @@ TEST(EdgeTable, NumbersEdgesInOrderWhicheverEndComesFirst) {
         }
         EXPECT_EQ(table.count(), expected.size());
         table.clear();
-    }
-}
-
-/// Corners that show nothing, because no photograph has a weight.
-std::size_t empty_corners(const BlendTriangles& triangles) {
-    return static_cast<std::size_t>(
-        std::count_if(triangles.indices.begin(), triangles.indices.end(), [&](std::uint32_t at) {
-            return triangles.vertices[at].weights == std::array<float, 3>{};
-        }));
-}
-
-// The eye stands back: through the face of three cameras with narrow photographs it sees more of
-// the wall than they do. The fourth camera sees all of it.
-TEST(UnseenTriangles, ComeFromTheViewThatSeesThem) {
-    const Camera narrow = pinhole_camera(64, 48, 200);
-    const Lumigraph lumigraph = photographed(
-        AnalyticScene::kCardBeforeWall,
-        {eye_at({-0.4, 0.2, 0}, {-0.4, 0.2, 4}, narrow),
-         eye_at({0.4, 0.2, 0}, {0.4, 0.2, 4}, narrow), eye_at({0, -0.5, 0}, {0, -0.5, 4}, narrow),
-         eye_at({0, 0.9, 0}, {0, 0, 4}, pinhole_camera(192, 144, 120))});
-    const Eye eye = eye_at({0, 0, -1}, {0, 0, 4}, pinhole_camera(96, 72, 90));
-    std::vector<FacePolygon> polygons = face_polygons(lumigraph.mesh, eye);
-    std::erase_if(polygons, [](const FacePolygon& polygon) {
-        return std::count(polygon.view_indices.begin(), polygon.view_indices.end(), 3) > 0;
-    });
-    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
-    const DepthSearch search(lumigraph, geometries, eye, 1.0);
-    const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
-    BlendTriangles triangles =
-        adaptive_subdivision(polygons, search, plane, {}, {.max_edge_px = 4}).triangles;
-    const std::size_t count = triangles.count();
-    ASSERT_GT(empty_corners(triangles), count / 2);
-    draw_unseen_from({3, 3, 3}, {.end_px = 48}, search, plane, {}, triangles);
-    const std::size_t empty_on_the_right = empty_corners(triangles);
-    EXPECT_GT(empty_on_the_right, count / 4);
-    EXPECT_LT(empty_on_the_right, 2 * count);
-    draw_unseen_from({3, 3, 3}, {.begin_px = 48}, search, plane, {}, triangles);
-    EXPECT_EQ(triangles.count(), count);
-    EXPECT_EQ(empty_corners(triangles), 0U);
-    const Frame drawn =
-        draw_reference(triangles, lumigraph, eye.camera, PlaceInterpolation::kLinear);
-    const ColorImage ideal = ideal_photograph(AnalyticScene::kCardBeforeWall, eye);
-    double difference = 0;
-    int known = 0;
-    for (std::size_t i = 0; i < ideal.pixels().size(); ++i) {
-        if (drawn.coverage.pixels()[i] == 0) continue;
-        difference += std::abs(drawn.color.pixels()[i].g - ideal.pixels()[i].g);
-        ++known;
-    }
-    ASSERT_GT(known, 500);
-    // Most of it from triangles over the card's outline.
-    EXPECT_LT(difference / known, 5.0);
-}
-
-TEST_F(Subdivision, WhatItsCamerasSeeIsNotDrawnFromOthers) {
-    BlendTriangles triangles = adaptive({});
-    const std::vector<std::uint32_t> before = triangles.indices;
-    draw_unseen_from({0, 1, 2}, {}, search_, plane_, {}, triangles);
-    for (std::size_t i = 0; i < before.size(); i += 3) {
-        const bool all_seen =
-            std::all_of(before.begin() + static_cast<std::ptrdiff_t>(i),
-                        before.begin() + static_cast<std::ptrdiff_t>(i) + 3,
-                        [&](std::uint32_t at) { return triangles.vertices[at].confidence > 0; });
-        if (!all_seen) continue;
-        for (std::size_t k = i; k < i + 3; ++k) EXPECT_EQ(triangles.indices[k], before[k]);
     }
 }
 
