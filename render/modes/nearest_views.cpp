@@ -50,6 +50,7 @@ std::size_t step_of(double pixel, int size_px) {
 NearestViews::NearestViews(const Lumigraph& lumigraph, const Eye& eye,
                            const std::vector<Eigen::Vector2d>& pixels, std::size_t most)
     : camera_(eye.camera), views_of_cell_(kSteps * kSteps) {
+    if (pixels.empty()) return;
     std::vector<std::size_t> cells;
     for (const Eigen::Vector2d& pixel : pixels) cells.push_back(cell_of(pixel));
     std::sort(cells.begin(), cells.end());

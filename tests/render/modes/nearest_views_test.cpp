@@ -63,6 +63,12 @@ TEST(NearestViews, LeaveOutThoseThatDoNotSeeThePlace) {
     EXPECT_TRUE(nearest.at(top).empty());
 }
 
+TEST(NearestViews, AreNoneWhereNoneAreAskedFor) {
+    const Lumigraph lumigraph = ball_in_sky();
+    const Eye eye = eye_at({1, -2, -7}, {0, 0, 0}, pinhole_camera(64, 48, 60));
+    EXPECT_TRUE(NearestViews(lumigraph, eye, {}, kAll).at({32, 24}).empty());
+}
+
 // A choice for the whole picture would change everywhere at once.
 TEST(NearestViews, ChangePlacesInFewCellsAtOnce) {
     const Lumigraph lumigraph = ball_in_sky();
