@@ -40,7 +40,6 @@ Standing standing_of(const BlendVertex& corner) {
 struct Candidate {
     std::size_t first_index;
     std::uint32_t worst_corner;
-    Standing standing;  ///< Of this corner.
 };
 
 Eigen::Vector2d middle_of(const BlendTriangles& triangles, std::size_t first_index) {
@@ -64,14 +63,14 @@ std::vector<Eigen::Vector2d> middles_of(const BlendTriangles& triangles,
 std::vector<Candidate> candidates_among(const BlendTriangles& triangles, Standing best) {
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
-        Candidate candidate{i, 0, best};
-        for (std::size_t k = i; k < i + 3; ++k) {
-            const Standing standing = standing_of(triangles.vertices[triangles.indices[k]]);
-            if (standing >= candidate.standing) continue;
-            candidate.worst_corner = triangles.indices[k];
-            candidate.standing = standing;
-        }
-        if (candidate.standing < best) candidates.push_back(candidate);
+        const auto first = triangles.indices.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto standing = [&](std::uint32_t corner) {
+            return standing_of(triangles.vertices[corner]);
+        };
+        const std::uint32_t worst = *std::min_element(
+            first, first + 3,
+            [&](std::uint32_t a, std::uint32_t b) { return standing(a) < standing(b); });
+        if (standing(worst) < best) candidates.push_back({i, worst});
     }
     return candidates;
 }
