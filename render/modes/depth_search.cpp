@@ -220,15 +220,20 @@ std::optional<RayHit> DepthSearch::first_hit(const Eigen::Vector2d& pixel,
             std::abs(hits[0]->inverse_depth - hits[1]->inverse_depth) <= agreeing_inverse_depth_)
             break;
     }
-    DepthKind best_kind = DepthKind::kStretched;
-    for (const auto& hit : hits)
-        if (hit) best_kind = std::min(best_kind, hit->kind);
+    if (const std::optional<RayHit> seen = nearest_seen(hits)) return seen;
+    const auto guess =
+        std::find_if(hits.begin(), hits.end(), [](const auto& hit) { return hit.has_value(); });
+    return guess == hits.end() ? std::nullopt : *guess;
+}
+
+std::optional<RayHit> DepthSearch::nearest_seen(
+    const std::array<std::optional<RayHit>, 3>& hits) const {
     std::optional<RayHit> chosen;
     for (const auto& candidate : hits) {
-        if (!candidate || candidate->kind != best_kind) continue;
-        RayHit merged{0.0, best_kind, 0};
+        if (!candidate || candidate->kind != DepthKind::kSeen) continue;
+        RayHit merged{0.0, DepthKind::kSeen, 0};
         for (const auto& other : hits) {
-            if (!other || other->kind != best_kind ||
+            if (!other || other->kind != DepthKind::kSeen ||
                 std::abs(other->inverse_depth - candidate->inverse_depth) > agreeing_inverse_depth_)
                 continue;
             merged.inverse_depth += other->inverse_depth;

@@ -31,7 +31,9 @@ class DepthSearch {
                 const Eye& eye, double tolerance_px);
 
     /// What the ray through `pixel` meets first in the depth maps of three views (a view may be
-    /// named twice): the nearest that two agree on, or else the nearest, of the most reliable kind.
+    /// named twice): of what they have seen the nearest that two agree on, or else the nearest.
+    /// Where none has seen anything it is the guess of the first view that has one: guesses of
+    /// several views are as many surfaces, and the nearest of them is part of one and of another.
     /// The third is not asked when the first two have both seen it; the second always is: that it
     /// sees what the first one meets does not tell what it meets before. Empty when the ray meets
     /// nothing in any of them.
@@ -93,6 +95,8 @@ class DepthSearch {
     [[nodiscard]] static Surface surface_at(const Target& target, double x, double y);
     [[nodiscard]] static Meeting meeting_at(const Target& target, const EpipolarWalk& walk,
                                             double q);
+    [[nodiscard]] std::optional<RayHit> nearest_seen(
+        const std::array<std::optional<RayHit>, 3>& hits) const;
     /// Over which a point lies in a photograph, and not before all that it shows.
     [[nodiscard]] Stretch visible_stretch(const Target& target, const EpipolarLine& line) const;
     [[nodiscard]] std::optional<RayHit> first_hit_in(int view_index,

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <random>
 
 #include "tests/render/analytic_scene.h"
@@ -134,6 +136,45 @@ TEST(DepthSearch, TheNearestCountsWhereTwoViewsMeetDifferentSurfaces) {
         }
     }
     EXPECT_GT(differing, 100);
+}
+
+/// Three views whose maps are planes before them, at these inverse depths; all are guesses but
+/// those of `seen`.
+Lumigraph guessed_planes(const std::array<float, 3>& inverse_depths, int seen) {
+    Lumigraph lumigraph = card_before_wall();
+    for (int i = 0; i < 3; ++i) {
+        DepthMap& depth = lumigraph.views[static_cast<std::size_t>(i)].depth;
+        for (float& inverse_depth : depth.inverse_depth.pixels())
+            inverse_depth = inverse_depths[static_cast<std::size_t>(i)];
+        for (std::uint8_t& confidence : depth.confidence.pixels()) confidence = i == seen ? 255 : 0;
+    }
+    return lumigraph;
+}
+
+TEST(DepthSearch, AGuessIsThatOfTheViewAskedFirst) {
+    const Lumigraph lumigraph = guessed_planes({0.2F, 0.25F, 0.25F}, -1);
+    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    const Eye eye = eye_at({0.05, 0.03, 0}, {0, 0, 4}, pinhole_camera(64, 48, 80));
+    const DepthSearch search(lumigraph, geometries, eye, 1.0);
+    for (const auto& asked : {std::array{0, 1, 2}, std::array{1, 0, 2}, std::array{2, 1, 0}}) {
+        const auto alone = search.first_hit({32, 24}, {asked[0], asked[0], asked[0]});
+        const auto together = search.first_hit({32, 24}, asked);
+        ASSERT_TRUE(alone && together);
+        EXPECT_EQ(together->inverse_depth, alone->inverse_depth);
+        EXPECT_EQ(together->kind, DepthKind::kFilled);
+        EXPECT_NEAR(together->inverse_depth, asked[0] == 0 ? 0.2 : 0.25, 0.01);
+    }
+}
+
+TEST(DepthSearch, AGuessGivesWayToWhatAnotherViewHasSeen) {
+    const Lumigraph lumigraph = guessed_planes({0.25F, 0.25F, 0.2F}, 2);
+    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    const Eye eye = eye_at({0.05, 0.03, 0}, {0, 0, 4}, pinhole_camera(64, 48, 80));
+    const DepthSearch search(lumigraph, geometries, eye, 1.0);
+    const auto hit = search.first_hit({32, 24}, {0, 1, 2});
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->kind, DepthKind::kSeen);
+    EXPECT_NEAR(hit->inverse_depth, 0.2, 0.01);
 }
 
 }  // namespace
