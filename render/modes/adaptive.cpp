@@ -6,6 +6,7 @@
 
 #include "render/modes/depth_view_choice.h"
 #include "render/modes/empty_cells.h"
+#include "render/modes/own_surfaces.h"
 #include "render/modes/scene_plane.h"
 #include "render/modes/unseen_triangles.h"
 
@@ -54,6 +55,7 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
     };
     std::vector<BlendTriangles> layers{subdivided(layout.mesh, kOverlap_px)};
     draw_unseen(layout, eye, search, plane, sampling, layers.front());
+    keep_own_surfaces(search, layers.front());
     if (layout.mesh.shells.empty()) return layers;
     sampling.before_shell = three_depth_views(layout, eye);
     for (const CameraMesh& shell : layout.mesh.shells)

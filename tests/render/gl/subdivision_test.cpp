@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "render/modes/adaptive.h"
-#include "render/modes/adaptive_subdivision.h"
 #include "render/modes/offscreen_renderer.h"
 #include "render/modes/paper_subdivision.h"
 #include "render/modes/scene_plane.h"
@@ -24,39 +23,6 @@ void expect_equal(const Frame& drawn, const Frame& expected, const std::string& 
     EXPECT_GT(drawn.statistics.triangles, 0U) << what;
 }
 
-void expect_gl_equals_reference(GlApi api) {
-    const RenderOptions defaults;
-    for (const Lumigraph& lumigraph : {card_before_wall(), ball_in_sky()}) {
-        const Camera camera = pinhole_camera(160, 120, 140);
-        const bool is_ball = lumigraph.mesh.scene_centre_in_world.norm() < 1;
-        const Eye eye = is_ball ? eye_at({0.5, 0.6, -2}, {0, 0, 0}, camera)
-                                : eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, camera);
-        const auto geometries = view_geometries(lumigraph);
-        const DepthSearch search(lumigraph, geometries, eye, defaults.occlusion_tolerance_px);
-        const auto polygons = face_polygons(lumigraph.mesh, eye);
-        const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
-        OffscreenRenderer renderer(lumigraph, api);
-        const auto adaptive = adaptive_subdivision(polygons, search, plane, {},
-                                                   {.max_error_px = lumigraph.triangle_error_px,
-                                                    .min_edge_px = defaults.min_triangle_px,
-                                                    .max_edge_px = defaults.max_triangle_px,
-                                                    .max_triangles = defaults.max_triangles});
-        expect_equal(
-            renderer.draw(eye, {.mode = RenderMode::kAdaptive}),
-            draw_reference(adaptive.triangles, lumigraph, eye.camera, PlaceInterpolation::kLinear,
-                           surroundings_picture(lumigraph, eye)),
-            "adaptive");
-        const auto paper =
-            paper_subdivision(polygons, search, plane, inverse_depth_range(lumigraph), true,
-                              {.depth_threshold_share = defaults.depth_threshold_share,
-                               .min_size_px = defaults.min_triangle_px,
-                               .max_size_px = defaults.max_triangle_px});
-        expect_equal(renderer.draw(eye, {.mode = RenderMode::kPaper2001}),
-                     draw_reference(paper, lumigraph, eye.camera, PlaceInterpolation::kProjective),
-                     "paper2001");
-    }
-}
-
 /// The layers of the mode in plain code, each over those before.
 Frame adaptive_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
     BlendTriangles all;
@@ -69,6 +35,31 @@ Frame adaptive_reference(const Lumigraph& lumigraph, const Eye& eye, const Rende
     return draw_reference(
         all, lumigraph, eye.camera, PlaceInterpolation::kLinear,
         are_surroundings_drawn(options) ? surroundings_picture(lumigraph, eye) : ColorImage{});
+}
+
+void expect_gl_equals_reference(GlApi api) {
+    const RenderOptions defaults;
+    for (const Lumigraph& lumigraph : {card_before_wall(), ball_in_sky()}) {
+        const Camera camera = pinhole_camera(160, 120, 140);
+        const bool is_ball = lumigraph.mesh.scene_centre_in_world.norm() < 1;
+        const Eye eye = is_ball ? eye_at({0.5, 0.6, -2}, {0, 0, 0}, camera)
+                                : eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, camera);
+        const auto geometries = view_geometries(lumigraph);
+        const DepthSearch search(lumigraph, geometries, eye, defaults.occlusion_tolerance_px);
+        const auto polygons = face_polygons(lumigraph.mesh, eye);
+        const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
+        OffscreenRenderer renderer(lumigraph, api);
+        expect_equal(renderer.draw(eye, {.mode = RenderMode::kAdaptive}),
+                     adaptive_reference(lumigraph, eye, defaults), "adaptive");
+        const auto paper =
+            paper_subdivision(polygons, search, plane, inverse_depth_range(lumigraph), true,
+                              {.depth_threshold_share = defaults.depth_threshold_share,
+                               .min_size_px = defaults.min_triangle_px,
+                               .max_size_px = defaults.max_triangle_px});
+        expect_equal(renderer.draw(eye, {.mode = RenderMode::kPaper2001}),
+                     draw_reference(paper, lumigraph, eye.camera, PlaceInterpolation::kProjective),
+                     "paper2001");
+    }
 }
 
 const Camera kShellEyeCamera = pinhole_camera(160, 120, 140);
