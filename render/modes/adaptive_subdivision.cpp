@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "calib/work/parallel_for.h"
-#include "render/modes/edge_error.h"
 #include "render/modes/relaxation_search.h"
 #include "render/modes/split_edges.h"
 
@@ -39,6 +38,7 @@ class AdaptiveSubdivider::Mesh {
                const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
                const AdaptiveSubdivisionOptions& options) {
         options_ = options;
+        if (!search.has_depth()) options_.counts.guess_error_ratio = 1.0;
         max_edge_px_ = static_cast<float>(options.max_edge_px);
         samplers_.clear();
         polygon_of_.clear();
@@ -156,8 +156,8 @@ class AdaptiveSubdivider::Mesh {
         BlendVertex& middle = vertices_[edge.middle];
         middle =
             blend_vertex(sampler.at(pixels_[edge.middle]), sampler.polygon(), VertexDepth::kAffine);
-        const double error_px = edge_error_px(vertices_[edge.from], vertices_[edge.to], middle,
-                                              options_.weight_error_px);
+        const double error_px =
+            edge_error_px(vertices_[edge.from], vertices_[edge.to], middle, options_.counts);
         const double length_px = static_cast<double>(edge.length_px);
         edge.split_below = static_cast<float>(greatest_relaxation(
             error_px / options_.max_error_px, length_px / options_.min_edge_px));

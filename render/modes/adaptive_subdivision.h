@@ -2,16 +2,16 @@
 
 #include <memory>
 
+#include "render/modes/edge_error.h"
 #include "render/modes/subdivision.h"
 
 namespace lumi {
 
 struct AdaptiveSubdivisionOptions {
-    double max_error_px = 0.7;  ///< Of where the three photographs are looked up.
-    /// What a change of a weight from 0 to 1 counts, so that edges of visibility are met.
-    double weight_error_px = 1.0;
-    double min_edge_px = 6.0;   ///< Shorter edges are not split.
-    double max_edge_px = 96.0;  ///< Longer ones are, in any case.
+    double max_error_px = 0.7;    ///< Of where the three photographs are looked up.
+    EdgeErrorCounts counts = {};  ///< Where there is no depth, all is a guess, and is followed.
+    double min_edge_px = 6.0;     ///< Shorter edges are not split.
+    double max_edge_px = 96.0;    ///< Longer ones are, in any case.
     /// Where there would be more, all errors above are relaxed alike. 0: any number.
     std::size_t max_triangles = 5000;
 };

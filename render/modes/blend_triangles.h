@@ -24,6 +24,9 @@ struct BlendVertex {
     float opacity = 1.0F;                 ///< What is behind shows through the rest.
 };
 
+/// The confidence of what one view alone has seen; guesses have less.
+inline constexpr float kSeenByOne = 0.5F;
+
 /// Half of what a fill is worth: what is less sure than this is more of a guess.
 inline constexpr float kLeastConfidence = 0.125F;
 

@@ -13,7 +13,7 @@ constexpr float kLostError_px = 8.0F;
 }  // namespace
 
 double edge_error_px(const BlendVertex& a, const BlendVertex& b, const BlendVertex& middle,
-                     double weight_error_px) {
+                     const EdgeErrorCounts& counts) {
     // At the middle of the picture of an edge, its ends count by one over their depths.
     const float share_a = b.depth / (a.depth + b.depth);
     const float share_b = 1 - share_a;
@@ -32,8 +32,9 @@ double edge_error_px(const BlendVertex& a, const BlendVertex& b, const BlendVert
     const auto seen = [](const BlendVertex& vertex) { return vertex.confidence > 0 ? 1.0F : 0.0F; };
     error_px =
         std::max(error_px, kLostError_px * std::abs(seen(middle) - 0.5F * (seen(a) + seen(b))));
-    return std::max(static_cast<double>(error_px),
-                    2 * weight_error_px * static_cast<double>(weight_error));
+    const double error = std::max(static_cast<double>(error_px),
+                                  2 * counts.weight_error_px * static_cast<double>(weight_error));
+    return middle.confidence < kSeenByOne ? error / counts.guess_error_ratio : error;
 }
 
 double greatest_relaxation(double error, double length) {

@@ -4,12 +4,20 @@
 
 namespace lumi {
 
+/// What counts as how much of an error.
+struct EdgeErrorCounts {
+    /// A change of a weight from 0 to 1, so that edges of visibility are met.
+    double weight_error_px = 1.0;
+    /// Guesses are followed so many times less closely, as by depth meshes (depth_triangulation.h):
+    /// triangles are better spent on what was seen.
+    double guess_error_ratio = 4.0;
+};
+
 /// How far photographs are looked up from where they should be, in the middle of an edge that is
-/// not split, each counting as its weight; or twice the error of a weight or of the opacity, which
-/// counts as `weight_error_px` pixels; or a step of depth's worth, where the photographs lose the
-/// scene along the edge.
+/// not split, each counting as its weight; or twice the error of a weight or of the opacity; or a
+/// step of depth's worth, where the photographs lose the scene along the edge.
 [[nodiscard]] double edge_error_px(const BlendVertex& a, const BlendVertex& b,
-                                   const BlendVertex& middle, double weight_error_px);
+                                   const BlendVertex& middle, const EdgeErrorCounts& counts = {});
 
 /// By how much errors are relaxed when an edge is split no more whose error and length are so many
 /// times those that are allowed. Relaxed errors leave edges longer, by the root; where errors are

@@ -12,8 +12,6 @@ namespace lumi {
 namespace {
 
 constexpr std::size_t kViews = 3;
-/// What one view alone has seen is worth this; guesses are worth less.
-constexpr float kSeenByOne = 0.5F;
 
 Eigen::Vector2d vector_of(const std::array<float, 2>& pixel) {
     return {static_cast<double>(pixel[0]), static_cast<double>(pixel[1])};

@@ -194,6 +194,40 @@ TEST_F(Subdivision, APlaneWithoutAnythingBeforeItIsHardlySplit) {
     EXPECT_EQ(planar.relaxation, 1.0);
 }
 
+TEST_F(Subdivision, GuessesAreFollowedLessCloselyThanWhatWasSeen) {
+    Lumigraph guessed = lumigraph_;
+    for (LumigraphView& view : guessed.views)
+        for (std::uint8_t& confidence : view.depth.confidence.pixels()) confidence = 0;
+    const std::vector<ViewGeometry> geometries = view_geometries(guessed);
+    const DepthSearch search(guessed, geometries, kEye, 1.0);
+    const auto triangles = [&](double guess_error_ratio) {
+        return adaptive_subdivision(polygons_, search, plane_, {},
+                                    {.max_error_px = 0.3,
+                                     .counts = {.guess_error_ratio = guess_error_ratio},
+                                     .min_edge_px = 1,
+                                     .max_triangles = 0})
+            .triangles.count();
+    };
+    EXPECT_LT(triangles(4.0), 0.9 * static_cast<double>(triangles(1.0)));
+}
+
+TEST_F(Subdivision, WithoutDepthThePlaneIsFollowedAsCloselyAsWhatIsSeen) {
+    Lumigraph plain = lumigraph_;
+    for (LumigraphView& view : plain.views) view.depth = {};
+    const std::vector<ViewGeometry> geometries = view_geometries(plain);
+    const DepthSearch search(plain, geometries, kEye, 1.0);
+    const auto triangles = [&](double guess_error_ratio) {
+        return adaptive_subdivision(polygons_, search, {0.002, 0, 0.1}, {},
+                                    {.max_error_px = 0.02,
+                                     .counts = {.guess_error_ratio = guess_error_ratio},
+                                     .min_edge_px = 1,
+                                     .max_triangles = 0})
+            .triangles.count();
+    };
+    EXPECT_EQ(triangles(4.0), triangles(1.0));
+    EXPECT_GT(triangles(1.0), 200U);
+}
+
 bool are_equal(const BlendTriangles& a, const BlendTriangles& b) {
     const auto same_place = [](const BlendVertex& p, const BlendVertex& q) {
         return p.pixel == q.pixel && p.view_pixels == q.view_pixels && p.weights == q.weights;
