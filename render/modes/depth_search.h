@@ -95,6 +95,7 @@ class DepthSearch {
     [[nodiscard]] static Surface surface_at(const Target& target, double x, double y);
     [[nodiscard]] static Meeting meeting_at(const Target& target, const EpipolarWalk& walk,
                                             double q);
+    /// The nearest that two have seen, or else the nearest that one has.
     [[nodiscard]] std::optional<RayHit> nearest_seen(
         const std::array<std::optional<RayHit>, 3>& hits) const;
     /// Over which a point lies in a photograph, and not before all that it shows.
