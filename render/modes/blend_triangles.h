@@ -1,10 +1,16 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <vector>
 
 namespace lumi {
+
+/// A place in a picture, as vertices hold it.
+[[nodiscard]] inline Eigen::Vector2d vector_of(const std::array<float, 2>& pixel) {
+    return {static_cast<double>(pixel[0]), static_cast<double>(pixel[1])};
+}
 
 /// A corner of a triangle of the eye's picture on which three photographs are blended; all floats,
 /// as the vertex buffer holds them.

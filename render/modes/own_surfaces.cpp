@@ -13,10 +13,6 @@ namespace {
 
 constexpr std::size_t kViews = 3;
 
-Eigen::Vector2d vector_of(const std::array<float, 2>& pixel) {
-    return {static_cast<double>(pixel[0]), static_cast<double>(pixel[1])};
-}
-
 /// One triangle, as it was.
 class Triangle {
  public:
@@ -93,6 +89,7 @@ void keep_own_surfaces(const DepthSearch& search, BlendTriangles& triangles) {
         if (!triangle.has_guess()) continue;
         std::array<std::optional<double>, kViews> own;
         for (std::size_t k = 0; k < kViews; ++k) own[k] = triangle.own_inverse_depth(k);
+        if (own == std::array<std::optional<double>, kViews>{}) continue;
         std::array<std::optional<BlendVertex>, 3> changed;
         for (std::size_t c = 0; c < 3; ++c) {
             BlendVertex corner = triangles.vertices[triangles.indices[i + c]];

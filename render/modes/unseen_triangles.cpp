@@ -45,8 +45,7 @@ struct Candidate {
 Eigen::Vector2d middle_of(const BlendTriangles& triangles, std::size_t first_index) {
     Eigen::Vector2d sum(0, 0);
     for (std::size_t k = first_index; k < first_index + 3; ++k) {
-        const std::array<float, 2>& pixel = triangles.vertices[triangles.indices[k]].pixel;
-        sum += Eigen::Vector2d(static_cast<double>(pixel[0]), static_cast<double>(pixel[1]));
+        sum += vector_of(triangles.vertices[triangles.indices[k]].pixel);
     }
     return sum / 3;
 }
@@ -138,10 +137,9 @@ class OtherSights {
     [[nodiscard]] std::size_t wanted_count() const { return wanted_.size(); }
     /// One of those that there is room for; several at once, too.
     void look_up(std::size_t number) {
-        const std::array<float, 2>& pixel = triangles_.vertices[wanted_[number]].pixel;
-        sights_[number] = blend_vertex(
-            sampler_.at({static_cast<double>(pixel[0]), static_cast<double>(pixel[1])}),
-            sampler_.polygon(), VertexDepth::kAffine);
+        sights_[number] =
+            blend_vertex(sampler_.at(vector_of(triangles_.vertices[wanted_[number]].pixel)),
+                         sampler_.polygon(), VertexDepth::kAffine);
     }
 
     [[nodiscard]] const BlendVertex& at(std::uint32_t corner) const {
@@ -238,16 +236,14 @@ class Takeover {
         for (const Eigen::Vector3d& shares :
              {Eigen::Vector3d(0.5, 0.5, 0), Eigen::Vector3d(0, 0.5, 0.5),
               Eigen::Vector3d(0.5, 0, 0.5), Eigen::Vector3d(kThird, kThird, kThird)}) {
-            Eigen::Vector3d pixel_and_inverse_depth(0, 0, 0);
-            for (std::size_t k = 0; k < 3; ++k)
-                pixel_and_inverse_depth +=
-                    shares[static_cast<Eigen::Index>(k)] *
-                    Eigen::Vector3d(static_cast<double>(corners[k]->pixel[0]),
-                                    static_cast<double>(corners[k]->pixel[1]),
-                                    static_cast<double>(corners[k]->inverse_depth));
-            if (search_.visibility(pixel_and_inverse_depth.head<2>(), pixel_and_inverse_depth.z(),
-                                   view) <= 0)
-                return false;
+            Eigen::Vector2d pixel(0, 0);
+            double inverse_depth = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double share = shares[static_cast<Eigen::Index>(k)];
+                pixel += share * vector_of(corners[k]->pixel);
+                inverse_depth += share * static_cast<double>(corners[k]->inverse_depth);
+            }
+            if (search_.visibility(pixel, inverse_depth, view) <= 0) return false;
         }
         return true;
     }
