@@ -112,17 +112,16 @@ DepthSearch::Surface DepthSearch::surface_at(const Target& target, double x, dou
 }
 
 DepthSearch::Meeting DepthSearch::meeting_at(const Target& target, const EpipolarWalk& walk,
-                                             double q) {
-    const EpipolarWalk::Place place = walk.at(q);
+                                             double share) {
+    const EpipolarWalk::Place place = walk.at(share);
     const Surface surface = surface_at(target, place.x, place.y);
-    return {q, place, surface, q / place.z - surface.inverse_depth};
+    return {share, surface, place.inverse_depth - surface.inverse_depth};
 }
 
-DepthSearch::Stretch DepthSearch::visible_stretch(const Target& target,
-                                                  const EpipolarLine& line) const {
+RayStretch DepthSearch::visible_stretch(const Target& target, const EpipolarLine& line) const {
     const Eigen::Vector3d& a = line.at_infinity;
     const Eigen::Vector3d& e = line.per_inverse_depth;
-    Stretch stretch{max_inverse_depth_, 0.0};
+    RayStretch stretch{max_inverse_depth_, 0.0};
     const auto keep = [&](double value, double slope) {
         clip_stretch(value, slope, stretch.near_end, stretch.far_end);
     };
@@ -131,28 +130,32 @@ DepthSearch::Stretch DepthSearch::visible_stretch(const Target& target,
     keep(a.y(), e.y());
     keep(target.depth->width() * a.z() - a.x(), target.depth->width() * e.z() - e.x());
     keep(target.depth->height() * a.z() - a.y(), target.depth->height() * e.z() - e.y());
-    // Nearer to the view than anything that it sees: q <= max (a.z + q e.z).
+    // No nearer to the view than all that it sees, q <= nearest (a.z + q e.z), and no farther than
+    // what is taken for the farthest.
     const double nearest = static_cast<double>(target.depth->nearest());
+    const double farthest = std::max(0.0, static_cast<double>(target.depth->farthest()) -
+                                              tolerance_px_ / target.max_disparity_px);
     keep(nearest * a.z(), nearest * e.z() - 1);
+    keep(-farthest * a.z(), 1 - farthest * e.z());
     return stretch;
 }
 
 std::optional<RayHit> DepthSearch::refined(const Target& target, const EpipolarWalk& walk,
-                                           const Stretch& bracket) const {
-    double before = bracket.near_end;
-    double behind = bracket.far_end;
+                                           double before, double behind) const {
+    const double begin = before;
+    const double end = behind;
     Meeting at{};
     for (int i = 0; i < kRefinements; ++i) {
         at = meeting_at(target, walk, 0.5 * (before + behind));
         const double meets = walk.meets(at.surface.inverse_depth);
-        if (meets <= bracket.near_end && meets >= bracket.far_end) {
+        if (meets >= begin && meets <= end) {
             at = meeting_at(target, walk, meets);
             if (is_at_surface(target, at, kCloseEnough)) break;
         }
-        (at.ahead > 0 ? before : behind) = at.q;
+        (at.ahead > 0 ? before : behind) = at.share;
     }
     if (!is_at_surface(target, at, 1.0)) return std::nullopt;
-    return RayHit{at.q, at.surface.kind, 1};
+    return hit_at(walk, at);
 }
 
 std::optional<RayHit> DepthSearch::first_hit_in(int view_index,
@@ -162,48 +165,48 @@ std::optional<RayHit> DepthSearch::first_hit_in(int view_index,
     EpipolarLine line = line_in(view_index, pixel);
     line.at_infinity.head<2>().array() *= target.samples_per_pixel.array();
     line.per_inverse_depth.head<2>().array() *= target.samples_per_pixel.array();
-    const Stretch stretch = visible_stretch(target, line);
+    const RayStretch stretch = visible_stretch(target, line);
     if (stretch.near_end < stretch.far_end) return std::nullopt;
-    const EpipolarWalk walk(line, *target.depth);
-    double q = stretch.near_end;
-    double last_before = q;
+    const EpipolarWalk walk(line, stretch, *target.depth);
+    const double per_sample = walk.per_sample();
+    double share = 0;
+    double last_before = 0;
     bool is_before = true;  // Nothing is nearer than where the stretch begins.
     for (int step = 0; step < kMaxSteps; ++step) {
         if (is_before) {
-            const double free_to = walk.past_free(q, stretch.far_end);
-            if (free_to < q) last_before = q = free_to;
+            const double free_to = walk.past_free(share);
+            if (free_to > share) last_before = share = free_to;
         } else {
-            q = walk.past_hiding(q, stretch.far_end);
+            share = walk.past_hiding(share);
         }
-        Meeting at = meeting_at(target, walk, q);
-        const double per_sample = 1 / std::max(walk.speed(at.place), 1e-12);
+        Meeting at = meeting_at(target, walk, share);
         if (at.ahead > 0) {
             is_before = true;
-            last_before = q;
+            last_before = share;
             const double meets = walk.meets(at.surface.inverse_depth);
-            if (meets <= q && meets >= stretch.far_end && q - meets <= kAtOnce * per_sample) {
+            if (meets >= share && meets <= 1 && meets - share <= kAtOnce * per_sample) {
                 at = meeting_at(target, walk, meets);
-                if (is_at_surface(target, at, kCloseEnough))
-                    return RayHit{at.q, at.surface.kind, 1};
-                if (at.ahead > 0) last_before = at.q;
-                q = at.q;
+                if (is_at_surface(target, at, kCloseEnough)) return hit_at(walk, at);
+                if (at.ahead > 0) last_before = at.share;
+                share = at.share;
             }
         }
         if (at.ahead <= 0) {
             if (is_before) {
                 const double margin = kShortestStep * per_sample;
-                const auto hit = refined(target, walk,
-                                         {std::min(stretch.near_end, last_before + margin),
-                                          std::max(stretch.far_end, q - margin)});
+                const auto hit = refined(target, walk, std::max(0.0, last_before - margin),
+                                         std::min(1.0, share + margin));
                 if (hit) return hit;
             }
             is_before = false;
         }
-        if (q <= stretch.far_end) return std::nullopt;
-        const double free = 0.5 * at.ahead * at.place.z / per_sample;
-        const double steps =
-            at.ahead > 0 ? std::clamp(free, kShortestStep, kLongestStep) : kShortestStep;
-        q = std::max(stretch.far_end, q - steps * per_sample);
+        if (share >= 1) return std::nullopt;
+        double steps = kShortestStep;
+        if (at.ahead > 0) {
+            const double free = 0.5 * at.ahead / std::abs(walk.inverse_depth_per_sample());
+            steps = std::clamp(free, kShortestStep, kLongestStep);
+        }
+        share = std::min(1.0, share + steps * per_sample);
     }
     return std::nullopt;
 }

@@ -75,11 +75,6 @@ class DepthSearch {
         int height_px = 0;
         const TiledDepth* depth = nullptr;
     };
-    /// A stretch of inverse depths, near end first.
-    struct Stretch {
-        double near_end;
-        double far_end;
-    };
     /// What a view sees at a place in its depth map.
     struct Surface {
         double inverse_depth;  ///< Interpolated where it is one surface, else the nearest sample's.
@@ -87,19 +82,21 @@ class DepthSearch {
     };
     /// The view's ray at a point of the eye's ray.
     struct Meeting {
-        double q;
-        EpipolarWalk::Place place;
+        double share;  ///< Of its way.
         Surface surface;
         double ahead;  ///< Inverse depth of the point in the view, less the surface's.
     };
     [[nodiscard]] static Surface surface_at(const Target& target, double x, double y);
     [[nodiscard]] static Meeting meeting_at(const Target& target, const EpipolarWalk& walk,
-                                            double q);
+                                            double share);
+    [[nodiscard]] static RayHit hit_at(const EpipolarWalk& walk, const Meeting& meeting) {
+        return {walk.inverse_depth_in_eye(meeting.share), meeting.surface.kind, 1};
+    }
     /// The nearest that two have seen, or else the nearest that one has.
     [[nodiscard]] std::optional<RayHit> nearest_seen(
         const std::array<std::optional<RayHit>, 3>& hits) const;
-    /// Over which a point lies in a photograph, and not before all that it shows.
-    [[nodiscard]] Stretch visible_stretch(const Target& target, const EpipolarLine& line) const;
+    /// Over which a point lies in a photograph, and not before or behind all that it shows.
+    [[nodiscard]] RayStretch visible_stretch(const Target& target, const EpipolarLine& line) const;
     [[nodiscard]] std::optional<RayHit> first_hit_in(int view_index,
                                                      const Eigen::Vector2d& pixel) const;
     /// Whether a point is on the surface by so much of the tolerance.
@@ -107,9 +104,9 @@ class DepthSearch {
                                      double share) const {
         return std::abs(meeting.ahead) * target.max_disparity_px <= share * tolerance_px_;
     }
-    /// The hit between a point in front of the surface and one behind it; empty at a tear.
+    /// The hit between a share of the way before the surface and one behind it; empty at a tear.
     [[nodiscard]] std::optional<RayHit> refined(const Target& target, const EpipolarWalk& walk,
-                                                const Stretch& bracket) const;
+                                                double before, double behind) const;
 
     double tolerance_px_;
     double agreeing_inverse_depth_;

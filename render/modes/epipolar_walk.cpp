@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lumi {
 namespace {
@@ -12,12 +13,12 @@ constexpr double kBeyondSquare = 1e-3;
 /// A ray that was moved to where it is as far away as something is not before it, but for rounding.
 constexpr double kRoundedDown = 1 - 1e-9;
 
-bool is_before(double q, const EpipolarWalk::Place& place, const TiledDepth::Range& range) {
-    return q * kRoundedDown > static_cast<double>(range.nearest) * place.z;
+bool is_before(const EpipolarWalk::Place& place, const TiledDepth::Range& range) {
+    return place.inverse_depth * kRoundedDown > static_cast<double>(range.nearest);
 }
 
-bool is_behind(double q, const EpipolarWalk::Place& place, const TiledDepth::Range& range) {
-    return q < static_cast<double>(range.farthest) * place.z;
+bool is_behind(const EpipolarWalk::Place& place, const TiledDepth::Range& range) {
+    return place.inverse_depth < static_cast<double>(range.farthest);
 }
 
 /// Into the range, also what is not a number: the point lies in the view's focal plane.
@@ -25,22 +26,28 @@ unsigned clamped(double place, int samples) {
     return static_cast<unsigned>(static_cast<int>(std::max(0.0, std::min(place, samples - 1.0))));
 }
 
+/// What is not on the way at all takes forever.
+double per_unit_of(double way) { return way == 0 ? std::numeric_limits<double>::max() : 1 / way; }
+
 }  // namespace
 
-EpipolarWalk::EpipolarWalk(const EpipolarLine& line_in_samples, const TiledDepth& depth)
-    : line_(line_in_samples), depth_(depth) {
-    // The derivative of a place by q has the sign of this, everywhere on the line.
-    const Eigen::Vector3d& a = line_.at_infinity;
-    const Eigen::Vector3d& e = line_.per_inverse_depth;
-    x_falls_ = e.x() * a.z() > a.x() * e.z();
-    y_falls_ = e.y() * a.z() > a.y() * e.z();
-}
-
-double EpipolarWalk::speed(const Place& place) const {
-    const Eigen::Vector3d& step = line_.per_inverse_depth;
-    const double x = step.x() - place.x * step.z();
-    const double y = step.y() - place.y * step.z();
-    return std::sqrt(x * x + y * y) / std::abs(place.z);
+EpipolarWalk::EpipolarWalk(const EpipolarLine& line_in_samples, const RayStretch& stretch,
+                           const TiledDepth& depth)
+    : depth_(depth) {
+    const Eigen::Vector3d near = line_in_samples.at(stretch.near_end);
+    const Eigen::Vector3d far = line_in_samples.at(stretch.far_end);
+    const double near_eye_over_view = 1 / near.z();
+    const double far_eye_over_view = 1 / far.z();
+    begin_ = {near.x() * near_eye_over_view, near.y() * near_eye_over_view,
+              stretch.near_end * near_eye_over_view};
+    way_ = {far.x() * far_eye_over_view - begin_.x, far.y() * far_eye_over_view - begin_.y,
+            stretch.far_end * far_eye_over_view - begin_.inverse_depth};
+    begin_eye_over_view_ = near_eye_over_view;
+    way_eye_over_view_ = far_eye_over_view - near_eye_over_view;
+    per_sample_ = per_unit_of(std::sqrt(way_.x * way_.x + way_.y * way_.y));
+    per_inverse_depth_ = per_unit_of(way_.inverse_depth);
+    per_x_ = per_unit_of(way_.x);
+    per_y_ = per_unit_of(way_.y);
 }
 
 EpipolarWalk::Square EpipolarWalk::coarse_at(const Place& place) const {
@@ -55,55 +62,48 @@ EpipolarWalk::Square EpipolarWalk::fine_at(const Place& place) const {
     return {TiledDepth::kFine, column, row, depth_.fine(column, row)};
 }
 
-double EpipolarWalk::leaves(const Square& square, double q, double far_end) const {
-    const Eigen::Vector3d& a = line_.at_infinity;
-    const Eigen::Vector3d& e = line_.per_inverse_depth;
-    const double x = x_falls_ ? square.side * square.column - kBeyondSquare
-                              : square.side * (square.column + 1) + kBeyondSquare;
-    const double y = y_falls_ ? square.side * square.row - kBeyondSquare
-                              : square.side * (square.row + 1) + kBeyondSquare;
-    const double at_x = (x * a.z() - a.x()) / (e.x() - x * e.z());
-    const double at_y = (y * a.z() - a.y()) / (e.y() - y * e.z());
-    double leaves = far_end;
-    if (at_x < q) leaves = std::max(leaves, at_x);
-    if (at_y < q) leaves = std::max(leaves, at_y);
-    return leaves;
+double EpipolarWalk::leaves(const Square& square) const {
+    const double x = way_.x < 0 ? square.side * square.column - kBeyondSquare
+                                : square.side * (square.column + 1) + kBeyondSquare;
+    const double y = way_.y < 0 ? square.side * square.row - kBeyondSquare
+                                : square.side * (square.row + 1) + kBeyondSquare;
+    return std::min((x - begin_.x) * per_x_, (y - begin_.y) * per_y_);
 }
 
-double EpipolarWalk::past_free(double q, double far_end) const {
+double EpipolarWalk::past_free(double share) const {
     const int most_squares = depth_.width() + depth_.height();
     for (int i = 0; i < most_squares; ++i) {
-        const Place place = at(q);
+        const Place place = at(share);
         Square square = coarse_at(place);
-        if (!is_before(q, place, square.range)) square = fine_at(place);
-        if (!is_before(q, place, square.range)) return q;
+        if (!is_before(place, square.range)) square = fine_at(place);
+        if (!is_before(place, square.range)) return share;
         const double meets_nearest = meets(static_cast<double>(square.range.nearest));
-        const double leaves_it = leaves(square, q, far_end);
-        if (meets_nearest < q && meets_nearest >= leaves_it) {
-            q = std::max(far_end, meets_nearest);
-            if (square.side == TiledDepth::kFine || q <= far_end) return q;
+        const double leaves_it = leaves(square);
+        if (meets_nearest > share && meets_nearest <= leaves_it) {
+            share = meets_nearest;
+            if (square.side == TiledDepth::kFine || share >= 1) return std::min(share, 1.0);
         } else {
-            if (leaves_it <= far_end) return far_end;
-            q = leaves_it;
+            if (leaves_it >= 1) return 1;
+            share = leaves_it;
         }
     }
-    return q;
+    return share;
 }
 
-double EpipolarWalk::past_hiding(double q, double far_end) const {
+double EpipolarWalk::past_hiding(double share) const {
     // Farther along the ray is also farther from the view, unless the ray comes back to it.
-    if (line_.at_infinity.z() <= 0) return q;
+    if (way_.inverse_depth > 0) return share;
     const int most_squares = depth_.width() + depth_.height();
     for (int i = 0; i < most_squares; ++i) {
-        const Place place = at(q);
+        const Place place = at(share);
         Square square = coarse_at(place);
-        if (!is_behind(q, place, square.range)) square = fine_at(place);
-        if (!is_behind(q, place, square.range)) return q;
-        const double leaves_it = leaves(square, q, far_end);
-        if (leaves_it <= far_end) return far_end;
-        q = leaves_it;
+        if (!is_behind(place, square.range)) square = fine_at(place);
+        if (!is_behind(place, square.range)) return share;
+        const double leaves_it = leaves(square);
+        if (leaves_it >= 1) return 1;
+        share = leaves_it;
     }
-    return q;
+    return share;
 }
 
 }  // namespace lumi

@@ -16,39 +16,60 @@ struct EpipolarLine {
     }
 };
 
-/// A ray of the eye on its way through a view's depth map, from near to far: places are in samples
-/// of the map, inverse depths (q) those of the eye. What is far from all that a square of samples
-/// holds is passed square by square.
+/// A stretch of a ray by the inverse depths of its ends in the eye, near end first.
+struct RayStretch {
+    double near_end;
+    double far_end;
+};
+
+/// A ray of the eye on its way through a view's depth map, from the near end of a stretch (share 0)
+/// to the far end (share 1): places are in samples of the map. What is far from all that a square
+/// of samples holds is passed square by square.
+///
+/// Shares are of the way in the map: along the picture of a ray its inverse depth is affine, so
+/// that nothing has to be divided on the way.
 class EpipolarWalk {
  public:
-    EpipolarWalk(const EpipolarLine& line_in_samples, const TiledDepth& depth);
+    /// The ray is to be before the view all along the stretch.
+    EpipolarWalk(const EpipolarLine& line_in_samples, const RayStretch& stretch,
+                 const TiledDepth& depth);
 
     struct Place {
-        double z;  ///< Depth in the view over depth in the eye.
         double x;
         double y;
+        double inverse_depth;  ///< In the view.
     };
-    [[nodiscard]] Place at(double q) const {
-        const double z = line_.at_infinity.z() + q * line_.per_inverse_depth.z();
-        const double inverse_z = 1 / z;
-        return {z, (line_.at_infinity.x() + q * line_.per_inverse_depth.x()) * inverse_z,
-                (line_.at_infinity.y() + q * line_.per_inverse_depth.y()) * inverse_z};
+    [[nodiscard]] Place at(double share) const {
+        return {begin_.x + share * way_.x, begin_.y + share * way_.y,
+                begin_.inverse_depth + share * way_.inverse_depth};
     }
 
-    /// Samples that the place moves for each unit of q.
-    [[nodiscard]] double speed(const Place& place) const;
+    /// Of the eye.
+    [[nodiscard]] double inverse_depth_in_eye(double share) const {
+        return (begin_.inverse_depth + share * way_.inverse_depth) /
+               (begin_eye_over_view_ + share * way_eye_over_view_);
+    }
 
-    /// The q at which the ray is as far from the view as something there.
+    /// The share of the way that is as long as a sample: more than 1 where the way is shorter, up
+    /// to the largest number where the whole ray lies in one place.
+    [[nodiscard]] double per_sample() const { return per_sample_; }
+
+    /// By how much the ray's inverse depth grows on a sample of its way.
+    [[nodiscard]] double inverse_depth_per_sample() const {
+        return way_.inverse_depth * per_sample_;
+    }
+
+    /// The share at which the ray is as far from the view as something there; it may lie beyond
+    /// the ends, also infinitely far.
     [[nodiscard]] double meets(double inverse_depth_in_view) const {
-        return inverse_depth_in_view * line_.at_infinity.z() /
-               (1 - inverse_depth_in_view * line_.per_inverse_depth.z());
+        return (inverse_depth_in_view - begin_.inverse_depth) * per_inverse_depth_;
     }
 
-    /// The first q, from the given one on, at which the ray might meet something: what lies before
-    /// all that a square holds is passed. `far_end` at the least.
-    [[nodiscard]] double past_free(double q, double far_end) const;
-    /// The same for a ray that is behind something: the first q at which it might come out.
-    [[nodiscard]] double past_hiding(double q, double far_end) const;
+    /// The first share, from the given one on, at which the ray might meet something: what lies
+    /// before all that a square holds is passed. 1 at the most.
+    [[nodiscard]] double past_free(double share) const;
+    /// The same for a ray that is behind something: the first share at which it might come out.
+    [[nodiscard]] double past_hiding(double share) const;
 
  private:
     struct Square {
@@ -59,13 +80,18 @@ class EpipolarWalk {
     };
     [[nodiscard]] Square coarse_at(const Place& place) const;
     [[nodiscard]] Square fine_at(const Place& place) const;
-    /// The q at which the ray is a little beyond the square; `far_end` at the least.
-    [[nodiscard]] double leaves(const Square& square, double q, double far_end) const;
+    /// The share at which the ray is a little beyond the square.
+    [[nodiscard]] double leaves(const Square& square) const;
 
-    const EpipolarLine& line_;
     const TiledDepth& depth_;
-    bool x_falls_;  ///< As the ray goes on.
-    bool y_falls_;
+    Place begin_;
+    Place way_;                   ///< From the near end to the far end.
+    double begin_eye_over_view_;  ///< Depth in the eye over depth in the view.
+    double way_eye_over_view_;
+    double per_sample_;
+    double per_inverse_depth_;
+    double per_x_;
+    double per_y_;
 };
 
 }  // namespace lumi

@@ -53,11 +53,13 @@ TiledDepth::TiledDepth(const DepthMap& depth)
         fine_[i] = range_of(static_cast<int>(i % fine_columns_) * kFine,
                             static_cast<int>(i / fine_columns_) * kFine, depth.inverse_depth);
     constexpr std::size_t kFinePerCoarse = kCoarse / kFine;
+    if (!fine_.empty()) farthest_ = fine_.front().farthest;
     for (std::size_t i = 0; i < fine_.size(); ++i) {
         const std::size_t column = i % fine_columns_ / kFinePerCoarse;
         const std::size_t row = i / fine_columns_ / kFinePerCoarse;
         widen(coarse_[row * coarse_columns_ + column], fine_[i]);
         nearest_ = std::max(nearest_, fine_[i].nearest);
+        farthest_ = std::min(farthest_, fine_[i].farthest);
     }
 }
 

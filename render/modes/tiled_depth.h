@@ -39,6 +39,7 @@ class TiledDepth {
     [[nodiscard]] int height() const { return height_; }
     /// Of all samples; 0 when there is none.
     [[nodiscard]] float nearest() const { return nearest_; }
+    [[nodiscard]] float farthest() const { return farthest_; }
 
     /// Where the samples of a row, or of a column, lie: the sum of both is a sample's place.
     [[nodiscard]] std::size_t row_offset(int y) const {
@@ -72,6 +73,7 @@ class TiledDepth {
     int width_ = 0;
     int height_ = 0;
     float nearest_ = 0.0F;
+    float farthest_ = 0.0F;
     std::size_t fine_columns_ = 0;
     std::size_t coarse_columns_ = 0;
     std::vector<std::uint32_t> samples_;  ///< Fine square by fine square: each a line of a cache.
