@@ -6,7 +6,7 @@
 
 #include "render/modes/view_geometry.h"
 #include "render/paths/path_through_views.h"
-#include "render/paths/pose_between.h"
+#include "render/paths/pose_around.h"
 
 namespace lumi {
 namespace {
@@ -38,17 +38,6 @@ std::size_t extreme_view(const Lumigraph& lumigraph, const Eigen::Vector3d& dire
     return best;
 }
 
-/// The same view of the scene, all turned about the scene's centre.
-Rigid3 turned(const Rigid3& cam_from_world, const Eigen::Quaterniond& turn,
-              const Eigen::Vector3d& scene_centre) {
-    Rigid3 pose;
-    pose.rotation = cam_from_world.rotation * turn.conjugate();
-    const Eigen::Vector3d centre =
-        scene_centre + turn * (centre_in_world(cam_from_world) - scene_centre);
-    pose.translation = -(pose.rotation * centre);
-    return pose;
-}
-
 Rigid3 moved(const Rigid3& cam_from_world, double forward) {
     Rigid3 pose = cam_from_world;
     pose.translation.z() -= forward;
@@ -74,7 +63,7 @@ std::vector<Rigid3> stations(const Lumigraph& lumigraph) {
     return {first,
             pose_of(lumigraph, between),
             pose_of(lumigraph, outermost),
-            turned(pose_of(lumigraph, outermost), turn, lumigraph.mesh.scene_centre_in_world),
+            turned_about(lumigraph.mesh.scene_centre_in_world, turn, pose_of(lumigraph, outermost)),
             moved(first, -kBehind * distance),
             moved(first, kBefore * near_depth)};
 }
@@ -90,8 +79,8 @@ std::vector<Eye> path_past_border(const Lumigraph& lumigraph, int count, int wid
         const double along = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
         const double place = along * static_cast<double>(poses.size() - 1);
         const auto from = std::min(static_cast<std::size_t>(place), poses.size() - 2);
-        path.push_back({camera, pose_between(poses[from], poses[from + 1],
-                                             place - static_cast<double>(from))});
+        path.push_back({camera, pose_around(lumigraph.mesh.scene_centre_in_world, poses[from],
+                                            poses[from + 1], place - static_cast<double>(from))});
     }
     return path;
 }
