@@ -1,5 +1,6 @@
 #include "pipeline/evaluate/kept_back_rounds.h"
 
+#include <array>
 #include <utility>
 
 #include "pipeline/stages/chosen_views.h"
@@ -11,8 +12,9 @@ namespace {
 /// What is left of fewer views would tell of another capture.
 constexpr std::size_t kLeastViews = 8;
 constexpr int kEvery = 6;
-/// Each round costs a camera mesh and textures of the others.
-constexpr int kMostRounds = 3;
+/// Where each round begins: views that follow each other are alike, and so rounds keep apart from
+/// each other as long as they can. After the last each view was asked.
+constexpr std::array<int, kEvery> kRounds{0, 2, 4, 1, 3, 5};
 constexpr std::size_t kEnoughPictures = 8;
 constexpr std::size_t kMostPictures = 12;
 /// As large as frames are looked at: in smaller ones blocks are coarser than they will be.
@@ -43,9 +45,9 @@ std::size_t visit_kept_back(const Lumigraph& lumigraph, const Capture& capture,
     Lumigraph evened = lumigraph;
     even_exposures(evened);
     std::size_t asked = 0;
-    for (int round = 0; round < kMostRounds && asked < kEnoughPictures; ++round) {
-        // Views that follow each other are alike: the rounds keep apart from each other.
-        KeptBackViews kept = keep_back(evened, kEvery, (round * kEvery) / kMostRounds);
+    for (const int first : kRounds) {
+        if (asked >= kEnoughPictures) break;
+        KeptBackViews kept = keep_back(evened, kEvery, first);
         const auto pictures = to_be_drawn(std::move(kept.pictures), kMostPictures);
         Lumigraph others = lumigraph_of_views(evened, capture, kept.others, mesh_options);
         visit(others, pictures);
