@@ -38,7 +38,7 @@ class AdaptiveSubdivider::Mesh {
                const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
                const AdaptiveSubdivisionOptions& options) {
         options_ = options;
-        if (!search.has_depth()) options_.counts.guess_error_ratio = 1.0;
+        if (!search.has_depth()) count_guesses_in_full(options_.counts);
         max_edge_px_ = static_cast<float>(options.max_edge_px);
         samplers_.clear();
         polygon_of_.clear();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lumi {
 namespace {
@@ -11,6 +12,11 @@ namespace {
 constexpr float kLostError_px = 8.0F;
 
 }  // namespace
+
+void count_guesses_in_full(EdgeErrorCounts& counts) {
+    counts.guess_error_ratio = 1.0;
+    counts.most_guess_error_px = std::numeric_limits<double>::infinity();
+}
 
 double edge_error_px(const BlendVertex& a, const BlendVertex& b, const BlendVertex& middle,
                      const EdgeErrorCounts& counts) {
@@ -34,7 +40,8 @@ double edge_error_px(const BlendVertex& a, const BlendVertex& b, const BlendVert
         std::max(error_px, kLostError_px * std::abs(seen(middle) - 0.5F * (seen(a) + seen(b))));
     const double error = std::max(static_cast<double>(error_px),
                                   2 * counts.weight_error_px * static_cast<double>(weight_error));
-    return middle.confidence < kSeenByOne ? error / counts.guess_error_ratio : error;
+    if (middle.confidence >= kSeenByOne) return error;
+    return std::min(error / counts.guess_error_ratio, counts.most_guess_error_px);
 }
 
 double greatest_relaxation(double error, double length) {

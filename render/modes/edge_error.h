@@ -11,7 +11,12 @@ struct EdgeErrorCounts {
     /// Guesses are followed so many times less closely, as by depth meshes (depth_triangulation.h):
     /// triangles are better spent on what was seen.
     double guess_error_ratio = 4.0;
+    /// And however far off, no guess counts for more: what is torn is not righter in more pieces.
+    double most_guess_error_px = 4.0;
 };
+
+/// As if all were seen.
+void count_guesses_in_full(EdgeErrorCounts& counts);
 
 /// How far photographs are looked up from where they should be, in the middle of an edge that is
 /// not split, each counting as its weight; or twice the error of a weight or of the opacity; or a

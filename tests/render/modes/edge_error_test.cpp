@@ -37,6 +37,16 @@ TEST(EdgeError, AGuessMayBeFourTimesAsFarOff) {
     EXPECT_DOUBLE_EQ(edge_error_px(a, b, looked_up_at(18, 0.25F)), seen / 4);
 }
 
+TEST(EdgeError, ATornGuessCountsNoMoreThanAFewPixels) {
+    const BlendVertex a = looked_up_at(10, 1);
+    const BlendVertex b = looked_up_at(20, 1);
+    const BlendVertex torn = looked_up_at(500, 0.25F);
+    EXPECT_DOUBLE_EQ(edge_error_px(a, b, torn), 4.0);
+    EdgeErrorCounts counts;
+    count_guesses_in_full(counts);
+    EXPECT_DOUBLE_EQ(edge_error_px(a, b, torn, counts), 485.0);
+}
+
 TEST(EdgeError, CountsWhereThePhotographsLoseTheSceneHalfway) {
     const BlendVertex seen = looked_up_at(10, 1);
     const BlendVertex lost = looked_up_at(10, 0);
