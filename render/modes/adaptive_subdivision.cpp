@@ -38,7 +38,7 @@ class AdaptiveSubdivider::Mesh {
                const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
                const AdaptiveSubdivisionOptions& options) {
         options_ = options;
-        if (!search.has_depth()) count_guesses_in_full(options_.counts);
+        if (!search.has_depth()) options_.counts.guess_ratio = 1.0;
         max_edge_px_ = static_cast<float>(options.max_edge_px);
         samplers_.clear();
         polygon_of_.clear();
@@ -156,11 +156,13 @@ class AdaptiveSubdivider::Mesh {
         BlendVertex& middle = vertices_[edge.middle];
         middle =
             blend_vertex(sampler.at(pixels_[edge.middle]), sampler.polygon(), VertexDepth::kAffine);
-        const double error_px =
-            edge_error_px(vertices_[edge.from], vertices_[edge.to], middle, options_.counts);
-        const double length_px = static_cast<double>(edge.length_px);
+        const BlendVertex& from = vertices_[edge.from];
+        const BlendVertex& to = vertices_[edge.to];
+        const double allowed_px =
+            edge_looseness(from, to, middle, options_.counts) * options_.min_edge_px;
         edge.split_below = static_cast<float>(greatest_relaxation(
-            error_px / options_.max_error_px, length_px / options_.min_edge_px));
+            edge_error_px(from, to, middle, options_.counts) / options_.max_error_px,
+            static_cast<double>(edge.length_px) / allowed_px));
     }
 
     [[nodiscard]] bool is_split(std::uint32_t number, float relaxation) const {

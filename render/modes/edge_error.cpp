@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace lumi {
 namespace {
@@ -11,12 +10,9 @@ namespace {
 /// their place: as far off as at a step of depth.
 constexpr float kLostError_px = 8.0F;
 
-}  // namespace
+bool is_guess(const BlendVertex& vertex) { return vertex.confidence < kSeenByOne; }
 
-void count_guesses_in_full(EdgeErrorCounts& counts) {
-    counts.guess_error_ratio = 1.0;
-    counts.most_guess_error_px = std::numeric_limits<double>::infinity();
-}
+}  // namespace
 
 double edge_error_px(const BlendVertex& a, const BlendVertex& b, const BlendVertex& middle,
                      const EdgeErrorCounts& counts) {
@@ -40,8 +36,12 @@ double edge_error_px(const BlendVertex& a, const BlendVertex& b, const BlendVert
         std::max(error_px, kLostError_px * std::abs(seen(middle) - 0.5F * (seen(a) + seen(b))));
     const double error = std::max(static_cast<double>(error_px),
                                   2 * counts.weight_error_px * static_cast<double>(weight_error));
-    if (middle.confidence >= kSeenByOne) return error;
-    return std::min(error / counts.guess_error_ratio, counts.most_guess_error_px);
+    return is_guess(middle) ? error / counts.guess_ratio : error;
+}
+
+double edge_looseness(const BlendVertex& a, const BlendVertex& b, const BlendVertex& middle,
+                      const EdgeErrorCounts& counts) {
+    return is_guess(a) && is_guess(middle) && is_guess(b) ? counts.guess_ratio : 1.0;
 }
 
 double greatest_relaxation(double error, double length) {

@@ -37,14 +37,15 @@ TEST(EdgeError, AGuessMayBeFourTimesAsFarOff) {
     EXPECT_DOUBLE_EQ(edge_error_px(a, b, looked_up_at(18, 0.25F)), seen / 4);
 }
 
-TEST(EdgeError, ATornGuessCountsNoMoreThanAFewPixels) {
-    const BlendVertex a = looked_up_at(10, 1);
-    const BlendVertex b = looked_up_at(20, 1);
-    const BlendVertex torn = looked_up_at(500, 0.25F);
-    EXPECT_DOUBLE_EQ(edge_error_px(a, b, torn), 4.0);
-    EdgeErrorCounts counts;
-    count_guesses_in_full(counts);
-    EXPECT_DOUBLE_EQ(edge_error_px(a, b, torn, counts), 485.0);
+TEST(EdgeError, EdgesAreLeftFourTimesAsLongAmongGuessesButNotWhereWhatWasSeenEnds) {
+    const BlendVertex seen = looked_up_at(10, kSeenByOne);
+    const BlendVertex guess = looked_up_at(10, 0.25F);
+    const BlendVertex lost = looked_up_at(10, 0);
+    EXPECT_DOUBLE_EQ(edge_looseness(guess, lost, guess), 4.0);
+    EXPECT_DOUBLE_EQ(edge_looseness(guess, guess, guess, {.guess_ratio = 1.0}), 1.0);
+    EXPECT_DOUBLE_EQ(edge_looseness(seen, guess, guess), 1.0);
+    EXPECT_DOUBLE_EQ(edge_looseness(guess, seen, guess), 1.0);
+    EXPECT_DOUBLE_EQ(edge_looseness(guess, guess, seen), 1.0);
 }
 
 TEST(EdgeError, CountsWhereThePhotographsLoseTheSceneHalfway) {
@@ -57,6 +58,10 @@ TEST(EdgeError, CountsWhereThePhotographsLoseTheSceneHalfway) {
 
 TEST(EdgeError, ALongEdgeIsSplitUntilItsErrorIsAllowed) {
     EXPECT_DOUBLE_EQ(greatest_relaxation(2.0, 16.0), 2.0);
+}
+
+TEST(EdgeError, AnEdgeThatIsTooShortIsNotSplitForAnyError) {
+    EXPECT_LT(greatest_relaxation(1e6, 0.9), 1.0);
 }
 
 TEST(EdgeError, AShortEdgeIsGivenUpBeforeALongOneOfTheSameError) {

@@ -200,10 +200,10 @@ TEST_F(Subdivision, GuessesAreFollowedLessCloselyThanWhatWasSeen) {
         for (std::uint8_t& confidence : view.depth.confidence.pixels()) confidence = 0;
     const std::vector<ViewGeometry> geometries = view_geometries(guessed);
     const DepthSearch search(guessed, geometries, kEye, 1.0);
-    const auto triangles = [&](double guess_error_ratio) {
+    const auto triangles = [&](double guess_ratio) {
         return adaptive_subdivision(polygons_, search, plane_, {},
                                     {.max_error_px = 0.3,
-                                     .counts = {.guess_error_ratio = guess_error_ratio},
+                                     .counts = {.guess_ratio = guess_ratio},
                                      .min_edge_px = 1,
                                      .max_triangles = 0})
             .triangles.count();
@@ -216,10 +216,10 @@ TEST_F(Subdivision, WithoutDepthThePlaneIsFollowedAsCloselyAsWhatIsSeen) {
     for (LumigraphView& view : plain.views) view.depth = {};
     const std::vector<ViewGeometry> geometries = view_geometries(plain);
     const DepthSearch search(plain, geometries, kEye, 1.0);
-    const auto triangles = [&](double guess_error_ratio) {
+    const auto triangles = [&](double guess_ratio) {
         return adaptive_subdivision(polygons_, search, {0.002, 0, 0.1}, {},
                                     {.max_error_px = 0.02,
-                                     .counts = {.guess_error_ratio = guess_error_ratio},
+                                     .counts = {.guess_ratio = guess_ratio},
                                      .min_edge_px = 1,
                                      .max_triangles = 0})
             .triangles.count();
