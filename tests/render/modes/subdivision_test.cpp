@@ -211,6 +211,23 @@ TEST_F(Subdivision, GuessesAreFollowedLessCloselyThanWhatWasSeen) {
     EXPECT_LT(triangles(4.0), 0.9 * static_cast<double>(triangles(1.0)));
 }
 
+TEST_F(Subdivision, EdgesAmongGuessesStayLongHoweverFarOff) {
+    Lumigraph guessed = lumigraph_;
+    for (LumigraphView& view : guessed.views)
+        for (std::uint8_t& confidence : view.depth.confidence.pixels()) confidence = 0;
+    const std::vector<ViewGeometry> geometries = view_geometries(guessed);
+    const DepthSearch search(guessed, geometries, kEye, 1.0);
+    const auto triangles = [&](double guess_ratio) {
+        return adaptive_subdivision(polygons_, search, plane_, {},
+                                    {.max_error_px = 1e-6,
+                                     .counts = {.guess_ratio = guess_ratio},
+                                     .min_edge_px = 2,
+                                     .max_triangles = 0})
+            .triangles.count();
+    };
+    EXPECT_LT(triangles(4.0), 0.3 * static_cast<double>(triangles(1.0)));
+}
+
 TEST_F(Subdivision, WithoutDepthThePlaneIsFollowedAsCloselyAsWhatIsSeen) {
     Lumigraph plain = lumigraph_;
     for (LumigraphView& view : plain.views) view.depth = {};
