@@ -194,38 +194,32 @@ TEST_F(Subdivision, APlaneWithoutAnythingBeforeItIsHardlySplit) {
     EXPECT_EQ(planar.relaxation, 1.0);
 }
 
-TEST_F(Subdivision, GuessesAreFollowedLessCloselyThanWhatWasSeen) {
-    Lumigraph guessed = lumigraph_;
-    for (LumigraphView& view : guessed.views)
-        for (std::uint8_t& confidence : view.depth.confidence.pixels()) confidence = 0;
-    const std::vector<ViewGeometry> geometries = view_geometries(guessed);
-    const DepthSearch search(guessed, geometries, kEye, 1.0);
-    const auto triangles = [&](double guess_ratio) {
-        return adaptive_subdivision(polygons_, search, plane_, {},
-                                    {.max_error_px = 0.3,
-                                     .counts = {.guess_ratio = guess_ratio},
-                                     .min_edge_px = 1,
-                                     .max_triangles = 0})
-            .triangles.count();
-    };
-    EXPECT_LT(triangles(4.0), 0.9 * static_cast<double>(triangles(1.0)));
+/// Where all depth is a guess.
+class GuessSubdivision : public Subdivision {
+ protected:
+    GuessSubdivision() {
+        for (LumigraphView& view : lumigraph_.views)
+            for (std::uint8_t& confidence : view.depth.confidence.pixels()) confidence = 0;
+    }
+    [[nodiscard]] double triangles(double max_error_px, double min_edge_px,
+                                   double guess_ratio) const {
+        const std::vector<ViewGeometry> geometries = view_geometries(lumigraph_);
+        const DepthSearch search(lumigraph_, geometries, kEye, 1.0);
+        return static_cast<double>(adaptive_subdivision(polygons_, search, plane_, {},
+                                                        {.max_error_px = max_error_px,
+                                                         .counts = {.guess_ratio = guess_ratio},
+                                                         .min_edge_px = min_edge_px,
+                                                         .max_triangles = 0})
+                                       .triangles.count());
+    }
+};
+
+TEST_F(GuessSubdivision, GuessesAreFollowedLessCloselyThanWhatWasSeen) {
+    EXPECT_LT(triangles(0.3, 1, 4.0), 0.9 * triangles(0.3, 1, 1.0));
 }
 
-TEST_F(Subdivision, EdgesAmongGuessesStayLongHoweverFarOff) {
-    Lumigraph guessed = lumigraph_;
-    for (LumigraphView& view : guessed.views)
-        for (std::uint8_t& confidence : view.depth.confidence.pixels()) confidence = 0;
-    const std::vector<ViewGeometry> geometries = view_geometries(guessed);
-    const DepthSearch search(guessed, geometries, kEye, 1.0);
-    const auto triangles = [&](double guess_ratio) {
-        return adaptive_subdivision(polygons_, search, plane_, {},
-                                    {.max_error_px = 1e-6,
-                                     .counts = {.guess_ratio = guess_ratio},
-                                     .min_edge_px = 2,
-                                     .max_triangles = 0})
-            .triangles.count();
-    };
-    EXPECT_LT(triangles(4.0), 0.3 * static_cast<double>(triangles(1.0)));
+TEST_F(GuessSubdivision, EdgesAmongGuessesStayLongHoweverFarOff) {
+    EXPECT_LT(triangles(1e-6, 2, 4.0), 0.3 * triangles(1e-6, 2, 1.0));
 }
 
 TEST_F(Subdivision, WithoutDepthThePlaneIsFollowedAsCloselyAsWhatIsSeen) {
