@@ -142,17 +142,18 @@ RayStretch DepthSearch::visible_stretch(const Target& target, const EpipolarLine
 
 std::optional<RayHit> DepthSearch::refined(const Target& target, const EpipolarWalk& walk,
                                            double before, double behind) const {
-    const double begin = before;
-    const double end = behind;
     Meeting at{};
+    const auto reaches_surface_at = [&](double share) {
+        at = meeting_at(target, walk, share);
+        (at.ahead > 0 ? before : behind) = share;
+        return is_at_surface(target, at, kCloseEnough);
+    };
     for (int i = 0; i < kRefinements; ++i) {
-        at = meeting_at(target, walk, 0.5 * (before + behind));
+        if (reaches_surface_at(0.5 * (before + behind))) break;
+        // Where the ray would meet the surface if that were as far as it is here: on slopes
+        // steeper than the ray that leads away.
         const double meets = walk.meets(at.surface.inverse_depth);
-        if (meets >= begin && meets <= end) {
-            at = meeting_at(target, walk, meets);
-            if (is_at_surface(target, at, kCloseEnough)) break;
-        }
-        (at.ahead > 0 ? before : behind) = at.share;
+        if (meets >= before && meets <= behind && reaches_surface_at(meets)) break;
     }
     if (!is_at_surface(target, at, 1.0)) return std::nullopt;
     return hit_at(walk, at);

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <random>
+#include <vector>
 
 #include "tests/render/analytic_scene.h"
 
@@ -76,6 +79,42 @@ TEST(DepthSearch, FindsTheWallWhereTheRayComesOutFromBehindTheCard) {
         ASSERT_TRUE(hit.has_value()) << view;
         EXPECT_NEAR(hit->inverse_depth, truth, 0.02 * truth) << view;
     }
+}
+
+// Neighbouring samples of the ball differ by more than a pixel of disparity: cameras stand 60
+// degrees apart.
+TEST(DepthSearch, MeetsSlopesThatViewsSeeFromAside) {
+    std::vector<Eye> cameras;
+    for (const LumigraphView& view : ball_in_sky().views)
+        cameras.push_back({pinhole_camera(320, 240, 240), view.cam_from_world});
+    const Lumigraph lumigraph = photographed(AnalyticScene::kBallInSky, cameras);
+    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal;
+    const auto direction = [&] {
+        return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+    };
+    int asked = 0;
+    int right = 0;
+    for (int i = 0; i < 400; ++i) {
+        const Eigen::Vector3d from = 2.5 * direction();
+        const Eye eye = eye_at(from, {0, 0, 0}, pinhole_camera(64, 48, 60));
+        const DepthSearch search(lumigraph, geometries, eye, 1.0);
+        for (int view = 0; view < 12; ++view) {
+            const Eigen::Vector3d on_ball = direction();
+            const auto faces = [&](const Eigen::Vector3d& centre) {
+                return (centre - on_ball).normalized().dot(on_ball) > 0.4;
+            };
+            const Eye& asked_camera = cameras[static_cast<std::size_t>(view)];
+            if (!faces(from) || !faces(centre_in_world(asked_camera.cam_from_world))) continue;
+            const Eigen::Vector3d in_eye = eye.cam_from_world * on_ball;
+            const auto hit = search.first_hit(*project(eye.camera, in_eye), {view, view, view});
+            ++asked;
+            if (hit && std::abs(hit->inverse_depth * in_eye.z() - 1) < 0.02) ++right;
+        }
+    }
+    EXPECT_GT(asked, 100);
+    EXPECT_GT(right, 0.9 * asked) << right << " of " << asked;
 }
 
 TEST(DepthSearch, MeetsNothingWhereNoPhotographLooks) {
