@@ -8,14 +8,6 @@
 namespace lumi {
 namespace {
 
-/// A step that misses the continuation of both sides by more than this, in pixels of disparity for
-/// each pixel of pitch, is a tear. Estimated samples err by half of this either way: what is less
-/// may be nothing, and drawn as a surface it is stretched over two pixels at most.
-constexpr double kMaxBend = 2.0;
-/// A steeper slope than this is a smeared edge, not a surface: its other side cannot be seen by the
-/// neighbouring view (the disparity gradient limit, Burt and Julesz 1980, is 1), also when both
-/// ends err.
-constexpr double kMaxSlope = 4.0;
 /// Regions of at most so many samples, seen or filled, are specks.
 constexpr std::size_t kSpeck = 16;
 
@@ -34,6 +26,7 @@ DepthLattice::DepthLattice(const DepthMap& depth, const Camera& camera, double d
       pitch_x_px_(static_cast<double>(camera.width_px) / depth.inverse_depth.width()),
       pitch_y_px_(static_cast<double>(camera.height_px) / depth.inverse_depth.height()),
       disparity_px_(disparity_px),
+      disparity_per_pitch_(disparity_per_pitch(depth, camera, disparity_px)),
       inverse_depth_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
       seen_(inverse_depth_.size()) {
     const std::vector<std::uint8_t> seen = seen_samples(depth.confidence);
@@ -48,26 +41,26 @@ DepthLattice::DepthLattice(const DepthMap& depth, const Camera& camera, double d
 
 /// Border nodes lie half a pitch beyond the outermost samples: half a step of the slope further.
 void DepthLattice::fill_ring() {
-    const auto continue_from = [&](int column, int row, int step_x, int step_y, double pitch_px) {
+    const auto continue_from = [&](int column, int row, int step_x, int step_y,
+                                   double disparity_per_pitch) {
         const std::size_t edge = index(column + step_x, row + step_y);
         const std::size_t inner = contains(column + 3 * step_x, row + 3 * step_y)
                                       ? index(column + 2 * step_x, row + 2 * step_y)
                                       : edge;
         const float slope = inverse_depth_[edge] - inverse_depth_[inner];
-        const bool is_slope =
-            std::abs(static_cast<double>(slope)) * disparity_px_ < kMaxBend * pitch_px &&
-            seen_[edge] == seen_[inner];
+        const bool is_slope = is_gentle(static_cast<double>(slope), disparity_per_pitch) &&
+                              seen_[edge] == seen_[inner];
         inverse_depth_[index(column, row)] =
             std::max(0.0F, inverse_depth_[edge] + (is_slope ? 0.5F * slope : 0.0F));
         seen_[index(column, row)] = seen_[edge];
     };
     for (int row = 1; row + 1 < rows_; ++row) {
-        continue_from(0, row, 1, 0, pitch_x_px_);
-        continue_from(columns_ - 1, row, -1, 0, pitch_x_px_);
+        continue_from(0, row, 1, 0, disparity_per_pitch_.along_row);
+        continue_from(columns_ - 1, row, -1, 0, disparity_per_pitch_.along_row);
     }
     for (int column = 0; column < columns_; ++column) {
-        continue_from(column, 0, 0, 1, pitch_y_px_);
-        continue_from(column, rows_ - 1, 0, -1, pitch_y_px_);
+        continue_from(column, 0, 0, 1, disparity_per_pitch_.along_column);
+        continue_from(column, rows_ - 1, 0, -1, disparity_per_pitch_.along_column);
     }
 }
 
@@ -93,26 +86,23 @@ Eigen::Vector2f DepthLattice::position_px(int column, int row) const {
 }
 
 bool DepthLattice::tears_right(int column, int row) const {
-    return tears(column, row, 1, 0, pitch_x_px_);
+    return tears_along(column, row, 1, 0, disparity_per_pitch_.along_row);
 }
 
 bool DepthLattice::tears_below(int column, int row) const {
-    return tears(column, row, 0, 1, pitch_y_px_);
+    return tears_along(column, row, 0, 1, disparity_per_pitch_.along_column);
 }
 
-bool DepthLattice::tears(int column, int row, int step_x, int step_y, double pitch_px) const {
-    const double here = inverse_depth(column, row);
-    const double there = inverse_depth(column + step_x, row + step_y);
-    const double step = std::abs(there - here);
-    const auto bend_at = [&](int beyond_column, int beyond_row, double near, double far) {
-        if (!contains(beyond_column, beyond_row)) return step;
-        const double beyond = inverse_depth(beyond_column, beyond_row);
-        return std::abs(far - (2 * near - beyond));
+bool DepthLattice::tears_along(int column, int row, int step_x, int step_y,
+                               double disparity_per_pitch) const {
+    const float here = inverse_depth(column, row);
+    const float there = inverse_depth(column + step_x, row + step_y);
+    const auto beyond = [&](int steps, float end) {
+        const int at_column = column + steps * step_x;
+        const int at_row = row + steps * step_y;
+        return contains(at_column, at_row) ? inverse_depth(at_column, at_row) : end;
     };
-    const double bend = std::min(bend_at(column - step_x, row - step_y, here, there),
-                                 bend_at(column + 2 * step_x, row + 2 * step_y, there, here));
-    return bend * disparity_px_ > kMaxBend * pitch_px ||
-           step * disparity_px_ > kMaxSlope * pitch_px;
+    return tears({beyond(-1, here), here, there, beyond(2, there)}, disparity_per_pitch);
 }
 
 }  // namespace lumi

@@ -6,6 +6,7 @@
 
 #include "calib/capture/camera.h"
 #include "meshing/surface/depth_map.h"
+#include "render/modes/surface_tears.h"
 
 namespace lumi {
 
@@ -35,8 +36,8 @@ class DepthLattice {
     /// In pixels of the photograph, or beyond it.
     [[nodiscard]] Eigen::Vector2f position_px(int column, int row) const;
 
-    /// True when the surface tears between a node and its right (lower) neighbour: the step is
-    /// neither the continuation of the slope on one side nor gentle enough to be a slope itself.
+    /// True when the surface tears between a node and its right (lower) neighbour
+    /// (surface_tears.h).
     [[nodiscard]] bool tears_right(int column, int row) const;
     [[nodiscard]] bool tears_below(int column, int row) const;
 
@@ -47,7 +48,8 @@ class DepthLattice {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                static_cast<std::size_t>(column);
     }
-    [[nodiscard]] bool tears(int column, int row, int step_x, int step_y, double pitch_px) const;
+    [[nodiscard]] bool tears_along(int column, int row, int step_x, int step_y,
+                                   double disparity_per_pitch) const;
     void fill_ring();
 
     int columns_ = 0;
@@ -55,6 +57,7 @@ class DepthLattice {
     double pitch_x_px_ = 0.0;  ///< Pixels of the photograph between two samples.
     double pitch_y_px_ = 0.0;
     double disparity_px_ = 0.0;
+    DisparityPerPitch disparity_per_pitch_;
     std::vector<float> inverse_depth_;
     std::vector<std::uint8_t> seen_;
 };

@@ -21,6 +21,8 @@ constexpr int kMaxSteps = 256;
 constexpr int kRefinements = 4;
 /// Of the tolerance: a point so close to the surface is not refined.
 constexpr double kCloseEnough = 0.25;
+/// One that is farther off after all refinements lies in a tear.
+constexpr double kMet = 0.5;
 /// The nearest an eye can look at lies this many times before the scene's near end.
 constexpr double kNearMargin = 100.0;
 /// Vertices just outside of a photograph, where a picture ends that is the photograph, still count.
@@ -95,20 +97,16 @@ DepthSearch::Surface DepthSearch::surface_at(const Target& target, double x, dou
     const std::size_t at_right = TiledDepth::column_offset(right);
     const std::size_t at_top = depth.row_offset(top);
     const std::size_t at_bottom = depth.row_offset(bottom);
-    const auto [nearest, kind] =
+    const TiledDepth::Sample nearest =
         depth[(share_right < 0.5 ? at_left : at_right) + (share_bottom < 0.5 ? at_top : at_bottom)];
-    const float a = depth[at_left + at_top].inverse_depth;
-    const float b = depth[at_right + at_top].inverse_depth;
-    const float c = depth[at_left + at_bottom].inverse_depth;
-    const float d = depth[at_right + at_bottom].inverse_depth;
-    const float spread =
-        std::max(std::max(a, b), std::max(c, d)) - std::min(std::min(a, b), std::min(c, d));
-    if (static_cast<double>(spread) * target.max_disparity_px > 1.0)
-        return {static_cast<double>(nearest), kind};
-    return {
-        between(between(static_cast<double>(a), static_cast<double>(b), share_right),
-                between(static_cast<double>(c), static_cast<double>(d), share_right), share_bottom),
-        kind};
+    const TiledDepth::Sample top_left = depth[at_left + at_top];
+    if (top_left.is_torn) return {static_cast<double>(nearest.inverse_depth), nearest.kind};
+    const auto a = static_cast<double>(top_left.inverse_depth);
+    const auto b = static_cast<double>(depth[at_right + at_top].inverse_depth);
+    const auto c = static_cast<double>(depth[at_left + at_bottom].inverse_depth);
+    const auto d = static_cast<double>(depth[at_right + at_bottom].inverse_depth);
+    return {between(between(a, b, share_right), between(c, d, share_right), share_bottom),
+            nearest.kind};
 }
 
 DepthSearch::Meeting DepthSearch::meeting_at(const Target& target, const EpipolarWalk& walk,
@@ -155,7 +153,7 @@ std::optional<RayHit> DepthSearch::refined(const Target& target, const EpipolarW
         const double meets = walk.meets(at.surface.inverse_depth);
         if (meets >= before && meets <= behind && reaches_surface_at(meets)) break;
     }
-    if (!is_at_surface(target, at, 1.0)) return std::nullopt;
+    if (!is_at_surface(target, at, kMet)) return std::nullopt;
     return hit_at(walk, at);
 }
 

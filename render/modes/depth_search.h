@@ -77,7 +77,7 @@ class DepthSearch {
     };
     /// What a view sees at a place in its depth map.
     struct Surface {
-        double inverse_depth;  ///< Interpolated where it is one surface, else the nearest sample's.
+        double inverse_depth;  ///< Interpolated; where it tears the nearest sample's.
         DepthKind kind;        ///< Of the nearest sample.
     };
     /// The view's ray at a point of the eye's ray.

@@ -31,7 +31,7 @@ TiledDepth::Range range_of(int left, int top, const FloatImage& values) {
 
 }  // namespace
 
-TiledDepth::TiledDepth(const DepthMap& depth)
+TiledDepth::TiledDepth(const DepthMap& depth, const GrayImage& torn_squares)
     : width_(depth.inverse_depth.width()),
       height_(depth.inverse_depth.height()),
       fine_columns_(squares(width_, kFine)),
@@ -43,11 +43,12 @@ TiledDepth::TiledDepth(const DepthMap& depth)
     for (int y = 0; y < height_; ++y) {
         const float* values = depth.inverse_depth.row(y);
         const std::uint8_t* confidences = depth.confidence.row(y);
+        const std::uint8_t* torn = torn_squares.row(y);
         std::uint32_t* row = samples_.data() + row_offset(y);
-        for (int x = 0; x < width_; ++x) {
-            const std::uint32_t bits = std::bit_cast<std::uint32_t>(values[x]) & ~kSeenBit;
-            row[column_offset(x)] = confidences[x] > 0 ? bits | kSeenBit : bits;
-        }
+        for (int x = 0; x < width_; ++x)
+            row[column_offset(x)] =
+                (std::bit_cast<std::uint32_t>(values[x]) & ~(kSeenBit | kTornBit)) |
+                (confidences[x] > 0 ? kSeenBit : 0) | (torn[x] > 0 ? kTornBit : 0);
     }
     for (std::size_t i = 0; i < fine_.size(); ++i)
         fine_[i] = range_of(static_cast<int>(i % fine_columns_) * kFine,

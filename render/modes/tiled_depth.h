@@ -22,6 +22,7 @@ class TiledDepth {
     struct Sample {
         float inverse_depth;
         DepthKind kind;  ///< Seen or filled.
+        bool is_torn;    ///< What lies to the right and below is not one surface.
     };
     /// Inverse depths in a square and one sample around it: of all that surfaces within it are
     /// interpolated with.
@@ -31,8 +32,9 @@ class TiledDepth {
     };
 
     TiledDepth() = default;
-    /// Both pictures of one size, as `validate` (lumigraph.h) wants them, or empty.
-    explicit TiledDepth(const DepthMap& depth);
+    /// All pictures of one size, as `validate` (lumigraph.h) wants them, or empty. `torn_squares`
+    /// as from the function of this name (surface_tears.h).
+    TiledDepth(const DepthMap& depth, const GrayImage& torn_squares);
 
     [[nodiscard]] bool empty() const { return width_ == 0; }
     [[nodiscard]] int width() const { return width_; }
@@ -52,8 +54,9 @@ class TiledDepth {
     }
     [[nodiscard]] Sample operator[](std::size_t place) const {
         const std::uint32_t bits = samples_[place];
-        return {std::bit_cast<float>(bits & ~kSeenBit),
-                (bits & kSeenBit) != 0 ? DepthKind::kSeen : DepthKind::kFilled};
+        return {std::bit_cast<float>(bits & ~(kSeenBit | kTornBit)),
+                (bits & kSeenBit) != 0 ? DepthKind::kSeen : DepthKind::kFilled,
+                (bits & kTornBit) != 0};
     }
     /// The square of kFine samples, by its column and row among these.
     [[nodiscard]] const Range& fine(int column, int row) const {
@@ -67,8 +70,9 @@ class TiledDepth {
 
  private:
     static constexpr std::size_t kSide = kFine;
-    /// The last bit of a sample's float tells its kind.
+    /// The last bits of a sample's float tell the rest.
     static constexpr std::uint32_t kSeenBit = 1;
+    static constexpr std::uint32_t kTornBit = 2;
 
     int width_ = 0;
     int height_ = 0;

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "calib/work/median.h"
+#include "render/modes/surface_tears.h"
 
 namespace lumi {
 namespace {
@@ -22,6 +23,13 @@ std::vector<std::set<int>> neighbours_in(const CameraMesh& mesh, std::size_t vie
     return neighbours;
 }
 
+TiledDepth tiled_depth(const LumigraphView& view, double disparity_px) {
+    const DepthMap& depth = view.depth;
+    if (depth.inverse_depth.empty()) return {};
+    return {depth, torn_squares(depth.inverse_depth,
+                                disparity_per_pitch(depth, view.camera, disparity_px))};
+}
+
 /// The depth at which disparities are halfway between those of the near and the far end.
 double middle_depth(const Lumigraph& lumigraph) { return 2 / inverse_depth_range(lumigraph).sum(); }
 
@@ -38,8 +46,8 @@ Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph) {
 std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph) {
     std::vector<ViewGeometry> geometries;
     for (const LumigraphView& view : lumigraph.views) {
-        geometries.push_back({centre_in_world(view.cam_from_world),
-                              focal_length_px(view.camera).mean(), 0.0, TiledDepth(view.depth)});
+        geometries.push_back(
+            {centre_in_world(view.cam_from_world), focal_length_px(view.camera).mean()});
     }
     const auto neighbours = neighbours_in(lumigraph.mesh, geometries.size());
     for (std::size_t i = 0; i < geometries.size(); ++i) {
@@ -50,6 +58,7 @@ std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph) {
                                     .norm());
         geometries[i].baseline =
             distances.empty() ? 0.1 * middle_depth(lumigraph) : median_of(std::move(distances));
+        geometries[i].depth = tiled_depth(lumigraph.views[i], max_disparity_px(geometries[i]));
     }
     return geometries;
 }

@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "render/modes/surface_tears.h"
+
 namespace lumi {
 namespace {
 
@@ -28,6 +30,10 @@ DepthMap depth_with_a_step() {
         }
     }
     return depth;
+}
+
+TiledDepth tiled_depth(const DepthMap& depth) {
+    return {depth, torn_squares(depth.inverse_depth, {20, 20})};
 }
 
 double interpolated(const FloatImage& map, double x, double y) {
@@ -78,25 +84,28 @@ std::vector<double> shares_up_to(double end) {
     return shares;
 }
 
-TEST(TiledDepth, HoldsEverySampleAndItsKind) {
+TEST(TiledDepth, HoldsOfEverySampleItsKindAndWhatTears) {
     const DepthMap depth = depth_with_a_step();
-    const TiledDepth tiled(depth);
+    const TiledDepth tiled = tiled_depth(depth);
+    const GrayImage torn = torn_squares(depth.inverse_depth, {20, 20});
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
-            const auto [inverse_depth, kind] =
+            const TiledDepth::Sample sample =
                 tiled[TiledDepth::column_offset(x) + tiled.row_offset(y)];
-            EXPECT_FLOAT_EQ(inverse_depth, depth.inverse_depth(x, y)) << x << ' ' << y;
-            EXPECT_EQ(kind, x == 36 ? DepthKind::kFilled : DepthKind::kSeen) << x << ' ' << y;
+            EXPECT_FLOAT_EQ(sample.inverse_depth, depth.inverse_depth(x, y)) << x << ' ' << y;
+            EXPECT_EQ(sample.kind, x == 36 ? DepthKind::kFilled : DepthKind::kSeen)
+                << x << ' ' << y;
+            EXPECT_EQ(sample.is_torn, torn(x, y) != 0) << x << ' ' << y;
         }
     }
     EXPECT_FLOAT_EQ(tiled.nearest(), 0.5F);
     const auto& values = depth.inverse_depth.pixels();
     EXPECT_FLOAT_EQ(tiled.farthest(), *std::min_element(values.begin(), values.end()));
-    EXPECT_TRUE(TiledDepth(DepthMap{}).empty());
+    EXPECT_TRUE(TiledDepth().empty());
 }
 
 TEST(EpipolarWalk, PlacesAndInverseDepthsAreThoseOfTheLine) {
-    const TiledDepth tiled(depth_with_a_step());
+    const TiledDepth tiled = tiled_depth(depth_with_a_step());
     std::mt19937 random(2);
     int checked = 0;
     for (int i = 0; i < 200; ++i) {
@@ -127,7 +136,7 @@ TEST(EpipolarWalk, PlacesAndInverseDepthsAreThoseOfTheLine) {
 }
 
 TEST(EpipolarWalk, StandsStillAtTheViewsOwnCentre) {
-    const TiledDepth tiled(depth_with_a_step());
+    const TiledDepth tiled = tiled_depth(depth_with_a_step());
     const EpipolarWalk walk({{20, 10, 1}, {0, 0, 0}}, {0.6, 0.01}, tiled);
     const float inverse_depth = tiled.fine(20 / TiledDepth::kFine, 10 / TiledDepth::kFine).nearest;
     const double met = walk.past_free(0);
@@ -138,7 +147,7 @@ TEST(EpipolarWalk, StandsStillAtTheViewsOwnCentre) {
 
 TEST(EpipolarWalk, PassesNothingThatTheRayMeets) {
     const DepthMap depth = depth_with_a_step();
-    const TiledDepth tiled(depth);
+    const TiledDepth tiled = tiled_depth(depth);
     std::mt19937 random(3);
     std::size_t passed = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -157,7 +166,7 @@ TEST(EpipolarWalk, PassesNothingThatTheRayMeets) {
 }
 
 TEST(EpipolarWalk, ComesToWhereTheRayIsAsFarAsSomethingNearby) {
-    const TiledDepth tiled(depth_with_a_step());
+    const TiledDepth tiled = tiled_depth(depth_with_a_step());
     std::mt19937 random(4);
     int arrived = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -178,7 +187,7 @@ TEST(EpipolarWalk, ComesToWhereTheRayIsAsFarAsSomethingNearby) {
 
 TEST(EpipolarWalk, StaysBehindWhatHidesTheRay) {
     const DepthMap depth = depth_with_a_step();
-    const TiledDepth tiled(depth);
+    const TiledDepth tiled = tiled_depth(depth);
     std::mt19937 random(5);
     std::size_t hidden = 0;
     for (int i = 0; i < 2000; ++i) {
