@@ -25,7 +25,7 @@ TEST(TriangleEffort, IsTheLeastWherePicturesShowTheSameEverywhere) {
     for (LumigraphView& view : studio.lumigraph.views)
         for (Rgb8& pixel : view.photograph.pixels()) pixel = {120, 130, 140};
     const TriangleEffort effort = effort_of(studio);
-    EXPECT_GE(effort.error_px, 2.0);
+    EXPECT_EQ(effort.error_px, 4.0);
     EXPECT_EQ(effort.pictures, 9);
     EXPECT_NEAR(effort.loses_db, 0, 0.05);
     EXPECT_GT(effort.triangles, 0);
@@ -38,7 +38,7 @@ TEST(TriangleEffort, IsGreaterWhereBodiesHideOneAnother) {
     studio.find_points();
     const TriangleEffort effort = effort_of(studio);
     EXPECT_LT(effort.error_px, 2.0);
-    EXPECT_LE(effort.loses_db, 0.05);
+    EXPECT_LE(effort.loses_db, 0.1);
 }
 
 TEST(TriangleEffort, IsAsUsualForFewerThanEightViewsUnasked) {
