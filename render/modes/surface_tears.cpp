@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace lumi {
 namespace {
 
-/// A step that is larger, and misses the continuation of both sides by more than this, is a tear.
-/// Estimated samples err by half of this either way: what is less may be nothing, and drawn as a
-/// surface it is stretched over two pixels at most.
+/// In pixels of disparity for each pixel of pitch, as the next: a step that is larger, and misses
+/// the continuation of both sides by more than this, is a tear. Estimated samples err by half of
+/// this either way: what is less may be nothing, and drawn as a surface it is stretched over two
+/// pixels at most.
 constexpr double kMaxBend = 2.0;
 /// A steeper slope than this is a smeared edge, not a surface: its other side cannot be seen by the
 /// neighbouring view (the disparity gradient limit, Burt and Julesz 1980, is 1), also when both
