@@ -48,8 +48,9 @@ void DepthLattice::fill_ring() {
                                       ? index(column + 2 * step_x, row + 2 * step_y)
                                       : edge;
         const float slope = inverse_depth_[edge] - inverse_depth_[inner];
-        const bool is_slope = is_gentle(static_cast<double>(slope), disparity_per_pitch) &&
-                              seen_[edge] == seen_[inner];
+        const bool is_slope =
+            std::abs(static_cast<double>(slope)) <= gentle_step(disparity_per_pitch) &&
+            seen_[edge] == seen_[inner];
         inverse_depth_[index(column, row)] =
             std::max(0.0F, inverse_depth_[edge] + (is_slope ? 0.5F * slope : 0.0F));
         seen_[index(column, row)] = seen_[edge];

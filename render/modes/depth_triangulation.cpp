@@ -8,6 +8,7 @@
 #include "render/modes/halved_depth.h"
 #include "render/modes/mesh_decimation.h"
 #include "render/modes/split_errors.h"
+#include "render/modes/surface_tears.h"
 
 namespace lumi {
 namespace {
@@ -262,12 +263,6 @@ DepthMesh mesh_of(const SplitErrors& errors, const DepthLattice& lattice, float 
     return mesh;
 }
 
-/// Gaps between the inverse depths of four samples that are more than this part surfaces.
-double largest_gap(const DepthMap& depth, const Camera& camera, double disparity_px) {
-    constexpr double kMaxGap_px = 2.0;  // For each pixel of pitch, as where the lattice tears.
-    return kMaxGap_px * camera.width_px / depth.inverse_depth.width() / disparity_px;
-}
-
 }  // namespace
 
 DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double disparity_px,
@@ -279,7 +274,8 @@ DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double dispar
     const auto samples = static_cast<double>(depth.inverse_depth.pixels().size());
     if (network.triangles > options.max_triangles &&
         static_cast<double>(network.triangles) > options.max_triangles_per_sample * samples) {
-        const DepthMap half = halved(depth, largest_gap(depth, camera, disparity_px));
+        const double gap = gentle_step(disparity_per_pitch(depth, camera, disparity_px).along_row);
+        const DepthMap half = halved(depth, gap);
         DepthMeshOptions as_it_is = options;
         as_it_is.max_coarse_error_px = options.max_noisy_error_px;
         as_it_is.max_triangles_per_sample = std::numeric_limits<double>::infinity();

@@ -6,11 +6,9 @@
 namespace lumi {
 namespace {
 
-/// In pixels of disparity for each pixel of pitch, as the next: a step that is larger, and misses
-/// the continuation of both sides by more than this, is a tear. Estimated samples err by half of
-/// this either way: what is less may be nothing, and drawn as a surface it is stretched over two
-/// pixels at most.
-constexpr double kMaxBend = 2.0;
+/// In pixels of disparity for each pixel of pitch, as the next: drawn as a surface, such a step is
+/// stretched over two pixels at most.
+constexpr double kGentle = 2.0;
 /// A steeper slope than this is a smeared edge, not a surface: its other side cannot be seen by the
 /// neighbouring view (the disparity gradient limit, Burt and Julesz 1980, is 1), also when both
 /// ends err.
@@ -56,18 +54,18 @@ DisparityPerPitch disparity_per_pitch(const DepthMap& depth, const Camera& camer
             disparity_px * depth.inverse_depth.height() / camera.height_px};
 }
 
-bool is_gentle(double step_of_inverse_depth, double disparity_per_pitch) {
-    return std::abs(step_of_inverse_depth) * disparity_per_pitch <= kMaxBend;
-}
+double gentle_step(double disparity_per_pitch) { return kGentle / disparity_per_pitch; }
 
 bool tears(const std::array<float, 4>& inverse_depths, double disparity_per_pitch) {
     const auto [before, here, there, beyond] = inverse_depths;
+    const auto is_within = [&](float step, double gradient) {
+        return static_cast<double>(std::abs(step)) * disparity_per_pitch <= gradient;
+    };
     const float step = there - here;
-    if (is_gentle(static_cast<double>(step), disparity_per_pitch)) return false;
-    const float bend =
-        std::min(std::abs(step - (here - before)), std::abs(step - (beyond - there)));
-    return !is_gentle(static_cast<double>(bend), disparity_per_pitch) ||
-           static_cast<double>(std::abs(step)) * disparity_per_pitch > kMaxSlope;
+    if (is_within(step, kGentle)) return false;
+    const bool goes_on =
+        is_within(step - (here - before), kGentle) || is_within(step - (beyond - there), kGentle);
+    return !goes_on || !is_within(step, kMaxSlope);
 }
 
 GrayImage torn_squares(const FloatImage& inverse_depth, const DisparityPerPitch& disparity) {

@@ -19,8 +19,9 @@ struct DisparityPerPitch {
 [[nodiscard]] DisparityPerPitch disparity_per_pitch(const DepthMap& depth, const Camera& camera,
                                                     double disparity_px);
 
-/// Whether a step between neighbouring samples is too small to be a tear.
-[[nodiscard]] bool is_gentle(double step_of_inverse_depth, double disparity_per_pitch);
+/// The largest step of inverse depth between neighbouring samples that may be nothing: estimated
+/// samples err by half of this either way.
+[[nodiscard]] double gentle_step(double disparity_per_pitch);
 
 /// Whether a surface tears between the second and the third of four samples in a row: the step is
 /// neither gentle nor the continuation of the slope on one side. Where a map ends, its outermost

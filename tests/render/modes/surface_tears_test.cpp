@@ -24,6 +24,7 @@ TEST(SurfaceTears, StepsOfTwoPixelsMayBeNoise) {
     EXPECT_TRUE(tears({0, 0, 2.1F, 2.1F}, 1.0));
     EXPECT_FALSE(tears({0, 1.9F, 0, 1.9F}, 1.0));
     EXPECT_FALSE(tears({0, 0, 19.0F, 19.0F}, 0.1));
+    EXPECT_DOUBLE_EQ(gentle_step(0.1), 20.0);
 }
 
 TEST(SurfaceTears, ASlopeThatGoesOnOnOneSideIsASurface) {
