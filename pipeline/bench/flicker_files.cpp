@@ -8,6 +8,7 @@
 #include "calib/capture/image_io.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/plot.h"
+#include "pipeline/report/optional_json.h"
 
 namespace lumi {
 namespace {
@@ -57,8 +58,6 @@ ColorImage side_by_side(const Jump& jump) {
     }
     return picture;
 }
-
-Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 }  // namespace
 

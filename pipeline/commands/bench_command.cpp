@@ -1,13 +1,15 @@
 #include <CLI/CLI.hpp>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "pipeline/commands/commands.h"
-#include "pipeline/commands/frame_size.h"
+#include "pipeline/commands/eye_path.h"
 #include "pipeline/report/number_text.h"
+#include "pipeline/report/optional_json.h"
+#include "pipeline/report/padded.h"
 #include "render/bench/frame_timing.h"
 #include "render/lumigraph/package.h"
-#include "render/paths/path_through_views.h"
 
 namespace lumi {
 namespace {
@@ -16,6 +18,7 @@ using Json = nlohmann::ordered_json;
 
 struct BenchRequest {
     std::filesystem::path package;
+    std::string path = kViewsPath;
     std::string size = "1280x720";
     int frames = 60;
 };
@@ -24,36 +27,61 @@ Json report_json(const FrameTimingReport& report) {
     Json modes = Json::object();
     for (const ModeCost& mode : report.modes) {
         modes[name_of(mode.options.mode)] = {
-            {"ratio", mode.ratio},        {"cpu_ratio", mode.cpu_ratio},
-            {"ms", mode.cost.median_ms},  {"p95_ms", mode.cost.p95_ms},
-            {"cpu_ms", mode.cost.cpu_ms}, {"triangles", mode.triangles}};
+            {"ratio", mode.ratio},
+            {"cpu_ratio", mode.cpu_ratio},
+            {"ms", mode.cost.median_ms},
+            {"p95_ms", mode.cost.p95_ms},
+            {"cpu_ms", mode.cost.cpu_ms},
+            {"triangles", mode.triangles},
+            {"fragments_per_pixel", optional_json(mode.fragments_per_pixel)}};
     }
     return Json{{"base_ms", report.base.median_ms},
+                {"base_cpu_ms", report.base.cpu_ms},
                 {"size", {report.width_px, report.height_px}},
                 {"frames", report.frames},
+                {"threads", report.threads},
+                {"texture_bytes", report.texture_bytes},
                 {"gl_renderer", report.gl_description},
                 {"modes", std::move(modes)}};
 }
 
+std::string row_text(const std::string& name, const FrameCost& cost, double cpu_ratio,
+                     double ratio) {
+    return padded_right(name, 24) + padded_left(number_text(cost.cpu_ms, 2), 8) +
+           padded_left(number_text(cost.median_ms, 2), 9) +
+           padded_left(number_text(cost.p95_ms, 2), 9) + padded_left(number_text(cpu_ratio, 2), 9) +
+           padded_left(number_text(ratio, 2), 9);
+}
+
 std::string report_text(const FrameTimingReport& report) {
+    constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
     std::string text =
-        "blend of three textures  " + number_text(report.base.median_ms, 2) + " ms\n";
+        std::to_string(report.frames) + " frames of " + std::to_string(report.width_px) + "x" +
+        std::to_string(report.height_px) + " on " + report.gl_description + ", " +
+        std::to_string(report.threads) + " threads, " +
+        number_text(static_cast<double>(report.texture_bytes) / kBytesPerMebibyte, 0) +
+        " MiB of textures\n" + padded_right("medians", 24) + padded_left("CPU ms", 8) +
+        padded_left("wall ms", 9) + padded_left("95 %", 9) + padded_left("blends", 9) +
+        padded_left("(wall)", 9) + padded_left("triangles", 11) + padded_left("fragments", 11) +
+        "\n" + row_text("blend of three textures", report.base, 1, 1) + "\n";
     for (const ModeCost& mode : report.modes) {
-        text += name_of(mode.options.mode) + "  " + number_text(mode.cost.median_ms, 2) +
-                " ms (95 %: " + number_text(mode.cost.p95_ms, 2) + " ms), " +
-                number_text(mode.ratio, 2) + " times the blend\n";
+        const std::optional<double>& fragments = mode.fragments_per_pixel;
+        text += row_text(name_of(mode.options.mode), mode.cost, mode.cpu_ratio, mode.ratio) +
+                padded_left(number_text(mode.triangles, 0), 11) +
+                padded_left(fragments ? number_text(*fragments, 2) : "-", 11) + "\n";
     }
-    return text;
+    return text +
+           "blends: times the blend of three textures, by CPU time and by wall time;\n"
+           "fragments: a pixel of the picture, in all passes\n";
 }
 
 void run_bench(const BenchRequest& request, const CommandContext& context) {
-    const FrameSize size = frame_size_from(request.size);
     const Lumigraph lumigraph = read_package(request.package);
     std::vector<RenderOptions> modes;
     for (const RenderMode mode : all_render_modes()) modes.push_back({.mode = mode});
-    const FrameTimingReport report = time_frames(
-        lumigraph, path_through_views(lumigraph, request.frames, size.width_px, size.height_px),
-        modes, *context.progress);
+    const FrameTimingReport report =
+        time_frames(lumigraph, eye_path(request.path, request.frames, request.size, lumigraph),
+                    modes, *context.progress);
     if (context.json) {
         context.print_result(report_json(report));
     } else {
@@ -70,7 +98,12 @@ void add_bench_command(CLI::App& app, CommandContext& context) {
     const auto request = std::make_shared<BenchRequest>();
     command.add_option("PACKAGE", request->package, "Folder NAME.lumi")->required();
     command.add_option("--size", request->size, "Of the frames")->capture_default_str();
-    command.add_option("--frames", request->frames, "Along a path from view to view")
+    command
+        .add_option("--path", request->path,
+                    "From photograph to photograph (the word views), or a path that the window "
+                    "recorded (a JSON file)")
+        ->capture_default_str();
+    command.add_option("--frames", request->frames, "Of the path `views`")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();
     command.callback([request, &context] {

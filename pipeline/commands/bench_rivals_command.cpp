@@ -6,6 +6,8 @@
 #include "pipeline/bench/rival_scenes.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/report/number_text.h"
+#include "pipeline/report/optional_json.h"
+#include "pipeline/report/padded.h"
 
 namespace lumi {
 namespace {
@@ -16,8 +18,6 @@ struct BenchRivalsRequest {
     RivalBenchmarkOptions options;
     std::vector<std::string> scenes;
 };
-
-Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 Json rival_json(const RivalFigures& rival) {
     return {{"method", rival.method},
@@ -47,11 +47,6 @@ Json report_json(const std::vector<RivalScene>& scenes) {
                         {"rivals", std::move(rivals)}});
     }
     return {{"scenes", std::move(list)}};
-}
-
-std::string padded_left(std::string text, std::size_t width) {
-    if (text.size() < width) text.insert(0, width - text.size(), ' ');
-    return text;
 }
 
 std::string row_text(const RivalFigures& rival) {

@@ -6,6 +6,7 @@
 #include "pipeline/evaluate/evaluation_comparison.h"
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/report/number_text.h"
+#include "pipeline/report/optional_json.h"
 #include "pipeline/report/padded.h"
 
 namespace lumi {
@@ -13,17 +14,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
 Json comparison_json(const std::vector<ModeComparison>& comparisons) {
     Json modes = Json::object();
     for (const ModeComparison& mode : comparisons) {
         Json metrics = Json::object();
         for (const MetricComparison& metric : mode.metrics) {
             metrics[metric.metric] = {
-                {"a", or_null(metric.mean_a)},
-                {"b", or_null(metric.mean_b)},
-                {"difference", or_null(metric.mean_difference)},
+                {"a", optional_json(metric.mean_a)},
+                {"b", optional_json(metric.mean_b)},
+                {"difference", optional_json(metric.mean_difference)},
                 {"interval",
                  metric.interval ? Json{metric.interval->low, metric.interval->high} : Json()},
                 {"b_is", judgement_of(metric)}};

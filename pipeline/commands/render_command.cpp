@@ -9,7 +9,7 @@
 #include "calib/work/whole_folder.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/eye_file.h"
-#include "pipeline/commands/frame_size.h"
+#include "pipeline/commands/eye_path.h"
 #include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/commands/video_file.h"
 #include "pipeline/evaluate/held_out_beside.h"
@@ -18,7 +18,6 @@
 #include "pipeline/stages/file_stems.h"
 #include "render/lumigraph/package.h"
 #include "render/modes/offscreen_renderer.h"
-#include "render/paths/path_through_views.h"
 #include "render/reference/reference_renderer.h"
 #include "render/viewer/difference_picture.h"
 #include "render/viewer/photograph_eye.h"
@@ -51,10 +50,6 @@ struct RenderRequest {
     bool reference = false;
     fs::path out;
 };
-
-/// The word for a path from photograph to photograph.
-constexpr const char* kViewsPath = "views";
-constexpr FrameSize kPathSize{1280, 720};
 
 /// A frame to draw, the file it goes to, and what was photographed there.
 struct Job {
@@ -92,13 +87,6 @@ std::vector<Job> jobs_of(const RenderRequest& request, const Lumigraph& lumigrap
         jobs.push_back(job_at(lumigraph.views[i], request.out / (stems[i] + ".png")));
     }
     return jobs;
-}
-
-/// As the window shows it in a frame of that size.
-Eye eye_of_size(const Eye& eye, const std::string& size) {
-    if (size.empty()) return eye;
-    const FrameSize frame_size = frame_size_from(size);
-    return fitted_to(eye, frame_size.width_px, frame_size.height_px);
 }
 
 using Draw = std::function<Frame(const Eye&)>;
@@ -164,20 +152,10 @@ Json draw_to_file(const Job& job, const RenderRequest& request, const Draw& draw
     return Json{{"file", job.out.string()}, {"ms", ms}};
 }
 
-std::vector<Eye> path_of(const RenderRequest& request, const Lumigraph& lumigraph) {
-    if (request.path != kViewsPath) {
-        std::vector<Eye> path = read_path_file(request.path);
-        for (Eye& eye : path) eye = eye_of_size(eye, request.size);
-        return path;
-    }
-    const FrameSize size = request.size.empty() ? kPathSize : frame_size_from(request.size);
-    return path_through_views(lumigraph, request.frames, size.width_px, size.height_px);
-}
-
 /// Draws a path into a folder of numbered frames or into a video; either whole or not at all.
 Json draw_path(const RenderRequest& request, const Lumigraph& lumigraph, const Draw& draw,
                const CommandContext& context) {
-    const std::vector<Eye> path = path_of(request, lumigraph);
+    const std::vector<Eye> path = eye_path(request.path, request.frames, request.size, lumigraph);
     const bool is_video = request.out.extension() == ".mp4";
     WholeFolder folder(is_video ? fs::path(request.out.string() + ".frames") : request.out);
     Json frames = Json::array();

@@ -7,16 +7,12 @@
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/plot.h"
 #include "pipeline/report/number_text.h"
+#include "pipeline/report/padded.h"
 
 namespace lumi {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string padded(std::string text, std::size_t width) {
-    text.resize(std::max(width, text.size() + 1), ' ');
-    return text;
-}
 
 std::string strength_text(double strength) {
     std::ostringstream text;
@@ -93,8 +89,8 @@ Plot plot_of(const std::vector<StabilityTrial>& trials, DepthHazard hazard) {
 }
 
 std::string header(const std::vector<StabilityTrial>& trials) {
-    std::string text = padded("hazard", 14) + padded("strength", 10) + padded("seed", 6);
-    for (const std::string& model : models_of(trials)) text += padded(model, 15);
+    std::string text = column("hazard", 14) + column("strength", 10) + column("seed", 6);
+    for (const std::string& model : models_of(trials)) text += column(model, 15);
     return text + "\n";
 }
 
@@ -122,12 +118,12 @@ Json stability_json(const std::vector<StabilityTrial>& trials) {
 }
 
 std::string stability_row(const StabilityTrial& trial) {
-    std::string text = padded(curve_of(trial.hazard).name, 14) +
-                       padded(strength_text(trial.strength), 10) +
-                       padded(std::to_string(trial.seed), 6);
+    std::string text = column(curve_of(trial.hazard).name, 14) +
+                       column(strength_text(trial.strength), 10) +
+                       column(std::to_string(trial.seed), 6);
     for (const RungStability& rung : trial.rungs) {
         const std::string mark = rung.is_warned ? " w" : claims_too_much(rung) ? " !" : "";
-        text += padded(number_text(100 * rung.right_share, 1) + mark, 15);
+        text += column(number_text(100 * rung.right_share, 1) + mark, 15);
     }
     return text;
 }
@@ -139,10 +135,10 @@ std::string stability_text(const std::vector<StabilityTrial>& trials) {
         "\nPercent of the visible textured pixels within 1 px of the true disparity. !: claims "
         "a tenth of the picture\nor more and is wrong in more than a fifth of it.\n\nbreaks at\n";
     for (const DepthHazard hazard : hazards_of(trials)) {
-        text += padded(curve_of(hazard).name, 30);
+        text += column(curve_of(hazard).name, 30);
         for (const std::string& model : models_of(trials)) {
             const auto strength = breaking_strength(trials, hazard, model);
-            text += padded(strength ? strength_text(*strength) : "-", 15);
+            text += column(strength ? strength_text(*strength) : "-", 15);
         }
         text += "\n";
     }

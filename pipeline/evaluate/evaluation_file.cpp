@@ -4,6 +4,7 @@
 
 #include "calib/work/content_hash.h"
 #include "calib/work/error.h"
+#include "pipeline/report/optional_json.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {
@@ -12,23 +13,21 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
 Json view_json(const ViewScore& score) {
     Json json{{"name", score.name},
               {"place", score.place == ViewPlace::kInterior ? "interior" : "border"}};
     for (const ScoreMetric& metric : score_metrics())
-        json[metric.name] = or_null(metric.value(score));
+        json[metric.name] = optional_json(metric.value(score));
     json["ms_range"] = {score.fastest_ms, score.slowest_ms};
     json["gain"] = score.gain;
-    json["subject_share"] = or_null(score.subject_share);
+    json["subject_share"] = optional_json(score.subject_share);
     return json;
 }
 
 Json mean_json(const std::vector<ViewScore>& views) {
     Json json = Json::object();
     for (const ScoreMetric& metric : score_metrics()) {
-        json[metric.name] = or_null(mean_of(metric, views));
+        json[metric.name] = optional_json(mean_of(metric, views));
     }
     return json;
 }
@@ -105,8 +104,8 @@ Json mode_scores_json(const ModeScores& scores) {
                 {"interior", group_json(views_at(ViewPlace::kInterior, scores.views))},
                 {"border", group_json(views_at(ViewPlace::kBorder, scores.views))},
                 {"ghost_rank_correlation",
-                 {{"between_blocks", or_null(scores.ghost_between_blocks)},
-                  {"between_views", or_null(scores.ghost_between_views)}}},
+                 {{"between_blocks", optional_json(scores.ghost_between_blocks)},
+                  {"between_views", optional_json(scores.ghost_between_views)}}},
                 {"views", std::move(views)}};
 }
 

@@ -8,6 +8,8 @@
 
 #include "calib/work/whole_file.h"
 #include "pipeline/hazards/hazard_chart.h"
+#include "pipeline/report/number_text.h"
+#include "pipeline/report/padded.h"
 
 namespace lumi {
 namespace {
@@ -51,25 +53,12 @@ Json counts_json(const EndingCounts& counts) {
                 {"failed", counts.failed},   {"cpu_s", counts.cpu_s}};
 }
 
-std::string fixed_text(double value, int decimals) {
-    std::ostringstream text;
-    text.setf(std::ios::fixed);
-    text.precision(decimals);
-    text << value;
-    return text.str();
-}
-
-std::string padded(std::string text, std::size_t width) {
-    text.resize(std::max(width, text.size() + 1), ' ');
-    return text;
-}
-
 std::string attempt_text(const Attempt& attempt) {
     if (attempt.ending == Ending::kNotTried) return "-";
     if (attempt.ending == Ending::kRight || attempt.ending == Ending::kFalse) {
         return std::string(name_of(attempt.ending)) + " " + std::to_string(attempt.error.placed) +
-               " " + fixed_text(100 * attempt.error.position_share, 1) + "% " +
-               fixed_text(attempt.error.rotation_deg, 2) + "d";
+               " " + number_text(100 * attempt.error.position_share, 1) + "% " +
+               number_text(attempt.error.rotation_deg, 2) + "d";
     }
     return attempt.ending == Ending::kRefused && !attempt.code.empty()
                ? attempt.code
@@ -85,7 +74,7 @@ std::string counts_text(const std::string& name, const EndingCounts& counts) {
     return name + ": " + std::to_string(counts.right) + " right, " +
            std::to_string(counts.refused) + " refused, " + std::to_string(counts.false_successes) +
            " false successes, " + std::to_string(counts.failed) + " failed, " +
-           fixed_text(counts.cpu_s, 0) + " CPU s\n";
+           number_text(counts.cpu_s, 0) + " CPU s\n";
 }
 
 }  // namespace
@@ -162,16 +151,16 @@ std::string hazards_csv(const std::vector<Trial>& trials) {
 std::string trial_text(const Trial& trial) {
     std::ostringstream strength;
     strength << trial.strength;
-    return padded(curve_of(trial.hazard).name, 13) + padded(strength.str(), 10) +
-           padded(std::to_string(trial.seed), 6) + padded(attempt_text(trial.lumi), 26) +
-           padded(attempt_text(trial.colmap), 26) + padded(reason_text(trial.given_reason), 22) +
+    return column(curve_of(trial.hazard).name, 13) + column(strength.str(), 10) +
+           column(std::to_string(trial.seed), 6) + column(attempt_text(trial.lumi), 26) +
+           column(attempt_text(trial.colmap), 26) + column(reason_text(trial.given_reason), 22) +
            (reason_is_right(trial) ? "" : "not right");
 }
 
 std::string hazards_text(const std::vector<Trial>& trials) {
-    std::string text = padded("hazard", 13) + padded("strength", 10) + padded("seed", 6) +
-                       padded("lumi", 26) + padded("COLMAP alone", 26) +
-                       padded("reason given", 22) + "\n";
+    std::string text = column("hazard", 13) + column("strength", 10) + column("seed", 6) +
+                       column("lumi", 26) + column("COLMAP alone", 26) +
+                       column("reason given", 22) + "\n";
     for (const Trial& trial : trials) text += trial_text(trial) + "\n";
     const StressSummary summary = summary_of(trials);
     text += counts_text("lumi", summary.lumi) + counts_text("COLMAP alone", summary.colmap);
@@ -181,7 +170,7 @@ std::string hazards_text(const std::vector<Trial>& trials) {
             std::to_string(summary.trials) + "; where poses did not come out right: " +
             std::to_string(summary.troubled_reasons_right) + " of " +
             std::to_string(summary.troubled) + "\n";
-    return text + "doctor: " + fixed_text(summary.doctor_cpu_s, 1) + " CPU s\n";
+    return text + "doctor: " + number_text(summary.doctor_cpu_s, 1) + " CPU s\n";
 }
 
 void write_hazard_report(const std::filesystem::path& folder, const std::vector<Trial>& trials,

@@ -11,5 +11,9 @@ namespace lumi {
 [[nodiscard]] inline std::string padded_right(const std::string& text, std::size_t width) {
     return text + std::string(width > text.size() ? width - text.size() : 0, ' ');
 }
+/// The same, with a space at least on its right.
+[[nodiscard]] inline std::string column(const std::string& text, std::size_t width) {
+    return padded_right(text, width > text.size() ? width : text.size() + 1);
+}
 
 }  // namespace lumi

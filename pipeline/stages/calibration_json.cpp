@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/report/optional_json.h"
 #include "pipeline/stages/left_out_json.h"
 #include "pipeline/stages/lens_choice_json.h"
 
@@ -9,8 +10,6 @@ namespace lumi {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 Json parameters_json(const std::vector<LensParameter>& parameters) {
     Json json = Json::array();
@@ -29,7 +28,7 @@ Json views_json(const std::vector<CalibratedView>& views) {
         json.push_back({{"photograph", view.photograph},
                         {"points", view.points},
                         {"rms_px", view.rms_px},
-                        {"held_out_rms_px", number_json(view.held_out_rms_px)},
+                        {"held_out_rms_px", optional_json(view.held_out_rms_px)},
                         {"tilt_deg", view.tilt_deg}});
     }
     return json;
@@ -54,7 +53,7 @@ Json calibration_json(const BoardPhotographs& found, const BoardCalibration& cal
                 {"parameters", parameters_json(calibration.parameters)},
                 {"not_kept", calibration.dropped},
                 {"rms_px", calibration.rms_px},
-                {"held_out_rms_px", number_json(calibration.held_out_rms_px)},
+                {"held_out_rms_px", optional_json(calibration.held_out_rms_px)},
                 {"point_sigma_px", calibration.certainty.point_sigma_px},
                 {"disagreement", calibration.certainty.disagreement},
                 {"points", calibration.residuals.size()},

@@ -6,9 +6,11 @@
 #include <cassert>
 #include <functional>
 
+#include "calib/work/parallel_for.h"
 #include "calib/work/stopwatch.h"
 #include "render/bench/three_texture_blend.h"
 #include "render/gl/capabilities.h"
+#include "render/gl/fragment_count.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/headless_context.h"
 #include "render/modes/lumigraph_renderer.h"
@@ -17,6 +19,8 @@ namespace lumi {
 namespace {
 
 constexpr int kWarmUpRounds = 2;
+/// Frames whose fragments are counted, as counting is not to be timed.
+constexpr std::size_t kCountedFrames = 8;
 
 /// Wall and CPU times of one drawing, frame by frame.
 struct Times {
@@ -46,6 +50,20 @@ void time_one(const std::function<void()>& draw, bool counted, Times& times) {
     times.cpu_ms.push_back(1000 * cost.cpu_s);
 }
 
+/// Over the pixels, mean over frames spread over the path.
+std::optional<double> fragments_per_pixel(LumigraphRenderer& renderer, const std::vector<Eye>& path,
+                                          const RenderOptions& mode, const Viewport& viewport) {
+    const std::size_t frames = std::min(kCountedFrames, path.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < frames; ++i) {
+        const auto count =
+            fragment_count([&] { renderer.draw(path[i * path.size() / frames], mode, viewport); });
+        if (!count) return std::nullopt;
+        sum += static_cast<double>(*count);
+    }
+    return sum / static_cast<double>(frames) / viewport.width_px / viewport.height_px;
+}
+
 }  // namespace
 
 FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>& path,
@@ -57,8 +75,10 @@ FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>
     report.width_px = path.front().camera.width_px;
     report.height_px = path.front().camera.height_px;
     report.frames = static_cast<int>(path.size());
+    report.threads = resolve_threads(0);
 
     LumigraphRenderer renderer(lumigraph);
+    report.texture_bytes = renderer.texture_bytes();
     const ThreeTextureBlend blend(lumigraph);
     Framebuffer framebuffer;
     framebuffer.attach_color(report.width_px, report.height_px);
@@ -88,9 +108,10 @@ FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>
     report.base = cost_of(base_times);
     for (std::size_t i = 0; i < modes.size(); ++i) {
         const FrameCost cost = cost_of(mode_times[i]);
-        report.modes.push_back({modes[i], cost, triangles[i],
-                                cost.median_ms / report.base.median_ms,
-                                cost.cpu_ms / report.base.cpu_ms});
+        framebuffer.bind();
+        report.modes.push_back(
+            {modes[i], cost, triangles[i], fragments_per_pixel(renderer, path, modes[i], viewport),
+             cost.median_ms / report.base.median_ms, cost.cpu_ms / report.base.cpu_ms});
     }
     return report;
 }

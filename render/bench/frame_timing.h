@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,9 @@ struct ModeCost {
     RenderOptions options;
     FrameCost cost;
     double triangles = 0.0;  ///< Mean over the frames.
+    /// In all passes, over the pixels of the picture: mean over some frames of the path. Nothing
+    /// where the context cannot tell.
+    std::optional<double> fragments_per_pixel;
     double ratio = 0.0;      ///< Of the median wall times, to the three-texture blend.
     double cpu_ratio = 0.0;  ///< The same of CPU times.
 };
@@ -29,7 +34,9 @@ struct FrameTimingReport {
     int width_px = 0;
     int height_px = 0;
     int frames = 0;
-    FrameCost base;  ///< The full-screen blend of three textures.
+    int threads = 0;                ///< That drawing and looking for depth share: all cores.
+    std::size_t texture_bytes = 0;  ///< Of photographs and depth maps.
+    FrameCost base;                 ///< The full-screen blend of three textures.
     std::vector<ModeCost> modes;
 };
 

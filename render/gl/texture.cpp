@@ -99,6 +99,12 @@ void TextureArray::upload(int layer, const FloatImage& image) {
                     GL_FLOAT, image.pixels().data());
 }
 
+std::size_t TextureArray::bytes() const {
+    constexpr std::size_t kBytesPerTexel = 4;
+    return kBytesPerTexel * static_cast<std::size_t>(width_px_) *
+           static_cast<std::size_t>(height_px_) * static_cast<std::size_t>(layers_);
+}
+
 void TextureArray::bind(unsigned unit) const {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "calib/capture/image.h"
@@ -39,6 +40,8 @@ class TextureArray {
     [[nodiscard]] int width_px() const { return width_px_; }
     [[nodiscard]] int height_px() const { return height_px_; }
     [[nodiscard]] int layers() const { return layers_; }
+    /// At its finest level: four a texel in every format.
+    [[nodiscard]] std::size_t bytes() const;
 
  private:
     void make_mip_levels() const;

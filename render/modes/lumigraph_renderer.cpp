@@ -90,4 +90,9 @@ DrawStatistics LumigraphRenderer::draw(const Eye& eye, const RenderOptions& opti
     return statistics;
 }
 
+std::size_t LumigraphRenderer::texture_bytes() const {
+    return implementation_->uploaded.photographs.bytes() +
+           implementation_->uploaded.depth_maps.bytes();
+}
+
 }  // namespace lumi

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "render/lumigraph/lumigraph.h"
@@ -30,6 +31,9 @@ class LumigraphRenderer {
     /// Leaves the framebuffer binding as it was; blending, depth test, face culling and scissor
     /// test are off afterwards, no program and no vertex array are bound.
     DrawStatistics draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport);
+
+    /// Of the photographs and depth maps in textures, at their finest level.
+    [[nodiscard]] std::size_t texture_bytes() const;
 
  private:
     struct Implementation;

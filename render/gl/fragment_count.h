@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+namespace lumi {
+
+/// How many fragments `draw` puts into framebuffers, over all its passes; those that a depth test
+/// or the shader rejects are not counted. Nothing where the context cannot tell (OpenGL ES).
+[[nodiscard]] std::optional<std::uint64_t> fragment_count(const std::function<void()>& draw);
+
+}  // namespace lumi
