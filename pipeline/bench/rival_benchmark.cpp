@@ -127,6 +127,7 @@ void append_modes(const std::string& prefix, const Lumigraph& lumigraph,
                      capture, [&](const Eye& eye) { return renderer.draw(eye, options[i]); });
         figures.triangles = timing.modes[i].triangles;
         figures.cpu_ms = timing.modes[i].cost.cpu_ms;
+        figures.wall_ms = timing.modes[i].cost.median_ms;
         figures.cpu_ratio = timing.modes[i].cpu_ratio;
         rivals.push_back(std::move(figures));
     }

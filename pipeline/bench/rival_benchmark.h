@@ -21,7 +21,8 @@ struct RivalFigures {
     std::string settings;
     int pictures = 0;  ///< That are drawn from: photographs, or those they were resampled to.
     double triangles = 0.0;
-    std::optional<double> cpu_ms;     ///< Median CPU time of a frame; empty: plain code, not timed.
+    std::optional<double> cpu_ms;   ///< Median CPU time of a frame; empty: plain code, not timed.
+    std::optional<double> wall_ms;  ///< The same by the clock: what frames a second are counted by.
     std::optional<double> cpu_ratio;  ///< To a full-screen blend of three textures.
     double psnr_db = 0.0;             ///< Mean over held-out photographs, all pixels.
     double psnr_covered_db = 0.0;     ///< Over what the method covers.

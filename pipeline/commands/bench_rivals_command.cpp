@@ -25,6 +25,7 @@ Json rival_json(const RivalFigures& rival) {
             {"pictures", rival.pictures},
             {"triangles", rival.triangles},
             {"cpu_ms", optional_json(rival.cpu_ms)},
+            {"wall_ms", optional_json(rival.wall_ms)},
             {"cpu_ratio", optional_json(rival.cpu_ratio)},
             {"psnr_db", rival.psnr_db},
             {"psnr_covered_db", rival.psnr_covered_db},
@@ -56,7 +57,7 @@ std::string row_text(const RivalFigures& rival) {
         return padded_left(value ? number_text(*value, digits) : "-", 10);
     };
     return name + padded_left(number_text(rival.triangles, 0), 8) + cell(rival.cpu_ms, 2) +
-           cell(rival.cpu_ms ? std::optional(1000 / *rival.cpu_ms) : std::nullopt, 0) +
+           cell(rival.wall_ms ? std::optional(1000 / *rival.wall_ms) : std::nullopt, 0) +
            cell(rival.cpu_ratio, 2) + cell(rival.psnr_db, 2) + cell(rival.psnr_covered_db, 2) +
            cell(100 * rival.coverage, 1) + cell(100 * rival.wrong_layer_share, 3) +
            cell(rival.flicker, 3) + "\n";

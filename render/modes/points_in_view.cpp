@@ -1,12 +1,16 @@
 #include "render/modes/points_in_view.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "render/modes/pixel_transfer.h"
 
 namespace lumi {
 namespace {
 
-/// Opposite directions: beside the longest.
-constexpr double kLeastLength = 1e-9;
+/// Of the lengths, where directions are opposite.
+constexpr double kLeastShare = 1e-9;
 
 }  // namespace
 
@@ -16,22 +20,27 @@ PointsInView::Row PointsInView::to_border_px(const Camera& camera) const {
 
 PointsInView seen_by(const LumigraphView& view, const Eigen::Vector3d& eye_in_world,
                      const RayPoints& points) {
-    const Eigen::Matrix3Xd& from_eye = points.directions_in_world;
+    const Eigen::Index count = points.inverse_depths.size();
     const Eigen::Vector3d eye_from_view = centre_in_world(view.cam_from_world) - eye_in_world;
-    const Eigen::Matrix3Xd from_view = from_eye - eye_from_view * points.inverse_depths;
-    const Eigen::Matrix3Xd pixels =
-        pinhole_matrix(view.camera) *
-        (view.cam_from_world.rotation.toRotationMatrix() * from_view).eval();
-    PointsInView seen;
-    seen.x_px = pixels.row(0).array() / pixels.row(2).array();
-    seen.y_px = pixels.row(1).array() / pixels.row(2).array();
-    seen.are_before = pixels.row(2).array() > 0;
-    const auto dot = (from_view.array() * from_eye.array()).colwise().sum().eval();
-    const auto lengths =
-        (from_view.colwise().norm().array() * from_eye.colwise().norm().array()).eval();
-    // Twice the tangent of half the angle: nearly the angle, and no less where it is large.
-    seen.angles_rad = 2 * (lengths.square() - dot.square()).max(0.0).sqrt() /
-                      (lengths + dot).max(kLeastLength * lengths.maxCoeff());
+    const Eigen::Matrix3d pixel_from_world =
+        pinhole_matrix(view.camera) * view.cam_from_world.rotation.toRotationMatrix();
+    PointsInView seen{PointsInView::Row(count), PointsInView::Row(count),
+                      Eigen::Array<bool, 1, Eigen::Dynamic>(count), PointsInView::Row(count)};
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Eigen::Vector3d from_eye = points.directions_in_world.col(i);
+        const Eigen::Vector3d from_view = from_eye - points.inverse_depths[i] * eye_from_view;
+        const Eigen::Vector3d pixel = pixel_from_world * from_view;
+        seen.x_px[i] = pixel.x() / pixel.z();
+        seen.y_px[i] = pixel.y() / pixel.z();
+        seen.are_before[i] = pixel.z() > 0;
+        // Twice the tangent of half the angle: nearly the angle, and no less where it is large.
+        const double dot = from_view.dot(from_eye);
+        const double squared_lengths = from_view.squaredNorm() * from_eye.squaredNorm();
+        const double lengths = std::sqrt(squared_lengths);
+        seen.angles_rad[i] =
+            2 * std::sqrt(std::max(0.0, squared_lengths - dot * dot)) /
+            std::max({lengths + dot, kLeastShare * lengths, std::numeric_limits<double>::min()});
+    }
     return seen;
 }
 

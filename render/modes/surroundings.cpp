@@ -19,6 +19,8 @@ constexpr double kSmallPhotograph_px = 16.0;
 constexpr double kHalfCloseness_rad = 0.1;
 /// So far outside of a photograph, of its shorter side, its border counts a quarter.
 constexpr double kHalfReach = 0.05;
+/// So many views count at most: of hundreds, most look at something else.
+constexpr std::size_t kMostViews = 12;
 /// The mean of all photographs counts where none says anything.
 constexpr double kWeightOfMean = 1e-9;
 
@@ -50,6 +52,21 @@ Eigen::Vector3d mean_of(const std::vector<ColorImage>& images) {
     return sum / std::max(count, 1.0);
 }
 
+/// What the eye sees of the scene plane at these pixels.
+RayPoints points_on_plane(const Lumigraph& lumigraph, const Eye& eye,
+                          const std::vector<Eigen::Vector2d>& pixels) {
+    const auto count = static_cast<Eigen::Index>(pixels.size());
+    RayPoints points{Eigen::Matrix3Xd(3, count), Eigen::RowVectorXd(count)};
+    const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
+    for (Eigen::Index k = 0; k < count; ++k) {
+        const Eigen::Vector2d& pixel = pixels[static_cast<std::size_t>(k)];
+        points.directions_in_world.col(k) =
+            eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, pixel);
+        points.inverse_depths[k] = std::max(0.0, plane.dot(pixel.homogeneous()));
+    }
+    return points;
+}
+
 /// The corners of marked cells, as indices and as points on the scene plane.
 struct CornerPoints {
     std::vector<std::size_t> indices;
@@ -72,18 +89,12 @@ CornerPoints corner_points(const Lumigraph& lumigraph, const Eye& eye, const Col
     CornerPoints corners;
     for (std::size_t i = 0; i < wanted.size(); ++i)
         if (wanted[i]) corners.indices.push_back(i);
-    const auto count = static_cast<Eigen::Index>(corners.indices.size());
-    corners.on_plane = {Eigen::Matrix3Xd(3, count), Eigen::RowVectorXd(count)};
-    const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
     const auto columns = static_cast<std::size_t>(grid.cells.columns() + 1);
-    for (Eigen::Index k = 0; k < count; ++k) {
-        const std::size_t index = corners.indices[static_cast<std::size_t>(k)];
-        const Eigen::Vector2d pixel(static_cast<double>(index % columns) * grid.cells.cell_px(),
-                                    static_cast<double>(index / columns) * grid.cells.cell_px());
-        corners.on_plane.directions_in_world.col(k) =
-            eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, pixel);
-        corners.on_plane.inverse_depths[k] = std::max(0.0, plane.dot(pixel.homogeneous()));
-    }
+    std::vector<Eigen::Vector2d> pixels;
+    for (const std::size_t index : corners.indices)
+        pixels.emplace_back(static_cast<double>(index % columns) * grid.cells.cell_px(),
+                            static_cast<double>(index / columns) * grid.cells.cell_px());
+    corners.on_plane = points_on_plane(lumigraph, eye, pixels);
     return corners;
 }
 
@@ -94,6 +105,39 @@ PointsInView::Row weights_of(const Camera& camera, const PointsInView& seen) {
     const PointsInView::Row reach = 1 / (1 + outside / kHalfReach);
     const PointsInView::Row closeness = kHalfCloseness_rad / (kHalfCloseness_rad + seen.angles_rad);
     return seen.are_before.select((reach * closeness).square(), 0.0);
+}
+
+/// A view, and how much of its weight it keeps.
+struct KeptView {
+    std::size_t index;
+    double share;
+};
+
+/// The views that weigh most in the picture's middle and corners. The next one, and with it each
+/// that comes or goes as the eye moves, would keep nothing.
+std::vector<KeptView> kept_views(const Lumigraph& lumigraph, const Eye& eye) {
+    std::vector<KeptView> kept;
+    const double right = eye.camera.width_px;
+    const double bottom = eye.camera.height_px;
+    const RayPoints looked_at = points_on_plane(
+        lumigraph, eye,
+        {{0, 0}, {right, 0}, {0, bottom}, {right, bottom}, {0.5 * right, 0.5 * bottom}});
+    const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
+    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
+        const LumigraphView& view = lumigraph.views[i];
+        kept.push_back({i, weights_of(view.camera, seen_by(view, eye_in_world, looked_at)).sum()});
+    }
+    if (kept.size() <= kMostViews) {
+        for (KeptView& view : kept) view.share = 1;
+        return kept;
+    }
+    const auto next = kept.begin() + kMostViews;
+    std::nth_element(kept.begin(), next, kept.end(),
+                     [](const KeptView& a, const KeptView& b) { return a.share > b.share; });
+    const double weight_of_next = next->share;
+    kept.erase(next, kept.end());
+    for (KeptView& view : kept) view.share = view.share > 0 ? 1 - weight_of_next / view.share : 0;
+    return kept;
 }
 
 }  // namespace
@@ -113,8 +157,8 @@ Eigen::Vector3f ColorGrid::at(const Eigen::Vector2d& pixel) const {
            right * (end - corner(column, row + 1));
 }
 
-std::vector<ColorImage> small_photographs(const Lumigraph& lumigraph) {
-    std::vector<ColorImage> small;
+SmallPhotographs small_photographs(const Lumigraph& lumigraph) {
+    SmallPhotographs small;
     for (const LumigraphView& view : lumigraph.views) {
         const ColorImage& photograph = view.photograph;
         const double scale =
@@ -122,32 +166,33 @@ std::vector<ColorImage> small_photographs(const Lumigraph& lumigraph) {
         const auto scaled = [scale](int size_px) {
             return std::max(1, static_cast<int>(std::lround(scale * size_px)));
         };
-        small.push_back(
+        small.of_views.push_back(
             resized(photograph, scaled(photograph.width()), scaled(photograph.height())));
     }
+    small.mean = mean_of(small.of_views);
     return small;
 }
 
-ColorGrid surrounding_colors(const Lumigraph& lumigraph, const std::vector<ColorImage>& small,
+ColorGrid surrounding_colors(const Lumigraph& lumigraph, const SmallPhotographs& small,
                              const Eye& eye, const PictureCells& cells) {
     ColorGrid grid{cells, {}};
     grid.colors.assign(grid.corner_index(0, cells.rows() + 1), Eigen::Vector3f::Zero());
     const auto [indices, points] = corner_points(lumigraph, eye, grid);
     const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
-    Eigen::Matrix3Xd sums =
-        (kWeightOfMean * mean_of(small)).replicate(1, points.inverse_depths.size());
+    Eigen::Matrix3Xd sums = (kWeightOfMean * small.mean).replicate(1, points.inverse_depths.size());
     PointsInView::Row weight_sums =
         PointsInView::Row::Constant(points.inverse_depths.size(), kWeightOfMean);
-    for (std::size_t i = 0; i < small.size(); ++i) {
-        const Camera& camera = lumigraph.views[i].camera;
-        const PointsInView seen = seen_by(lumigraph.views[i], eye_in_world, points);
-        const PointsInView::Row weights = weights_of(camera, seen);
-        const double x_scale = static_cast<double>(small[i].width()) / camera.width_px;
-        const double y_scale = static_cast<double>(small[i].height()) / camera.height_px;
+    for (const auto& [index, share] : kept_views(lumigraph, eye)) {
+        const LumigraphView& view = lumigraph.views[index];
+        const PointsInView seen = seen_by(view, eye_in_world, points);
+        const PointsInView::Row weights = share * weights_of(view.camera, seen);
+        const ColorImage& photograph = small.of_views[index];
+        const double x_scale = static_cast<double>(photograph.width()) / view.camera.width_px;
+        const double y_scale = static_cast<double>(photograph.height()) / view.camera.height_px;
         for (Eigen::Index k = 0; k < weights.size(); ++k) {
             if (!(weights[k] > 0)) continue;
             sums.col(k) +=
-                weights[k] * color_at(small[i], x_scale * seen.x_px[k], y_scale * seen.y_px[k]);
+                weights[k] * color_at(photograph, x_scale * seen.x_px[k], y_scale * seen.y_px[k]);
         }
         weight_sums += weights;
     }

@@ -28,7 +28,11 @@ struct ColorGrid {
 };
 
 /// Photographs so small that only the colours of their regions are left: what guesses are made of.
-[[nodiscard]] std::vector<ColorImage> small_photographs(const Lumigraph& lumigraph);
+struct SmallPhotographs {
+    std::vector<ColorImage> of_views;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< Of all their pixels, 0 to 255.
+};
+[[nodiscard]] SmallPhotographs small_photographs(const Lumigraph& lumigraph);
 
 /// What an eye would see, were there nothing but colours: a guess for where no photograph shows
 /// anything, so that a picture goes on beyond the capture instead of ending in black. It knows no
@@ -37,11 +41,12 @@ struct ColorGrid {
 /// The scene is its plane (scene_plane.h). Each view tells the colour of the place in its
 /// photograph, or of the nearest place at its border; views count the less the larger the angle
 /// between them and the eye, and those that do not show the place the less the farther it lies
-/// outside. Steady in the eye: colours do not jump. `small` holds as many pictures as there are
-/// views; the photographs of `lumigraph` are not looked at. Of the cells of the eye's picture only
-/// the marked ones get their colours.
+/// outside. Of many views the twelve that count most in the picture are asked, each the less the
+/// nearer it comes to being the thirteenth. Steady in the eye: colours do not jump. `small` holds
+/// as many pictures as there are views; the photographs of `lumigraph` are not looked at. Of the
+/// cells of the eye's picture only the marked ones get their colours.
 [[nodiscard]] ColorGrid surrounding_colors(const Lumigraph& lumigraph,
-                                           const std::vector<ColorImage>& small, const Eye& eye,
+                                           const SmallPhotographs& small, const Eye& eye,
                                            const PictureCells& cells);
 
 /// The whole of such a picture.

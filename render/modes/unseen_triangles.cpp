@@ -16,17 +16,12 @@
 namespace lumi {
 namespace {
 
-/// What the first three others do not see either is asked of three more.
-constexpr std::size_t kRounds = 2;
-/// So many and the face's own.
-constexpr std::size_t kMostAsked = 3 * kRounds + 3;
-/// The weight of the next view beside one that sees the point: depth is the first one's.
-constexpr double kNextWeight = 1e-3;
+/// Other views that are asked one after the other.
+constexpr std::size_t kMostAsked = 6;
+/// Of a face.
+constexpr std::size_t kOwnViews = 3;
 /// Corners that one thread looks up at a time.
 constexpr std::size_t kCornersAtATime = 64;
-
-/// Three, in the order in which they are asked.
-using Views = std::array<int, 3>;
 
 /// How well the corner's photographs stand for what is there.
 enum class Standing { kNothing, kGuess, kSeen };
@@ -58,18 +53,19 @@ std::vector<Eigen::Vector2d> middles_of(const BlendTriangles& triangles,
     return middles;
 }
 
+std::uint32_t worst_corner_of(const BlendTriangles& triangles, std::size_t first_index) {
+    const auto first = triangles.indices.begin() + static_cast<std::ptrdiff_t>(first_index);
+    return *std::min_element(first, first + 3, [&](std::uint32_t a, std::uint32_t b) {
+        return standing_of(triangles.vertices[a]) < standing_of(triangles.vertices[b]);
+    });
+}
+
 /// Of triangles with a corner that stands worse than `best`.
 std::vector<Candidate> candidates_among(const BlendTriangles& triangles, Standing best) {
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
-        const auto first = triangles.indices.begin() + static_cast<std::ptrdiff_t>(i);
-        const auto standing = [&](std::uint32_t corner) {
-            return standing_of(triangles.vertices[corner]);
-        };
-        const std::uint32_t worst = *std::min_element(
-            first, first + 3,
-            [&](std::uint32_t a, std::uint32_t b) { return standing(a) < standing(b); });
-        if (standing(worst) < best) candidates.push_back({i, worst});
+        const std::uint32_t worst = worst_corner_of(triangles, i);
+        if (standing_of(triangles.vertices[worst]) < best) candidates.push_back({i, worst});
     }
     return candidates;
 }
@@ -86,8 +82,8 @@ std::vector<int> own_views_of(const Candidate& candidate, const BlendTriangles& 
     return views;
 }
 
-/// Candidates by the views that they ask in this round.
-using Groups = std::map<Views, std::vector<Candidate>>;
+/// Candidates by the view that they ask in this round.
+using Groups = std::map<int, std::vector<Candidate>>;
 
 Groups grouped(const std::vector<Candidate>& candidates, const BlendTriangles& triangles,
                const CameraMesh& mesh, const NearestViews& nearest, std::size_t round) {
@@ -95,28 +91,21 @@ Groups grouped(const std::vector<Candidate>& candidates, const BlendTriangles& t
     for (const Candidate& candidate : candidates) {
         std::vector<int> others = nearest.at(middle_of(triangles, candidate.first_index));
         for (const int own : own_views_of(candidate, triangles, mesh)) std::erase(others, own);
-        if (others.size() <= 3 * round) continue;
-        Views asked{};
-        for (std::size_t k = 0; k < 3; ++k)
-            asked[k] = others[std::min(others.size() - 1, 3 * round + k)];
-        groups[asked].push_back(candidate);
+        if (round < others.size()) groups[others[round]].push_back(candidate);
     }
     return groups;
 }
 
-/// The whole picture, looked at through three views.
-FacePolygon picture_through(const Views& views) {
+/// The whole picture, looked at through one view.
+FacePolygon picture_through(int view) {
     FacePolygon polygon;
-    polygon.view_indices = views;
-    double weight = 1.0;
-    for (Eigen::Vector3d& line : polygon.side_lines) {
-        line = {0, 0, weight};
-        weight *= kNextWeight;
-    }
+    polygon.view_indices = {view, view, view};
+    polygon.side_lines = {Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(),
+                          Eigen::Vector3d::Zero()};
     return polygon;
 }
 
-/// Corners as three views see them.
+/// Corners as another view sees them.
 class OtherSights {
  public:
     OtherSights(const PatchSampler& sampler, const BlendTriangles& triangles)
@@ -145,7 +134,7 @@ class OtherSights {
     [[nodiscard]] const BlendVertex& at(std::uint32_t corner) const {
         return sights_[number_of_.at(corner)];
     }
-    [[nodiscard]] const Views& views() const { return sampler_.polygon().view_indices; }
+    [[nodiscard]] int view() const { return sampler_.polygon().view_indices[0]; }
 
  private:
     PatchSampler sampler_;
@@ -155,7 +144,7 @@ class OtherSights {
     std::unordered_map<std::uint32_t, std::size_t> number_of_;
 };
 
-/// Candidates that ask the same views.
+/// Candidates that ask the same view.
 struct Asking {
     std::vector<Candidate> candidates;
     OtherSights sights;
@@ -198,35 +187,28 @@ class Takeover {
     using Sights = std::array<const BlendVertex*, 3>;
 
     void take_seen(const Asking& asking) {
-        std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> taken;
+        std::unordered_map<std::uint32_t, std::uint32_t> taken;
         for (const Candidate& candidate : asking.candidates) {
             std::uint32_t* corners = &triangles_.indices[candidate.first_index];
             const Sights sights{&asking.sights.at(corners[0]), &asking.sights.at(corners[1]),
                                 &asking.sights.at(corners[2])};
-            const std::optional<std::size_t> view = view_that_sees(sights, asking.sights.views());
-            if (!view) continue;
+            if (!is_seen(sights, asking.sights.view())) continue;
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto next = static_cast<std::uint32_t>(triangles_.vertices.size());
-                const auto [place, is_new] = taken.try_emplace({corners[k], *view}, next);
+                const auto [place, is_new] = taken.try_emplace(corners[k], next);
                 if (is_new)
                     triangles_.vertices.push_back(
-                        as_seen(*view, *sights[k], triangles_.vertices[corners[k]]));
+                        as_seen(*sights[k], triangles_.vertices[corners[k]]));
                 corners[k] = place->second;
             }
         }
     }
 
-    [[nodiscard]] std::optional<std::size_t> view_that_sees(const Sights& corners,
-                                                            const Views& views) const {
-        for (const BlendVertex* corner : corners)
-            if (standing_of(*corner) < best_) return std::nullopt;
-        for (std::size_t view = 0; view < 3; ++view) {
-            const bool sees_corners =
-                std::all_of(corners.begin(), corners.end(),
-                            [&](const BlendVertex* corner) { return corner->weights[view] > 0; });
-            if (sees_corners && sees_between(corners, views[view])) return view;
-        }
-        return std::nullopt;
+    [[nodiscard]] bool is_seen(const Sights& corners, int view) const {
+        return std::all_of(
+                   corners.begin(), corners.end(),
+                   [&](const BlendVertex* corner) { return standing_of(*corner) >= best_; }) &&
+               sees_between(corners, view);
     }
 
     /// Whether the view sees the plane through the corners at the middles of the edges and of the
@@ -248,13 +230,10 @@ class Takeover {
         return true;
     }
 
-    /// A corner as one of the views sees it.
-    static BlendVertex as_seen(std::size_t view, const BlendVertex& sight,
-                               const BlendVertex& known) {
+    /// A corner as the view sees it.
+    static BlendVertex as_seen(const BlendVertex& sight, const BlendVertex& known) {
         BlendVertex taken = sight;
-        taken.weights = {};
-        taken.weights[view] = 1.0F;
-        taken.depth = 1 / sight.depth_ratios[view];
+        taken.depth = 1 / sight.depth_ratios[0];
         taken.face_index = known.face_index;
         taken.occluded = known.occluded;
         taken.opacity = known.opacity;
@@ -273,17 +252,22 @@ void draw_unseen(const Lumigraph& lumigraph, const Eye& eye, const DepthSearch& 
                  BlendTriangles& triangles) {
     const Standing best = search.has_depth() ? Standing::kSeen : Standing::kGuess;
     std::vector<Candidate> candidates = candidates_among(triangles, best);
-    const NearestViews nearest(lumigraph, eye, middles_of(triangles, candidates), kMostAsked);
-    for (std::size_t round = 0; round < kRounds && !candidates.empty(); ++round) {
+    const NearestViews nearest(lumigraph, eye, middles_of(triangles, candidates),
+                               kMostAsked + kOwnViews);
+    for (std::size_t round = 0; round < kMostAsked && !candidates.empty(); ++round) {
         const Groups groups = grouped(candidates, triangles, lumigraph.mesh, nearest, round);
         std::vector<FacePolygon> pictures;
-        for (const auto& [views, members] : groups) pictures.push_back(picture_through(views));
+        for (const auto& [view, members] : groups) pictures.push_back(picture_through(view));
         std::vector<Asking> all;
-        for (const auto& [views, members] : groups)
+        for (const auto& [view, members] : groups)
             all.push_back(
                 {members, {{pictures[all.size()], search, scene_plane, sampling}, triangles}});
         Takeover(search, best, triangles).take(all);
-        candidates = candidates_among(triangles, best);
+        std::erase_if(candidates, [&](const Candidate& candidate) {
+            return standing_of(
+                       triangles.vertices[worst_corner_of(triangles, candidate.first_index)]) >=
+                   best;
+        });
     }
 }
 

@@ -6,6 +6,7 @@
 #include "render/gl/texture.h"
 #include "render/lumigraph/lumigraph.h"
 #include "render/modes/photograph_layer.h"
+#include "render/modes/surroundings.h"
 #include "render/modes/view_geometry.h"
 
 namespace lumi {
@@ -23,7 +24,7 @@ struct UploadedLumigraph {
     /// (photograph_opacity.h), 0 beyond the photograph.
     TextureArray photographs;
     TextureArray depth_maps;  ///< The same for inverse depth; empty when no view has depth.
-    std::vector<ColorImage> small_photographs;  ///< surroundings.h
+    SmallPhotographs small_photographs;
     /// Sizes of the depth maps, (0, 0) without.
     std::vector<Eigen::Vector2i> depth_sizes_px;
 

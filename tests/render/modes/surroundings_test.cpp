@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "render/modes/frame.h"
 #include "tests/render/analytic_scene.h"
@@ -58,7 +59,7 @@ TEST(Surroundings, AtACameraAreItsPhotographBlurred) {
     const Lumigraph lumigraph = card_before_wall();
     const LumigraphView& view = lumigraph.views[0];
     const ColorGrid grid = around(lumigraph, {view.camera, view.cam_from_world});
-    const ColorImage small = small_photographs(lumigraph)[0];
+    const ColorImage small = small_photographs(lumigraph).of_views[0];
     double sum = 0;
     for (int y = 0; y < small.height(); ++y) {
         for (int x = 0; x < small.width(); ++x) {
@@ -113,6 +114,43 @@ TEST(Surroundings, AreSteadyInTheEye) {
             {eye.cam_from_world.rotation, -(eye.cam_from_world.rotation * (place + way))}};
         EXPECT_LT(difference(around(lumigraph, eye), around(lumigraph, moved)), 0.5F) << x;
     }
+}
+
+/// More views than count at once, in a row before the wall.
+Lumigraph long_row() {
+    std::vector<Eye> cameras;
+    for (int i = 0; i < 30; ++i)
+        cameras.push_back(eye_at({0.2 * i - 3, 0.05 * (i % 2), 0}, {0.2 * i - 3, 0, 4},
+                                 pinhole_camera(32, 24, 30)));
+    return photographed(AnalyticScene::kCardBeforeWall, cameras);
+}
+
+// Wherever one of the twelve nearest views gives way to the next, that one has the other colour.
+TEST(Surroundings, OfManyViewsAreSteadyAsViewsComeAndGo) {
+    Lumigraph lumigraph = long_row();
+    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
+        ColorImage& photograph = lumigraph.views[i].photograph;
+        photograph = ColorImage(photograph.width(), photograph.height(),
+                                i % 24 < 12 ? Rgb8{0, 0, 0} : Rgb8{255, 255, 255});
+    }
+    constexpr double kStep = 1e-3;
+    ColorGrid before = around(lumigraph, eye_at({-1, 0, 0}, {-1, 0, 4}, kEyeCamera));
+    for (double x = -1 + kStep; x <= 1; x += kStep) {
+        ColorGrid now = around(lumigraph, eye_at({x, 0, 0}, {x, 0, 4}, kEyeCamera));
+        ASSERT_LT(difference(before, now), 1.0F) << x;
+        before = std::move(now);
+    }
+}
+
+TEST(Surroundings, OfManyViewsAreThoseOfTheNearest) {
+    Lumigraph lumigraph = long_row();
+    const Eye eye = eye_at({-2, 0, 0}, {-2, 0, 4}, kEyeCamera);
+    const ColorGrid grid = around(lumigraph, eye);
+    for (std::size_t far = 20; far < lumigraph.views.size(); ++far) {
+        ColorImage& photograph = lumigraph.views[far].photograph;
+        photograph = ColorImage(photograph.width(), photograph.height(), Rgb8{255, 0, 255});
+    }
+    EXPECT_LT(difference(grid, around(lumigraph, eye)), 0.01F);
 }
 
 TEST(Surroundings, AreDrawnOnlyBehindPicturesOfModesThatGuess) {
