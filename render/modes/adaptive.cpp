@@ -35,11 +35,10 @@ BlendTriangles without_unseen(BlendTriangles triangles) {
 
 }  // namespace
 
-std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
-                                            const std::vector<ViewGeometry>& geometries,
+std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const SearchedViews& views,
                                             const Eye& eye, const RenderOptions& options,
                                             AdaptiveSubdivider& subdivider) {
-    const DepthSearch search(layout, geometries, eye, options.occlusion_tolerance_px);
+    const DepthSearch search(layout, views, eye, options.occlusion_tolerance_px);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(layout, eye);
     PatchSampler::Options sampling{.correct_occlusion = options.correct_occlusion,
                                    .fade_beyond_border = options.fade_beyond_capture,
@@ -63,11 +62,10 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
     return layers;
 }
 
-std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
-                                            const std::vector<ViewGeometry>& geometries,
+std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const SearchedViews& views,
                                             const Eye& eye, const RenderOptions& options) {
     AdaptiveSubdivider subdivider;
-    return adaptive_layers(layout, geometries, eye, options, subdivider);
+    return adaptive_layers(layout, views, eye, options, subdivider);
 }
 
 Adaptive::Adaptive(const UploadedLumigraph& uploaded)
@@ -92,7 +90,7 @@ DrawStatistics Adaptive::draw(const Eye& eye, const RenderOptions& options, cons
     if (!is_made_for(eye, options)) {
         made_for_.reset();
         layers_ =
-            adaptive_layers(uploaded_.layout, uploaded_.geometries, eye, options, subdivider_);
+            adaptive_layers(uploaded_.layout, uploaded_.searched_views, eye, options, subdivider_);
         made_for_ = Request{eye, options};
     }
     if (are_surroundings_drawn(options)) {

@@ -11,15 +11,18 @@
 namespace lumi {
 
 /// The triangles of the mode `adaptive` for one eye: those of the camera mesh, then those of each
-/// of its shells, which are laid over with their opacity. `geometries` are the layout's. Of what
+/// of its shells, which are laid over with their opacity. `views` are the layout's. Of what
 /// `subdivider` did before nothing but memory is used.
-[[nodiscard]] std::vector<BlendTriangles> adaptive_layers(
-    const Lumigraph& layout, const std::vector<ViewGeometry>& geometries, const Eye& eye,
-    const RenderOptions& options, AdaptiveSubdivider& subdivider);
+[[nodiscard]] std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
+                                                          const SearchedViews& views,
+                                                          const Eye& eye,
+                                                          const RenderOptions& options,
+                                                          AdaptiveSubdivider& subdivider);
 /// For once.
-[[nodiscard]] std::vector<BlendTriangles> adaptive_layers(
-    const Lumigraph& layout, const std::vector<ViewGeometry>& geometries, const Eye& eye,
-    const RenderOptions& options);
+[[nodiscard]] std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
+                                                          const SearchedViews& views,
+                                                          const Eye& eye,
+                                                          const RenderOptions& options);
 
 /// Adaptive depth correction by the error in pixels (adaptive_subdivision.h), with occlusion
 /// correction at the vertices, in one pass. While the eye stands still the triangles stay; when it

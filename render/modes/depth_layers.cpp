@@ -27,8 +27,9 @@ std::vector<std::shared_ptr<const DepthMesh>> some_meshes(const UploadedLumigrap
         std::min(kMeshesAtOnce, views.size() - first));
     parallel_for(static_cast<int>(meshes.size()), 0, [&](int i) {
         const auto offset = static_cast<std::size_t>(i);
-        meshes[offset] = depth_mesh_of(views[first + offset],
-                                       max_disparity_px(uploaded.geometries[first + offset]));
+        meshes[offset] =
+            depth_mesh_of(views[first + offset],
+                          max_disparity_px(uploaded.searched_views.geometries[first + offset]));
     });
     return meshes;
 }

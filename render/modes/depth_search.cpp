@@ -50,8 +50,8 @@ double between(double from, double to, double share) { return from + share * (to
 
 }  // namespace
 
-DepthSearch::DepthSearch(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
-                         const Eye& eye, double tolerance_px)
+DepthSearch::DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views, const Eye& eye,
+                         double tolerance_px)
     : tolerance_px_(tolerance_px),
       max_inverse_depth_(kNearMargin * inverse_depth_range(lumigraph).y()),
       least_inverse_depth_(kFarShare * inverse_depth_range(lumigraph).y()) {
@@ -59,17 +59,17 @@ DepthSearch::DepthSearch(const Lumigraph& lumigraph, const std::vector<ViewGeome
     std::vector<int> all(lumigraph.views.size());
     std::iota(all.begin(), all.end(), 0);
     agreeing_inverse_depth_ =
-        agreeing_inverse_depth(lumigraph, geometries, all, eye_in_world, tolerance_px);
+        agreeing_inverse_depth(lumigraph, views.geometries, all, eye_in_world, tolerance_px);
     for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
         const LumigraphView& view = lumigraph.views[i];
-        const TiledDepth& depth = geometries[i].depth;
+        const TiledDepth& depth = views.depths[i];
         Target target;
         target.view_from_eye =
             pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world);
         target.samples_per_pixel = {static_cast<double>(depth.width()) / view.camera.width_px,
                                     static_cast<double>(depth.height()) / view.camera.height_px};
-        target.disparity_px = disparity_px_per_inverse_depth(geometries[i], eye_in_world);
-        target.max_disparity_px = max_disparity_px(geometries[i]);
+        target.disparity_px = disparity_px_per_inverse_depth(views.geometries[i], eye_in_world);
+        target.max_disparity_px = max_disparity_px(views.geometries[i]);
         target.width_px = view.camera.width_px;
         target.height_px = view.camera.height_px;
         target.depth = &depth;

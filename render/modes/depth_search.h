@@ -10,7 +10,7 @@
 #include "render/lumigraph/lumigraph.h"
 #include "render/modes/epipolar_walk.h"
 #include "render/modes/pixel_transfer.h"
-#include "render/modes/view_geometry.h"
+#include "render/modes/searched_views.h"
 
 namespace lumi {
 
@@ -26,9 +26,9 @@ struct RayHit {
 /// (section 4), here along the epipolar line from near to far.
 class DepthSearch {
  public:
-    /// Keeps references to the depth maps of `geometries`, which are the lumigraph's.
-    DepthSearch(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
-                const Eye& eye, double tolerance_px);
+    /// Keeps references to the depth maps of `views`, which are the lumigraph's.
+    DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views, const Eye& eye,
+                double tolerance_px);
 
     /// What the ray through `pixel` meets first in the depth maps of three views (a view may be
     /// named twice): of what they have seen the nearest that two agree on, or else the nearest.

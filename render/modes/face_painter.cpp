@@ -35,7 +35,7 @@ std::vector<ViewForEye> views_for_eye(const UploadedLumigraph& uploaded, const E
         const LumigraphView& view = uploaded.layout.views[i];
         views.push_back(
             {pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world),
-             disparity_px_per_inverse_depth(uploaded.geometries[i], eye_in_world)});
+             disparity_px_per_inverse_depth(uploaded.searched_views.geometries[i], eye_in_world)});
     }
     return views;
 }

@@ -127,7 +127,7 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
         "check_per_px",
         static_cast<float>(options.correct_occlusion ? 1 / options.occlusion_tolerance_px : 0.0));
     const double agreeing =
-        agreeing_inverse_depth(uploaded_.layout, uploaded_.geometries, asked.sets,
+        agreeing_inverse_depth(uploaded_.layout, uploaded_.searched_views.geometries, asked.sets,
                                centre_in_world(eye.cam_from_world), options.occlusion_tolerance_px);
     program.set("agreeing_depth", static_cast<float>(depth_.buffer_difference(agreeing)));
     const auto& [depth_eye, texels_per_pixel] = asked.depth_eye;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "calib/work/error.h"
+#include "calib/work/parallel_for.h"
 #include "render/modes/photograph_opacity.h"
 #include "render/modes/surroundings.h"
 
@@ -57,9 +58,18 @@ TextureArray upload_photographs(const Lumigraph& lumigraph) {
     height += 2 * kGutter_px;
     TextureArray array(TexelFormat::kColor, TexelFilter::kLinear, width, height,
                        static_cast<int>(views.size()));
-    for (std::size_t i = 0; i < views.size(); ++i)
-        array.upload_rgba(static_cast<int>(i),
-                          photograph_layer(views[i].photograph, opacities[i], width, height));
+    // A few at a time: GL takes them from one thread, and all at once would be all once more.
+    std::vector<std::vector<unsigned char>> layers(static_cast<std::size_t>(resolve_threads(0)));
+    for (std::size_t first = 0; first < views.size(); first += layers.size()) {
+        const std::size_t count = std::min(layers.size(), views.size() - first);
+        parallel_for(static_cast<int>(count), 0, [&](int i) {
+            const auto at = static_cast<std::size_t>(i);
+            layers[at] = photograph_layer(views[first + at].photograph, opacities[first + at],
+                                          width, height);
+        });
+        for (std::size_t at = 0; at < count; ++at)
+            array.upload_rgba(static_cast<int>(first + at), layers[at]);
+    }
     return array;
 }
 
@@ -84,7 +94,7 @@ TextureArray upload_depth_maps(const std::vector<LumigraphView>& views) {
 UploadedLumigraph::UploadedLumigraph(const Lumigraph& lumigraph)
     : capabilities(query_capabilities()),
       layout(without_photographs(lumigraph)),
-      geometries(view_geometries(lumigraph)),
+      searched_views(lumi::searched_views(lumigraph)),
       small_photographs(lumi::small_photographs(lumigraph)) {
     require_fits(capabilities, lumigraph);
     photographs = upload_photographs(lumigraph);

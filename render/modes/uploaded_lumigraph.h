@@ -7,7 +7,7 @@
 #include "render/lumigraph/lumigraph.h"
 #include "render/modes/photograph_layer.h"
 #include "render/modes/surroundings.h"
-#include "render/modes/view_geometry.h"
+#include "render/modes/searched_views.h"
 
 namespace lumi {
 
@@ -19,7 +19,7 @@ struct UploadedLumigraph {
     Capabilities capabilities;
     /// The Lumigraph without its photographs: cameras, poses, depth, the camera mesh.
     Lumigraph layout;
-    std::vector<ViewGeometry> geometries;
+    SearchedViews searched_views;
     /// One layer a view, kGutter_px from its top left; alpha is how much a pixel counts
     /// (photograph_opacity.h), 0 beyond the photograph.
     TextureArray photographs;

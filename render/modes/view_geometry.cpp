@@ -4,7 +4,6 @@
 #include <set>
 
 #include "calib/work/median.h"
-#include "render/modes/surface_tears.h"
 
 namespace lumi {
 namespace {
@@ -21,13 +20,6 @@ std::vector<std::set<int>> neighbours_in(const CameraMesh& mesh, std::size_t vie
         }
     }
     return neighbours;
-}
-
-TiledDepth tiled_depth(const LumigraphView& view, double disparity_px) {
-    const DepthMap& depth = view.depth;
-    if (depth.inverse_depth.empty()) return {};
-    return {depth, torn_squares(depth.inverse_depth,
-                                disparity_per_pitch(depth, view.camera, disparity_px))};
 }
 
 /// The depth at which disparities are halfway between those of the near and the far end.
@@ -58,7 +50,6 @@ std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph) {
                                     .norm());
         geometries[i].baseline =
             distances.empty() ? 0.1 * middle_depth(lumigraph) : median_of(std::move(distances));
-        geometries[i].depth = tiled_depth(lumigraph.views[i], max_disparity_px(geometries[i]));
     }
     return geometries;
 }

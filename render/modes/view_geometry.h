@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "render/lumigraph/lumigraph.h"
-#include "render/modes/tiled_depth.h"
 
 namespace lumi {
 
@@ -19,7 +18,6 @@ struct ViewGeometry {
     /// Median distance to the views it shares a face with; a tenth of the scene's depth without
     /// any.
     double baseline = 0.0;
-    TiledDepth depth{};  ///< Its depth map; empty without one.
 };
 
 [[nodiscard]] std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph);

@@ -27,7 +27,7 @@ void expect_equal(const Frame& drawn, const Frame& expected, const std::string& 
 Frame adaptive_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
     BlendTriangles all;
     for (const BlendTriangles& layer :
-         adaptive_layers(lumigraph, view_geometries(lumigraph), eye, options)) {
+         adaptive_layers(lumigraph, searched_views(lumigraph), eye, options)) {
         const auto first = static_cast<std::uint32_t>(all.vertices.size());
         all.vertices.insert(all.vertices.end(), layer.vertices.begin(), layer.vertices.end());
         for (const std::uint32_t index : layer.indices) all.indices.push_back(first + index);
@@ -44,8 +44,8 @@ void expect_gl_equals_reference(GlApi api) {
         const bool is_ball = lumigraph.mesh.scene_centre_in_world.norm() < 1;
         const Eye eye = is_ball ? eye_at({0.5, 0.6, -2}, {0, 0, 0}, camera)
                                 : eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, camera);
-        const auto geometries = view_geometries(lumigraph);
-        const DepthSearch search(lumigraph, geometries, eye, defaults.occlusion_tolerance_px);
+        const SearchedViews views = searched_views(lumigraph);
+        const DepthSearch search(lumigraph, views, eye, defaults.occlusion_tolerance_px);
         const auto polygons = face_polygons(lumigraph.mesh, eye);
         const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
         OffscreenRenderer renderer(lumigraph, api);
@@ -181,7 +181,7 @@ TEST(SubdivisionGl, TheGridShowsTheEdgesOfTheTrianglesOverThePicture) {
     const ColorImage picture = renderer.draw(eye, {.mode = RenderMode::kAdaptive}).color;
     const ColorImage grid = renderer.draw(eye, options).color;
     const BlendTriangles triangles =
-        adaptive_layers(lumigraph, view_geometries(lumigraph), eye, options).front();
+        adaptive_layers(lumigraph, searched_views(lumigraph), eye, options).front();
     const auto is_line = [&](int x, int y) {
         return grid.contains(x, y) && grid(x, y).r == 255 && grid(x, y).b == 26;
     };
@@ -215,14 +215,14 @@ struct ModelledFrames {
 
 ModelledFrames modelled_frames(double frames_per_second, double fixed_ms, double ms_each) {
     const Lumigraph lumigraph = card_before_wall();
-    const auto geometries = view_geometries(lumigraph);
+    const SearchedViews views = searched_views(lumigraph);
     const Camera camera = pinhole_camera(640, 480, 560);
     TriangleBudget budget(frames_per_second);
     ModelledFrames frames;
     for (int i = 0; i < 15; ++i) {
         const Eye eye = eye_at({0.2 - 0.005 * i, 0.1, 0.02}, {0, 0, 4}, camera);
         const auto layers =
-            adaptive_layers(lumigraph, geometries, eye, budget.within({.max_triangles = 0}));
+            adaptive_layers(lumigraph, views, eye, budget.within({.max_triangles = 0}));
         frames.triangles = layers.front().count();
         const double ms = fixed_ms + ms_each * static_cast<double>(frames.triangles);
         if (i > 0) frames.worst_ms = std::max(frames.worst_ms, ms);

@@ -27,7 +27,7 @@ double inverse_depth_before_wall(const Eye& eye, const Eigen::Vector2d& pixel) {
 
 TEST(DepthSearch, FindsWhatTheRayMeetsFirst) {
     const Lumigraph lumigraph = card_before_wall();
-    const auto geometries = view_geometries(lumigraph);
+    const SearchedViews views = searched_views(lumigraph);
     std::mt19937 random(5);
     std::uniform_real_distribution<double> share(0, 1);
     int right = 0;
@@ -36,7 +36,7 @@ TEST(DepthSearch, FindsWhatTheRayMeetsFirst) {
          {Eigen::Vector3d(0.21, 0.13, 0.02), Eigen::Vector3d(-0.2, 0.1, -0.6),
           Eigen::Vector3d(0.1, -0.1, 0.9)}) {
         const Eye eye = eye_at(place, {0, 0, 4}, pinhole_camera(64, 48, 80));
-        const DepthSearch search(lumigraph, geometries, eye, 1.0);
+        const DepthSearch search(lumigraph, views, eye, 1.0);
         for (int i = 0; i < 500; ++i) {
             const Eigen::Vector2d pixel(64 * share(random), 48 * share(random));
             const auto hit = search.first_hit(pixel, {0, 1, 5});
@@ -54,8 +54,8 @@ TEST(DepthSearch, AtACameraIsItsDepthMap) {
     const Lumigraph lumigraph = ball_in_sky();
     const LumigraphView& view = lumigraph.views[4];
     const Eye eye{view.camera, view.cam_from_world};
-    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
-    const DepthSearch search(lumigraph, geometries, eye, 1.0);
+    const SearchedViews views = searched_views(lumigraph);
+    const DepthSearch search(lumigraph, views, eye, 1.0);
     for (int y = 0; y < 48; y += 5) {
         for (int x = 0; x < 64; x += 5) {
             const auto hit = search.first_hit({x + 0.5, y + 0.5}, {4, 4, 4});
@@ -67,12 +67,12 @@ TEST(DepthSearch, AtACameraIsItsDepthMap) {
 
 TEST(DepthSearch, FindsTheWallWhereTheRayComesOutFromBehindTheCard) {
     const Lumigraph lumigraph = card_before_wall();
-    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    const SearchedViews views = searched_views(lumigraph);
     // Beside the card and already behind it: all cameras see the ray pass behind the card.
     const Eigen::Vector3d from(-2, 0, 3.2);
     const Eigen::Vector3d on_wall(2.2, 0, 6);
     const Eye eye = eye_at(from, on_wall, pinhole_camera(65, 49, 60));
-    const DepthSearch search(lumigraph, geometries, eye, 1.0);
+    const DepthSearch search(lumigraph, views, eye, 1.0);
     const double truth = 1 / (on_wall - from).norm();
     for (int view = 0; view < static_cast<int>(lumigraph.views.size()); ++view) {
         const auto hit = search.first_hit({32.5, 24.5}, {view, view, view});
@@ -88,7 +88,7 @@ TEST(DepthSearch, MeetsSlopesThatViewsSeeFromAside) {
     for (const LumigraphView& view : ball_in_sky().views)
         cameras.push_back({pinhole_camera(320, 240, 240), view.cam_from_world});
     const Lumigraph lumigraph = photographed(AnalyticScene::kBallInSky, cameras);
-    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    const SearchedViews views = searched_views(lumigraph);
     std::mt19937 random(7);
     std::normal_distribution<double> normal;
     const auto direction = [&] {
@@ -99,7 +99,7 @@ TEST(DepthSearch, MeetsSlopesThatViewsSeeFromAside) {
     for (int i = 0; i < 400; ++i) {
         const Eigen::Vector3d from = 2.5 * direction();
         const Eye eye = eye_at(from, {0, 0, 0}, pinhole_camera(64, 48, 60));
-        const DepthSearch search(lumigraph, geometries, eye, 1.0);
+        const DepthSearch search(lumigraph, views, eye, 1.0);
         for (int view = 0; view < 12; ++view) {
             const Eigen::Vector3d on_ball = direction();
             const auto faces = [&](const Eigen::Vector3d& centre) {
@@ -120,8 +120,8 @@ TEST(DepthSearch, MeetsSlopesThatViewsSeeFromAside) {
 TEST(DepthSearch, MeetsNothingWhereNoPhotographLooks) {
     const Lumigraph lumigraph = card_before_wall();
     const Eye eye = eye_at({0, 0, 0}, {0, 0, -4}, pinhole_camera(64, 48, 60));
-    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
-    const DepthSearch search(lumigraph, geometries, eye, 1.0);
+    const SearchedViews views = searched_views(lumigraph);
+    const DepthSearch search(lumigraph, views, eye, 1.0);
     EXPECT_FALSE(search.first_hit({32, 24}, {0, 1, 2}).has_value());
 }
 
@@ -130,8 +130,8 @@ TEST(DepthSearch, KnowsWhoSeesTheWallBehindTheCard) {
     // From the left, the wall right behind the card's left edge; cameras on the right do not see
     // it.
     const Eye eye = eye_at({-1.4, 0, 0}, {-1, 0, 6}, pinhole_camera(64, 48, 60));
-    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
-    const DepthSearch search(lumigraph, geometries, eye, 1.0);
+    const SearchedViews views = searched_views(lumigraph);
+    const DepthSearch search(lumigraph, views, eye, 1.0);
     const Eigen::Vector3d on_wall(-0.9, 0, 6);
     const Eigen::Vector3d in_eye = eye.cam_from_world * on_wall;
     const auto pixel = project(eye.camera, in_eye);
@@ -153,9 +153,9 @@ TEST(DepthSearch, KnowsWhoSeesTheWallBehindTheCard) {
 // edge, while the ray meets the card in the other.
 TEST(DepthSearch, TheNearestCountsWhereTwoViewsMeetDifferentSurfaces) {
     const Lumigraph lumigraph = card_before_wall();
-    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    const SearchedViews views = searched_views(lumigraph);
     const Eye eye{lumigraph.views[0].camera, lumigraph.views[0].cam_from_world};
-    const DepthSearch search(lumigraph, geometries, eye, 1.0);
+    const DepthSearch search(lumigraph, views, eye, 1.0);
     const double apart = 0.3 * (1.0 / 3 - 1.0 / 6);
     int differing = 0;
     for (int far_view = 1; far_view < 9; ++far_view) {
@@ -192,9 +192,9 @@ Lumigraph guessed_planes(const std::array<float, 3>& inverse_depths, int seen) {
 
 TEST(DepthSearch, AGuessIsThatOfTheViewAskedFirst) {
     const Lumigraph lumigraph = guessed_planes({0.2F, 0.25F, 0.25F}, -1);
-    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    const SearchedViews views = searched_views(lumigraph);
     const Eye eye = eye_at({0.05, 0.03, 0}, {0, 0, 4}, pinhole_camera(64, 48, 80));
-    const DepthSearch search(lumigraph, geometries, eye, 1.0);
+    const DepthSearch search(lumigraph, views, eye, 1.0);
     for (const auto& asked : {std::array{0, 1, 2}, std::array{1, 0, 2}, std::array{2, 1, 0}}) {
         const auto alone = search.first_hit({32, 24}, {asked[0], asked[0], asked[0]});
         const auto together = search.first_hit({32, 24}, asked);
@@ -207,9 +207,9 @@ TEST(DepthSearch, AGuessIsThatOfTheViewAskedFirst) {
 
 TEST(DepthSearch, AGuessGivesWayToWhatAnotherViewHasSeen) {
     const Lumigraph lumigraph = guessed_planes({0.25F, 0.25F, 0.2F}, 2);
-    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    const SearchedViews views = searched_views(lumigraph);
     const Eye eye = eye_at({0.05, 0.03, 0}, {0, 0, 4}, pinhole_camera(64, 48, 80));
-    const DepthSearch search(lumigraph, geometries, eye, 1.0);
+    const DepthSearch search(lumigraph, views, eye, 1.0);
     const auto hit = search.first_hit({32, 24}, {0, 1, 2});
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->kind, DepthKind::kSeen);

@@ -52,9 +52,9 @@ class OwnSurfaces : public testing::Test {
     }
 
     Lumigraph lumigraph_ = card_before_wall();
-    std::vector<ViewGeometry> geometries_ = view_geometries(lumigraph_);
+    SearchedViews views_ = searched_views(lumigraph_);
     Eye eye_ = eye_at({0.6, 0.4, 0}, {0.6, 0.4, 4}, pinhole_camera(64, 48, 80));
-    DepthSearch search_{lumigraph_, geometries_, eye_, 1.0};
+    DepthSearch search_{lumigraph_, views_, eye_, 1.0};
 };
 
 TEST_F(OwnSurfaces, APhotographThatIsHiddenAtACornerStaysOnTheSurfaceThatItShows) {

@@ -37,9 +37,9 @@ class Subdivision : public testing::Test {
     }
 
     Lumigraph lumigraph_ = card_before_wall();
-    std::vector<ViewGeometry> geometries_ = view_geometries(lumigraph_);
+    SearchedViews views_ = searched_views(lumigraph_);
     std::vector<FacePolygon> polygons_ = face_polygons(lumigraph_.mesh, kEye);
-    DepthSearch search_{lumigraph_, geometries_, kEye, 1.0};
+    DepthSearch search_{lumigraph_, views_, kEye, 1.0};
     Eigen::Vector3d plane_ = scene_plane_inverse_depth(lumigraph_, kEye);
 };
 
@@ -98,7 +98,7 @@ FacePolygon picture_through_camera(int view_index, const Eye& eye) {
 // photograph is to be looked up, least of all the plane through the card, which has no error.
 TEST_F(Subdivision, EdgesAreSplitWhereTheCamerasLoseTheScene) {
     const Eye behind = eye_at({0, 0, -2}, {0, 0, 4}, kEye.camera);
-    const DepthSearch search(lumigraph_, geometries_, behind, 1.0);
+    const DepthSearch search(lumigraph_, views_, behind, 1.0);
     const AdaptiveSubdivisionOptions options{.min_edge_px = 3, .max_triangles = 0};
     const BlendTriangles triangles = adaptive_subdivision({picture_through_camera(0, behind)},
                                                           search, {0, 0, 1.0 / 5}, {}, options)
@@ -186,8 +186,8 @@ TEST_F(Subdivision, APlaneWithoutAnythingBeforeItIsHardlySplit) {
                 view.depth.inverse_depth(x, y) = static_cast<float>(
                     direction.z() / (6 - centre_in_world(view.cam_from_world).z()));
             }
-    const auto geometries = view_geometries(wall);
-    const DepthSearch search(wall, geometries, kEye, 1.0);
+    const SearchedViews views = searched_views(wall);
+    const DepthSearch search(wall, views, kEye, 1.0);
     const AdaptiveSubdivision planar =
         adaptive_subdivision(polygons_, search, plane_, {}, {.min_edge_px = 1});
     EXPECT_LT(planar.triangles.count(), 120U);
@@ -203,8 +203,8 @@ class GuessSubdivision : public Subdivision {
     }
     [[nodiscard]] double triangles(double max_error_px, double min_edge_px,
                                    double guess_ratio) const {
-        const std::vector<ViewGeometry> geometries = view_geometries(lumigraph_);
-        const DepthSearch search(lumigraph_, geometries, kEye, 1.0);
+        const SearchedViews views = searched_views(lumigraph_);
+        const DepthSearch search(lumigraph_, views, kEye, 1.0);
         return static_cast<double>(adaptive_subdivision(polygons_, search, plane_, {},
                                                         {.max_error_px = max_error_px,
                                                          .counts = {.guess_ratio = guess_ratio},
@@ -225,8 +225,8 @@ TEST_F(GuessSubdivision, EdgesAmongGuessesStayLongHoweverFarOff) {
 TEST_F(Subdivision, WithoutDepthThePlaneIsFollowedAsCloselyAsWhatIsSeen) {
     Lumigraph plain = lumigraph_;
     for (LumigraphView& view : plain.views) view.depth = {};
-    const std::vector<ViewGeometry> geometries = view_geometries(plain);
-    const DepthSearch search(plain, geometries, kEye, 1.0);
+    const SearchedViews views = searched_views(plain);
+    const DepthSearch search(plain, views, kEye, 1.0);
     const auto triangles = [&](double guess_ratio) {
         return adaptive_subdivision(polygons_, search, {0.002, 0, 0.1}, {},
                                     {.max_error_px = 0.02,
@@ -250,7 +250,7 @@ bool are_equal(const BlendTriangles& a, const BlendTriangles& b) {
 TEST_F(Subdivision, WhatWasSubdividedBeforeChangesNothing) {
     AdaptiveSubdivider subdivider;
     const Eye elsewhere = eye_at({0.4, 0.2, 0.1}, {0, 0, 4}, kEye.camera);
-    const DepthSearch search_elsewhere(lumigraph_, geometries_, elsewhere, 1.0);
+    const DepthSearch search_elsewhere(lumigraph_, views_, elsewhere, 1.0);
     for (const std::size_t most : {0U, 300U, 5000U}) {
         static_cast<void>(subdivider.subdivide(face_polygons(lumigraph_.mesh, elsewhere),
                                                search_elsewhere, plane_, {},

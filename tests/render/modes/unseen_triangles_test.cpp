@@ -69,8 +69,8 @@ class UnseenTriangles : public testing::Test {
          eye_at({0.4, 0.2, 0}, {0.4, 0.2, 4}, narrow_), eye_at({0, -0.5, 0}, {0, -0.5, 4}, narrow_),
          eye_at({0, 0.9, 0}, {0, 0, 4}, pinhole_camera(192, 144, 120))});
     Eye eye_ = eye_at({0, 0, -1}, {0, 0, 4}, pinhole_camera(96, 72, 90));
-    std::vector<ViewGeometry> geometries_ = view_geometries(lumigraph_);
-    DepthSearch search_{lumigraph_, geometries_, eye_, 1.0};
+    SearchedViews views_ = searched_views(lumigraph_);
+    DepthSearch search_{lumigraph_, views_, eye_, 1.0};
     Eigen::Vector3d plane_ = scene_plane_inverse_depth(lumigraph_, eye_);
     std::vector<FacePolygon> polygons_ = face_polygons(lumigraph_.mesh, eye_);
     BlendTriangles triangles_;
