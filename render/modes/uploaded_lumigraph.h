@@ -6,8 +6,8 @@
 #include "render/gl/texture.h"
 #include "render/lumigraph/lumigraph.h"
 #include "render/modes/photograph_layer.h"
-#include "render/modes/surroundings.h"
 #include "render/modes/searched_views.h"
+#include "render/modes/surroundings.h"
 
 namespace lumi {
 
