@@ -17,8 +17,8 @@ constexpr std::uint32_t kNone = SplitEdge::kNone;
 /// have no reason to be split where the others always have. Vertices lie on the edges of their
 /// neighbours, so that no gap opens.
 constexpr double kThinnest = 0.25;
-/// Vertices that one thread looks up at a time; it takes so long that starting it does not count.
-constexpr std::size_t kVerticesAtATime = 128;
+/// Vertices that one thread looks up at a time; it takes so long that starting it hardly counts.
+constexpr std::size_t kVerticesAtATime = 32;
 
 /// Corners, and the edges that start from them.
 struct Triangle {

@@ -31,9 +31,9 @@ struct AdaptiveSubdivision {
 /// that they do not share has no weight there: no cracks, without a pass that removes T-vertices. A
 /// plane is split only for the perspective in it, and cameras that are close together ask for less.
 ///
-/// Errors are relaxed until the triangles are few enough: the search begins with few triangles, and
-/// what was seen of the scene for a coarse subdivision serves the finer ones, so that the scene is
-/// hardly looked at for more than is drawn.
+/// Errors are relaxed until the triangles are few enough (relaxation_search.h). What was seen of the
+/// scene for one subdivision serves the others, so that it is hardly looked at for more than is
+/// drawn.
 class AdaptiveSubdivider {
  public:
     AdaptiveSubdivider();

@@ -9,8 +9,9 @@ namespace {
 
 constexpr int kStepsPerOctave = 4;
 constexpr int kMostSteps = 10 * kStepsPerOctave;
-constexpr int kFirstSteps = 3 * kStepsPerOctave;
-/// Where nothing tells how the number of triangles grows.
+/// The first step up; each one after it is twice as long.
+constexpr int kFirstStepsUp = kStepsPerOctave / 2;
+/// The longest step down, and where nothing tells how the number of triangles grows.
 constexpr int kBlindSteps = kStepsPerOctave;
 /// From this share of the triangles that may be drawn on, half as many: beyond the number, what was
 /// looked up for too many triangles is lost.
@@ -52,7 +53,8 @@ double least_relaxation(std::size_t most, const TrianglesAt& triangles_at) {
     Kept coarser;
     Kept finest;
     int too_fine = -1;  // Steps that make too many triangles.
-    int steps = kFirstSteps;
+    int steps = 0;
+    int steps_up = kFirstStepsUp;
     while (true) {
         const auto triangles = triangles_at(relaxation_of(steps), most);
         if (triangles) {
@@ -69,7 +71,8 @@ double least_relaxation(std::size_t most, const TrianglesAt& triangles_at) {
         } else if (finest.steps <= kMostSteps) {
             steps = (finest.steps + too_fine) / 2;
         } else {
-            steps = std::min(too_fine + 2 * kBlindSteps, kMostSteps);
+            steps = std::min(too_fine + steps_up, kMostSteps);
+            steps_up *= 2;
         }
     }
     if (finest.steps > kMostSteps) {

@@ -12,10 +12,11 @@ using TrianglesAt = std::function<std::optional<std::size_t>(double relaxation, 
 /// By how much errors are to be relaxed, 1 to 1024, so that triangles are at most `most` (0: any
 /// number). It is what `triangles_at` last gave a number for.
 ///
-/// Relaxations are powers of the fourth root of two. The search comes from few triangles, as many
-/// cost most to count, and goes where their number, taken to fall as a power of the error, would be
-/// as many as may be; it ends as soon as nearly that many are used. Where even the largest
-/// relaxation leaves more, they are drawn.
+/// Relaxations are powers of the fourth root of two. Most pictures need none, and the search begins
+/// with it. Where that leaves too many, it goes up in growing steps until they are few enough, then
+/// down to where their number, taken to fall as a power of the error, would be as many as may be; it
+/// ends as soon as nearly that many are used. Where even the largest relaxation leaves more, they
+/// are drawn.
 [[nodiscard]] double least_relaxation(std::size_t most, const TrianglesAt& triangles_at);
 
 }  // namespace lumi

@@ -21,7 +21,7 @@ constexpr std::size_t kMostAsked = 6;
 /// Of a face.
 constexpr std::size_t kOwnViews = 3;
 /// Corners that one thread looks up at a time.
-constexpr std::size_t kCornersAtATime = 64;
+constexpr std::size_t kCornersAtATime = 32;
 
 /// How well the corner's photographs stand for what is there.
 enum class Standing { kNothing, kGuess, kSeen };
