@@ -19,6 +19,7 @@ constexpr std::uint32_t kNone = SplitEdge::kNone;
 constexpr double kThinnest = 0.25;
 /// Vertices that one thread looks up at a time; it takes so long that starting it hardly counts.
 constexpr std::size_t kVerticesAtATime = 32;
+constexpr std::size_t kEdgesAtATime = 256;
 
 /// Corners, and the edges that start from them.
 struct Triangle {
@@ -45,12 +46,14 @@ class AdaptiveSubdivider::Mesh {
         pixels_.clear();
         vertices_.clear();
         edges_.clear();
+        unjudged_.clear();
         settled_.clear();
         whole_.clear();
         for (const FacePolygon& polygon : polygons) {
             samplers_.emplace_back(polygon, search, scene_plane, sampling);
             const auto first = static_cast<std::uint32_t>(pixels_.size());
-            for (const Eigen::Vector2d& corner : polygon.corners_px) add_vertex(corner);
+            for (const Eigen::Vector2d& corner : polygon.corners_px)
+                add_vertex(corner, static_cast<std::uint32_t>(samplers_.size() - 1));
             for (std::uint32_t k = first + 1; k + 1 < pixels_.size(); ++k)
                 settled_.push_back(triangle_of(first, k, k + 1, true));
         }
@@ -67,13 +70,13 @@ class AdaptiveSubdivider::Mesh {
         while (!level_.empty()) {
             next_level_.clear();
             undecided_.clear();
-            wanted_.clear();
             for (const Triangle& triangle : level_) split_or_wait(triangle, relaxation);
-            look_up_wanted();
+            if (!undecided_.empty()) look_up_new();
             for (const Triangle& triangle : undecided_) split(triangle, relaxation);
             level_.swap(next_level_);
             if (leaves_.size() + level_.size() > most) return std::nullopt;
         }
+        look_up_new();
         whole_.swap(leaves_);
         settled_.swap(now_settled_);
         return whole_.size();
@@ -98,12 +101,10 @@ class AdaptiveSubdivider::Mesh {
     }
 
  private:
-    void add_vertex(const Eigen::Vector2d& pixel) {
-        const FacePolygon& polygon = samplers_.back().polygon();
-        polygon_of_.push_back(static_cast<std::uint32_t>(samplers_.size() - 1));
+    /// To be looked up.
+    void add_vertex(const Eigen::Vector2d& pixel, std::uint32_t polygon) {
         pixels_.push_back(pixel);
-        vertices_.push_back(
-            blend_vertex(samplers_.back().at(pixel), polygon, VertexDepth::kAffine));
+        polygon_of_.push_back(polygon);
     }
 
     [[nodiscard]] std::uint32_t inner_edge(std::uint32_t a, std::uint32_t b) {
@@ -131,31 +132,44 @@ class AdaptiveSubdivider::Mesh {
         }
     }
 
-    /// False while the middle of an edge that might be split is still to be looked up.
+    /// False while the middle of an edge that might be split is still to be looked up. Of an edge
+    /// that is split in any case nothing needs to be known.
     [[nodiscard]] bool knows_enough_of(std::uint32_t number) {
         SplitEdge& edge = edges_[number];
-        if (edge.middle != kNone) return edge.middle < vertices_.size();
+        if (edge.middle != kNone)
+            return edge.middle < vertices_.size() || edge.length_px > max_edge_px_;
         if (edge.length_px <= std::min(least_edge_px_, max_edge_px_)) return true;
         edge.middle = static_cast<std::uint32_t>(pixels_.size());
-        pixels_.emplace_back(0.5 * (pixels_[edge.from] + pixels_[edge.to]));
-        polygon_of_.push_back(polygon_of_[edge.from]);
-        wanted_.push_back(number);
+        add_vertex(0.5 * (pixels_[edge.from] + pixels_[edge.to]), polygon_of_[edge.from]);
+        if (edge.length_px > max_edge_px_) return true;
+        unjudged_.push_back(number);
         return false;
     }
 
-    void look_up_wanted() {
+    /// All vertices that were added, and then the edges whose middles they are.
+    void look_up_new() {
+        const std::size_t known = vertices_.size();
         vertices_.resize(pixels_.size());
-        parallel_for_runs(wanted_.size(), kVerticesAtATime, 0,
+        parallel_for_runs(vertices_.size() - known, kVerticesAtATime, 0,
                           [&](std::size_t first, std::size_t end) {
-                              for (std::size_t i = first; i < end; ++i) look_up(edges_[wanted_[i]]);
+                              for (std::size_t i = first; i < end; ++i) look_up(known + i);
                           });
+        parallel_for_runs(unjudged_.size(), kEdgesAtATime, 0,
+                          [&](std::size_t first, std::size_t end) {
+                              for (std::size_t i = first; i < end; ++i) judge(edges_[unjudged_[i]]);
+                          });
+        unjudged_.clear();
     }
 
-    void look_up(SplitEdge& edge) {
-        const PatchSampler& sampler = samplers_[polygon_of_[edge.middle]];
-        BlendVertex& middle = vertices_[edge.middle];
-        middle =
-            blend_vertex(sampler.at(pixels_[edge.middle]), sampler.polygon(), VertexDepth::kAffine);
+    void look_up(std::size_t vertex) {
+        const PatchSampler& sampler = samplers_[polygon_of_[vertex]];
+        vertices_[vertex] =
+            blend_vertex(sampler.at(pixels_[vertex]), sampler.polygon(), VertexDepth::kAffine);
+    }
+
+    /// How far errors may be relaxed for the edge to be split.
+    void judge(SplitEdge& edge) const {
+        const BlendVertex& middle = vertices_[edge.middle];
         const BlendVertex& from = vertices_[edge.from];
         const BlendVertex& to = vertices_[edge.to];
         const double allowed_px =
@@ -264,9 +278,9 @@ class AdaptiveSubdivider::Mesh {
     std::vector<PatchSampler> samplers_;     ///< One a polygon.
     std::vector<std::uint32_t> polygon_of_;  ///< Of each vertex.
     std::vector<Eigen::Vector2d> pixels_;    ///< The same.
-    std::vector<BlendVertex> vertices_;
+    std::vector<BlendVertex> vertices_;      ///< The same, as far as they are looked up.
     SplitEdges edges_;
-    std::vector<std::uint32_t> wanted_;  ///< Edges whose middles are to be looked up.
+    std::vector<std::uint32_t> unjudged_;  ///< Edges whose middles are to be looked up.
     /// Where the next subdivision begins: of what is not split in four the largest triangles.
     std::vector<Triangle> settled_;
     std::vector<Triangle> now_settled_;
