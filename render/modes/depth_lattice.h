@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -9,6 +10,11 @@
 #include "render/modes/surface_tears.h"
 
 namespace lumi {
+
+struct LatticeNode {
+    int column = 0;
+    int row = 0;
+};
 
 /// A view's depth samples as the nodes of a lattice that reaches to the border of its photograph:
 /// the samples, and around them one ring of nodes on the border itself, continued from the samples.
@@ -40,6 +46,12 @@ class DepthLattice {
     /// (surface_tears.h).
     [[nodiscard]] bool tears_right(int column, int row) const;
     [[nodiscard]] bool tears_below(int column, int row) const;
+    /// The same for two neighbours in a row or a column.
+    [[nodiscard]] bool tears_between(const LatticeNode& a, const LatticeNode& b) const {
+        const int column = std::min(a.column, b.column);
+        const int row = std::min(a.row, b.row);
+        return a.row == b.row ? tears_right(column, row) : tears_below(column, row);
+    }
 
     [[nodiscard]] double disparity_px() const { return disparity_px_; }
 

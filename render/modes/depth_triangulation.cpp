@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "render/modes/depth_lattice.h"
+#include "render/modes/depth_mesh_vertices.h"
 #include "render/modes/halved_depth.h"
 #include "render/modes/mesh_decimation.h"
 #include "render/modes/split_errors.h"
@@ -45,17 +46,11 @@ void visit_network(const SplitErrors& errors, const DepthLattice& lattice, float
     visit_triangles(errors, lattice, max_error_px, {{side, side}, {0, 0}, {0, side}}, emit);
 }
 
-bool tears_between(const DepthLattice& lattice, const LatticeNode& a, const LatticeNode& b) {
-    const int column = std::min(a.column, b.column);
-    const int row = std::min(a.row, b.row);
-    return a.row == b.row ? lattice.tears_right(column, row) : lattice.tears_below(column, row);
-}
-
 DepthKind kind_of(const DepthLattice& lattice, const RightTriangle& triangle) {
     const auto& [a, b, c] = triangle;
     const bool is_smallest = std::abs(a.column - c.column) + std::abs(a.row - c.row) == 1;
     // Larger triangles would have been split if there were a tear within.
-    if (is_smallest && (tears_between(lattice, a, c) || tears_between(lattice, b, c)))
+    if (is_smallest && (lattice.tears_between(a, c) || lattice.tears_between(b, c)))
         return DepthKind::kStretched;
     for (const LatticeNode& node : {a, b, c})
         if (lattice.contains(node.column, node.row) && !lattice.is_seen(node.column, node.row))
@@ -82,44 +77,6 @@ Network affordable_network(const SplitErrors& errors, const DepthLattice& lattic
         error_px *= 2;
     }
 }
-
-/// Gathers the vertices that triangles name.
-class VertexTable {
- public:
-    VertexTable(const DepthLattice& lattice, std::vector<Eigen::Vector3f>& vertices)
-        : lattice_(lattice),
-          vertices_(vertices),
-          index_of_node_(static_cast<std::size_t>(lattice.columns()) *
-                             static_cast<std::size_t>(lattice.rows()),
-                         kNone) {}
-
-    std::uint32_t index_of(const LatticeNode& node) {
-        std::uint32_t& index = index_of_node_[static_cast<std::size_t>(node.row) *
-                                                  static_cast<std::size_t>(lattice_.columns()) +
-                                              static_cast<std::size_t>(node.column)];
-        if (index == kNone) {
-            index = static_cast<std::uint32_t>(vertices_.size());
-            const Eigen::Vector2f pixel = lattice_.position_px(node.column, node.row);
-            vertices_.emplace_back(pixel.x(), pixel.y(),
-                                   lattice_.inverse_depth(node.column, node.row));
-        }
-        return index;
-    }
-
-    /// A vertex halfway between two nodes, at the depth of the first: there the sample ends.
-    std::uint32_t add_end_of(const LatticeNode& node, const LatticeNode& beyond) {
-        const Eigen::Vector2f pixel = 0.5F * (lattice_.position_px(node.column, node.row) +
-                                              lattice_.position_px(beyond.column, beyond.row));
-        vertices_.emplace_back(pixel.x(), pixel.y(), lattice_.inverse_depth(node.column, node.row));
-        return static_cast<std::uint32_t>(vertices_.size() - 1);
-    }
-
- private:
-    static constexpr std::uint32_t kNone = 0xffffffffU;
-    const DepthLattice& lattice_;
-    std::vector<Eigen::Vector3f>& vertices_;
-    std::vector<std::uint32_t> index_of_node_;
-};
 
 /// What a right triangle that reaches beyond the photograph has within it, as a fan. Neighbours cut
 /// the side that they share at the same point.
@@ -192,7 +149,7 @@ struct TornTriangle {
 TornTriangle torn_triangle(const DepthLattice& lattice, const RightTriangle& triangle) {
     const auto& [a, b, c] = triangle;
     TornTriangle result{{a, b, c},
-                        {false, tears_between(lattice, b, c), tears_between(lattice, c, a)}};
+                        {false, lattice.tears_between(b, c), lattice.tears_between(c, a)}};
     const auto step = [&](const LatticeNode& from, const LatticeNode& to) {
         return std::abs(lattice.inverse_depth(from.column, from.row) -
                         lattice.inverse_depth(to.column, to.row));
@@ -205,10 +162,9 @@ TornTriangle torn_triangle(const DepthLattice& lattice, const RightTriangle& tri
     return result;
 }
 
-/// Each corner's surface up to the middle of the sides on which it tears from the next: an edge
-/// lies halfway between the last sample on it and the first beyond.
-void append_torn(const DepthLattice& lattice, const RightTriangle& triangle, VertexTable& vertices,
-                 IndicesByKind& by_kind) {
+/// Each corner's surface up to where it ends on the sides on which it tears from the next.
+void append_torn(const DepthLattice& lattice, const RightTriangle& triangle,
+                 DepthMeshVertices& vertices, IndicesByKind& by_kind) {
     const TornTriangle torn = torn_triangle(lattice, triangle);
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t next = (i + 1) % 3;
@@ -245,7 +201,7 @@ bool is_within(const DepthLattice& lattice, const RightTriangle& triangle) {
 
 DepthMesh mesh_of(const SplitErrors& errors, const DepthLattice& lattice, float error_px) {
     DepthMesh mesh;
-    VertexTable vertices(lattice, mesh.vertices);
+    DepthMeshVertices vertices(lattice, mesh.vertices);
     BorderCut border(lattice, mesh.vertices);
     IndicesByKind by_kind;
     visit_network(errors, lattice, error_px, [&](const RightTriangle& triangle) {

@@ -73,11 +73,7 @@ float SplitErrors::smallest_scale_error(const LatticeNode& at) const {
     for (const LatticeNode& step : kSteps) {
         const LatticeNode other{at.column + step.column, at.row + step.row};
         if (!lattice_.contains(other.column, other.row)) continue;
-        const int column = std::min(at.column, other.column);
-        const int row = std::min(at.row, other.row);
-        const bool tears = step.column != 0 ? lattice_.tears_right(column, row)
-                                            : lattice_.tears_below(column, row);
-        if (tears ||
+        if (lattice_.tears_between(at, other) ||
             lattice_.is_seen(at.column, at.row) != lattice_.is_seen(other.column, other.row))
             return kMustSplit;
     }

@@ -7,11 +7,6 @@
 
 namespace lumi {
 
-struct LatticeNode {
-    int column = 0;
-    int row = 0;
-};
-
 /// For each node of a lattice, the error in pixels of the right triangles whose long side it
 /// halves, and of all triangles within them: what decides whether they are split.
 ///

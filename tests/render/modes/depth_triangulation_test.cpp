@@ -76,11 +76,16 @@ TEST(DepthMesh, CoversThePhotographWhateverTheSizeOfTheDepthMap) {
         const DepthMap depth = depth_map(width, height, [&](double x, double y) {
             return 0.3 + 0.1 * std::sin(x / width) + (x + y > 0.8 * width ? 0.4 : 0.0);
         });
-        const DepthMesh mesh = triangulate(depth, kCamera, kDisparity_px);
-        // What is stretched lies under the ends of the surfaces on both of its sides.
-        EXPECT_LE(covered_area(mesh, false), 61 * 47 + 0.01) << width << 'x' << height;
-        EXPECT_GE(covered_area(mesh, false) + covered_area(mesh, true), 61 * 47 - 0.01)
-            << width << 'x' << height;
+        for (const double decimated_share : {0.0, 0.5}) {
+            const DepthMesh mesh =
+                triangulate(depth, kCamera, kDisparity_px, {.decimated_share = decimated_share});
+            // What is stretched lies under the ends of the surfaces on both of its sides, which
+            // overlap no more than vertices were left out of each on its own.
+            EXPECT_LE(covered_area(mesh, false), 61 * 47 * (1 + 0.01 * decimated_share) + 0.01)
+                << width << 'x' << height << ' ' << decimated_share;
+            EXPECT_GE(covered_area(mesh, false) + covered_area(mesh, true), 61 * 47 - 0.01)
+                << width << 'x' << height << ' ' << decimated_share;
+        }
     }
 }
 
@@ -310,7 +315,7 @@ TEST(DepthMesh, IsEmptyWithoutDepth) {
     EXPECT_TRUE(triangulate({}, kCamera, kDisparity_px).indices.empty());
 }
 
-TEST(CodedDepthMesh, RoundsPlacesOnlyAtThePhotographsBorderAndDepthToA128thOfAPixel) {
+TEST(CodedDepthMesh, RoundsPlacesBetweenSamplesToAnEighthAndDepthToA128thOfAPixel) {
     // 30 samples over 61 pixels: places are not whole, and the network reaches beyond the border.
     const DepthMap depth = depth_map(30, 24, [](double x, double y) {
         return 0.3 + 0.05 * std::sin(0.4 * x) * std::cos(0.3 * y) + (x + y > 24 ? 0.3 : 0.0);
@@ -327,8 +332,12 @@ TEST(CodedDepthMesh, RoundsPlacesOnlyAtThePhotographsBorderAndDepthToA128thOfAPi
         const Eigen::Vector3f& is = decoded.vertices[decoded.indices[i]];
         EXPECT_LE(std::abs(static_cast<double>(was.z() - is.z())) * kDisparity_px,
                   1.0 / 128 + 1e-4);
-        const bool at_border = was.x() > 60 || was.y() > 46;
-        EXPECT_LE((was - is).head<2>().cwiseAbs().maxCoeff(), at_border ? 61.0F / 240 : 1e-5F);
+        const auto off_sample = [](float place_px, float samples_per_px) {
+            const float from_sample = samples_per_px * place_px - 0.5F;
+            return std::abs(from_sample - std::round(from_sample)) > 1e-4F;
+        };
+        const bool is_between = off_sample(was.x(), 30 / 61.0F) || off_sample(was.y(), 24 / 47.0F);
+        EXPECT_LE((was - is).head<2>().cwiseAbs().maxCoeff(), is_between ? 61.0F / 240 : 1e-5F);
     }
 }
 
