@@ -31,18 +31,17 @@ struct CodedDepthMeshHeader {
 /// follow one another over the picture; 0 is a new vertex. A new one goes on with its column, its
 /// row and its step of inverse depth, as the differences from the new one before (from 0 for the
 /// first), zigzag (0, -1, 1, -2 become 0, 1, 2, 3). Columns and rows count quarters of a sample
-/// from the photograph's top left corner, so that samples, what is halfway between them and
-/// the photograph's border are whole numbers; inverse depth is in even steps from the least to the
-/// largest, enough of them for a 64th of a pixel of disparity each, but at most 65535.
+/// from the photograph's top left corner, so that samples, borders between them and the
+/// photograph's are whole numbers; inverse depth is in even steps from the least to the largest,
+/// enough of them for a 64th of a pixel of disparity each, but at most 65535.
 struct CodedDepthMesh {
     CodedDepthMeshHeader header;
     std::vector<std::uint8_t> bytes;
 };
 
 /// Vertices that no triangle names are left out, and the others sorted by when they are named;
-/// positions are rounded to a quarter of a sample, which changes only where surfaces and the
-/// photograph end between samples, and inverse depths to half a step. What is decoded is coded
-/// without change.
+/// positions are rounded to a quarter of a sample, which changes only where triangles end at the
+/// photograph's border, and inverse depths to half a step. What is decoded is coded without change.
 [[nodiscard]] CodedDepthMesh encode(const DepthMesh& mesh, const Camera& camera);
 
 /// Trusts nothing in it: counts, that vertices are named before they are used again and lie in the

@@ -31,8 +31,8 @@ struct AdaptiveSubdivision {
 /// that they do not share has no weight there: no cracks, without a pass that removes T-vertices. A
 /// plane is split only for the perspective in it, and cameras that are close together ask for less.
 ///
-/// Errors are relaxed until the triangles are few enough (relaxation_search.h). What was seen of the
-/// scene for one subdivision serves the others, so that it is hardly looked at for more than is
+/// Errors are relaxed until the triangles are few enough (relaxation_search.h). What was seen of
+/// the scene for one subdivision serves the others, so that it is hardly looked at for more than is
 /// drawn.
 class AdaptiveSubdivider {
  public:

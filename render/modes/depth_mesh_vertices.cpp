@@ -32,17 +32,11 @@ std::uint32_t DepthMeshVertices::index_of(const LatticeNode& node) {
 }
 
 std::uint32_t DepthMeshVertices::add_end_of(const LatticeNode& node, const LatticeNode& beyond) {
-    const bool is_nearer = lattice_.inverse_depth(node.column, node.row) >
-                           lattice_.inverse_depth(beyond.column, beyond.row);
-    const LatticeNode& nearer = is_nearer ? node : beyond;
-    const LatticeNode& farther = is_nearer ? beyond : node;
-    const SurfaceEnds ends =
-        surface_ends(last_samples(nearer, farther), last_samples(farther, nearer));
-    const Eigen::Vector2f pixel =
-        (1 - ends.share) * lattice_.position_px(nearer.column, nearer.row) +
-        ends.share * lattice_.position_px(farther.column, farther.row);
+    const Eigen::Vector2f pixel = 0.5F * (lattice_.position_px(node.column, node.row) +
+                                          lattice_.position_px(beyond.column, beyond.row));
     vertices_.emplace_back(pixel.x(), pixel.y(),
-                           is_nearer ? ends.nearer_inverse_depth : ends.farther_inverse_depth);
+                           inverse_depth_at_end(last_samples(node, beyond),
+                                                lattice_.inverse_depth(beyond.column, beyond.row)));
     return static_cast<std::uint32_t>(vertices_.size() - 1);
 }
 

@@ -17,8 +17,8 @@ class DepthMeshVertices {
 
     [[nodiscard]] std::uint32_t index_of(const LatticeNode& node);
 
-    /// A vertex between two neighbours that tear from each other, where the surface of the first
-    /// ends (surface_end.h).
+    /// A vertex halfway between two neighbours that tear from each other: there the surface of the
+    /// first ends (surface_end.h).
     [[nodiscard]] std::uint32_t add_end_of(const LatticeNode& node, const LatticeNode& beyond);
 
  private:

@@ -162,7 +162,8 @@ TornTriangle torn_triangle(const DepthLattice& lattice, const RightTriangle& tri
     return result;
 }
 
-/// Each corner's surface up to where it ends on the sides on which it tears from the next.
+/// Each corner's surface up to the middle of the sides on which it tears from the next: an edge
+/// lies halfway between the last sample on it and the first beyond.
 void append_torn(const DepthLattice& lattice, const RightTriangle& triangle,
                  DepthMeshVertices& vertices, IndicesByKind& by_kind) {
     const TornTriangle torn = torn_triangle(lattice, triangle);

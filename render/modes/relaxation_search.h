@@ -14,9 +14,9 @@ using TrianglesAt = std::function<std::optional<std::size_t>(double relaxation, 
 ///
 /// Relaxations are powers of the fourth root of two. Most pictures need none, and the search begins
 /// with it. Where that leaves too many, it goes up in growing steps until they are few enough, then
-/// down to where their number, taken to fall as a power of the error, would be as many as may be; it
-/// ends as soon as nearly that many are used. Where even the largest relaxation leaves more, they
-/// are drawn.
+/// down to where their number, taken to fall as a power of the error, would be as many as may be;
+/// it ends as soon as nearly that many are used. Where even the largest relaxation leaves more,
+/// they are drawn.
 [[nodiscard]] double least_relaxation(std::size_t most, const TrianglesAt& triangles_at);
 
 }  // namespace lumi

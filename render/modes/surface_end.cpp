@@ -8,21 +8,16 @@
 namespace lumi {
 namespace {
 
-/// From a last sample: how many samples on, and by how much inverse depth grows on the way.
-struct Step {
-    float samples;
-    float inverse_depth;
-};
-
-Step straight_on(std::span<const float> last_samples, float samples) {
-    const float slope = last_samples.size() < 2 ? 0.0F : last_samples[0] - last_samples[1];
-    return {samples, samples * slope};
+/// From the last sample to halfway to the next.
+float along_slope(std::span<const float> last_samples) {
+    return last_samples.size() < 2 ? 0.0F : 0.5F * (last_samples[0] - last_samples[1]);
 }
 
-/// The vertex of the parabola a * t + b * t * t of places, where t is the inverse depth less that
-/// of the last sample: -1 at the one before, -2 at the one before that. None where inverse depth
-/// does not fall faster and faster towards it, or where it would not come before the next sample.
-std::optional<Step> outline(std::span<const float> last_samples) {
+/// From the last sample to the vertex of the parabola a * t + b * t * t of places, where t is
+/// inverse depth less that of the last sample: -1 at the one before, -2 at the one before that.
+/// None where inverse depth does not fall faster and faster, or where the vertex is not before the
+/// next sample.
+std::optional<float> to_outline(std::span<const float> last_samples) {
     if (last_samples.size() < kEndSamples) return std::nullopt;
     const float one_back = last_samples[1] - last_samples[0];
     const float two_back = last_samples[2] - last_samples[0];
@@ -30,22 +25,21 @@ std::optional<Step> outline(std::span<const float> last_samples) {
     const float scale = one_back * two_back * (two_back - one_back);
     const float a = (2 * one_back * one_back - two_back * two_back) / scale;
     const float b = (two_back - 2 * one_back) / scale;
-    const Step step{-a * a / (4 * b), -a / (2 * b)};
-    if (step.inverse_depth >= 0 || step.samples >= 1) return std::nullopt;
-    return step;
+    const float vertex = -a / (2 * b);
+    const float place = 0.5F * a * vertex;
+    if (vertex >= 0 || place >= 1) return std::nullopt;
+    return vertex;
 }
 
 }  // namespace
 
-SurfaceEnds surface_ends(std::span<const float> nearer, std::span<const float> farther) {
-    assert(!nearer.empty() && !farther.empty());
-    const Step to_end = outline(nearer).value_or(straight_on(nearer, 0.5F));
-    const Step from_beyond = straight_on(farther, 1 - to_end.samples);
-    const float most = 0.5F * (nearer[0] - farther[0]);
-    const auto ended = [&](float last, const Step& step) {
-        return std::max(0.0F, last + std::clamp(step.inverse_depth, -most, most));
-    };
-    return {to_end.samples, ended(nearer[0], to_end), ended(farther[0], from_beyond)};
+float inverse_depth_at_end(std::span<const float> last_samples, float beyond) {
+    assert(!last_samples.empty());
+    const float last = last_samples[0];
+    float step = along_slope(last_samples);
+    if (last > beyond) step = to_outline(last_samples).value_or(step);
+    const float most = 0.5F * std::abs(beyond - last);
+    return std::max(0.0F, last + std::clamp(step, -most, most));
 }
 
 }  // namespace lumi

@@ -9,70 +9,62 @@ namespace lumi {
 namespace {
 
 /// So far behind that it limits nothing.
-constexpr std::array kFarBehind{-100.0F};
+constexpr float kFarBehind = -100.0F;
 
-TEST(SurfaceEnd, OfOneSampleIsHalfwayAtItsDepth) {
-    const SurfaceEnds ends = surface_ends(std::array{0.7F}, std::array{0.1F});
-    EXPECT_FLOAT_EQ(ends.share, 0.5F);
-    EXPECT_FLOAT_EQ(ends.nearer_inverse_depth, 0.7F);
-    EXPECT_FLOAT_EQ(ends.farther_inverse_depth, 0.1F);
+TEST(SurfaceEnd, OfOneSampleIsAtItsDepth) {
+    EXPECT_FLOAT_EQ(inverse_depth_at_end(std::array{0.7F}, 0.1F), 0.7F);
 }
 
-TEST(SurfaceEnd, ContinuesPlanesOnBothSides) {
+TEST(SurfaceEnd, ContinuesAPlane) {
     for (const float slope : {-0.02F, 0.0F, 0.03F}) {
-        const std::array nearer{0.7F, 0.7F - slope, 0.7F - 2 * slope};
-        const std::array farther{0.2F, 0.2F + slope};
-        const SurfaceEnds ends = surface_ends(nearer, farther);
-        EXPECT_FLOAT_EQ(ends.share, 0.5F) << slope;
-        EXPECT_NEAR(ends.nearer_inverse_depth, 0.7F + 0.5F * slope, 1e-6) << slope;
-        EXPECT_NEAR(ends.farther_inverse_depth, 0.2F - 0.5F * slope, 1e-6) << slope;
+        for (const float beyond : {0.1F, 2.0F}) {
+            const std::array plane{0.7F, 0.7F - slope, 0.7F - 2 * slope};
+            EXPECT_NEAR(inverse_depth_at_end(plane, beyond), 0.7F + 0.5F * slope, 1e-6) << slope;
+            const std::array two{plane[0], plane[1]};
+            EXPECT_NEAR(inverse_depth_at_end(two, beyond), 0.7F + 0.5F * slope, 1e-6) << slope;
+        }
     }
 }
 
 // Of a ball seen from afar, inverse depth is, but for a scale, the root of 1 - (distance from the
 // middle)^2: near the outline that of the distance from there.
-TEST(SurfaceEnd, IsAtTheOutlineOfABall) {
+TEST(SurfaceEnd, IsAsDeepAsTheOutlineOfABall) {
     constexpr double kRadius_samples = 80.0;
-    for (double outline = 0.05; outline < 1.0; outline += 0.1) {
+    for (double outline = 0.05; outline < 0.95; outline += 0.1) {
         const auto inverse_depth = [&](double back) {
             const double from_middle = 1 - (outline + back) / kRadius_samples;
             return static_cast<float>(0.5 + 0.1 * std::sqrt(1 - from_middle * from_middle));
         };
         const std::array ball{inverse_depth(0), inverse_depth(1), inverse_depth(2)};
-        const SurfaceEnds ends = surface_ends(ball, kFarBehind);
-        EXPECT_NEAR(ends.share, outline, 0.07);
-        EXPECT_NEAR(ends.nearer_inverse_depth, 0.5, 0.001);
+        EXPECT_NEAR(inverse_depth_at_end(ball, kFarBehind), 0.5, 0.001) << outline;
     }
 }
 
-TEST(SurfaceEnd, IsExactForAParabola) {
-    const std::array nearer{0.5F + 0.1F * std::sqrt(0.3F), 0.5F + 0.1F * std::sqrt(1.3F),
-                            0.5F + 0.1F * std::sqrt(2.3F)};
-    const SurfaceEnds ends = surface_ends(nearer, std::array{0.1F, 0.11F});
-    EXPECT_NEAR(ends.share, 0.3F, 1e-3);
-    EXPECT_NEAR(ends.nearer_inverse_depth, 0.5F, 1e-4);
-    EXPECT_NEAR(ends.farther_inverse_depth, 0.1F - 0.7F * 0.01F, 1e-5);
+TEST(SurfaceEnd, IsAtTheVertexOfAParabolaUnlessItIsWhatLiesBehind) {
+    const std::array parabola{0.5F + 0.1F * std::sqrt(0.3F), 0.5F + 0.1F * std::sqrt(1.3F),
+                              0.5F + 0.1F * std::sqrt(2.3F)};
+    EXPECT_NEAR(inverse_depth_at_end(parabola, kFarBehind), 0.5F, 1e-4);
+    EXPECT_NEAR(inverse_depth_at_end(parabola, 3.0F),
+                parabola[0] + 0.5F * (parabola[0] - parabola[1]), 1e-5);
 }
 
-TEST(SurfaceEnd, GoesNoMoreThanHalfOfTheWayToTheOther) {
-    for (const float slope : {-1.0F, -0.3F, 0.3F, 1.0F}) {
-        const SurfaceEnds ends =
-            surface_ends(std::array{0.6F, 0.6F - slope}, std::array{0.4F, 0.4F - slope});
-        EXPECT_LE(std::abs(ends.nearer_inverse_depth - 0.6F), 0.1F + 1e-6F) << slope;
-        EXPECT_LE(std::abs(ends.farther_inverse_depth - 0.4F), 0.1F + 1e-6F) << slope;
+TEST(SurfaceEnd, GoesNoMoreThanHalfOfTheWayToWhatIsBeyond) {
+    for (const float beyond : {0.4F, 0.9F}) {
+        for (const float slope : {-1.0F, -0.3F, 0.3F, 1.0F}) {
+            const float end = inverse_depth_at_end(std::array{0.6F, 0.6F - slope}, beyond);
+            EXPECT_LE(std::abs(end - 0.6F), 0.5F * std::abs(beyond - 0.6F) + 1e-6F) << slope;
+        }
     }
-    EXPECT_EQ(surface_ends(std::array{0.6F}, std::array{0.01F, 0.2F}).farther_inverse_depth, 0.0F);
+    EXPECT_EQ(inverse_depth_at_end(std::array{0.01F, 0.2F}, 0.6F), 0.0F);
 }
 
-TEST(SurfaceEnd, IsBeforeTheNextSampleWhateverThreeSamplesSay) {
+TEST(SurfaceEnd, IsNoFartherThanSlopesTellWhateverThreeSamplesSay) {
     for (int one = -20; one <= 20; ++one) {
         for (int two = -40; two <= 40; ++two) {
             const float one_back = 0.01F * static_cast<float>(one);
-            const std::array nearer{1.0F, 1.0F + one_back, 1.0F + 0.01F * static_cast<float>(two)};
-            const SurfaceEnds ends = surface_ends(nearer, kFarBehind);
-            ASSERT_GE(ends.share, 0.0F) << one << " " << two;
-            ASSERT_LE(ends.share, 1.0F) << one << " " << two;
-            ASSERT_LE(std::abs(ends.nearer_inverse_depth - 1.0F), 2.5F * std::abs(one_back) + 1e-6F)
+            const std::array samples{1.0F, 1.0F + one_back, 1.0F + 0.01F * static_cast<float>(two)};
+            ASSERT_LE(std::abs(inverse_depth_at_end(samples, kFarBehind) - 1.0F),
+                      2.5F * std::abs(one_back) + 1e-6F)
                 << one << " " << two;
         }
     }
