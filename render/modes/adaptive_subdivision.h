@@ -50,8 +50,8 @@ class AdaptiveSubdivider {
                                                 const AdaptiveSubdivisionOptions& options);
 
  private:
-    class Mesh;
-    std::unique_ptr<Mesh> mesh_;
+    class Parts;
+    std::unique_ptr<Parts> parts_;
 };
 
 /// For once.

@@ -3,8 +3,10 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "render/modes/coarse_triangles.h"
 #include "render/modes/edge_table.h"
 
 namespace lumi {
@@ -54,9 +56,13 @@ class SplitEdges {
     }
 
  private:
+    /// From left to right: whatever triangle asked for it, all that is worked out for an edge
+    /// comes to the same.
     std::uint32_t add(std::uint32_t a, std::uint32_t b,
                       const std::vector<Eigen::Vector2d>& pixels) {
-        edges_.push_back({a, b, static_cast<float>((pixels[a] - pixels[b]).norm())});
+        const auto place = [&](std::uint32_t v) { return std::pair(pixels[v].x(), pixels[v].y()); };
+        if (place(b) < place(a)) std::swap(a, b);
+        edges_.push_back({a, b, edge_length_px(pixels[a], pixels[b])});
         return static_cast<std::uint32_t>(edges_.size() - 1);
     }
 
