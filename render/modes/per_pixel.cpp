@@ -60,39 +60,45 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
         depth_.draw(asked.depth_eye.eye, asked.sets);
     }
     glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
-    const bool in_blocks = is_drawn_in_blocks(uploaded_.layout, options);
-    const std::vector<FacePolygon> polygons =
-        face_polygons(uploaded_.layout.mesh, in_blocks ? PixelBlocks::covering(eye) : eye);
-    if (are_surroundings_drawn(options)) {
-        PictureCells cells(eye.camera);
-        mark_beyond_mesh(uploaded_.layout.mesh, eye, cells);
-        mark_where_none_may_be_shown(polygons, uploaded_.layout.views, eye,
-                                     scene_plane_inverse_depth(uploaded_.layout, eye), cells);
-        surroundings_.draw(cells, eye);
-    }
-    std::size_t triangles = draw_base(polygons, eye, options, viewport, asked);
-    if (options.debug_picture == DebugPicture::kGrid) grid_.draw(polygons, eye);
+    std::size_t triangles = draw_base(eye, options, viewport, asked);
     triangles += draw_shells(eye, options, viewport, asked);
     return {triangles};
 }
 
-std::size_t PerPixel::draw_base(const std::vector<FacePolygon>& polygons, const Eye& eye,
-                                const RenderOptions& options, const Viewport& viewport,
-                                const AskedDepth& asked) {
+PictureCells PerPixel::open_cells(const std::vector<FacePolygon>& polygons, const Eye& eye,
+                                  const RenderOptions& options) const {
+    PictureCells cells(eye.camera);
+    if (!are_surroundings_drawn(options)) return cells;
+    mark_beyond_mesh(uploaded_.layout.mesh, eye, cells);
+    mark_where_none_may_be_shown(polygons, uploaded_.layout.views, eye,
+                                 scene_plane_inverse_depth(uploaded_.layout, eye), cells);
+    return cells;
+}
+
+std::size_t PerPixel::draw_base(const Eye& eye, const RenderOptions& options,
+                                const Viewport& viewport, const AskedDepth& asked) {
+    const bool in_blocks = is_drawn_in_blocks(uploaded_.layout, options);
+    const std::vector<FacePolygon> polygons =
+        face_polygons(uploaded_.layout.mesh, in_blocks ? PixelBlocks::covering(eye) : eye);
+    const PictureCells cells = open_cells(polygons, eye, options);
     faces_.upload(polygons, eye, scene_plane_inverse_depth(uploaded_.layout, eye));
-    if (!is_drawn_in_blocks(uploaded_.layout, options)) {
-        const Fade fade = options.fade_beyond_capture ? Fade::kBeyondCapture : Fade::kNone;
-        return draw_strips(eye, options, {viewport}, asked, fade);
-    }
     std::size_t triangles = 0;
-    {
-        const FramebufferBindingKeeper keeper;
-        const Viewport rasters = blocks_.begin(viewport.width_px, viewport.height_px);
-        const Fragments blocks{rasters, PixelBlocks::rows_below(viewport.height_px),
-                               PixelBlocks::kSide_px};
-        triangles = draw_strips(eye, options, blocks, asked, Fade::kNone);
+    if (in_blocks) {
+        {
+            const FramebufferBindingKeeper keeper;
+            const Viewport rasters = blocks_.begin(viewport.width_px, viewport.height_px);
+            surroundings_.draw_in_blocks(cells, eye);
+            const Fragments blocks{rasters, PixelBlocks::rows_below(viewport.height_px),
+                                   PixelBlocks::kSide_px};
+            triangles = draw_strips(eye, options, blocks, asked, Fade::kNone);
+        }
+        blocks_.lay_out(viewport);
+    } else {
+        surroundings_.draw(cells, eye);
+        const Fade fade = options.fade_beyond_capture ? Fade::kBeyondCapture : Fade::kNone;
+        triangles = draw_strips(eye, options, {viewport}, asked, fade);
     }
-    blocks_.lay_out(viewport);
+    if (options.debug_picture == DebugPicture::kGrid) grid_.draw(polygons, eye);
     return triangles;
 }
 

@@ -51,9 +51,11 @@ class PerPixel : public DrawingMode {
     enum class Fade { kNone, kBeyondCapture, kShell };
 
     /// The faces of the camera mesh, and the triangles that they take.
-    std::size_t draw_base(const std::vector<FacePolygon>& polygons, const Eye& eye,
-                          const RenderOptions& options, const Viewport& viewport,
+    std::size_t draw_base(const Eye& eye, const RenderOptions& options, const Viewport& viewport,
                           const AskedDepth& asked);
+    /// The cells of the picture that surroundings are drawn in, beneath the faces.
+    [[nodiscard]] PictureCells open_cells(const std::vector<FacePolygon>& polygons, const Eye& eye,
+                                          const RenderOptions& options) const;
     std::size_t draw_shells(const Eye& eye, const RenderOptions& options, const Viewport& viewport,
                             const AskedDepth& asked);
     /// Puts the program in use, with all that they need.

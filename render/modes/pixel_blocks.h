@@ -13,18 +13,17 @@ namespace lumi {
 /// once what its pixels share, and draws each of them into a raster of its own (coarse pixel
 /// shading: Vaidyanathan et al. 2014). The rasters are then laid out as the frame. Blocks are
 /// counted from the frame's top left; the last ones may reach beyond it.
-///
-/// What is drawn has alpha 1 where it is covered and a half where it is not (shaders/lay_out.glsl).
 class PixelBlocks {
  public:
     static constexpr int kSide_px = 2;
 
     PixelBlocks();
 
-    /// Binds empty rasters for a frame of this size, and makes the viewport theirs: in blocks.
+    /// Binds rasters for a frame of this size, black and not covered, and makes the viewport theirs:
+    /// in blocks.
     Viewport begin(int width_px, int height_px);
-    /// Draws the blocks into the bound framebuffer, where the viewport has the size of the frame
-    /// that was begun. Pixels of blocks that nothing was drawn to are left as they are.
+    /// Draws the blocks into the bound framebuffer, over all that was there: the viewport has the
+    /// size of the frame that was begun.
     void lay_out(const Viewport& viewport) const;
 
     /// Of a frame, rows that blocks reach below it.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/gl/to_glm.h"
+#include "render/modes/pixel_blocks.h"
 #include "render/modes/pixel_transfer.h"
 #include "render/modes/surroundings.h"
 #include "render/shaders/shader_sources.h"
@@ -42,20 +43,30 @@ std::vector<std::uint32_t> triangles_of(const ColorGrid& grid) {
 }  // namespace
 
 void SurroundingsPainter::draw(const PictureCells& cells, const Eye& eye) {
+    draw_over(eye.camera, cells, eye, {}, in_pixels_);
+}
+
+void SurroundingsPainter::draw_in_blocks(const PictureCells& cells, const Eye& eye) {
+    draw_over(PixelBlocks::covering(eye).camera, cells, eye, {"BLOCKS"}, in_blocks_);
+}
+
+void SurroundingsPainter::draw_over(const Camera& picture, const PictureCells& cells,
+                                    const Eye& eye, const std::vector<std::string>& definitions,
+                                    std::optional<Program>& program) {
     if (!cells.is_any_marked()) return;
     const ColorGrid colors =
         surrounding_colors(uploaded_.layout, uploaded_.small_photographs, eye, cells);
-    if (!program_) {
-        program_.emplace("surroundings",
-                         std::vector<std::string_view>{shader_source("surroundings")});
-        triangles_ = VertexBuffer({{0, 2}, {1, 3}});
+    if (!program) {
+        const std::vector<std::string_view> sources{shader_source("surroundings")};
+        program.emplace("surroundings", sources, definitions);
     }
-    program_->use();
-    program_->set("clip_from_eye_pixel",
-                  to_glm(clip_from_pixel(eye.camera.width_px, eye.camera.height_px, 1.0)));
+    if (!triangles_) triangles_.emplace(VertexBuffer({{0, 2}, {1, 3}}));
+    program->use();
+    program->set("clip_from_eye_pixel",
+                 to_glm(clip_from_pixel(picture.width_px, picture.height_px, 1.0)));
     const std::vector<std::uint32_t> indices = triangles_of(colors);
-    triangles_.upload(vertices_of(colors), indices);
-    triangles_.draw(0, indices.size());
+    triangles_->upload(vertices_of(colors), indices);
+    triangles_->draw(0, indices.size());
 }
 
 }  // namespace lumi

@@ -8,9 +8,6 @@ out vec4 drawn;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy + from_origin_px);
-    vec4 color = texelFetch(blocks, ivec3(pixel >> 1, (pixel.x & 1) + 2 * (pixel.y & 1)), 0);
-    // 0: nothing was drawn there; a half: a guess; 1: covered.
-    if (color.a < 0.25) discard;
-    drawn = vec4(color.rgb, step(0.75, color.a));
+    drawn = texelFetch(blocks, ivec3(pixel >> 1, (pixel.x & 1) + 2 * (pixel.y & 1)), 0);
 }
 #endif

@@ -191,22 +191,14 @@ Blend blend_at(vec2 window) {
     return blend;
 }
 
-#ifdef BLOCKS
-// Of 1 and 0, so that pixels that are not covered differ from those that nothing is drawn to
-// (lay_out.glsl).
-vec4 laid_out(vec4 color_and_coverage) {
-    return vec4(color_and_coverage.rgb, 0.5 + 0.5 * color_and_coverage.a);
-}
-#endif
-
 void main() {
     Blend blend = blend_at(kFragment_px * gl_FragCoord.xy - viewport_origin);
     if (blend.is_unseen && blend.is_guess) discard;
 #ifdef BLOCKS
-    drawn = laid_out(drawn_at(blend, vec2(-0.5, -0.5)));
-    drawn_right = laid_out(drawn_at(blend, vec2(0.5, -0.5)));
-    drawn_above = laid_out(drawn_at(blend, vec2(-0.5, 0.5)));
-    drawn_above_right = laid_out(drawn_at(blend, vec2(0.5, 0.5)));
+    drawn = drawn_at(blend, vec2(-0.5, -0.5));
+    drawn_right = drawn_at(blend, vec2(0.5, -0.5));
+    drawn_above = drawn_at(blend, vec2(-0.5, 0.5));
+    drawn_above_right = drawn_at(blend, vec2(0.5, 0.5));
 #else
     drawn = drawn_at(blend, vec2(0.0));
 #endif

@@ -14,7 +14,24 @@ void main() {
 
 #ifdef LUMI_FRAGMENT
 in vec3 color;
-out vec4 drawn;
+// Of a pixel, or of the pixels of a block (pixel_blocks.h).
+layout(location = 0) out vec4 drawn;
+#ifdef BLOCKS
+layout(location = 1) out vec4 drawn_right;
+layout(location = 2) out vec4 drawn_above;
+layout(location = 3) out vec4 drawn_above_right;
+#endif
 
-void main() { drawn = vec4(color, 0.0); }
+void main() {
+#ifdef BLOCKS
+    vec3 to_right = 0.25 * dFdx(color);  // half a pixel of the block's two
+    vec3 to_above = 0.25 * dFdy(color);
+    drawn = vec4(color - to_right - to_above, 0.0);
+    drawn_right = vec4(color + to_right - to_above, 0.0);
+    drawn_above = vec4(color - to_right + to_above, 0.0);
+    drawn_above_right = vec4(color + to_right + to_above, 0.0);
+#else
+    drawn = vec4(color, 0.0);
+#endif
+}
 #endif
