@@ -39,6 +39,14 @@ void keep_little_free_memory() {
     mallopt(M_TRIM_THRESHOLD, kKept);
 }
 
+void keep_free_memory() {
+    constexpr int kKept = 256 << 20;
+    constexpr int kTakenAtOnce = 32 << 20;
+    mallopt(M_MMAP_THRESHOLD, kTakenAtOnce);
+    mallopt(M_TRIM_THRESHOLD, kKept);
+    mallopt(M_TOP_PAD, kTakenAtOnce);
+}
+
 bool forget_peak_memory() {
     std::ofstream file("/proc/self/clear_refs");
     file << "5" << std::flush;  // proc(5): resets VmHWM.

@@ -2,9 +2,13 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "calib/work/process_memory.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/eye_path.h"
+#include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/report/number_text.h"
 #include "pipeline/report/optional_json.h"
 #include "pipeline/report/padded.h"
@@ -21,7 +25,16 @@ struct BenchRequest {
     std::string path = kViewsPath;
     std::string size = "1280x720";
     int frames = 60;
+    std::vector<std::string> modes;  ///< Empty: all of them.
 };
+
+std::vector<RenderOptions> options_of(const std::vector<std::string>& mode_names) {
+    std::vector<RenderOptions> options;
+    for (const std::string& name : mode_names) options.push_back({.mode = render_mode_from(name)});
+    if (!options.empty()) return options;
+    for (const RenderMode mode : all_render_modes()) options.push_back({.mode = mode});
+    return options;
+}
 
 Json report_json(const FrameTimingReport& report) {
     Json modes = Json::object();
@@ -76,9 +89,9 @@ std::string report_text(const FrameTimingReport& report) {
 }
 
 void run_bench(const BenchRequest& request, const CommandContext& context) {
+    const std::vector<RenderOptions> modes = options_of(request.modes);
     const Lumigraph lumigraph = read_package(request.package);
-    std::vector<RenderOptions> modes;
-    for (const RenderMode mode : all_render_modes()) modes.push_back({.mode = mode});
+    keep_free_memory();
     const FrameTimingReport report =
         time_frames(lumigraph, eye_path(request.path, request.frames, request.size, lumigraph),
                     modes, *context.progress);
@@ -103,6 +116,8 @@ void add_bench_command(CLI::App& app, CommandContext& context) {
                     "From photograph to photograph (the word views), or a path that the window "
                     "recorded (a JSON file)")
         ->capture_default_str();
+    command.add_option("--mode", request->modes,
+                       render_mode_names() + ", also several; all of them without");
     command.add_option("--frames", request->frames, "Of the path `views`")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();

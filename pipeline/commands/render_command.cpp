@@ -5,6 +5,7 @@
 
 #include "calib/capture/image_io.h"
 #include "calib/work/error.h"
+#include "calib/work/process_memory.h"
 #include "calib/work/stopwatch.h"
 #include "calib/work/whole_folder.h"
 #include "pipeline/commands/commands.h"
@@ -197,6 +198,7 @@ Json draw_jobs(const RenderRequest& request, const Lumigraph& lumigraph, const D
 void run_render(const RenderRequest& request, const CommandContext& context) {
     const Lumigraph lumigraph = read_package(
         request.package, {}, request.as_taken ? Exposures::kAsTaken : Exposures::kEvened);
+    keep_free_memory();
     const bool fades = request.fade || (lumigraph.fade_beyond_capture && !request.no_fade);
     const RenderOptions options{.mode = render_mode_from(request.mode),
                                 .debug_picture = debug_picture_from(request.debug),

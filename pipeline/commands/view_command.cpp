@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "calib/work/error.h"
+#include "calib/work/process_memory.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/frame_size.h"
 #include "pipeline/commands/render_mode_argument.h"
@@ -68,6 +69,7 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
     options.render.fade_beyond_capture =
         request.fade || (lumigraph.fade_beyond_capture && !request.no_fade);
     options.render.guess_surroundings = !request.black_surroundings;
+    keep_free_memory();
     run_window(std::move(lumigraph), options);
     if (!request.screenshot.empty()) context.print_result(request.screenshot.string() + "\n");
 }

@@ -1,7 +1,10 @@
 #include "calib/work/process_memory.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace lumi {
@@ -21,6 +24,36 @@ TEST(ProcessMemory, ThePeakRisesByWhatIsTakenAndCanBeForgotten) {
     EXPECT_TRUE(forget_peak_memory());
     EXPECT_LT(*peak_memory(), before + kTaken / 2);
     EXPECT_GT(*memory_available(), 0U);
+}
+
+/// Pages that the system had to give for blocks that are freed together.
+long pages_for_blocks() {
+    rusage before{};
+    getrusage(RUSAGE_SELF, &before);
+    constexpr std::size_t kBlocks = 600;
+    constexpr std::size_t kBlockBytes = std::size_t{64} << 10;
+    std::vector<std::unique_ptr<char[]>> blocks;
+    for (std::size_t i = 0; i < kBlocks; ++i) {
+        blocks.push_back(std::make_unique<char[]>(kBlockBytes));
+        blocks.back()[kBlockBytes / 2] = 1;
+    }
+    blocks.clear();
+    rusage after{};
+    getrusage(RUSAGE_SELF, &after);
+    return after.ru_minflt - before.ru_minflt;
+}
+
+TEST(ProcessMemory, WhatIsKeptIsNotTakenFromTheSystemAgain) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the address sanitizer has a heap of its own";
+#endif
+    keep_little_free_memory();
+    static_cast<void>(pages_for_blocks());
+    EXPECT_GT(pages_for_blocks(), 1000);
+    keep_free_memory();
+    static_cast<void>(pages_for_blocks());
+    EXPECT_LT(pages_for_blocks(), 100);
+    keep_little_free_memory();
 }
 
 }  // namespace
