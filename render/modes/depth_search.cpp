@@ -138,8 +138,9 @@ RayStretch DepthSearch::visible_stretch(const Target& target, const EpipolarLine
     return stretch;
 }
 
-std::optional<RayHit> DepthSearch::refined(const Target& target, const EpipolarWalk& walk,
-                                           double before, double behind) const {
+std::optional<RayHit> DepthSearch::refined(int view_index, const EpipolarWalk& walk, double before,
+                                           double behind) const {
+    const Target& target = targets_[static_cast<std::size_t>(view_index)];
     Meeting at{};
     const auto reaches_surface_at = [&](double share) {
         at = meeting_at(target, walk, share);
@@ -154,7 +155,7 @@ std::optional<RayHit> DepthSearch::refined(const Target& target, const EpipolarW
         if (meets >= before && meets <= behind && reaches_surface_at(meets)) break;
     }
     if (!is_at_surface(target, at, kMet)) return std::nullopt;
-    return hit_at(walk, at);
+    return hit_at(walk, at, view_index);
 }
 
 std::optional<RayHit> DepthSearch::first_hit_in(int view_index,
@@ -185,7 +186,7 @@ std::optional<RayHit> DepthSearch::first_hit_in(int view_index,
             const double meets = walk.meets(at.surface.inverse_depth);
             if (meets >= share && meets <= 1 && meets - share <= kAtOnce * per_sample) {
                 at = meeting_at(target, walk, meets);
-                if (is_at_surface(target, at, kCloseEnough)) return hit_at(walk, at);
+                if (is_at_surface(target, at, kCloseEnough)) return hit_at(walk, at, view_index);
                 if (at.ahead > 0) last_before = at.share;
                 share = at.share;
             }
@@ -193,7 +194,7 @@ std::optional<RayHit> DepthSearch::first_hit_in(int view_index,
         if (at.ahead <= 0) {
             if (is_before) {
                 const double margin = kShortestStep * per_sample;
-                const auto hit = refined(target, walk, std::max(0.0, last_before - margin),
+                const auto hit = refined(view_index, walk, std::max(0.0, last_before - margin),
                                          std::min(1.0, share + margin));
                 if (hit) return hit;
             }
@@ -233,12 +234,13 @@ std::optional<RayHit> DepthSearch::nearest_seen(
     std::optional<RayHit> chosen;
     for (const auto& candidate : hits) {
         if (!candidate || candidate->kind != DepthKind::kSeen) continue;
-        RayHit merged{0.0, DepthKind::kSeen, 0};
+        RayHit merged;
         for (const auto& other : hits) {
             if (!other || other->kind != DepthKind::kSeen ||
                 std::abs(other->inverse_depth - candidate->inverse_depth) > agreeing_inverse_depth_)
                 continue;
             merged.inverse_depth += other->inverse_depth;
+            merged.views[static_cast<std::size_t>(merged.support)] = other->views[0];
             ++merged.support;
         }
         merged.inverse_depth /= merged.support;

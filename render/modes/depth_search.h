@@ -16,9 +16,18 @@ namespace lumi {
 
 /// Where a ray of the eye meets the scene.
 struct RayHit {
+    static constexpr int kNoView = -1;
+
     double inverse_depth = 0.0;  ///< Along the eye's optical axis.
     DepthKind kind = DepthKind::kSeen;
-    int support = 0;  ///< How many of the views asked meet it there.
+    int support = 0;  ///< How many of the views asked meet it there: the first of `views`.
+    std::array<int, 3> views{kNoView, kNoView, kNoView};
+
+    /// Nothing else stands before it for this view; of views that were not asked, or that meet
+    /// something else, this does not tell.
+    [[nodiscard]] bool is_met_by(int view_index) const {
+        return view_index == views[0] || view_index == views[1] || view_index == views[2];
+    }
 };
 
 /// Finds where rays of one eye first meet the scene in the depth maps of views that stand
@@ -89,8 +98,12 @@ class DepthSearch {
     [[nodiscard]] static Surface surface_at(const Target& target, double x, double y);
     [[nodiscard]] static Meeting meeting_at(const Target& target, const EpipolarWalk& walk,
                                             double share);
-    [[nodiscard]] static RayHit hit_at(const EpipolarWalk& walk, const Meeting& meeting) {
-        return {walk.inverse_depth_in_eye(meeting.share), meeting.surface.kind, 1};
+    [[nodiscard]] static RayHit hit_at(const EpipolarWalk& walk, const Meeting& meeting,
+                                       int view_index) {
+        return {walk.inverse_depth_in_eye(meeting.share),
+                meeting.surface.kind,
+                1,
+                {view_index, RayHit::kNoView, RayHit::kNoView}};
     }
     /// The nearest that two have seen, or else the nearest that one has.
     [[nodiscard]] std::optional<RayHit> nearest_seen(
@@ -105,7 +118,7 @@ class DepthSearch {
         return std::abs(meeting.ahead) * target.max_disparity_px <= share * tolerance_px_;
     }
     /// The hit between a share of the way before the surface and one behind it; empty at a tear.
-    [[nodiscard]] std::optional<RayHit> refined(const Target& target, const EpipolarWalk& walk,
+    [[nodiscard]] std::optional<RayHit> refined(int view_index, const EpipolarWalk& walk,
                                                 double before, double behind) const;
 
     double tolerance_px_;

@@ -83,9 +83,9 @@ PatchSample PatchSampler::at(const Eigen::Vector2d& pixel) const {
         sample.view_pixels[k] = in_view.hnormalized();
         sample.depth_ratios[k] = in_view.z();
         ratio += sample.ray_weights[k] * in_view.z();
-        visible[k] = sample.hits && options_.correct_occlusion
-                         ? search_.visibility(pixel, sample.inverse_depth, view)
-                         : search_.inside(view, sample.view_pixels[k]);
+        const bool may_be_hidden = hit && options_.correct_occlusion && !hit->is_met_by(view);
+        visible[k] = may_be_hidden ? search_.visibility(pixel, hit->inverse_depth, view)
+                                   : search_.inside(view, sample.view_pixels[k]);
     }
     sample.occluded = 1;
     for (std::size_t k = 0; k < 3; ++k) sample.occluded -= sample.ray_weights[k] * visible[k];

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -175,6 +176,35 @@ TEST(DepthSearch, TheNearestCountsWhereTwoViewsMeetDifferentSurfaces) {
         }
     }
     EXPECT_GT(differing, 100);
+}
+
+TEST(DepthSearch, ViewsThatMeetAPointSeeIt) {
+    const Lumigraph lumigraph = card_before_wall();
+    const SearchedViews views = searched_views(lumigraph);
+    const Eye eye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, pinhole_camera(64, 48, 80));
+    const DepthSearch search(lumigraph, views, eye, 1.0);
+    const std::array<int, 3> asked{0, 1, 5};
+    int met = 0;
+    int hidden = 0;
+    for (int y = 0; y < eye.camera.height_px; ++y) {
+        for (int x = 0; x < eye.camera.width_px; ++x) {
+            const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
+            const auto hit = search.first_hit(pixel, asked);
+            if (!hit) continue;
+            int by = 0;
+            for (int view = 0; view < static_cast<int>(lumigraph.views.size()); ++view) {
+                if (!hit->is_met_by(view)) continue;
+                ++by;
+                EXPECT_NE(std::find(asked.begin(), asked.end(), view), asked.end());
+                if (search.visibility(pixel, hit->inverse_depth, view) <= 0) ++hidden;
+            }
+            EXPECT_EQ(by, hit->support);
+            met += by;
+        }
+    }
+    EXPECT_GT(met, 5000);
+    // Of two surfaces that meet within a sample each may hide the other.
+    EXPECT_LT(hidden, met / 100);
 }
 
 /// Three views whose maps are planes before them, at these inverse depths; all are guesses but
