@@ -78,16 +78,16 @@ PictureCells PerPixel::open_cells(const std::vector<FacePolygon>& polygons, cons
 std::size_t PerPixel::draw_base(const Eye& eye, const RenderOptions& options,
                                 const Viewport& viewport, const AskedDepth& asked) {
     const bool in_blocks = is_drawn_in_blocks(uploaded_.layout, options);
-    const std::vector<FacePolygon> polygons =
-        face_polygons(uploaded_.layout.mesh, in_blocks ? PixelBlocks::covering(eye) : eye);
-    const PictureCells cells = open_cells(polygons, eye, options);
+    const Eye drawn = in_blocks ? PixelBlocks::covering(eye) : eye;
+    const std::vector<FacePolygon> polygons = face_polygons(uploaded_.layout.mesh, drawn);
+    const PictureCells cells = open_cells(polygons, drawn, options);
     faces_.upload(polygons, eye, scene_plane_inverse_depth(uploaded_.layout, eye));
     std::size_t triangles = 0;
     if (in_blocks) {
         {
             const FramebufferBindingKeeper keeper;
             const Viewport rasters = blocks_.begin(viewport.width_px, viewport.height_px);
-            surroundings_.draw_in_blocks(cells, eye);
+            surroundings_.draw_in_blocks(cells, drawn);
             const Fragments blocks{rasters, PixelBlocks::rows_below(viewport.height_px),
                                    PixelBlocks::kSide_px};
             triangles = draw_strips(eye, options, blocks, asked, Fade::kNone);

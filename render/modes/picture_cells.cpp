@@ -7,6 +7,7 @@ namespace lumi {
 namespace {
 
 constexpr double kCellsAcross = 24.0;
+constexpr double kSmallestCell_px = 8.0;
 
 /// The cell of a coordinate, or the nearest.
 int cell_at(double pixel, double cell_px, int cells) {
@@ -16,7 +17,8 @@ int cell_at(double pixel, double cell_px, int cells) {
 }  // namespace
 
 PictureCells::PictureCells(const Camera& camera)
-    : cell_px_(std::max(camera.width_px, camera.height_px) / kCellsAcross),
+    : cell_px_(
+          std::max(kSmallestCell_px, std::max(camera.width_px, camera.height_px) / kCellsAcross)),
       columns_(static_cast<int>(std::ceil(camera.width_px / cell_px_))),
       rows_(static_cast<int>(std::ceil(camera.height_px / cell_px_))),
       marked_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}

@@ -12,7 +12,8 @@ namespace lumi {
 /// border.
 class PictureCells {
  public:
-    /// 24 along the longer side; none is marked.
+    /// 24 along the longer side, but none smaller than 8 pixels: a block of pixels (pixel_blocks.h)
+    /// has the colours of the cell that its middle lies in. None is marked.
     explicit PictureCells(const Camera& camera);
 
     [[nodiscard]] double cell_px() const { return cell_px_; }

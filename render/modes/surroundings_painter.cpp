@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "render/gl/to_glm.h"
-#include "render/modes/pixel_blocks.h"
 #include "render/modes/pixel_transfer.h"
 #include "render/modes/surroundings.h"
 #include "render/shaders/shader_sources.h"
@@ -43,16 +42,16 @@ std::vector<std::uint32_t> triangles_of(const ColorGrid& grid) {
 }  // namespace
 
 void SurroundingsPainter::draw(const PictureCells& cells, const Eye& eye) {
-    draw_over(eye.camera, cells, eye, {}, in_pixels_);
+    draw_with(in_pixels_, {}, cells, eye);
 }
 
 void SurroundingsPainter::draw_in_blocks(const PictureCells& cells, const Eye& eye) {
-    draw_over(PixelBlocks::covering(eye).camera, cells, eye, {"BLOCKS"}, in_blocks_);
+    draw_with(in_blocks_, {"BLOCKS"}, cells, eye);
 }
 
-void SurroundingsPainter::draw_over(const Camera& picture, const PictureCells& cells,
-                                    const Eye& eye, const std::vector<std::string>& definitions,
-                                    std::optional<Program>& program) {
+void SurroundingsPainter::draw_with(std::optional<Program>& program,
+                                    const std::vector<std::string>& definitions,
+                                    const PictureCells& cells, const Eye& eye) {
     if (!cells.is_any_marked()) return;
     const ColorGrid colors =
         surrounding_colors(uploaded_.layout, uploaded_.small_photographs, eye, cells);
@@ -63,7 +62,7 @@ void SurroundingsPainter::draw_over(const Camera& picture, const PictureCells& c
     if (!triangles_) triangles_.emplace(VertexBuffer({{0, 2}, {1, 3}}));
     program->use();
     program->set("clip_from_eye_pixel",
-                 to_glm(clip_from_pixel(picture.width_px, picture.height_px, 1.0)));
+                 to_glm(clip_from_pixel(eye.camera.width_px, eye.camera.height_px, 1.0)));
     const std::vector<std::uint32_t> indices = triangles_of(colors);
     triangles_->upload(vertices_of(colors), indices);
     triangles_->draw(0, indices.size());

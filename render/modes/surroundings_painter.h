@@ -19,13 +19,12 @@ class SurroundingsPainter {
 
     /// In the marked cells of the eye's picture.
     void draw(const PictureCells& cells, const Eye& eye);
-    /// The same into the rasters of its blocks (pixel_blocks.h).
+    /// The same into the rasters of blocks (pixel_blocks.h), of which `eye` is the covering one.
     void draw_in_blocks(const PictureCells& cells, const Eye& eye);
 
  private:
-    /// Over a picture that is the eye's, or reaches as far beyond it as its blocks do.
-    void draw_over(const Camera& picture, const PictureCells& cells, const Eye& eye,
-                   const std::vector<std::string>& definitions, std::optional<Program>& program);
+    void draw_with(std::optional<Program>& program, const std::vector<std::string>& definitions,
+                   const PictureCells& cells, const Eye& eye);
 
     const UploadedLumigraph& uploaded_;
     std::optional<Program> in_pixels_;

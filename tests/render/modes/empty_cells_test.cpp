@@ -37,10 +37,11 @@ bool is_shown(const Lumigraph& lumigraph, const FacePolygon& polygon, const Eye&
 
 TEST(EmptyCells, AreMarkedWhereverAPixelIsNotShown) {
     const Lumigraph lumigraph = card_before_wall();
+    const Camera camera = pinhole_camera(240, 180, 210);
     int marked_cells = 0;
     int all_cells = 0;
     for (const double x : {0.2, 1.0, 2.0, 3.5}) {
-        const Eye eye = eye_at({x, 0.13, -0.2 * x}, {0, 0, 4}, kEyeCamera);
+        const Eye eye = eye_at({x, 0.13, -0.2 * x}, {0, 0, 4}, camera);
         const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
         const auto polygons = face_polygons(lumigraph.mesh, eye);
         PictureCells cells(eye.camera);

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "render/modes/adaptive_subdivision.h"
 #include "render/modes/blend_lookups.h"
+#include "render/modes/coarse_triangles.h"
 #include "render/modes/edge_table.h"
 #include "render/modes/paper_subdivision.h"
 #include "render/modes/relaxation_search.h"
@@ -92,6 +95,73 @@ FacePolygon picture_through_camera(int view_index, const Eye& eye) {
     polygon.view_indices.fill(view_index);
     polygon.side_lines.fill({0, 0, 1});
     return polygon;
+}
+
+TEST_F(Subdivision, CoarseTrianglesHaveNoMoreToBeSplitInAnyCase) {
+    constexpr double kMinEdge_px = 1.0;
+    constexpr double kMaxEdge_px = 12.0;
+    const CoarseTriangles coarse = coarse_triangles(polygons_, kMinEdge_px, kMaxEdge_px);
+    std::vector<double> areas_px2(polygons_.size(), 0.0);
+    std::set<std::tuple<std::uint32_t, double, double>> places;
+    std::set<std::uint32_t> named;
+    for (const auto& [corners, polygon] : coarse.triangles) {
+        const Eigen::Vector2d& a = coarse.pixels[corners[0]];
+        const Eigen::Vector2d ab = coarse.pixels[corners[1]] - a;
+        const Eigen::Vector2d ac = coarse.pixels[corners[2]] - a;
+        const auto [shortest, longest] = std::minmax({ab.norm(), ac.norm(), (ac - ab).norm()});
+        const double doubled_px2 = std::abs(ab.x() * ac.y() - ab.y() * ac.x());
+        EXPECT_TRUE(shortest <= kMaxEdge_px || doubled_px2 < 0.25 * kMinEdge_px * longest);
+        areas_px2[polygon] += 0.5 * doubled_px2;
+        for (const std::uint32_t corner : corners) {
+            const Eigen::Vector2d& at = coarse.pixels[corner];
+            if (named.insert(corner).second) places.insert({polygon, at.x(), at.y()});
+        }
+    }
+    EXPECT_GT(coarse.triangles.size(), 100U);
+    EXPECT_EQ(places.size(), named.size()) << "one vertex for each place in a polygon";
+    for (std::size_t i = 0; i < polygons_.size(); ++i) {
+        const std::vector<Eigen::Vector2d>& corners = polygons_[i].corners_px;
+        double doubled_px2 = 0;
+        for (std::size_t k = 2; k < corners.size(); ++k) {
+            const Eigen::Vector2d to_last = corners[k - 1] - corners[0];
+            const Eigen::Vector2d to_this = corners[k] - corners[0];
+            doubled_px2 += std::abs(to_last.x() * to_this.y() - to_last.y() * to_this.x());
+        }
+        EXPECT_NEAR(areas_px2[i], 0.5 * doubled_px2, 1e-6 * doubled_px2);
+    }
+}
+
+TEST_F(Subdivision, PartsOfAPictureFitTogetherWithoutCracks) {
+    const Lumigraph ball = ball_in_sky();
+    const SearchedViews views = searched_views(ball);
+    const Eye eye = eye_at({0.5, 0.6, -2}, {0, 0, 0}, kEye.camera);
+    const DepthSearch search(ball, views, eye, 1.0);
+    // 128 coarse triangles: as many parts as there may be. None becomes so thin that it is left
+    // whole.
+    const BlendTriangles triangles =
+        adaptive_subdivision(
+            {picture_through_camera(3, eye)}, search, scene_plane_inverse_depth(ball, eye), {},
+            {.max_error_px = 0.1, .min_edge_px = 8, .max_edge_px = 12, .max_triangles = 0})
+            .triangles;
+    using Place = std::array<float, 2>;
+    std::map<std::pair<Place, Place>, int> sides;
+    double covered_px2 = 0;
+    for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
+        covered_px2 += area_px2(triangles, i);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Place a = triangles.vertices[triangles.indices[i + k]].pixel;
+            const Place b = triangles.vertices[triangles.indices[i + (k + 1) % 3]].pixel;
+            ++sides[std::minmax(a, b)];
+        }
+    }
+    EXPECT_GT(triangles.count(), 150U);
+    EXPECT_NEAR(covered_px2, 128.0 * 96.0, 1e-3);
+    for (const auto& [places, count] : sides) {
+        const auto& [a, b] = places;
+        const bool is_border = (a[0] == b[0] && (a[0] == 0.0F || a[0] == 128.0F)) ||
+                               (a[1] == b[1] && (a[1] == 0.0F || a[1] == 96.0F));
+        EXPECT_EQ(count, is_border ? 1 : 2) << a[0] << ' ' << a[1] << " to " << b[0] << ' ' << b[1];
+    }
 }
 
 // From behind a camera the wall is hidden from it around the card; there nothing tells where its

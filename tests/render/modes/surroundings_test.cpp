@@ -58,13 +58,18 @@ TEST(Surroundings, OfPhotographsOfOneColourHaveThatColourEverywhere) {
 TEST(Surroundings, AtACameraAreItsPhotographBlurred) {
     const Lumigraph lumigraph = card_before_wall();
     const LumigraphView& view = lumigraph.views[0];
-    const ColorGrid grid = around(lumigraph, {view.camera, view.cam_from_world});
+    // So large that its cells are not the smallest that there are.
+    Camera camera = view.camera;
+    camera.width_px *= 4;
+    camera.height_px *= 4;
+    for (double& parameter : camera.parameters) parameter *= 4;
+    const ColorGrid grid = around(lumigraph, {camera, view.cam_from_world});
     const ColorImage small = small_photographs(lumigraph).of_views[0];
     double sum = 0;
     for (int y = 0; y < small.height(); ++y) {
         for (int x = 0; x < small.width(); ++x) {
-            const Eigen::Vector2d pixel((x + 0.5) * view.camera.width_px / small.width(),
-                                        (y + 0.5) * view.camera.height_px / small.height());
+            const Eigen::Vector2d pixel((x + 0.5) * camera.width_px / small.width(),
+                                        (y + 0.5) * camera.height_px / small.height());
             const Rgb8& color = small(x, y);
             sum += static_cast<double>(
                 (grid.at(pixel) - Eigen::Vector3f(color.r, color.g, color.b)).cwiseAbs().mean());
