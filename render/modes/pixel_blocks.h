@@ -19,8 +19,8 @@ class PixelBlocks {
 
     PixelBlocks();
 
-    /// Binds rasters for a frame of this size, black and not covered, and makes the viewport theirs:
-    /// in blocks.
+    /// Binds rasters for a frame of this size, black and not covered, and makes the viewport
+    /// theirs: in blocks.
     Viewport begin(int width_px, int height_px);
     /// Draws the blocks into the bound framebuffer, over all that was there: the viewport has the
     /// size of the frame that was begun.
