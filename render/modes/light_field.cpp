@@ -34,8 +34,11 @@ LightField::LightField(const UploadedLumigraph& uploaded)
       surroundings_(uploaded),
       blend_(uploaded),
       faces_(uploaded),
-      program_("light_field", {shader_source("face"), shader_source("light_field")}),
-      fading_("light_field", {shader_source("face"), shader_source("light_field")}, {"FADES"}) {}
+      program_("light_field", {shader_source("drawn_pixels"), shader_source("face"),
+                               shader_source("light_field")}),
+      fading_("light_field",
+              {shader_source("drawn_pixels"), shader_source("face"), shader_source("light_field")},
+              {"FADES"}) {}
 
 DrawStatistics LightField::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
     const CameraMesh& mesh = uploaded_.layout.mesh;

@@ -23,7 +23,8 @@ constexpr std::size_t kRowsPerView = 4;
 PictureProgram program_of(int layers, std::vector<std::string> definitions) {
     definitions.push_back("LAYERS " + std::to_string(layers));
     return {"per_pixel",
-            {shader_source("face"), shader_source("agreed_depth"), shader_source("per_pixel")},
+            {shader_source("drawn_pixels"), shader_source("face"), shader_source("agreed_depth"),
+             shader_source("per_pixel")},
             std::move(definitions)};
 }
 

@@ -56,7 +56,8 @@ void SurroundingsPainter::draw_with(std::optional<Program>& program,
     const ColorGrid colors =
         surrounding_colors(uploaded_.layout, uploaded_.small_photographs, eye, cells);
     if (!program) {
-        const std::vector<std::string_view> sources{shader_source("surroundings")};
+        const std::vector<std::string_view> sources{shader_source("drawn_pixels"),
+                                                    shader_source("surroundings")};
         program.emplace("surroundings", sources, definitions);
     }
     if (!triangles_) triangles_.emplace(VertexBuffer({{0, 2}, {1, 3}}));

@@ -66,14 +66,6 @@ void main() {
 #endif
 
 #ifdef LUMI_FRAGMENT
-// Of a pixel, or of the pixels of a block (pixel_blocks.h).
-layout(location = 0) out vec4 drawn;
-#ifdef BLOCKS
-layout(location = 1) out vec4 drawn_right;
-layout(location = 2) out vec4 drawn_above;
-layout(location = 3) out vec4 drawn_above_right;
-#endif
-
 uniform vec2 photograph_layers_per_pixel;  // 1 / size of a layer
 
 vec4 photograph_at_pixel(vec2 pixel, float layer) {

@@ -14,13 +14,6 @@ void main() {
 
 #ifdef LUMI_FRAGMENT
 in vec3 color;
-// Of a pixel, or of the pixels of a block (pixel_blocks.h).
-layout(location = 0) out vec4 drawn;
-#ifdef BLOCKS
-layout(location = 1) out vec4 drawn_right;
-layout(location = 2) out vec4 drawn_above;
-layout(location = 3) out vec4 drawn_above_right;
-#endif
 
 void main() {
 #ifdef BLOCKS
