@@ -1,6 +1,7 @@
 #include "render/modes/coarse_triangles.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "render/modes/edge_table.h"
 
