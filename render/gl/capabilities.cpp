@@ -26,7 +26,10 @@ Capabilities query_capabilities() {
     Capabilities found;
     found.is_es = !epoxy_is_desktop_gl();
     found.version = epoxy_gl_version();
-    found.description = text(GL_RENDERER) + ", " + text(GL_VERSION);
+    const std::string renderer = text(GL_RENDERER);
+    found.works_on_cpu = renderer.find("llvmpipe") != std::string::npos ||
+                         renderer.find("softpipe") != std::string::npos;
+    found.description = renderer + ", " + text(GL_VERSION);
     if (found.version < (found.is_es ? 30 : 33))
         throw Error(ErrorKind::kResources, "E-GL-CONTEXT",
                     "expected OpenGL 3.3 or OpenGL ES 3.0, found " + found.description,

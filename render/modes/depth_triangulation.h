@@ -13,7 +13,7 @@ struct DepthMeshOptions {
     double max_coarse_error_px = 0.4;  ///< Allowed instead when there would be too many triangles.
     std::size_t max_triangles = 8'000;
     /// What is filled or stretched is a guess: the mesh follows it so many times less closely.
-    double guess_error_ratio = 4.0;
+    double guess_error_ratio = 8.0;
     /// Where a depth map would need more than this even so, its samples tell noise: pairs of rows
     /// and of columns are drawn as one, and the mesh follows these less closely.
     double max_triangles_per_sample = 0.25;

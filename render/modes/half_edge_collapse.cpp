@@ -63,8 +63,10 @@ class Collapsing {
             return std::nullopt;
         mesh_.gather_neighbours(vertex, neighbours_);
         if (!gather_borders()) return std::nullopt;
+        const double slack = slack_of(ring);
+        most_moved_tear_px_ = slack * options_.max_tear_px;
+        float most_px = static_cast<float>(slack * options_.max_error_px) * allowed_share;
         std::optional<Collapse> best;
-        float most_px = allowed_error_px(ring) * allowed_share;
         for (const NeighbourVertex& neighbour : neighbours_) {
             const std::optional<Collapse> collapse =
                 collapse_into(vertex, neighbour.vertex, most_px);
@@ -87,12 +89,12 @@ class Collapsing {
                (borders_.size() == 2 && borders_[0].is_open == borders_[1].is_open);
     }
 
-    [[nodiscard]] float allowed_error_px(const std::vector<PointIndex>& ring) const {
+    /// So many times the error, and the move of a tear, may be what they may be otherwise.
+    [[nodiscard]] double slack_of(const std::vector<PointIndex>& ring) const {
         const bool is_guess = std::none_of(ring.begin(), ring.end(), [&](PointIndex t) {
             return mesh_.triangle(t).kind == DepthKind::kSeen;
         });
-        return static_cast<float>(is_guess ? options_.guess_error_ratio * options_.max_error_px
-                                           : options_.max_error_px);
+        return is_guess ? options_.guess_error_ratio : 1.0;
     }
 
     /// Empty where the error would be larger than `most_px`, or a border moved too far.
@@ -106,7 +108,7 @@ class Collapsing {
                                                     mesh_.point(collapse.border_end)) +
                                 std::max(borders_[0].moved_px, borders_[1].moved_px);
             const double most_moved_px =
-                borders_[0].is_open ? options_.max_tear_px : options_.max_kind_border_px;
+                borders_[0].is_open ? most_moved_tear_px_ : options_.max_kind_border_px;
             if (static_cast<double>(collapse.moved_px) > most_moved_px) return std::nullopt;
         }
         // What is asked first is what is answered fastest.
@@ -120,6 +122,7 @@ class Collapsing {
 
     CollapsingMesh& mesh_;
     DecimationOptions options_;
+    double most_moved_tear_px_ = 0.0;  ///< Of the vertex at hand.
     std::vector<NeighbourVertex> neighbours_;
     std::vector<BorderSide> borders_;
 };

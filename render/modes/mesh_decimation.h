@@ -6,10 +6,11 @@ namespace lumi {
 
 /// How far a mesh may depart from the one it is made of, in pixels of the photograph.
 struct DecimationOptions {
-    double max_error_px = 0.1;       ///< Of disparity, at vertices that are left out, and on sides.
-    double guess_error_ratio = 1.0;  ///< So many times more where nothing around was seen.
-    double check_every_px = 2.0;     ///< On sides, and at their middles.
-    double max_tear_px = 0.5;        ///< Of where surfaces end.
+    double max_error_px = 0.1;  ///< Of disparity, at vertices that are left out, and on sides.
+    /// So many times more, and of where surfaces end, where nothing around was seen.
+    double guess_error_ratio = 1.0;
+    double check_every_px = 2.0;  ///< On sides, and at their middles.
+    double max_tear_px = 0.5;     ///< Of where surfaces end.
     /// Of where what was seen goes over into what is filled, the surface being the same.
     double max_kind_border_px = 1.0;
 };

@@ -9,6 +9,7 @@
 
 #include "render/gl/to_glm.h"
 #include "render/modes/depth_eye.h"
+#include "render/modes/depth_layer_views.h"
 #include "render/modes/depth_view_choice.h"
 #include "render/modes/empty_cells.h"
 #include "render/modes/pixel_transfer.h"
