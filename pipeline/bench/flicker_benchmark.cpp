@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "pipeline/bench/picture_change.h"
-#include "render/modes/offscreen_renderer.h"
 #include "render/paths/pose_between.h"
+#include "render/renderer/offscreen_renderer.h"
 
 namespace lumi {
 namespace {

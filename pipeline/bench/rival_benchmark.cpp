@@ -9,7 +9,7 @@
 #include "pipeline/bench/rival_scenes.h"
 #include "pipeline/evaluate/image_metrics.h"
 #include "render/bench/frame_timing.h"
-#include "render/modes/offscreen_renderer.h"
+#include "render/renderer/offscreen_renderer.h"
 #include "render/rivals/forward_warping.h"
 #include "render/rivals/spherical_light_field.h"
 #include "render/rivals/two_plane.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/config/build_config.h"
-#include "render/modes/frame.h"
+#include "render/frame/frame.h"
 
 namespace lumi {
 

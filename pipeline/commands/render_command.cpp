@@ -18,8 +18,8 @@
 #include "pipeline/report/number_text.h"
 #include "pipeline/stages/file_stems.h"
 #include "render/lumigraph/package.h"
-#include "render/modes/offscreen_renderer.h"
 #include "render/reference/reference_renderer.h"
+#include "render/renderer/offscreen_renderer.h"
 #include "render/viewer/difference_picture.h"
 #include "render/viewer/photograph_eye.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "render/modes/frame.h"
+#include "render/frame/frame.h"
 
 namespace lumi {
 

@@ -14,7 +14,7 @@
 #include "pipeline/depth_bench/right_shares.h"
 #include "pipeline/evaluate/depth_effort.h"
 #include "pipeline/stages/depth_range.h"
-#include "render/modes/view_depth_mesh.h"
+#include "render/depth_mesh/view_depth_mesh.h"
 
 namespace lumi {
 namespace {

@@ -10,7 +10,7 @@
 #include "pipeline/evaluate/ghost_energy.h"
 #include "pipeline/evaluate/ghost_forecast.h"
 #include "pipeline/evaluate/image_metrics.h"
-#include "render/modes/offscreen_renderer.h"
+#include "render/renderer/offscreen_renderer.h"
 
 namespace lumi {
 namespace {

@@ -8,8 +8,8 @@
 #include "calib/capture/posed_photographs.h"
 #include "calib/work/progress.h"
 #include "pipeline/evaluate/view_score.h"
+#include "render/frame/frame.h"
 #include "render/lumigraph/package.h"
-#include "render/modes/frame.h"
 
 namespace lumi {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "render/modes/offscreen_renderer.h"
+#include "render/renderer/offscreen_renderer.h"
 
 namespace lumi {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "calib/capture/image.h"
-#include "render/modes/frame.h"
+#include "render/frame/frame.h"
 
 namespace lumi {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "render/lumigraph/lumigraph.h"
-#include "render/modes/offscreen_renderer.h"
+#include "render/renderer/offscreen_renderer.h"
 
 namespace lumi {
 

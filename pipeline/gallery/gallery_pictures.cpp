@@ -4,8 +4,8 @@
 #include <array>
 
 #include "calib/capture/image_io.h"
-#include "render/modes/offscreen_renderer.h"
 #include "render/paths/path_through_views.h"
+#include "render/renderer/offscreen_renderer.h"
 
 namespace lumi {
 namespace {

@@ -17,8 +17,8 @@
 #include "pipeline/stages/file_stems.h"
 #include "pipeline/stages/used_views.h"
 #include "pipeline/workspace/json_file.h"
+#include "render/depth_mesh/view_depth_mesh.h"
 #include "render/lumigraph/package.h"
-#include "render/modes/view_depth_mesh.h"
 
 namespace lumi {
 namespace {

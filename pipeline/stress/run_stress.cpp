@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/evaluate/image_metrics.h"
-#include "render/modes/offscreen_renderer.h"
+#include "render/renderer/offscreen_renderer.h"
 
 namespace lumi {
 namespace {

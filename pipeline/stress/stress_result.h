@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/modes/frame.h"
+#include "render/frame/frame.h"
 
 namespace lumi {
 

@@ -13,7 +13,7 @@
 #include "render/gl/fragment_count.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/headless_context.h"
-#include "render/modes/lumigraph_renderer.h"
+#include "render/renderer/lumigraph_renderer.h"
 
 namespace lumi {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "render/frame/viewport.h"
 #include "render/gl/program.h"
 #include "render/gl/screen.h"
 #include "render/gl/texture.h"
 #include "render/lumigraph/lumigraph.h"
-#include "render/modes/viewport.h"
 
 namespace lumi {
 

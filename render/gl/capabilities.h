@@ -11,7 +11,7 @@ struct Capabilities {
     int max_texture_size_px = 0;
     int max_array_layers = 0;
     bool works_on_cpu = false;  ///< As Mesa's software renderers do.
-    std::string description;  ///< GL_RENDERER and GL_VERSION.
+    std::string description;    ///< GL_RENDERER and GL_VERSION.
 };
 
 /// Throws Error (E-GL-CONTEXT) when the current context is older than OpenGL 3.3 or ES 3.0.

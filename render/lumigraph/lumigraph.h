@@ -30,7 +30,7 @@ struct LumigraphView {
     /// Times this the photograph's light is in the exposure of those around it.
     ExposureGain exposure_gain = kNoExposureGain;
     /// Made of `depth` when the package was; null where it is made when it is drawn
-    /// (render/modes/view_depth_mesh.h). Who changes `depth` resets it.
+    /// (render/depth_mesh/view_depth_mesh.h). Who changes `depth` resets it.
     std::shared_ptr<const DepthMesh> depth_mesh{};
 };
 

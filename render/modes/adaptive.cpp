@@ -4,11 +4,11 @@
 #include <array>
 #include <tuple>
 
-#include "render/modes/depth_view_choice.h"
-#include "render/modes/empty_cells.h"
-#include "render/modes/own_surfaces.h"
-#include "render/modes/scene_plane.h"
-#include "render/modes/unseen_triangles.h"
+#include "render/subdivision/own_surfaces.h"
+#include "render/subdivision/unseen_triangles.h"
+#include "render/surroundings/empty_cells.h"
+#include "render/transfer/scene_plane.h"
+#include "render/view_choice/depth_view_choice.h"
 
 namespace lumi {
 namespace {

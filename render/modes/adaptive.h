@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "render/modes/adaptive_subdivision.h"
-#include "render/modes/blend_painter.h"
-#include "render/modes/drawing_mode.h"
-#include "render/modes/surroundings_painter.h"
+#include "render/frame/drawing_mode.h"
+#include "render/painters/blend_painter.h"
+#include "render/painters/surroundings_painter.h"
+#include "render/subdivision/adaptive_subdivision.h"
 
 namespace lumi {
 

@@ -2,12 +2,12 @@
 
 #include <epoxy/gl.h>
 
-#include "render/modes/affine_pieces.h"
-#include "render/modes/empty_cells.h"
-#include "render/modes/pixel_transfer.h"
-#include "render/modes/polygon_clipping.h"
-#include "render/modes/scene_plane.h"
 #include "render/shaders/shader_sources.h"
+#include "render/subdivision/affine_pieces.h"
+#include "render/surroundings/empty_cells.h"
+#include "render/transfer/pixel_transfer.h"
+#include "render/transfer/polygon_clipping.h"
+#include "render/transfer/scene_plane.h"
 
 namespace lumi {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "render/modes/blend_painter.h"
-#include "render/modes/drawing_mode.h"
-#include "render/modes/face_painter.h"
-#include "render/modes/picture_program.h"
-#include "render/modes/surroundings_painter.h"
+#include "render/frame/drawing_mode.h"
+#include "render/painters/blend_painter.h"
+#include "render/painters/face_painter.h"
+#include "render/painters/picture_program.h"
+#include "render/painters/surroundings_painter.h"
 
 namespace lumi {
 

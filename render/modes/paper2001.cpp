@@ -2,10 +2,10 @@
 
 #include <epoxy/gl.h>
 
-#include "render/modes/blend_painter.h"
-#include "render/modes/paper_subdivision.h"
-#include "render/modes/scene_plane.h"
+#include "render/painters/blend_painter.h"
 #include "render/shaders/shader_sources.h"
+#include "render/subdivision/paper_subdivision.h"
+#include "render/transfer/scene_plane.h"
 
 namespace lumi {
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "render/frame/drawing_mode.h"
 #include "render/gl/vertex_buffer.h"
-#include "render/modes/blend_triangles.h"
-#include "render/modes/drawing_mode.h"
-#include "render/modes/grid_painter.h"
-#include "render/modes/picture_program.h"
+#include "render/painters/grid_painter.h"
+#include "render/painters/picture_program.h"
+#include "render/subdivision/blend_triangles.h"
 
 namespace lumi {
 

@@ -7,14 +7,14 @@
 #include <string>
 #include <utility>
 
+#include "render/depth_layers/depth_eye.h"
+#include "render/depth_layers/depth_layer_views.h"
 #include "render/gl/to_glm.h"
-#include "render/modes/depth_eye.h"
-#include "render/modes/depth_layer_views.h"
-#include "render/modes/depth_view_choice.h"
-#include "render/modes/empty_cells.h"
-#include "render/modes/pixel_transfer.h"
-#include "render/modes/scene_plane.h"
 #include "render/shaders/shader_sources.h"
+#include "render/surroundings/empty_cells.h"
+#include "render/transfer/pixel_transfer.h"
+#include "render/transfer/scene_plane.h"
+#include "render/view_choice/depth_view_choice.h"
 
 namespace lumi {
 namespace {

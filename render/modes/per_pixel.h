@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "render/modes/depth_eye.h"
-#include "render/modes/depth_layers.h"
-#include "render/modes/drawing_mode.h"
-#include "render/modes/face_painter.h"
-#include "render/modes/grid_painter.h"
-#include "render/modes/picture_program.h"
-#include "render/modes/pixel_blocks.h"
-#include "render/modes/surroundings_painter.h"
+#include "render/depth_layers/depth_eye.h"
+#include "render/depth_layers/depth_layers.h"
+#include "render/frame/drawing_mode.h"
+#include "render/painters/face_painter.h"
+#include "render/painters/grid_painter.h"
+#include "render/painters/picture_program.h"
+#include "render/painters/pixel_blocks.h"
+#include "render/painters/surroundings_painter.h"
 
 namespace lumi {
 

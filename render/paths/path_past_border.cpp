@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/modes/view_geometry.h"
 #include "render/paths/path_through_views.h"
 #include "render/paths/pose_around.h"
+#include "render/transfer/view_geometry.h"
 
 namespace lumi {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "render/modes/depth_view_choice.h"
-#include "render/modes/view_depth_mesh.h"
+#include "render/depth_mesh/view_depth_mesh.h"
 #include "render/reference/depth_raster.h"
+#include "render/view_choice/depth_view_choice.h"
 
 namespace lumi {
 

@@ -4,11 +4,11 @@
 #include <map>
 #include <vector>
 
-#include "render/modes/depth_eye.h"
-#include "render/modes/depth_layer_views.h"
-#include "render/modes/frame.h"
-#include "render/modes/view_geometry.h"
+#include "render/depth_layers/depth_eye.h"
+#include "render/depth_layers/depth_layer_views.h"
+#include "render/frame/frame.h"
 #include "render/reference/depth_consensus.h"
+#include "render/transfer/view_geometry.h"
 
 namespace lumi {
 

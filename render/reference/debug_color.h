@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "meshing/surface/camera_mesh.h"
-#include "render/modes/frame.h"
+#include "render/frame/frame.h"
 #include "render/reference/depth_consensus.h"
 
 namespace lumi {

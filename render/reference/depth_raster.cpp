@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/modes/pixel_transfer.h"
+#include "render/transfer/pixel_transfer.h"
 
 namespace lumi {
 namespace {

@@ -1,8 +1,8 @@
 #include "render/reference/eye_depths.h"
 
-#include "render/modes/depth_view_choice.h"
-#include "render/modes/view_depth_mesh.h"
-#include "render/modes/view_geometry.h"
+#include "render/depth_mesh/view_depth_mesh.h"
+#include "render/transfer/view_geometry.h"
+#include "render/view_choice/depth_view_choice.h"
 
 namespace lumi {
 

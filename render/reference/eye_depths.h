@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/modes/frame.h"
+#include "render/frame/frame.h"
 #include "render/reference/depth_consensus.h"
 
 namespace lumi {

@@ -1,9 +1,9 @@
 #include "render/reference/photograph_samples.h"
 
-#include "render/modes/photograph_layer.h"
-#include "render/modes/photograph_lod.h"
-#include "render/modes/photograph_opacity.h"
 #include "render/reference/sampling.h"
+#include "render/uploaded/photograph_layer.h"
+#include "render/uploaded/photograph_lod.h"
+#include "render/uploaded/photograph_opacity.h"
 
 namespace lumi {
 

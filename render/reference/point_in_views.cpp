@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/modes/occlusion.h"
-#include "render/modes/photograph_opacity.h"
+#include "render/depth_search/occlusion.h"
 #include "render/reference/sampling.h"
+#include "render/uploaded/photograph_opacity.h"
 
 namespace lumi {
 

@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "render/depth_layers/depth_layer_views.h"
+#include "render/frame/frame.h"
 #include "render/lumigraph/lumigraph.h"
-#include "render/modes/depth_layer_views.h"
-#include "render/modes/frame.h"
-#include "render/modes/view_geometry.h"
 #include "render/reference/depth_raster.h"
 #include "render/reference/photograph_samples.h"
+#include "render/transfer/view_geometry.h"
 
 namespace lumi {
 

@@ -9,16 +9,16 @@
 #include <vector>
 
 #include "meshing/surface/camera_mesh.h"
-#include "render/modes/depth_eye.h"
-#include "render/modes/occlusion.h"
-#include "render/modes/photograph_opacity.h"
-#include "render/modes/scene_plane.h"
-#include "render/modes/shell_opacity.h"
-#include "render/modes/surroundings.h"
-#include "render/modes/view_geometry.h"
+#include "render/depth_layers/depth_eye.h"
+#include "render/depth_search/occlusion.h"
+#include "render/faces/shell_opacity.h"
 #include "render/reference/agreed_depth.h"
 #include "render/reference/debug_color.h"
 #include "render/reference/point_in_views.h"
+#include "render/surroundings/surroundings.h"
+#include "render/transfer/scene_plane.h"
+#include "render/transfer/view_geometry.h"
+#include "render/uploaded/photograph_opacity.h"
 
 namespace lumi {
 namespace {

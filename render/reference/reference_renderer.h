@@ -1,7 +1,7 @@
 #pragma once
 
+#include "render/frame/frame.h"
 #include "render/lumigraph/lumigraph.h"
-#include "render/modes/frame.h"
 
 namespace lumi {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "render/modes/photograph_opacity.h"
 #include "render/reference/sampling.h"
+#include "render/uploaded/photograph_opacity.h"
 
 namespace lumi {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "render/frame/frame.h"
 #include "render/lumigraph/lumigraph.h"
-#include "render/modes/blend_triangles.h"
-#include "render/modes/frame.h"
+#include "render/subdivision/blend_triangles.h"
 
 namespace lumi {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/modes/depth_view_choice.h"
-#include "render/modes/pixel_transfer.h"
 #include "render/reference/sampling.h"
 #include "render/rivals/seen_point.h"
+#include "render/transfer/pixel_transfer.h"
+#include "render/view_choice/depth_view_choice.h"
 
 namespace lumi {
 namespace {

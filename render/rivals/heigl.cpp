@@ -2,9 +2,9 @@
 
 #include <Eigen/LU>
 
-#include "render/modes/pixel_transfer.h"
-#include "render/modes/polygon_clipping.h"
 #include "render/rivals/planar_delaunay.h"
+#include "render/transfer/pixel_transfer.h"
+#include "render/transfer/polygon_clipping.h"
 
 namespace lumi {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string>
 
-#include "render/modes/scene_plane.h"
 #include "render/reference/eye_depths.h"
+#include "render/transfer/scene_plane.h"
 
 namespace lumi {
 namespace {

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <functional>
 
+#include "render/frame/frame.h"
 #include "render/lumigraph/lumigraph.h"
-#include "render/modes/frame.h"
 
 namespace lumi {
 

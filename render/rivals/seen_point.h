@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "render/frame/frame.h"
 #include "render/lumigraph/lumigraph.h"
-#include "render/modes/frame.h"
 
 namespace lumi {
 

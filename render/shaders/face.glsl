@@ -94,7 +94,7 @@ float inner(vec2 pixel, vec2 size) {
 
 // What is seen beyond the border fades out. A shell (CameraMesh::shells) is also drawn only as far
 // as its views see the point, away from the borders of their photographs. The same as
-// shell_opacity in render/modes/shell_opacity.h.
+// shell_opacity in render/faces/shell_opacity.h.
 float opacity_of(vec3 ray_weights, vec3 inside, float seen, float is_known) {
     float fade = 1.0 - smoothstep(0.0, faded_share, dot(ray_weights, beyond_border));
     float refined = is_known * smoothstep(0.0, 0.5, seen) * dot(ray_weights, inside);

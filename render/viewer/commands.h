@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "render/frame/frame.h"
 #include "render/lumigraph/lumigraph.h"
-#include "render/modes/frame.h"
 #include "render/viewer/controls.h"
 
 namespace lumi {

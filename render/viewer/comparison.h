@@ -6,7 +6,7 @@
 
 #include "render/gl/object_name.h"
 #include "render/gl/texture.h"
-#include "render/modes/frame_target.h"
+#include "render/renderer/frame_target.h"
 #include "render/viewer/commands.h"
 
 namespace lumi {

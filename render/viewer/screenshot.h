@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "render/frame/frame.h"
 #include "render/lumigraph/lumigraph.h"
-#include "render/modes/frame.h"
 
 namespace lumi {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "calib/work/progress.h"
+#include "render/frame/frame.h"
 #include "render/lumigraph/lumigraph.h"
-#include "render/modes/frame.h"
 #include "render/viewer/commands.h"
 #include "render/viewer/panels.h"
 

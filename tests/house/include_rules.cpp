@@ -18,12 +18,30 @@ constexpr std::array<std::string_view, 3> kHandedOn{"calib/capture/", "meshing/s
 constexpr std::array<std::string_view, 7> kHeavy{"opencv2/", "CGAL/",        "ceres/", "colmap/",
                                                  "nlohmann", "OpenImageIO/", "toml++"};
 
+constexpr std::string_view kChaptersOf = "render";
+constexpr std::array<std::string_view, 21> kChapters{
+    "lumigraph",    "transfer",    "depth_mesh",   "faces",     "depth_search", "view_choice",
+    "frame",        "subdivision", "surroundings", "gl",        "shaders",      "uploaded",
+    "depth_layers", "painters",    "modes",        "reference", "rivals",       "renderer",
+    "paths",        "bench",       "viewer"};
+
 /// Where a path's first part stands in the order of the rooms; empty for anything else.
 std::optional<std::size_t> room_of(const std::string& path) {
     const std::string first = path.substr(0, path.find('/'));
     const auto* room = std::find(kRooms.begin(), kRooms.end(), first);
     if (room == kRooms.end()) return std::nullopt;
     return static_cast<std::size_t>(room - kRooms.begin());
+}
+
+/// Where the second part of a path stands in the order of chapters; their number for a chapter that
+/// is not there, and empty for what is in no chapter.
+std::optional<std::size_t> chapter_of(const std::string& path) {
+    const std::size_t begin = path.find('/');
+    const std::size_t end = path.find('/', begin + 1);
+    if (path.substr(0, begin) != kChaptersOf || end == std::string::npos) return std::nullopt;
+    const std::string name = path.substr(begin + 1, end - begin - 1);
+    return static_cast<std::size_t>(std::find(kChapters.begin(), kChapters.end(), name) -
+                                    kChapters.begin());
 }
 
 std::string offence(const IncludeLine& include, const std::string& why) {
@@ -76,6 +94,21 @@ Offences wrong_directions(const std::vector<IncludeLine>& includes) {
         if (include.target.starts_with("tests/")) {
             offences.push_back(offence(include, "no room knows its tests"));
         }
+    }
+    return offences;
+}
+
+Offences chapters_that_look_ahead(const std::vector<IncludeLine>& includes) {
+    Offences offences;
+    for (const IncludeLine& include : includes) {
+        const auto from = chapter_of(include.file.generic_string());
+        const auto to = chapter_of(include.target);
+        if (!from || !to) continue;
+        if (*from == kChapters.size() || *to == kChapters.size())
+            offences.push_back(offence(include, "a chapter without a place in the order"));
+        else if (*to > *from)
+            offences.push_back(offence(include, std::string(kChapters[*from]) + " does not know " +
+                                                    std::string(kChapters[*to])));
     }
     return offences;
 }

@@ -44,21 +44,37 @@ TEST(House, RoomsIncludeOnlyTheRoomsBeforeThem) {
     EXPECT_THAT(wrong_directions(includes), IsEmpty());
 }
 
+TEST(House, ChaptersIncludeOnlyTheChaptersBeforeThem) {
+    EXPECT_THAT(chapters_that_look_ahead(include_lines_of_rooms(LUMI_SOURCE_DIR)), IsEmpty());
+}
+
 TEST(House, HandedOnHeadersKeepHeavyLibrariesToThemselves) {
     EXPECT_THAT(heavy_headers_handed_on(include_lines_of_rooms(LUMI_SOURCE_DIR)), IsEmpty());
 }
 
 TEST(House, FindsAnIncludeThatPointsTheWrongWay) {
     const MadeUpRepository repository;
-    repository.write("calib/work/wrong.h", "#pragma once\n\n#include \"render/modes/frame.h\"\n");
+    repository.write("calib/work/wrong.h", "#pragma once\n\n#include \"render/frame/frame.h\"\n");
     repository.write("meshing/surface/right.h", "#include \"calib/capture/camera.h\"\n");
     repository.write("render/gl/odd.cpp", "#  include <pipeline/line/line.h>\n");
     repository.write("pipeline/line/tested.cpp", "#include \"tests/truth/box.h\"\n");
     EXPECT_THAT(
         wrong_directions(include_lines_of_rooms(repository.root())),
-        ElementsAre("calib/work/wrong.h:3: includes \"render/modes/frame.h\": calib does "
+        ElementsAre("calib/work/wrong.h:3: includes \"render/frame/frame.h\": calib does "
                     "not know render",
                     HasSubstr("pipeline/line/tested.cpp:1: "), HasSubstr("render/gl/odd.cpp:1: ")));
+}
+
+TEST(House, FindsAChapterThatLooksAhead) {
+    const MadeUpRepository repository;
+    repository.write("render/gl/wrong.h", "#include \"render/modes/adaptive.h\"\n");
+    repository.write("render/modes/right.h", "#include \"render/gl/program.h\"\n");
+    repository.write("render/modes/odd.h", "#include \"render/odds/ends.h\"\n");
+    EXPECT_THAT(
+        chapters_that_look_ahead(include_lines_of_rooms(repository.root())),
+        ElementsAre("render/gl/wrong.h:1: includes \"render/modes/adaptive.h\": gl does not "
+                    "know modes",
+                    HasSubstr("without a place in the order")));
 }
 
 TEST(House, FindsAHeavyLibraryInAHandedOnHeader) {

@@ -14,7 +14,7 @@
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/synth/hand_held_path.h"
 #include "pipeline/synth/hashed_random.h"
-#include "render/modes/offscreen_renderer.h"
+#include "render/renderer/offscreen_renderer.h"
 #include "tests/pipeline/studio.h"
 
 namespace lumi {

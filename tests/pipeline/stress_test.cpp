@@ -11,8 +11,8 @@
 #include "pipeline/protocol/view_subset.h"
 #include "pipeline/stress/seeded_normal.h"
 #include "pipeline/stress/stress_files.h"
-#include "render/modes/view_depth_mesh.h"
-#include "render/modes/view_geometry.h"
+#include "render/depth_mesh/view_depth_mesh.h"
+#include "render/transfer/view_geometry.h"
 #include "tests/truth/textured_box_scene.h"
 
 namespace lumi {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "render/modes/offscreen_renderer.h"
 #include "render/reference/reference_renderer.h"
+#include "render/renderer/offscreen_renderer.h"
 #include "tests/render/analytic_scene.h"
 #include "tests/render/frame_difference.h"
 

@@ -7,13 +7,13 @@
 #include <cstdlib>
 
 #include "calib/work/error.h"
+#include "render/depth_mesh/view_depth_mesh.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/to_glm.h"
 #include "render/lumigraph/package.h"
-#include "render/modes/lumigraph_renderer.h"
-#include "render/modes/offscreen_renderer.h"
-#include "render/modes/view_depth_mesh.h"
-#include "render/modes/view_geometry.h"
+#include "render/renderer/lumigraph_renderer.h"
+#include "render/renderer/offscreen_renderer.h"
+#include "render/transfer/view_geometry.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/render/analytic_scene.h"
 #include "tests/render/frame_difference.h"

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "render/modes/adaptive.h"
-#include "render/modes/offscreen_renderer.h"
-#include "render/modes/paper_subdivision.h"
-#include "render/modes/scene_plane.h"
-#include "render/modes/surroundings.h"
-#include "render/modes/triangle_budget.h"
 #include "render/reference/triangle_reference.h"
+#include "render/renderer/offscreen_renderer.h"
+#include "render/subdivision/paper_subdivision.h"
+#include "render/subdivision/triangle_budget.h"
+#include "render/surroundings/surroundings.h"
+#include "render/transfer/scene_plane.h"
 #include "tests/render/analytic_scene.h"
 #include "tests/render/frame_difference.h"
 

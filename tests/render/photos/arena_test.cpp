@@ -8,7 +8,7 @@
 #include "calib/capture/colmap_model.h"
 #include "calib/capture/image_io.h"
 #include "meshing/cameras/camera_mesh_builder.h"
-#include "render/modes/offscreen_renderer.h"
+#include "render/renderer/offscreen_renderer.h"
 #include "tests/calib/photographs.h"
 
 namespace lumi {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "render/frame/frame.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// Of an eye's pixels no more are needed for depth than this; fewer would show as steps along
+/// silhouettes.
+inline constexpr double kLeastTexelsPerPixel = 0.5;
+
+/// The eye that depth is drawn for: its texels are as large as the samples of the views' depth
+/// maps, as the eye sees them at the scene's centre (median view). Finer ones cost time and tell
+/// nothing, but for an eye of several samples a pixel, whose silhouettes are to be smooth: it has
+/// a texel for each sample. Eye pixel (x, y) lies in texel (x, y) * texels_per_pixel.
+struct DepthEye {
+    Eye eye;
+    double texels_per_pixel = 1.0;  ///< kLeastTexelsPerPixel to 1.
+};
+
+/// Whether `perpixel` works out depth, weights and visibility once for each block of two by two
+/// pixels (pixel_blocks.h), as the Lumigraph asks for: not where a frame has several samples a
+/// pixel, nor where it fades. Texels of depth are blocks then.
+[[nodiscard]] bool is_drawn_in_blocks(const Lumigraph& lumigraph, const RenderOptions& options);
+
+[[nodiscard]] DepthEye depth_eye(const Lumigraph& lumigraph, const Eye& eye,
+                                 const RenderOptions& options);
+
+}  // namespace lumi

@@ -1,0 +1,72 @@
+#include "render/depth_layers/depth_layer_painter.h"
+
+#include <epoxy/gl.h>
+
+#include "render/gl/to_glm.h"
+#include "render/shaders/shader_sources.h"
+#include "render/transfer/pixel_transfer.h"
+
+namespace lumi {
+
+DepthLayerPainter::DepthLayerPainter(const std::vector<LumigraphView>& views,
+                                     const std::vector<VertexBuffer>& meshes,
+                                     double max_inverse_depth)
+    : views_(views),
+      max_inverse_depth_(max_inverse_depth),
+      program_("depth_layer", {shader_source("depth_layer")}) {
+    meshes_.reserve(meshes.size());
+    for (const VertexBuffer& mesh : meshes) meshes_.push_back(mesh.array_of_current_context());
+}
+
+void DepthLayerPainter::clear(const TextureArray& layers) {
+    glClearDepthf(1.0F);
+    glDepthMask(GL_TRUE);
+    for (int layer = 0; layer < layers.layers(); ++layer) {
+        framebuffer_.attach_depth_layer(layers, layer);
+        glClear(GL_DEPTH_BUFFER_BIT);
+    }
+}
+
+void DepthLayerPainter::draw(const Eye& eye, const std::vector<DepthLayerDraw>& draws,
+                             const TextureArray& layers) {
+    glViewport(0, 0, eye.camera.width_px, eye.camera.height_px);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glFrontFace(GL_CCW);
+    glEnable(GL_SCISSOR_TEST);
+    program_.use();
+    int layer = -1;
+    for (const DepthLayerDraw& draw : draws) {
+        if (draw.layer != layer) framebuffer_.attach_depth_layer(layers, draw.layer);
+        layer = draw.layer;
+        glScissor(draw.strip_begin_px, 0, draw.strip_end_px - draw.strip_begin_px,
+                  eye.camera.height_px);
+        const double range_begin = kDepthKindStep * draw.kind;
+        glDepthRangef(static_cast<float>(range_begin),
+                      static_cast<float>(range_begin + kDepthKindWidth));
+        aim_at_view(eye, draw.view_index);
+        meshes_[static_cast<std::size_t>(draw.view_index)].draw(draw.first_index, draw.index_count);
+    }
+    glDepthRangef(0.0F, 1.0F);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void DepthLayerPainter::aim_at_view(const Eye& eye, int view_index) const {
+    const LumigraphView& view = views_[static_cast<std::size_t>(view_index)];
+    const PixelTransfer eye_from_view =
+        pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
+    // (x, y, 1, q) of the view to (X, Y, W, q) of the eye.
+    Eigen::Matrix4d transfer = Eigen::Matrix4d::Identity();
+    transfer.topLeftCorner<3, 3>() = eye_from_view.at_infinity;
+    transfer.topRightCorner<3, 1>() = eye_from_view.per_inverse_depth;
+    const Eigen::Matrix4d clip =
+        clip_from_pixel(eye.camera.width_px, eye.camera.height_px, max_inverse_depth_);
+    program_.set("clip_from_view_pixel", to_glm(Eigen::Matrix4d(clip * transfer)));
+}
+
+}  // namespace lumi

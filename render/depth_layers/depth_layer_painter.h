@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "render/depth_layers/depth_layer_draws.h"
+#include "render/gl/framebuffer.h"
+#include "render/gl/program.h"
+#include "render/gl/texture.h"
+#include "render/gl/vertex_buffer.h"
+#include "render/lumigraph/lumigraph.h"
+#include "render/transfer/view_geometry.h"
+
+namespace lumi {
+
+/// Each kind of depth has a range of the depth buffer of its own: it begins at the step times the
+/// kind, and inverse depth falls from `max_inverse_depth` to 0 over the width. As in
+/// shaders/per_pixel.glsl; 1 is nothing.
+inline constexpr double kDepthKindStep = 0.33;
+inline constexpr double kDepthKindWidth = 0.32;
+
+/// Draws views' depth meshes into layers of a depth texture: what one OpenGL context needs for it.
+/// Made, used and destroyed while that context is current.
+class DepthLayerPainter {
+ public:
+    /// `meshes`, one for each of the views, are shared with other contexts. What is given must
+    /// stay.
+    DepthLayerPainter(const std::vector<LumigraphView>& views,
+                      const std::vector<VertexBuffer>& meshes, double max_inverse_depth);
+
+    /// Nothing is in any layer.
+    void clear(const TextureArray& layers);
+    /// Leaves another framebuffer bound, and the depth test and face culling off.
+    void draw(const Eye& eye, const std::vector<DepthLayerDraw>& draws, const TextureArray& layers);
+
+ private:
+    void aim_at_view(const Eye& eye, int view_index) const;
+
+    const std::vector<LumigraphView>& views_;
+    double max_inverse_depth_;
+    Program program_;
+    std::vector<VertexArray> meshes_;
+    Framebuffer framebuffer_;
+};
+
+}  // namespace lumi

@@ -1,0 +1,33 @@
+#include "render/depth_search/occlusion.h"
+
+#include <algorithm>
+
+namespace lumi {
+namespace {
+
+// As in shaders/face.glsl and the modes.
+constexpr double kFeather_px = 8.0;
+constexpr double kLeastVisible = 1e-4;
+
+}  // namespace
+
+std::optional<std::array<double, 3>> redistributed(const std::array<double, 3>& weights,
+                                                   const std::array<double, 3>& visibility) {
+    std::array<double, 3> result{};
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        result[i] = weights[i] * visibility[i];
+        sum += result[i];
+    }
+    if (sum < kLeastVisible) return std::nullopt;
+    for (double& weight : result) weight /= sum;
+    return result;
+}
+
+double visibility_of(double difference_px, double tolerance_px) {
+    return std::clamp(2 - difference_px / tolerance_px, 0.0, 1.0);
+}
+
+double border_fade(double distance_px) { return std::clamp(distance_px / kFeather_px, 0.0, 1.0); }
+
+}  // namespace lumi

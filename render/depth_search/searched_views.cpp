@@ -1,0 +1,29 @@
+#include "render/depth_search/searched_views.h"
+
+#include "calib/work/parallel_for.h"
+#include "render/depth_mesh/surface_tears.h"
+
+namespace lumi {
+namespace {
+
+TiledDepth tiled_depth(const LumigraphView& view, double disparity_px) {
+    const DepthMap& depth = view.depth;
+    if (depth.inverse_depth.empty()) return {};
+    return {depth, torn_squares(depth.inverse_depth,
+                                disparity_per_pitch(depth, view.camera, disparity_px))};
+}
+
+}  // namespace
+
+SearchedViews searched_views(const Lumigraph& lumigraph) {
+    SearchedViews views{view_geometries(lumigraph),
+                        std::vector<TiledDepth>(lumigraph.views.size())};
+    parallel_for(static_cast<int>(lumigraph.views.size()), 0, [&](int i) {
+        const auto index = static_cast<std::size_t>(i);
+        views.depths[index] =
+            tiled_depth(lumigraph.views[index], max_disparity_px(views.geometries[index]));
+    });
+    return views;
+}
+
+}  // namespace lumi

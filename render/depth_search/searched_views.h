@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "render/depth_search/tiled_depth.h"
+#include "render/lumigraph/lumigraph.h"
+#include "render/transfer/view_geometry.h"
+
+namespace lumi {
+
+/// The views of a Lumigraph as rays are looked for in them (depth_search.h).
+struct SearchedViews {
+    std::vector<ViewGeometry> geometries;
+    std::vector<TiledDepth> depths;  ///< Their depth maps; empty where a view has none.
+};
+
+[[nodiscard]] SearchedViews searched_views(const Lumigraph& lumigraph);
+
+}  // namespace lumi

@@ -1,0 +1,68 @@
+#include "render/painters/blend_painter.h"
+
+#include <epoxy/gl.h>
+
+#include <string>
+#include <utility>
+
+#include "render/shaders/shader_sources.h"
+
+namespace lumi {
+
+const std::vector<VertexAttribute>& blend_vertex_attributes() {
+    static_assert(sizeof(BlendVertex) == 23 * sizeof(float));
+    static const std::vector<VertexAttribute> attributes{{0, 3}, {1, 4}, {2, 2}, {3, 3},
+                                                         {4, 3}, {5, 4}, {6, 3}, {7, 1}};
+    return attributes;
+}
+
+namespace {
+
+PictureProgram blend_program(int lookups, std::vector<std::string> definitions) {
+    definitions.push_back("LOOKUPS " + std::to_string(lookups));
+    return {"blend", {shader_source("blend")}, std::move(definitions)};
+}
+
+std::array<PictureProgram, 3> blend_programs(const std::vector<std::string>& definitions) {
+    return {blend_program(1, definitions), blend_program(2, definitions),
+            blend_program(3, definitions)};
+}
+
+}  // namespace
+
+BlendPainter::BlendPainter(const UploadedLumigraph& uploaded, float least_confidence)
+    : uploaded_(uploaded),
+      least_confidence_(least_confidence),
+      programs_(blend_programs({})),
+      discarding_(blend_programs({"DISCARDS"})),
+      see_through_(blend_programs({"FADES"})),
+      triangles_(blend_vertex_attributes()) {}
+
+void BlendPainter::draw(const BlendTriangles& triangles, const Eye& eye,
+                        const RenderOptions& options, Opacity opacity) {
+    if (triangles.indices.empty()) return;
+    const TrianglesByLookups sorted = sorted_by_lookups(triangles, uploaded_.layout.views);
+    const std::vector<BlendVertex>& vertices = sorted.triangles.vertices;
+    triangles_.upload(vertices.data(), vertices.size() * sizeof(BlendVertex),
+                      sorted.triangles.indices);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    if (opacity == Opacity::kOfVertices) glEnable(GL_BLEND);
+    std::size_t first = 0;
+    for (const LookupRun& run : sorted.runs) {
+        const Program& program = program_for(run, opacity).use(uploaded_, eye, options);
+        program.set("layer_size",
+                    glm::vec2(uploaded_.photographs.width_px(), uploaded_.photographs.height_px()));
+        program.set("least_confidence", least_confidence_);
+        triangles_.draw(first, run.index_count);
+        first += run.index_count;
+    }
+    glDisable(GL_BLEND);
+    if (options.debug_picture == DebugPicture::kGrid) grid_.draw(triangles, eye);
+}
+
+PictureProgram& BlendPainter::program_for(const LookupRun& run, Opacity opacity) {
+    if (opacity == Opacity::kOfVertices) return see_through_[run.lookups - 1];
+    return (run.may_show_none ? discarding_ : programs_)[run.lookups - 1];
+}
+
+}  // namespace lumi

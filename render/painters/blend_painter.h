@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+
+#include "render/gl/vertex_buffer.h"
+#include "render/painters/blend_lookups.h"
+#include "render/painters/grid_painter.h"
+#include "render/painters/picture_program.h"
+#include "render/subdivision/blend_triangles.h"
+
+namespace lumi {
+
+/// The attributes of a BlendVertex as shaders/blend.glsl reads them.
+[[nodiscard]] const std::vector<VertexAttribute>& blend_vertex_attributes();
+
+/// Whether the opacity of the vertices counts.
+enum class Opacity { kOpaque, kOfVertices };
+
+/// Draws triangles that blend three photographs each (shaders/blend.glsl), in one pass.
+class BlendPainter {
+ public:
+    /// Less confidence than `least_confidence` does not count as covered.
+    explicit BlendPainter(const UploadedLumigraph& uploaded, float least_confidence = 0.0F);
+
+    void draw(const BlendTriangles& triangles, const Eye& eye, const RenderOptions& options,
+              Opacity opacity = Opacity::kOpaque);
+
+ private:
+    [[nodiscard]] PictureProgram& program_for(const LookupRun& run, Opacity opacity);
+
+    const UploadedLumigraph& uploaded_;
+    float least_confidence_;
+    /// By the number of photographs that are looked up.
+    std::array<PictureProgram, 3> programs_;
+    std::array<PictureProgram, 3> discarding_;  ///< Where photographs may end.
+    std::array<PictureProgram, 3> see_through_;
+    VertexBuffer triangles_;
+    GridPainter grid_;
+};
+
+}  // namespace lumi

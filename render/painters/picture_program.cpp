@@ -1,0 +1,52 @@
+#include "render/painters/picture_program.h"
+
+#include <utility>
+
+#include "render/gl/to_glm.h"
+#include "render/shaders/shader_sources.h"
+#include "render/uploaded/photograph_lod.h"
+
+namespace lumi {
+
+PictureProgram::PictureProgram(std::string name, std::vector<std::string_view> sources,
+                               std::vector<std::string> definitions)
+    : name_(std::move(name)), sources_(std::move(sources)), definitions_(std::move(definitions)) {
+    sources_.insert(sources_.begin(), shader_source("photographs"));
+}
+
+const Program& PictureProgram::use(const UploadedLumigraph& uploaded, const Eye& eye,
+                                   const RenderOptions& options) {
+    const bool is_debug = options.debug_picture != DebugPicture::kNone &&
+                          options.debug_picture != DebugPicture::kGrid;
+    // Of four samples a pixel each looks photographs up for the whole of it.
+    const double lod = photograph_lod(uploaded.layout, eye, options.supersample ? 2.0 : 1.0);
+    std::optional<Program>& program =
+        versions_[options.supersample ? 1 : 0][is_debug ? 1 : 0][lod > 0 ? 1 : 0];
+    if (!program) {
+        std::vector<std::string> definitions = definitions_;
+        if (is_debug) definitions.emplace_back("DEBUG_PICTURE");
+        if (options.supersample) definitions.emplace_back("FOUR_SAMPLES");
+        if (lod > 0) definitions.emplace_back("MIP_LEVELS");
+        program.emplace(name_, sources_, definitions);
+    }
+    program->use();
+    if (lod > 0) {
+        uploaded.photographs.bind_mip_levels(0);
+        program->set("photograph_lod", static_cast<float>(lod));
+    } else {
+        uploaded.photographs.bind(0);
+    }
+    program->set("photographs", 0);
+    program->set("photograph_layers_per_pixel",
+                 glm::vec2(1.0F / static_cast<float>(uploaded.photographs.width_px()),
+                           1.0F / static_cast<float>(uploaded.photographs.height_px())));
+    program->set("clip_from_eye_pixel",
+                 to_glm(clip_from_pixel(eye.camera.width_px, eye.camera.height_px, 1.0)));
+    if (is_debug) {
+        program->set("debug_picture", static_cast<int>(options.debug_picture));
+        program->set("inverse_depth_range", to_glm(inverse_depth_range(uploaded.layout)));
+    }
+    return *program;
+}
+
+}  // namespace lumi

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "render/frame/frame.h"
+#include "render/frame/viewport.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// Draws a Lumigraph with OpenGL 3.3 core or OpenGL ES 3.0 into whatever framebuffer is bound, so
+/// that a window and a file hold the same picture.
+///
+/// A context must be current whenever a member, the destructor included, is called; it must be the
+/// same one each time. Everything is uploaded by the constructor, which keeps no reference to the
+/// Lumigraph. Throws Error: E-GL-CONTEXT (the context is too old), E-GL-LIMIT (the photographs do
+/// not fit the texture limits of this GL).
+class LumigraphRenderer {
+ public:
+    explicit LumigraphRenderer(const Lumigraph& lumigraph);
+    ~LumigraphRenderer();
+    LumigraphRenderer(LumigraphRenderer&& other) noexcept;
+    LumigraphRenderer& operator=(LumigraphRenderer&& other) noexcept;
+
+    /// Fills the viewport: alpha is the frame's coverage (frame.h). Colours are encoded sRGB, as in
+    /// the photographs, and are blended as such.
+    /// An eye of another size than the viewport is resized to it. Throws Error (E-EYE-LENS) when
+    /// the eye's camera is not a pinhole.
+    ///
+    /// Leaves the framebuffer binding as it was; blending, depth test, face culling and scissor
+    /// test are off afterwards, no program and no vertex array are bound.
+    DrawStatistics draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport);
+
+    /// Of the photographs and depth maps in textures, at their finest level.
+    [[nodiscard]] std::size_t texture_bytes() const;
+
+ private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace lumi

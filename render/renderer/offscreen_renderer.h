@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "render/frame/frame.h"
+#include "render/gl/headless_context.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// Draws frames without a window: EGL surfaceless, OpenGL 3.3 core or OpenGL ES 3.0.
+///
+/// One per thread. Throws Error (E-GL-CONTEXT, E-GL-LIMIT) that says what was asked and what was
+/// found.
+class OffscreenRenderer {
+ public:
+    explicit OffscreenRenderer(const Lumigraph& lumigraph, GlApi api = GlApi::kAny);
+    ~OffscreenRenderer();
+    OffscreenRenderer(const OffscreenRenderer&) = delete;
+    OffscreenRenderer& operator=(const OffscreenRenderer&) = delete;
+
+    [[nodiscard]] Frame draw(const Eye& eye, const RenderOptions& options);
+    /// GL_RENDERER and GL_VERSION, for reports.
+    [[nodiscard]] std::string gl_description() const;
+
+ private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace lumi

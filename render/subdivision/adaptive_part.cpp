@@ -1,0 +1,236 @@
+#include "render/subdivision/adaptive_part.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumi {
+namespace {
+
+constexpr std::uint32_t kNone = SplitEdge::kNone;
+
+/// So that the first edge is the one that is split, or is not.
+template <class Triangle>
+Triangle turned_to(bool is_split, const std::array<bool, 3>& splits, const Triangle& triangle) {
+    Triangle turned = triangle;
+    const auto first = std::find(splits.begin(), splits.end(), is_split) - splits.begin();
+    std::rotate(turned.corners.begin(), turned.corners.begin() + first, turned.corners.end());
+    std::rotate(turned.edges.begin(), turned.edges.begin() + first, turned.edges.end());
+    return turned;
+}
+
+}  // namespace
+
+void AdaptivePart::begin(const CoarseTriangles& coarse, std::size_t first, std::size_t end,
+                         const std::vector<PatchSampler>& samplers,
+                         const AdaptiveSubdivisionOptions& options) {
+    options_ = options;
+    samplers_ = &samplers;
+    max_edge_px_ = static_cast<float>(options.max_edge_px);
+    polygon_of_.clear();
+    pixels_.clear();
+    vertices_.clear();
+    edges_.clear();
+    unjudged_.clear();
+    settled_.clear();
+    whole_.clear();
+    std::vector<std::uint32_t> vertex_of(coarse.pixels.size(), kNone);
+    for (std::size_t i = first; i < end; ++i) {
+        const auto& [corners, polygon] = coarse.triangles[i];
+        for (const std::uint32_t corner : corners) {
+            if (vertex_of[corner] != kNone) continue;
+            vertex_of[corner] = static_cast<std::uint32_t>(pixels_.size());
+            add_vertex(coarse.pixels[corner], polygon);
+        }
+        settled_.push_back(
+            triangle_of(vertex_of[corners[0]], vertex_of[corners[1]], vertex_of[corners[2]], true));
+    }
+}
+
+void AdaptivePart::subdivide(float relaxation, std::size_t most, std::atomic<std::size_t>& count) {
+    least_edge_px_ = static_cast<float>(options_.min_edge_px) * std::sqrt(relaxation);
+    leaves_.clear();
+    now_settled_.clear();
+    level_ = settled_;
+    std::size_t counted = 0;
+    while (!level_.empty()) {
+        next_level_.clear();
+        undecided_.clear();
+        for (const Triangle& triangle : level_) split_or_wait(triangle, relaxation);
+        if (!undecided_.empty()) look_up_new();
+        for (const Triangle& triangle : undecided_) split(triangle, relaxation);
+        level_.swap(next_level_);
+        const std::size_t more = leaves_.size() + level_.size() - counted;
+        counted += more;
+        if (count.fetch_add(more) + more > most) return;
+    }
+    look_up_new();
+}
+
+void AdaptivePart::keep() {
+    whole_.swap(leaves_);
+    settled_.swap(now_settled_);
+}
+
+void AdaptivePart::append_to(BlendTriangles& drawn) const {
+    std::vector<std::uint32_t> index_of(vertices_.size(), kNone);
+    for (const Triangle& triangle : whole_) {
+        for (const std::uint32_t corner : triangle.corners) {
+            if (index_of[corner] == kNone) {
+                index_of[corner] = static_cast<std::uint32_t>(drawn.vertices.size());
+                drawn.vertices.push_back(vertices_[corner]);
+            }
+            drawn.indices.push_back(index_of[corner]);
+        }
+    }
+}
+
+/// To be looked up.
+void AdaptivePart::add_vertex(const Eigen::Vector2d& pixel, std::uint32_t polygon) {
+    pixels_.push_back(pixel);
+    polygon_of_.push_back(polygon);
+}
+
+std::uint32_t AdaptivePart::inner_edge(std::uint32_t a, std::uint32_t b) {
+    return edges_.within(a, b, pixels_);
+}
+
+std::uint32_t AdaptivePart::half_at(std::uint32_t edge, std::uint32_t corner) {
+    return edges_.half_at(edge, corner, pixels_);
+}
+
+AdaptivePart::Triangle AdaptivePart::triangle_of(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                                                 bool is_settled) {
+    return {{a, b, c}, {inner_edge(a, b), inner_edge(b, c), inner_edge(c, a)}, is_settled};
+}
+
+/// Splits a triangle, or leaves it whole, if what is known of its edges tells.
+void AdaptivePart::split_or_wait(const Triangle& triangle, float relaxation) {
+    if (is_left_whole(triangle)) return leave_whole(triangle);
+    bool is_decided = true;
+    for (const std::uint32_t edge : triangle.edges)
+        if (!knows_enough_of(edge)) is_decided = false;
+    if (is_decided) {
+        split(triangle, relaxation);
+    } else {
+        undecided_.push_back(triangle);
+    }
+}
+
+/// False while the middle of an edge that might be split is still to be looked up. Of an edge that
+/// is split in any case nothing needs to be known.
+bool AdaptivePart::knows_enough_of(std::uint32_t number) {
+    SplitEdge& edge = edges_[number];
+    if (edge.middle != kNone)
+        return edge.middle < vertices_.size() || edge.length_px > max_edge_px_;
+    if (edge.length_px <= std::min(least_edge_px_, max_edge_px_)) return true;
+    edge.middle = static_cast<std::uint32_t>(pixels_.size());
+    add_vertex(0.5 * (pixels_[edge.from] + pixels_[edge.to]), polygon_of_[edge.from]);
+    if (edge.length_px > max_edge_px_) return true;
+    unjudged_.push_back(number);
+    return false;
+}
+
+/// All vertices that were added, and then the edges whose middles they are.
+void AdaptivePart::look_up_new() {
+    for (std::size_t i = vertices_.size(); i < pixels_.size(); ++i) {
+        const PatchSampler& sampler = (*samplers_)[polygon_of_[i]];
+        vertices_.push_back(
+            blend_vertex(sampler.at(pixels_[i]), sampler.polygon(), VertexDepth::kAffine));
+    }
+    for (const std::uint32_t number : unjudged_) judge(edges_[number]);
+    unjudged_.clear();
+}
+
+/// How far errors may be relaxed for the edge to be split.
+void AdaptivePart::judge(SplitEdge& edge) const {
+    const BlendVertex& middle = vertices_[edge.middle];
+    const BlendVertex& from = vertices_[edge.from];
+    const BlendVertex& to = vertices_[edge.to];
+    const double allowed_px =
+        edge_looseness(from, to, middle, options_.counts) * options_.min_edge_px;
+    edge.split_below = static_cast<float>(greatest_relaxation(
+        edge_error_px(from, to, middle, options_.counts) / options_.max_error_px,
+        static_cast<double>(edge.length_px) / allowed_px));
+}
+
+bool AdaptivePart::is_split(std::uint32_t number, float relaxation) const {
+    const SplitEdge& edge = edges_[number];
+    if (edge.length_px > max_edge_px_) return true;
+    return edge.length_px > least_edge_px_ && edge.split_below > relaxation;
+}
+
+bool AdaptivePart::is_left_whole(const Triangle& triangle) const {
+    const auto [a, b, c] = triangle.corners;
+    float longest_px = 0;
+    for (const std::uint32_t edge : triangle.edges)
+        longest_px = std::max(longest_px, edges_[edge].length_px);
+    return is_thin(pixels_[b] - pixels_[a], pixels_[c] - pixels_[a], longest_px,
+                   options_.min_edge_px);
+}
+
+void AdaptivePart::leave_whole(const Triangle& triangle) {
+    if (triangle.is_settled) now_settled_.push_back(triangle);
+    leaves_.push_back(triangle);
+}
+
+void AdaptivePart::split(const Triangle& triangle, float relaxation) {
+    std::array<bool, 3> splits{};
+    for (std::size_t i = 0; i < 3; ++i) splits[i] = is_split(triangle.edges[i], relaxation);
+    const auto count = std::count(splits.begin(), splits.end(), true);
+    if (count == 0) return leave_whole(triangle);
+    if (count == 3) return split_in_four(triangle);
+    if (triangle.is_settled) now_settled_.push_back(triangle);
+    if (count == 1) return split_in_two(turned_to(true, splits, triangle));
+    split_in_three(turned_to(false, splits, triangle));
+}
+
+void AdaptivePart::split_in_four(const Triangle& triangle) {
+    const auto [a, b, c] = triangle.corners;
+    const auto [edge_ab, edge_bc, edge_ca] = triangle.edges;
+    const std::uint32_t ab = edges_[edge_ab].middle;
+    const std::uint32_t bc = edges_[edge_bc].middle;
+    const std::uint32_t ca = edges_[edge_ca].middle;
+    const Triangle inner = triangle_of(ab, bc, ca, triangle.is_settled);
+    const bool settled = triangle.is_settled;
+    const auto [beside_b, beside_c, beside_a] = inner.edges;
+    next_level_.push_back(
+        {{a, ab, ca}, {half_at(edge_ab, a), beside_a, half_at(edge_ca, a)}, settled});
+    next_level_.push_back(
+        {{ab, b, bc}, {half_at(edge_ab, b), half_at(edge_bc, b), beside_b}, settled});
+    next_level_.push_back(
+        {{ca, bc, c}, {beside_c, half_at(edge_bc, c), half_at(edge_ca, c)}, settled});
+    next_level_.push_back(inner);
+}
+
+/// The first edge is split.
+void AdaptivePart::split_in_two(const Triangle& triangle) {
+    const auto [a, b, c] = triangle.corners;
+    const auto [edge_ab, edge_bc, edge_ca] = triangle.edges;
+    const std::uint32_t ab = edges_[edge_ab].middle;
+    const std::uint32_t across = inner_edge(ab, c);
+    next_level_.push_back({{a, ab, c}, {half_at(edge_ab, a), across, edge_ca}});
+    next_level_.push_back({{ab, b, c}, {half_at(edge_ab, b), edge_bc, across}});
+}
+
+/// The first edge is kept. The quadrilateral that is left is cut along its shorter diagonal.
+void AdaptivePart::split_in_three(const Triangle& triangle) {
+    const auto [a, b, c] = triangle.corners;
+    const auto [edge_ab, edge_bc, edge_ca] = triangle.edges;
+    const std::uint32_t bc = edges_[edge_bc].middle;
+    const std::uint32_t ca = edges_[edge_ca].middle;
+    const std::uint32_t opposite = inner_edge(ca, bc);
+    const std::uint32_t at_a = half_at(edge_ca, a);
+    const std::uint32_t at_b = half_at(edge_bc, b);
+    next_level_.push_back({{ca, bc, c}, {opposite, half_at(edge_bc, c), half_at(edge_ca, c)}});
+    if ((pixels_[a] - pixels_[bc]).squaredNorm() < (pixels_[b] - pixels_[ca]).squaredNorm()) {
+        const std::uint32_t diagonal = inner_edge(a, bc);
+        next_level_.push_back({{a, b, bc}, {edge_ab, at_b, diagonal}});
+        next_level_.push_back({{a, bc, ca}, {diagonal, opposite, at_a}});
+    } else {
+        const std::uint32_t diagonal = inner_edge(b, ca);
+        next_level_.push_back({{a, b, ca}, {edge_ab, diagonal, at_a}});
+        next_level_.push_back({{b, bc, ca}, {at_b, opposite, diagonal}});
+    }
+}
+
+}  // namespace lumi

@@ -1,0 +1,99 @@
+#include "render/subdivision/adaptive_subdivision.h"
+
+#include <algorithm>
+#include <atomic>
+#include <optional>
+
+#include "calib/work/parallel_for.h"
+#include "render/depth_search/relaxation_search.h"
+#include "render/subdivision/adaptive_part.h"
+#include "render/subdivision/coarse_triangles.h"
+
+namespace lumi {
+namespace {
+
+/// What the edges that parts share cost is hardly noticed, and there are enough parts for all
+/// cores to be busy. The same number on every machine, so that all draw the same triangles.
+constexpr std::size_t kMostParts = 8;
+constexpr std::size_t kFewestOfPart = 8;
+
+}  // namespace
+
+/// The polygons of one picture in parts, each of which is subdivided on one thread.
+class AdaptiveSubdivider::Parts {
+ public:
+    void begin(const std::vector<FacePolygon>& polygons, const DepthSearch& search,
+               const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
+               AdaptiveSubdivisionOptions options) {
+        if (!search.has_depth()) options.counts.guess_ratio = 1.0;
+        samplers_.clear();
+        for (const FacePolygon& polygon : polygons)
+            samplers_.emplace_back(polygon, search, scene_plane, sampling);
+        const CoarseTriangles coarse =
+            coarse_triangles(polygons, options.min_edge_px, options.max_edge_px);
+        const std::size_t count = coarse.triangles.size();
+        used_ = std::clamp<std::size_t>(count / kFewestOfPart, 1, kMostParts);
+        parts_.resize(std::max(parts_.size(), used_));
+        for_each([&](std::size_t i) {
+            parts_[i].begin(coarse, i * count / used_, (i + 1) * count / used_, samplers_, options);
+        });
+    }
+
+    /// The number of triangles with errors relaxed so much; nothing, and what was found before
+    /// stays, where they are more than `most`. To be called for lesser and lesser relaxations once
+    /// it gave a number.
+    [[nodiscard]] std::optional<std::size_t> subdivide(float relaxation, std::size_t most) {
+        std::atomic<std::size_t> count = 0;
+        for_each([&](std::size_t i) { parts_[i].subdivide(relaxation, most, count); });
+        if (count > most) return std::nullopt;
+        for (std::size_t i = 0; i < used_; ++i) parts_[i].keep();
+        return count;
+    }
+
+    /// The triangles that were found last, and the vertices that they name.
+    [[nodiscard]] BlendTriangles triangles() const {
+        BlendTriangles drawn;
+        for (std::size_t i = 0; i < used_; ++i) parts_[i].append_to(drawn);
+        return drawn;
+    }
+
+ private:
+    template <class Body>
+    void for_each(const Body& body) {
+        parallel_for(static_cast<int>(used_), 0, [&](int i) { body(static_cast<std::size_t>(i)); });
+    }
+
+    std::vector<PatchSampler> samplers_;  ///< One a polygon.
+    std::vector<AdaptivePart> parts_;
+    std::size_t used_ = 0;  ///< The first ones; the others keep their memory.
+};
+
+AdaptiveSubdivider::AdaptiveSubdivider() : parts_(std::make_unique<Parts>()) {}
+AdaptiveSubdivider::~AdaptiveSubdivider() = default;
+AdaptiveSubdivider::AdaptiveSubdivider(AdaptiveSubdivider&&) noexcept = default;
+AdaptiveSubdivider& AdaptiveSubdivider::operator=(AdaptiveSubdivider&&) noexcept = default;
+
+AdaptiveSubdivision AdaptiveSubdivider::subdivide(const std::vector<FacePolygon>& polygons,
+                                                  const DepthSearch& search,
+                                                  const Eigen::Vector3d& scene_plane,
+                                                  const PatchSampler::Options& sampling,
+                                                  const AdaptiveSubdivisionOptions& options) {
+    parts_->begin(polygons, search, scene_plane, sampling, options);
+    AdaptiveSubdivision result;
+    result.relaxation =
+        least_relaxation(options.max_triangles, [&](double relaxation, std::size_t most) {
+            return parts_->subdivide(static_cast<float>(relaxation), most);
+        });
+    result.triangles = parts_->triangles();
+    return result;
+}
+
+AdaptiveSubdivision adaptive_subdivision(const std::vector<FacePolygon>& polygons,
+                                         const DepthSearch& search,
+                                         const Eigen::Vector3d& scene_plane,
+                                         const PatchSampler::Options& sampling,
+                                         const AdaptiveSubdivisionOptions& options) {
+    return AdaptiveSubdivider().subdivide(polygons, search, scene_plane, sampling, options);
+}
+
+}  // namespace lumi

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "render/faces/face_polygons.h"
+#include "render/subdivision/blend_triangles.h"
+
+namespace lumi {
+
+/// A photograph as a plane shows it: its homogeneous pixel from the eye's (x, y, 1).
+struct PlaneView {
+    Eigen::Matrix3d view_from_eye = Eigen::Matrix3d::Identity();
+    double width_px = 0.0;
+    double height_px = 0.0;
+};
+
+struct AffinePieceOptions {
+    double max_error_px = 0.04;  ///< Of where a photograph is looked up, times what it may count.
+    double max_weight_error = 0.02;
+};
+
+/// A face polygon, cut into pieces that are drawn faster than pixel by pixel.
+///
+/// A homography is affine on a piece that is small enough: with homogeneous third coordinates
+/// between W and W' and pixels within a diameter d, linear interpolation is wrong by at most
+/// d / 2 * (W' - W) / (W' + W), always to one side; moved by half of that, by half as much. What
+/// the photographs have in common of W, those the most that count most, is left to the rasteriser's
+/// perspective, so that pieces are large. `affine` gets them; `exact` gets the few small ones that
+/// are not affine even so: polygons as they were, with fewer corners. What lies beyond the borders
+/// of all three photographs is left out.
+void cut_into_affine_pieces(const FacePolygon& polygon, const std::vector<PlaneView>& views,
+                            const Eigen::Vector3d& plane_inverse_depth,
+                            const AffinePieceOptions& options, BlendTriangles& affine,
+                            std::vector<FacePolygon>& exact);
+
+}  // namespace lumi

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "render/faces/face_polygons.h"
+
+namespace lumi {
+
+/// What a subdivision begins with: face polygons as triangles that are split in four as long as all
+/// edges are longer than any may be, whatever is seen there. Neighbours mostly follow each other.
+struct CoarseTriangles {
+    struct Triangle {
+        std::array<std::uint32_t, 3> corners{};
+        std::uint32_t polygon = 0;
+    };
+    std::vector<Eigen::Vector2d> pixels;  ///< That corners name; polygons share none.
+    std::vector<Triangle> triangles;
+};
+
+[[nodiscard]] CoarseTriangles coarse_triangles(const std::vector<FacePolygon>& polygons,
+                                               double min_edge_px, double max_edge_px);
+
+/// As lengths are compared.
+[[nodiscard]] inline float edge_length_px(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return static_cast<float>((a - b).norm());
+}
+
+/// Whether a triangle is left whole, having an altitude below a quarter of the shortest edge: its
+/// long edge may have no reason to be split where the others always have. Vertices lie on the edges
+/// of their neighbours, so that no gap opens.
+[[nodiscard]] inline bool is_thin(const Eigen::Vector2d& ab, const Eigen::Vector2d& ac,
+                                  float longest_px, double min_edge_px) {
+    constexpr double kThinnest = 0.25;
+    return std::abs(ab.x() * ac.y() - ab.y() * ac.x()) <
+           kThinnest * min_edge_px * static_cast<double>(longest_px);
+}
+
+}  // namespace lumi

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "render/subdivision/blend_triangles.h"
+
+namespace lumi {
+
+/// What counts as how much of an error.
+struct EdgeErrorCounts {
+    /// A change of a weight from 0 to 1, so that edges of visibility are met.
+    double weight_error_px = 1.0;
+    /// Guesses are followed so many times less closely, as by depth meshes (depth_triangulation.h):
+    /// their errors may be so many times as large, and edges among them are left so many times as
+    /// long. Triangles are better spent on what was seen, and a torn guess is no truer in more
+    /// pieces; but where what was seen ends is worth them.
+    double guess_ratio = 4.0;
+};
+
+/// How far photographs are looked up from where they should be, in the middle of an edge that is
+/// not split, each counting as its weight; or twice the error of a weight or of the opacity; or a
+/// step of depth's worth, where the photographs lose the scene along the edge. Less at a guess.
+[[nodiscard]] double edge_error_px(const BlendVertex& a, const BlendVertex& b,
+                                   const BlendVertex& middle, const EdgeErrorCounts& counts = {});
+
+/// By how many times longer than others an edge may be left.
+[[nodiscard]] double edge_looseness(const BlendVertex& a, const BlendVertex& b,
+                                    const BlendVertex& middle, const EdgeErrorCounts& counts = {});
+
+/// By how much errors are relaxed when an edge is split no more whose error and length are so many
+/// times those that are allowed. Relaxed errors leave edges longer, by the root; where errors are
+/// large they are shorter, so that not all edges of one length are given up at once.
+[[nodiscard]] double greatest_relaxation(double error, double length);
+
+}  // namespace lumi

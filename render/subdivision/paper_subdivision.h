@@ -1,0 +1,26 @@
+#pragma once
+
+#include "render/subdivision/subdivision.h"
+
+namespace lumi {
+
+struct PaperSubdivisionOptions {
+    /// Depths that differ by more than this share of the scene's depth range are not the same.
+    double depth_threshold_share = 0.02;
+    double min_size_px = 6.0;   ///< Triangles with a longest edge below this are not split.
+    double max_size_px = 80.0;  ///< Longer ones are, in any case.
+};
+
+/// The paper's adaptive depth correction (section 4), to the letter: a triangle of a camera patch
+/// is split in four while the depths at its corners and its centre differ, or some of these four
+/// rays miss the scene, between a largest and a smallest size; triangles whose rays all miss are
+/// left out. Edges that only a neighbour split, in the same patch or in the next, are split in turn
+/// (T-vertex removal).
+[[nodiscard]] BlendTriangles paper_subdivision(const std::vector<FacePolygon>& polygons,
+                                               const DepthSearch& search,
+                                               const Eigen::Vector3d& scene_plane,
+                                               const Eigen::Vector2d& inverse_depth_range,
+                                               bool correct_occlusion,
+                                               const PaperSubdivisionOptions& options = {});
+
+}  // namespace lumi

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+
+#include "render/frame/frame.h"
+
+namespace lumi {
+
+/// Chooses by how much the errors of `adaptive` are relaxed so that frames take no longer than they
+/// may, after time-critical Lumigraph rendering (Sloan, Cohen, Gortler 1997): what a frame costs
+/// without triangles and what each adds is learned from the frames that were drawn.
+///
+/// Errors are relaxed, and triangles not only counted, because a coarser subdivision also looks at
+/// less of the scene.
+class TriangleBudget {
+ public:
+    /// How many frames a second are wanted; 0 or less: any, nothing is relaxed.
+    explicit TriangleBudget(double frames_per_second = 0.0);
+
+    /// A frame that was drawn with `within(...)`.
+    void measured(std::size_t triangles, double frame_ms);
+    /// The options with the errors that the next frame affords; without a limit the same options.
+    [[nodiscard]] RenderOptions within(RenderOptions options) const;
+    /// By how much errors are relaxed: 1 to kMostRelaxation.
+    [[nodiscard]] double relaxation() const { return relaxation_; }
+
+    static constexpr double kMostRelaxation = 64.0;
+
+ private:
+    [[nodiscard]] double affordable_triangles() const;
+
+    double target_ms_ = 0.0;
+    double relaxation_ = 1.0;
+    double affordable_ = 0.0;  ///< Triangles; 0: not known.
+    // Sums over the frames, those long ago counting little: a line is fitted through them.
+    double frames_ = 0.0;
+    double triangles_ = 0.0;
+    double ms_ = 0.0;
+    double triangles_squared_ = 0.0;
+    double triangles_ms_ = 0.0;
+};
+
+}  // namespace lumi

@@ -1,0 +1,21 @@
+#include "render/transfer/scene_plane.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "render/transfer/pixel_transfer.h"
+
+namespace lumi {
+
+Eigen::Vector3d scene_plane_inverse_depth(const Lumigraph& lumigraph, const Eye& eye) {
+    const Eigen::Vector3d centre_in_eye = eye.cam_from_world * lumigraph.mesh.scene_centre_in_world;
+    // An eye that has come closer than the scene's near end stays that far from the plane.
+    const double distance = std::max(centre_in_eye.norm(), lumigraph.near_depth);
+    if (!(distance > 0)) return Eigen::Vector3d::Zero();
+    const Eigen::Vector3d normal =
+        centre_in_eye.norm() > 0 ? centre_in_eye.normalized() : Eigen::Vector3d::UnitZ().eval();
+    // A ray d of unit depth meets the plane normal . X = distance at depth distance / (normal . d).
+    return pinhole_matrix(eye.camera).inverse().transpose() * normal / distance;
+}
+
+}  // namespace lumi

@@ -1,0 +1,99 @@
+#include "render/uploaded/photograph_opacity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "calib/work/parallel_for.h"
+#include "render/depth_mesh/depth_lattice.h"
+#include "render/depth_search/occlusion.h"
+#include "render/transfer/view_geometry.h"
+
+namespace lumi {
+namespace {
+
+/// Of a pixel that holds two surfaces. Small against any other view's, but eight bits must hold it
+/// where the border fades, too.
+constexpr double kMixedShare = 1.0 / 8;
+/// Steps of 1/255 between the colours on both sides of an edge.
+constexpr int kLeastContrast = 24;
+
+/// Finds the pixels of a photograph that hold two surfaces.
+class MixedSamples {
+ public:
+    MixedSamples(const LumigraphView& view, double disparity_px)
+        : view_(view),
+          lattice_(view.depth, view.camera, disparity_px),
+          mixed_(view.depth.inverse_depth.width(), view.depth.inverse_depth.height()) {
+        for (int y = 0; y < mixed_.height(); ++y) {
+            for (int x = 0; x < mixed_.width(); ++x) {
+                // The lattice has a ring of nodes around the samples.
+                if (x + 1 < mixed_.width() && lattice_.tears_right(x + 1, y + 1)) mark(x, y, 1, 0);
+                if (y + 1 < mixed_.height() && lattice_.tears_below(x + 1, y + 1)) mark(x, y, 0, 1);
+            }
+        }
+    }
+
+    /// For each depth sample 1 where its pixels are mixed.
+    [[nodiscard]] const GrayImage& mixed() const { return mixed_; }
+
+ private:
+    /// The surface tears between a sample and the next. Only if the photograph shows it: where the
+    /// depth map has the edge in a wrong place, pixels hold one surface.
+    void mark(int x, int y, int step_x, int step_y) {
+        const Rgb8& before = color_at(x - step_x, y - step_y);
+        const Rgb8& beyond = color_at(x + 2 * step_x, y + 2 * step_y);
+        const int contrast = std::max({std::abs(before.r - beyond.r), std::abs(before.g - beyond.g),
+                                       std::abs(before.b - beyond.b)});
+        if (contrast < kLeastContrast) return;
+        mixed_(x, y) = 1;
+        mixed_(x + step_x, y + step_y) = 1;
+    }
+
+    /// In the middle of a sample.
+    [[nodiscard]] const Rgb8& color_at(int x, int y) const {
+        const auto pixel = [](int sample, int samples, int pixels) {
+            return (2 * std::clamp(sample, 0, samples - 1) + 1) * pixels / (2 * samples);
+        };
+        return view_.photograph(pixel(x, mixed_.width(), view_.camera.width_px),
+                                pixel(y, mixed_.height(), view_.camera.height_px));
+    }
+
+    const LumigraphView& view_;
+    DepthLattice lattice_;
+    GrayImage mixed_;
+};
+
+}  // namespace
+
+GrayImage photograph_opacity(const LumigraphView& view, double disparity_px) {
+    const int width = view.camera.width_px;
+    const int height = view.camera.height_px;
+    const GrayImage mixed =
+        view.depth.inverse_depth.empty() ? GrayImage{} : MixedSamples(view, disparity_px).mixed();
+    GrayImage opacity(width, height);
+    for (int y = 0; y < height; ++y) {
+        const int row = y * mixed.height() / height;
+        for (int x = 0; x < width; ++x) {
+            const double to_border = std::min({x, y, width - 1 - x, height - 1 - y}) + 0.5;
+            const bool is_mixed = !mixed.empty() && mixed(x * mixed.width() / width, row) != 0;
+            opacity(x, y) = static_cast<std::uint8_t>(std::lround(
+                std::max(1.0, 255 * border_fade(to_border) * (is_mixed ? kMixedShare : 1.0))));
+        }
+    }
+    return opacity;
+}
+
+std::vector<GrayImage> photograph_opacities(const Lumigraph& lumigraph) {
+    const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    std::vector<GrayImage> opacities(lumigraph.views.size());
+    parallel_for(static_cast<int>(opacities.size()), 0, [&](int i) {
+        const auto index = static_cast<std::size_t>(i);
+        opacities[index] =
+            photograph_opacity(lumigraph.views[index], max_disparity_px(geometries[index]));
+    });
+    return opacities;
+}
+
+}  // namespace lumi

@@ -1,0 +1,107 @@
+#include "render/uploaded/uploaded_lumigraph.h"
+
+#include <algorithm>
+#include <string>
+
+#include "calib/work/error.h"
+#include "calib/work/parallel_for.h"
+#include "render/surroundings/surroundings.h"
+#include "render/uploaded/photograph_opacity.h"
+
+namespace lumi {
+namespace {
+
+Lumigraph without_photographs(const Lumigraph& lumigraph) {
+    Lumigraph layout = without_its_views(lumigraph);
+    layout.mesh = lumigraph.mesh;
+    for (const LumigraphView& view : lumigraph.views)
+        layout.views.push_back({view.name,
+                                view.camera,
+                                view.cam_from_world,
+                                view.exif_orientation,
+                                {},
+                                view.depth,
+                                kNoExposureGain,
+                                view.depth_mesh});
+    return layout;
+}
+
+void require_fits(const Capabilities& capabilities, const Lumigraph& lumigraph) {
+    if (lumigraph.views.size() > static_cast<std::size_t>(capabilities.max_array_layers))
+        throw Error(ErrorKind::kResources, "E-GL-LIMIT",
+                    std::to_string(lumigraph.views.size()) + " photographs, but " +
+                        capabilities.description + " holds " +
+                        std::to_string(capabilities.max_array_layers),
+                    "make the package with [package] max_views, or use another GL driver");
+    for (const LumigraphView& view : lumigraph.views) {
+        const int size_px =
+            std::max(view.photograph.width(), view.photograph.height()) + 2 * kGutter_px;
+        if (size_px > capabilities.max_texture_size_px)
+            throw Error(ErrorKind::kResources, "E-GL-LIMIT",
+                        view.name + " is " + std::to_string(size_px) + " pixels long, but " +
+                            capabilities.description + " holds " +
+                            std::to_string(capabilities.max_texture_size_px),
+                        "make the package with a smaller [capture] max_width_px");
+    }
+}
+
+TextureArray upload_photographs(const Lumigraph& lumigraph) {
+    const std::vector<LumigraphView>& views = lumigraph.views;
+    const std::vector<GrayImage> opacities = photograph_opacities(lumigraph);
+    int width = 1;
+    int height = 1;
+    for (const LumigraphView& view : views) {
+        width = std::max(width, view.photograph.width());
+        height = std::max(height, view.photograph.height());
+    }
+    width += 2 * kGutter_px;
+    height += 2 * kGutter_px;
+    TextureArray array(TexelFormat::kColor, TexelFilter::kLinear, width, height,
+                       static_cast<int>(views.size()));
+    // A few at a time: GL takes them from one thread, and all at once would be all once more.
+    std::vector<std::vector<unsigned char>> layers(static_cast<std::size_t>(resolve_threads(0)));
+    for (std::size_t first = 0; first < views.size(); first += layers.size()) {
+        const std::size_t count = std::min(layers.size(), views.size() - first);
+        parallel_for(static_cast<int>(count), 0, [&](int i) {
+            const auto at = static_cast<std::size_t>(i);
+            layers[at] = photograph_layer(views[first + at].photograph, opacities[first + at],
+                                          width, height);
+        });
+        for (std::size_t at = 0; at < count; ++at)
+            array.upload_rgba(static_cast<int>(first + at), layers[at]);
+    }
+    return array;
+}
+
+TextureArray upload_depth_maps(const std::vector<LumigraphView>& views) {
+    int width = 0;
+    int height = 0;
+    for (const LumigraphView& view : views) {
+        width = std::max(width, view.depth.inverse_depth.width());
+        height = std::max(height, view.depth.inverse_depth.height());
+    }
+    if (width == 0) return {};
+    TextureArray array(TexelFormat::kFloat, TexelFilter::kNearest, width, height,
+                       static_cast<int>(views.size()));
+    for (std::size_t i = 0; i < views.size(); ++i)
+        if (!views[i].depth.inverse_depth.empty())
+            array.upload(static_cast<int>(i), views[i].depth.inverse_depth);
+    return array;
+}
+
+}  // namespace
+
+UploadedLumigraph::UploadedLumigraph(const Lumigraph& lumigraph)
+    : capabilities(query_capabilities()),
+      layout(without_photographs(lumigraph)),
+      searched_views(lumi::searched_views(lumigraph)),
+      small_photographs(lumi::small_photographs(lumigraph)) {
+    require_fits(capabilities, lumigraph);
+    photographs = upload_photographs(lumigraph);
+    depth_maps = upload_depth_maps(lumigraph.views);
+    for (const LumigraphView& view : lumigraph.views)
+        depth_sizes_px.emplace_back(view.depth.inverse_depth.width(),
+                                    view.depth.inverse_depth.height());
+}
+
+}  // namespace lumi

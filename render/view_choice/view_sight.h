@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "render/depth_search/points_in_view.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// What one more view is worth where others see the same: two must agree, more are spare. No more
+/// than that is a view worth for what may stand before the scene plane.
+inline constexpr double kWorthOfNext = 0.1;
+
+/// Points that the eye may see, two a pixel: on the scene plane (scene_plane.h) and, for less, at
+/// the scene's near end. A view whose photograph holds a ray's far part alone cannot tell what
+/// stands before it.
+struct SightSamples {
+    RayPoints points;
+    /// To a view that sees it from the eye's direction. Of the pixels in their order; first all on
+    /// the plane.
+    Eigen::RowVectorXd worth;
+};
+
+[[nodiscard]] SightSamples sight_samples(const Lumigraph& lumigraph, const Eye& eye,
+                                         const std::vector<Eigen::Vector2d>& pixels);
+
+/// How a view sees the samples.
+struct ViewSight {
+    /// 1 within the photograph, 0 outside; from one to the other over a fraction of the way between
+    /// two of kSightSteps in a row over the photograph.
+    Eigen::RowVectorXd inside;
+    Eigen::RowVectorXd closeness;  ///< The same, the less the larger the angle to the eye.
+};
+
+/// Samples in a row over a picture: what a view sees of it is known no finer.
+inline constexpr int kSightSteps = 16;
+
+[[nodiscard]] ViewSight sight_of(const LumigraphView& view, const Eigen::Vector3d& eye_in_world,
+                                 const RayPoints& points);
+
+}  // namespace lumi
