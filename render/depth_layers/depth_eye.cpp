@@ -41,6 +41,13 @@ double texels_asked_per_pixel(const Lumigraph& lumigraph, const Eye& eye,
     return texels_per_pixel(lumigraph, eye);
 }
 
+/// Where texels are pixels, and a Lumigraph's pixels are drawn alone.
+int samples_of(const Lumigraph& lumigraph, const RenderOptions& options, double texels_per_pixel) {
+    const bool is_alone = options.smooth_silhouettes && !options.supersample &&
+                          !options.fade_beyond_capture && lumigraph.mesh.shells.empty();
+    return is_alone && texels_per_pixel == 1.0 ? 2 : 1;
+}
+
 int texels(int pixels, double per_pixel) { return static_cast<int>(std::ceil(pixels * per_pixel)); }
 
 }  // namespace
@@ -57,7 +64,7 @@ DepthEye depth_eye(const Lumigraph& lumigraph, const Eye& eye, const RenderOptio
                         texels(eye.camera.height_px, scale),
                         LensModel::kPinhole,
                         {focal.x(), focal.y(), principal_point.x(), principal_point.y()}};
-    return {{camera, eye.cam_from_world}, scale};
+    return {{camera, eye.cam_from_world}, scale, samples_of(lumigraph, options, scale)};
 }
 
 }  // namespace lumi

@@ -27,8 +27,9 @@ void DepthLayerPainter::clear(const TextureArray& layers) {
     }
 }
 
-void DepthLayerPainter::draw(const Eye& eye, const std::vector<DepthLayerDraw>& draws,
+void DepthLayerPainter::draw(const DepthEye& depth_eye, const std::vector<DepthLayerDraw>& draws,
                              const TextureArray& layers) {
+    const Eye& eye = depth_eye.eye;
     glViewport(0, 0, eye.camera.width_px, eye.camera.height_px);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -47,7 +48,7 @@ void DepthLayerPainter::draw(const Eye& eye, const std::vector<DepthLayerDraw>& 
         const double range_begin = kDepthKindStep * draw.kind;
         glDepthRangef(static_cast<float>(range_begin),
                       static_cast<float>(range_begin + kDepthKindWidth));
-        aim_at_view(eye, draw.view_index);
+        aim_at_view(eye, draw.view_index, depth_eye.sample_offset_px(draw.sample));
         meshes_[static_cast<std::size_t>(draw.view_index)].draw(draw.first_index, draw.index_count);
     }
     glDepthRangef(0.0F, 1.0F);
@@ -56,7 +57,7 @@ void DepthLayerPainter::draw(const Eye& eye, const std::vector<DepthLayerDraw>& 
     glDisable(GL_DEPTH_TEST);
 }
 
-void DepthLayerPainter::aim_at_view(const Eye& eye, int view_index) const {
+void DepthLayerPainter::aim_at_view(const Eye& eye, int view_index, double offset_px) const {
     const LumigraphView& view = views_[static_cast<std::size_t>(view_index)];
     const PixelTransfer eye_from_view =
         pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
@@ -64,9 +65,11 @@ void DepthLayerPainter::aim_at_view(const Eye& eye, int view_index) const {
     Eigen::Matrix4d transfer = Eigen::Matrix4d::Identity();
     transfer.topLeftCorner<3, 3>() = eye_from_view.at_infinity;
     transfer.topRightCorner<3, 1>() = eye_from_view.per_inverse_depth;
+    Eigen::Matrix4d moved = Eigen::Matrix4d::Identity();
+    moved.block<2, 1>(0, 2).setConstant(-offset_px);
     const Eigen::Matrix4d clip =
         clip_from_pixel(eye.camera.width_px, eye.camera.height_px, max_inverse_depth_);
-    program_.set("clip_from_view_pixel", to_glm(Eigen::Matrix4d(clip * transfer)));
+    program_.set("clip_from_view_pixel", to_glm(Eigen::Matrix4d(clip * moved * transfer)));
 }
 
 }  // namespace lumi

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "render/depth_layers/depth_eye.h"
 #include "render/depth_layers/depth_layer_draws.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
@@ -30,10 +31,13 @@ class DepthLayerPainter {
     /// Nothing is in any layer.
     void clear(const TextureArray& layers);
     /// Leaves another framebuffer bound, and the depth test and face culling off.
-    void draw(const Eye& eye, const std::vector<DepthLayerDraw>& draws, const TextureArray& layers);
+    void draw(const DepthEye& depth_eye, const std::vector<DepthLayerDraw>& draws,
+              const TextureArray& layers);
 
  private:
-    void aim_at_view(const Eye& eye, int view_index) const;
+    /// Moves the picture so that the place `offset_px` from a pixel's centre, in x and in y, is
+    /// drawn for it.
+    void aim_at_view(const Eye& eye, int view_index, double offset_px) const;
 
     const std::vector<LumigraphView>& views_;
     double max_inverse_depth_;

@@ -67,19 +67,22 @@ double DepthLayers::buffer_difference(double inverse_depth_difference) const {
                     0.5 * (kDepthKindStep - kDepthKindWidth));
 }
 
-void DepthLayers::resize(int width_px, int height_px) {
-    if (layers_.width_px() == width_px && layers_.height_px() == height_px) return;
-    layers_ =
-        TextureArray(TexelFormat::kDepth, TexelFilter::kNearest, width_px, height_px, layer_count_);
+void DepthLayers::resize(int width_px, int height_px, int layers) {
+    if (layers_.width_px() == width_px && layers_.height_px() == height_px &&
+        layers_.layers() == layers)
+        return;
+    layers_ = TextureArray(TexelFormat::kDepth, TexelFilter::kNearest, width_px, height_px, layers);
 }
 
-void DepthLayers::draw(const Eye& eye, const std::vector<DepthViewSet>& sets) {
-    resize(eye.camera.width_px, eye.camera.height_px);
+void DepthLayers::draw(const DepthEye& depth_eye, const std::vector<DepthViewSet>& sets) {
+    const Camera& camera = depth_eye.eye.camera;
+    resize(camera.width_px, camera.height_px, depth_eye.samples * layer_count_);
     const std::vector<DepthLayerDraw> draws =
-        depth_layer_draws(sets, layer_count_, eye.camera.width_px, kind_begins_);
+        depth_layer_draws(sets, layer_count_, depth_eye.samples, camera.width_px, kind_begins_);
     const auto parts = in_even_parts(draws, threads_.size());
     painters_.front()->clear(layers_);
-    threads_.run([&](std::size_t thread) { painters_[thread]->draw(eye, parts[thread], layers_); });
+    threads_.run(
+        [&](std::size_t thread) { painters_[thread]->draw(depth_eye, parts[thread], layers_); });
 }
 
 }  // namespace lumi

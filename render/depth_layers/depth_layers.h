@@ -26,10 +26,10 @@ class DepthLayers {
     DepthLayers(const DepthLayers&) = delete;
     DepthLayers& operator=(const DepthLayers&) = delete;
 
-    /// Draws the layers, in the strip of each set (strip_ends) those of its views.
-    /// The layers get the size of the eye's picture.
-    /// Leaves another framebuffer bound, and the depth test and face culling off.
-    void draw(const Eye& eye, const std::vector<DepthViewSet>& sets);
+    /// Draws the layers, in the strip of each set (strip_ends) those of its views; of each sample
+    /// of a pixel, one after the other. The layers get the size of the eye's picture. Leaves
+    /// another framebuffer bound, and the depth test and face culling off.
+    void draw(const DepthEye& depth_eye, const std::vector<DepthViewSet>& sets);
 
     [[nodiscard]] const TextureArray& texture() const { return layers_; }
     /// 1 / (nearest depth that can be drawn).
@@ -40,7 +40,7 @@ class DepthLayers {
 
  private:
     void upload_meshes(const UploadedLumigraph& uploaded);
-    void resize(int width_px, int height_px);
+    void resize(int width_px, int height_px, int layers);
 
     double max_inverse_depth_ = 1.0;
     std::vector<VertexBuffer> meshes_;

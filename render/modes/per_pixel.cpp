@@ -44,6 +44,7 @@ PerPixel::PerPixel(const UploadedLumigraph& uploaded)
       depth_(uploaded, layer_count_),
       faces_(uploaded),
       in_pixels_(programs_of(layer_count_, {})),
+      smooth_(programs_of(layer_count_, {"SMOOTH"})),
       in_blocks_(programs_of(layer_count_, {"BLOCKS"})),
       fading_(programs_of(layer_count_, {"FADES"})) {}
 
@@ -59,7 +60,7 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
                            depth_eye(uploaded_.layout, eye, options)};
     {
         const FramebufferBindingKeeper keeper;
-        depth_.draw(asked.depth_eye.eye, asked.sets);
+        depth_.draw(asked.depth_eye, asked.sets);
     }
     glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
     std::size_t triangles = draw_base(eye, options, viewport, asked);
@@ -138,7 +139,7 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
         agreeing_inverse_depth(uploaded_.layout, uploaded_.searched_views.geometries, asked.sets,
                                centre_in_world(eye.cam_from_world), options.occlusion_tolerance_px);
     program.set("agreeing_depth", static_cast<float>(depth_.buffer_difference(agreeing)));
-    const auto& [depth_eye, texels_per_pixel] = asked.depth_eye;
+    const auto& [depth_eye, texels_per_pixel, samples] = asked.depth_eye;
     program.set("texels_per_pixel", static_cast<float>(texels_per_pixel));
     // Rows are counted from the top of either picture, window coordinates from the bottom.
     const int height_px =
@@ -174,9 +175,10 @@ std::size_t PerPixel::draw_strips(const Eye& eye, const RenderOptions& options,
 std::size_t PerPixel::draw_faces(const Eye& eye, const RenderOptions& options,
                                  const Fragments& fragments, const AskedDepth& asked, Fade fade,
                                  const std::vector<int>& layer_views) {
-    Programs& programs = fade != Fade::kNone     ? fading_
-                         : fragments.side_px > 1 ? in_blocks_
-                                                 : in_pixels_;
+    Programs& programs = fade != Fade::kNone           ? fading_
+                         : fragments.side_px > 1       ? in_blocks_
+                         : asked.depth_eye.samples > 1 ? smooth_
+                                                       : in_pixels_;
     const auto are_asked = [&](const std::array<int, 3>& views) {
         return std::all_of(views.begin(), views.end(), [&](int view) {
             return std::find(layer_views.begin(), layer_views.end(), view) != layer_views.end();

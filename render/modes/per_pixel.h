@@ -22,7 +22,8 @@ namespace lumi {
 /// over that. The cost does not depend on the scene.
 ///
 /// Where photographs cannot tell the difference, all but the colours is worked out for blocks of
-/// two by two pixels (Lumigraph::depth_block_px), at less than two thirds of the cost.
+/// two by two pixels (Lumigraph::depth_block_px), at less than two thirds of the cost. Where they
+/// can, and depth is sampled finely enough, silhouettes are smooth.
 class PerPixel : public DrawingMode {
  public:
     explicit PerPixel(const UploadedLumigraph& uploaded);
@@ -78,6 +79,7 @@ class PerPixel : public DrawingMode {
     GridPainter grid_;
     PixelBlocks blocks_;
     Programs in_pixels_;
+    Programs smooth_;  ///< The same with smooth silhouettes (DepthEye::samples).
     Programs in_blocks_;
     Programs fading_;  ///< For shells, and for what fades beyond the capture.
 };

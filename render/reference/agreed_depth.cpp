@@ -1,12 +1,50 @@
 #include "render/reference/agreed_depth.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "render/depth_mesh/view_depth_mesh.h"
 #include "render/reference/depth_raster.h"
 #include "render/view_choice/depth_view_choice.h"
 
 namespace lumi {
+namespace {
+
+/// What each view knows in the mean of the samples, if all that it knows there is of one surface.
+std::optional<std::vector<EyeDepth>> mean_of_one_surface(
+    const std::vector<std::vector<EyeDepth>>& samples, double agreeing_inverse_depth) {
+    std::vector<EyeDepth> mean = samples.front();
+    for (std::size_t view = 0; view < mean.size(); ++view) {
+        double sum = 0;
+        double least = mean[view].inverse_depth;
+        double most = least;
+        for (const std::vector<EyeDepth>& depths : samples) {
+            const EyeDepth& depth = depths[view];
+            if (depth.is_known() != mean[view].is_known() ||
+                (depth.is_known() && depth.kind != mean[view].kind))
+                return std::nullopt;
+            sum += depth.inverse_depth;
+            least = std::min(least, depth.inverse_depth);
+            most = std::max(most, depth.inverse_depth);
+        }
+        if (most - least > agreeing_inverse_depth) return std::nullopt;
+        mean[view].inverse_depth = sum / static_cast<double>(samples.size());
+    }
+    return mean;
+}
+
+/// An eye whose pixels' centres are what lies so far from those of this eye, in x and in y.
+Eye moved(const Eye& eye, double offset_px) {
+    const Eigen::Vector2d focal = focal_length_px(eye.camera);
+    const Eigen::Vector2d principal_point = principal_point_px(eye.camera).array() - offset_px;
+    return {{eye.camera.width_px,
+             eye.camera.height_px,
+             LensModel::kPinhole,
+             {focal.x(), focal.y(), principal_point.x(), principal_point.y()}},
+            eye.cam_from_world};
+}
+
+}  // namespace
 
 AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
                          const Eye& eye, const RenderOptions& options)
@@ -23,21 +61,42 @@ AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeome
             const auto view_index = static_cast<std::size_t>(index);
             const LumigraphView& view = lumigraph.views[view_index];
             const auto mesh = depth_mesh_of(view, max_disparity_px(geometries[view_index]));
-            eye_depth_of_view_[index] = rasterise(*mesh, view, depth_eye_.eye);
+            for (int sample = 0; sample < depth_eye_.samples; ++sample)
+                eye_depth_of_view_[index].push_back(rasterise(
+                    *mesh, view, moved(depth_eye_.eye, depth_eye_.sample_offset_px(sample))));
         }
     }
 }
 
-AgreedPixelDepth AgreedDepth::at(const Eigen::Vector2d& pixel) const {
+std::vector<AgreedPixelDepth> AgreedDepth::samples_at(const Eigen::Vector2d& pixel) const {
     const int column = texel(pixel.x());
     const int row = texel(pixel.y());
     const std::vector<int>& views = views_at(column);
-    AgreedPixelDepth agreed;
+    std::vector<std::vector<EyeDepth>> samples;
+    for (int sample = 0; sample < depth_eye_.samples; ++sample)
+        samples.push_back(depths_at(column, row, sample));
+    if (const auto mean = mean_of_one_surface(samples, agreeing_inverse_depth_))
+        return {agreed(*mean, views)};
+    std::vector<AgreedPixelDepth> all;
+    for (const std::vector<EyeDepth>& depths : samples) all.push_back(agreed(depths, views));
+    return all;
+}
+
+std::vector<EyeDepth> AgreedDepth::depths_at(int column, int row, int sample) const {
     std::vector<EyeDepth> depths;
-    for (const int index : views) {
-        depths.push_back(index == kNoView ? EyeDepth{} : eye_depth_of_view_.at(index)(column, row));
-        if (index != kNoView) agreed.of_views[index] = depths.back();
-    }
+    for (const int index : views_at(column))
+        depths.push_back(
+            index == kNoView
+                ? EyeDepth{}
+                : eye_depth_of_view_.at(index)[static_cast<std::size_t>(sample)](column, row));
+    return depths;
+}
+
+AgreedPixelDepth AgreedDepth::agreed(const std::vector<EyeDepth>& depths,
+                                     const std::vector<int>& views) const {
+    AgreedPixelDepth agreed;
+    for (std::size_t i = 0; i < views.size(); ++i)
+        if (views[i] != kNoView) agreed.of_views[views[i]] = depths[i];
     agreed.depth = consensus_of(depths, agreeing_inverse_depth_);
     if (agreed.depth.support > 0)
         agreed.known_by = views[static_cast<std::size_t>(agreed.depth.best_layer)];

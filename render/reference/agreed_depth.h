@@ -29,8 +29,9 @@ class AgreedDepth {
     AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
                 const Eye& eye, const RenderOptions& options);
 
-    /// At a place in the eye's picture.
-    [[nodiscard]] AgreedPixelDepth at(const Eigen::Vector2d& pixel) const;
+    /// At the centre of a pixel of the eye's picture, or of a block of pixels; or at the
+    /// samples of a pixel where these are of two surfaces (DepthEye::samples).
+    [[nodiscard]] std::vector<AgreedPixelDepth> samples_at(const Eigen::Vector2d& pixel) const;
 
  private:
     /// Of the depth that is drawn for the eye: the column or row that a place lies in.
@@ -39,12 +40,16 @@ class AgreedDepth {
     }
     /// The views that are asked at a column of texels, kNoView among them.
     [[nodiscard]] const std::vector<int>& views_at(int column) const;
+    /// What each of the views there knows of a sample of a texel.
+    [[nodiscard]] std::vector<EyeDepth> depths_at(int column, int row, int sample) const;
+    [[nodiscard]] AgreedPixelDepth agreed(const std::vector<EyeDepth>& depths,
+                                          const std::vector<int>& views) const;
 
     DepthEye depth_eye_;
     std::vector<int> strip_ends_;
     DepthLayerViews layer_views_;
     double agreeing_inverse_depth_;
-    std::map<int, Image<EyeDepth>> eye_depth_of_view_;
+    std::map<int, std::vector<Image<EyeDepth>>> eye_depth_of_view_;  ///< Of each sample.
 };
 
 }  // namespace lumi

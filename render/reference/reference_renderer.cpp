@@ -44,7 +44,11 @@ class ReferenceFrame {
 
  private:
     [[nodiscard]] Eigen::Vector3d direction_in_world(const Eigen::Vector2d& pixel) const;
-    [[nodiscard]] KnownPoint point_at(const Eigen::Vector2d& pixel) const;
+    /// One, or one for each sample of a silhouette that is drawn smoothly.
+    [[nodiscard]] std::vector<KnownPoint> points_at(const Eigen::Vector2d& pixel) const;
+    /// The mean of all that is drawn for a pixel.
+    [[nodiscard]] std::optional<DrawnPixel> base_at(const std::vector<KnownPoint>& shared,
+                                                    const Eigen::Vector2d& pixel) const;
     /// `shared` is what the fragment of a pixel is drawn for, its centre or that of its block.
     [[nodiscard]] std::optional<DrawnPixel> base_at(const KnownPoint& shared,
                                                     const Eigen::Vector2d& pixel) const;
@@ -106,11 +110,16 @@ Eigen::Vector3d ReferenceFrame::direction_in_world(const Eigen::Vector2d& pixel)
     return eye_.cam_from_world.rotation.conjugate() * unproject(eye_.camera, pixel);
 }
 
-KnownPoint ReferenceFrame::point_at(const Eigen::Vector2d& pixel) const {
-    const auto [depth, known_by, of_views] = depth_ ? depth_->at(pixel) : AgreedPixelDepth{};
-    const double inverse_depth =
-        depth.support > 0 ? depth.inverse_depth : std::max(0.0, plane_.dot(pixel.homogeneous()));
-    return {{direction_in_world(pixel), inverse_depth, known_by}, depth, of_views};
+std::vector<KnownPoint> ReferenceFrame::points_at(const Eigen::Vector2d& pixel) const {
+    std::vector<KnownPoint> points;
+    for (const auto& [depth, known_by, of_views] :
+         depth_ ? depth_->samples_at(pixel) : std::vector<AgreedPixelDepth>(1)) {
+        const double inverse_depth = depth.support > 0
+                                         ? depth.inverse_depth
+                                         : std::max(0.0, plane_.dot(pixel.homogeneous()));
+        points.push_back({{direction_in_world(pixel), inverse_depth, known_by}, depth, of_views});
+    }
+    return points;
 }
 
 std::array<double, 3> ReferenceFrame::visibilities(const RayWeights& ray,
@@ -143,6 +152,22 @@ Eigen::Vector3d ReferenceFrame::blended(const RayWeights& ray, const RayPoint& p
     for (std::size_t i = 0; i < 3; ++i)
         if (ray.weights[i] > 0) color += ray.weights[i] * views_.color(ray.view_indices[i], point);
     return color;
+}
+
+std::optional<DrawnPixel> ReferenceFrame::base_at(const std::vector<KnownPoint>& shared,
+                                                  const Eigen::Vector2d& pixel) const {
+    if (shared.size() == 1) return base_at(shared.front(), pixel);
+    DrawnPixel sum;
+    double count = 0;
+    for (const KnownPoint& known : shared) {
+        const std::optional<DrawnPixel> drawn = base_at(known, pixel);
+        if (!drawn) continue;
+        sum.color += drawn->color;
+        sum.coverage += drawn->coverage;
+        ++count;
+    }
+    if (count == 0) return std::nullopt;
+    return DrawnPixel{sum.color / count, sum.coverage >= 0.5 * count ? 1.0 : 0.0};
 }
 
 std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
@@ -219,14 +244,14 @@ void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell,
 DrawnPixel ReferenceFrame::color_at(int x, int y) const {
     const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
     const Eigen::Vector2d block(x / kMaxDepthBlock_px, y / kMaxDepthBlock_px);
-    const KnownPoint known = point_at(pixel);
+    const std::vector<KnownPoint> known = points_at(pixel);
     DrawnPixel drawn =
         base_at(is_in_blocks_
-                    ? point_at(kMaxDepthBlock_px * (block + Eigen::Vector2d::Constant(0.5)))
+                    ? points_at(kMaxDepthBlock_px * (block + Eigen::Vector2d::Constant(0.5)))
                     : known,
                 pixel)
             .value_or(behind(x, y));
-    for (const CameraMesh& shell : lumigraph_.mesh.shells) lay_over(drawn, shell, known);
+    for (const CameraMesh& shell : lumigraph_.mesh.shells) lay_over(drawn, shell, known.front());
     return drawn;
 }
 

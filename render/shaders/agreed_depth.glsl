@@ -29,17 +29,18 @@ vec4 agree(vec4 depths, float depth) {
     return vec4(lessThanEqual(abs(depths - depth), vec4(agreeing_depth)));
 }
 
-vec4 layer_depths(ivec2 texel) {
+// Of the sample whose layers begin at the first.
+vec4 layer_depths(ivec2 texel, int first) {
     vec4 depths = vec4(1.0);
-    depths.x = texelFetch(depth_layers, ivec3(texel, 0), 0).r;
+    depths.x = texelFetch(depth_layers, ivec3(texel, first), 0).r;
 #if LAYERS > 1
-    depths.y = texelFetch(depth_layers, ivec3(texel, 1), 0).r;
+    depths.y = texelFetch(depth_layers, ivec3(texel, first + 1), 0).r;
 #endif
 #if LAYERS > 2
-    depths.z = texelFetch(depth_layers, ivec3(texel, 2), 0).r;
+    depths.z = texelFetch(depth_layers, ivec3(texel, first + 2), 0).r;
 #endif
 #if LAYERS > 3
-    depths.w = texelFetch(depth_layers, ivec3(texel, 3), 0).r;
+    depths.w = texelFetch(depth_layers, ivec3(texel, first + 3), 0).r;
 #endif
     return depths;
 }
@@ -65,8 +66,7 @@ vec4 seen_in_layers(vec4 depths) {
 //
 // In the units of the depth buffer: kinds are kept so far apart there that none agrees with another
 // (depth_layers.h).
-Depth agreed_depth(ivec2 texel) {
-    vec4 depths = layer_depths(texel);
+Depth agreed_depth(vec4 depths) {
     float nearest = smallest(depths);
     float kind = step(kKindStep, nearest) + step(2.0 * kKindStep, nearest) + step(0.995, nearest);
     float preferred = kind < 0.5 ? 1.0 : -1.0;

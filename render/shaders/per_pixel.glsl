@@ -7,7 +7,11 @@
 // does. A view that was asked for depth has said what it sees along the eye's ray; of others the
 // depth maps tell. VIEWS_ARE_ASKED: all three were, and no depth map is looked up.
 //
-// Written for software rendering: no arrays, no loops, no branches, one division a view.
+// SMOOTH: a pixel has two samples of depth. Where they are of two surfaces, it is the mean of what is
+// drawn at each.
+//
+// Written for software rendering: no arrays, no branches, one division a view, and no loop but that
+// over the samples of a silhouette.
 
 #ifdef LUMI_FRAGMENT
 uniform sampler2DArray depth_maps;
@@ -140,9 +144,12 @@ vec4 drawn_at(Blend blend, vec2 from_centre_px) {
 #endif
 }
 
-Blend blend_at(vec2 window) {
+ivec2 texel_at(vec2 window) {
+    return ivec2(window * texels_per_pixel + vec2(0.0, texels_below));
+}
+
+Blend blend_at(vec2 window, Depth depth) {
     Blend blend;
-    Depth depth = agreed_depth(ivec2(window * texels_per_pixel + vec2(0.0, texels_below)));
     blend.depth = depth;
     // Where no depth is known the scene plane is a guess: drawn, but not counted as covered.
     blend.is_guess = depth.kind > 2.5;
@@ -191,8 +198,35 @@ Blend blend_at(vec2 window) {
     return blend;
 }
 
+#ifdef SMOOTH
+// The mean of a pixel's two samples of depth, less one where nothing is known. Where both are of one
+// surface, it is drawn once, at their mean: that of the pixel's centre.
+vec4 smooth_at(vec2 window) {
+    ivec2 texel = texel_at(window);
+    vec4 first = layer_depths(texel, 0);
+    vec4 second = layer_depths(texel, LAYERS);
+    bool is_one = all(lessThanEqual(abs(first - second), vec4(agreeing_depth)));
+    first = is_one ? 0.5 * (first + second) : first;
+    int samples = is_one ? 1 : 2;
+    vec4 sum = vec4(0.0);
+    float count = 0.0;
+    for (int i = 0; i < samples; ++i) {
+        Blend blend = blend_at(window, agreed_depth(i == 0 ? first : second));
+        float is_drawn = blend.is_unseen && blend.is_guess ? 0.0 : 1.0;
+        sum += is_drawn * drawn_at(blend, vec2(0.0));
+        count += is_drawn;
+    }
+    if (count < 0.5) discard;
+    return vec4(sum.rgb / count, step(0.5 * count, sum.a));
+}
+#endif
+
 void main() {
-    Blend blend = blend_at(kFragment_px * gl_FragCoord.xy - viewport_origin);
+    vec2 window = kFragment_px * gl_FragCoord.xy - viewport_origin;
+#ifdef SMOOTH
+    drawn = smooth_at(window);
+#else
+    Blend blend = blend_at(window, agreed_depth(layer_depths(texel_at(window), 0)));
     if (blend.is_unseen && blend.is_guess) discard;
 #ifdef BLOCKS
     drawn = drawn_at(blend, vec2(-0.5, -0.5));
@@ -201,6 +235,7 @@ void main() {
     drawn_above_right = drawn_at(blend, vec2(0.5, 0.5));
 #else
     drawn = drawn_at(blend, vec2(0.0));
+#endif
 #endif
 }
 #endif

@@ -51,6 +51,7 @@ bool same(const DrawnFrame& a, const DrawnFrame& b) {
            a.options.correct_occlusion == b.options.correct_occlusion &&
            a.options.fade_beyond_capture == b.options.fade_beyond_capture &&
            a.options.guess_surroundings == b.options.guess_surroundings &&
+           a.options.smooth_silhouettes == b.options.smooth_silhouettes &&
            a.options.occlusion_tolerance_px == b.options.occlusion_tolerance_px &&
            a.options.triangle_error_ratio == b.options.triangle_error_ratio;
 }
@@ -177,14 +178,15 @@ void ViewerWindow::Implementation::draw_where_needed() {
     const Eigen::Vector2i now_px = window.framebuffer_size_px();
     if (now_px.minCoeff() > 0) size_px = now_px;
     if (!is_moving()) return draw(1.0, state.render);
-    const bool is_limited =
-        state.frames_per_second > 0 && state.render.mode == RenderMode::kAdaptive;
-    if (!is_limited) return draw(resolution.scale_while_moving(), state.render);
+    RenderOptions moving = state.render;
+    moving.smooth_silhouettes = false;
+    const bool is_limited = state.frames_per_second > 0 && moving.mode == RenderMode::kAdaptive;
+    if (!is_limited) return draw(resolution.scale_while_moving(), moving);
     if (budget_frames_per_second != state.frames_per_second) {
         budget = TriangleBudget(state.frames_per_second);
         budget_frames_per_second = state.frames_per_second;
     }
-    draw(resolution.scale_while_moving(), budget.within(state.render));
+    draw(resolution.scale_while_moving(), budget.within(moving));
     budget.measured(statistics.triangles, statistics.frame_ms);
 }
 

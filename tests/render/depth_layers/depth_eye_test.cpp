@@ -52,6 +52,24 @@ TEST(DepthEye, HasATexelForEachOfSeveralSamplesAPixel) {
     EXPECT_EQ(depth_eye(scene.lumigraph, scene.eye, {.supersample = true}).texels_per_pixel, 1.0);
 }
 
+TEST(DepthEye, HasTwoSamplesAPixelWhereDepthTellsSilhouettesThatFinely) {
+    const auto samples = [](const ViewAndEye& scene, const RenderOptions& options = {}) {
+        return depth_eye(scene.lumigraph, scene.eye, options).samples;
+    };
+    EXPECT_EQ(samples(view_and_eye(64, 64)), 2);
+    EXPECT_EQ(samples(view_and_eye(64, 32)), 2);
+    EXPECT_EQ(samples(view_and_eye(32, 64)), 1);
+    EXPECT_EQ(samples(view_and_eye(64, 64), {.supersample = true}), 1);
+    EXPECT_EQ(samples(view_and_eye(64, 64), {.smooth_silhouettes = false}), 1);
+    EXPECT_EQ(samples(view_and_eye(64, 64), {.fade_beyond_capture = true}), 1);
+    ViewAndEye with_close_ups = view_and_eye(64, 64);
+    with_close_ups.lumigraph.mesh.shells.emplace_back();
+    EXPECT_EQ(samples(with_close_ups), 1);
+    ViewAndEye in_blocks = view_and_eye(64, 64);
+    in_blocks.lumigraph.depth_block_px = kMaxDepthBlock_px;
+    EXPECT_EQ(samples(in_blocks), 1);
+}
+
 TEST(DepthEye, SeesAPointWhereTheEyeDoesInTexels) {
     const ViewAndEye scene = view_and_eye(32, 63);
     const DepthEye depth = depth_eye(scene.lumigraph, scene.eye, {});
