@@ -20,6 +20,10 @@ struct Choice {
 constexpr std::array<Choice, 3> kChoices{
     {{kMaxDepthViews, 1}, {kLeastDepthViews, 1}, {kLeastDepthViews, kMaxDepthBlock_px}}};
 
+/// What blocks share is asked, not what smooth silhouettes, which blocks do not have, would bring
+/// at twice the work and in small frames alone.
+const RenderOptions kAlike{.smooth_silhouettes = false};
+
 }  // namespace
 
 DepthEffort sufficient_depth_effort(const Lumigraph& lumigraph, const Capture& capture,
@@ -32,7 +36,8 @@ DepthEffort sufficient_depth_effort(const Lumigraph& lumigraph, const Capture& c
                 progress.throw_if_interrupted();
                 others.depth_views = kChoices[choice].depth_views;
                 others.depth_block_px = kChoices[choice].depth_block_px;
-                const DrawnPictures drawn = draw_pictures(others, pictures);
+                OffscreenRenderer renderer(others);
+                const DrawnPictures drawn = draw_pictures(renderer, pictures, kAlike);
                 losses_db[choice].insert(losses_db[choice].end(), drawn.losses_db.begin(),
                                          drawn.losses_db.end());
             }

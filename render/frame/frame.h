@@ -49,8 +49,8 @@ struct RenderOptions {
     /// (frame_target.h) take their mean; other framebuffers must be twice as wide and high, and
     /// hold the samples.
     bool supersample = false;
-    /// `perpixel`: where depth is sampled as finely as the frame, and each pixel is drawn by itself,
-    /// silhouettes are the mean of two samples a pixel (depth_eye.h): about twice the work.
+    /// `perpixel`: where depth is sampled as finely as the frame, and each pixel is drawn by
+    /// itself, silhouettes are the mean of two samples a pixel (depth_eye.h): about twice the work.
     bool smooth_silhouettes = true;
     /// Rays that leave the capture fade to black instead of being drawn from its border's cameras
     /// (see `capture_fade`). Not heeded by `paper2001` and `heigl`, which draw what their papers
@@ -62,9 +62,11 @@ struct RenderOptions {
     /// For modes that subdivide.
     double triangle_error_ratio = 1.0;    ///< `adaptive`: times Lumigraph::triangle_error_px.
     double depth_threshold_share = 0.02;  ///< `paper2001`: of the scene's depth range.
-    double min_triangle_px = 6.0;         ///< Shorter edges are not split.
-    double max_triangle_px = 96.0;        ///< Longer edges are split in any case.
-    std::size_t max_triangles = 5000;     ///< `adaptive`: errors give way to this. 0: any number.
+    /// Shorter edges are not split. Where `adaptive` may err by more than kTriangleError_px, this
+    /// grows with the root of the error.
+    double min_triangle_px = 6.0;
+    double max_triangle_px = 96.0;     ///< Longer edges are split in any case.
+    std::size_t max_triangles = 5000;  ///< `adaptive`: errors give way to this. 0: any number.
 };
 
 /// Whether these options ask for colours where no photograph shows anything.
