@@ -87,12 +87,14 @@ struct NamedOptions {
     RenderOptions options;
 };
 
+/// With one sample a pixel, as all methods that they are compared with.
 std::vector<NamedOptions> settings_of_free_form() {
     std::vector<NamedOptions> all{
         {"", {.mode = RenderMode::kLightField}},
         {"", {.mode = RenderMode::kHeigl}},
-        {"", {.mode = RenderMode::kPerPixel}},
-        {"no occlusion correction", {.mode = RenderMode::kPerPixel, .correct_occlusion = false}}};
+        {"", {.mode = RenderMode::kPerPixel, .smooth_silhouettes = false}},
+        {"no occlusion correction",
+         {.mode = RenderMode::kPerPixel, .correct_occlusion = false, .smooth_silhouettes = false}}};
     for (const std::size_t triangles : {std::size_t{500}, std::size_t{1000}, std::size_t{5000}})
         all.push_back({"<= " + std::to_string(triangles),
                        {.mode = RenderMode::kAdaptive, .max_triangles = triangles}});

@@ -14,6 +14,7 @@
 
 #include "calib/work/parallel_for.h"
 #include "render/gl/capabilities.h"
+#include "render/gl/context_attributes.h"
 
 namespace lumi {
 namespace {
@@ -44,16 +45,8 @@ EGLContext context_sharing_with_current() {
         return EGL_NO_CONTEXT;
     const EGLint api = attribute_of(display, current, EGL_CONTEXT_CLIENT_TYPE);
     if (eglBindAPI(static_cast<EGLenum>(api)) == EGL_FALSE) return EGL_NO_CONTEXT;
-    const std::array<EGLint, 7> core{EGL_CONTEXT_MAJOR_VERSION,
-                                     3,
-                                     EGL_CONTEXT_MINOR_VERSION,
-                                     3,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                     EGL_NONE};
-    const std::array<EGLint, 3> es{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
     return eglCreateContext(display, config, current,
-                            api == EGL_OPENGL_ES_API ? es.data() : core.data());
+                            context_attributes(api == EGL_OPENGL_ES_API).data());
 }
 
 }  // namespace
