@@ -14,7 +14,7 @@ constexpr double kNearMargin = 100.0;
 /// So many meshes are made before they are uploaded: more of them only take memory.
 constexpr std::size_t kMeshesAtOnce = 16;
 
-/// More threads than this have too little to draw each.
+/// More threads would have less than a view each to draw.
 constexpr int kMostThreads = 4;
 
 /// Of the views from `first`, at most kMeshesAtOnce.

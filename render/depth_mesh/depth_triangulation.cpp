@@ -133,7 +133,7 @@ class BorderCut {
 };
 
 /// By how much of the pitch the ends of surfaces, and borders between seen and filled, may move
-/// when vertices are left out.
+/// when vertices are left out; ends of guesses more (DepthMeshOptions::guess_error_ratio).
 constexpr double kMaxMovedTear = 0.5;
 constexpr double kMaxMovedKindBorder = 1.0;
 

@@ -275,6 +275,33 @@ TEST(DepthMesh, DrawsASlantedSilhouetteWithFewTriangles) {
     }
 }
 
+TEST(DepthMesh, MovesEndsOfWhatIsFilledByAsMuchMoreAndNotThoseOfWhatIsSeen) {
+    constexpr double kTeeth_px = 2;
+    const auto ragged = [&](double x, double y) {
+        const bool is_tooth = static_cast<int>(y / 3) % 2 == 1;
+        return x < 30 + (is_tooth ? kTeeth_px : 0.0) ? 0.4 : 0.2;
+    };
+    DepthMap depth = depth_map(61, 47, ragged);
+    const DepthMeshOptions alike{.max_triangles = 100'000, .guess_error_ratio = 1.0};
+    DepthMeshOptions less = alike;
+    less.guess_error_ratio = 8.0;
+    const auto triangles = [&](const DepthMeshOptions& options, DepthKind kind) {
+        return triangle_count(triangulate(depth, kCamera, kDisparity_px, options), kind);
+    };
+    EXPECT_EQ(triangles(less, DepthKind::kSeen), triangles(alike, DepthKind::kSeen));
+    depth.confidence = GrayImage(61, 47, 0);
+    EXPECT_LT(triangles(less, DepthKind::kFilled), triangles(alike, DepthKind::kFilled));
+    const Image<EyeDepth> drawn = at_samples(triangulate(depth, kCamera, kDisparity_px, less));
+    const double moved_px = 8 * 0.5 + 1;  // Of a sample; ends lie between two of them.
+    for (int y = 0; y < 47; ++y) {
+        for (int x = 0; x < 61; ++x) {
+            if (x > 30 - moved_px && x < 30 + kTeeth_px + moved_px) continue;
+            EXPECT_NEAR(drawn(x, y).inverse_depth, depth.inverse_depth(x, y), 1e-6)
+                << x << ' ' << y;
+        }
+    }
+}
+
 TEST(DepthMesh, TakesSpecksOfFilledSamplesForSeen) {
     DepthMap depth = depth_map(61, 47, [](double, double) { return 0.2; });
     for (int y = 10; y < 14; ++y)

@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "calib/work/parallel_for.h"
+#include "render/gl/capabilities.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/headless_context.h"
 #include "render/gl/texture.h"
@@ -60,6 +62,11 @@ TEST_P(DrawingThreadsTest, TheCallerIsTheFirstOfThem) {
     threads.run([&](std::size_t thread) { ids[thread] = std::this_thread::get_id(); });
     EXPECT_EQ(ids.front(), std::this_thread::get_id());
     for (std::size_t i = 1; i < ids.size(); ++i) EXPECT_NE(ids[i], ids.front());
+}
+
+TEST_P(DrawingThreadsTest, ThereAreSeveralWhereOpenGlWorksOnSeveralCores) {
+    const bool has_use_for_others = query_capabilities().works_on_cpu && resolve_threads(0) > 1;
+    EXPECT_EQ(DrawingThreads(kMostThreads).size() > 1, has_use_for_others);
 }
 
 TEST_P(DrawingThreadsTest, WhatATaskThrowsIsThrownWhenAllHaveEnded) {
