@@ -39,20 +39,29 @@ bool is_by_a_silhouette(const FloatImage& z, int x, int y) {
     return static_cast<double>(nearest - farthest) > kDepthStep * static_cast<double>(nearest);
 }
 
-double wrong_layer_share(const Frame& drawn, const TrueFrame& truth) {
+struct WrongLayerShares {
+    double all = 0.0;
+    double avoidable = 0.0;  ///< Where some photograph shows what is there.
+};
+
+WrongLayerShares wrong_layer_shares(const Frame& drawn, const TrueFrame& truth) {
     long wrong = 0;
+    long avoidable = 0;
     for (int y = 0; y < truth.picture.height(); ++y) {
         for (int x = 0; x < truth.picture.width(); ++x) {
             const Rgb8& a = drawn.color(x, y);
             const Rgb8& b = truth.picture(x, y);
             const int error =
                 std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
-            if (error > kGrossError && drawn.coverage(x, y) != 0 &&
-                !is_by_a_silhouette(truth.depth, x, y))
-                ++wrong;
+            if (error <= kGrossError || drawn.coverage(x, y) == 0 ||
+                is_by_a_silhouette(truth.depth, x, y))
+                continue;
+            ++wrong;
+            if (truth.shown(x, y) != 0) ++avoidable;
         }
     }
-    return static_cast<double>(wrong) / static_cast<double>(truth.picture.pixels().size());
+    const auto pixels = static_cast<double>(truth.picture.pixels().size());
+    return {static_cast<double>(wrong) / pixels, static_cast<double>(avoidable) / pixels};
 }
 
 RivalFigures measured(const std::string& method, const std::string& settings, std::size_t pictures,
@@ -68,7 +77,9 @@ RivalFigures measured(const std::string& method, const std::string& settings, st
         figures.psnr_covered_db +=
             psnr_db(drawn.color, truth.picture, drawn.coverage).value_or(0) / count;
         figures.coverage += covered_share(drawn.coverage) / count;
-        figures.wrong_layer_share += wrong_layer_share(drawn, truth) / count;
+        const WrongLayerShares wrong = wrong_layer_shares(drawn, truth);
+        figures.wrong_layer_share += wrong.all / count;
+        figures.avoidable_wrong_layer_share += wrong.avoidable / count;
     }
     if (capture.path.size() < 2) return figures;
     ColorImage before = draw(capture.path.front().eye).color;

@@ -30,6 +30,9 @@ struct RivalFigures {
     /// Share of pixels that show another surface: off by more than a fifth of the range, and not
     /// within two pixels of a silhouette.
     double wrong_layer_share = 0.0;
+    /// Of these, where some photograph shows the surface that is there (shown_pixels.h): what a
+    /// method gets wrong, not what nobody can know.
+    double avoidable_wrong_layer_share = 0.0;
     /// Mean absolute difference between the change from frame to frame and the true change, in
     /// steps of 1/255.
     std::optional<double> flicker;

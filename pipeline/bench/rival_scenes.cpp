@@ -4,6 +4,7 @@
 #include <set>
 
 #include "meshing/cameras/camera_mesh_builder.h"
+#include "pipeline/bench/shown_pixels.h"
 #include "pipeline/synth/photographer.h"
 #include "pipeline/synth/scene_description.h"
 #include "pipeline/synth/synthesize.h"
@@ -100,10 +101,11 @@ Capture kept_part(const Capture& capture, const std::set<std::size_t>& held_out)
     return kept;
 }
 
+/// `shown` is left empty.
 TrueFrame true_frame(const SceneDescription& description, const Rigid3& cam_from_world) {
     const ExactPicture exact =
         photograph(description.scene, description.camera, cam_from_world, description.sampling);
-    return {{description.camera, cam_from_world}, develop(exact.light, {}, 0), exact.depth};
+    return {{description.camera, cam_from_world}, develop(exact.light, {}, 0), exact.depth, {}};
 }
 
 const SceneSettings& settings_named(const std::string& name) {
@@ -142,8 +144,10 @@ RivalCapture rival_capture(const std::string& name, const RivalCaptureOptions& o
     for (std::size_t i = 0; i < taken.capture.views.size(); ++i) {
         const View& view = taken.capture.views[i];
         if (places.contains(i)) {
-            result.held_out.push_back(
-                {{description.camera, view.cam_from_world}, taken.photographs[i], taken.depths[i]});
+            result.held_out.push_back({{description.camera, view.cam_from_world},
+                                       taken.photographs[i],
+                                       taken.depths[i],
+                                       {}});
         } else {
             lumigraph.views.push_back({view.name, description.camera, view.cam_from_world, 1,
                                        taken.photographs[i], depth_map_of(taken.depths[i])});
@@ -155,6 +159,8 @@ RivalCapture rival_capture(const std::string& name, const RivalCaptureOptions& o
     lumigraph.mesh = build_camera_mesh(kept, all, {}).mesh;
     lumigraph.near_depth = 1 / inverse_depth_at(taken.depths, 0.99);
     lumigraph.far_depth = 1 / inverse_depth_at(taken.depths, 0.01);
+    for (TrueFrame& frame : result.held_out)
+        frame.shown = shown_pixels(frame.depth, frame.eye, lumigraph.views);
     for (int i = 0; i < options.path_frames; ++i)
         result.path.push_back(true_frame(
             description,

@@ -14,6 +14,7 @@ struct TrueFrame {
     Eye eye;
     ColorImage picture;
     FloatImage depth;  ///< z; 0: nothing there.
+    GrayImage shown;   ///< 255: some photograph shows what is there; 0: none does.
 };
 
 /// A Lumigraph of a synthetic scene with exact poses and depth.

@@ -31,6 +31,7 @@ Json rival_json(const RivalFigures& rival) {
             {"psnr_covered_db", rival.psnr_covered_db},
             {"coverage", rival.coverage},
             {"wrong_layer_share", rival.wrong_layer_share},
+            {"avoidable_wrong_layer_share", rival.avoidable_wrong_layer_share},
             {"flicker", optional_json(rival.flicker)}};
 }
 
@@ -60,7 +61,7 @@ std::string row_text(const RivalFigures& rival) {
            cell(rival.wall_ms ? std::optional(1000 / *rival.wall_ms) : std::nullopt, 0) +
            cell(rival.cpu_ratio, 2) + cell(rival.psnr_db, 2) + cell(rival.psnr_covered_db, 2) +
            cell(100 * rival.coverage, 1) + cell(100 * rival.wrong_layer_share, 3) +
-           cell(rival.flicker, 3) + "\n";
+           cell(100 * rival.avoidable_wrong_layer_share, 3) + cell(rival.flicker, 3) + "\n";
 }
 
 std::string report_text(const std::vector<RivalScene>& scenes) {
@@ -71,7 +72,8 @@ std::string report_text(const std::vector<RivalScene>& scenes) {
         std::string head = "method";
         head.resize(38, ' ');
         text += head +
-                "   tris    CPU ms  frames/s     ratio        dB  (cover.)   cover %   wrong %" +
+                "   tris    CPU ms  frames/s     ratio        dB  (cover.)   cover %   wrong % "
+                "avoidable" +
                 "   flicker\n";
         for (const RivalFigures& rival : scene.rivals) text += row_text(rival);
         text += "occlusion correction takes " +
