@@ -1,8 +1,5 @@
 #include "render/depth_layers/depth_layer_draws.h"
 
-#include <algorithm>
-#include <numeric>
-
 #include "render/depth_layers/depth_layer_views.h"
 
 namespace lumi {
@@ -46,32 +43,6 @@ std::vector<DepthLayerDraw> depth_layer_draws(const std::vector<DepthViewSet>& s
         }
     }
     return draws;
-}
-
-std::vector<std::vector<DepthLayerDraw>> in_even_parts(const std::vector<DepthLayerDraw>& draws,
-                                                       std::size_t parts) {
-    const std::size_t triangles = std::accumulate(
-        draws.begin(), draws.end(), std::size_t{0},
-        [](std::size_t sum, const DepthLayerDraw& draw) { return sum + draw.index_count / 3; });
-    const std::size_t indices_a_part = 3 * ((triangles + parts - 1) / parts);
-    std::vector<std::vector<DepthLayerDraw>> cut(parts);
-    std::size_t part = 0;
-    std::size_t room = indices_a_part;
-    for (DepthLayerDraw draw : draws) {
-        while (draw.index_count > 0) {
-            if (room == 0) {
-                ++part;
-                room = indices_a_part;
-            }
-            DepthLayerDraw piece = draw;
-            piece.index_count = std::min(draw.index_count, room);
-            cut[part].push_back(piece);
-            room -= piece.index_count;
-            draw.first_index += piece.index_count;
-            draw.index_count -= piece.index_count;
-        }
-    }
-    return cut;
 }
 
 }  // namespace lumi

@@ -31,8 +31,4 @@ struct DepthLayerDraw {
     const std::vector<DepthViewSet>& sets, int layers, int samples, int width_px,
     const std::vector<DepthKindBegins>& kind_begins);
 
-/// The draws in `parts` pieces of as many triangles each, but for one. Draws are cut where need be.
-[[nodiscard]] std::vector<std::vector<DepthLayerDraw>> in_even_parts(
-    const std::vector<DepthLayerDraw>& draws, std::size_t parts);
-
 }  // namespace lumi

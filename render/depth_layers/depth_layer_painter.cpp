@@ -9,13 +9,18 @@
 namespace lumi {
 
 DepthLayerPainter::DepthLayerPainter(const std::vector<LumigraphView>& views,
-                                     const std::vector<VertexBuffer>& meshes,
+                                     const std::vector<std::shared_ptr<const DepthMesh>>& meshes,
                                      double max_inverse_depth)
     : views_(views),
       max_inverse_depth_(max_inverse_depth),
       program_("depth_layer", {shader_source("depth_layer")}) {
+    static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
     meshes_.reserve(meshes.size());
-    for (const VertexBuffer& mesh : meshes) meshes_.push_back(mesh.array_of_current_context());
+    for (const auto& mesh : meshes) {
+        meshes_.emplace_back(std::vector<VertexAttribute>{{0, 3}});
+        meshes_.back().upload(mesh->vertices.data(),
+                              mesh->vertices.size() * sizeof(Eigen::Vector3f), mesh->indices);
+    }
 }
 
 void DepthLayerPainter::clear(const TextureArray& layers) {
@@ -30,6 +35,7 @@ void DepthLayerPainter::clear(const TextureArray& layers) {
 void DepthLayerPainter::draw(const DepthEye& depth_eye, const std::vector<DepthLayerDraw>& draws,
                              const TextureArray& layers) {
     const Eye& eye = depth_eye.eye;
+    clear(layers);
     glViewport(0, 0, eye.camera.width_px, eye.camera.height_px);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "render/depth_layers/depth_eye.h"
@@ -19,22 +20,21 @@ namespace lumi {
 inline constexpr double kDepthKindStep = 0.33;
 inline constexpr double kDepthKindWidth = 0.32;
 
-/// Draws views' depth meshes into layers of a depth texture: what one OpenGL context needs for it.
-/// Made, used and destroyed while that context is current.
+/// Draws views' depth meshes into layers of a depth texture.
 class DepthLayerPainter {
  public:
-    /// `meshes`, one for each of the views, are shared with other contexts. What is given must
-    /// stay.
+    /// Uploads the meshes, one for each of the views, which must stay.
     DepthLayerPainter(const std::vector<LumigraphView>& views,
-                      const std::vector<VertexBuffer>& meshes, double max_inverse_depth);
+                      const std::vector<std::shared_ptr<const DepthMesh>>& meshes,
+                      double max_inverse_depth);
 
-    /// Nothing is in any layer.
-    void clear(const TextureArray& layers);
-    /// Leaves another framebuffer bound, and the depth test and face culling off.
+    /// Over all that was in the layers. Leaves another framebuffer bound, and the depth test and
+    /// face culling off.
     void draw(const DepthEye& depth_eye, const std::vector<DepthLayerDraw>& draws,
               const TextureArray& layers);
 
  private:
+    void clear(const TextureArray& layers);
     /// Moves the picture so that the place `offset_px` from a pixel's centre, in x and in y, is
     /// drawn for it.
     void aim_at_view(const Eye& eye, int view_index, double offset_px) const;
@@ -42,7 +42,7 @@ class DepthLayerPainter {
     const std::vector<LumigraphView>& views_;
     double max_inverse_depth_;
     Program program_;
-    std::vector<VertexArray> meshes_;
+    std::vector<VertexBuffer> meshes_;
     Framebuffer framebuffer_;
 };
 

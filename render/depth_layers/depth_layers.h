@@ -1,10 +1,10 @@
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "render/depth_layers/depth_layer_painter.h"
-#include "render/gl/drawing_threads.h"
+#include "render/depth_layers/depth_layer_rasters.h"
 #include "render/uploaded/uploaded_lumigraph.h"
 
 namespace lumi {
@@ -16,15 +16,17 @@ namespace lumi {
 /// and either to what is stretched over a tear, near or far. Surfaces seen from behind are not
 /// drawn.
 ///
-/// Where OpenGL works on the CPU, several threads hand it the triangles (DrawingThreads): there are
-/// a hundred thousand of them, and they take longer than the pixels. What is drawn is the same.
+/// Where OpenGL works on the CPU they are drawn in memory (DepthLayerRasters) and handed to it, and
+/// else by OpenGL (DepthLayerPainter).
 class DepthLayers {
  public:
-    /// Uploads the depth meshes of all views; those that the package lacks are made, on all cores.
-    DepthLayers(const UploadedLumigraph& uploaded, int layers);
-    ~DepthLayers();
-    DepthLayers(const DepthLayers&) = delete;
-    DepthLayers& operator=(const DepthLayers&) = delete;
+    enum class DrawnBy { kOpenGl, kCores };
+    [[nodiscard]] static DrawnBy usually_drawn_by();
+
+    /// Uploads the depth meshes of all views where OpenGL is to draw them; those that the package
+    /// lacks are made, on all cores.
+    DepthLayers(const UploadedLumigraph& uploaded, int layers,
+                DrawnBy drawn_by = usually_drawn_by());
 
     /// Draws the layers, in the strip of each set (strip_ends) those of its views; of each sample
     /// of a pixel, one after the other. The layers get the size of the eye's picture. Leaves
@@ -39,16 +41,15 @@ class DepthLayers {
     [[nodiscard]] double buffer_difference(double inverse_depth_difference) const;
 
  private:
-    void upload_meshes(const UploadedLumigraph& uploaded);
     void resize(int width_px, int height_px, int layers);
 
     double max_inverse_depth_ = 1.0;
-    std::vector<VertexBuffer> meshes_;
     std::vector<DepthKindBegins> kind_begins_;
     int layer_count_ = 0;
     TextureArray layers_;
-    DrawingThreads threads_;
-    std::vector<std::unique_ptr<DepthLayerPainter>> painters_;  ///< Of each thread.
+    /// One of the two.
+    std::optional<DepthLayerPainter> painter_;
+    std::optional<DepthLayerRasters> rasters_;
 };
 
 }  // namespace lumi

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "calib/work/error.h"
-#include "render/gl/context_attributes.h"
 
 namespace lumi {
 
@@ -62,7 +61,16 @@ EGLContext create_context(EGLDisplay display, GlApi api) {
     EGLint count = 0;
     if (eglChooseConfig(display, wanted.data(), &config, 1, &count) == EGL_FALSE || count < 1)
         return EGL_NO_CONTEXT;
-    return eglCreateContext(display, config, EGL_NO_CONTEXT, context_attributes(is_es).data());
+    const std::array<EGLint, 7> core{EGL_CONTEXT_MAJOR_VERSION,
+                                     3,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     3,
+                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_NONE};
+    const std::array<EGLint, 5> es{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0,
+                                   EGL_NONE};
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, is_es ? es.data() : core.data());
 }
 
 std::vector<GlApi> apis_to_try(GlApi api) {

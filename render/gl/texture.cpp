@@ -99,6 +99,16 @@ void TextureArray::upload(int layer, const FloatImage& image) {
                     GL_FLOAT, image.pixels().data());
 }
 
+void TextureArray::upload(const std::vector<float>& texels) {
+    assert(texels.size() == static_cast<std::size_t>(width_px_) *
+                                static_cast<std::size_t>(height_px_) *
+                                static_cast<std::size_t>(layers_));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, width_px_, height_px_, layers_, GL_RED,
+                    GL_FLOAT, texels.data());
+}
+
 std::size_t TextureArray::bytes() const {
     constexpr std::size_t kBytesPerTexel = 4;
     return kBytesPerTexel * static_cast<std::size_t>(width_px_) *

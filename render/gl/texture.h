@@ -30,6 +30,8 @@ class TextureArray {
     /// All texels of a layer, four bytes each.
     void upload_rgba(int layer, const std::vector<unsigned char>& rgba);
     void upload(int layer, const FloatImage& image);
+    /// All texels of all layers, of the format kFloat.
+    void upload(const std::vector<float>& texels);
     void bind(unsigned unit) const;
     /// With all mip levels, which are made when they are first asked for: for colours that are
     /// looked up at a level (textureLod) and are not changed any more. Along the borders of each

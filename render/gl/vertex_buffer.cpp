@@ -2,7 +2,7 @@
 
 #include <epoxy/gl.h>
 
-#include <utility>
+#include <cassert>
 
 namespace lumi {
 
@@ -14,21 +14,37 @@ unsigned new_buffer() {
     return name;
 }
 
-/// Vertex arrays remember what is bound to GL_ELEMENT_ARRAY_BUFFER; this is bound to none of them.
-void fill(unsigned name, const void* data, std::size_t bytes) {
-    glBindBuffer(GL_ARRAY_BUFFER, name);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
+unsigned new_vertex_array() {
+    GLuint name = 0;
+    glGenVertexArrays(1, &name);
+    return name;
 }
+
+/// GL wants byte offsets into a buffer as pointers.
+const void* byte_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
 }  // namespace
 
 void delete_buffer(unsigned name) { glDeleteBuffers(1, &name); }
+void delete_vertex_array(unsigned name) { glDeleteVertexArrays(1, &name); }
 
-VertexBuffer::VertexBuffer(std::vector<VertexAttribute> attributes)
-    : attributes_(std::move(attributes)),
-      vertices_(new_buffer()),
-      indices_(new_buffer()),
-      array_(array_of_current_context()) {}
+VertexBuffer::VertexBuffer(const std::vector<VertexAttribute>& attributes)
+    : vertex_array_(new_vertex_array()), vertices_(new_buffer()), indices_(new_buffer()) {
+    int components = 0;
+    for (const VertexAttribute& attribute : attributes) components += attribute.components;
+    const std::size_t stride = sizeof(float) * static_cast<std::size_t>(components);
+    glBindVertexArray(vertex_array_.get());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
+    std::size_t offset = 0;
+    for (const VertexAttribute& attribute : attributes) {
+        glEnableVertexAttribArray(attribute.location);
+        glVertexAttribPointer(attribute.location, attribute.components, GL_FLOAT, GL_FALSE,
+                              static_cast<GLsizei>(stride), byte_offset(offset));
+        offset += sizeof(float) * static_cast<std::size_t>(attribute.components);
+    }
+    glBindVertexArray(0);
+}
 
 void VertexBuffer::upload(const std::vector<float>& vertices,
                           const std::vector<std::uint32_t>& indices) {
@@ -37,12 +53,28 @@ void VertexBuffer::upload(const std::vector<float>& vertices,
 
 void VertexBuffer::upload(const void* vertices, std::size_t bytes,
                           const std::vector<std::uint32_t>& indices) {
-    fill(vertices_.get(), vertices, bytes);
-    fill(indices_.get(), indices.data(), indices.size() * sizeof(std::uint32_t));
+    glBindVertexArray(vertex_array_.get());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), vertices, GL_DYNAMIC_DRAW);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(),
+                 GL_DYNAMIC_DRAW);
+    glBindVertexArray(0);
 }
 
-VertexArray VertexBuffer::array_of_current_context() const {
-    return {attributes_, vertices_.get(), indices_.get()};
+void VertexBuffer::draw(std::size_t first, std::size_t count) const {
+    if (count == 0) return;
+    glBindVertexArray(vertex_array_.get());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                   byte_offset(first * sizeof(std::uint32_t)));
+    glBindVertexArray(0);
+}
+
+void VertexBuffer::draw_lines(std::size_t count) const {
+    if (count == 0) return;
+    glBindVertexArray(vertex_array_.get());
+    glDrawElements(GL_LINES, static_cast<GLsizei>(count), GL_UNSIGNED_INT, byte_offset(0));
+    glBindVertexArray(0);
 }
 
 }  // namespace lumi

@@ -210,12 +210,14 @@ vec4 smooth_at(vec2 window) {
     int samples = is_one ? 1 : 2;
     vec4 sum = vec4(0.0);
     float count = 0.0;
-    for (int i = 0; i < samples; ++i) {
+    int i = 0;
+    // Asked at its end, no round is begun that nothing comes of.
+    do {
         Blend blend = blend_at(window, agreed_depth(i == 0 ? first : second));
         float is_drawn = blend.is_unseen && blend.is_guess ? 0.0 : 1.0;
         sum += is_drawn * drawn_at(blend, vec2(0.0));
         count += is_drawn;
-    }
+    } while (++i < samples);
     if (count < 0.5) discard;
     return vec4(sum.rgb / count, step(0.5 * count, sum.a));
 }

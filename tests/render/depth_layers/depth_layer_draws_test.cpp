@@ -2,25 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <tuple>
-
 namespace lumi {
 namespace {
 
 /// Three views of 10 + 4 + 1, of 7, and of no triangles.
 const std::vector<DepthKindBegins> kMeshes{{0, 30, 42, 45}, {0, 21, 21, 21}, {0, 0, 0, 0}};
-
-/// How often each triangle is drawn into each strip of each layer.
-std::map<std::tuple<int, int, int, int, int, std::size_t>, int> triangles_of(
-    const std::vector<DepthLayerDraw>& draws) {
-    std::map<std::tuple<int, int, int, int, int, std::size_t>, int> counts;
-    for (const DepthLayerDraw& draw : draws)
-        for (std::size_t i = draw.first_index; i < draw.first_index + draw.index_count; i += 3)
-            ++counts[{draw.layer, draw.strip_begin_px, draw.strip_end_px, draw.view_index,
-                      draw.kind, i}];
-    return counts;
-}
 
 TEST(DepthLayerDraws, EachKindOfAViewIsDrawnIntoItsLayer) {
     const auto draws = depth_layer_draws({{{0, 1}, 1.0}}, 3, 1, 100, kMeshes);
@@ -55,32 +41,6 @@ TEST(DepthLayerDraws, AViewThatTwoSetsHaveIsDrawnOnceForBoth) {
         EXPECT_EQ(draw.strip_begin_px, 0);
         EXPECT_EQ(draw.strip_end_px, draw.view_index == 0 ? 100 : 50);
     }
-}
-
-TEST(DepthLayerDraws, PartsHaveEachTriangleOnceAndAsManyEach) {
-    const auto draws =
-        depth_layer_draws({{{0, 1}, 0.3}, {{1, 2}, 0.3}, {{1, 0}, 0.4}}, 2, 1, 100, kMeshes);
-    std::size_t all = 0;
-    for (const DepthLayerDraw& draw : draws) all += draw.index_count / 3;
-    for (std::size_t parts = 1; parts <= all + 2; ++parts) {
-        const auto cut = in_even_parts(draws, parts);
-        ASSERT_EQ(cut.size(), parts);
-        std::vector<DepthLayerDraw> together;
-        for (const auto& part : cut) {
-            std::size_t triangles = 0;
-            for (const DepthLayerDraw& draw : part) {
-                EXPECT_GT(draw.index_count, 0U);
-                triangles += draw.index_count / 3;
-            }
-            EXPECT_LE(triangles, (all + parts - 1) / parts);
-            together.insert(together.end(), part.begin(), part.end());
-        }
-        EXPECT_EQ(triangles_of(together), triangles_of(draws)) << parts << " parts";
-    }
-}
-
-TEST(DepthLayerDraws, NothingIsInNoPart) {
-    for (const auto& part : in_even_parts({}, 3)) EXPECT_TRUE(part.empty());
 }
 
 }  // namespace

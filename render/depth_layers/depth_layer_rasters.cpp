@@ -1,0 +1,114 @@
+#include "render/depth_layers/depth_layer_rasters.h"
+
+#include <algorithm>
+#include <array>
+
+#include "calib/work/parallel_for.h"
+#include "render/depth_layers/depth_layer_painter.h"
+#include "render/transfer/pixel_transfer.h"
+
+namespace lumi {
+namespace {
+
+/// A thread transforms so many vertices at a time.
+constexpr std::size_t kVerticesAtATime = 4096;
+/// Tasks for each core, so that none waits long for the others at the end.
+constexpr int kTasksACore = 3;
+
+/// Each band of a layer looks at all of its triangles, so that there are no more than need be.
+int bands_of(int layers) {
+    return std::max(1, (kTasksACore * resolve_threads(0) + layers - 1) / std::max(1, layers));
+}
+
+/// (x, y, 1, inverse depth) in the view to (X, Y, W, depth * W) in the eye's window, whose places
+/// are those `offset_px` from the centres of the eye's pixels.
+Eigen::Matrix4f window_from_view(const Eye& eye, double offset_px, const LumigraphView& view,
+                                 double max_inverse_depth) {
+    const PixelTransfer eye_from_view =
+        pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
+    Eigen::Matrix<double, 3, 4> pixel;
+    pixel << eye_from_view.at_infinity, eye_from_view.per_inverse_depth;
+    Eigen::Matrix4d window;
+    window.row(0) = pixel.row(0) - offset_px * pixel.row(2);
+    window.row(1) = (eye.camera.height_px + offset_px) * pixel.row(2) - pixel.row(1);
+    window.row(2) = pixel.row(2);
+    window.row(3) = pixel.row(2) - Eigen::RowVector4d(0, 0, 0, 1 / max_inverse_depth);
+    return window.cast<float>();
+}
+
+}  // namespace
+
+DepthLayerRasters::DepthLayerRasters(const std::vector<LumigraphView>& views,
+                                     std::vector<std::shared_ptr<const DepthMesh>> meshes,
+                                     double max_inverse_depth)
+    : views_(views), meshes_(std::move(meshes)), max_inverse_depth_(max_inverse_depth) {}
+
+const std::vector<float>& DepthLayerRasters::draw(const DepthEye& depth_eye,
+                                                  const std::vector<DepthLayerDraw>& draws,
+                                                  int layers) {
+    aim(depth_eye, draws);
+    const int width = depth_eye.eye.camera.width_px;
+    const int height = depth_eye.eye.camera.height_px;
+    const std::size_t texels_a_layer =
+        static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    texels_.resize(static_cast<std::size_t>(layers) * texels_a_layer);
+    const int bands = bands_of(layers);
+    parallel_for(layers * bands, 0, [&](int task) {
+        const int layer = task / bands;
+        const int band = task % bands;
+        const DepthBufferBox box{0, band * height / bands, width, (band + 1) * height / bands};
+        const DepthBuffer buffer{
+            std::span(texels_).subspan(static_cast<std::size_t>(layer) * texels_a_layer,
+                                       texels_a_layer),
+            width, height};
+        std::fill(buffer.texels.begin() + static_cast<std::ptrdiff_t>(box.begin_y) * width,
+                  buffer.texels.begin() + static_cast<std::ptrdiff_t>(box.end_y) * width, 1.0F);
+        for (const DepthLayerDraw& draw : draws)
+            if (draw.layer == layer) draw_band(draw, box, buffer);
+    });
+    return texels_;
+}
+
+/// Transforms the vertices of all meshes that are drawn.
+void DepthLayerRasters::aim(const DepthEye& depth_eye, const std::vector<DepthLayerDraw>& draws) {
+    struct Run {
+        const DepthMesh* mesh;
+        AimedMesh* aimed;
+        std::size_t first;
+    };
+    std::vector<Run> runs;
+    aimed_.clear();
+    for (const DepthLayerDraw& draw : draws) {
+        const auto [found, is_new] = aimed_.try_emplace({draw.view_index, draw.sample});
+        if (!is_new) continue;
+        const auto view = static_cast<std::size_t>(draw.view_index);
+        AimedMesh& aimed = found->second;
+        aimed.window_from_view =
+            window_from_view(depth_eye.eye, depth_eye.sample_offset_px(draw.sample), views_[view],
+                             max_inverse_depth_);
+        const DepthMesh& mesh = *meshes_[view];
+        aimed.in_window.resize(mesh.vertices.size());
+        for (std::size_t first = 0; first < mesh.vertices.size(); first += kVerticesAtATime)
+            runs.push_back({&mesh, &aimed, first});
+    }
+    parallel_for(static_cast<int>(runs.size()), 0, [&](int i) {
+        const auto& [mesh, aimed, first] = runs[static_cast<std::size_t>(i)];
+        const std::size_t end = std::min(first + kVerticesAtATime, mesh->vertices.size());
+        for (std::size_t vertex = first; vertex < end; ++vertex)
+            aimed->in_window[vertex] =
+                window_vertex(aimed->window_from_view, mesh->vertices[vertex]);
+    });
+}
+
+void DepthLayerRasters::draw_band(const DepthLayerDraw& draw, const DepthBufferBox& band,
+                                  const DepthBuffer& buffer) const {
+    const DepthMesh& mesh = *meshes_[static_cast<std::size_t>(draw.view_index)];
+    const AimedMesh& aimed = aimed_.at({draw.view_index, draw.sample});
+    const DepthBufferBox box{draw.strip_begin_px, band.begin_y, draw.strip_end_px, band.end_y};
+    draw_depth_triangles({mesh.vertices, mesh.indices, aimed.in_window, aimed.window_from_view},
+                         draw.first_index, draw.index_count,
+                         static_cast<float>(kDepthKindStep * draw.kind),
+                         static_cast<float>(kDepthKindWidth), box, buffer);
+}
+
+}  // namespace lumi
