@@ -12,6 +12,8 @@ namespace {
 
 /// A thread transforms so many vertices at a time.
 constexpr std::size_t kVerticesAtATime = 4096;
+/// Those that a thread packs at a time stay in its cache.
+constexpr std::size_t kTexelsAtATime = 4096;
 /// Tasks for each core, so that none waits long for the others at the end.
 constexpr int kTasksACore = 3;
 
@@ -51,9 +53,10 @@ const std::vector<float>& DepthLayerRasters::draw(const DepthEye& depth_eye,
     const int height = depth_eye.eye.camera.height_px;
     const std::size_t texels_a_layer =
         static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    texels_.resize(static_cast<std::size_t>(layers) * texels_a_layer);
-    const int bands = bands_of(layers);
-    parallel_for(layers * bands, 0, [&](int task) {
+    const int all_layers = depth_eye.samples * layers;
+    texels_.resize(static_cast<std::size_t>(all_layers) * texels_a_layer);
+    const int bands = bands_of(all_layers);
+    parallel_for(all_layers * bands, 0, [&](int task) {
         const int layer = task / bands;
         const int band = task % bands;
         const DepthBufferBox box{0, band * height / bands, width, (band + 1) * height / bands};
@@ -66,7 +69,27 @@ const std::vector<float>& DepthLayerRasters::draw(const DepthEye& depth_eye,
         for (const DepthLayerDraw& draw : draws)
             if (draw.layer == layer) draw_band(draw, box, buffer);
     });
-    return texels_;
+    pack(depth_eye.samples, layers, texels_a_layer);
+    return packed_;
+}
+
+void DepthLayerRasters::pack(int samples, int layers, std::size_t texels_a_layer) {
+    const auto components = static_cast<std::size_t>(kPacked);
+    const auto filled = static_cast<std::size_t>(layers);
+    const std::size_t size = static_cast<std::size_t>(samples) * texels_a_layer * components;
+    // Of layers that are not asked for something is left where they were asked for before.
+    if (packed_.size() != size || packed_layers_ != layers) packed_.assign(size, 1.0F);
+    packed_layers_ = layers;
+    for (std::size_t sample = 0; sample < static_cast<std::size_t>(samples); ++sample) {
+        const float* from = &texels_[sample * filled * texels_a_layer];
+        float* to = &packed_[sample * components * texels_a_layer];
+        parallel_for_runs(texels_a_layer, kTexelsAtATime, 0,
+                          [&](std::size_t first, std::size_t end) {
+                              for (std::size_t layer = 0; layer < filled; ++layer)
+                                  for (std::size_t i = first; i < end; ++i)
+                                      to[i * components + layer] = from[layer * texels_a_layer + i];
+                          });
+    }
 }
 
 /// Transforms the vertices of all meshes that are drawn.

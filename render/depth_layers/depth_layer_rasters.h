@@ -22,11 +22,13 @@ class DepthLayerRasters {
                       std::vector<std::shared_ptr<const DepthMesh>> meshes,
                       double max_inverse_depth);
 
-    /// So many layers of the eye's size, with rows from the bottom, one after the other. What is
+    /// Of each sample of a pixel the eye's picture, with rows from the bottom, one after the other:
+    /// kPacked numbers a texel, of which the first `layers` are layers, and the others 1. What is
     /// returned stays until the next call.
     [[nodiscard]] const std::vector<float>& draw(const DepthEye& depth_eye,
                                                  const std::vector<DepthLayerDraw>& draws,
                                                  int layers);
+    static constexpr int kPacked = kMaxDepthViews;
 
  private:
     /// A view and a sample of a pixel.
@@ -36,6 +38,7 @@ class DepthLayerRasters {
         std::vector<WindowVertex> in_window;
     };
     void aim(const DepthEye& depth_eye, const std::vector<DepthLayerDraw>& draws);
+    void pack(int samples, int layers, std::size_t texels_a_layer);
     void draw_band(const DepthLayerDraw& draw, const DepthBufferBox& band,
                    const DepthBuffer& buffer) const;
 
@@ -43,7 +46,9 @@ class DepthLayerRasters {
     std::vector<std::shared_ptr<const DepthMesh>> meshes_;
     double max_inverse_depth_;
     std::map<Aim, AimedMesh> aimed_;  ///< Of the frame that is drawn.
-    std::vector<float> texels_;
+    std::vector<float> texels_;       ///< Layer by layer.
+    std::vector<float> packed_;
+    int packed_layers_ = 0;
 };
 
 }  // namespace lumi

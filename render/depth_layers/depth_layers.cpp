@@ -48,24 +48,24 @@ double DepthLayers::buffer_difference(double inverse_depth_difference) const {
                     0.5 * (kDepthKindStep - kDepthKindWidth));
 }
 
-void DepthLayers::resize(int width_px, int height_px, int layers) {
+void DepthLayers::resize(int width_px, int height_px, int samples) {
+    const int layers = is_packed() ? samples : samples * layer_count_;
     if (layers_.width_px() == width_px && layers_.height_px() == height_px &&
         layers_.layers() == layers)
         return;
-    const TexelFormat format = painter_ ? TexelFormat::kDepth : TexelFormat::kFloat;
+    const TexelFormat format = is_packed() ? TexelFormat::kFourFloats : TexelFormat::kDepth;
     layers_ = TextureArray(format, TexelFilter::kNearest, width_px, height_px, layers);
 }
 
 void DepthLayers::draw(const DepthEye& depth_eye, const std::vector<DepthViewSet>& sets) {
     const Camera& camera = depth_eye.eye.camera;
-    const int layers = depth_eye.samples * layer_count_;
-    resize(camera.width_px, camera.height_px, layers);
+    resize(camera.width_px, camera.height_px, depth_eye.samples);
     const std::vector<DepthLayerDraw> draws =
         depth_layer_draws(sets, layer_count_, depth_eye.samples, camera.width_px, kind_begins_);
-    if (painter_)
-        painter_->draw(depth_eye, draws, layers_);
+    if (is_packed())
+        layers_.upload(rasters_->draw(depth_eye, draws, layer_count_));
     else
-        layers_.upload(rasters_->draw(depth_eye, draws, layers));
+        painter_->draw(depth_eye, draws, layers_);
 }
 
 }  // namespace lumi

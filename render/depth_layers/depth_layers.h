@@ -16,8 +16,8 @@ namespace lumi {
 /// and either to what is stretched over a tear, near or far. Surfaces seen from behind are not
 /// drawn.
 ///
-/// Where OpenGL works on the CPU they are drawn in memory (DepthLayerRasters) and handed to it, and
-/// else by OpenGL (DepthLayerPainter).
+/// Where OpenGL works on the CPU they are drawn in memory (DepthLayerRasters) and handed to it,
+/// several in a texel, and else by OpenGL (DepthLayerPainter).
 class DepthLayers {
  public:
     enum class DrawnBy { kOpenGl, kCores };
@@ -33,7 +33,9 @@ class DepthLayers {
     /// another framebuffer bound, and the depth test and face culling off.
     void draw(const DepthEye& depth_eye, const std::vector<DepthViewSet>& sets);
 
+    /// Layer by layer; or packed, sample by sample, the layers in the components of a texel.
     [[nodiscard]] const TextureArray& texture() const { return layers_; }
+    [[nodiscard]] bool is_packed() const { return rasters_.has_value(); }
     /// 1 / (nearest depth that can be drawn).
     [[nodiscard]] double max_inverse_depth() const { return max_inverse_depth_; }
     /// A difference of inverse depths in units of the depth buffer, but no more than what keeps
@@ -41,7 +43,7 @@ class DepthLayers {
     [[nodiscard]] double buffer_difference(double inverse_depth_difference) const;
 
  private:
-    void resize(int width_px, int height_px, int layers);
+    void resize(int width_px, int height_px, int samples);
 
     double max_inverse_depth_ = 1.0;
     std::vector<DepthKindBegins> kind_begins_;

@@ -25,6 +25,8 @@ GlFormat gl_format(TexelFormat format) {
             return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
         case TexelFormat::kFloat:
             return {GL_R32F, GL_RED, GL_FLOAT};
+        case TexelFormat::kFourFloats:
+            return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
         case TexelFormat::kDepth:
             return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
     }
@@ -57,6 +59,7 @@ TextureArray::TextureArray(TexelFormat format, TexelFilter filter, int width_px,
       width_px_(width_px),
       height_px_(height_px),
       layers_(layers),
+      format_(format),
       filter_(filter) {
     glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());
     const GLint mode = gl_filter(filter);
@@ -100,18 +103,16 @@ void TextureArray::upload(int layer, const FloatImage& image) {
 }
 
 void TextureArray::upload(const std::vector<float>& texels) {
-    assert(texels.size() == static_cast<std::size_t>(width_px_) *
-                                static_cast<std::size_t>(height_px_) *
-                                static_cast<std::size_t>(layers_));
+    assert(format_ == TexelFormat::kFourFloats && texels.size() * sizeof(float) == bytes());
     glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, width_px_, height_px_, layers_, GL_RED,
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, width_px_, height_px_, layers_, GL_RGBA,
                     GL_FLOAT, texels.data());
 }
 
 std::size_t TextureArray::bytes() const {
-    constexpr std::size_t kBytesPerTexel = 4;
-    return kBytesPerTexel * static_cast<std::size_t>(width_px_) *
+    const std::size_t bytes_per_texel = format_ == TexelFormat::kFourFloats ? 16 : 4;
+    return bytes_per_texel * static_cast<std::size_t>(width_px_) *
            static_cast<std::size_t>(height_px_) * static_cast<std::size_t>(layers_);
 }
 

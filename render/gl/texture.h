@@ -12,9 +12,10 @@ void delete_texture(unsigned name);
 
 /// What a texel of a texture array holds.
 enum class TexelFormat {
-    kColor,  ///< RGBA8, as it is stored: no sRGB decoding.
-    kFloat,  ///< One 32-bit float, for sampling only.
-    kDepth,  ///< 32-bit float depth, to draw into and to read back in a shader.
+    kColor,       ///< RGBA8, as it is stored: no sRGB decoding.
+    kFloat,       ///< One 32-bit float, for sampling only.
+    kFourFloats,  ///< For sampling only.
+    kDepth,       ///< 32-bit float depth, to draw into and to read back in a shader.
 };
 
 enum class TexelFilter { kNearest, kLinear };
@@ -30,7 +31,7 @@ class TextureArray {
     /// All texels of a layer, four bytes each.
     void upload_rgba(int layer, const std::vector<unsigned char>& rgba);
     void upload(int layer, const FloatImage& image);
-    /// All texels of all layers, of the format kFloat.
+    /// All texels of all layers, of the format kFourFloats.
     void upload(const std::vector<float>& texels);
     void bind(unsigned unit) const;
     /// With all mip levels, which are made when they are first asked for: for colours that are
@@ -42,7 +43,7 @@ class TextureArray {
     [[nodiscard]] int width_px() const { return width_px_; }
     [[nodiscard]] int height_px() const { return height_px_; }
     [[nodiscard]] int layers() const { return layers_; }
-    /// At its finest level: four a texel in every format.
+    /// At its finest level.
     [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -52,6 +53,7 @@ class TextureArray {
     int width_px_ = 0;
     int height_px_ = 0;
     int layers_ = 0;
+    TexelFormat format_ = TexelFormat::kColor;
     TexelFilter filter_ = TexelFilter::kNearest;
     mutable bool has_mip_levels_ = false;
 };

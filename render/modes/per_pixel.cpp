@@ -43,15 +43,16 @@ PerPixel::PerPixel(const UploadedLumigraph& uploaded)
           std::min(uploaded.layout.depth_views, static_cast<int>(uploaded.layout.views.size()))),
       depth_(uploaded, layer_count_),
       faces_(uploaded),
-      in_pixels_(programs_of(layer_count_, {})),
-      smooth_(programs_of(layer_count_, {"SMOOTH"})),
-      in_blocks_(programs_of(layer_count_, {"BLOCKS"})),
-      fading_(programs_of(layer_count_, {"FADES"})) {}
+      in_pixels_(programs({})),
+      smooth_(programs({"SMOOTH"})),
+      in_blocks_(programs({"BLOCKS"})),
+      fading_(programs({"FADES"})) {}
 
-PerPixel::Programs PerPixel::programs_of(int layers, std::vector<std::string> definitions) {
-    PictureProgram of_any_views = program_of(layers, definitions);
+PerPixel::Programs PerPixel::programs(std::vector<std::string> definitions) const {
+    if (depth_.is_packed()) definitions.emplace_back("PACKED_LAYERS");
+    PictureProgram of_any_views = program_of(layer_count_, definitions);
     definitions.emplace_back("VIEWS_ARE_ASKED");
-    return {program_of(layers, std::move(definitions)), std::move(of_any_views)};
+    return {program_of(layer_count_, std::move(definitions)), std::move(of_any_views)};
 }
 
 DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,

@@ -48,7 +48,7 @@ class PerPixel : public DrawingMode {
         PictureProgram of_asked_views;
         PictureProgram of_any_views;
     };
-    [[nodiscard]] static Programs programs_of(int layers, std::vector<std::string> definitions);
+    [[nodiscard]] Programs programs(std::vector<std::string> definitions) const;
     enum class Fade { kNone, kBeyondCapture, kShell };
 
     /// The faces of the camera mesh, and the triangles that they take.

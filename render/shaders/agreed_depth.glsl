@@ -29,8 +29,12 @@ vec4 agree(vec4 depths, float depth) {
     return vec4(lessThanEqual(abs(depths - depth), vec4(agreeing_depth)));
 }
 
-// Of the sample whose layers begin at the first.
-vec4 layer_depths(ivec2 texel, int first) {
+// PACKED_LAYERS: they lie in the components of one texel (depth_layers.h).
+vec4 layer_depths(ivec2 texel, int sample_index) {
+#ifdef PACKED_LAYERS
+    return texelFetch(depth_layers, ivec3(texel, sample_index), 0);
+#else
+    int first = LAYERS * sample_index;
     vec4 depths = vec4(1.0);
     depths.x = texelFetch(depth_layers, ivec3(texel, first), 0).r;
 #if LAYERS > 1
@@ -43,6 +47,7 @@ vec4 layer_depths(ivec2 texel, int first) {
     depths.w = texelFetch(depth_layers, ivec3(texel, first + 3), 0).r;
 #endif
     return depths;
+#endif
 }
 
 // 1 for layers that no other agrees with.

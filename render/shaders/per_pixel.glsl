@@ -204,7 +204,7 @@ Blend blend_at(vec2 window, Depth depth) {
 vec4 smooth_at(vec2 window) {
     ivec2 texel = texel_at(window);
     vec4 first = layer_depths(texel, 0);
-    vec4 second = layer_depths(texel, LAYERS);
+    vec4 second = layer_depths(texel, 1);
     bool is_one = all(lessThanEqual(abs(first - second), vec4(agreeing_depth)));
     first = is_one ? 0.5 * (first + second) : first;
     int samples = is_one ? 1 : 2;

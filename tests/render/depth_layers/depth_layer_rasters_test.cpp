@@ -29,43 +29,48 @@ EyeDepth read(float texel) {
     return {kMaxInverseDepth * (1 - share), static_cast<DepthKind>(kind)};
 }
 
-/// Share of the pixels that are not as they are in plain code. Those on the sides of triangles may
-/// be of either.
+/// All of a view's mesh, into the layer.
+void append_draws(int view, int layer, int width, const DepthMesh& mesh,
+                  std::vector<DepthLayerDraw>& draws) {
+    for (int kind = 0; kind < kDepthKinds; ++kind) {
+        const auto k = static_cast<std::size_t>(kind);
+        draws.push_back({layer, 0, 0, width, view, kind, mesh.kind_begin[k],
+                         mesh.kind_begin[k + 1] - mesh.kind_begin[k]});
+    }
+}
+
+bool is_same(const EyeDepth& a, const EyeDepth& b) {
+    if (!a.is_known() || !b.is_known()) return a.is_known() == b.is_known();
+    return a.kind == b.kind &&
+           std::abs(a.inverse_depth - b.inverse_depth) < 1e-3 * (1 + b.inverse_depth);
+}
+
+/// Share of the pixels of two views that are not as they are in plain code. Those on the sides of
+/// triangles may be of either.
 double unlike_share(const Lumigraph& lumigraph, const Eye& eye) {
+    constexpr int kLayers = 2;
     const auto meshes = meshes_of(lumigraph);
     DepthLayerRasters rasters(lumigraph.views, meshes, kMaxInverseDepth);
     const int width = eye.camera.width_px;
     const int height = eye.camera.height_px;
-    const int layers = static_cast<int>(lumigraph.views.size());
     std::vector<DepthLayerDraw> draws;
-    for (int view = 0; view < layers; ++view) {
-        const auto& begins = meshes[static_cast<std::size_t>(view)]->kind_begin;
-        for (int kind = 0; kind < kDepthKinds; ++kind) {
-            const auto k = static_cast<std::size_t>(kind);
-            draws.push_back({view, 0, 0, width, view, kind, begins[k], begins[k + 1] - begins[k]});
-        }
-    }
-    const std::vector<float>& texels = rasters.draw({eye, 1.0, 1}, draws, layers);
+    for (int view = 0; view < kLayers; ++view)
+        append_draws(view, view, width, *meshes[static_cast<std::size_t>(view)], draws);
+    const std::vector<float>& texels = rasters.draw({eye, 1.0, 1}, draws, kLayers);
     int unlike = 0;
-    for (int view = 0; view < layers; ++view) {
+    for (int view = 0; view < kLayers; ++view) {
         const auto v = static_cast<std::size_t>(view);
         const Image<EyeDepth> expected = rasterise(*meshes[v], lumigraph.views[v], eye);
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
-                const int row = view * height + height - 1 - y;
-                const EyeDepth got = read(texels[static_cast<std::size_t>(row * width + x)]);
-                const EyeDepth& want = expected(x, y);
-                if (want.inverse_depth > kMaxInverseDepth) continue;  // Too near to be drawn.
-                const bool is_same =
-                    got.is_known() == want.is_known() &&
-                    (!got.is_known() ||
-                     (got.kind == want.kind && std::abs(got.inverse_depth - want.inverse_depth) <
-                                                   1e-3 * (1 + want.inverse_depth)));
-                unlike += is_same ? 0 : 1;
+                if (expected(x, y).inverse_depth > kMaxInverseDepth) continue;  // Too near.
+                const int texel = (height - 1 - y) * width + x;
+                const auto at = static_cast<std::size_t>(DepthLayerRasters::kPacked * texel + view);
+                unlike += is_same(read(texels[at]), expected(x, y)) ? 0 : 1;
             }
         }
     }
-    return static_cast<double>(unlike) / (layers * width * height);
+    return static_cast<double>(unlike) / (kLayers * width * height);
 }
 
 TEST(DepthLayerRasters, AreWhatPlainCodeDraws) {
@@ -84,6 +89,28 @@ TEST(DepthLayerRasters, AreWhatPlainCodeDraws) {
           eye_at({0.1, 0.2, 0.3}, {1, 0, 0}, camera), eye_at({0, 0, 30}, {0, 0, 0}, camera)})
         EXPECT_LT(unlike_share(ball, eye), 0.004)
             << centre_in_world(eye.cam_from_world).transpose();
+}
+
+TEST(DepthLayerRasters, HaveNothingInLayersThatAreNotDrawn) {
+    const Lumigraph wall = card_before_wall();
+    const auto meshes = meshes_of(wall);
+    DepthLayerRasters rasters(wall.views, meshes, kMaxInverseDepth);
+    const Eye eye = eye_at({0.2, 0.1, 0}, {0, 0, 4}, pinhole_camera(20, 15, 18));
+    std::vector<DepthLayerDraw> draws;
+    append_draws(1, 1, 20, *meshes[1], draws);
+    std::vector<DepthLayerDraw> last_layer;
+    append_draws(1, 3, 20, *meshes[1], last_layer);
+    for (const int layers : {4, 2, 3}) {
+        static_cast<void>(rasters.draw({eye, 1.0, 1}, last_layer, 4));
+        const std::vector<float>& texels = rasters.draw({eye, 1.0, 1}, draws, layers);
+        ASSERT_EQ(texels.size(), 20U * 15U * 4U);
+        for (std::size_t i = 0; i < texels.size(); ++i) {
+            if (i % 4 != 1) {
+                EXPECT_EQ(texels[i], 1.0F) << layers << " layers";
+            }
+        }
+        EXPECT_LT(texels[4 * (7 * 20 + 10) + 1], 1.0F);
+    }
 }
 
 }  // namespace
