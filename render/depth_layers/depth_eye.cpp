@@ -34,18 +34,18 @@ double texels_per_pixel(const Lumigraph& lumigraph, const Eye& eye) {
     return in_steps > kNearlyAll ? 1.0 : std::max(in_steps, kLeastTexelsPerPixel);
 }
 
+/// Whether a Lumigraph's pixels are drawn alone, and may have several texels each.
+bool may_be_smooth(const Lumigraph& lumigraph, const RenderOptions& options) {
+    return options.smooth_silhouettes && !options.fade_beyond_capture &&
+           lumigraph.mesh.shells.empty();
+}
+
 double texels_asked_per_pixel(const Lumigraph& lumigraph, const Eye& eye,
                               const RenderOptions& options) {
     if (options.supersample) return 1.0;
     if (is_drawn_in_blocks(lumigraph, options)) return kLeastTexelsPerPixel;
-    return texels_per_pixel(lumigraph, eye);
-}
-
-/// Where texels are pixels, and a Lumigraph's pixels are drawn alone.
-int samples_of(const Lumigraph& lumigraph, const RenderOptions& options, double texels_per_pixel) {
-    const bool is_alone = options.smooth_silhouettes && !options.supersample &&
-                          !options.fade_beyond_capture && lumigraph.mesh.shells.empty();
-    return is_alone && texels_per_pixel == 1.0 ? 2 : 1;
+    const double texels = texels_per_pixel(lumigraph, eye);
+    return texels == 1.0 && may_be_smooth(lumigraph, options) ? kSmoothTexelsPerPixel : texels;
 }
 
 int texels(int pixels, double per_pixel) { return static_cast<int>(std::ceil(pixels * per_pixel)); }
@@ -64,7 +64,7 @@ DepthEye depth_eye(const Lumigraph& lumigraph, const Eye& eye, const RenderOptio
                         texels(eye.camera.height_px, scale),
                         LensModel::kPinhole,
                         {focal.x(), focal.y(), principal_point.x(), principal_point.y()}};
-    return {{camera, eye.cam_from_world}, scale, samples_of(lumigraph, options, scale)};
+    return {{camera, eye.cam_from_world}, scale};
 }
 
 }  // namespace lumi

@@ -21,15 +21,14 @@ void append_view(const DepthLayerDraw& where, const DepthKindBegins& begins,
 }  // namespace
 
 std::vector<DepthLayerDraw> depth_layer_draws(const std::vector<DepthViewSet>& sets, int layers,
-                                              int samples, int width_px,
+                                              int width_px,
                                               const std::vector<DepthKindBegins>& kind_begins) {
     const std::vector<int> ends = strip_ends(sets, width_px);
     const DepthLayerViews views = depth_layer_views(sets, layers);
     std::vector<DepthLayerDraw> draws;
-    for (int layer = 0; layer < samples * layers; ++layer) {
-        const int sample = layer / layers;
+    for (int layer = 0; layer < layers; ++layer) {
         const auto view_in = [&](std::size_t set) {
-            return views[set][static_cast<std::size_t>(layer % layers)];
+            return views[set][static_cast<std::size_t>(layer)];
         };
         int begin = 0;
         for (std::size_t set = 0; set < ends.size(); ++set) {
@@ -37,7 +36,7 @@ std::vector<DepthLayerDraw> depth_layer_draws(const std::vector<DepthViewSet>& s
             const bool goes_on = set + 1 < ends.size() && view_in(set + 1) == view;
             if (goes_on) continue;
             if (view != kNoView && begin < ends[set])
-                append_view({layer, sample, begin, ends[set], view},
+                append_view({layer, begin, ends[set], view},
                             kind_begins[static_cast<std::size_t>(view)], draws);
             begin = ends[set];
         }

@@ -15,7 +15,6 @@ using DepthKindBegins = std::array<std::size_t, kDepthKinds + 1>;
 /// Triangles of one kind of a view's depth mesh, to be drawn into a strip of a depth layer.
 struct DepthLayerDraw {
     int layer = 0;
-    int sample = 0;  ///< Of a pixel (DepthEye::samples).
     int strip_begin_px = 0;
     int strip_end_px = 0;
     int view_index = 0;
@@ -25,10 +24,9 @@ struct DepthLayerDraw {
 };
 
 /// All that is drawn for the sets, each view in the strips of those that have it (strip_ends), in
-/// the order of layers: `layers` for the first sample, and as many for each further one.
-/// `kind_begins` is of all views.
+/// the order of layers. `kind_begins` is of all views.
 [[nodiscard]] std::vector<DepthLayerDraw> depth_layer_draws(
-    const std::vector<DepthViewSet>& sets, int layers, int samples, int width_px,
+    const std::vector<DepthViewSet>& sets, int layers, int width_px,
     const std::vector<DepthKindBegins>& kind_begins);
 
 }  // namespace lumi

@@ -32,9 +32,8 @@ void DepthLayerPainter::clear(const TextureArray& layers) {
     }
 }
 
-void DepthLayerPainter::draw(const DepthEye& depth_eye, const std::vector<DepthLayerDraw>& draws,
+void DepthLayerPainter::draw(const Eye& eye, const std::vector<DepthLayerDraw>& draws,
                              const TextureArray& layers) {
-    const Eye& eye = depth_eye.eye;
     clear(layers);
     glViewport(0, 0, eye.camera.width_px, eye.camera.height_px);
     glEnable(GL_DEPTH_TEST);
@@ -54,7 +53,7 @@ void DepthLayerPainter::draw(const DepthEye& depth_eye, const std::vector<DepthL
         const double range_begin = kDepthKindStep * draw.kind;
         glDepthRangef(static_cast<float>(range_begin),
                       static_cast<float>(range_begin + kDepthKindWidth));
-        aim_at_view(eye, draw.view_index, depth_eye.sample_offset_px(draw.sample));
+        aim_at_view(eye, draw.view_index);
         meshes_[static_cast<std::size_t>(draw.view_index)].draw(draw.first_index, draw.index_count);
     }
     glDepthRangef(0.0F, 1.0F);
@@ -63,7 +62,7 @@ void DepthLayerPainter::draw(const DepthEye& depth_eye, const std::vector<DepthL
     glDisable(GL_DEPTH_TEST);
 }
 
-void DepthLayerPainter::aim_at_view(const Eye& eye, int view_index, double offset_px) const {
+void DepthLayerPainter::aim_at_view(const Eye& eye, int view_index) const {
     const LumigraphView& view = views_[static_cast<std::size_t>(view_index)];
     const PixelTransfer eye_from_view =
         pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
@@ -71,11 +70,9 @@ void DepthLayerPainter::aim_at_view(const Eye& eye, int view_index, double offse
     Eigen::Matrix4d transfer = Eigen::Matrix4d::Identity();
     transfer.topLeftCorner<3, 3>() = eye_from_view.at_infinity;
     transfer.topRightCorner<3, 1>() = eye_from_view.per_inverse_depth;
-    Eigen::Matrix4d moved = Eigen::Matrix4d::Identity();
-    moved.block<2, 1>(0, 2).setConstant(-offset_px);
     const Eigen::Matrix4d clip =
         clip_from_pixel(eye.camera.width_px, eye.camera.height_px, max_inverse_depth_);
-    program_.set("clip_from_view_pixel", to_glm(Eigen::Matrix4d(clip * moved * transfer)));
+    program_.set("clip_from_view_pixel", to_glm(Eigen::Matrix4d(clip * transfer)));
 }
 
 }  // namespace lumi

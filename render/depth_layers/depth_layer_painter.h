@@ -30,14 +30,11 @@ class DepthLayerPainter {
 
     /// Over all that was in the layers. Leaves another framebuffer bound, and the depth test and
     /// face culling off.
-    void draw(const DepthEye& depth_eye, const std::vector<DepthLayerDraw>& draws,
-              const TextureArray& layers);
+    void draw(const Eye& eye, const std::vector<DepthLayerDraw>& draws, const TextureArray& layers);
 
  private:
     void clear(const TextureArray& layers);
-    /// Moves the picture so that the place `offset_px` from a pixel's centre, in x and in y, is
-    /// drawn for it.
-    void aim_at_view(const Eye& eye, int view_index, double offset_px) const;
+    void aim_at_view(const Eye& eye, int view_index) const;
 
     const std::vector<LumigraphView>& views_;
     double max_inverse_depth_;

@@ -22,17 +22,16 @@ int bands_of(int layers) {
     return std::max(1, (kTasksACore * resolve_threads(0) + layers - 1) / std::max(1, layers));
 }
 
-/// (x, y, 1, inverse depth) in the view to (X, Y, W, depth * W) in the eye's window, whose places
-/// are those `offset_px` from the centres of the eye's pixels.
-Eigen::Matrix4f window_from_view(const Eye& eye, double offset_px, const LumigraphView& view,
+/// (x, y, 1, inverse depth) in the view to (X, Y, W, depth * W) in the eye's window.
+Eigen::Matrix4f window_from_view(const Eye& eye, const LumigraphView& view,
                                  double max_inverse_depth) {
     const PixelTransfer eye_from_view =
         pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
     Eigen::Matrix<double, 3, 4> pixel;
     pixel << eye_from_view.at_infinity, eye_from_view.per_inverse_depth;
     Eigen::Matrix4d window;
-    window.row(0) = pixel.row(0) - offset_px * pixel.row(2);
-    window.row(1) = (eye.camera.height_px + offset_px) * pixel.row(2) - pixel.row(1);
+    window.row(0) = pixel.row(0);
+    window.row(1) = eye.camera.height_px * pixel.row(2) - pixel.row(1);
     window.row(2) = pixel.row(2);
     window.row(3) = pixel.row(2) - Eigen::RowVector4d(0, 0, 0, 1 / max_inverse_depth);
     return window.cast<float>();
@@ -45,18 +44,17 @@ DepthLayerRasters::DepthLayerRasters(const std::vector<LumigraphView>& views,
                                      double max_inverse_depth)
     : views_(views), meshes_(std::move(meshes)), max_inverse_depth_(max_inverse_depth) {}
 
-const std::vector<float>& DepthLayerRasters::draw(const DepthEye& depth_eye,
+const std::vector<float>& DepthLayerRasters::draw(const Eye& eye,
                                                   const std::vector<DepthLayerDraw>& draws,
                                                   int layers) {
-    aim(depth_eye, draws);
-    const int width = depth_eye.eye.camera.width_px;
-    const int height = depth_eye.eye.camera.height_px;
+    aim(eye, draws);
+    const int width = eye.camera.width_px;
+    const int height = eye.camera.height_px;
     const std::size_t texels_a_layer =
         static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    const int all_layers = depth_eye.samples * layers;
-    texels_.resize(static_cast<std::size_t>(all_layers) * texels_a_layer);
-    const int bands = bands_of(all_layers);
-    parallel_for(all_layers * bands, 0, [&](int task) {
+    texels_.resize(static_cast<std::size_t>(layers) * texels_a_layer);
+    const int bands = bands_of(layers);
+    parallel_for(layers * bands, 0, [&](int task) {
         const int layer = task / bands;
         const int band = task % bands;
         const DepthBufferBox box{0, band * height / bands, width, (band + 1) * height / bands};
@@ -69,31 +67,25 @@ const std::vector<float>& DepthLayerRasters::draw(const DepthEye& depth_eye,
         for (const DepthLayerDraw& draw : draws)
             if (draw.layer == layer) draw_band(draw, box, buffer);
     });
-    pack(depth_eye.samples, layers, texels_a_layer);
+    pack(layers, texels_a_layer);
     return packed_;
 }
 
-void DepthLayerRasters::pack(int samples, int layers, std::size_t texels_a_layer) {
+void DepthLayerRasters::pack(int layers, std::size_t texels_a_layer) {
     const auto components = static_cast<std::size_t>(kPacked);
-    const auto filled = static_cast<std::size_t>(layers);
-    const std::size_t size = static_cast<std::size_t>(samples) * texels_a_layer * components;
+    const std::size_t size = texels_a_layer * components;
     // Of layers that are not asked for something is left where they were asked for before.
     if (packed_.size() != size || packed_layers_ != layers) packed_.assign(size, 1.0F);
     packed_layers_ = layers;
-    for (std::size_t sample = 0; sample < static_cast<std::size_t>(samples); ++sample) {
-        const float* from = &texels_[sample * filled * texels_a_layer];
-        float* to = &packed_[sample * components * texels_a_layer];
-        parallel_for_runs(texels_a_layer, kTexelsAtATime, 0,
-                          [&](std::size_t first, std::size_t end) {
-                              for (std::size_t layer = 0; layer < filled; ++layer)
-                                  for (std::size_t i = first; i < end; ++i)
-                                      to[i * components + layer] = from[layer * texels_a_layer + i];
-                          });
-    }
+    parallel_for_runs(texels_a_layer, kTexelsAtATime, 0, [&](std::size_t first, std::size_t end) {
+        for (std::size_t layer = 0; layer < static_cast<std::size_t>(layers); ++layer)
+            for (std::size_t i = first; i < end; ++i)
+                packed_[i * components + layer] = texels_[layer * texels_a_layer + i];
+    });
 }
 
 /// Transforms the vertices of all meshes that are drawn.
-void DepthLayerRasters::aim(const DepthEye& depth_eye, const std::vector<DepthLayerDraw>& draws) {
+void DepthLayerRasters::aim(const Eye& eye, const std::vector<DepthLayerDraw>& draws) {
     struct Run {
         const DepthMesh* mesh;
         AimedMesh* aimed;
@@ -102,13 +94,11 @@ void DepthLayerRasters::aim(const DepthEye& depth_eye, const std::vector<DepthLa
     std::vector<Run> runs;
     aimed_.clear();
     for (const DepthLayerDraw& draw : draws) {
-        const auto [found, is_new] = aimed_.try_emplace({draw.view_index, draw.sample});
+        const auto [found, is_new] = aimed_.try_emplace(draw.view_index);
         if (!is_new) continue;
         const auto view = static_cast<std::size_t>(draw.view_index);
         AimedMesh& aimed = found->second;
-        aimed.window_from_view =
-            window_from_view(depth_eye.eye, depth_eye.sample_offset_px(draw.sample), views_[view],
-                             max_inverse_depth_);
+        aimed.window_from_view = window_from_view(eye, views_[view], max_inverse_depth_);
         const DepthMesh& mesh = *meshes_[view];
         aimed.in_window.resize(mesh.vertices.size());
         for (std::size_t first = 0; first < mesh.vertices.size(); first += kVerticesAtATime)
@@ -126,7 +116,7 @@ void DepthLayerRasters::aim(const DepthEye& depth_eye, const std::vector<DepthLa
 void DepthLayerRasters::draw_band(const DepthLayerDraw& draw, const DepthBufferBox& band,
                                   const DepthBuffer& buffer) const {
     const DepthMesh& mesh = *meshes_[static_cast<std::size_t>(draw.view_index)];
-    const AimedMesh& aimed = aimed_.at({draw.view_index, draw.sample});
+    const AimedMesh& aimed = aimed_.at(draw.view_index);
     const DepthBufferBox box{draw.strip_begin_px, band.begin_y, draw.strip_end_px, band.end_y};
     draw_depth_triangles({mesh.vertices, mesh.indices, aimed.in_window, aimed.window_from_view},
                          draw.first_index, draw.index_count,

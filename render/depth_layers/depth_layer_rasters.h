@@ -2,10 +2,8 @@
 
 #include <map>
 #include <memory>
-#include <utility>
 #include <vector>
 
-#include "render/depth_layers/depth_eye.h"
 #include "render/depth_layers/depth_layer_draws.h"
 #include "render/depth_layers/depth_triangles.h"
 #include "render/lumigraph/lumigraph.h"
@@ -22,30 +20,27 @@ class DepthLayerRasters {
                       std::vector<std::shared_ptr<const DepthMesh>> meshes,
                       double max_inverse_depth);
 
-    /// Of each sample of a pixel the eye's picture, with rows from the bottom, one after the other:
-    /// kPacked numbers a texel, of which the first `layers` are layers, and the others 1. What is
-    /// returned stays until the next call.
-    [[nodiscard]] const std::vector<float>& draw(const DepthEye& depth_eye,
+    /// The eye's picture, with rows from the bottom: kPacked numbers a texel, of which the first
+    /// `layers` are layers, and the others 1. What is returned stays until the next call.
+    [[nodiscard]] const std::vector<float>& draw(const Eye& eye,
                                                  const std::vector<DepthLayerDraw>& draws,
                                                  int layers);
     static constexpr int kPacked = kMaxDepthViews;
 
  private:
-    /// A view and a sample of a pixel.
-    using Aim = std::pair<int, int>;
     struct AimedMesh {
         Eigen::Matrix4f window_from_view;
         std::vector<WindowVertex> in_window;
     };
-    void aim(const DepthEye& depth_eye, const std::vector<DepthLayerDraw>& draws);
-    void pack(int samples, int layers, std::size_t texels_a_layer);
+    void aim(const Eye& eye, const std::vector<DepthLayerDraw>& draws);
+    void pack(int layers, std::size_t texels_a_layer);
     void draw_band(const DepthLayerDraw& draw, const DepthBufferBox& band,
                    const DepthBuffer& buffer) const;
 
     const std::vector<LumigraphView>& views_;
     std::vector<std::shared_ptr<const DepthMesh>> meshes_;
     double max_inverse_depth_;
-    std::map<Aim, AimedMesh> aimed_;  ///< Of the frame that is drawn.
+    std::map<int, AimedMesh> aimed_;  ///< Of each view that is drawn.
     std::vector<float> texels_;       ///< Layer by layer.
     std::vector<float> packed_;
     int packed_layers_ = 0;

@@ -48,8 +48,8 @@ double DepthLayers::buffer_difference(double inverse_depth_difference) const {
                     0.5 * (kDepthKindStep - kDepthKindWidth));
 }
 
-void DepthLayers::resize(int width_px, int height_px, int samples) {
-    const int layers = is_packed() ? samples : samples * layer_count_;
+void DepthLayers::resize(int width_px, int height_px) {
+    const int layers = is_packed() ? 1 : layer_count_;
     if (layers_.width_px() == width_px && layers_.height_px() == height_px &&
         layers_.layers() == layers)
         return;
@@ -57,15 +57,15 @@ void DepthLayers::resize(int width_px, int height_px, int samples) {
     layers_ = TextureArray(format, TexelFilter::kNearest, width_px, height_px, layers);
 }
 
-void DepthLayers::draw(const DepthEye& depth_eye, const std::vector<DepthViewSet>& sets) {
-    const Camera& camera = depth_eye.eye.camera;
-    resize(camera.width_px, camera.height_px, depth_eye.samples);
+void DepthLayers::draw(const Eye& eye, const std::vector<DepthViewSet>& sets) {
+    const Camera& camera = eye.camera;
+    resize(camera.width_px, camera.height_px);
     const std::vector<DepthLayerDraw> draws =
-        depth_layer_draws(sets, layer_count_, depth_eye.samples, camera.width_px, kind_begins_);
+        depth_layer_draws(sets, layer_count_, camera.width_px, kind_begins_);
     if (is_packed())
-        layers_.upload(rasters_->draw(depth_eye, draws, layer_count_));
+        layers_.upload(rasters_->draw(eye, draws, layer_count_));
     else
-        painter_->draw(depth_eye, draws, layers_);
+        painter_->draw(eye, draws, layers_);
 }
 
 }  // namespace lumi

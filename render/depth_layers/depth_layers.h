@@ -28,12 +28,12 @@ class DepthLayers {
     DepthLayers(const UploadedLumigraph& uploaded, int layers,
                 DrawnBy drawn_by = usually_drawn_by());
 
-    /// Draws the layers, in the strip of each set (strip_ends) those of its views; of each sample
-    /// of a pixel, one after the other. The layers get the size of the eye's picture. Leaves
-    /// another framebuffer bound, and the depth test and face culling off.
-    void draw(const DepthEye& depth_eye, const std::vector<DepthViewSet>& sets);
+    /// Draws the layers, in the strip of each set (strip_ends) those of its views. The
+    /// layers get the size of the eye's picture. Leaves another framebuffer bound, and the depth
+    /// test and face culling off.
+    void draw(const Eye& eye, const std::vector<DepthViewSet>& sets);
 
-    /// Layer by layer; or packed, sample by sample, the layers in the components of a texel.
+    /// Layer by layer; or packed: the layers are the components of a texel.
     [[nodiscard]] const TextureArray& texture() const { return layers_; }
     [[nodiscard]] bool is_packed() const { return rasters_.has_value(); }
     /// 1 / (nearest depth that can be drawn).
@@ -43,7 +43,7 @@ class DepthLayers {
     [[nodiscard]] double buffer_difference(double inverse_depth_difference) const;
 
  private:
-    void resize(int width_px, int height_px, int samples);
+    void resize(int width_px, int height_px);
 
     double max_inverse_depth_ = 1.0;
     std::vector<DepthKindBegins> kind_begins_;

@@ -34,14 +34,21 @@ int first_fragment(int column, double texels_per_fragment) {
     return static_cast<int>(std::ceil(column / texels_per_fragment - 0.5));
 }
 
+/// Silhouettes are not smooth where depth would not fit into a texture for it.
+RenderOptions drawable(RenderOptions options, const Camera& camera, int max_texture_size_px) {
+    const int side_px = std::max(camera.width_px, camera.height_px);
+    if (kSmoothTexelsPerPixel * side_px > max_texture_size_px) options.smooth_silhouettes = false;
+    return options;
+}
+
 }  // namespace
 
-PerPixel::PerPixel(const UploadedLumigraph& uploaded)
+PerPixel::PerPixel(const UploadedLumigraph& uploaded, DepthLayers::DrawnBy depth_drawn_by)
     : uploaded_(uploaded),
       surroundings_(uploaded),
       layer_count_(
           std::min(uploaded.layout.depth_views, static_cast<int>(uploaded.layout.views.size()))),
-      depth_(uploaded, layer_count_),
+      depth_(uploaded, layer_count_, depth_drawn_by),
       faces_(uploaded),
       in_pixels_(programs({})),
       smooth_(programs({"SMOOTH"})),
@@ -55,13 +62,15 @@ PerPixel::Programs PerPixel::programs(std::vector<std::string> definitions) cons
     return {program_of(layer_count_, std::move(definitions)), std::move(of_any_views)};
 }
 
-DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& options,
+DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& wanted,
                               const Viewport& viewport) {
+    const RenderOptions options =
+        drawable(wanted, eye.camera, uploaded_.capabilities.max_texture_size_px);
     const AskedDepth asked{depth_view_sets(uploaded_.layout, eye, layer_count_),
                            depth_eye(uploaded_.layout, eye, options)};
     {
         const FramebufferBindingKeeper keeper;
-        depth_.draw(asked.depth_eye, asked.sets);
+        depth_.draw(asked.depth_eye.eye, asked.sets);
     }
     glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
     std::size_t triangles = draw_base(eye, options, viewport, asked);
@@ -140,7 +149,7 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
         agreeing_inverse_depth(uploaded_.layout, uploaded_.searched_views.geometries, asked.sets,
                                centre_in_world(eye.cam_from_world), options.occlusion_tolerance_px);
     program.set("agreeing_depth", static_cast<float>(depth_.buffer_difference(agreeing)));
-    const auto& [depth_eye, texels_per_pixel, samples] = asked.depth_eye;
+    const auto& [depth_eye, texels_per_pixel] = asked.depth_eye;
     program.set("texels_per_pixel", static_cast<float>(texels_per_pixel));
     // Rows are counted from the top of either picture, window coordinates from the bottom.
     const int height_px =
@@ -178,7 +187,7 @@ std::size_t PerPixel::draw_faces(const Eye& eye, const RenderOptions& options,
                                  const std::vector<int>& layer_views) {
     Programs& programs = fade != Fade::kNone           ? fading_
                          : fragments.side_px > 1       ? in_blocks_
-                         : asked.depth_eye.samples > 1 ? smooth_
+                         : asked.depth_eye.is_smooth() ? smooth_
                                                        : in_pixels_;
     const auto are_asked = [&](const std::array<int, 3>& views) {
         return std::all_of(views.begin(), views.end(), [&](int view) {

@@ -26,7 +26,8 @@ namespace lumi {
 /// can, and depth is sampled finely enough, silhouettes are smooth.
 class PerPixel : public DrawingMode {
  public:
-    explicit PerPixel(const UploadedLumigraph& uploaded);
+    explicit PerPixel(const UploadedLumigraph& uploaded,
+                      DepthLayers::DrawnBy depth_drawn_by = DepthLayers::usually_drawn_by());
     DrawStatistics draw(const Eye& eye, const RenderOptions& options,
                         const Viewport& viewport) override;
 
@@ -79,7 +80,7 @@ class PerPixel : public DrawingMode {
     GridPainter grid_;
     PixelBlocks blocks_;
     Programs in_pixels_;
-    Programs smooth_;  ///< The same with smooth silhouettes (DepthEye::samples).
+    Programs smooth_;  ///< The same with smooth silhouettes (DepthEye).
     Programs in_blocks_;
     Programs fading_;  ///< For shells, and for what fades beyond the capture.
 };

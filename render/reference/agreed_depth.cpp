@@ -33,17 +33,6 @@ std::optional<std::vector<EyeDepth>> mean_of_one_surface(
     return mean;
 }
 
-/// An eye whose pixels' centres are what lies so far from those of this eye, in x and in y.
-Eye moved(const Eye& eye, double offset_px) {
-    const Eigen::Vector2d focal = focal_length_px(eye.camera);
-    const Eigen::Vector2d principal_point = principal_point_px(eye.camera).array() - offset_px;
-    return {{eye.camera.width_px,
-             eye.camera.height_px,
-             LensModel::kPinhole,
-             {focal.x(), focal.y(), principal_point.x(), principal_point.y()}},
-            eye.cam_from_world};
-}
-
 }  // namespace
 
 AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
@@ -61,20 +50,18 @@ AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeome
             const auto view_index = static_cast<std::size_t>(index);
             const LumigraphView& view = lumigraph.views[view_index];
             const auto mesh = depth_mesh_of(view, max_disparity_px(geometries[view_index]));
-            for (int sample = 0; sample < depth_eye_.samples; ++sample)
-                eye_depth_of_view_[index].push_back(rasterise(
-                    *mesh, view, moved(depth_eye_.eye, depth_eye_.sample_offset_px(sample))));
+            eye_depth_of_view_.emplace(index, rasterise(*mesh, view, depth_eye_.eye));
         }
     }
 }
 
 std::vector<AgreedPixelDepth> AgreedDepth::samples_at(const Eigen::Vector2d& pixel) const {
-    const int column = texel(pixel.x());
-    const int row = texel(pixel.y());
-    const std::vector<int>& views = views_at(column);
+    const std::vector<int>& views = views_at(column_of(pixel));
+    if (!depth_eye_.is_smooth()) return {agreed(depths_at(pixel), views)};
     std::vector<std::vector<EyeDepth>> samples;
-    for (int sample = 0; sample < depth_eye_.samples; ++sample)
-        samples.push_back(depths_at(column, row, sample));
+    for (const double y : {-0.25, 0.25})
+        for (const double x : {-0.25, 0.25})
+            samples.push_back(depths_at(pixel + Eigen::Vector2d(x, y)));
     if (const auto mean = mean_of_one_surface(samples, agreeing_inverse_depth_))
         return {agreed(*mean, views)};
     std::vector<AgreedPixelDepth> all;
@@ -82,13 +69,16 @@ std::vector<AgreedPixelDepth> AgreedDepth::samples_at(const Eigen::Vector2d& pix
     return all;
 }
 
-std::vector<EyeDepth> AgreedDepth::depths_at(int column, int row, int sample) const {
+int AgreedDepth::column_of(const Eigen::Vector2d& pixel) const {
+    return static_cast<int>(pixel.x() * depth_eye_.texels_per_pixel);
+}
+
+std::vector<EyeDepth> AgreedDepth::depths_at(const Eigen::Vector2d& pixel) const {
+    const int column = column_of(pixel);
+    const auto row = static_cast<int>(pixel.y() * depth_eye_.texels_per_pixel);
     std::vector<EyeDepth> depths;
     for (const int index : views_at(column))
-        depths.push_back(
-            index == kNoView
-                ? EyeDepth{}
-                : eye_depth_of_view_.at(index)[static_cast<std::size_t>(sample)](column, row));
+        depths.push_back(index == kNoView ? EyeDepth{} : eye_depth_of_view_.at(index)(column, row));
     return depths;
 }
 

@@ -30,18 +30,15 @@ class AgreedDepth {
                 const Eye& eye, const RenderOptions& options);
 
     /// At the centre of a pixel of the eye's picture, or of a block of pixels; or at the
-    /// samples of a pixel where these are of two surfaces (DepthEye::samples).
+    /// texels of a pixel where these are of several surfaces (kSmoothTexelsPerPixel).
     [[nodiscard]] std::vector<AgreedPixelDepth> samples_at(const Eigen::Vector2d& pixel) const;
 
  private:
-    /// Of the depth that is drawn for the eye: the column or row that a place lies in.
-    [[nodiscard]] int texel(double pixel) const {
-        return static_cast<int>(pixel * depth_eye_.texels_per_pixel);
-    }
     /// The views that are asked at a column of texels, kNoView among them.
     [[nodiscard]] const std::vector<int>& views_at(int column) const;
-    /// What each of the views there knows of a sample of a texel.
-    [[nodiscard]] std::vector<EyeDepth> depths_at(int column, int row, int sample) const;
+    /// What each of the views there knows of the texel that a pixel's place lies in.
+    [[nodiscard]] std::vector<EyeDepth> depths_at(const Eigen::Vector2d& pixel) const;
+    [[nodiscard]] int column_of(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] AgreedPixelDepth agreed(const std::vector<EyeDepth>& depths,
                                           const std::vector<int>& views) const;
 
@@ -49,7 +46,7 @@ class AgreedDepth {
     std::vector<int> strip_ends_;
     DepthLayerViews layer_views_;
     double agreeing_inverse_depth_;
-    std::map<int, std::vector<Image<EyeDepth>>> eye_depth_of_view_;  ///< Of each sample.
+    std::map<int, Image<EyeDepth>> eye_depth_of_view_;
 };
 
 }  // namespace lumi

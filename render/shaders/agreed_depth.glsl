@@ -30,21 +30,20 @@ vec4 agree(vec4 depths, float depth) {
 }
 
 // PACKED_LAYERS: they lie in the components of one texel (depth_layers.h).
-vec4 layer_depths(ivec2 texel, int sample_index) {
+vec4 layer_depths(ivec2 texel) {
 #ifdef PACKED_LAYERS
-    return texelFetch(depth_layers, ivec3(texel, sample_index), 0);
+    return texelFetch(depth_layers, ivec3(texel, 0), 0);
 #else
-    int first = LAYERS * sample_index;
     vec4 depths = vec4(1.0);
-    depths.x = texelFetch(depth_layers, ivec3(texel, first), 0).r;
+    depths.x = texelFetch(depth_layers, ivec3(texel, 0), 0).r;
 #if LAYERS > 1
-    depths.y = texelFetch(depth_layers, ivec3(texel, first + 1), 0).r;
+    depths.y = texelFetch(depth_layers, ivec3(texel, 1), 0).r;
 #endif
 #if LAYERS > 2
-    depths.z = texelFetch(depth_layers, ivec3(texel, first + 2), 0).r;
+    depths.z = texelFetch(depth_layers, ivec3(texel, 2), 0).r;
 #endif
 #if LAYERS > 3
-    depths.w = texelFetch(depth_layers, ivec3(texel, first + 3), 0).r;
+    depths.w = texelFetch(depth_layers, ivec3(texel, 3), 0).r;
 #endif
     return depths;
 #endif

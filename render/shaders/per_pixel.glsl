@@ -7,8 +7,8 @@
 // does. A view that was asked for depth has said what it sees along the eye's ray; of others the
 // depth maps tell. VIEWS_ARE_ASKED: all three were, and no depth map is looked up.
 //
-// SMOOTH: a pixel has two samples of depth. Where they are of two surfaces, it is the mean of what is
-// drawn at each.
+// SMOOTH: a pixel has four samples of depth. Where they are of several surfaces, it is the mean of
+// what is drawn of each.
 //
 // Written for software rendering: no arrays, no branches, one division a view, and no loop but that
 // over the samples of a silhouette.
@@ -199,25 +199,39 @@ Blend blend_at(vec2 window, Depth depth) {
 }
 
 #ifdef SMOOTH
-// The mean of a pixel's two samples of depth, less one where nothing is known. Where both are of one
-// surface, it is drawn once, at their mean: that of the pixel's centre.
+// 1 where no layer tells the depths apart.
+float is_one_surface(vec4 a, vec4 b) {
+    return all(lessThanEqual(abs(a - b), vec4(agreeing_depth))) ? 1.0 : 0.0;
+}
+
+// The mean of a pixel's four samples of depth, less those where nothing is known. Each round draws
+// one surface, at the mean of the samples that are of it.
 vec4 smooth_at(vec2 window) {
-    ivec2 texel = texel_at(window);
-    vec4 first = layer_depths(texel, 0);
-    vec4 second = layer_depths(texel, 1);
-    bool is_one = all(lessThanEqual(abs(first - second), vec4(agreeing_depth)));
-    first = is_one ? 0.5 * (first + second) : first;
-    int samples = is_one ? 1 : 2;
+    ivec2 texel = texel_at(window - 0.25);
+    vec4 depth0 = layer_depths(texel);
+    vec4 depth1 = layer_depths(texel + ivec2(1, 0));
+    vec4 depth2 = layer_depths(texel + ivec2(0, 1));
+    vec4 depth3 = layer_depths(texel + ivec2(1, 1));
+    vec4 left = vec4(1.0);  // 1 for samples that are not drawn yet
     vec4 sum = vec4(0.0);
     float count = 0.0;
-    int i = 0;
     // Asked at its end, no round is begun that nothing comes of.
     do {
-        Blend blend = blend_at(window, agreed_depth(i == 0 ? first : second));
-        float is_drawn = blend.is_unseen && blend.is_guess ? 0.0 : 1.0;
-        sum += is_drawn * drawn_at(blend, vec2(0.0));
-        count += is_drawn;
-    } while (++i < samples);
+        vec4 first = left.x > 0.5   ? depth0
+                     : left.y > 0.5 ? depth1
+                     : left.z > 0.5 ? depth2
+                                    : depth3;
+        vec4 of_surface = left * vec4(is_one_surface(depth0, first), is_one_surface(depth1, first),
+                                      is_one_surface(depth2, first), is_one_surface(depth3, first));
+        left -= of_surface;
+        float samples = dot(of_surface, vec4(1.0));
+        vec4 mean = (of_surface.x * depth0 + of_surface.y * depth1 + of_surface.z * depth2 +
+                     of_surface.w * depth3) / samples;
+        Blend blend = blend_at(window, agreed_depth(mean));
+        float drawn_samples = blend.is_unseen && blend.is_guess ? 0.0 : samples;
+        sum += drawn_samples * drawn_at(blend, vec2(0.0));
+        count += drawn_samples;
+    } while (dot(left, vec4(1.0)) > 0.5);
     if (count < 0.5) discard;
     return vec4(sum.rgb / count, step(0.5 * count, sum.a));
 }
@@ -228,7 +242,7 @@ void main() {
 #ifdef SMOOTH
     drawn = smooth_at(window);
 #else
-    Blend blend = blend_at(window, agreed_depth(layer_depths(texel_at(window), 0)));
+    Blend blend = blend_at(window, agreed_depth(layer_depths(texel_at(window))));
     if (blend.is_unseen && blend.is_guess) discard;
 #ifdef BLOCKS
     drawn = drawn_at(blend, vec2(-0.5, -0.5));

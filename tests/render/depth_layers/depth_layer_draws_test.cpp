@@ -9,7 +9,7 @@ namespace {
 const std::vector<DepthKindBegins> kMeshes{{0, 30, 42, 45}, {0, 21, 21, 21}, {0, 0, 0, 0}};
 
 TEST(DepthLayerDraws, EachKindOfAViewIsDrawnIntoItsLayer) {
-    const auto draws = depth_layer_draws({{{0, 1}, 1.0}}, 3, 1, 100, kMeshes);
+    const auto draws = depth_layer_draws({{{0, 1}, 1.0}}, 3, 100, kMeshes);
     ASSERT_EQ(draws.size(), 4U);
     std::size_t indices = 0;
     for (const DepthLayerDraw& draw : draws) {
@@ -21,21 +21,8 @@ TEST(DepthLayerDraws, EachKindOfAViewIsDrawnIntoItsLayer) {
     EXPECT_EQ(indices, 45U + 21U);
 }
 
-TEST(DepthLayerDraws, EachSampleHasLayersOfItsOwn) {
-    const auto one = depth_layer_draws({{{0, 1}, 1.0}}, 3, 1, 100, kMeshes);
-    const auto two = depth_layer_draws({{{0, 1}, 1.0}}, 3, 2, 100, kMeshes);
-    ASSERT_EQ(two.size(), 2 * one.size());
-    for (std::size_t i = 0; i < two.size(); ++i) {
-        const DepthLayerDraw& same = one[i % one.size()];
-        EXPECT_EQ(two[i].sample, i < one.size() ? 0 : 1);
-        EXPECT_EQ(two[i].layer, same.layer + 3 * two[i].sample);
-        EXPECT_EQ(two[i].view_index, same.view_index);
-        EXPECT_EQ(two[i].index_count, same.index_count);
-    }
-}
-
 TEST(DepthLayerDraws, AViewThatTwoSetsHaveIsDrawnOnceForBoth) {
-    const auto draws = depth_layer_draws({{{0, 1}, 0.5}, {{0, 2}, 0.5}}, 2, 1, 100, kMeshes);
+    const auto draws = depth_layer_draws({{{0, 1}, 0.5}, {{0, 2}, 0.5}}, 2, 100, kMeshes);
     for (const DepthLayerDraw& draw : draws) {
         EXPECT_NE(draw.view_index, 2) << "it has no triangles";
         EXPECT_EQ(draw.strip_begin_px, 0);

@@ -34,7 +34,7 @@ void append_draws(int view, int layer, int width, const DepthMesh& mesh,
                   std::vector<DepthLayerDraw>& draws) {
     for (int kind = 0; kind < kDepthKinds; ++kind) {
         const auto k = static_cast<std::size_t>(kind);
-        draws.push_back({layer, 0, 0, width, view, kind, mesh.kind_begin[k],
+        draws.push_back({layer, 0, width, view, kind, mesh.kind_begin[k],
                          mesh.kind_begin[k + 1] - mesh.kind_begin[k]});
     }
 }
@@ -56,7 +56,7 @@ double unlike_share(const Lumigraph& lumigraph, const Eye& eye) {
     std::vector<DepthLayerDraw> draws;
     for (int view = 0; view < kLayers; ++view)
         append_draws(view, view, width, *meshes[static_cast<std::size_t>(view)], draws);
-    const std::vector<float>& texels = rasters.draw({eye, 1.0, 1}, draws, kLayers);
+    const std::vector<float>& texels = rasters.draw(eye, draws, kLayers);
     int unlike = 0;
     for (int view = 0; view < kLayers; ++view) {
         const auto v = static_cast<std::size_t>(view);
@@ -101,8 +101,8 @@ TEST(DepthLayerRasters, HaveNothingInLayersThatAreNotDrawn) {
     std::vector<DepthLayerDraw> last_layer;
     append_draws(1, 3, 20, *meshes[1], last_layer);
     for (const int layers : {4, 2, 3}) {
-        static_cast<void>(rasters.draw({eye, 1.0, 1}, last_layer, 4));
-        const std::vector<float>& texels = rasters.draw({eye, 1.0, 1}, draws, layers);
+        static_cast<void>(rasters.draw(eye, last_layer, 4));
+        const std::vector<float>& texels = rasters.draw(eye, draws, layers);
         ASSERT_EQ(texels.size(), 20U * 15U * 4U);
         for (std::size_t i = 0; i < texels.size(); ++i) {
             if (i % 4 != 1) {

@@ -3,16 +3,19 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include "render/gl/framebuffer.h"
 #include "render/gl/headless_context.h"
+#include "render/modes/per_pixel.h"
 #include "tests/render/analytic_scene.h"
+#include "tests/render/frame_difference.h"
 
 namespace lumi {
 namespace {
 
 constexpr int kLayers = 3;
 
-/// Layer by layer, sample by sample.
-std::vector<float> texels_of(const DepthLayers& layers, int samples) {
+/// Layer by layer.
+std::vector<float> texels_of(const DepthLayers& layers) {
     const TextureArray& texture = layers.texture();
     std::vector<float> texels(texture.bytes() / sizeof(float));
     texture.bind(0);
@@ -20,12 +23,9 @@ std::vector<float> texels_of(const DepthLayers& layers, int samples) {
     glGetTexImage(GL_TEXTURE_2D_ARRAY, 0, layers.is_packed() ? GL_RGBA : GL_DEPTH_COMPONENT,
                   GL_FLOAT, texels.data());
     if (!layers.is_packed()) return texels;
-    const std::size_t texels_a_sample = texels.size() / 4 / static_cast<std::size_t>(samples);
     std::vector<float> in_layers;
-    for (std::size_t sample = 0; sample < static_cast<std::size_t>(samples); ++sample)
-        for (std::size_t layer = 0; layer < kLayers; ++layer)
-            for (std::size_t i = 0; i < texels_a_sample; ++i)
-                in_layers.push_back(texels[4 * (sample * texels_a_sample + i) + layer]);
+    for (std::size_t layer = 0; layer < kLayers; ++layer)
+        for (std::size_t i = layer; i < texels.size(); i += 4) in_layers.push_back(texels[i]);
     return in_layers;
 }
 
@@ -34,23 +34,20 @@ void expect_same(const Lumigraph& lumigraph, const Eye& eye) {
     DepthLayers by_open_gl(uploaded, kLayers, DepthLayers::DrawnBy::kOpenGl);
     DepthLayers by_cores(uploaded, kLayers, DepthLayers::DrawnBy::kCores);
     const std::vector<DepthViewSet> sets{{{0, 1, 2}, 0.6}, {{3, 1, 2}, 0.4}};
-    for (const int samples : {1, 2}) {
-        by_open_gl.draw({eye, 1.0, samples}, sets);
-        by_cores.draw({eye, 1.0, samples}, sets);
-        const std::vector<float> expected = texels_of(by_open_gl, samples);
-        const std::vector<float> texels = texels_of(by_cores, samples);
-        ASSERT_EQ(by_open_gl.texture().layers(), kLayers * samples);
-        ASSERT_EQ(texels.size(), expected.size());
-        std::size_t unlike = 0;
-        std::size_t known = 0;
-        for (std::size_t i = 0; i < texels.size(); ++i) {
-            unlike += std::abs(texels[i] - expected[i]) > 1e-4F ? 1U : 0U;
-            known += expected[i] < 1.0F ? 1U : 0U;
-        }
-        EXPECT_GT(known, texels.size() / 4);
-        // Along the sides of triangles that end there.
-        EXPECT_LT(unlike, texels.size() / 200) << samples << " samples";
+    by_open_gl.draw(eye, sets);
+    by_cores.draw(eye, sets);
+    const std::vector<float> expected = texels_of(by_open_gl);
+    const std::vector<float> texels = texels_of(by_cores);
+    ASSERT_EQ(texels.size(), expected.size());
+    std::size_t unlike = 0;
+    std::size_t known = 0;
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        unlike += std::abs(texels[i] - expected[i]) > 1e-4F ? 1U : 0U;
+        known += expected[i] < 1.0F ? 1U : 0U;
     }
+    EXPECT_GT(known, texels.size() / 4);
+    // Along the sides of triangles that end there.
+    EXPECT_LT(unlike, texels.size() / 200);
 }
 
 TEST(DepthLayersGl, AreTheSameByOpenGlAndByTheCores) {
@@ -59,6 +56,58 @@ TEST(DepthLayersGl, AreTheSameByOpenGlAndByTheCores) {
     expect_same(card_before_wall(), eye_at({0.3, 0.2, 0.2}, {0, 0, 4}, camera));
     expect_same(card_before_wall(), eye_at({0.4, 0.3, 2.6}, {0, 0, 4}, camera));
     expect_same(ball_in_sky(), eye_at({0.3, 0.2, 2.2}, {0, 0, 0.2}, camera));
+}
+
+/// The frame of a mode, as the program sees it.
+ColorImage frame_of(PerPixel& mode, const Eye& eye, const RenderOptions& options) {
+    const int width = eye.camera.width_px;
+    const int height = eye.camera.height_px;
+    Framebuffer framebuffer;
+    framebuffer.attach_color(width, height);
+    framebuffer.bind();
+    glViewport(0, 0, width, height);
+    glClear(GL_COLOR_BUFFER_BIT);
+    mode.draw(eye, options, {0, 0, width, height});
+    const std::vector<unsigned char> rgba = framebuffer.read_rgba_bottom_up(width, height);
+    ColorImage frame(width, height);
+    for (std::size_t i = 0; i < frame.pixels().size(); ++i)
+        frame.pixels()[i] = {rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]};
+    return frame;
+}
+
+TEST(PerPixelGl, DrawsTheSameWithDepthByOpenGlAndByTheCores) {
+    const HeadlessContext context;
+    Lumigraph lumigraph = card_before_wall();
+    const Eye eye = eye_at({0.3, 0.2, 0.2}, {0, 0, 4}, pinhole_camera(61, 45, 55));
+    for (const int block_px : {1, kMaxDepthBlock_px}) {
+        lumigraph.depth_block_px = block_px;
+        const UploadedLumigraph uploaded(lumigraph);
+        PerPixel by_open_gl(uploaded, DepthLayers::DrawnBy::kOpenGl);
+        PerPixel by_cores(uploaded, DepthLayers::DrawnBy::kCores);
+        for (const bool is_smooth : {false, true}) {
+            const RenderOptions options{.smooth_silhouettes = is_smooth};
+            const ColorImage frame = frame_of(by_open_gl, eye, options);
+            EXPECT_GT(difference_between(frame, ColorImage(61, 45)).mean, 50);
+            const FrameDifference difference =
+                difference_between(frame_of(by_cores, eye, options), frame);
+            EXPECT_LT(difference.mean, 0.1) << block_px << " " << is_smooth;
+        }
+    }
+}
+
+TEST(PerPixelGl, DrawsSilhouettesInStepsWhereTexturesAreTooSmallForOthers) {
+    const HeadlessContext context;
+    const Lumigraph lumigraph = card_before_wall();
+    UploadedLumigraph uploaded(lumigraph);
+    const Eye eye = eye_at({0.3, 0.2, 0.2}, {0, 0, 4}, pinhole_camera(61, 45, 55));
+    PerPixel mode(uploaded);
+    const ColorImage smooth = frame_of(mode, eye, {});
+    const ColorImage in_steps = frame_of(mode, eye, {.smooth_silhouettes = false});
+    EXPECT_GT(difference_between(smooth, in_steps).mean, 0);
+    uploaded.capabilities.max_texture_size_px = 2 * 61 - 1;
+    EXPECT_EQ(difference_between(frame_of(mode, eye, {}), in_steps).mean, 0);
+    uploaded.capabilities.max_texture_size_px = 2 * 61;
+    EXPECT_EQ(difference_between(frame_of(mode, eye, {}), smooth).mean, 0);
 }
 
 }  // namespace
