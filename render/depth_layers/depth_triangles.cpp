@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace lumi {
 namespace {
@@ -60,10 +61,21 @@ struct Range {
     float width;
 };
 
-void draw_ordinary(const Corners& corners, const Range& range, const DepthBufferBox& within,
-                   const DepthBuffer& buffer) {
+/// What its texels need to know of a triangle; places are from the centre of its box's first texel.
+struct OrdinaryTriangle {
+    DepthBufferBox box;
+    std::array<Affine, 3> sides;
+    Affine depth;
+    /// Thin triangles are steep: beyond their corners depth would be anything.
+    float nearest = 0.0F;
+    float farthest = 0.0F;
+};
+
+/// Nothing where no texel of the box can be in it, and where it is seen from behind.
+std::optional<OrdinaryTriangle> seen_in(const Corners& corners, const Range& range,
+                                        const DepthBufferBox& within) {
     const DepthBufferBox box = box_of(corners, within);
-    if (box.begin_x >= box.end_x || box.begin_y >= box.end_y) return;
+    if (box.begin_x >= box.end_x || box.begin_y >= box.end_y) return std::nullopt;
     const Eigen::Vector2f origin(static_cast<float>(box.begin_x) + 0.5F,
                                  static_cast<float>(box.begin_y) + 0.5F);
     const auto place = [&](const WindowVertex* corner) {
@@ -75,47 +87,54 @@ void draw_ordinary(const Corners& corners, const Range& range, const DepthBuffer
     const Eigen::Vector2f ab = b - a;
     const Eigen::Vector2f ac = c - a;
     const float area = ab.x() * ac.y() - ab.y() * ac.x();
-    if (!(area > 0.0F)) return;  // Seen from behind.
-    const std::array<Affine, 3> sides{side(a, b), side(b, c), side(c, a)};
+    if (!(area > 0.0F)) return std::nullopt;
     const auto in_range = [&](const WindowVertex* corner) {
         return range.begin + range.width * corner->depth;
     };
-    const std::array<float, 3> depths{in_range(corners[0]), in_range(corners[1]),
-                                      in_range(corners[2])};
+    const Eigen::Vector3f depths(in_range(corners[0]), in_range(corners[1]), in_range(corners[2]));
     const float to_b = (depths[1] - depths[0]) / area;
     const float to_c = (depths[2] - depths[0]) / area;
     const float along_x = to_b * ac.y() - to_c * ab.y();
     const float along_y = to_c * ab.x() - to_b * ac.x();
-    const Affine depth{depths[0] - along_x * a.x() - along_y * a.y(), along_x, along_y, 0.0F};
-    // Thin triangles are steep: beyond their corners depth would be anything.
-    const float nearest = std::min({depths[0], depths[1], depths[2]});
-    const float farthest = std::max({depths[0], depths[1], depths[2]});
-    const int width = box.end_x - box.begin_x;
-    for (int row = 0; row < box.end_y - box.begin_y; ++row) {
-        const float side0 = sides[0].in_row(row);
-        const float side1 = sides[1].in_row(row);
-        const float side2 = sides[2].in_row(row);
-        const float depth_of_row = depth.in_row(row);
-        int begin = 0;
-        int end = width;
-        if (width >= kWide_px) {
-            narrow(sides[0], side0, begin, end);
-            narrow(sides[1], side1, begin, end);
-            narrow(sides[2], side2, begin, end);
-        }
-        float* texels = buffer.texels.data() +
-                        static_cast<std::ptrdiff_t>(box.begin_y + row) * buffer.width + box.begin_x;
-        for (int i = begin; i < end; ++i) {
-            const auto x = static_cast<float>(i);
-            const float inside =
-                std::min(std::min(side0 + sides[0].along_x * x, side1 + sides[1].along_x * x),
-                         side2 + sides[2].along_x * x);
-            const float here =
-                std::min(std::max(depth_of_row + depth.along_x * x, nearest), farthest);
-            const float drawn = inside >= 0.0F ? here : 1.0F;
-            texels[i] = std::min(texels[i], drawn);
-        }
+    return OrdinaryTriangle{box,
+                            {side(a, b), side(b, c), side(c, a)},
+                            {depths[0] - along_x * a.x() - along_y * a.y(), along_x, along_y, 0.0F},
+                            depths.minCoeff(),
+                            depths.maxCoeff()};
+}
+
+void draw_row(const OrdinaryTriangle& triangle, int row, float* texels) {
+    const auto& [side0, side1, side2] = triangle.sides;
+    const float in_row0 = side0.in_row(row);
+    const float in_row1 = side1.in_row(row);
+    const float in_row2 = side2.in_row(row);
+    const float depth_in_row = triangle.depth.in_row(row);
+    int begin = 0;
+    int end = triangle.box.end_x - triangle.box.begin_x;
+    if (end >= kWide_px) {
+        narrow(side0, in_row0, begin, end);
+        narrow(side1, in_row1, begin, end);
+        narrow(side2, in_row2, begin, end);
     }
+    // Without branches, so that it is done for several texels at once.
+    for (int i = begin; i < end; ++i) {
+        const auto x = static_cast<float>(i);
+        const float inside =
+            std::min(std::min(in_row0 + side0.along_x * x, in_row1 + side1.along_x * x),
+                     in_row2 + side2.along_x * x);
+        const float depth =
+            std::min(std::max(depth_in_row + triangle.depth.along_x * x, triangle.nearest),
+                     triangle.farthest);
+        texels[i] = std::min(texels[i], inside >= 0.0F ? depth : 1.0F);
+    }
+}
+
+void draw_ordinary(const OrdinaryTriangle& triangle, const DepthBuffer& buffer) {
+    const DepthBufferBox& box = triangle.box;
+    for (int row = 0; row < box.end_y - box.begin_y; ++row)
+        draw_row(triangle, row,
+                 buffer.texels.data() +
+                     static_cast<std::ptrdiff_t>(box.begin_y + row) * buffer.width + box.begin_x);
 }
 
 /// Corners (X, Y, W) as columns, and depth * W.
@@ -185,7 +204,8 @@ void draw_depth_triangles(const WindowMesh& mesh, std::size_t first_index, std::
                               &mesh.in_window[mesh.indices[i + 1]],
                               &mesh.in_window[mesh.indices[i + 2]]};
         if (corners[0]->is_ordinary && corners[1]->is_ordinary && corners[2]->is_ordinary) {
-            draw_ordinary(corners, range, box, buffer);
+            if (const auto triangle = seen_in(corners, range, box))
+                draw_ordinary(*triangle, buffer);
             continue;
         }
         HomogeneousTriangle triangle;
