@@ -1,7 +1,7 @@
 #include "render/depth_layers/depth_layer_rasters.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "calib/work/parallel_for.h"
 #include "render/depth_layers/depth_layer_painter.h"
@@ -16,10 +16,12 @@ constexpr std::size_t kVerticesAtATime = 4096;
 constexpr std::size_t kTexelsAtATime = 4096;
 /// Tasks for each core, so that none waits long for the others at the end.
 constexpr int kTasksACore = 3;
+/// Each band of a layer looks at all of its triangles: more of them take longer than they save.
+constexpr int kMostBands = 8;
 
-/// Each band of a layer looks at all of its triangles, so that there are no more than need be.
+/// Of each of so many layers.
 int bands_of(int layers) {
-    return std::max(1, (kTasksACore * resolve_threads(0) + layers - 1) / std::max(1, layers));
+    return std::clamp(kTasksACore * resolve_threads(0) / std::max(1, layers), 1, kMostBands);
 }
 
 /// (x, y, 1, inverse depth) in the view to (X, Y, W, depth * W) in the eye's window.

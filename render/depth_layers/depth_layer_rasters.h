@@ -15,7 +15,7 @@ namespace lumi {
 /// thousand triangles of a few texels each, which need neither clipping nor shading.
 class DepthLayerRasters {
  public:
-    /// `meshes`, one for each of the views, which must stay.
+    /// `meshes` are one for each of the views; the views must stay.
     DepthLayerRasters(const std::vector<LumigraphView>& views,
                       std::vector<std::shared_ptr<const DepthMesh>> meshes,
                       double max_inverse_depth);
