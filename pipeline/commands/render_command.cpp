@@ -285,7 +285,7 @@ void add_render_command(CLI::App& app, CommandContext& context) {
                      "Four samples a pixel: smooth edges, about four times the work");
     command.add_flag("--jagged", request->jagged,
                      "One sample a pixel also where depth is as fine as the frame: silhouettes in "
-                     "steps, half the work (perpixel)");
+                     "steps, less work (perpixel)");
     command.add_flag("--fade", request->fade,
                      "Fade to black what lies beyond the capture instead of guessing (perpixel, "
                      "adaptive, lightfield)");

@@ -63,7 +63,7 @@ const std::vector<float>& DepthLayerRasters::draw(const Eye& eye,
         const DepthBuffer buffer{
             std::span(texels_).subspan(static_cast<std::size_t>(layer) * texels_a_layer,
                                        texels_a_layer),
-            width, height};
+            width};
         std::fill(buffer.texels.begin() + static_cast<std::ptrdiff_t>(box.begin_y) * width,
                   buffer.texels.begin() + static_cast<std::ptrdiff_t>(box.end_y) * width, 1.0F);
         for (const DepthLayerDraw& draw : draws)

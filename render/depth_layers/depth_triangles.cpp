@@ -13,6 +13,8 @@ namespace {
 constexpr float kFarBeside_px = 1 << 14;
 /// Rounding may take a centre out of both triangles at a side: each reaches so far beyond it.
 constexpr float kSlack_px = 1e-4F;
+/// The same for shares in double precision.
+constexpr double kRounding = 1e-12;
 /// From this width on rows are cut to where a triangle is.
 constexpr int kWide_px = 12;
 
@@ -39,7 +41,7 @@ struct Affine {
     [[nodiscard]] float in_row(int y) const { return at_origin + along_y * static_cast<float>(y); }
 };
 
-/// The side from a to b: not negative to its left, with slack; places are from `origin`.
+/// The side from a to b: not negative to its left, with slack.
 Affine side(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
     const Eigen::Vector2f along = b - a;
     const float slack = kSlack_px * (std::abs(along.x()) + std::abs(along.y()));
@@ -176,7 +178,8 @@ void draw_any(const HomogeneousTriangle& triangle, const Range& range, const Dep
             const Eigen::Vector3d shares = in_row + x * shares_from_pixel.col(0);
             const double depth = shares.dot(triangle.depths);
             // Nearer than 0 is nearer than can be drawn.
-            if (shares.minCoeff() < 0 || depth < 0) continue;
+            if (shares.minCoeff() < -kRounding * shares.cwiseAbs().maxCoeff() || depth < 0)
+                continue;
             texels[x] = std::min(texels[x], range.begin + range.width * static_cast<float>(depth));
         }
     }

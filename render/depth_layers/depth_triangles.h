@@ -13,7 +13,6 @@ namespace lumi {
 struct DepthBuffer {
     std::span<float> texels;  ///< Row by row.
     int width = 0;
-    int height = 0;
 };
 
 /// A part of a depth buffer.
@@ -24,12 +23,13 @@ struct DepthBufferBox {
     int end_y = 0;
 };
 
-/// A vertex of a depth mesh in an eye's window: where the window's homogeneous coordinates tell.
+/// A vertex of a depth mesh in an eye's window.
 struct WindowVertex {
     float x = 0.0F;
     float y = 0.0F;
     float depth = 0.0F;  ///< 0 at the nearest that can be drawn, to 1 infinitely far away.
-    /// Before the eye, not too near to be drawn, and not far beside the window.
+    /// Before the eye, not too near to be drawn, and not far beside the window: of others the
+    /// numbers say nothing.
     bool is_ordinary = false;
 };
 

@@ -50,8 +50,8 @@ struct RenderOptions {
     /// hold the samples.
     bool supersample = false;
     /// `perpixel`: where depth is sampled as finely as the frame, and each pixel is drawn by
-    /// itself, silhouettes are the mean of four samples of depth (depth_eye.h): up to twice the
-    /// work.
+    /// itself, silhouettes are the mean of four samples of depth (depth_eye.h): up to three
+    /// times the work.
     bool smooth_silhouettes = true;
     /// Rays that leave the capture fade to black instead of being drawn from its border's cameras
     /// (see `capture_fade`). Not heeded by `paper2001` and `heigl`, which draw what their papers

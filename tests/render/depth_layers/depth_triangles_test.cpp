@@ -71,7 +71,7 @@ std::vector<float> drawn(const Square& square, const WindowFromView& window_from
         in_window.push_back(window_vertex(window_from_view, vertex));
     for (const DepthBufferBox& box : boxes)
         draw_depth_triangles({square.vertices, square.indices, in_window, window_from_view}, 0,
-                             square.indices.size(), 0.0F, 1.0F, box, {texels, kWidth, kHeight});
+                             square.indices.size(), 0.0F, 1.0F, box, {texels, kWidth});
     return texels;
 }
 
