@@ -34,6 +34,33 @@ int first_fragment(int column, double texels_per_fragment) {
     return static_cast<int>(std::ceil(column / texels_per_fragment - 0.5));
 }
 
+bool is_among(int view, const std::vector<int>& views) {
+    return std::find(views.begin(), views.end(), view) != views.end();
+}
+
+std::size_t unasked_views(const std::array<int, 3>& views, const std::vector<int>& asked) {
+    return static_cast<std::size_t>(std::count_if(
+        views.begin(), views.end(), [&](int view) { return !is_among(view, asked); }));
+}
+
+/// The same polygons, each with those of its views first that are asked for depth.
+std::vector<FacePolygon> asked_first(const std::vector<FacePolygon>& polygons,
+                                     const std::vector<int>& asked) {
+    std::vector<FacePolygon> ordered = polygons;
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        std::array<std::size_t, 3> order{0, 1, 2};
+        std::stable_partition(order.begin(), order.end(), [&](std::size_t corner) {
+            return is_among(polygons[i].view_indices[corner], asked);
+        });
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            ordered[i].view_indices[corner] = polygons[i].view_indices[order[corner]];
+            ordered[i].side_lines[corner] = polygons[i].side_lines[order[corner]];
+            ordered[i].beyond_border[corner] = polygons[i].beyond_border[order[corner]];
+        }
+    }
+    return ordered;
+}
+
 /// Silhouettes are not smooth where depth would not fit into a texture for it.
 RenderOptions drawable(RenderOptions options, const Camera& camera, int max_texture_size_px) {
     const int side_px = std::max(camera.width_px, camera.height_px);
@@ -55,11 +82,14 @@ PerPixel::PerPixel(const UploadedLumigraph& uploaded, DepthLayers::DrawnBy depth
       in_blocks_(programs({"BLOCKS"})),
       fading_(programs({"FADES"})) {}
 
-PerPixel::Programs PerPixel::programs(std::vector<std::string> definitions) const {
-    if (depth_.is_packed()) definitions.emplace_back("PACKED_LAYERS");
-    PictureProgram of_any_views = program_of(layer_count_, definitions);
-    definitions.emplace_back("VIEWS_ARE_ASKED");
-    return {program_of(layer_count_, std::move(definitions)), std::move(of_any_views)};
+PerPixel::Programs PerPixel::programs(const std::vector<std::string>& definitions) const {
+    const auto of_faces = [&](int unasked_views) {
+        std::vector<std::string> all = definitions;
+        if (depth_.is_packed()) all.emplace_back("PACKED_LAYERS");
+        all.push_back("UNASKED_VIEWS " + std::to_string(unasked_views));
+        return program_of(layer_count_, std::move(all));
+    };
+    return {of_faces(0), of_faces(1), of_faces(2), of_faces(3)};
 }
 
 DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& wanted,
@@ -94,7 +124,6 @@ std::size_t PerPixel::draw_base(const Eye& eye, const RenderOptions& options,
     const Eye drawn = in_blocks ? PixelBlocks::covering(eye) : eye;
     const std::vector<FacePolygon> polygons = face_polygons(uploaded_.layout.mesh, drawn);
     const PictureCells cells = open_cells(polygons, drawn, options);
-    faces_.upload(polygons, eye, scene_plane_inverse_depth(uploaded_.layout, eye));
     std::size_t triangles = 0;
     if (in_blocks) {
         {
@@ -103,13 +132,13 @@ std::size_t PerPixel::draw_base(const Eye& eye, const RenderOptions& options,
             surroundings_.draw_in_blocks(cells, drawn);
             const Fragments blocks{rasters, PixelBlocks::rows_below(viewport.height_px),
                                    PixelBlocks::kSide_px};
-            triangles = draw_strips(eye, options, blocks, asked, Fade::kNone);
+            triangles = draw_strips(polygons, eye, options, blocks, asked, Fade::kNone);
         }
         blocks_.lay_out(viewport);
     } else {
         surroundings_.draw(cells, eye);
         const Fade fade = options.fade_beyond_capture ? Fade::kBeyondCapture : Fade::kNone;
-        triangles = draw_strips(eye, options, {viewport}, asked, fade);
+        triangles = draw_strips(polygons, eye, options, {viewport}, asked, fade);
     }
     if (options.debug_picture == DebugPicture::kGrid) grid_.draw(polygons, eye);
     return triangles;
@@ -120,12 +149,10 @@ std::size_t PerPixel::draw_shells(const Eye& eye, const RenderOptions& options,
     if (uploaded_.layout.mesh.shells.empty()) return 0;
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    const Eigen::Vector3d plane = scene_plane_inverse_depth(uploaded_.layout, eye);
     std::size_t triangles = 0;
-    for (const CameraMesh& shell : uploaded_.layout.mesh.shells) {
-        faces_.upload(face_polygons(shell, eye, kNoOverlap_px), eye, plane);
-        triangles += draw_strips(eye, options, {viewport}, asked, Fade::kShell);
-    }
+    for (const CameraMesh& shell : uploaded_.layout.mesh.shells)
+        triangles += draw_strips(face_polygons(shell, eye, kNoOverlap_px), eye, options, {viewport},
+                                 asked, Fade::kShell);
     glDisable(GL_BLEND);
     return triangles;
 }
@@ -159,8 +186,10 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
     return program;
 }
 
-std::size_t PerPixel::draw_strips(const Eye& eye, const RenderOptions& options,
-                                  const Fragments& fragments, const AskedDepth& asked, Fade fade) {
+std::size_t PerPixel::draw_strips(const std::vector<FacePolygon>& polygons, const Eye& eye,
+                                  const RenderOptions& options, const Fragments& fragments,
+                                  const AskedDepth& asked, Fade fade) {
+    const Eigen::Vector3d plane = scene_plane_inverse_depth(uploaded_.layout, eye);
     const DepthLayerViews views = depth_layer_views(asked.sets, layer_count_);
     const std::vector<int> ends = strip_ends(asked.sets, asked.depth_eye.eye.camera.width_px);
     const double texels_per_fragment = fragments.side_px * asked.depth_eye.texels_per_pixel;
@@ -175,6 +204,7 @@ std::size_t PerPixel::draw_strips(const Eye& eye, const RenderOptions& options,
                     : std::min(viewport.width_px, first_fragment(ends[set], texels_per_fragment));
         if (end <= begin) continue;
         glScissor(viewport.x_px + begin, viewport.y_px, end - begin, viewport.height_px);
+        faces_.upload(asked_first(polygons, views[set]), eye, plane);
         triangles = draw_faces(eye, options, fragments, asked, fade, views[set]);
         begin = end;
     }
@@ -189,20 +219,17 @@ std::size_t PerPixel::draw_faces(const Eye& eye, const RenderOptions& options,
                          : fragments.side_px > 1       ? in_blocks_
                          : asked.depth_eye.is_smooth() ? smooth_
                                                        : in_pixels_;
-    const auto are_asked = [&](const std::array<int, 3>& views) {
-        return std::all_of(views.begin(), views.end(), [&](int view) {
-            return std::find(layer_views.begin(), layer_views.end(), view) != layer_views.end();
-        });
-    };
     const Eye drawn = fragments.side_px > 1 ? PixelBlocks::covering(eye) : eye;
     std::size_t triangles = 0;
-    for (const bool all_asked : {true, false}) {
-        const Program& program = use(all_asked ? programs.of_asked_views : programs.of_any_views,
-                                     drawn, options, fragments, asked);
+    for (std::size_t unasked = 0; unasked < programs.size(); ++unasked) {
+        const auto is_drawn = [&](const std::array<int, 3>& views) {
+            return unasked_views(views, layer_views) == unasked;
+        };
+        if (!faces_.has_any(is_drawn)) continue;
+        const Program& program = use(programs[unasked], drawn, options, fragments, asked);
         if (fade != Fade::kNone) set_fade(program, fade == Fade::kShell);
         set_layer_views(eye, layer_views, program);
-        triangles += faces_.draw_if(
-            [&](const std::array<int, 3>& views) { return are_asked(views) == all_asked; });
+        triangles += faces_.draw_if(is_drawn);
     }
     return triangles;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/vec4.hpp>
 #include <string>
 #include <vector>
@@ -44,12 +45,10 @@ class PerPixel : public DrawingMode {
         int side_px = 1;
     };
 
-    /// For faces whose three views are asked for depth, which then say what they see, and for any.
-    struct Programs {
-        PictureProgram of_asked_views;
-        PictureProgram of_any_views;
-    };
-    [[nodiscard]] Programs programs(std::vector<std::string> definitions) const;
+    /// One for each number of a face's views that are not asked for depth: those that are say what
+    /// they see, the others' depth maps are looked up.
+    using Programs = std::array<PictureProgram, 4>;
+    [[nodiscard]] Programs programs(const std::vector<std::string>& definitions) const;
     enum class Fade { kNone, kBeyondCapture, kShell };
 
     /// The faces of the camera mesh, and the triangles that they take.
@@ -63,9 +62,11 @@ class PerPixel : public DrawingMode {
     /// Puts the program in use, with all that they need.
     const Program& use(PictureProgram& picture, const Eye& eye, const RenderOptions& options,
                        const Fragments& fragments, const AskedDepth& asked);
-    /// The uploaded faces, in the strip of each set with its views.
-    std::size_t draw_strips(const Eye& eye, const RenderOptions& options,
-                            const Fragments& fragments, const AskedDepth& asked, Fade fade);
+    /// The faces in the strip of each set, with its views.
+    std::size_t draw_strips(const std::vector<FacePolygon>& polygons, const Eye& eye,
+                            const RenderOptions& options, const Fragments& fragments,
+                            const AskedDepth& asked, Fade fade);
+    /// The uploaded faces, whose first views are the layers'.
     std::size_t draw_faces(const Eye& eye, const RenderOptions& options, const Fragments& fragments,
                            const AskedDepth& asked, Fade fade, const std::vector<int>& layer_views);
     void set_layer_views(const Eye& eye, const std::vector<int>& view_indices,

@@ -1,5 +1,6 @@
 #include "render/painters/face_painter.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -119,6 +120,12 @@ void FacePainter::upload(const std::vector<FacePolygon>& polygons, const Eye& ey
 
 std::size_t FacePainter::draw() const {
     return draw_if([](const std::array<int, 3>&) { return true; });
+}
+
+bool FacePainter::has_any(const std::function<bool(const std::array<int, 3>&)>& is_wanted) const {
+    return std::any_of(
+        uploaded_polygons_.begin(), uploaded_polygons_.end(),
+        [&](const UploadedPolygon& polygon) { return is_wanted(polygon.view_indices); });
 }
 
 std::size_t FacePainter::draw_if(

@@ -30,6 +30,8 @@ class FacePainter {
     std::size_t draw() const;
     /// The same for those that look at the scene through such views.
     std::size_t draw_if(const std::function<bool(const std::array<int, 3>&)>& is_wanted) const;
+    [[nodiscard]] bool has_any(
+        const std::function<bool(const std::array<int, 3>&)>& is_wanted) const;
 
  private:
     struct UploadedPolygon {

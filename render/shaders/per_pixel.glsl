@@ -5,7 +5,7 @@
 // up in the three views of the face; those that do not see it lose their weight to the others (the
 // paper, section 4, occlusion correction). When none sees it, the view that the depth came from
 // does. A view that was asked for depth has said what it sees along the eye's ray; of others the
-// depth maps tell. VIEWS_ARE_ASKED: all three were, and no depth map is looked up.
+// depth maps tell. UNASKED_VIEWS: so many of the face's views were not asked, its last.
 //
 // SMOOTH: a pixel has four samples of depth. Where they are of several surfaces, it is the mean of
 // what is drawn of each.
@@ -27,6 +27,8 @@ const float kLeastCounting = 0.25;
 const float kMostParallax_px = 1.0;
 // What a photograph counts beyond its border, which it continues: a quarter of the least within.
 const float kLeastOpacity = 1.0 / 1024.0;
+
+const int kAskedViews = 3 - UNASKED_VIEWS;
 
 #ifdef BLOCKS
 const float kFragment_px = 2.0;
@@ -63,24 +65,18 @@ vec4 color_of(Place place, vec2 from_centre_px) {
 
 // The inverse depth in the view of what it sees there. `size` is that of the photograph, and samples
 // of the depth map for each of its pixels.
-float seen_by(float photograph, vec3 sight, vec4 size, Depth depth) {
-    vec4 layer = layer_of_photograph(photograph);
-    float seen = dot(layer, depth.of_layers) * sight.z;
-#ifndef VIEWS_ARE_ASKED
+float seen_by(bool is_asked, float photograph, vec3 sight, vec4 size, Depth depth) {
+    if (is_asked) return dot(layer_of_photograph(photograph), depth.of_layers) * sight.z;
     // What lies outside has no sample, and no say.
-    float sample_there =
-        texelFetch(depth_maps, ivec3(ivec2(sight.xy * size.zw), int(photograph)), 0).r;
-    seen = dot(layer, vec4(1.0)) > 0.5 ? seen : sample_there;
-#endif
-    return seen;
+    return texelFetch(depth_maps, ivec3(ivec2(sight.xy * size.zw), int(photograph)), 0).r;
 }
 
 // 1 when the view sees the point, 0 when it sees something else; in between a ramp.
-float visibility(vec3 sight, float is_before, vec4 size, float photograph, Depth depth,
-                 float inverse_depth, float disparity_px, float check) {
+float visibility(bool is_asked, vec3 sight, float is_before, vec4 size, float photograph,
+                 Depth depth, float inverse_depth, float disparity_px, float check) {
     vec2 to_border = min(sight.xy, size.xy - sight.xy);
     float inside = step(0.0, min(to_border.x, to_border.y)) * is_before;
-    float seen = seen_by(photograph, sight, size, depth);
+    float seen = seen_by(is_asked, photograph, sight, size, depth);
     float difference_px = abs(inverse_depth * sight.z - seen) * disparity_px;
     return inside * clamp(2.0 - check * difference_px, 0.0, 1.0);
 }
@@ -169,12 +165,12 @@ Blend blend_at(vec2 window, Depth depth) {
     blend.inside = vec3(inner(sight0.xy, view_size0.xy), inner(sight1.xy, view_size1.xy),
                         inner(sight2.xy, view_size2.xy));
 #endif
-    weights *= vec3(visibility(sight0, is_before.x, view_size0, view_parallax0.w, depth, q,
-                               disparity_and_face.x, check),
-                    visibility(sight1, is_before.y, view_size1, view_parallax1.w, depth, q,
-                               disparity_and_face.y, check),
-                    visibility(sight2, is_before.z, view_size2, view_parallax2.w, depth, q,
-                               disparity_and_face.z, check));
+    weights *= vec3(visibility(kAskedViews > 0, sight0, is_before.x, view_size0, view_parallax0.w,
+                               depth, q, disparity_and_face.x, check),
+                    visibility(kAskedViews > 1, sight1, is_before.y, view_size1, view_parallax1.w,
+                               depth, q, disparity_and_face.y, check),
+                    visibility(kAskedViews > 2, sight2, is_before.z, view_size2, view_parallax2.w,
+                               depth, q, disparity_and_face.z, check));
     blend.weights = weights;
     blend.sum = weights.x + weights.y + weights.z;
     blend.is_unseen = blend.sum < 1e-4;
