@@ -9,6 +9,7 @@
 #include "pipeline/bench/rival_scenes.h"
 #include "pipeline/evaluate/image_metrics.h"
 #include "render/bench/frame_timing.h"
+#include "render/bench/occlusion_share.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "render/rivals/forward_warping.h"
 #include "render/rivals/spherical_light_field.h"
@@ -22,6 +23,7 @@ namespace {
 constexpr int kGrossError = 51;      // A fifth of the range.
 constexpr int kSilhouette_px = 2;    // Around which pixels may show either surface.
 constexpr double kDepthStep = 0.03;  // Share of the inverse depth that makes a silhouette.
+constexpr int kOftener = 4;          // Small differences are timed so many times as often.
 
 using Draw = std::function<Frame(const Eye&)>;
 
@@ -146,20 +148,6 @@ void append_modes(const std::string& prefix, const Lumigraph& lumigraph,
     }
 }
 
-/// Of the frame's time, from the figures of a mode with and without occlusion correction.
-double occlusion_share(const std::vector<RivalFigures>& rivals, RenderMode mode,
-                       const std::string& settings_with) {
-    const auto cpu_ms = [&](const std::string& settings) {
-        const auto found =
-            std::find_if(rivals.begin(), rivals.end(), [&](const RivalFigures& figures) {
-                return figures.method == name_of(mode) && figures.settings == settings;
-            });
-        return found->cpu_ms.value_or(0);
-    };
-    const double with = cpu_ms(settings_with);
-    return with > 0 ? (with - cpu_ms("no occlusion correction")) / with : 0;
-}
-
 RivalScene measured_scene(const std::string& name, const RivalBenchmarkOptions& options,
                           Progress& progress) {
     const RivalCapture capture = rival_capture(name,
@@ -174,9 +162,11 @@ RivalScene measured_scene(const std::string& name, const RivalBenchmarkOptions& 
     scene.photographs = static_cast<int>(lumigraph.views.size());
     append_modes("", lumigraph, settings_of_free_form(), capture, options.frames, progress,
                  scene.rivals);
-    scene.per_pixel_occlusion_share = occlusion_share(scene.rivals, RenderMode::kPerPixel, "");
+    const std::vector<Eye> path = timed_path(capture, kOftener * options.frames);
+    scene.per_pixel_occlusion_share = occlusion_share(
+        lumigraph, path, {.mode = RenderMode::kPerPixel, .smooth_silhouettes = false}, progress);
     scene.adaptive_occlusion_share =
-        occlusion_share(scene.rivals, RenderMode::kAdaptive, "<= 5000");
+        occlusion_share(lumigraph, path, {.mode = RenderMode::kAdaptive}, progress);
 
     OffscreenRenderer source(lumigraph);
     const Draw draw_source = [&](const Eye& eye) { return source.draw(eye, {}); };

@@ -13,6 +13,7 @@
 #include "pipeline/report/optional_json.h"
 #include "pipeline/report/padded.h"
 #include "render/bench/frame_timing.h"
+#include "render/bench/occlusion_share.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {
@@ -26,7 +27,11 @@ struct BenchRequest {
     std::string size = "1280x720";
     int frames = 60;
     std::vector<std::string> modes;  ///< Empty: all of them.
+    bool occlusion_share = false;
 };
+
+/// Of each mode, if it is asked for and there is any.
+using OcclusionShares = std::vector<std::optional<double>>;
 
 std::vector<RenderOptions> options_of(const std::vector<std::string>& mode_names) {
     std::vector<RenderOptions> options;
@@ -36,9 +41,10 @@ std::vector<RenderOptions> options_of(const std::vector<std::string>& mode_names
     return options;
 }
 
-Json report_json(const FrameTimingReport& report) {
+Json report_json(const FrameTimingReport& report, const OcclusionShares& shares) {
     Json modes = Json::object();
-    for (const ModeCost& mode : report.modes) {
+    for (std::size_t i = 0; i < report.modes.size(); ++i) {
+        const ModeCost& mode = report.modes[i];
         modes[name_of(mode.options.mode)] = {
             {"ratio", mode.ratio},
             {"cpu_ratio", mode.cpu_ratio},
@@ -46,7 +52,8 @@ Json report_json(const FrameTimingReport& report) {
             {"p95_ms", mode.cost.p95_ms},
             {"cpu_ms", mode.cost.cpu_ms},
             {"triangles", mode.triangles},
-            {"fragments_per_pixel", optional_json(mode.fragments_per_pixel)}};
+            {"fragments_per_pixel", optional_json(mode.fragments_per_pixel)},
+            {"occlusion_share", optional_json(shares[i])}};
     }
     return Json{{"base_ms", report.base.median_ms},
                 {"base_cpu_ms", report.base.cpu_ms},
@@ -66,7 +73,7 @@ std::string row_text(const std::string& name, const FrameCost& cost, double cpu_
            padded_left(number_text(ratio, 2), 9);
 }
 
-std::string report_text(const FrameTimingReport& report) {
+std::string report_text(const FrameTimingReport& report, const OcclusionShares& shares) {
     constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
     std::string text =
         std::to_string(report.frames) + " frames of " + std::to_string(report.width_px) + "x" +
@@ -83,22 +90,30 @@ std::string report_text(const FrameTimingReport& report) {
                 padded_left(number_text(mode.triangles, 0), 11) +
                 padded_left(fragments ? number_text(*fragments, 2) : "-", 11) + "\n";
     }
-    return text +
-           "blends: times the blend of three textures, by CPU time and by wall time;\n"
-           "fragments: a pixel of the picture, in all passes\n";
+    text +=
+        "blends: times the blend of three textures, by CPU time and by wall time;\n"
+        "fragments: a pixel of the picture, in all passes\n";
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        if (shares[i])
+            text += "occlusion correction takes " + number_text(100 * *shares[i], 1) + " % of " +
+                    name_of(report.modes[i].options.mode) + " (the paper: 7 to 10 %)\n";
+    return text;
 }
 
 void run_bench(const BenchRequest& request, const CommandContext& context) {
     const std::vector<RenderOptions> modes = options_of(request.modes);
     const Lumigraph lumigraph = read_package(request.package);
     keep_free_memory();
-    const FrameTimingReport report =
-        time_frames(lumigraph, eye_path(request.path, request.frames, request.size, lumigraph),
-                    modes, *context.progress);
+    const std::vector<Eye> path = eye_path(request.path, request.frames, request.size, lumigraph);
+    const FrameTimingReport report = time_frames(lumigraph, path, modes, *context.progress);
+    OcclusionShares shares(modes.size());
+    for (std::size_t i = 0; request.occlusion_share && i < modes.size(); ++i)
+        if (corrects_occlusion(modes[i].mode))
+            shares[i] = occlusion_share(lumigraph, path, modes[i], *context.progress);
     if (context.json) {
-        context.print_result(report_json(report));
+        context.print_result(report_json(report, shares));
     } else {
-        context.print_result(report_text(report));
+        context.print_result(report_text(report, shares));
     }
 }
 
@@ -121,6 +136,9 @@ void add_bench_command(CLI::App& app, CommandContext& context) {
     command.add_option("--frames", request->frames, "Of the path `views`")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();
+    command.add_flag("--occlusion-share", request->occlusion_share,
+                     "Also how much of a frame the occlusion correction takes: each is drawn with "
+                     "it and without in turn");
     command.callback([request, &context] {
         context.chosen = [request, &context] { run_bench(*request, context); };
     });

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/process_memory.h"
 #include "pipeline/bench/rival_benchmark.h"
 #include "pipeline/bench/rival_scenes.h"
 #include "pipeline/commands/commands.h"
@@ -86,6 +87,7 @@ std::string report_text(const std::vector<RivalScene>& scenes) {
 }
 
 void run_bench_rivals(const BenchRivalsRequest& request, const CommandContext& context) {
+    keep_free_memory();
     const std::vector<RivalScene> scenes = benchmark_rivals(
         request.options, request.scenes.empty() ? rival_scene_names() : request.scenes,
         *context.progress);

@@ -25,8 +25,9 @@ struct ModeCost {
     /// In all passes, over the pixels of the picture: mean over some frames of the path. Nothing
     /// where the context cannot tell.
     std::optional<double> fragments_per_pixel;
-    double ratio = 0.0;      ///< Of the median wall times, to the three-texture blend.
-    double cpu_ratio = 0.0;  ///< The same of CPU times.
+    std::vector<double> frames_cpu_ms;  ///< Of each frame of the path.
+    double ratio = 0.0;                 ///< Of the median wall times, to the three-texture blend.
+    double cpu_ratio = 0.0;             ///< The same of CPU times.
 };
 
 struct FrameTimingReport {

@@ -636,6 +636,14 @@ TEST(CommandLine, AutoPacksAsManyViewsAsAreEnough) {
     EXPECT_THAT(read_whole_text(scratch / "flicker" / "flicker.svg"), HasSubstr("</svg>"));
     EXPECT_TRUE(fs::exists(scratch / "flicker" / "jump-perpixel.png"));
     EXPECT_EQ(lumi("bench-flicker").exit_code, 2);
+
+    const Outcome bench = lumi("bench --json --frames 2 --size 40x30 --occlusion-share " +
+                               quoted(workspace / "box.lumi"));
+    ASSERT_EQ(bench.exit_code, 0) << bench.talk;
+    const Json timed = Json::parse(bench.out).at("modes");
+    EXPECT_GT(timed.at("perpixel").at("cpu_ratio").get<double>(), 0.0);
+    EXPECT_LT(timed.at("perpixel").at("occlusion_share").get<double>(), 1.0);
+    EXPECT_TRUE(timed.at("lightfield").at("occlusion_share").is_null());
 }
 
 TEST_F(Line, PlansWhereToPhotographNext) {

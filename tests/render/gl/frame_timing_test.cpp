@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "calib/work/median.h"
 #include "calib/work/progress.h"
 #include "render/bench/frame_timing.h"
+#include "render/bench/occlusion_share.h"
 #include "render/bench/three_texture_blend.h"
 #include "render/gl/fragment_count.h"
 #include "render/gl/framebuffer.h"
@@ -59,6 +61,8 @@ TEST_F(FrameTimingGl, RatiosAreOfTheBlendDrawnInTheSameRun) {
         EXPECT_DOUBLE_EQ(mode.ratio, mode.cost.median_ms / report.base.median_ms);
         EXPECT_DOUBLE_EQ(mode.cpu_ratio, mode.cost.cpu_ms / report.base.cpu_ms);
         EXPECT_LE(mode.cost.median_ms, mode.cost.p95_ms);
+        EXPECT_EQ(mode.frames_cpu_ms.size(), static_cast<std::size_t>(kFrames));
+        EXPECT_DOUBLE_EQ(median_of(mode.frames_cpu_ms), mode.cost.cpu_ms);
         EXPECT_GT(mode.triangles, 0);
     }
 }
@@ -76,6 +80,16 @@ TEST_F(FrameTimingGl, ModesOfOnePassFillNoPixelTwice) {
 TEST_F(FrameTimingGl, ThreePassesFillThePictureThreeTimes) {
     const FrameTimingReport report = timed({{.mode = RenderMode::kPaper2001}});
     EXPECT_THAT(report.modes.front().fragments_per_pixel, Optional(AllOf(Ge(2.5), Le(3.3))));
+}
+
+TEST_F(FrameTimingGl, OcclusionCorrectionTakesAShareOfTheFrame) {
+    const std::vector<Eye> path = path_through_views(lumigraph_, kFrames, kWidthPx, kHeightPx);
+    for (const RenderMode mode : all_render_modes()) {
+        if (!corrects_occlusion(mode)) continue;
+        const double share = occlusion_share(lumigraph_, path, {.mode = mode}, progress_);
+        EXPECT_THAT(share, AllOf(Ge(-1.0), Le(1.0))) << name_of(mode);
+    }
+    EXPECT_FALSE(corrects_occlusion(RenderMode::kLightField));
 }
 
 TEST_F(FrameTimingGl, TexturesHoldAllPhotographsAndDepthMaps) {

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "calib/work/progress.h"
+#include "render/frame/frame.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// Whether the mode corrects occlusion at all, so that it can be drawn without.
+[[nodiscard]] bool corrects_occlusion(RenderMode mode);
+
+/// How much of a frame's CPU time the paper's occlusion correction (section 4) takes, 0 to 1, and
+/// less than 0 where it saves time: median over the path. Each frame is drawn with it and without
+/// in turn, as the two differ by less than frames do. Throws Error (E-GL-...).
+[[nodiscard]] double occlusion_share(const Lumigraph& lumigraph, const std::vector<Eye>& path,
+                                     const RenderOptions& options, Progress& progress);
+
+}  // namespace lumi
