@@ -9,6 +9,7 @@
 
 #include "render/depth_layers/depth_eye.h"
 #include "render/depth_layers/depth_layer_views.h"
+#include "render/faces/asked_views.h"
 #include "render/gl/to_glm.h"
 #include "render/shaders/shader_sources.h"
 #include "render/surroundings/empty_cells.h"
@@ -32,33 +33,6 @@ PictureProgram program_of(int layers, std::vector<std::string> definitions) {
 /// The first of the fragments whose centre lies in this column of texels or beyond it.
 int first_fragment(int column, double texels_per_fragment) {
     return static_cast<int>(std::ceil(column / texels_per_fragment - 0.5));
-}
-
-bool is_among(int view, const std::vector<int>& views) {
-    return std::find(views.begin(), views.end(), view) != views.end();
-}
-
-std::size_t unasked_views(const std::array<int, 3>& views, const std::vector<int>& asked) {
-    return static_cast<std::size_t>(std::count_if(
-        views.begin(), views.end(), [&](int view) { return !is_among(view, asked); }));
-}
-
-/// The same polygons, each with those of its views first that are asked for depth.
-std::vector<FacePolygon> asked_first(const std::vector<FacePolygon>& polygons,
-                                     const std::vector<int>& asked) {
-    std::vector<FacePolygon> ordered = polygons;
-    for (std::size_t i = 0; i < polygons.size(); ++i) {
-        std::array<std::size_t, 3> order{0, 1, 2};
-        std::stable_partition(order.begin(), order.end(), [&](std::size_t corner) {
-            return is_among(polygons[i].view_indices[corner], asked);
-        });
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            ordered[i].view_indices[corner] = polygons[i].view_indices[order[corner]];
-            ordered[i].side_lines[corner] = polygons[i].side_lines[order[corner]];
-            ordered[i].beyond_border[corner] = polygons[i].beyond_border[order[corner]];
-        }
-    }
-    return ordered;
 }
 
 /// Silhouettes are not smooth where depth would not fit into a texture for it.
