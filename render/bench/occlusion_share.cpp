@@ -13,6 +13,14 @@ bool corrects_occlusion(RenderMode mode) {
            mode == RenderMode::kPerPixel;
 }
 
+double median_share_saved(const std::vector<double>& with_ms,
+                          const std::vector<double>& without_ms) {
+    std::vector<double> shares;
+    for (std::size_t i = 0; i < with_ms.size(); ++i)
+        shares.push_back(1 - without_ms[i] / with_ms[i]);
+    return median_of(std::move(shares));
+}
+
 double occlusion_share(const Lumigraph& lumigraph, const std::vector<Eye>& path,
                        const RenderOptions& options, Progress& progress) {
     RenderOptions with = options;
@@ -20,10 +28,7 @@ double occlusion_share(const Lumigraph& lumigraph, const std::vector<Eye>& path,
     RenderOptions without = options;
     without.correct_occlusion = false;
     const FrameTimingReport timing = time_frames(lumigraph, path, {with, without}, progress);
-    std::vector<double> shares;
-    for (std::size_t i = 0; i < path.size(); ++i)
-        shares.push_back(1 - timing.modes[1].frames_cpu_ms[i] / timing.modes[0].frames_cpu_ms[i]);
-    return median_of(std::move(shares));
+    return median_share_saved(timing.modes[0].frames_cpu_ms, timing.modes[1].frames_cpu_ms);
 }
 
 }  // namespace lumi

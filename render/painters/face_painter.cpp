@@ -122,14 +122,13 @@ std::size_t FacePainter::draw() const {
     return draw_if([](const std::array<int, 3>&) { return true; });
 }
 
-bool FacePainter::has_any(const std::function<bool(const std::array<int, 3>&)>& is_wanted) const {
+bool FacePainter::has_any(const IsWanted& is_wanted) const {
     return std::any_of(
         uploaded_polygons_.begin(), uploaded_polygons_.end(),
         [&](const UploadedPolygon& polygon) { return is_wanted(polygon.view_indices); });
 }
 
-std::size_t FacePainter::draw_if(
-    const std::function<bool(const std::array<int, 3>&)>& is_wanted) const {
+std::size_t FacePainter::draw_if(const IsWanted& is_wanted) const {
     std::size_t drawn = 0;
     std::size_t first = 0;
     std::size_t count = 0;

@@ -28,10 +28,10 @@ class FacePainter {
     /// Draws them in their order with the program in use, which is made from face.glsl. Returns the
     /// number of triangles.
     std::size_t draw() const;
+    using IsWanted = std::function<bool(const std::array<int, 3>& view_indices)>;
     /// The same for those that look at the scene through such views.
-    std::size_t draw_if(const std::function<bool(const std::array<int, 3>&)>& is_wanted) const;
-    [[nodiscard]] bool has_any(
-        const std::function<bool(const std::array<int, 3>&)>& is_wanted) const;
+    std::size_t draw_if(const IsWanted& is_wanted) const;
+    [[nodiscard]] bool has_any(const IsWanted& is_wanted) const;
 
  private:
     struct UploadedPolygon {

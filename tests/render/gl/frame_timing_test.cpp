@@ -10,6 +10,7 @@
 #include "render/gl/framebuffer.h"
 #include "render/gl/headless_context.h"
 #include "render/paths/path_through_views.h"
+#include "render/renderer/offscreen_renderer.h"
 #include "tests/render/analytic_scene.h"
 
 namespace lumi {
@@ -82,14 +83,19 @@ TEST_F(FrameTimingGl, ThreePassesFillThePictureThreeTimes) {
     EXPECT_THAT(report.modes.front().fragments_per_pixel, Optional(AllOf(Ge(2.5), Le(3.3))));
 }
 
-TEST_F(FrameTimingGl, OcclusionCorrectionTakesAShareOfTheFrame) {
-    const std::vector<Eye> path = path_through_views(lumigraph_, kFrames, kWidthPx, kHeightPx);
+TEST(OcclusionShare, IsTheMedianOfWhatEachFrameSaves) {
+    EXPECT_DOUBLE_EQ(median_share_saved({4, 10, 2}, {3, 9, 3}), 0.1) << "0.25, 0.1, -0.5";
+    EXPECT_DOUBLE_EQ(median_share_saved({100, 1, 1}, {50, 1, 1}), 0.0) << "of one long frame";
+}
+
+TEST_F(FrameTimingGl, OcclusionIsCorrectedByModesWithDepth) {
+    OffscreenRenderer renderer(lumigraph_);
+    const Eye eye = path_through_views(lumigraph_, 4, kWidthPx, kHeightPx)[1];
     for (const RenderMode mode : all_render_modes()) {
-        if (!corrects_occlusion(mode)) continue;
-        const double share = occlusion_share(lumigraph_, path, {.mode = mode}, progress_);
-        EXPECT_THAT(share, AllOf(Ge(-1.0), Le(1.0))) << name_of(mode);
+        const Frame with = renderer.draw(eye, {.mode = mode});
+        const Frame without = renderer.draw(eye, {.mode = mode, .correct_occlusion = false});
+        EXPECT_EQ(with.color != without.color, corrects_occlusion(mode)) << name_of(mode);
     }
-    EXPECT_FALSE(corrects_occlusion(RenderMode::kLightField));
 }
 
 TEST_F(FrameTimingGl, TexturesHoldAllPhotographsAndDepthMaps) {
