@@ -4,6 +4,7 @@
 
 #include "pipeline/commands/commands.h"
 #include "pipeline/report/number_text.h"
+#include "pipeline/stages/drawing_effort.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {
@@ -56,9 +57,9 @@ std::string package_text(const Lumigraph& lumigraph) {
         ", camera mesh " + name_of(lumigraph.mesh.construction) + " with " +
         std::to_string(lumigraph.mesh.vertices.size()) + " vertices and " +
         std::to_string(lumigraph.mesh.faces.size()) + " faces, depth compared from " +
-        std::to_string(lumigraph.depth_views) + " views " +
-        (lumigraph.depth_block_px == 1 ? "for each pixel" : "for each block of 2 by 2 pixels") +
-        ", triangles within " + number_text(lumigraph.triangle_error_px, 2) + " px\n";
+        std::to_string(lumigraph.depth_views) + " views for " +
+        text_of_depth_blocks(lumigraph.depth_block_px) + ", triangles within " +
+        number_text(lumigraph.triangle_error_px, 2) + " px\n";
     for (const LumigraphView& view : lumigraph.views) {
         text += view.name + "  " + std::to_string(view.camera.width_px) + "x" +
                 std::to_string(view.camera.height_px) + "  focal length " +

@@ -65,9 +65,10 @@ DrawingOptions read_drawing_options(const ConfigSection& render) {
     if (options.depth_views != 0 &&
         (options.depth_views < kLeastDepthViews || options.depth_views > kMaxDepthViews))
         render.refuse("depth_views", "0 (as photographs ask for), 3 or 4");
-    options.depth_block_px = render.integer("depth_block_px", options.depth_block_px);
-    if (options.depth_block_px < 0 || options.depth_block_px > kMaxDepthBlock_px)
-        render.refuse("depth_block_px", "0 (2 where photographs cannot tell), 1 or 2");
+    options.depth_block_px = render.number("depth_block_px", options.depth_block_px);
+    if (options.depth_block_px != 0 && !(options.depth_block_px >= kLeastDepthBlock_px &&
+                                         options.depth_block_px <= kMaxDepthBlock_px))
+        render.refuse("depth_block_px", "0 (as photographs ask for), or 1 to 2");
     options.triangle_error_px = render.number("triangle_error_px", options.triangle_error_px);
     if (options.triangle_error_px != 0 && !(options.triangle_error_px >= kLeastTriangleError_px &&
                                             options.triangle_error_px <= kMostTriangleError_px))

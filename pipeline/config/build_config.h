@@ -35,9 +35,9 @@ struct DrawingOptions {
     bool fade_beyond_capture = false;  ///< The default of `lumi render` and `lumi view`.
     /// How many views' depths are compared at each pixel, 3 or 4; 0: as photographs ask for.
     int depth_views = 0;
-    /// Depth is worked out for blocks of so many by so many pixels, 1 or 2; 0: 2 where photographs
-    /// cannot tell.
-    int depth_block_px = 0;
+    /// How wide blocks of pixels may be that depth is worked out for, in pixels of the photographs
+    /// (Lumigraph::depth_block_px), 1 to 2; 0: as wide as photographs cannot tell.
+    double depth_block_px = 0.0;
     /// Of the triangles that `adaptive` draws; 0: as photographs ask for.
     double triangle_error_px = 0.0;
 };

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "meshing/selection/one_standard_error.h"
+#include "pipeline/evaluate/block_width.h"
 #include "pipeline/evaluate/kept_back_rounds.h"
 
 namespace lumi {
@@ -14,11 +15,12 @@ constexpr double kUnseenLoss_db = 0.1;
 
 struct Choice {
     int depth_views;
-    int depth_block_px;
+    double depth_block_px;
 };
 /// Each but the first is to be told from the one before it.
-constexpr std::array<Choice, 3> kChoices{
-    {{kMaxDepthViews, 1}, {kLeastDepthViews, 1}, {kLeastDepthViews, kMaxDepthBlock_px}}};
+constexpr std::array<Choice, 3> kChoices{{{kMaxDepthViews, kLeastDepthBlock_px},
+                                          {kLeastDepthViews, kLeastDepthBlock_px},
+                                          {kLeastDepthViews, kMaxDepthBlock_px}}};
 
 /// What blocks share is asked, not what smooth silhouettes, which blocks do not have, would bring
 /// at twice the work and in small frames alone.
@@ -46,8 +48,12 @@ DepthEffort sufficient_depth_effort(const Lumigraph& lumigraph, const Capture& c
     const Excess of_fewest = excess_over(losses_db[1], losses_db[0]);
     const Excess of_blocks = excess_over(losses_db[2], losses_db[1]);
     const std::size_t views = simplest_as_good({losses_db[0], losses_db[1]});
+    const double block_px = of_blocks.mean <= kUnseenLoss_db
+                                ? kMaxDepthBlock_px
+                                : sufficient_block_px(lumigraph, capture, mesh_options,
+                                                      of_blocks.mean, kUnseenLoss_db, progress);
     return {.views = kChoices[views].depth_views,
-            .block_px = of_blocks.mean <= kUnseenLoss_db ? kMaxDepthBlock_px : 1,
+            .block_px = block_px,
             .pictures = static_cast<int>(asked),
             .fewer_views_lose_db = of_fewest.mean,
             .standard_error_db = of_fewest.standard_error,

@@ -12,9 +12,9 @@ namespace lumi {
 ///
 /// Of how many views depth is compared the one-standard-error rule chooses: a further view fills
 /// what the others do not see, but may as well be wrong. Blocks of pixels lose a little on every
-/// silhouette, which is measured without any doubt: they are chosen as long as it is less than
-/// anyone sees. For fewer than eight views nobody is asked. `capture.views` lists the Lumigraph's
-/// views in the same order. Throws Error (E-GL-...).
+/// silhouette, which is measured without any doubt: they are chosen as wide as loses less than
+/// anyone sees (block_width.h). For fewer than eight views nobody is asked. `capture.views` lists
+/// the Lumigraph's views in the same order. Throws Error (E-GL-...).
 [[nodiscard]] DepthEffort sufficient_depth_effort(const Lumigraph& lumigraph,
                                                   const Capture& capture,
                                                   const CameraMeshOptions& mesh_options,

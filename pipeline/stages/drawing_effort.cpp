@@ -9,12 +9,17 @@ namespace lumi {
 
 using Json = nlohmann::ordered_json;
 
+std::string text_of_depth_blocks(double block_px) {
+    if (block_px >= kMaxDepthBlock_px) return "each block of 2 by 2 pixels";
+    return "each pixel, or block of 2 by 2 in frames " +
+           number_text(kMaxDepthBlock_px / block_px, 2) + " times as fine as the photographs";
+}
+
 std::string text_of(const DepthEffort& effort) {
     if (effort.pictures == 0) return "";
-    const std::string pixels = effort.block_px == 1 ? "each pixel" : "each block of 2 by 2 pixels";
-    return std::to_string(effort.views) + " views' depth is compared at " + pixels + ": " +
-           std::to_string(effort.pictures) + " photographs are drawn " +
-           number_text(effort.fewer_views_lose_db, 2) + " +- " +
+    return std::to_string(effort.views) + " views' depth is compared at " +
+           text_of_depth_blocks(effort.block_px) + ": " + std::to_string(effort.pictures) +
+           " photographs are drawn " + number_text(effort.fewer_views_lose_db, 2) + " +- " +
            number_text(effort.standard_error_db, 2) + " dB better with " +
            std::to_string(kMaxDepthViews) + " views than with " + std::to_string(kLeastDepthViews) +
            ", and " + number_text(effort.blocks_lose_db, 2) + " dB better pixel by pixel";

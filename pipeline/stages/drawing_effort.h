@@ -8,15 +8,15 @@
 namespace lumi {
 
 /// How much `perpixel` does to know depth: how many views' depths are compared
-/// (Lumigraph::depth_views), for how many pixels at once (Lumigraph::depth_block_px), and why.
+/// (Lumigraph::depth_views), in how wide blocks of pixels (Lumigraph::depth_block_px), and why.
 struct DepthEffort {
     int views = kMaxDepthViews;
-    int block_px = 1;
+    double block_px = kLeastDepthBlock_px;
     int pictures = 0;  ///< That were asked; 0: nobody was.
     /// What one view fewer than the most loses at them, in the mean; negative where it gains.
     double fewer_views_lose_db = 0.0;
     double standard_error_db = 0.0;  ///< Of that.
-    double blocks_lose_db = 0.0;     ///< The same for blocks.
+    double blocks_lose_db = 0.0;     ///< The same for blocks of kMaxDepthBlock_px.
 };
 
 /// How far the triangles of `adaptive` may err (Lumigraph::triangle_error_px), and why.
@@ -26,6 +26,9 @@ struct TriangleEffort {
     double loses_db = 0.0;   ///< At them, in the mean, beside the best of the errors asked.
     double triangles = 0.0;  ///< Drawn, in the mean.
 };
+
+/// Where depth is worked out, for people: "each block of 2 by 2 pixels".
+[[nodiscard]] std::string text_of_depth_blocks(double block_px);
 
 /// For the journal of a build: what was chosen, and what was measured for it. Empty where nobody
 /// was asked.

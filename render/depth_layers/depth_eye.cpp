@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "calib/work/median.h"
@@ -17,21 +19,40 @@ constexpr double kSteps = 8.0;
 /// the pixels nor the samples.
 constexpr double kNearlyAll = 0.75;
 
-double texels_per_pixel(const Lumigraph& lumigraph, const Eye& eye) {
+/// How many samples of the views' pictures come to one side of the eye's pixels, at the scene's
+/// centre: those of the view in the middle. `samples_per_view_pixel` tells how many a pixel of a
+/// view has; views that have none are not asked. Empty where there are no others, or the eye is at
+/// the centre.
+template <class SamplesPerViewPixel>
+std::optional<double> samples_per_pixel(const Lumigraph& lumigraph, const Eye& eye,
+                                        const SamplesPerViewPixel& samples_per_view_pixel) {
     const Eigen::Vector3d& centre = lumigraph.mesh.scene_centre_in_world;
     const double of_eye = pixels_per_unit(eye.camera, eye.cam_from_world, centre);
-    std::vector<double> of_depth_maps;
+    std::vector<double> of_views;
     for (const LumigraphView& view : lumigraph.views) {
-        if (view.depth.inverse_depth.empty()) continue;
-        const double samples_per_view_pixel =
-            static_cast<double>(view.depth.inverse_depth.width()) / view.camera.width_px;
-        of_depth_maps.push_back(samples_per_view_pixel *
-                                pixels_per_unit(view.camera, view.cam_from_world, centre));
+        const double samples = samples_per_view_pixel(view);
+        if (samples > 0)
+            of_views.push_back(samples * pixels_per_unit(view.camera, view.cam_from_world, centre));
     }
-    if (!(of_eye > 0) || of_depth_maps.empty()) return 1.0;
-    const double samples_per_pixel = median_of(std::move(of_depth_maps)) / of_eye;
-    const double in_steps = std::ceil(kSteps * samples_per_pixel) / kSteps;
+    if (!(of_eye > 0) || of_views.empty()) return std::nullopt;
+    return median_of(std::move(of_views)) / of_eye;
+}
+
+double texels_per_pixel(const Lumigraph& lumigraph, const Eye& eye) {
+    const auto samples = samples_per_pixel(lumigraph, eye, [](const LumigraphView& view) {
+        return static_cast<double>(view.depth.inverse_depth.width()) / view.camera.width_px;
+    });
+    if (!samples) return 1.0;
+    const double in_steps = std::ceil(kSteps * *samples) / kSteps;
     return in_steps > kNearlyAll ? 1.0 : std::max(in_steps, kLeastTexelsPerPixel);
+}
+
+/// How wide a block of the eye's pixels is, in pixels of the photographs; empty as above.
+std::optional<double> block_px(const Lumigraph& lumigraph, const Eye& eye) {
+    const auto photograph_pixels =
+        samples_per_pixel(lumigraph, eye, [](const LumigraphView&) { return 1.0; });
+    if (!photograph_pixels) return std::nullopt;
+    return kDepthBlockSide_px * *photograph_pixels;
 }
 
 /// Whether a Lumigraph's pixels are drawn alone, and may have several texels each.
@@ -43,7 +64,7 @@ bool may_be_smooth(const Lumigraph& lumigraph, const RenderOptions& options) {
 double texels_asked_per_pixel(const Lumigraph& lumigraph, const Eye& eye,
                               const RenderOptions& options) {
     if (options.supersample) return 1.0;
-    if (is_drawn_in_blocks(lumigraph, options)) return kLeastTexelsPerPixel;
+    if (is_drawn_in_blocks(lumigraph, eye, options)) return kLeastTexelsPerPixel;
     const double texels = texels_per_pixel(lumigraph, eye);
     return texels == 1.0 && may_be_smooth(lumigraph, options) ? kSmoothTexelsPerPixel : texels;
 }
@@ -52,8 +73,11 @@ int texels(int pixels, double per_pixel) { return static_cast<int>(std::ceil(pix
 
 }  // namespace
 
-bool is_drawn_in_blocks(const Lumigraph& lumigraph, const RenderOptions& options) {
-    return lumigraph.depth_block_px > 1 && !options.supersample && !options.fade_beyond_capture;
+bool is_drawn_in_blocks(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
+    if (options.supersample || options.fade_beyond_capture) return false;
+    if (lumigraph.depth_block_px >= kMaxDepthBlock_px) return true;
+    const std::optional<double> width_px = block_px(lumigraph, eye);
+    return width_px && *width_px <= lumigraph.depth_block_px;
 }
 
 DepthEye depth_eye(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {

@@ -27,9 +27,11 @@ struct DepthEye {
 };
 
 /// Whether `perpixel` works out depth, weights and visibility once for each block of two by two
-/// pixels (pixel_blocks.h), as the Lumigraph asks for: not where a frame has several samples a
-/// pixel, nor where it fades. Texels of depth are blocks then.
-[[nodiscard]] bool is_drawn_in_blocks(const Lumigraph& lumigraph, const RenderOptions& options);
+/// pixels (pixel_blocks.h): in frames so fine that blocks are no wider than
+/// Lumigraph::depth_block_px says, at the scene's centre (median view). Not where a frame has
+/// several samples a pixel, nor where it fades. Texels of depth are blocks then.
+[[nodiscard]] bool is_drawn_in_blocks(const Lumigraph& lumigraph, const Eye& eye,
+                                      const RenderOptions& options);
 
 [[nodiscard]] DepthEye depth_eye(const Lumigraph& lumigraph, const Eye& eye,
                                  const RenderOptions& options);

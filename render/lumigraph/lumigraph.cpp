@@ -73,8 +73,9 @@ void validate(const Lumigraph& lumigraph, const std::string& where) {
     if (lumigraph.views.empty()) refuse(where, "expected at least one view");
     if (lumigraph.depth_views < kLeastDepthViews || lumigraph.depth_views > kMaxDepthViews)
         refuse(where, "expected 3 or 4 depth views");
-    if (lumigraph.depth_block_px < 1 || lumigraph.depth_block_px > kMaxDepthBlock_px)
-        refuse(where, "expected depth blocks of 1 or 2 pixels");
+    if (!(lumigraph.depth_block_px >= kLeastDepthBlock_px &&
+          lumigraph.depth_block_px <= kMaxDepthBlock_px))
+        refuse(where, "expected depth blocks of 1 to 2 pixels");
     if (!(lumigraph.triangle_error_px >= kLeastTriangleError_px &&
           lumigraph.triangle_error_px <= kMostTriangleError_px))
         refuse(where, "expected triangles that err by 0.1 to 10 pixels");

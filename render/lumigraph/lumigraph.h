@@ -38,8 +38,12 @@ struct LumigraphView {
 inline constexpr int kLeastDepthViews = 3;
 inline constexpr int kMaxDepthViews = 4;
 
-/// A GL draws four pixels at once, and no more.
-inline constexpr int kMaxDepthBlock_px = 2;
+/// Depth may be worked out for blocks of so many by so many pixels: a GL draws four pixels at once,
+/// and no more.
+inline constexpr int kDepthBlockSide_px = 2;
+/// How wide such blocks may be, in pixels of the photographs. The narrowest: nobody can tell.
+inline constexpr double kLeastDepthBlock_px = 1.0;
+inline constexpr double kMaxDepthBlock_px = kDepthBlockSide_px;
 
 /// Of the triangles that `adaptive` draws: what is asked for where photographs were not asked, and
 /// what may be.
@@ -59,9 +63,9 @@ struct Lumigraph {
     bool fade_beyond_capture = false;
     /// How many views' depths are compared at each pixel, or as many views as there are.
     int depth_views = kMaxDepthViews;
-    /// Per pixel, depth is worked out for blocks of so many by so many pixels: 1, or
-    /// kMaxDepthBlock_px.
-    int depth_block_px = 1;
+    /// Per pixel, depth is worked out for blocks of pixels in frames so fine that these are no
+    /// wider than that, in pixels of the photographs; for kMaxDepthBlock_px in any frame.
+    double depth_block_px = kLeastDepthBlock_px;
     /// How far from the right place `adaptive` may look up photographs before it splits triangles.
     double triangle_error_px = kTriangleError_px;
 };

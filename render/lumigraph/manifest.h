@@ -65,7 +65,7 @@ struct Manifest {
     double far_depth = 0.0;
     bool fade_beyond_capture = false;
     int depth_views = kMaxDepthViews;
-    int depth_block_px = 1;
+    double depth_block_px = kLeastDepthBlock_px;
     double triangle_error_px = kTriangleError_px;
     std::vector<ManifestView> views;
     PackageFile camera_mesh;

@@ -167,7 +167,10 @@ Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
         manifest.depth_views = document.integer("depth_views", kLeastDepthViews, kMaxDepthViews);
     }
     if (document.has("depth_block_px")) {
-        manifest.depth_block_px = document.integer("depth_block_px", 1, kMaxDepthBlock_px);
+        manifest.depth_block_px = document.number("depth_block_px");
+        if (manifest.depth_block_px < kLeastDepthBlock_px ||
+            manifest.depth_block_px > kMaxDepthBlock_px)
+            document.refuse("depth_block_px", "a number from 1 to 2");
     }
     if (document.has("triangle_error_px")) {
         manifest.triangle_error_px = document.number("triangle_error_px");

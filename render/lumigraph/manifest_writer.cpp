@@ -96,7 +96,8 @@ std::string manifest_text(const Manifest& manifest) {
                      {"evidence", evidence_of(manifest)}};
     if (manifest.fade_beyond_capture) document["fade_beyond_capture"] = true;
     if (manifest.depth_views != kMaxDepthViews) document["depth_views"] = manifest.depth_views;
-    if (manifest.depth_block_px != 1) document["depth_block_px"] = manifest.depth_block_px;
+    if (manifest.depth_block_px != kLeastDepthBlock_px)
+        document["depth_block_px"] = manifest.depth_block_px;
     if (manifest.triangle_error_px != kTriangleError_px)
         document["triangle_error_px"] = manifest.triangle_error_px;
     try {

@@ -94,7 +94,7 @@ PictureCells PerPixel::open_cells(const std::vector<FacePolygon>& polygons, cons
 
 std::size_t PerPixel::draw_base(const Eye& eye, const RenderOptions& options,
                                 const Viewport& viewport, const AskedDepth& asked) {
-    const bool in_blocks = is_drawn_in_blocks(uploaded_.layout, options);
+    const bool in_blocks = is_drawn_in_blocks(uploaded_.layout, eye, options);
     const Eye drawn = in_blocks ? PixelBlocks::covering(eye) : eye;
     const std::vector<FacePolygon> polygons = face_polygons(uploaded_.layout.mesh, drawn);
     const PictureCells cells = open_cells(polygons, drawn, options);

@@ -15,7 +15,7 @@ namespace lumi {
 /// counted from the frame's top left; the last ones may reach beyond it.
 class PixelBlocks {
  public:
-    static constexpr int kSide_px = 2;
+    static constexpr int kSide_px = kDepthBlockSide_px;
 
     PixelBlocks();
 

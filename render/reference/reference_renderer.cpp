@@ -103,7 +103,7 @@ ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
                                                     : ColorImage{}) {
     if (options.mode != RenderMode::kPerPixel || !has_depth(lumigraph)) return;
     depth_.emplace(lumigraph, views_.geometries(), eye, options);
-    is_in_blocks_ = is_drawn_in_blocks(lumigraph, options);
+    is_in_blocks_ = is_drawn_in_blocks(lumigraph, eye, options);
 }
 
 Eigen::Vector3d ReferenceFrame::direction_in_world(const Eigen::Vector2d& pixel) const {
@@ -243,11 +243,11 @@ void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell,
 
 DrawnPixel ReferenceFrame::color_at(int x, int y) const {
     const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
-    const Eigen::Vector2d block(x / kMaxDepthBlock_px, y / kMaxDepthBlock_px);
+    const Eigen::Vector2d block(x / kDepthBlockSide_px, y / kDepthBlockSide_px);
     const std::vector<KnownPoint> known = points_at(pixel);
     DrawnPixel drawn =
         base_at(is_in_blocks_
-                    ? points_at(kMaxDepthBlock_px * (block + Eigen::Vector2d::Constant(0.5)))
+                    ? points_at(kDepthBlockSide_px * (block + Eigen::Vector2d::Constant(0.5)))
                     : known,
                 pixel)
             .value_or(behind(x, y));

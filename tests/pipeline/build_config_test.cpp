@@ -118,6 +118,8 @@ TEST(BuildConfig, RefusesWhatContradictsItself) {
           "[capture]\nphotos = \"p\"\n[package]\nviews = \"some\"\n",
           "[capture]\nphotos = \"p\"\n[render]\ndepth_views = 2\n",
           "[capture]\nphotos = \"p\"\n[render]\ndepth_block_px = 3\n",
+          "[capture]\nphotos = \"p\"\n[render]\ndepth_block_px = 0.5\n",
+          "[capture]\nphotos = \"p\"\n[render]\ndepth_block_px = nan\n",
           "[capture]\nphotos = \"p\"\n[render]\ntriangle_error_px = 0.01\n",
           "[capture]\nphotos = \"p\"\n[render]\ntriangle_error_px = nan\n",
           "threads = -1\n[capture]\nphotos = \"p\"\n",

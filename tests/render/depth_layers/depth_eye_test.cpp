@@ -72,6 +72,26 @@ TEST(DepthEye, HasSeveralTexelsAPixelWhereDepthTellsSilhouettesThatFinely) {
     EXPECT_FALSE(is_smooth(in_blocks));
 }
 
+bool is_in_blocks(double allowed_block_px, int eye_width_px, const RenderOptions& options = {}) {
+    ViewAndEye scene = view_and_eye(64, eye_width_px);  // Its photograph is 64 pixels wide.
+    scene.lumigraph.depth_block_px = allowed_block_px;
+    return is_drawn_in_blocks(scene.lumigraph, scene.eye, options);
+}
+
+TEST(DepthEye, IsOfBlocksInFramesSoFineThatTheyAreNoWiderThanTheyMayBe) {
+    EXPECT_TRUE(is_in_blocks(kLeastDepthBlock_px, 128));
+    EXPECT_FALSE(is_in_blocks(kLeastDepthBlock_px, 124));
+    EXPECT_TRUE(is_in_blocks(1.6, 80));
+    EXPECT_FALSE(is_in_blocks(1.6, 76));
+    for (const int eye_width_px : {16, 64, 128})
+        EXPECT_TRUE(is_in_blocks(kMaxDepthBlock_px, eye_width_px));
+}
+
+TEST(DepthEye, IsNeverOfBlocksWhereSamplesAreSeveralOrFramesFade) {
+    EXPECT_FALSE(is_in_blocks(kMaxDepthBlock_px, 128, {.supersample = true}));
+    EXPECT_FALSE(is_in_blocks(kMaxDepthBlock_px, 128, {.fade_beyond_capture = true}));
+}
+
 TEST(DepthEye, SeesAPointWhereTheEyeDoesInTexels) {
     const ViewAndEye scene = view_and_eye(32, 63);
     const DepthEye depth = depth_eye(scene.lumigraph, scene.eye, {});

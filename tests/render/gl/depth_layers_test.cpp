@@ -79,7 +79,7 @@ TEST(PerPixelGl, DrawsTheSameWithDepthByOpenGlAndByTheCores) {
     const HeadlessContext context;
     Lumigraph lumigraph = card_before_wall();
     const Eye eye = eye_at({0.3, 0.2, 0.2}, {0, 0, 4}, pinhole_camera(61, 45, 55));
-    for (const int block_px : {1, kMaxDepthBlock_px}) {
+    for (const double block_px : {kLeastDepthBlock_px, kMaxDepthBlock_px}) {
         lumigraph.depth_block_px = block_px;
         const UploadedLumigraph uploaded(lumigraph);
         PerPixel by_open_gl(uploaded, DepthLayers::DrawnBy::kOpenGl);

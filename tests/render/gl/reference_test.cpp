@@ -170,7 +170,7 @@ TEST(GlAgainstReference, AWhiteSceneIsWhiteUpToTheBordersOfPhotographs) {
     for (const double distance : {3.0, 5.0, 9.0, 16.0})
         eyes.push_back({"from far away", eye_at({0.1, 0.05, -distance}, {0, 0, 4}, kEyeCamera)});
     eyes.push_back({"past the end of the mesh", eye_at({200, 0.1, -100}, {0, 0, 4}, kEyeCamera)});
-    for (const int block_px : {1, kMaxDepthBlock_px}) {
+    for (const double block_px : {kLeastDepthBlock_px, kMaxDepthBlock_px}) {
         wall.depth_block_px = block_px;
         OffscreenRenderer renderer(wall);
         for (const RenderMode mode :

@@ -127,7 +127,7 @@ TEST_F(PackageReader, RefusesNumbersOutOfRange) {
     expect_refused_value(bad, "/fade_beyond_capture", 1);
     for (const Json& views : {Json(2), Json(5), Json(3.5), Json("3")})
         expect_refused_value(bad, "/depth_views", views);
-    for (const Json& block : {Json(0), Json(3), Json(1.5), Json("2")})
+    for (const Json& block : {Json(0), Json(3), Json(0.5), Json("2"), Json(nullptr)})
         expect_refused_value(bad, "/depth_block_px", block);
     for (const Json& error : {Json(0), Json(-1), Json(11), Json("1"), Json(nullptr)})
         expect_refused_value(bad, "/triangle_error_px", error);

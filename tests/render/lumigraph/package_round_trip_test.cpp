@@ -133,10 +133,10 @@ TEST_F(PackageRoundTrip, KeepsHowManyViewsAreAskedForDepth) {
 }
 
 TEST_F(PackageRoundTrip, KeepsForHowManyPixelsDepthIsWorkedOutAtOnce) {
-    EXPECT_EQ(read_.depth_block_px, 1);
-    written_.depth_block_px = kMaxDepthBlock_px;
+    EXPECT_EQ(read_.depth_block_px, kLeastDepthBlock_px);
+    written_.depth_block_px = 1.46;
     write_package(folder_, written_, tiny_extras());
-    EXPECT_EQ(read_package(folder_).depth_block_px, kMaxDepthBlock_px);
+    EXPECT_EQ(read_package(folder_).depth_block_px, 1.46);
 }
 
 TEST_F(PackageRoundTrip, KeepsHowFarTrianglesMayErr) {

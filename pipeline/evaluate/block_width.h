@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "calib/work/progress.h"
+#include "meshing/cameras/camera_mesh_builder.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// What photographs lose, in the mean, where blocks are so wide in their pixels.
+struct BlockLoss {
+    double width_px = 1.0;
+    double loses_db = 0.0;
+};
+
+/// The width at which the most that may be lost is lost. `by_width` goes from narrow to wide;
+/// between two widths the loss changes linearly, blocks of one pixel lose nothing, and the widest
+/// is the most there is.
+[[nodiscard]] double width_that_loses(double most_db, const std::vector<BlockLoss>& by_width);
+
+/// How wide blocks of two by two pixels may be (Lumigraph::depth_block_px) where the widest lose
+/// `widest_lose_db`, more than `most_db`: every sixth view is kept back (kept_back_rounds.h) and
+/// drawn in finer frames, in blocks and pixel by pixel, which are then reduced to its size. The
+/// more pixels a frame has for each of a photograph's, the less anyone sees of its blocks. Throws
+/// Error (E-GL-...).
+[[nodiscard]] double sufficient_block_px(const Lumigraph& lumigraph, const Capture& capture,
+                                         const CameraMeshOptions& mesh_options,
+                                         double widest_lose_db, double most_db, Progress& progress);
+
+}  // namespace lumi
