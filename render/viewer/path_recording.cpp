@@ -2,9 +2,12 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "render/viewer/eye_json.h"
+#include "render/viewer/same_eye.h"
 
 namespace lumi {
 
@@ -19,6 +22,25 @@ std::filesystem::path next_path_file(const std::filesystem::path& folder) {
         char name[32];
         std::snprintf(name, sizeof(name), "lumi-path-%04d.json", number);
         if (!std::filesystem::exists(folder / name)) return folder / name;
+    }
+}
+
+std::string PathRecording::append(const Eye& eye) {
+    const bool has_size = eyes_.empty() || (eyes_.front().camera.width_px == eye.camera.width_px &&
+                                            eyes_.front().camera.height_px == eye.camera.height_px);
+    if (has_size && (eyes_.empty() || !is_same_eye(eyes_.back(), eye))) eyes_.push_back(eye);
+    return "recording: " + std::to_string(eyes_.size()) + " eyes";
+}
+
+std::string PathRecording::end(const std::filesystem::path& folder) {
+    if (eyes_.empty()) return {};
+    const std::vector<Eye> eyes = std::exchange(eyes_, {});
+    const std::filesystem::path path = next_path_file(folder);
+    try {
+        write_path_file(path, eyes);
+        return "wrote " + path.filename().string();
+    } catch (const Error& error) {
+        return error.what();
     }
 }
 

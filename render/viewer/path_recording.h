@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "render/lumigraph/lumigraph.h"
 
@@ -13,5 +15,19 @@ void write_path_file(const std::filesystem::path& path, std::span<const Eye> eye
 
 /// lumi-path-0001.json, or the first number that is free in the folder.
 [[nodiscard]] std::filesystem::path next_path_file(const std::filesystem::path& folder);
+
+/// The eyes of a window while its path is recorded.
+class PathRecording {
+ public:
+    /// Appends an eye that differs from the last, unless its size does: a path has one. Returns
+    /// what people are told.
+    std::string append(const Eye& eye);
+    /// Writes what was recorded into the folder, and forgets it. Returns what people are told:
+    /// nothing where nothing was recorded.
+    std::string end(const std::filesystem::path& folder);
+
+ private:
+    std::vector<Eye> eyes_;
+};
 
 }  // namespace lumi

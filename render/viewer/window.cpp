@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
 #include "calib/work/error.h"
+#include "calib/work/process_memory.h"
 #include "render/gl/capabilities.h"
 #include "render/lumigraph/package.h"
 #include "render/renderer/frame_target.h"
@@ -17,6 +19,7 @@
 #include "render/viewer/path_recording.h"
 #include "render/viewer/photograph_eye.h"
 #include "render/viewer/recent_packages.h"
+#include "render/viewer/same_eye.h"
 #include "render/viewer/screenshot.h"
 
 namespace lumi {
@@ -31,6 +34,8 @@ double seconds_since(Clock::time_point start) {
 /// How long the eye must rest before the whole picture is drawn.
 constexpr double kRestBeforeWhole_s = 0.15;
 constexpr double kIdleWait_s = 0.1;
+/// Frames at another place may take more memory than the first: it is taken before anyone moves.
+constexpr std::size_t kForLargerFrames_bytes = std::size_t{16} << 20;
 
 /// All that a drawn frame depends on.
 struct DrawnFrame {
@@ -39,14 +44,8 @@ struct DrawnFrame {
     double scale = 0.0;
 };
 
-bool same(const Eye& a, const Eye& b) {
-    return a.camera == b.camera &&
-           a.cam_from_world.rotation.coeffs() == b.cam_from_world.rotation.coeffs() &&
-           a.cam_from_world.translation == b.cam_from_world.translation;
-}
-
 bool same(const DrawnFrame& a, const DrawnFrame& b) {
-    return same(a.eye, b.eye) && a.scale == b.scale && a.options.mode == b.options.mode &&
+    return is_same_eye(a.eye, b.eye) && a.scale == b.scale && a.options.mode == b.options.mode &&
            a.options.debug_picture == b.options.debug_picture &&
            a.options.correct_occlusion == b.options.correct_occlusion &&
            a.options.fade_beyond_capture == b.options.fade_beyond_capture &&
@@ -131,8 +130,7 @@ struct ViewerWindow::Implementation {
     Clock::time_point last_step = Clock::now();
     bool steers = false;  ///< A drag that began on the picture goes on.
     bool holds_button = false;
-    std::vector<Eye> recorded;  ///< Of the path that is being recorded.
-    Eigen::Vector2i recorded_size_px = Eigen::Vector2i::Zero();
+    PathRecording recording;
 };
 
 void ViewerWindow::Implementation::take_in(WindowInput input) {
@@ -190,26 +188,12 @@ void ViewerWindow::Implementation::draw_where_needed() {
     budget.measured(statistics.triangles, statistics.frame_ms);
 }
 
-/// Appends each eye that differs from the last; writes the path when the recording has ended.
 void ViewerWindow::Implementation::record_path() {
-    const Eye eye = fitted_to(state.navigation.eye, size_px.x(), size_px.y());
-    if (state.records_path) {
-        if (recorded.empty()) recorded_size_px = size_px;
-        // A path has one size.
-        if (size_px == recorded_size_px && (recorded.empty() || !same(recorded.back(), eye)))
-            recorded.push_back(eye);
-        statistics.message = "recording: " + std::to_string(recorded.size()) + " eyes";
-        return;
-    }
-    if (recorded.empty()) return;
-    const auto path = next_path_file(std::filesystem::current_path());
-    try {
-        write_path_file(path, recorded);
-        statistics.message = "wrote " + path.filename().string();
-    } catch (const Error& error) {
-        statistics.message = error.what();
-    }
-    recorded.clear();
+    const std::string message =
+        state.records_path
+            ? recording.append(fitted_to(state.navigation.eye, size_px.x(), size_px.y()))
+            : recording.end(std::filesystem::current_path());
+    if (!message.empty()) statistics.message = message;
 }
 
 /// Without a list, or for what is not a package's folder, does nothing.
@@ -302,6 +286,8 @@ void run_window(Lumigraph lumigraph, const WindowOptions& options) {
     if (!options.screenshot_path.empty())
         return window.write_screenshot_to(options.screenshot_path);
     const auto is_interrupted = [&] { return options.progress && options.progress->interrupted(); };
+    if (is_interrupted() || !window.step()) return;
+    set_memory_aside(kForLargerFrames_bytes);
     while (!is_interrupted() && window.step()) {
     }
 }
