@@ -6,13 +6,14 @@
 
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"
-#include "tests/render/analytic_scene.h"
 
 namespace lumi {
 namespace {
 
 Eye eye_from(double x, int width_px = 64) {
-    return eye_at({x, 0, 0}, {0, 0, 5}, pinhole_camera(width_px, 48, 60));
+    Eye eye{{width_px, 48, LensModel::kPinhole, {60, 60, 0.5 * width_px, 24}}, {}};
+    eye.cam_from_world.translation = {-x, 0, 0};
+    return eye;
 }
 
 std::size_t eyes_in(const std::filesystem::path& file) {
