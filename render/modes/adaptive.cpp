@@ -8,6 +8,7 @@
 #include "render/subdivision/own_surfaces.h"
 #include "render/subdivision/unseen_triangles.h"
 #include "render/surroundings/empty_cells.h"
+#include "render/surroundings/triangle_surroundings.h"
 #include "render/transfer/scene_plane.h"
 #include "render/view_choice/depth_view_choice.h"
 
@@ -101,21 +102,26 @@ DrawStatistics Adaptive::draw(const Eye& eye, const RenderOptions& options, cons
             adaptive_layers(uploaded_.layout, uploaded_.searched_views, eye, options, subdivider_);
         made_for_ = Request{eye, options};
     }
-    if (are_surroundings_drawn(options)) {
-        PictureCells cells(eye.camera);
-        mark_beyond_mesh(uploaded_.layout.mesh, eye, cells);
-        mark_where_none_may_be_shown(layers_.front(), uploaded_.layout.views, cells);
-        surroundings_.draw(cells, eye);
-    }
+    const bool has_surroundings = are_surroundings_drawn(options);
+    if (has_surroundings) draw_surroundings(eye);
     DrawStatistics statistics;
-    bool is_base = true;
+    Behind behind = options.fade_beyond_capture ? Behind::kPicture
+                    : has_surroundings          ? Behind::kSurroundings
+                                                : Behind::kNothing;
     for (const BlendTriangles& layer : layers_) {
-        const bool is_opaque = is_base && !options.fade_beyond_capture;
-        blend_.draw(layer, eye, options, is_opaque ? Opacity::kOpaque : Opacity::kOfVertices);
+        blend_.draw(layer, eye, options, behind);
         statistics.triangles += layer.count();
-        is_base = false;
+        behind = Behind::kPicture;
     }
     return statistics;
+}
+
+/// Beyond the mesh they are drawn, within it the triangles know them.
+void Adaptive::draw_surroundings(const Eye& eye) {
+    PictureCells cells(eye.camera);
+    mark_beyond_mesh(uploaded_.layout.mesh, eye, cells);
+    surroundings_.draw(cells, eye);
+    set_surroundings(uploaded_.layout, uploaded_.small_photographs, eye, layers_.front());
 }
 
 }  // namespace lumi

@@ -39,6 +39,7 @@ class Adaptive : public DrawingMode {
         Eye eye;
         RenderOptions options;
     };
+    void draw_surroundings(const Eye& eye);
     [[nodiscard]] bool is_made_for(const Eye& eye, const RenderOptions& options) const;
 
     const UploadedLumigraph& uploaded_;

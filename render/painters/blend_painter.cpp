@@ -10,9 +10,9 @@
 namespace lumi {
 
 const std::vector<VertexAttribute>& blend_vertex_attributes() {
-    static_assert(sizeof(BlendVertex) == 23 * sizeof(float));
+    static_assert(sizeof(BlendVertex) == 26 * sizeof(float));
     static const std::vector<VertexAttribute> attributes{{0, 3}, {1, 4}, {2, 2}, {3, 3},
-                                                         {4, 3}, {5, 4}, {6, 3}, {7, 1}};
+                                                         {4, 3}, {5, 4}, {6, 3}, {7, 4}};
     return attributes;
 }
 
@@ -35,21 +35,22 @@ BlendPainter::BlendPainter(const UploadedLumigraph& uploaded, float least_confid
       least_confidence_(least_confidence),
       programs_(blend_programs({})),
       discarding_(blend_programs({"DISCARDS"})),
+      filling_(blend_programs({"FILLS"})),
       see_through_(blend_programs({"FADES"})),
       triangles_(blend_vertex_attributes()) {}
 
 void BlendPainter::draw(const BlendTriangles& triangles, const Eye& eye,
-                        const RenderOptions& options, Opacity opacity) {
+                        const RenderOptions& options, Behind behind) {
     if (triangles.indices.empty()) return;
     const TrianglesByLookups sorted = sorted_by_lookups(triangles, uploaded_.layout.views);
     const std::vector<BlendVertex>& vertices = sorted.triangles.vertices;
     triangles_.upload(vertices.data(), vertices.size() * sizeof(BlendVertex),
                       sorted.triangles.indices);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    if (opacity == Opacity::kOfVertices) glEnable(GL_BLEND);
+    if (behind == Behind::kPicture) glEnable(GL_BLEND);
     std::size_t first = 0;
     for (const LookupRun& run : sorted.runs) {
-        const Program& program = program_for(run, opacity).use(uploaded_, eye, options);
+        const Program& program = program_for(run, behind).use(uploaded_, eye, options);
         program.set("layer_size",
                     glm::vec2(uploaded_.photographs.width_px(), uploaded_.photographs.height_px()));
         program.set("least_confidence", least_confidence_);
@@ -60,9 +61,10 @@ void BlendPainter::draw(const BlendTriangles& triangles, const Eye& eye,
     if (options.debug_picture == DebugPicture::kGrid) grid_.draw(triangles, eye);
 }
 
-PictureProgram& BlendPainter::program_for(const LookupRun& run, Opacity opacity) {
-    if (opacity == Opacity::kOfVertices) return see_through_[run.lookups - 1];
-    return (run.may_show_none ? discarding_ : programs_)[run.lookups - 1];
+PictureProgram& BlendPainter::program_for(const LookupRun& run, Behind behind) {
+    if (behind == Behind::kPicture) return see_through_[run.lookups - 1];
+    if (!run.may_show_none) return programs_[run.lookups - 1];
+    return (behind == Behind::kSurroundings ? filling_ : discarding_)[run.lookups - 1];
 }
 
 }  // namespace lumi

@@ -13,8 +13,12 @@ namespace lumi {
 /// The attributes of a BlendVertex as shaders/blend.glsl reads them.
 [[nodiscard]] const std::vector<VertexAttribute>& blend_vertex_attributes();
 
-/// Whether the opacity of the vertices counts.
-enum class Opacity { kOpaque, kOfVertices };
+/// What lies behind triangles.
+enum class Behind {
+    kNothing,       ///< What no photograph shows stays as it was.
+    kSurroundings,  ///< What no photograph shows gets the surroundings of the vertices.
+    kPicture,       ///< The picture shows through as far as the vertices are not opaque.
+};
 
 /// Draws triangles that blend three photographs each (shaders/blend.glsl), in one pass.
 class BlendPainter {
@@ -23,16 +27,17 @@ class BlendPainter {
     explicit BlendPainter(const UploadedLumigraph& uploaded, float least_confidence = 0.0F);
 
     void draw(const BlendTriangles& triangles, const Eye& eye, const RenderOptions& options,
-              Opacity opacity = Opacity::kOpaque);
+              Behind behind = Behind::kNothing);
 
  private:
-    [[nodiscard]] PictureProgram& program_for(const LookupRun& run, Opacity opacity);
+    [[nodiscard]] PictureProgram& program_for(const LookupRun& run, Behind behind);
 
     const UploadedLumigraph& uploaded_;
     float least_confidence_;
     /// By the number of photographs that are looked up.
     std::array<PictureProgram, 3> programs_;
     std::array<PictureProgram, 3> discarding_;  ///< Where photographs may end.
+    std::array<PictureProgram, 3> filling_;     ///< There, too, where there are surroundings.
     std::array<PictureProgram, 3> see_through_;
     VertexBuffer triangles_;
     GridPainter grid_;

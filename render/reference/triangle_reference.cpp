@@ -39,6 +39,18 @@ struct Photographs {
     std::vector<GrayImage> opacities;
 };
 
+/// Where vertices know them.
+void draw_surroundings(const std::array<const BlendVertex*, 3>& corners,
+                       const Eigen::Vector3d& shares, int x, int y, Frame& frame) {
+    const Eigen::Vector3d color = interpolated(corners, shares, [](const BlendVertex& vertex) {
+        return Eigen::Vector3d(vertex.surroundings[0], vertex.surroundings[1],
+                               vertex.surroundings[2]);
+    });
+    if (color.minCoeff() < 0) return;
+    frame.color(x, y) = {to_byte(color.x()), to_byte(color.y()), to_byte(color.z())};
+    frame.coverage(x, y) = 0;
+}
+
 void draw_pixel(const std::array<const BlendVertex*, 3>& corners, const Eigen::Vector3d& shares,
                 const Photographs& photographs, int x, int y, Frame& frame) {
     Eigen::Vector3d weights = interpolated(corners, shares, [](const BlendVertex& vertex) {
@@ -63,7 +75,7 @@ void draw_pixel(const std::array<const BlendVertex*, 3>& corners, const Eigen::V
     }
     if (photographs.places == PlaceInterpolation::kLinear) {
         const double sum = weights.sum();
-        if (sum < kLeastWeight) return;
+        if (sum < kLeastWeight) return draw_surroundings(corners, shares, x, y, frame);
         color /= sum;
         weights /= sum;
     }

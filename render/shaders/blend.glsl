@@ -15,6 +15,9 @@ LUMI_VARYING vec4 weight2_and_depth;  // weight of 2, inverse depth, confidence,
 #ifdef FADES
 LUMI_VARYING float opacity;
 #endif
+#ifdef FILLS
+LUMI_VARYING vec3 surroundings;  // what is drawn where no photograph shows anything
+#endif
 
 #ifdef LUMI_VERTEX
 uniform mat4 clip_from_eye_pixel;
@@ -25,7 +28,7 @@ layout(location = 2) in vec2 in_view_pixel2;
 layout(location = 3) in vec3 in_weights;
 layout(location = 4) in vec3 in_inverse_depth_and_confidence;
 layout(location = 5) in vec4 in_layers_and_face;
-layout(location = 7) in float in_opacity;
+layout(location = 7) in vec4 in_opacity_and_surroundings;
 
 void main() {
     on_layers01 = (in_view_pixels01 + kGutter_px) / layer_size.xyxy;
@@ -33,7 +36,10 @@ void main() {
     weight2_and_depth = vec4(in_weights.z, in_inverse_depth_and_confidence);
     layers_and_face = in_layers_and_face;
 #ifdef FADES
-    opacity = in_opacity;
+    opacity = in_opacity_and_surroundings.x;
+#endif
+#ifdef FILLS
+    surroundings = in_opacity_and_surroundings.yzw / 255.0;
 #endif
     vec3 pixel = vec3(in_pixel_and_depth.xy, 1.0) * in_pixel_and_depth.z;
     gl_Position = clip_from_eye_pixel * vec4(pixel, 0.5 * pixel.z);
@@ -63,7 +69,8 @@ void main() {
 #else
     float sum = weights.x + weights.y + weights.z;
 #endif
-    // What nobody sees shows what is behind. Only where that may be: to discard costs every pixel.
+    // What nobody sees shows what is behind, or its surroundings. Only where that may be: to discard
+    // costs every pixel.
 #ifdef DISCARDS
     if (sum < kLeastWeight) discard;
 #endif
@@ -84,6 +91,9 @@ void main() {
 #endif
 #ifdef FADES
     drawn *= opacity;
+#endif
+#ifdef FILLS
+    drawn.rgb += (1.0 - is_seen) * surroundings;
 #endif
 }
 #endif

@@ -34,7 +34,9 @@ double seconds_since(Clock::time_point start) {
 /// How long the eye must rest before the whole picture is drawn.
 constexpr double kRestBeforeWhole_s = 0.15;
 constexpr double kIdleWait_s = 0.1;
-/// Frames at another place may take more memory than the first: it is taken before anyone moves.
+/// Once so many frames were drawn, all that stays in memory is there, but a later one may still
+/// take more than any before: so much is taken for it at once.
+constexpr int kFramesUntilSettled = 64;
 constexpr std::size_t kForLargerFrames_bytes = std::size_t{16} << 20;
 
 /// All that a drawn frame depends on.
@@ -122,6 +124,7 @@ struct ViewerWindow::Implementation {
     Comparison comparison;
     std::filesystem::path recent_file;
     std::optional<DrawnFrame> drawn;
+    int frames = 0;  ///< Drawn so far.
     MovingResolution resolution;
     TriangleBudget budget;
     double budget_frames_per_second = 0.0;  ///< That the budget was made for.
@@ -169,6 +172,7 @@ void ViewerWindow::Implementation::draw(double scale, const RenderOptions& optio
     statistics.height_px = size.y();
     resolution.measured(scale, statistics.frame_ms);
     drawn = wanted;
+    if (++frames == kFramesUntilSettled) set_memory_aside(kForLargerFrames_bytes);
 }
 
 /// While the eye moves, coarser where that keeps it smooth; at rest everything.
@@ -286,8 +290,6 @@ void run_window(Lumigraph lumigraph, const WindowOptions& options) {
     if (!options.screenshot_path.empty())
         return window.write_screenshot_to(options.screenshot_path);
     const auto is_interrupted = [&] { return options.progress && options.progress->interrupted(); };
-    if (is_interrupted() || !window.step()) return;
-    set_memory_aside(kForLargerFrames_bytes);
     while (!is_interrupted() && window.step()) {
     }
 }

@@ -9,6 +9,7 @@
 #include "render/subdivision/paper_subdivision.h"
 #include "render/subdivision/triangle_budget.h"
 #include "render/surroundings/surroundings.h"
+#include "render/surroundings/triangle_surroundings.h"
 #include "render/transfer/scene_plane.h"
 #include "tests/render/analytic_scene.h"
 #include "tests/render/frame_difference.h"
@@ -25,9 +26,12 @@ void expect_equal(const Frame& drawn, const Frame& expected, const std::string& 
 
 /// The layers of the mode in plain code, each over those before.
 Frame adaptive_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
+    std::vector<BlendTriangles> layers =
+        adaptive_layers(lumigraph, searched_views(lumigraph), eye, options);
+    if (are_surroundings_drawn(options))
+        set_surroundings(lumigraph, small_photographs(lumigraph), eye, layers.front());
     BlendTriangles all;
-    for (const BlendTriangles& layer :
-         adaptive_layers(lumigraph, searched_views(lumigraph), eye, options)) {
+    for (const BlendTriangles& layer : layers) {
         const auto first = static_cast<std::uint32_t>(all.vertices.size());
         all.vertices.insert(all.vertices.end(), layer.vertices.begin(), layer.vertices.end());
         for (const std::uint32_t index : layer.indices) all.indices.push_back(first + index);
