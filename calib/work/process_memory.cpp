@@ -2,9 +2,7 @@
 
 #include <malloc.h>
 
-#include <cstddef>
 #include <fstream>
-#include <memory>
 #include <string>
 
 namespace lumi {
@@ -47,13 +45,6 @@ void keep_free_memory() {
     mallopt(M_MMAP_THRESHOLD, kTakenAtOnce);
     mallopt(M_TRIM_THRESHOLD, kKept);
     mallopt(M_TOP_PAD, kTakenAtOnce);
-}
-
-void set_memory_aside(std::size_t bytes) {
-    constexpr std::size_t kLeastPage = 4096;
-    const auto block = std::make_unique_for_overwrite<unsigned char[]>(bytes);
-    volatile unsigned char* const touched = block.get();
-    for (std::size_t i = 0; i < bytes; i += kLeastPage) touched[i] = 1;
 }
 
 bool forget_peak_memory() {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -23,11 +22,6 @@ void keep_little_free_memory();
 /// again: software OpenGL takes and frees megabytes for each frame, and to get them from the system
 /// page by page costs a frame of many triangles up to a tenth of its time.
 void keep_free_memory();
-
-/// Takes so many bytes, 32 MiB at most, from the system and keeps them free: for work of which a
-/// piece now and then takes more than any before. To be called after `keep_free_memory`, and once
-/// all that stays has been made.
-void set_memory_aside(std::size_t bytes);
 
 /// Begins `peak_memory` anew with what is in use now. False where the system does not allow it.
 [[nodiscard]] bool forget_peak_memory();

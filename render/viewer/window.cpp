@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstddef>
 #include <optional>
 #include <utility>
 
 #include "calib/work/error.h"
-#include "calib/work/process_memory.h"
 #include "render/gl/capabilities.h"
 #include "render/lumigraph/package.h"
 #include "render/renderer/frame_target.h"
@@ -34,10 +32,6 @@ double seconds_since(Clock::time_point start) {
 /// How long the eye must rest before the whole picture is drawn.
 constexpr double kRestBeforeWhole_s = 0.15;
 constexpr double kIdleWait_s = 0.1;
-/// Once so many frames were drawn, all that stays in memory is there, but a later one may still
-/// take more than any before: so much is taken for it at once.
-constexpr int kFramesUntilSettled = 64;
-constexpr std::size_t kForLargerFrames_bytes = std::size_t{16} << 20;
 
 /// All that a drawn frame depends on.
 struct DrawnFrame {
@@ -124,7 +118,6 @@ struct ViewerWindow::Implementation {
     Comparison comparison;
     std::filesystem::path recent_file;
     std::optional<DrawnFrame> drawn;
-    int frames = 0;  ///< Drawn so far.
     MovingResolution resolution;
     TriangleBudget budget;
     double budget_frames_per_second = 0.0;  ///< That the budget was made for.
@@ -172,7 +165,6 @@ void ViewerWindow::Implementation::draw(double scale, const RenderOptions& optio
     statistics.height_px = size.y();
     resolution.measured(scale, statistics.frame_ms);
     drawn = wanted;
-    if (++frames == kFramesUntilSettled) set_memory_aside(kForLargerFrames_bytes);
 }
 
 /// While the eye moves, coarser where that keeps it smooth; at rest everything.
