@@ -18,7 +18,7 @@ constexpr double kStep_px = 0.01;
 
 /// The eye of a frame in which a block is so wide in the picture's pixels.
 Eye finer_eye(const PicturedEye& picture, double block_px) {
-    const double scale = kMaxDepthBlock_px / block_px;
+    const double scale = kDepthBlockSide_px / block_px;
     const Camera& camera = picture.eye.camera;
     return {resized(camera, static_cast<int>(std::lround(scale * camera.width_px)),
                     static_cast<int>(std::lround(scale * camera.height_px))),

@@ -22,8 +22,9 @@ struct BlockLoss {
 /// How wide blocks of two by two pixels may be (Lumigraph::depth_block_px) where the widest lose
 /// `widest_lose_db`, more than `most_db`: every sixth view is kept back (kept_back_rounds.h) and
 /// drawn in finer frames, in blocks and pixel by pixel, which are then reduced to its size. The
-/// more pixels a frame has for each of a photograph's, the less anyone sees of its blocks. Throws
-/// Error (E-GL-...).
+/// more pixels a frame has for each of a photograph's, the less anyone sees of its blocks. Larger
+/// photographs are asked in a smaller size, so that theirs might be wider still. The narrowest for
+/// fewer than eight views, of which nobody is asked. Throws Error (E-GL-...).
 [[nodiscard]] double sufficient_block_px(const Lumigraph& lumigraph, const Capture& capture,
                                          const CameraMeshOptions& mesh_options,
                                          double widest_lose_db, double most_db, Progress& progress);

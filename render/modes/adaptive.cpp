@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "render/lumigraph/same_eye.h"
 #include "render/subdivision/own_surfaces.h"
 #include "render/subdivision/unseen_triangles.h"
 #include "render/surroundings/empty_cells.h"
@@ -82,17 +83,12 @@ Adaptive::Adaptive(const UploadedLumigraph& uploaded)
 
 bool Adaptive::is_made_for(const Eye& eye, const RenderOptions& options) const {
     if (!made_for_) return false;
-    const Rigid3& pose = eye.cam_from_world;
-    const Rigid3& made_pose = made_for_->eye.cam_from_world;
     const auto wishes = [](const RenderOptions& of) {
         return std::tuple(of.correct_occlusion, of.occlusion_tolerance_px, of.fade_beyond_capture,
                           of.triangle_error_ratio, of.min_triangle_px, of.max_triangle_px,
                           of.max_triangles);
     };
-    return eye.camera == made_for_->eye.camera &&
-           pose.rotation.coeffs() == made_pose.rotation.coeffs() &&
-           pose.translation == made_pose.translation &&
-           wishes(options) == wishes(made_for_->options);
+    return is_same_eye(eye, made_for_->eye) && wishes(options) == wishes(made_for_->options);
 }
 
 DrawStatistics Adaptive::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {

@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include "render/lumigraph/same_eye.h"
 #include "render/viewer/difference_picture.h"
 #include "render/viewer/photograph_eye.h"
 
@@ -19,12 +20,6 @@ ObjectName<delete_texture> uploaded(const ColorImage& picture) {
                  GL_UNSIGNED_BYTE, picture.pixels().data());
     glGenerateMipmap(GL_TEXTURE_2D);
     return ObjectName<delete_texture>(name);
-}
-
-bool stands_at(const Eye& eye, const Eye& place) {
-    return eye.camera == place.camera &&
-           eye.cam_from_world.rotation.coeffs() == place.cam_from_world.rotation.coeffs() &&
-           eye.cam_from_world.translation == place.cam_from_world.translation;
 }
 
 }  // namespace
@@ -54,7 +49,7 @@ std::optional<PictureOverlay> Comparison::over_frame(const ViewerState& state, i
     if (state.compared_index < 0 || state.compared_index >= static_cast<int>(views_.size()))
         return std::nullopt;
     const HeldOutView& view = views_[static_cast<std::size_t>(state.compared_index)];
-    if (!stands_at(state.navigation.eye, view.eye)) return std::nullopt;
+    if (!is_same_eye(state.navigation.eye, view.eye)) return std::nullopt;
     Shown wanted{state.compared_index, state.shows_difference, state.render};
     wanted.options.debug_picture = DebugPicture::kNone;
     if (!is_shown(wanted)) {

@@ -6,8 +6,8 @@
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "render/lumigraph/same_eye.h"
 #include "render/viewer/eye_json.h"
-#include "render/viewer/same_eye.h"
 
 namespace lumi {
 

@@ -10,6 +10,7 @@
 #include "calib/work/error.h"
 #include "render/gl/capabilities.h"
 #include "render/lumigraph/package.h"
+#include "render/lumigraph/same_eye.h"
 #include "render/renderer/frame_target.h"
 #include "render/subdivision/triangle_budget.h"
 #include "render/viewer/glfw_window.h"
@@ -17,7 +18,6 @@
 #include "render/viewer/path_recording.h"
 #include "render/viewer/photograph_eye.h"
 #include "render/viewer/recent_packages.h"
-#include "render/viewer/same_eye.h"
 #include "render/viewer/screenshot.h"
 
 namespace lumi {
