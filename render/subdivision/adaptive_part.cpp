@@ -33,6 +33,10 @@ void AdaptivePart::begin(const CoarseTriangles& coarse, std::size_t first, std::
     unjudged_.clear();
     settled_.clear();
     whole_.clear();
+    polygon_of_.reserve(options.max_triangles);
+    pixels_.reserve(options.max_triangles);
+    vertices_.reserve(options.max_triangles);
+    edges_.reserve(options.max_triangles);
     std::vector<std::uint32_t> vertex_of(coarse.pixels.size(), kNone);
     for (std::size_t i = first; i < end; ++i) {
         const auto& [corners, polygon] = coarse.triangles[i];

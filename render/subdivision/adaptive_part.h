@@ -20,7 +20,8 @@ namespace lumi {
 class AdaptivePart {
  public:
     /// Of the coarse triangles from `first` up to `end`. Keeps references to the samplers, one a
-    /// polygon; of what was there before nothing but memory is kept.
+    /// polygon; of what was there before nothing but memory is kept. Has room for what a part
+    /// mostly holds from the first time on: what grew with the eye's way would grow for minutes.
     void begin(const CoarseTriangles& coarse, std::size_t first, std::size_t end,
                const std::vector<PatchSampler>& samplers,
                const AdaptiveSubdivisionOptions& options);
@@ -33,7 +34,9 @@ class AdaptivePart {
     /// The triangles that were found last are those that are drawn.
     void keep();
 
-    /// The triangles that were kept, and the vertices that they name.
+    /// How many triangles were kept.
+    [[nodiscard]] std::size_t count() const { return whole_.size(); }
+    /// These triangles, and the vertices that they name.
     void append_to(BlendTriangles& drawn) const;
 
  private:

@@ -52,7 +52,11 @@ class AdaptiveSubdivider::Parts {
 
     /// The triangles that were found last, and the vertices that they name.
     [[nodiscard]] BlendTriangles triangles() const {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < used_; ++i) count += parts_[i].count();
         BlendTriangles drawn;
+        drawn.indices.reserve(3 * count);
+        drawn.vertices.reserve(count);  // Half of them would do if all were neighbours.
         for (std::size_t i = 0; i < used_; ++i) parts_[i].append_to(drawn);
         return drawn;
     }

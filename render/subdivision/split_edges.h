@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -47,6 +48,8 @@ class SplitEdges {
         }
         return edges_[number].halves[side];
     }
+
+    void reserve(std::size_t edges) { edges_.reserve(edges); }
 
     /// Forgets all of them, but keeps the memory.
     void clear() {

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "calib/work/parallel_for.h"
 #include "render/view_choice/view_sight.h"
 
 namespace lumi {
@@ -32,8 +33,11 @@ class Choice {
         : max_views_(max_views), nearly_(nearly) {
         const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
         const SightSamples samples = sight_samples(lumigraph, eye, grid_over(eye.camera));
-        for (const LumigraphView& view : lumigraph.views)
-            sights_.push_back(sight_of(view, eye_in_world, samples.points));
+        sights_.resize(lumigraph.views.size());
+        parallel_for(static_cast<int>(sights_.size()), 0, [&](int i) {
+            const auto view = static_cast<std::size_t>(i);
+            sights_[view] = sight_of(lumigraph.views[view], eye_in_world, samples.points);
+        });
         worth_ = samples.worth;
     }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calib/work/parallel_for.h"
 #include "render/view_choice/view_sight.h"
 
 namespace lumi {
@@ -17,12 +18,12 @@ Eigen::MatrixXd closeness_of_views(const Lumigraph& lumigraph, const Eye& eye,
     const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
     const auto count = static_cast<Eigen::Index>(pixels.size());
     Eigen::MatrixXd closeness(static_cast<Eigen::Index>(lumigraph.views.size()), count);
-    for (Eigen::Index view = 0; view < closeness.rows(); ++view) {
+    parallel_for(static_cast<int>(closeness.rows()), 0, [&](int view) {
         const Eigen::RowVectorXd worth =
             sight_of(lumigraph.views[static_cast<std::size_t>(view)], eye_in_world, samples.points)
                 .closeness.cwiseProduct(samples.worth);
         closeness.row(view) = worth.head(count) + worth.tail(count);
-    }
+    });
     return closeness;
 }
 
