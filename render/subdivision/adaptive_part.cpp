@@ -8,6 +8,10 @@ namespace {
 
 constexpr std::uint32_t kNone = SplitEdge::kNone;
 
+/// Room for so many vertices, and as many edges: what grew with the eye's way would go on growing
+/// for minutes.
+constexpr std::size_t kFirstVertices = std::size_t{1} << 13;
+
 /// So that the first edge is the one that is split, or is not.
 template <class Triangle>
 Triangle turned_to(bool is_split, const std::array<bool, 3>& splits, const Triangle& triangle) {
@@ -19,6 +23,13 @@ Triangle turned_to(bool is_split, const std::array<bool, 3>& splits, const Trian
 }
 
 }  // namespace
+
+AdaptivePart::AdaptivePart() {
+    polygon_of_.reserve(kFirstVertices);
+    pixels_.reserve(kFirstVertices);
+    vertices_.reserve(kFirstVertices);
+    edges_.reserve(kFirstVertices);
+}
 
 void AdaptivePart::begin(const CoarseTriangles& coarse, std::size_t first, std::size_t end,
                          const std::vector<PatchSampler>& samplers,
@@ -33,10 +44,6 @@ void AdaptivePart::begin(const CoarseTriangles& coarse, std::size_t first, std::
     unjudged_.clear();
     settled_.clear();
     whole_.clear();
-    polygon_of_.reserve(options.max_triangles);
-    pixels_.reserve(options.max_triangles);
-    vertices_.reserve(options.max_triangles);
-    edges_.reserve(options.max_triangles);
     std::vector<std::uint32_t> vertex_of(coarse.pixels.size(), kNone);
     for (std::size_t i = first; i < end; ++i) {
         const auto& [corners, polygon] = coarse.triangles[i];

@@ -19,9 +19,11 @@ namespace lumi {
 /// Level by level, all triangles are split, or not, before any of the next.
 class AdaptivePart {
  public:
+    /// With room for what a part mostly holds.
+    AdaptivePart();
+
     /// Of the coarse triangles from `first` up to `end`. Keeps references to the samplers, one a
-    /// polygon; of what was there before nothing but memory is kept. Has room for what a part
-    /// mostly holds from the first time on: what grew with the eye's way would grow for minutes.
+    /// polygon; of what was there before nothing but memory is kept.
     void begin(const CoarseTriangles& coarse, std::size_t first, std::size_t end,
                const std::vector<PatchSampler>& samplers,
                const AdaptiveSubdivisionOptions& options);

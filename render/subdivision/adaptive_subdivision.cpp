@@ -56,7 +56,7 @@ class AdaptiveSubdivider::Parts {
         for (std::size_t i = 0; i < used_; ++i) count += parts_[i].count();
         BlendTriangles drawn;
         drawn.indices.reserve(3 * count);
-        drawn.vertices.reserve(count);  // Half of them would do if all were neighbours.
+        drawn.vertices.reserve(count);  // Neighbours share them: half would mostly do.
         for (std::size_t i = 0; i < used_; ++i) parts_[i].append_to(drawn);
         return drawn;
     }

@@ -49,6 +49,7 @@ class SplitEdges {
         return edges_[number].halves[side];
     }
 
+    /// Room for so many edges.
     void reserve(std::size_t edges) { edges_.reserve(edges); }
 
     /// Forgets all of them, but keeps the memory.
