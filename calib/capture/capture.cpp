@@ -8,8 +8,6 @@
 namespace lumi {
 namespace {
 
-constexpr double kUnitTolerance = 1e-6;
-
 bool in_range(int index, std::size_t count) {
     return index >= 0 && static_cast<std::size_t>(index) < count;
 }
@@ -31,9 +29,7 @@ void validate(const Capture& capture, const std::string& where) {
         if (!in_range(view.camera_index, capture.cameras.size())) {
             refuse(view.name + ": its camera does not exist");
         }
-        const Rigid3& pose = view.cam_from_world;
-        if (!pose.translation.allFinite() || !pose.rotation.coeffs().allFinite() ||
-            std::abs(pose.rotation.norm() - 1) > kUnitTolerance) {
+        if (!is_rigid(view.cam_from_world)) {
             refuse(view.name + ": its pose is not a finite rotation and translation");
         }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace lumi {
 
@@ -23,6 +24,14 @@ struct Rigid3 {
 [[nodiscard]] inline Rigid3 operator*(const Rigid3& c_from_b, const Rigid3& b_from_a) {
     return {(c_from_b.rotation * b_from_a.rotation).normalized(),
             c_from_b.rotation * b_from_a.translation + c_from_b.translation};
+}
+
+/// Whether all numbers are finite and the quaternion has length one, to what a file's decimals
+/// keep.
+[[nodiscard]] inline bool is_rigid(const Rigid3& b_from_a) {
+    constexpr double kUnitTolerance = 1e-6;
+    return b_from_a.translation.allFinite() &&
+           std::abs(b_from_a.rotation.norm() - 1) <= kUnitTolerance;
 }
 
 /// Where the camera's optical centre stands.

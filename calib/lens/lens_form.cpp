@@ -20,7 +20,7 @@ double largest_angle_rad(const Camera& lens) {
 }
 
 /// Distance from the principal point, for a focal length of 1, at which `lens` shows an angle.
-double bent_radius(const Camera& lens, double angle_rad) {
+double radius_at_angle(const Camera& lens, double angle_rad) {
     const Eigen::Vector3d direction(std::tan(angle_rad), 0, 1);
     const Eigen::Vector2d pixel = project(lens, direction).value();
     return (pixel - principal_point_px(lens)).cwiseQuotient(focal_length_px(lens)).norm();
@@ -36,7 +36,7 @@ Eigen::Vector4d fisheye_coefficients(const Camera& lens) {
         // In units of the largest angle, where the powers are of one size.
         const double share = (sample + 1.0) / kSamples;
         const double angle_rad = share * largest_rad;
-        excess[sample] = bent_radius(lens, angle_rad) - angle_rad;
+        excess[sample] = radius_at_angle(lens, angle_rad) - angle_rad;
         for (int power = 0; power < 4; ++power) {
             powers(sample, power) = std::pow(share, 2 * power + 3);
         }

@@ -12,7 +12,7 @@ namespace lumi {
 namespace {
 
 /// OpenCV, Kalibr and ROS count from the centre of the first pixel.
-const Eigen::Vector2d kHalfPixel(0.5, 0.5);
+const Eigen::Vector2d kFirstPixelCentre(0.5, 0.5);
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
     throw Error(ErrorKind::kBadInput, "E-LENS-FILE", where + ": " + what,
@@ -123,7 +123,8 @@ Camera lens_of_kalibr(const YamlReader& document, const std::string& where) {
     const int width_px = static_cast<int>(resolution[0]);
     const int height_px = static_cast<int>(resolution[1]);
     const Eigen::Vector2d focal_px(intrinsics[0], intrinsics[1]);
-    const Eigen::Vector2d centre_px = Eigen::Vector2d(intrinsics[2], intrinsics[3]) + kHalfPixel;
+    const Eigen::Vector2d centre_px =
+        Eigen::Vector2d(intrinsics[2], intrinsics[3]) + kFirstPixelCentre;
     const std::string distortion =
         camera.has("distortion_model") ? camera.at("distortion_model").text() : "none";
     const std::vector<double> coefficients = camera.has("distortion_coeffs")
@@ -166,7 +167,7 @@ Camera lens_of_boofcv(const YamlReader& document) {
     return simplest_lens(
         pinhole.at("width").whole_number(), pinhole.at("height").whole_number(),
         {pinhole.at("fx").number(), pinhole.at("fy").number()},
-        Eigen::Vector2d(pinhole.at("cx").number(), pinhole.at("cy").number()) + kHalfPixel,
+        Eigen::Vector2d(pinhole.at("cx").number(), pinhole.at("cy").number()) + kFirstPixelCentre,
         distortion);
 }
 
@@ -195,7 +196,7 @@ Camera lens_of_opencv_or_ros(const YamlReader& document) {
     }
     const YamlReader distortion = document.at("distortion_coefficients");
     const std::vector<double> coefficients = distortion.matrix(0, 0);
-    const Eigen::Vector2d centre_px = Eigen::Vector2d(k[2], k[5]) + kHalfPixel;
+    const Eigen::Vector2d centre_px = Eigen::Vector2d(k[2], k[5]) + kFirstPixelCentre;
     if (is_fisheye(document)) {
         if (coefficients.size() != 4) distortion.contradict("expected four of a fisheye");
         return fisheye_lens(width_px, height_px, {k[0], k[4]}, centre_px, coefficients);

@@ -44,16 +44,16 @@ class Random {
 
 /// Agreement of all points with a pose; errors are capped at the limit, so that a better fit of the
 /// same points wins (MSAC: Torr and Zisserman, CVIU 2000).
-struct Agreement {
+struct PoseAgreement {
     Rigid3 pose;
     std::vector<char> is_inlier;
     int inliers = 0;
     double cost = 0;
 };
 
-Agreement agreement_with(const Rigid3& pose, std::span<const Eigen::Vector3d> points,
-                         std::span<const Eigen::Vector2d> rays, double max_error) {
-    Agreement agreement{pose, std::vector<char>(points.size(), 0), 0, 0};
+PoseAgreement agreement_with(const Rigid3& pose, std::span<const Eigen::Vector3d> points,
+                             std::span<const Eigen::Vector2d> rays, double max_error) {
+    PoseAgreement agreement{pose, std::vector<char>(points.size(), 0), 0, 0};
     const Eigen::Matrix3d rotation = pose.rotation.toRotationMatrix();
     for (std::size_t index = 0; index < points.size(); ++index) {
         const Eigen::Vector3d in_cam = rotation * points[index] + pose.translation;
@@ -101,7 +101,7 @@ double trials_for(double inlier_share) {
     return std::log(1e-4) / std::log1p(-good_sample);
 }
 
-Rigid3 refined(const Agreement& agreement, std::span<const Eigen::Vector3d> points,
+Rigid3 refined(const PoseAgreement& agreement, std::span<const Eigen::Vector3d> points,
                std::span<const Eigen::Vector2d> rays) {
     PosedPoints inliers;
     for (std::size_t index = 0; index < points.size(); ++index) {
@@ -128,7 +128,7 @@ std::optional<Resection> resect(std::span<const Eigen::Vector3d> points_in_world
     const std::size_t count = points_in_world.size();
     if (count < static_cast<std::size_t>(kMinInliers)) return std::nullopt;
     const double max_error = options.max_error_px / focal_length_px;
-    Agreement best;
+    PoseAgreement best;
     Random random;
     double trials_wanted = options.max_trials;
     for (int trial = 0; trial < trials_wanted; ++trial) {
@@ -136,7 +136,7 @@ std::optional<Resection> resect(std::span<const Eigen::Vector3d> points_in_world
                                           random.below(count)};
         if (sample[0] == sample[1] || sample[0] == sample[2] || sample[1] == sample[2]) continue;
         for (const Rigid3& pose : poses_through(sample, points_in_world, rays)) {
-            Agreement agreement = agreement_with(pose, points_in_world, rays, max_error);
+            PoseAgreement agreement = agreement_with(pose, points_in_world, rays, max_error);
             if (best.inliers > 0 && agreement.cost >= best.cost) continue;
             best = std::move(agreement);
             trials_wanted = std::min<double>(
@@ -147,7 +147,7 @@ std::optional<Resection> resect(std::span<const Eigen::Vector3d> points_in_world
     if (best.inliers < kMinInliers) return std::nullopt;
     constexpr int kRefinements = 2;
     for (int round = 0; round < kRefinements; ++round) {
-        Agreement agreement =
+        PoseAgreement agreement =
             agreement_with(refined(best, points_in_world, rays), points_in_world, rays, max_error);
         if (agreement.cost >= best.cost) break;
         best = std::move(agreement);

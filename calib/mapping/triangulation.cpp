@@ -59,15 +59,15 @@ std::vector<RayPair> widest_pairs(std::span<const Sighting> sightings) {
     return pairs;
 }
 
-struct Agreement {
+struct SightingAgreement {
     std::vector<char> is_inlier;
     int inliers = 0;
     double error_sum_px = 0;
 };
 
-Agreement agreement_with(std::span<const Sighting> sightings, const Eigen::Vector3d& point,
-                         double max_error_px) {
-    Agreement agreement;
+SightingAgreement agreement_with(std::span<const Sighting> sightings, const Eigen::Vector3d& point,
+                                 double max_error_px) {
+    SightingAgreement agreement;
     for (const Sighting& sighting : sightings) {
         const double error_px = sighting_error_px(sighting, point);
         const bool agrees = error_px <= max_error_px;
@@ -78,7 +78,7 @@ Agreement agreement_with(std::span<const Sighting> sightings, const Eigen::Vecto
     return agreement;
 }
 
-bool is_better(const Agreement& a, const Agreement& b) {
+bool is_better(const SightingAgreement& a, const SightingAgreement& b) {
     if (a.inliers != b.inliers) return a.inliers > b.inliers;
     return a.error_sum_px < b.error_sum_px;
 }
@@ -139,13 +139,14 @@ Eigen::Vector3d refined_point(std::span<const Sighting> sightings, const std::ve
 
 std::optional<TriangulatedPoint> triangulate(std::span<const Sighting> sightings,
                                              const TriangulationOptions& options) {
-    Agreement best;
+    SightingAgreement best;
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     for (const RayPair& pair : widest_pairs(sightings)) {
         const auto proposal = middle_of(sightings[pair.first], sightings[pair.second]);
         if (!proposal) continue;
         // The middle is not the least squares solution: it may miss by some pixels.
-        Agreement agreement = agreement_with(sightings, *proposal, 2 * options.max_error_px);
+        SightingAgreement agreement =
+            agreement_with(sightings, *proposal, 2 * options.max_error_px);
         if (!is_better(agreement, best)) continue;
         best = std::move(agreement);
         position = *proposal;

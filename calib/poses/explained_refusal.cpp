@@ -9,7 +9,7 @@
 namespace lumi {
 namespace {
 
-constexpr std::size_t kMinInliers = 15;
+constexpr std::size_t kMinInliersOfPair = 15;
 
 /// Pictures are judged at the size that the doctor looks at.
 std::vector<PhotographQuality> qualities_of(const MappingJob& job, int longer_side_px) {
@@ -51,7 +51,7 @@ CaptureEvidence evidence_of(const MappingJob& job, const MatchedPhotographs& mat
     evidence.lens_is_known = job.lens_is_calibrated;
     std::vector<const VerifiedPair*> pairs;
     for (const VerifiedPair& pair : matched.pairs) {
-        if (pair.inliers.size() < kMinInliers) continue;
+        if (pair.inliers.size() < kMinInliersOfPair) continue;
         evidence.pairs.push_back(pair_geometry_of(pair, matched.photographs, job.groups.cameras));
         pairs.push_back(&pair);
     }

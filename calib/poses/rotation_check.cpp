@@ -9,11 +9,11 @@
 namespace lumi {
 namespace {
 
-constexpr std::size_t kMinMatches = 20;      ///< Fewer say nothing.
-constexpr std::size_t kEnoughMatches = 100;  ///< More say the same.
+constexpr std::size_t kMinInliersToJudge = 20;  ///< Fewer say nothing.
+constexpr std::size_t kEnoughMatches = 100;     ///< More say the same.
 /// Of the longer side. Leaves room for lens distortion and for the sway of a hand-held panorama;
 /// real panoramas were seen at a third to a half of it, captures with parallax far beyond it.
-constexpr double kToleranceShare = 0.008;
+constexpr double kTurnToleranceShare = 0.008;
 constexpr double kStillShare = 0.002;         ///< Of the longer side: where nothing moved.
 constexpr double kRotationInlierShare = 0.7;  ///< So many matches must agree.
 
@@ -153,7 +153,7 @@ RotationFit fit_rotation(const DirectionPairs& directions, double tolerance_rad)
 
 double turned_share(const DirectionPairs& directions, const Camera& first, const Camera& second) {
     const double tolerance_px =
-        kToleranceShare * std::max(longer_side_px(first), longer_side_px(second));
+        kTurnToleranceShare * std::max(longer_side_px(first), longer_side_px(second));
     const double tolerance_rad = tolerance_px / focal_length_px(first).mean();
     return fit_rotation(directions, tolerance_rad).inlier_share;
 }
@@ -172,7 +172,7 @@ MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
         return photographs[static_cast<std::size_t>(photograph)].camera_index;
     };
     for (const VerifiedPair& pair : pairs) {
-        if (pair.inliers.size() < kMinMatches) continue;
+        if (pair.inliers.size() < kMinInliersToJudge) continue;
         ++evidence.pairs;
         if (is_homography(pair.configuration)) ++evidence.planar_pairs;
         const Camera& lens = cameras[static_cast<std::size_t>(lens_index(pair.first))].camera;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "calib/capture/degrees.h"
 #include "meshing/cameras/border.h"
 #include "meshing/cameras/camera_star.h"
 #include "meshing/cameras/kernel.h"
@@ -13,7 +14,6 @@
 namespace lumi {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kFinerThanUsual = 2.0;
 constexpr double kMostSeenOfUsual = 0.8;
 constexpr std::size_t kLeastOthers = 3;
@@ -22,9 +22,9 @@ constexpr int kFinestLevel = 8;
 constexpr std::size_t kViewsAsked = 50;
 /// Views of one group look at this share of the lesser one's points at least.
 constexpr double kLeastOverlap = 0.2;
-const double kLeastCosine = std::cos(60 * kDegree);
+const double kLeastCosine = std::cos(60 * kRadiansPerDegree);
 
-constexpr double kRing_rad = 35 * kDegree;
+constexpr double kRing_rad = 35 * kRadiansPerDegree;
 constexpr int kRingPlaces = 12;
 /// Ring vertices keep this share of the ring's radius from cameras, and this one from each other.
 constexpr double kFreeOfCameras = 0.9;

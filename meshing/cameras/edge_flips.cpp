@@ -14,7 +14,7 @@ namespace lumi {
 namespace {
 
 /// Rounding must not flip an edge to and fro: a flip gains this share of the mesh's size.
-constexpr double kLeastGain = 1e-9;
+constexpr double kLeastFlipGain = 1e-9;
 
 /// The two faces at an edge: left is (from, to, above), right is (to, from, below).
 struct Quadrilateral {
@@ -185,7 +185,7 @@ int flip_edges_for_room(CameraMesh& mesh, const std::vector<Eigen::Vector3d>& sc
     const auto room = [&](const CameraMesh::Face& face) {
         return face_clearance(face_plane(mesh, face), from_centre);
     };
-    return Flipper(mesh, room, kLeastGain * size_of(mesh)).run(enough);
+    return Flipper(mesh, room, kLeastFlipGain * size_of(mesh)).run(enough);
 }
 
 }  // namespace lumi

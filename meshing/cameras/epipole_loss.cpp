@@ -12,7 +12,7 @@ namespace lumi {
 namespace {
 
 /// Slides below this share of the distance are rounding.
-constexpr double kNotable = 1e-9;
+constexpr double kNotableSlide = 1e-9;
 
 struct Place {
     std::vector<std::size_t> faces;
@@ -87,7 +87,7 @@ double epipole_loss_bound(const CameraMesh& mesh, std::size_t vertex_index,
     const Eigen::Vector3d& place = mesh.vertices[vertex_index].position_in_world;
     const double slide = (place - true_centre).norm();
     const double distance = std::min((place - centre).norm(), (true_centre - centre).norm());
-    if (slide <= kNotable * distance) return 0.0;
+    if (slide <= kNotableSlide * distance) return 0.0;
     if (scene_radius >= distance) return 1.0;
     const Eigen::Vector3d direction = (place - centre).normalized();
     const double alpha_rad = std::asin(scene_radius / distance);

@@ -7,12 +7,13 @@
 #include <numeric>
 #include <vector>
 
+#include "calib/capture/degrees.h"
+
 namespace lumi {
 namespace {
 
 constexpr double kSameAzimuth_rad = 1e-6;
 constexpr double kFullTurn = 2 * std::numbers::pi;
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// The star's cameras in the order of their azimuth about the normal.
 struct Chain {
@@ -76,7 +77,8 @@ Chain chain_by_azimuth(const CameraStar& star, const Eigen::Vector3d& normal) {
 }
 
 bool is_ring(const Chain& chain) {
-    const double limit_rad = std::clamp(3 * chain.usual_gap_rad, 60.0 * kDegree, 150.0 * kDegree);
+    const double limit_rad =
+        std::clamp(3 * chain.usual_gap_rad, 60.0 * kRadiansPerDegree, 150.0 * kRadiansPerDegree);
     return chain.cameras.size() >= 3 && chain.widest_gap_rad <= limit_rad;
 }
 

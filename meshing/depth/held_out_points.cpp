@@ -11,7 +11,7 @@
 namespace lumi {
 namespace {
 
-constexpr std::size_t kMaxViews = 4;
+constexpr std::size_t kMaxHeldOutViews = 4;
 constexpr std::size_t kFolds = 4;
 
 std::vector<int> sampled_views(const DepthScene& scene) {
@@ -22,7 +22,7 @@ std::vector<int> sampled_views(const DepthScene& scene) {
             candidates.push_back(static_cast<int>(i));
         }
     }
-    return views_far_apart(scene, std::move(candidates), kMaxViews);
+    return views_far_apart(scene, std::move(candidates), kMaxHeldOutViews);
 }
 
 /// Takes a part of the view's points from it.

@@ -7,7 +7,7 @@
 namespace lumi {
 namespace {
 
-constexpr std::size_t kMinPoints = 12;
+constexpr std::size_t kMinSharedPoints = 12;
 
 double angle_weight(const Eigen::Vector3d& point, const Eigen::Vector3d& centre_a,
                     const Eigen::Vector3d& centre_b) {
@@ -49,7 +49,7 @@ std::vector<double> scores_of(const DepthScene& scene, int index,
                               const std::vector<Eigen::Vector3d>& centres) {
     const auto self = static_cast<std::size_t>(index);
     std::vector<double> scores(scene.views.size(), 0.0);
-    if (scene.views[self].points.size() >= kMinPoints) {
+    if (scene.views[self].points.size() >= kMinSharedPoints) {
         for (const ScenePoint& point : scene.points) {
             const bool seen = std::any_of(point.track.begin(), point.track.end(),
                                           [&](const auto& o) { return o.view_index == index; });

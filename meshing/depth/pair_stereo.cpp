@@ -19,7 +19,7 @@ constexpr int kMaxDisparities = 256;
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 /// OpenCV counts pixels from the centre of the first, lumi from its corner.
-cv::Mat calibration_matrix(const Camera& camera) {
+cv::Mat opencv_calibration(const Camera& camera) {
     const Eigen::Vector2d focal = focal_length_px(camera);
     const Eigen::Vector2d centre = principal_point_px(camera);
     return (cv::Mat_<double>(3, 3) << focal.x(), 0, centre.x() - 0.5, 0, focal.y(),
@@ -85,8 +85,8 @@ std::optional<RectifiedPair> rectify(const DepthView& a, const DepthView& b) {
         return std::nullopt;
     }
     RectifiedPair pair;
-    pair.calibration[0] = calibration_matrix(a.camera);
-    pair.calibration[1] = calibration_matrix(b.camera);
+    pair.calibration[0] = opencv_calibration(a.camera);
+    pair.calibration[1] = opencv_calibration(b.camera);
     pair.size = cv::Size(a.camera.width_px, a.camera.height_px);
     const cv::Mat no_distortion = cv::Mat::zeros(1, 5, CV_64F);
     const cv::Mat translation = (cv::Mat_<double>(3, 1) << b_from_a.translation.x(),

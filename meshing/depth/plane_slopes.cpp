@@ -7,8 +7,8 @@
 namespace lumi {
 namespace {
 
-constexpr int kTile = 16;
-constexpr int kStride = 3;
+constexpr int kSlopeTile_px = 16;
+constexpr int kSlopeStride_px = 3;
 
 /// Moments of (x, y, 1) and inverse depth over the known pixels around a tile.
 struct Moments {
@@ -28,11 +28,11 @@ struct Moments {
 PlaneSlopes::Slope slope_of_tile(const DepthMap& map, int column, int row, double one_pixel) {
     Moments moments;
     int all = 0;
-    const int centre_x = column * kTile + kTile / 2;
-    const int centre_y = row * kTile + kTile / 2;
+    const int centre_x = column * kSlopeTile_px + kSlopeTile_px / 2;
+    const int centre_y = row * kSlopeTile_px + kSlopeTile_px / 2;
     double first = 0;  // Values are taken relative to one of them, against cancellation.
-    for (int dy = -3 * kTile / 2; dy < 3 * kTile / 2; dy += kStride) {
-        for (int dx = -3 * kTile / 2; dx < 3 * kTile / 2; dx += kStride) {
+    for (int dy = -3 * kSlopeTile_px / 2; dy < 3 * kSlopeTile_px / 2; dy += kSlopeStride_px) {
+        for (int dx = -3 * kSlopeTile_px / 2; dx < 3 * kSlopeTile_px / 2; dx += kSlopeStride_px) {
             ++all;
             if (!map.confidence.contains(centre_x + dx, centre_y + dy)) continue;
             if (map.confidence(centre_x + dx, centre_y + dy) == 0) continue;
@@ -52,15 +52,15 @@ PlaneSlopes::Slope slope_of_tile(const DepthMap& map, int column, int row, doubl
 }  // namespace
 
 PlaneSlopes plane_slopes(const DepthMap& map, double one_pixel) {
-    const int across = (map.confidence.width() + kTile - 1) / kTile;
-    const int down = (map.confidence.height() + kTile - 1) / kTile;
+    const int across = (map.confidence.width() + kSlopeTile_px - 1) / kSlopeTile_px;
+    const int down = (map.confidence.height() + kSlopeTile_px - 1) / kSlopeTile_px;
     std::vector<PlaneSlopes::Slope> slopes;
     for (int row = 0; row < down; ++row) {
         for (int column = 0; column < across; ++column) {
             slopes.push_back(slope_of_tile(map, column, row, one_pixel));
         }
     }
-    return {kTile, across, std::move(slopes)};
+    return {kSlopeTile_px, across, std::move(slopes)};
 }
 
 }  // namespace lumi

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "calib/capture/image_io.h"
+#include "calib/capture/nearest_byte.h"
 #include "calib/work/median.h"
 #include "meshing/depth/inverse_depth_warp.h"
 
@@ -25,10 +26,6 @@ Eigen::Vector3d steps_of(const Rgb8& color) {
             static_cast<double>(color.b)};
 }
 
-std::uint8_t rounded(double value) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
-}
-
 /// At pixel centres counted from zero; `u` and `v` lie within them.
 Rgb8 bilinear(const ColorImage& image, double u, double v) {
     const int x = std::min(static_cast<int>(u), image.width() - 2);
@@ -38,7 +35,7 @@ Rgb8 bilinear(const ColorImage& image, double u, double v) {
     const Eigen::Vector3d color =
         (1 - down) * ((1 - right) * steps_of(image(x, y)) + right * steps_of(image(x + 1, y))) +
         down * ((1 - right) * steps_of(image(x, y + 1)) + right * steps_of(image(x + 1, y + 1)));
-    return {rounded(color.x()), rounded(color.y()), rounded(color.z())};
+    return {nearest_byte(color.x()), nearest_byte(color.y()), nearest_byte(color.z())};
 }
 
 /// Onto the four pixels around, so that a surface seen from farther off has no gaps.

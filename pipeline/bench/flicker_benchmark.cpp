@@ -14,9 +14,9 @@ namespace {
 /// So many pairs of frames are looked at more closely, and the way between them halved so often:
 /// what is continuous has changed by a thousandth of what it did.
 constexpr std::size_t kPairsLookedAt = 4;
-constexpr int kHalvings = 10;
+constexpr int kJumpHalvings = 10;
 
-using Draw = std::function<ColorImage(const Eye&)>;
+using DrawPicture = std::function<ColorImage(const Eye&)>;
 
 double share_that_changes(const ColorImage& a, const ColorImage& b) {
     std::size_t count = 0;
@@ -53,11 +53,11 @@ std::vector<std::size_t> pairs_to_look_at(const std::vector<double>& changes) {
     return pairs;
 }
 
-Jump jump_between(const Eye& first, const Eye& second, std::size_t frame, const Draw& draw) {
+Jump jump_between(const Eye& first, const Eye& second, std::size_t frame, const DrawPicture& draw) {
     double begin = 0;
     double end = 1;
     Jump jump{frame, 0.0, 0.0, draw(first), draw(second)};
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < kJumpHalvings; ++i) {
         const double middle = 0.5 * (begin + end);
         ColorImage drawn =
             draw({first.camera, pose_between(first.cam_from_world, second.cam_from_world, middle)});
@@ -75,7 +75,7 @@ Jump jump_between(const Eye& first, const Eye& second, std::size_t frame, const 
 }
 
 Jump largest_jump(const std::vector<Eye>& path, const std::vector<double>& changes,
-                  const Draw& draw) {
+                  const DrawPicture& draw) {
     Jump largest;
     for (const std::size_t pair : pairs_to_look_at(changes)) {
         Jump jump = jump_between(path[pair], path[pair + 1], pair + 1, draw);
@@ -85,7 +85,7 @@ Jump largest_jump(const std::vector<Eye>& path, const std::vector<double>& chang
 }
 
 FlickerFigures measured(const std::string& mode, const std::vector<Eye>& path,
-                        const std::vector<ColorImage>& truths, const Draw& draw,
+                        const std::vector<ColorImage>& truths, const DrawPicture& draw,
                         Progress& progress) {
     FlickerFigures figures;
     figures.mode = mode;

@@ -28,12 +28,12 @@ constexpr int kMostCameras = 200;
 /// Each rival is measured on so many of the captures, with so many rays and steps of a path.
 constexpr int kComparedCaptures = 20;
 constexpr int kComparedRays = 500;
-constexpr int kPathSteps = 300;
+constexpr int kMeshPathSteps = 300;
 /// Steps that change the weights by less hold no jump worth looking for.
 constexpr double kSuspiciousChange = 1e-3;
 constexpr double kJump = 1e-6;
-constexpr int kHalvings = 36;
-constexpr double kSlid = 1e-9;
+constexpr int kMeshHalvings = 36;
+constexpr double kCameraSlid = 1e-9;
 
 using Points = std::vector<Eigen::Vector3d>;
 
@@ -52,7 +52,7 @@ double jump_between(const std::function<std::vector<double>(double)>& weights_at
                     double high) {
     std::vector<double> at_low = weights_at(low);
     std::vector<double> at_high = weights_at(high);
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < kMeshHalvings; ++i) {
         const double middle = 0.5 * (low + high);
         std::vector<double> at_middle = weights_at(middle);
         if (difference(at_low, at_middle) >= difference(at_middle, at_high)) {
@@ -87,11 +87,11 @@ class WeightsMeasurement {
             return weigh(target + (1.2 + t) * (part * from.normalized()), target);
         };
         std::vector<double> before = weights_at(0);
-        for (int step = 1; step <= kPathSteps; ++step) {
-            const double t = static_cast<double>(step) / kPathSteps;
+        for (int step = 1; step <= kMeshPathSteps; ++step) {
+            const double t = static_cast<double>(step) / kMeshPathSteps;
             std::vector<double> after = weights_at(t);
             if (difference(before, after) > kSuspiciousChange) {
-                const double jump = jump_between(weights_at, t - 1.0 / kPathSteps, t);
+                const double jump = jump_between(weights_at, t - 1.0 / kMeshPathSteps, t);
                 figures_.largest_jump = std::max(figures_.largest_jump, jump);
                 if (jump > kJump) ++jumps_;
             }
@@ -210,7 +210,7 @@ class Benchmark {
         for (const CameraMesh::Vertex& vertex : built.mesh.vertices) {
             const Eigen::Vector3d centre = centre_in_world(
                 capture.views[static_cast<std::size_t>(vertex.view_index)].cam_from_world);
-            if ((vertex.position_in_world - centre).norm() > kSlid) continue;
+            if ((vertex.position_in_world - centre).norm() > kCameraSlid) continue;
             for (std::size_t i = 0; i < capture.points.size(); i += 50) {
                 const auto weights = weights_of_ray(built.mesh, centre,
                                                     capture.points[i].position_in_world - centre);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "calib/capture/degrees.h"
 #include "pipeline/synth/hand_held_path.h"
 
 namespace lumi {
@@ -11,7 +12,6 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kScenePoints = 500;
 
 Eigen::Vector3d random_in_ball(HashedRandom& random, double radius) {
@@ -27,7 +27,7 @@ Points shaken(Points places, double unsteady, HashedRandom& random) {
 /// Even directions (Fibonacci) within `cap_deg` of +x.
 Points cap(int count, double cap_deg) {
     const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
-    const double least_x = std::cos(cap_deg * kDegree);
+    const double least_x = std::cos(cap_deg * kRadiansPerDegree);
     Points places;
     for (int i = 0; i < count; ++i) {
         const double x = 1 - (1 - least_x) * (i + 0.5) / count;
@@ -52,7 +52,7 @@ Points wall(int count, double size) {
 Points arc(int count, double span_deg) {
     Points places;
     for (int i = 0; i < count; ++i) {
-        const double angle = span_deg * kDegree * ((i + 0.5) / count - 0.5);
+        const double angle = span_deg * kRadiansPerDegree * ((i + 0.5) / count - 0.5);
         places.emplace_back(std::cos(angle), std::sin(angle), 0);
     }
     return places;

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Scene read_scene(const ConfigSection& section, const std::vector<ConfigChange>& changes) {
+DatasetScene read_scene(const ConfigSection& section, const std::vector<ConfigChange>& changes) {
     const fs::path config = section.path("config");
     const fs::path photos = section.path("photos");
     if (config.empty() == photos.empty()) {
@@ -18,7 +18,7 @@ Scene read_scene(const ConfigSection& section, const std::vector<ConfigChange>& 
     }
     const fs::path source = config.empty() ? photos : config;
     const fs::path named = source.has_filename() ? source : source.parent_path();
-    Scene scene;
+    DatasetScene scene;
     scene.name = section.text("name", named.stem().string());
     try {
         scene.config = ConfigDocument::open(source).build_config_with(changes);

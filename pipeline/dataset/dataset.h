@@ -9,7 +9,7 @@
 namespace lumi {
 
 /// A scene of a dataset: its configuration, or why it has none.
-struct Scene {
+struct DatasetScene {
     std::string name;
     BuildConfig config;
     std::string failure_code;  ///< Empty when the configuration could be read.
@@ -29,7 +29,7 @@ struct Scene {
 ///     settings.evaluate.hold_out_every = 8
 struct Dataset {
     std::string name;
-    std::vector<Scene> scenes;
+    std::vector<DatasetScene> scenes;
 };
 
 /// True for a TOML file with [[scene]] tables.

@@ -33,7 +33,7 @@ std::optional<Interval> flip_interval_of(const std::vector<ViewScore>& views) {
     return std::nullopt;
 }
 
-void build(const Scene& scene, const fs::path& folder, int threads, SceneOutcome& outcome,
+void build(const DatasetScene& scene, const fs::path& folder, int threads, SceneOutcome& outcome,
            Progress& progress) {
     const Workspace workspace(WorkspaceLayout(folder / scene.name, scene.config.name));
     const int scene_threads = threads > 0 ? threads : scene.config.threads;
@@ -61,7 +61,7 @@ void build(const Scene& scene, const fs::path& folder, int threads, SceneOutcome
 std::vector<SceneOutcome> run_dataset(const Dataset& dataset, const fs::path& folder, int threads,
                                       Progress& progress) {
     std::vector<SceneOutcome> outcomes;
-    for (const Scene& scene : dataset.scenes) {
+    for (const DatasetScene& scene : dataset.scenes) {
         progress.note("scene " + std::to_string(outcomes.size() + 1) + " of " +
                       std::to_string(dataset.scenes.size()) + ": " + scene.name);
         SceneOutcome outcome;

@@ -15,7 +15,7 @@ std::array<double, 3> channels(const Rgb8& color) {
 }
 
 /// Sums over covered pixels, per channel.
-struct Moments {
+struct ChannelMoments {
     double count = 0.0;
     std::array<double, 3> drawn{};
     std::array<double, 3> truth{};
@@ -24,9 +24,9 @@ struct Moments {
     std::array<double, 3> truth_truth{};
 };
 
-Moments moments_of(const ColorImage& photograph, const ColorImage& rendering,
-                   const GrayImage& coverage) {
-    Moments sums;
+ChannelMoments moments_of(const ColorImage& photograph, const ColorImage& rendering,
+                          const GrayImage& coverage) {
+    ChannelMoments sums;
     for (std::size_t i = 0; i < photograph.pixels().size(); ++i) {
         if (coverage.pixels()[i] == 0) continue;
         const auto truth = channels(photograph.pixels()[i]);
@@ -49,7 +49,7 @@ std::optional<GainFit> fit_gain(const ColorImage& photograph, const ColorImage& 
                                 const GrayImage& coverage) {
     expect_equal_sizes(photograph, rendering);
     expect_equal_sizes(photograph, coverage);
-    const Moments sums = moments_of(photograph, rendering, coverage);
+    const ChannelMoments sums = moments_of(photograph, rendering, coverage);
     if (sums.count == 0.0) return std::nullopt;
     GainFit fit;
     double mean_square = 0.0;

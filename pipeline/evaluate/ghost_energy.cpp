@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint8_t kLeastWeight = 16;
 
 /// Sums over the classes at each pixel of one eye.
-struct Moments {
+struct ClassMoments {
     FloatImage weight;
     FloatImage luma;
     FloatImage squared_luma;
@@ -34,7 +34,7 @@ Lumigraph only_class(const Lumigraph& lumigraph, const std::vector<int>& classes
     return result;
 }
 
-void add_class(Moments& moments, const Frame& frame) {
+void add_class(ClassMoments& moments, const Frame& frame) {
     for (std::size_t i = 0; i < frame.color.pixels().size(); ++i) {
         const Rgb8& pixel = frame.color.pixels()[i];
         if (pixel.g < kLeastWeight) continue;
@@ -47,7 +47,7 @@ void add_class(Moments& moments, const Frame& frame) {
     moments.coverage = frame.coverage;
 }
 
-FloatImage variance(const Moments& moments) {
+FloatImage variance(const ClassMoments& moments) {
     FloatImage result(moments.weight.width(), moments.weight.height());
     for (std::size_t i = 0; i < result.pixels().size(); ++i) {
         const float weight = moments.weight.pixels()[i];
@@ -97,7 +97,7 @@ std::vector<FloatImage> ghost_energies(const Lumigraph& lumigraph, const std::ve
     const std::vector<int> classes =
         camera_classes(lumigraph.mesh, static_cast<int>(lumigraph.views.size()));
     const int class_count = 1 + *std::max_element(classes.begin(), classes.end());
-    std::vector<Moments> moments;
+    std::vector<ClassMoments> moments;
     for (const Eye& eye : eyes) {
         const FloatImage zero(eye.camera.width_px, eye.camera.height_px, 0.0F);
         moments.push_back({zero, zero, zero, {}});
@@ -112,7 +112,7 @@ std::vector<FloatImage> ghost_energies(const Lumigraph& lumigraph, const std::ve
         }
     }
     std::vector<FloatImage> energies;
-    for (const Moments& sums : moments) energies.push_back(variance(sums));
+    for (const ClassMoments& sums : moments) energies.push_back(variance(sums));
     return energies;
 }
 

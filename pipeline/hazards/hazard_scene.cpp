@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "calib/capture/degrees.h"
 #include "pipeline/synth/hand_held_path.h"
 #include "pipeline/synth/hashed_random.h"
 
@@ -14,7 +15,6 @@ namespace {
 constexpr int kWidthPx = 400;
 constexpr int kHeightPx = 300;
 constexpr int kPhotographs = 8;
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kWallY = 1.6;
 
 double between(HashedRandom& random, double low, double high) {
@@ -162,7 +162,7 @@ HazardScene good_path(std::uint64_t seed, double zoom = 1.0, int places = kPhoto
     const Eigen::Vector3d target(0, 0.3, 0.5);
     std::vector<Eigen::Vector3d> eyes;
     for (int place = 0; place < places; ++place) {
-        const double azimuth = 50 * kDegree * (places == 1 ? 0.0 : part(place, places));
+        const double azimuth = 50 * kRadiansPerDegree * (places == 1 ? 0.0 : part(place, places));
         const double height = place % 2 == 0 ? 1.0 : 1.6;
         eyes.push_back(
             Eigen::Vector3d(3.2 * std::sin(azimuth), 0.3 - 3.2 * std::cos(azimuth), height) +
@@ -190,7 +190,7 @@ HazardScene baseline(std::uint64_t seed, double step_share) {
 HazardScene rotation(std::uint64_t seed, double way_share) {
     Walk walk(seed);
     for (int index = 0; index < kPhotographs; ++index) {
-        const double turn = 40 * kDegree * part(index);
+        const double turn = 40 * kRadiansPerDegree * part(index);
         const Eigen::Vector3d eye =
             Eigen::Vector3d(3.2 * way_share * part(index), -2.9, 1.2) + walk.sway(0.03 * way_share);
         walk.stand(eye,
@@ -207,7 +207,7 @@ HazardScene planarity(std::uint64_t seed, double relief_share) {
     Walk walk(seed);
     const Eigen::Vector3d target(0, kWallY, 2.0);
     for (int index = 0; index < kPhotographs; ++index) {
-        const double azimuth = 50 * kDegree * part(index);
+        const double azimuth = 50 * kRadiansPerDegree * part(index);
         const Eigen::Vector3d eye =
             target + kDistance * Eigen::Vector3d(std::sin(azimuth), -std::cos(azimuth), 0) +
             Eigen::Vector3d(0, 0, index % 2 == 0 ? -0.4 : 0.4) + walk.sway(0.06);

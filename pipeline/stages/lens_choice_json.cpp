@@ -3,9 +3,13 @@
 #include <nlohmann/json.hpp>
 
 namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 nlohmann::ordered_json lens_choice_json(const LensChoice& choice) {
-    using Json = nlohmann::ordered_json;
     Json forms = Json::array();
     for (std::size_t index = 0; index < choice.trials.size(); ++index) {
         const LensTrial& trial = choice.trials[index];

@@ -11,7 +11,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-fs::path list_path(const fs::path& pinhole_folder) { return pinhole_folder / "pictures.json"; }
+fs::path picture_list_path(const fs::path& pinhole_folder) {
+    return pinhole_folder / "pictures.json";
+}
 
 }  // namespace
 
@@ -22,17 +24,17 @@ void write_posed_photographs(const fs::path& pinhole_folder, const PosedPhotogra
         pictures[photographs.capture.views[i].name] =
             fs::relative(photographs.picture_paths[i], pinhole_folder).generic_string();
     }
-    write_json_file(list_path(pinhole_folder), pictures);
+    write_json_file(picture_list_path(pinhole_folder), pictures);
 }
 
 PosedPhotographs read_posed_photographs(const fs::path& pinhole_folder) {
     PosedPhotographs photographs;
     photographs.capture = read_colmap_model(pinhole_folder);
-    const Json pictures = read_json_file(list_path(pinhole_folder));
+    const Json pictures = read_json_file(picture_list_path(pinhole_folder));
     for (const View& view : photographs.capture.views) {
         const auto picture = pictures.find(view.name);
         if (picture == pictures.end() || !picture->is_string()) {
-            refuse_json(list_path(pinhole_folder), "no picture of " + view.name);
+            refuse_json(picture_list_path(pinhole_folder), "no picture of " + view.name);
         }
         photographs.picture_paths.push_back(
             (pinhole_folder / picture->get<std::string>()).lexically_normal());

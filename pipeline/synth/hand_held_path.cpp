@@ -3,14 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "calib/capture/degrees.h"
 #include "pipeline/synth/hashed_random.h"
 
 namespace lumi {
 namespace {
-
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 /// From -0.5 to 0.5 over `count` places; 0 when there is only one.
 double centred_share(int index, int count) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "calib/capture/nearest_byte.h"
 #include "pipeline/synth/hashed_random.h"
 #include "pipeline/synth/read_vectors.h"
 
@@ -48,10 +49,6 @@ Image<LinearColor> blurred(const Image<LinearColor>& light, double sigma_px) {
     return blurred_along(blurred_along(light, kernel, 1, 0), kernel, 0, 1);
 }
 
-std::uint8_t rounded(double value) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
-}
-
 }  // namespace
 
 SensorOptions read_sensor_options(const ConfigSection& section) {
@@ -77,7 +74,7 @@ ColorImage develop(const Image<LinearColor>& light, const SensorOptions& options
             if (options.noise_sigma > 0.0) {
                 for (double& channel : srgb) channel += options.noise_sigma * random.gaussian();
             }
-            result(x, y) = {rounded(srgb[0]), rounded(srgb[1]), rounded(srgb[2])};
+            result(x, y) = {nearest_byte(srgb[0]), nearest_byte(srgb[1]), nearest_byte(srgb[2])};
         }
     }
     return result;

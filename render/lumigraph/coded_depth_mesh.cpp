@@ -16,7 +16,7 @@ constexpr double kMostSteps = 65535.0;
 /// Column and row in quarters of a sample, and step of inverse depth.
 using CodedVertex = std::array<std::int32_t, 3>;
 
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+[[noreturn]] void refuse_mesh(const std::string& where, const std::string& what) {
     throw Error(ErrorKind::kBadInput, "E-PACKAGE-MESH", where + ": " + what,
                 "the package is damaged: copy it again, or build it again with `lumi build`");
 }
@@ -79,13 +79,13 @@ class NumberReader {
     std::uint32_t next() {
         std::uint32_t value = 0;
         for (unsigned shift = 0; shift < 32; shift += 7) {
-            if (at_ >= bytes_.size()) refuse(where_, "ends within a triangle");
+            if (at_ >= bytes_.size()) refuse_mesh(where_, "ends within a triangle");
             const std::uint32_t byte = bytes_[at_++];
             if (shift == 28 && byte > 0x0fU) break;
             value |= (byte & 0x7fU) << shift;
             if (byte < 0x80U) return value;
         }
-        refuse(where_, "holds a number of more than 32 bits");
+        refuse_mesh(where_, "holds a number of more than 32 bits");
     }
     [[nodiscard]] bool is_at_end() const { return at_ == bytes_.size(); }
 
@@ -124,11 +124,11 @@ class VertexReader {
           where_(where) {}
 
     void read(NumberReader& numbers, std::vector<Eigen::Vector3f>& vertices) {
-        if (vertices.size() == count_) refuse(where_, "holds more vertices than it states");
+        if (vertices.size() == count_) refuse_mesh(where_, "holds more vertices than it states");
         for (std::size_t axis = 0; axis < last_.size(); ++axis) {
             const std::int64_t value = std::int64_t{last_[axis]} + from_zigzag(numbers.next());
             if (value < 0 || value > end_[axis])
-                refuse(where_, "holds a vertex beyond the photograph or the range of depth");
+                refuse_mesh(where_, "holds a vertex beyond the photograph or the range of depth");
             last_[axis] = static_cast<std::int32_t>(value);
         }
         vertices.push_back(scale_.decoded(last_));
@@ -182,20 +182,20 @@ DepthMesh decode(const CodedDepthMesh& coded, const Camera& camera, const std::s
     // What is announced must fit into the bytes before memory is taken for it: a byte a corner, and
     // three more a vertex.
     if (corners + 3 * static_cast<std::size_t>(header.vertices) > coded.bytes.size())
-        refuse(where, "is too short for the triangles that it states");
+        refuse_mesh(where, "is too short for the triangles that it states");
     mesh.vertices.reserve(static_cast<std::size_t>(header.vertices));
     mesh.indices.reserve(corners);
     NumberReader numbers(coded.bytes, where);
     VertexReader vertices(header, camera, where);
     while (mesh.indices.size() < corners) {
         const std::uint32_t ago = numbers.next();
-        if (ago > mesh.vertices.size()) refuse(where, "names a vertex before it is there");
+        if (ago > mesh.vertices.size()) refuse_mesh(where, "names a vertex before it is there");
         if (ago == 0) vertices.read(numbers, mesh.vertices);
         mesh.indices.push_back(
             static_cast<std::uint32_t>(mesh.vertices.size() - (ago == 0 ? 1 : ago)));
     }
     if (!numbers.is_at_end() || mesh.vertices.size() != static_cast<std::size_t>(header.vertices))
-        refuse(where, "does not end with the triangles that it states");
+        refuse_mesh(where, "does not end with the triangles that it states");
     return mesh;
 }
 

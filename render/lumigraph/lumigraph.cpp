@@ -10,9 +10,7 @@
 namespace lumi {
 namespace {
 
-constexpr double kUnitTolerance = 1e-6;
-
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+[[noreturn]] void refuse_lumigraph(const std::string& where, const std::string& what) {
     throw Error(ErrorKind::kBadInput, "E-LUMIGRAPH-INVALID", where + ": " + what,
                 "build the package again with `lumi build`");
 }
@@ -21,11 +19,11 @@ void validate_depth(const DepthMap& depth, const std::string& where) {
     const FloatImage& inverse_depth = depth.inverse_depth;
     if (inverse_depth.width() != depth.confidence.width() ||
         inverse_depth.height() != depth.confidence.height()) {
-        refuse(where, "expected inverse depth and confidence of one size");
+        refuse_lumigraph(where, "expected inverse depth and confidence of one size");
     }
     const bool in_range = std::all_of(inverse_depth.pixels().begin(), inverse_depth.pixels().end(),
                                       [](float q) { return std::isfinite(q) && q >= 0.0F; });
-    if (!in_range) refuse(where, "expected finite inverse depths >= 0");
+    if (!in_range) refuse_lumigraph(where, "expected finite inverse depths >= 0");
 }
 
 void validate_depth_mesh(const DepthMesh& mesh, const std::string& where) {
@@ -41,26 +39,26 @@ void validate_depth_mesh(const DepthMesh& mesh, const std::string& where) {
         mesh.vertices.begin(), mesh.vertices.end(),
         [](const Eigen::Vector3f& vertex) { return vertex.allFinite() && vertex.z() >= 0; });
     if (!sorted_by_kind || !names_vertices || !is_finite)
-        refuse(where, "expected a depth mesh of triangles between finite vertices");
+        refuse_lumigraph(where, "expected a depth mesh of triangles between finite vertices");
 }
 
 void validate_view(const LumigraphView& view, const std::string& where) {
     validate(view.camera, where);
-    if (view.camera.model != LensModel::kPinhole) refuse(where, "expected a PINHOLE camera");
+    if (view.camera.model != LensModel::kPinhole)
+        refuse_lumigraph(where, "expected a PINHOLE camera");
     if (view.photograph.width() != view.camera.width_px ||
         view.photograph.height() != view.camera.height_px) {
-        refuse(where, "expected a photograph of its camera's size");
+        refuse_lumigraph(where, "expected a photograph of its camera's size");
     }
-    const Rigid3& pose = view.cam_from_world;
-    if (!pose.translation.allFinite() || !(std::abs(pose.rotation.norm() - 1) <= kUnitTolerance)) {
-        refuse(where, "expected a finite rotation and translation");
+    if (!is_rigid(view.cam_from_world)) {
+        refuse_lumigraph(where, "expected a finite rotation and translation");
     }
     if (view.exif_orientation < 1 || view.exif_orientation > 8) {
-        refuse(where, "expected an EXIF orientation from 1 to 8");
+        refuse_lumigraph(where, "expected an EXIF orientation from 1 to 8");
     }
     for (const double gain : view.exposure_gain) {
         if (!(gain >= 1 / kLargestExposureGain && gain <= kLargestExposureGain)) {
-            refuse(where, "expected exposure gains from 1/16 to 16");
+            refuse_lumigraph(where, "expected exposure gains from 1/16 to 16");
         }
     }
     validate_depth(view.depth, where);
@@ -70,28 +68,28 @@ void validate_view(const LumigraphView& view, const std::string& where) {
 }  // namespace
 
 void validate(const Lumigraph& lumigraph, const std::string& where) {
-    if (lumigraph.views.empty()) refuse(where, "expected at least one view");
+    if (lumigraph.views.empty()) refuse_lumigraph(where, "expected at least one view");
     if (lumigraph.depth_views < kLeastDepthViews || lumigraph.depth_views > kMaxDepthViews)
-        refuse(where, "expected 3 or 4 depth views");
+        refuse_lumigraph(where, "expected 3 or 4 depth views");
     if (!(lumigraph.depth_block_px >= kLeastDepthBlock_px &&
           lumigraph.depth_block_px <= kMaxDepthBlock_px))
-        refuse(where, "expected depth blocks of 1 to 2 pixels");
+        refuse_lumigraph(where, "expected depth blocks of 1 to 2 pixels");
     if (!(lumigraph.triangle_error_px >= kLeastTriangleError_px &&
           lumigraph.triangle_error_px <= kMostTriangleError_px))
-        refuse(where, "expected triangles that err by 0.1 to 10 pixels");
+        refuse_lumigraph(where, "expected triangles that err by 0.1 to 10 pixels");
     std::set<std::string> names;
     for (const LumigraphView& view : lumigraph.views) {
         validate_view(view, where + ": " + printable(view.name));
-        if (view.name.empty()) refuse(where, "a view has no name");
+        if (view.name.empty()) refuse_lumigraph(where, "a view has no name");
         if (!names.insert(view.name).second) {
-            refuse(where, "two views are named " + printable(view.name));
+            refuse_lumigraph(where, "two views are named " + printable(view.name));
         }
     }
     validate(lumigraph.mesh, static_cast<int>(lumigraph.views.size()), where);
     const bool in_range = lumigraph.near_depth >= 0 &&
                           lumigraph.near_depth <= lumigraph.far_depth &&
                           std::isfinite(lumigraph.far_depth);
-    if (!in_range) refuse(where, "expected 0 <= near_depth <= far_depth");
+    if (!in_range) refuse_lumigraph(where, "expected 0 <= near_depth <= far_depth");
 }
 
 Lumigraph without_its_views(const Lumigraph& lumigraph) {

@@ -12,7 +12,6 @@
 namespace lumi {
 namespace {
 
-constexpr double kUnitTolerance = 1e-6;
 constexpr int kMaxSide_px = 1 << 16;
 constexpr int kMaxTriangles = 1 << 28;
 
@@ -45,7 +44,7 @@ Rigid3 pose_of(const StrictJsonObject& object) {
     const std::vector<double> q = object.numbers("rotation_wxyz", 4);
     const std::vector<double> t = object.numbers("translation", 3);
     const Rigid3 pose{Eigen::Quaterniond(q[0], q[1], q[2], q[3]), {t[0], t[1], t[2]}};
-    if (!(std::abs(pose.rotation.norm() - 1) <= kUnitTolerance)) {
+    if (!is_rigid(pose)) {
         object.refuse("rotation_wxyz", "a quaternion of length 1");
     }
     return pose;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "calib/capture/nearest_byte.h"
 #include "meshing/surface/camera_mesh.h"
 #include "render/depth_layers/depth_eye.h"
 #include "render/depth_search/occlusion.h"
@@ -270,10 +271,6 @@ Eigen::Vector3d ReferenceFrame::debug_color_of(const RayWeights& ray, bool unsee
                        inverse_depth_range(lumigraph_));
 }
 
-std::uint8_t to_byte(double value) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
-}
-
 }  // namespace
 
 Frame draw_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
@@ -285,8 +282,9 @@ Frame draw_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOpt
         for (int x = 0; x < eye.camera.width_px; ++x) {
             const DrawnPixel drawn = reference.color_at(x, y);
             const Eigen::Vector3d& color = drawn.color;
-            frame.color(x, y) = {to_byte(color.x()), to_byte(color.y()), to_byte(color.z())};
-            frame.coverage(x, y) = to_byte(255 * drawn.coverage);
+            frame.color(x, y) = {nearest_byte(color.x()), nearest_byte(color.y()),
+                                 nearest_byte(color.z())};
+            frame.coverage(x, y) = nearest_byte(255 * drawn.coverage);
         }
     }
     return frame;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "calib/capture/nearest_byte.h"
 #include "render/reference/sampling.h"
 #include "render/uploaded/photograph_opacity.h"
 
@@ -18,10 +19,6 @@ constexpr double kLeastWeight = 1e-4;
 /// A pixel whose middle lies on an edge belongs to the triangle on its right, or else above: to
 /// one of them, as in OpenGL, and the same one.
 const Eigen::Vector3d kOffEdges_px(1e-4, -1e-5, 0);
-
-std::uint8_t to_byte(double value) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
-}
 
 /// One corner's share of a pixel times what it carries, summed over the corners.
 template <class Value>
@@ -47,7 +44,7 @@ void draw_surroundings(const std::array<const BlendVertex*, 3>& corners,
                                vertex.surroundings[2]);
     });
     if (color.minCoeff() < 0) return;
-    frame.color(x, y) = {to_byte(color.x()), to_byte(color.y()), to_byte(color.z())};
+    frame.color(x, y) = {nearest_byte(color.x()), nearest_byte(color.y()), nearest_byte(color.z())};
     frame.coverage(x, y) = 0;
 }
 
@@ -84,7 +81,7 @@ void draw_pixel(const std::array<const BlendVertex*, 3>& corners, const Eigen::V
             return Eigen::Matrix<double, 1, 1>(static_cast<double>(vertex.opacity));
         }).value();
     const auto over = [opacity](double front, std::uint8_t back) {
-        return to_byte(opacity * front + (1 - opacity) * back);
+        return nearest_byte(opacity * front + (1 - opacity) * back);
     };
     const Rgb8 behind = frame.color(x, y);
     frame.color(x, y) = {over(color.x(), behind.r), over(color.y(), behind.g),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calib/capture/nearest_byte.h"
 #include "render/reference/sampling.h"
 
 namespace lumi {
@@ -29,10 +30,7 @@ Frame empty_frame(const Eye& eye) {
 }
 
 void set_pixel(Frame& frame, int x, int y, const Eigen::Vector3d& color) {
-    const auto byte = [](double value) {
-        return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
-    };
-    frame.color(x, y) = {byte(color.x()), byte(color.y()), byte(color.z())};
+    frame.color(x, y) = {nearest_byte(color.x()), nearest_byte(color.y()), nearest_byte(color.z())};
     frame.coverage(x, y) = 255;
 }
 

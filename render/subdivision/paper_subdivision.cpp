@@ -9,7 +9,7 @@
 namespace lumi {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
+using CornerIndices = std::array<std::uint32_t, 3>;
 
 /// Vertices that lie on the borders of patches, from both sides: a patch's polygon reaches a
 /// hundredth of a pixel into its neighbour, so places that near are the same.
@@ -61,13 +61,13 @@ class PaperPatch {
     }
 
     void remove_t_vertices(const BorderVertices& border, BlendTriangles& drawn) {
-        std::vector<Triangle> whole;
-        for (const Triangle& leaf : leaves_) split_where_neighbours_did(leaf, border, whole);
+        std::vector<CornerIndices> whole;
+        for (const CornerIndices& leaf : leaves_) split_where_neighbours_did(leaf, border, whole);
         vertices_.append_to(drawn, whole, VertexDepth::kTrue);
     }
 
  private:
-    void subdivide(const Triangle& triangle, BorderVertices& border) {
+    void subdivide(const CornerIndices& triangle, BorderVertices& border) {
         const auto [a, b, c] = triangle;
         const double size = std::max(
             {vertices_.length_px(a, b), vertices_.length_px(b, c), vertices_.length_px(c, a)});
@@ -90,12 +90,12 @@ class PaperPatch {
         subdivide({ab, bc, ca}, border);
     }
 
-    [[nodiscard]] int count_hits(const Triangle& triangle) const {
+    [[nodiscard]] int count_hits(const CornerIndices& triangle) const {
         return static_cast<int>(std::count_if(triangle.begin(), triangle.end(),
                                               [&](std::uint32_t i) { return vertices_[i].hits; }));
     }
 
-    [[nodiscard]] bool is_flat(const Triangle& triangle, const PatchSample& centre) const {
+    [[nodiscard]] bool is_flat(const CornerIndices& triangle, const PatchSample& centre) const {
         double nearest = centre.inverse_depth;
         double farthest = centre.inverse_depth;
         for (const std::uint32_t i : triangle) {
@@ -121,7 +121,7 @@ class PaperPatch {
 
     /// Thinner than polygons overlap, so that nothing is seen of it. Halves of such a triangle need
     /// not be smaller: without this end they could return to where they began.
-    [[nodiscard]] bool is_sliver(const Triangle& triangle) const {
+    [[nodiscard]] bool is_sliver(const CornerIndices& triangle) const {
         const auto [a, b, c] = triangle;
         const Eigen::Vector2d ab = vertices_[b].pixel - vertices_[a].pixel;
         const Eigen::Vector2d ac = vertices_[c].pixel - vertices_[a].pixel;
@@ -131,8 +131,8 @@ class PaperPatch {
     }
 
     /// Each step halves the area, and edges never grow: slivers are reached, and end it.
-    void split_where_neighbours_did(const Triangle& triangle, const BorderVertices& border,
-                                    std::vector<Triangle>& whole) {
+    void split_where_neighbours_did(const CornerIndices& triangle, const BorderVertices& border,
+                                    std::vector<CornerIndices>& whole) {
         for (std::size_t i = 0; i < 3 && !is_sliver(triangle); ++i) {
             const std::uint32_t a = triangle[i];
             const std::uint32_t b = triangle[(i + 1) % 3];
@@ -150,7 +150,7 @@ class PaperPatch {
     double depth_threshold_;
     PatchSampler sampler_;
     SubdividedPatch vertices_;
-    std::vector<Triangle> leaves_;
+    std::vector<CornerIndices> leaves_;
 };
 
 }  // namespace

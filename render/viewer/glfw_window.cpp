@@ -19,17 +19,6 @@ Error no_window(const std::string& what) {
             "without a display, draw frames to files instead: `lumi render`"};
 }
 
-/// GLFW itself, for as long as there is a window.
-class GlfwLibrary {
- public:
-    GlfwLibrary() {
-        if (glfwInit() != GLFW_TRUE) throw no_window("no window can be opened");
-    }
-    ~GlfwLibrary() { glfwTerminate(); }
-    GlfwLibrary(const GlfwLibrary&) = delete;
-    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
-};
-
 GLFWwindow* create_window(int width_px, int height_px, const std::string& title, bool visible) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -51,6 +40,17 @@ double axis(GLFWwindow* window, int negative_key, int positive_key) {
 }
 
 }  // namespace
+
+/// GLFW itself, for as long as there is a window.
+class GlfwLibrary {
+ public:
+    GlfwLibrary() {
+        if (glfwInit() != GLFW_TRUE) throw no_window("no window can be opened");
+    }
+    ~GlfwLibrary() { glfwTerminate(); }
+    GlfwLibrary(const GlfwLibrary&) = delete;
+    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
+};
 
 struct GlfwWindow::Implementation {
     Implementation(int width_px, int height_px, const std::string& title, bool visible)

@@ -21,6 +21,14 @@
 #include "render/viewer/screenshot.h"
 
 namespace lumi {
+
+/// All that a drawn frame depends on.
+struct DrawnFrame {
+    Eye eye;
+    RenderOptions options;
+    double scale = 0.0;
+};
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -32,13 +40,6 @@ double seconds_since(Clock::time_point start) {
 /// How long the eye must rest before the whole picture is drawn.
 constexpr double kRestBeforeWhole_s = 0.15;
 constexpr double kIdleWait_s = 0.1;
-
-/// All that a drawn frame depends on.
-struct DrawnFrame {
-    Eye eye;
-    RenderOptions options;
-    double scale = 0.0;
-};
 
 bool same(const DrawnFrame& a, const DrawnFrame& b) {
     return is_same_eye(a.eye, b.eye) && a.scale == b.scale && a.options.mode == b.options.mode &&

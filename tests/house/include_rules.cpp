@@ -7,12 +7,13 @@
 #include <regex>
 #include <string_view>
 
+#include "tests/house/room_sources.h"
+
 namespace lumi {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 4> kRooms{"calib", "meshing", "render", "pipeline"};
 constexpr std::array<std::string_view, 3> kHandedOn{"calib/capture/", "meshing/surface/",
                                                     "render/lumigraph/"};
 constexpr std::array<std::string_view, 7> kHeavy{"opencv2/", "CGAL/",        "ceres/", "colmap/",
@@ -49,11 +50,6 @@ std::string offence(const IncludeLine& include, const std::string& why) {
            include.target + "\": " + why;
 }
 
-bool is_source(const fs::path& path) {
-    const fs::path extension = path.extension();
-    return extension == ".h" || extension == ".cpp" || extension == ".inc" || extension == ".in";
-}
-
 void append_includes(const fs::path& repository, const fs::path& file,
                      std::vector<IncludeLine>& includes) {
     static const std::regex kInclude(R"(^\s*#\s*include\s*["<]([^">]+)[">])");
@@ -69,16 +65,9 @@ void append_includes(const fs::path& repository, const fs::path& file,
 }  // namespace
 
 std::vector<IncludeLine> include_lines_of_rooms(const fs::path& repository) {
-    std::vector<fs::path> files;
-    for (const std::string_view room : kRooms) {
-        if (!fs::exists(repository / room)) continue;
-        for (const auto& entry : fs::recursive_directory_iterator(repository / room)) {
-            if (entry.is_regular_file() && is_source(entry.path())) files.push_back(entry.path());
-        }
-    }
-    std::sort(files.begin(), files.end());
     std::vector<IncludeLine> includes;
-    for (const fs::path& file : files) append_includes(repository, file, includes);
+    for (const fs::path& file : room_sources(repository))
+        append_includes(repository, file, includes);
     return includes;
 }
 

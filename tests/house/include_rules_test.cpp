@@ -3,40 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <stdexcept>
+#include "tests/house/made_up_repository.h"
 
 namespace lumi {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-
-/// A repository of made-up files, gone at the end of its test.
-class MadeUpRepository {
- public:
-    MadeUpRepository() {
-        std::string name = (fs::temp_directory_path() / "lumi-house-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-        root_ = name;
-    }
-    ~MadeUpRepository() { fs::remove_all(root_); }
-    MadeUpRepository(const MadeUpRepository&) = delete;
-    MadeUpRepository& operator=(const MadeUpRepository&) = delete;
-
-    void write(const fs::path& file, const std::string& text) const {
-        fs::create_directories((root_ / file).parent_path());
-        std::ofstream(root_ / file) << text;
-    }
-    [[nodiscard]] const fs::path& root() const { return root_; }
-
- private:
-    fs::path root_;
-};
 
 TEST(House, RoomsIncludeOnlyTheRoomsBeforeThem) {
     const auto includes = include_lines_of_rooms(LUMI_SOURCE_DIR);

@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <vector>
 
+#include "calib/capture/degrees.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "meshing/planning/next_views.h"
 #include "pipeline/evaluate/image_metrics.h"
@@ -20,7 +20,6 @@
 namespace lumi {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kGap_deg = 50;
 
 struct GapCase {
@@ -55,7 +54,7 @@ TEST_P(PlannedView, LowersHeldOutErrorMoreThanRandomOnes) {
     const Eigen::Vector3d gap = GetParam().gap.normalized();
     Studio taken(GetParam().scene);
     for (const Eigen::Vector3d& direction : spiral(60, 0)) {
-        if (angle_between(direction, gap) < kGap_deg * kDegree) continue;
+        if (angle_between(direction, gap) < kGap_deg * kRadiansPerDegree) continue;
         taken.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
     }
     const auto count = static_cast<int>(taken.capture.views.size());
@@ -65,7 +64,7 @@ TEST_P(PlannedView, LowersHeldOutErrorMoreThanRandomOnes) {
     const CapturePlan plan = plan_capture(taken.capture, views, {.suggestions = 1});
     ASSERT_EQ(plan.suggestions.size(), 1U);
     const Rigid3& planned = plan.suggestions.front().cam_from_world;
-    EXPECT_LT(angle_between(centre_in_world(planned), gap), 0.5 * kGap_deg * kDegree);
+    EXPECT_LT(angle_between(centre_in_world(planned), gap), 0.5 * kGap_deg * kRadiansPerDegree);
 
     constexpr int kRandom = 40;
     taken.photograph_from(planned);

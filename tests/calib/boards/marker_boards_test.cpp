@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const Camera kLens{800, 600, LensModel::kSimpleRadial, {700, 402, 297, -0.12}};
+const Camera kMarkerLens{800, 600, LensModel::kSimpleRadial, {700, 402, 297, -0.12}};
 
 /// What detection and calibration make of photographs of a print.
 struct Outcome {
@@ -23,12 +23,12 @@ Outcome calibrate(const BoardPrint& print, int columns, int rows, BoardKind way)
     SilentProgress progress;
     Outcome outcome;
     BoardViews board;
-    board.width_px = kLens.width_px;
-    board.height_px = kLens.height_px;
+    board.width_px = kMarkerLens.width_px;
+    board.height_px = kMarkerLens.height_px;
     std::uint32_t seed = 1;
-    for (const BoardPose& pose : hand_held_poses(kLens, columns, rows, 8, 40, 21)) {
+    for (const BoardPose& pose : hand_held_poses(kMarkerLens, columns, rows, 8, 40, 21)) {
         const BoardAnswer answer = detect_board(
-            photograph_of(print, kLens, pose, {.noise = 2, .seed = seed++}), "p", way, {});
+            photograph_of(print, kMarkerLens, pose, {.noise = 2, .seed = seed++}), "p", way, {});
         EXPECT_TRUE(answer.board) << answer.left_out.reason;
         if (!answer.board) continue;
         board.views.push_back(answer.board->view);
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Layouts, CharucoLayouts, testing::Bool());
 TEST(Charuco, APartOfTheBoardIsEnough) {
     const BoardPose near = {0.1, -0.4, 0.3, -3.5, -2.0, 4.5};
     const BoardAnswer answer =
-        detect_board(photograph_of(printed_charuco(9, 6, 0.7, false), kLens, near), "p",
+        detect_board(photograph_of(printed_charuco(9, 6, 0.7, false), kMarkerLens, near), "p",
                      BoardKind::kCharuco, {});
     ASSERT_TRUE(answer.board) << answer.left_out.reason;
     EXPECT_EQ(answer.board->kind, BoardKind::kCharuco);

@@ -8,12 +8,11 @@
 #include <random>
 
 #include "calib/boards/board_pose.h"
+#include "calib/capture/degrees.h"
 #include "calib/opencv/opencv_picture.h"
 
 namespace lumi {
 namespace {
-
-constexpr double kRadians = std::numbers::pi / 180;
 
 Eigen::Matrix3d rotation_of(const BoardPose& pose) {
     const Eigen::Map<const Eigen::Vector3d> vector(pose.data());
@@ -59,7 +58,8 @@ std::vector<BoardPose> hand_held_poses(const Camera& lens, int columns, int rows
     std::vector<BoardPose> poses;
     for (int index = 0; index < count; ++index) {
         const double around = 2 * std::numbers::pi * index / count + 0.3 * uniform(random);
-        const double tilt = max_tilt_deg * (0.4 + 0.6 * std::abs(uniform(random))) * kRadians;
+        const double tilt =
+            max_tilt_deg * (0.4 + 0.6 * std::abs(uniform(random))) * kRadiansPerDegree;
         const Eigen::Vector3d tilt_axis(std::cos(around), std::sin(around), 0);
         const Eigen::Matrix3d rotation =
             (Eigen::AngleAxisd(tilt, tilt_axis) *

@@ -9,7 +9,7 @@
 namespace lumi {
 namespace {
 
-const Camera kCamera = pinhole_camera(1000, 800, 900);
+const Camera kModelCamera = pinhole_camera(1000, 800, 900);
 
 template <class Call>
 std::string refusal_of(const Call& call) {
@@ -24,7 +24,7 @@ std::string refusal_of(const Call& call) {
 }
 
 TEST(ModelCheck, HasNothingAgainstAGoodModel) {
-    EXPECT_THAT(check_model(synthetic_capture(kCamera, {}), false), testing::IsEmpty());
+    EXPECT_THAT(check_model(synthetic_capture(kModelCamera, {}), false), testing::IsEmpty());
 }
 
 TEST(ModelCheck, AngleIsThatBetweenTheOutermostCameras) {
@@ -40,7 +40,7 @@ TEST(ModelCheck, RefusesRaysThatAreNearlyParallel) {
     SyntheticCaptureOptions scene;
     scene.views = 3;
     scene.arc_deg = 0.6;
-    Capture capture = synthetic_capture(kCamera, scene);
+    Capture capture = synthetic_capture(kModelCamera, scene);
     for (View& view : capture.views) {  // All at the height of the middle one.
         view.cam_from_world = capture.views[1].cam_from_world;
     }
@@ -51,7 +51,7 @@ TEST(ModelCheck, RefusesRaysThatAreNearlyParallel) {
 TEST(ModelCheck, RefusesAPlaneUnlessTheLensIsKnown) {
     SyntheticCaptureOptions scene;
     scene.depth_of_cloud = 0;
-    const Capture capture = synthetic_capture(kCamera, scene);
+    const Capture capture = synthetic_capture(kModelCamera, scene);
     EXPECT_LT(relative_thickness(capture), 1e-6);
     EXPECT_EQ(refusal_of([&] { static_cast<void>(check_model(capture, false)); }),
               "E-POSES-PLANAR");
@@ -63,12 +63,12 @@ TEST(ModelCheck, ThicknessOfABoxIsTheRatioOfItsSides) {
     scene.points = 4000;
     scene.depth_of_cloud = 0.2;
     // Leaving out the outer tenth shortens the long sides a little.
-    EXPECT_NEAR(relative_thickness(synthetic_capture(kCamera, scene)), 0.2, 0.03);
+    EXPECT_NEAR(relative_thickness(synthetic_capture(kModelCamera, scene)), 0.2, 0.03);
 }
 
 TEST(ModelCheck, RefusesFocalLengthsThatNoLensHas) {
     for (const double focal_px : {200.0, 12000.0}) {
-        Capture capture = synthetic_capture(kCamera, {});
+        Capture capture = synthetic_capture(kModelCamera, {});
         capture.cameras[0].parameters[0] = focal_px;
         capture.cameras[0].parameters[1] = focal_px;
         EXPECT_EQ(refusal_of([&] { static_cast<void>(check_model(capture, false)); }),
@@ -78,7 +78,7 @@ TEST(ModelCheck, RefusesFocalLengthsThatNoLensHas) {
 }
 
 TEST(ModelCheck, WarnsWhenOneLensCameOutAsTwo) {
-    Capture capture = synthetic_capture(kCamera, {});
+    Capture capture = synthetic_capture(kModelCamera, {});
     capture.cameras.push_back(pinhole_camera(1000, 800, 2000));
     EXPECT_THAT(check_model(capture, false),
                 testing::ElementsAre(testing::HasSubstr("focal lengths differ")));

@@ -12,13 +12,13 @@
 namespace lumi {
 namespace {
 
-const Camera kCamera = pinhole_camera(1000, 800, 900);
+const Camera kDoubtedCamera = pinhole_camera(1000, 800, 900);
 
 Capture noisy_capture(unsigned seed) {
     SyntheticCaptureOptions scene;
     scene.noise_px = 0.5;
     scene.seed = seed;
-    return synthetic_capture(kCamera, scene);
+    return synthetic_capture(kDoubtedCamera, scene);
 }
 
 /// Moves what each view saw as if the camera had turned by `skew_px` while the rows were read.
@@ -37,7 +37,7 @@ void skew(Capture& capture, double skew_px) {
                 capture.views[view].cam_from_world * point.position_in_world;
             const double time = seen.pixel.y() / 800 - 0.5;
             const Eigen::Vector3d turned = at_middle + time * turns[view].cross(at_middle);
-            seen.pixel += *project(kCamera, turned) - *project(kCamera, at_middle);
+            seen.pixel += *project(kDoubtedCamera, turned) - *project(kDoubtedCamera, at_middle);
         }
     }
 }
@@ -55,8 +55,8 @@ void crop(Capture& capture, double shift_px) {
         for (ScenePoint& point : capture.points) {
             for (Observation& seen : point.track) {
                 if (seen.view_index != static_cast<int>(index)) continue;
-                seen.pixel = principal_point_px(kCamera) + shift +
-                             factor * (seen.pixel - principal_point_px(kCamera));
+                seen.pixel = principal_point_px(kDoubtedCamera) + shift +
+                             factor * (seen.pixel - principal_point_px(kDoubtedCamera));
             }
         }
     }
@@ -83,7 +83,7 @@ TEST(ResidualPattern, TellsARollingShutterFromZoom) {
     for (ScenePoint& point : zoomed.points) {
         for (Observation& seen : point.track) {
             if (seen.view_index % 2 == 0) continue;
-            seen.pixel += 0.02 * (seen.pixel - principal_point_px(kCamera));
+            seen.pixel += 0.02 * (seen.pixel - principal_point_px(kDoubtedCamera));
         }
     }
     EXPECT_GT(residual_pattern(zoomed).zoom_ratio, 10.0);
@@ -140,7 +140,7 @@ TEST(SupposedAdjustment, ExplainsNothingOfSteadyCamerasWithWholePhotographs) {
 }
 
 TEST(PoseShift, IsNothingAfterASimilarity) {
-    const Capture capture = synthetic_capture(kCamera, {});
+    const Capture capture = synthetic_capture(kDoubtedCamera, {});
     NamedPoses moved;
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
     for (const auto& [name, pose] : named_poses(capture)) {
@@ -155,7 +155,7 @@ TEST(PoseShift, IsNothingAfterASimilarity) {
 }
 
 TEST(PoseShift, SeesOneCameraThatIsElsewhere) {
-    const Capture capture = synthetic_capture(kCamera, {});
+    const Capture capture = synthetic_capture(kDoubtedCamera, {});
     NamedPoses moved = named_poses(capture);
     moved.begin()->second.translation += Eigen::Vector3d(0.8, 0, 0);
     EXPECT_GT(pose_shift(moved, named_poses(capture)).position_share, 0.1);

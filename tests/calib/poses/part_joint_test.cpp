@@ -8,7 +8,7 @@
 namespace lumi {
 namespace {
 
-const Camera kCamera = pinhole_camera(400, 300, 450);
+const Camera kPartCamera = pinhole_camera(400, 300, 450);
 constexpr double kWall_z = 4.7;
 const std::vector<char> kSecondHalf{0, 0, 0, 0, 1, 1, 1, 1};
 
@@ -17,7 +17,7 @@ const std::vector<char> kSecondHalf{0, 0, 0, 0, 1, 1, 1, 1};
 /// before it, outside of the strip.
 Capture two_halves(double overlap, int points, unsigned seed) {
     Capture capture;
-    capture.cameras = {kCamera};
+    capture.cameras = {kPartCamera};
     const double width = 400.0 / 450.0 * kWall_z;
     const double gap = (1 - overlap) * width;
     std::mt19937 random(seed);
@@ -41,9 +41,9 @@ Capture two_halves(double overlap, int points, unsigned seed) {
         if (is_before_wall && std::abs(point.position_in_world.x()) < 0.5 * width) continue;
         for (int view = 0; view < 8; ++view) {
             const auto pixel =
-                project(kCamera, capture.views[static_cast<std::size_t>(view)].cam_from_world *
-                                     point.position_in_world);
-            if (!pixel || !is_inside(kCamera, *pixel)) continue;
+                project(kPartCamera, capture.views[static_cast<std::size_t>(view)].cam_from_world *
+                                         point.position_in_world);
+            if (!pixel || !is_inside(kPartCamera, *pixel)) continue;
             point.track.push_back({view, *pixel + Eigen::Vector2d(noise(random), noise(random))});
         }
         if (point.track.size() >= 2) capture.points.push_back(point);

@@ -2,15 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <random>
 
+#include "calib/capture/degrees.h"
 #include "calib/capture/rigid3.h"
 
 namespace lumi {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// Views of one cloud of points, 3 to 9 units away, and the pairs between them.
 struct Views {
@@ -51,17 +49,17 @@ std::vector<Rigid3> walk(double turn_deg, double step) {
     std::vector<Rigid3> poses;
     for (int index = 0; index < 4; ++index) {
         const Eigen::Quaterniond turn(
-            Eigen::AngleAxisd(turn_deg * index * kDegree, Eigen::Vector3d::UnitY()));
+            Eigen::AngleAxisd(turn_deg * index * kRadiansPerDegree, Eigen::Vector3d::UnitY()));
         poses.push_back({turn, Eigen::Vector3d(step * index, 0, 0)});
     }
     return poses;
 }
 
-const Camera kCamera = pinhole_camera(1000, 800, 900);
+const Camera kTurnedCamera = pinhole_camera(1000, 800, 900);
 
 MotionEvidence evidence_of(const std::vector<Rigid3>& poses, double believed_focal_px,
                            bool calibrated = false) {
-    const Views views = views_of_a_cloud(kCamera, poses, 0.7);
+    const Views views = views_of_a_cloud(kTurnedCamera, poses, 0.7);
     return check_motion({{pinhole_camera(1000, 800, believed_focal_px), calibrated}},
                         views.photographs, views.pairs, calibrated);
 }
@@ -101,9 +99,10 @@ TEST(RotationCheck, TellsACameraThatStoodStillFromOneThatTurned) {
 }
 
 TEST(RotationCheck, IgnoresPairsWithFewMatches) {
-    Views views = views_of_a_cloud(kCamera, walk(8, 0), 0.7);
+    Views views = views_of_a_cloud(kTurnedCamera, walk(8, 0), 0.7);
     for (VerifiedPair& pair : views.pairs) pair.inliers.resize(19);
-    EXPECT_EQ(check_motion({{kCamera, false}}, views.photographs, views.pairs, false).pairs, 0);
+    EXPECT_EQ(check_motion({{kTurnedCamera, false}}, views.photographs, views.pairs, false).pairs,
+              0);
 }
 
 TEST(RotationCheck, FitsTheRotationDespiteOutliers) {

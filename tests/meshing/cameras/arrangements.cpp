@@ -2,14 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
+#include "calib/capture/degrees.h"
 #include "calib/capture/rigid3.h"
 
 namespace lumi {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 Points shaken(Points centres, double amount, unsigned seed) {
     std::mt19937 random(seed);
@@ -23,7 +21,8 @@ Points shaken(Points centres, double amount, unsigned seed) {
 Points arc(int count, double span_deg, double height) {
     Points centres;
     for (int i = 0; i < count; ++i) {
-        const double azimuth = span_deg * (static_cast<double>(i) / (count - 1) - 0.5) * kDegree;
+        const double azimuth =
+            span_deg * (static_cast<double>(i) / (count - 1) - 0.5) * kRadiansPerDegree;
         centres.emplace_back(3 * std::cos(azimuth), 3 * std::sin(azimuth), height);
     }
     return centres;
@@ -67,8 +66,8 @@ Points far_and_close() {
         centres.push_back(3 * direction);
     }
     for (int i = 0; i < 6; ++i) {
-        const Eigen::Vector3d offset(1.1, 0.25 * std::cos(i * 60 * kDegree + 0.3),
-                                     0.25 * std::sin(i * 60 * kDegree + 0.3));
+        const Eigen::Vector3d offset(1.1, 0.25 * std::cos(i * 60 * kRadiansPerDegree + 0.3),
+                                     0.25 * std::sin(i * 60 * kRadiansPerDegree + 0.3));
         centres.push_back(offset);
     }
     return centres;

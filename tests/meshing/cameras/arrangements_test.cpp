@@ -4,18 +4,16 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <set>
 
+#include "calib/capture/degrees.h"
 #include "calib/capture/rigid3.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "meshing/cameras/kernel.h"
 
 namespace lumi {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 class Arrangements : public testing::TestWithParam<ArrangedCapture> {
  protected:
@@ -30,7 +28,8 @@ class Arrangements : public testing::TestWithParam<ArrangedCapture> {
     [[nodiscard]] Eigen::Vector3d direction_from_scene(std::mt19937& random) const {
         for (;;) {
             const Eigen::Vector3d direction = random_direction(random);
-            if (direction.dot(GetParam().side) > std::cos(GetParam().spread_deg * kDegree)) {
+            if (direction.dot(GetParam().side) >
+                std::cos(GetParam().spread_deg * kRadiansPerDegree)) {
                 return direction;
             }
         }
@@ -234,7 +233,7 @@ TEST(Borders, FadeContinuouslyFromTheBorderOutwards) {
         double last = 1;
         double least = 1;
         for (int step = 0; step <= 1300; ++step) {
-            const double angle = step * 0.1 * kDegree;
+            const double angle = step * 0.1 * kRadiansPerDegree;
             const Eigen::Vector3d eye =
                 target + 5 * (std::cos(angle) * arranged.side + std::sin(angle) * out);
             const auto weights = weights_of_ray(built.mesh, eye, target - eye);

@@ -1,15 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <numbers>
 
+#include "calib/capture/degrees.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
 
 namespace lumi {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 struct Row {
     const char* name;
@@ -20,7 +18,8 @@ struct Row {
 Points arc(int count, double from_deg, double to_deg, double height) {
     Points centres;
     for (int i = 0; i < count; ++i) {
-        const double azimuth = (from_deg + (to_deg - from_deg) * i / (count - 1)) * kDegree;
+        const double azimuth =
+            (from_deg + (to_deg - from_deg) * i / (count - 1)) * kRadiansPerDegree;
         centres.emplace_back(4 * std::cos(azimuth), 4 * std::sin(azimuth), height);
     }
     return centres;

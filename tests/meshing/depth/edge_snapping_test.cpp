@@ -5,7 +5,7 @@
 namespace lumi {
 namespace {
 
-constexpr float kOnePixel = 0.01F;
+constexpr float kPixelOfEdge = 0.01F;
 
 /// A bright board over columns 40 on, whose depth begins `fat` columns too early.
 struct FatEdge {
@@ -23,7 +23,7 @@ struct FatEdge {
 
 TEST(EdgeSnapping, MovesAFatEdgeToThePhotographs) {
     FatEdge edge(3);
-    snap_edges(edge.map, edge.photograph, kOnePixel);
+    snap_edges(edge.map, edge.photograph, kPixelOfEdge);
     for (int y = 0; y < 60; ++y) {
         for (int x = 0; x < 80; ++x) {
             ASSERT_EQ(edge.map.inverse_depth(x, y), x < 40 ? 0.2F : 0.6F) << x << " " << y;
@@ -35,7 +35,7 @@ TEST(EdgeSnapping, LeavesAnEdgeThatThePhotographDoesNotShow) {
     FatEdge edge(3);
     edge.photograph = ColorImage(80, 60, {90, 90, 90});
     const DepthMap before = edge.map;
-    snap_edges(edge.map, edge.photograph, kOnePixel);
+    snap_edges(edge.map, edge.photograph, kPixelOfEdge);
     for (int y = 8; y < 52; ++y) {
         for (int x = 0; x < 80; ++x) {
             ASSERT_EQ(edge.map.inverse_depth(x, y), before.inverse_depth(x, y)) << x << " " << y;
@@ -53,7 +53,7 @@ TEST(EdgeSnapping, KeepsAThinPole) {
         }
     }
     const DepthMap before = map;
-    snap_edges(map, photograph, kOnePixel);
+    snap_edges(map, photograph, kPixelOfEdge);
     EXPECT_EQ(map.inverse_depth, before.inverse_depth);
 }
 
@@ -62,12 +62,12 @@ TEST(EdgeSnapping, LeavesASlopeAlone) {
     ColorImage photograph(80, 60);
     for (int y = 0; y < 60; ++y) {
         for (int x = 0; x < 80; ++x) {
-            map.inverse_depth(x, y) = 0.2F + 0.4F * kOnePixel * static_cast<float>(x);
+            map.inverse_depth(x, y) = 0.2F + 0.4F * kPixelOfEdge * static_cast<float>(x);
             photograph(x, y).r = static_cast<std::uint8_t>((x / 3 + y / 3) % 2 * 200);
         }
     }
     const DepthMap before = map;
-    snap_edges(map, photograph, kOnePixel);
+    snap_edges(map, photograph, kPixelOfEdge);
     EXPECT_EQ(map.inverse_depth, before.inverse_depth);
 }
 

@@ -11,8 +11,8 @@
 namespace lumi {
 namespace {
 
-constexpr int kWidth = 120;
-constexpr int kHeight = 80;
+constexpr int kWallWidth_px = 120;
+constexpr int kWallHeight_px = 80;
 constexpr double kFocalPx = 100;
 constexpr double kBaseline = 0.5;
 constexpr int kStartPx = 30;
@@ -40,17 +40,17 @@ DepthScene receding_wall() {
     for (int j = 0; j < kViews; ++j) {
         DepthView view;
         view.name = std::to_string(j);
-        view.camera = {kWidth,
-                       kHeight,
+        view.camera = {kWallWidth_px,
+                       kWallHeight_px,
                        LensModel::kPinhole,
-                       {kFocalPx, kFocalPx, kWidth / 2.0, kHeight / 2.0}};
+                       {kFocalPx, kFocalPx, kWallWidth_px / 2.0, kWallHeight_px / 2.0}};
         const int place = j == 1 ? 1 : 0;
         view.cam_from_world.translation = {-kBaseline * place, 0, 0};
-        view.photograph = ColorImage(kWidth, kHeight);
+        view.photograph = ColorImage(kWallWidth_px, kWallHeight_px);
         view.neighbours = {j == 1 ? 0 : 1};
         view.disparity_px_per_inverse_depth = kFocalPx * kBaseline;
-        for (int y = 0; y < kHeight; ++y) {
-            for (int x = 0; x < kWidth; ++x) {
+        for (int y = 0; y < kWallHeight_px; ++y) {
+            for (int x = 0; x < kWallWidth_px; ++x) {
                 const double own = column_in_first_view(x + 0.5, place);
                 const auto level =
                     static_cast<std::uint8_t>(std::lround(120 + 100 * std::sin(0.05 * own)));
@@ -63,8 +63,9 @@ DepthScene receding_wall() {
 }
 
 DepthMap known_up_to(int column) {
-    DepthMap map{FloatImage(kWidth, kHeight, kRim), GrayImage(kWidth, kHeight)};
-    for (int y = 0; y < kHeight; ++y) {
+    DepthMap map{FloatImage(kWallWidth_px, kWallHeight_px, kRim),
+                 GrayImage(kWallWidth_px, kWallHeight_px)};
+    for (int y = 0; y < kWallHeight_px; ++y) {
         for (int x = 0; x < column; ++x) map.confidence(x, y) = 255;
     }
     return map;
@@ -87,7 +88,7 @@ class ModelThatMayRefine final : public DepthModel {
     [[nodiscard]] int refinements() const override { return refines_ ? 1 : 0; }
 
  private:
-    static DepthEstimate all() { return {known_up_to(kWidth), "all", false, false}; }
+    static DepthEstimate all() { return {known_up_to(kWallWidth_px), "all", false, false}; }
     static DepthEstimate little_of(int view) {
         return {known_up_to(view == 1 ? 0 : kStartPx), "little", false, false};
     }
@@ -123,11 +124,11 @@ Found depth_by(const ModelThatMayRefine& model) {
 /// Mean pixels of disparity by which the first view is wrong beyond what is known.
 double error_beyond_px(const DepthResult& result) {
     double sum = 0;
-    for (int x = kStartPx; x < kWidth / 2; ++x) {
+    for (int x = kStartPx; x < kWallWidth_px / 2; ++x) {
         const double found = static_cast<double>(result.depth_maps[0].inverse_depth(x, 40));
         sum += std::abs(found - inverse_depth_at(x + 0.5)) * kFocalPx * kBaseline;
     }
-    return sum / (kWidth / 2 - kStartPx);
+    return sum / (kWallWidth_px / 2 - kStartPx);
 }
 
 // Without receding the first view would be wrong by 9 pixels.
@@ -143,7 +144,7 @@ TEST(FoundDepth, WhereRefinementLeavesTooFewToAskTheUnrefinedViewsTell) {
     const Found found = depth_by({true, 1});  // One view alone is left with something to continue.
     EXPECT_THAT(found.notes, testing::ElementsAre(testing::HasSubstr("recedes by 0.6 px")));
     EXPECT_LT(error_beyond_px(found.result), kSmoothed_px);
-    EXPECT_EQ(found.result.depth_maps[2].confidence, GrayImage(kWidth, kHeight, 255))
+    EXPECT_EQ(found.result.depth_maps[2].confidence, GrayImage(kWallWidth_px, kWallHeight_px, 255))
         << "what was refined stays";
 }
 

@@ -9,10 +9,10 @@
 namespace lumi {
 namespace {
 
-constexpr int kWidth = 45;  // Three tiles, the last one cut.
+constexpr int kStripWidth_px = 45;  // Three tiles, the last one cut.
 
 CostVolume random_row(std::vector<TilePlanes> tiles, unsigned seed) {
-    CostVolume volume(kWidth, 1, std::move(tiles));
+    CostVolume volume(kStripWidth_px, 1, std::move(tiles));
     std::mt19937 random(seed);
     for (std::uint8_t& cost : volume.costs()) {
         cost = static_cast<std::uint8_t>(random() % (kMaxMatchingCost + 1));
@@ -21,7 +21,7 @@ CostVolume random_row(std::vector<TilePlanes> tiles, unsigned seed) {
 }
 
 GrayImage random_gray(unsigned seed) {
-    GrayImage gray(kWidth, 1);
+    GrayImage gray(kStripWidth_px, 1);
     std::mt19937 random(seed);
     for (std::uint8_t& value : gray.pixels()) value = static_cast<std::uint8_t>(random() % 256);
     return gray;
@@ -36,9 +36,9 @@ int jump_penalty(const SmoothnessPenalty& penalty, int difference) {
 /// Hirschmueller's recurrence by its definition, over absolute planes.
 std::vector<std::vector<int>> path_costs(const CostVolume& volume, const GrayImage& gray,
                                          const SmoothnessPenalty& penalty, int step) {
-    std::vector<std::vector<int>> costs(kWidth);
-    for (int i = 0; i < kWidth; ++i) {
-        const int x = step > 0 ? i : kWidth - 1 - i;
+    std::vector<std::vector<int>> costs(kStripWidth_px);
+    for (int i = 0; i < kStripWidth_px; ++i) {
+        const int x = step > 0 ? i : kStripWidth_px - 1 - i;
         const TilePlanes& tile = volume.tile(x, 0);
         const std::uint8_t* own = volume.costs().data() + volume.offset(x, 0);
         auto& current = costs[static_cast<std::size_t>(x)];
@@ -70,7 +70,7 @@ void expect_brute_force_sums(const CostVolume& volume) {
     const auto backwards = path_costs(volume, gray, penalty, -1);
     std::vector<std::uint16_t> sums{7};  // Of other work.
     aggregate_paths(volume, gray, penalty, sums);
-    for (int x = 0; x < kWidth; ++x) {
+    for (int x = 0; x < kStripWidth_px; ++x) {
         for (int k = 0; k < volume.tile(x, 0).count; ++k) {
             const auto index = volume.offset(x, 0) + static_cast<std::size_t>(k);
             // The six paths that leave the row have only just begun.

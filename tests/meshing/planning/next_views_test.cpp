@@ -3,15 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <numbers>
 
+#include "calib/capture/degrees.h"
 #include "calib/work/error.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
 
 namespace lumi {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -27,7 +25,7 @@ Capture around(const Points& centres) {
 Points all_around_with_gap(int count, double gap_deg) {
     Points centres;
     for (const Eigen::Vector3d& direction : sphere_directions(count, -1)) {
-        if (angle_between(direction, Eigen::Vector3d::UnitX()) > gap_deg * kDegree) {
+        if (angle_between(direction, Eigen::Vector3d::UnitX()) > gap_deg * kRadiansPerDegree) {
             centres.push_back(3 * direction);
         }
     }
@@ -41,7 +39,7 @@ TEST(CapturePlan, PlacesTheFirstViewIntoTheGapOfAnAllAroundCapture) {
         ASSERT_EQ(plan.suggestions.size(), 5U);
         const SuggestedView& first = plan.suggestions.front();
         const Eigen::Vector3d place = centre_in_world(first.cam_from_world);
-        EXPECT_LT(angle_between(place, Eigen::Vector3d::UnitX()), 0.5 * gap_deg * kDegree)
+        EXPECT_LT(angle_between(place, Eigen::Vector3d::UnitX()), 0.5 * gap_deg * kRadiansPerDegree)
             << gap_deg;
         EXPECT_NEAR(place.norm(), 3, 0.2);
         // It looks at the scene.

@@ -15,7 +15,7 @@
 namespace lumi {
 namespace {
 
-std::map<std::string, Bytes> files_of(const std::filesystem::path& folder) {
+std::map<std::string, Bytes> bytes_of_files(const std::filesystem::path& folder) {
     std::map<std::string, Bytes> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file()) continue;
@@ -167,9 +167,9 @@ TEST_F(PackageRoundTrip, KeepsExposureGainsToTheBitAndEvensThemOutUnlessToldOthe
 
 TEST_F(PackageRoundTrip, SameInputTwiceGivesTheSameBytesAnywhere) {
     write_package(scratch_ / "elsewhere" / "other name.lumi", written_, tiny_extras());
-    const auto here = files_of(folder_);
+    const auto here = bytes_of_files(folder_);
     EXPECT_EQ(here.size(), 12U);  // Manifest, mesh, points, config, 3 photographs, 2 x 2 + 1 depth.
-    EXPECT_EQ(here, files_of(scratch_ / "elsewhere" / "other name.lumi"));
+    EXPECT_EQ(here, bytes_of_files(scratch_ / "elsewhere" / "other name.lumi"));
 }
 
 TEST(QuantisedDepth, KeepsTheEndsAndAConstantMapToTheBit) {

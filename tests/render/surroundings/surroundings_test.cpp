@@ -11,7 +11,7 @@
 namespace lumi {
 namespace {
 
-const Camera kEyeCamera = pinhole_camera(80, 60, 70);
+const Camera kOutlookCamera = pinhole_camera(80, 60, 70);
 const Eigen::Vector3d kCentre(0, 0, 4);
 
 ColorGrid around(const Lumigraph& lumigraph, const Eye& eye) {
@@ -49,7 +49,7 @@ TEST(Surroundings, OfPhotographsOfOneColourHaveThatColourEverywhere) {
             ColorImage(view.camera.width_px, view.camera.height_px, Rgb8{30, 90, 200});
     for (const Eigen::Vector3d& target :
          {kCentre, Eigen::Vector3d(9, 0, 1), Eigen::Vector3d(0, 0, -9)}) {
-        const ColorGrid grid = around(lumigraph, eye_at({0.2, 0.1, 0}, target, kEyeCamera));
+        const ColorGrid grid = around(lumigraph, eye_at({0.2, 0.1, 0}, target, kOutlookCamera));
         for (const Eigen::Vector3f& color : grid.colors)
             EXPECT_LT((color - Eigen::Vector3f(30, 90, 200)).cwiseAbs().maxCoeff(), 0.01F);
     }
@@ -94,7 +94,7 @@ TEST(Surroundings, GoOnWithTheColourAtTheBorder) {
 
 TEST(Surroundings, OfMarkedCellsAreThoseOfTheWhole) {
     const Lumigraph lumigraph = card_before_wall();
-    const Eye eye = eye_at({0.2, 0.1, 0}, kCentre, kEyeCamera);
+    const Eye eye = eye_at({0.2, 0.1, 0}, kCentre, kOutlookCamera);
     const ColorGrid whole = around(lumigraph, eye);
     PictureCells cells(eye.camera);
     cells.mark(3, 2);
@@ -113,9 +113,9 @@ TEST(Surroundings, AreSteadyInTheEye) {
     const Eigen::Vector3d way(1e-4, 2e-4, 1e-4);
     for (double x = -3; x <= 3; x += 0.25) {
         const Eigen::Vector3d place(x, 0.3, -0.5);
-        const Eye eye = eye_at(place, kCentre, kEyeCamera);
+        const Eye eye = eye_at(place, kCentre, kOutlookCamera);
         const Eye moved{
-            kEyeCamera,
+            kOutlookCamera,
             {eye.cam_from_world.rotation, -(eye.cam_from_world.rotation * (place + way))}};
         EXPECT_LT(difference(around(lumigraph, eye), around(lumigraph, moved)), 0.5F) << x;
     }
@@ -139,9 +139,9 @@ TEST(Surroundings, OfManyViewsAreSteadyAsViewsComeAndGo) {
                                 i % 24 < 12 ? Rgb8{0, 0, 0} : Rgb8{255, 255, 255});
     }
     constexpr double kStep = 1e-3;
-    ColorGrid before = around(lumigraph, eye_at({-1, 0, 0}, {-1, 0, 4}, kEyeCamera));
+    ColorGrid before = around(lumigraph, eye_at({-1, 0, 0}, {-1, 0, 4}, kOutlookCamera));
     for (double x = -1 + kStep; x <= 1; x += kStep) {
-        ColorGrid now = around(lumigraph, eye_at({x, 0, 0}, {x, 0, 4}, kEyeCamera));
+        ColorGrid now = around(lumigraph, eye_at({x, 0, 0}, {x, 0, 4}, kOutlookCamera));
         ASSERT_LT(difference(before, now), 1.0F) << x;
         before = std::move(now);
     }
@@ -149,7 +149,7 @@ TEST(Surroundings, OfManyViewsAreSteadyAsViewsComeAndGo) {
 
 TEST(Surroundings, OfManyViewsAreThoseOfTheNearest) {
     Lumigraph lumigraph = long_row();
-    const Eye eye = eye_at({-2, 0, 0}, {-2, 0, 4}, kEyeCamera);
+    const Eye eye = eye_at({-2, 0, 0}, {-2, 0, 4}, kOutlookCamera);
     const ColorGrid grid = around(lumigraph, eye);
     for (std::size_t far = 20; far < lumigraph.views.size(); ++far) {
         ColorImage& photograph = lumigraph.views[far].photograph;
