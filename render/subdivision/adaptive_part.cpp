@@ -170,13 +170,21 @@ bool AdaptivePart::is_split(std::uint32_t number, float relaxation) const {
     return edge.length_px > least_edge_px_ && edge.split_below > relaxation;
 }
 
+/// Thin triangles are: their long edge may have no reason to be split where the others always have.
+/// Vertices lie on the edges of their neighbours, so that no gap opens. But a face that is seen
+/// along its plane is as thin, and across the whole picture: no one photograph shows it all, so
+/// that it is cut to the length that any triangle may have, unless it covers less than the smallest
+/// would.
 bool AdaptivePart::is_left_whole(const Triangle& triangle) const {
     const auto [a, b, c] = triangle.corners;
     float longest_px = 0;
     for (const std::uint32_t edge : triangle.edges)
         longest_px = std::max(longest_px, edges_[edge].length_px);
-    return is_thin(pixels_[b] - pixels_[a], pixels_[c] - pixels_[a], longest_px,
-                   options_.min_edge_px);
+    const Eigen::Vector2d ab = pixels_[b] - pixels_[a];
+    const Eigen::Vector2d ac = pixels_[c] - pixels_[a];
+    const double least_edge_px = options_.min_edge_px;
+    return is_thin(ab, ac, longest_px, least_edge_px) &&
+           (longest_px <= max_edge_px_ || doubled_area_px2(ab, ac) < least_edge_px * least_edge_px);
 }
 
 void AdaptivePart::leave_whole(const Triangle& triangle) {

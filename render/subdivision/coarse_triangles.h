@@ -29,14 +29,16 @@ struct CoarseTriangles {
     return static_cast<float>((a - b).norm());
 }
 
-/// Whether a triangle is left whole, having an altitude below a quarter of the shortest edge: its
-/// long edge may have no reason to be split where the others always have. Vertices lie on the edges
-/// of their neighbours, so that no gap opens.
+/// Of a triangle.
+[[nodiscard]] inline double doubled_area_px2(const Eigen::Vector2d& ab, const Eigen::Vector2d& ac) {
+    return std::abs(ab.x() * ac.y() - ab.y() * ac.x());
+}
+
+/// Whether a triangle has an altitude below a quarter of the shortest edge.
 [[nodiscard]] inline bool is_thin(const Eigen::Vector2d& ab, const Eigen::Vector2d& ac,
                                   float longest_px, double min_edge_px) {
     constexpr double kThinnest = 0.25;
-    return std::abs(ab.x() * ac.y() - ab.y() * ac.x()) <
-           kThinnest * min_edge_px * static_cast<double>(longest_px);
+    return doubled_area_px2(ab, ac) < kThinnest * min_edge_px * static_cast<double>(longest_px);
 }
 
 }  // namespace lumi

@@ -195,6 +195,22 @@ TEST_F(Subdivision, LongEdgesAreSplitHoweverFewTrianglesAreAllowed) {
         EXPECT_LE(longest_edge_px(triangles, i), 20.001);
 }
 
+// A face that is seen along its plane: two pixels wide, across the whole picture.
+TEST_F(Subdivision, LongEdgesOfAThinFaceAreSplit) {
+    FacePolygon face = picture_through_camera(0, kEye);
+    face.corners_px = {{0, 10}, {128, 86}, {128, 88}, {0, 12}};
+    const BlendTriangles triangles =
+        adaptive_subdivision({face}, search_, plane_, {}, {.min_edge_px = 8, .max_edge_px = 20})
+            .triangles;
+    double covered_px2 = 0;
+    for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
+        EXPECT_TRUE(longest_edge_px(triangles, i) <= 20.001 || area_px2(triangles, i) < 32);
+        covered_px2 += area_px2(triangles, i);
+    }
+    EXPECT_NEAR(covered_px2, 256, 1e-3);
+    EXPECT_LE(triangles.count(), 64U);
+}
+
 TEST_F(Subdivision, ThePapersTrianglesAreWithinTheSizesGiven) {
     const BlendTriangles triangles = paper({.min_size_px = 6, .max_size_px = 20});
     ASSERT_GT(triangles.count(), 100U);
