@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace lumi {
 namespace {
@@ -11,16 +12,6 @@ constexpr std::uint32_t kNone = SplitEdge::kNone;
 /// Room for so many vertices, and as many edges: what grew with the eye's way would go on growing
 /// for minutes.
 constexpr std::size_t kFirstVertices = std::size_t{1} << 13;
-
-/// So that the first edge is the one that is split, or is not.
-template <class Triangle>
-Triangle turned_to(bool is_split, const std::array<bool, 3>& splits, const Triangle& triangle) {
-    Triangle turned = triangle;
-    const auto first = std::find(splits.begin(), splits.end(), is_split) - splits.begin();
-    std::rotate(turned.corners.begin(), turned.corners.begin() + first, turned.corners.end());
-    std::rotate(turned.edges.begin(), turned.edges.begin() + first, turned.edges.end());
-    return turned;
-}
 
 }  // namespace
 
@@ -54,6 +45,8 @@ void AdaptivePart::begin(const CoarseTriangles& coarse, std::size_t first, std::
         }
         settled_.push_back(
             triangle_of(vertex_of[corners[0]], vertex_of[corners[1]], vertex_of[corners[2]], true));
+        for (const std::uint32_t edge : settled_.back().edges)
+            edges_[edge].is_border = !edges_[edge].is_border;  // Two triangles have it, or one.
     }
 }
 
@@ -61,6 +54,7 @@ void AdaptivePart::subdivide(float relaxation, std::size_t most, std::atomic<std
     least_edge_px_ = static_cast<float>(options_.min_edge_px) * std::sqrt(relaxation);
     leaves_.clear();
     now_settled_.clear();
+    thin_.clear();
     level_ = settled_;
     std::size_t counted = 0;
     while (!level_.empty()) {
@@ -70,10 +64,14 @@ void AdaptivePart::subdivide(float relaxation, std::size_t most, std::atomic<std
         if (!undecided_.empty()) look_up_new();
         for (const Triangle& triangle : undecided_) split(triangle, relaxation);
         level_.swap(next_level_);
-        const std::size_t more = leaves_.size() + level_.size() - counted;
+        const std::size_t more = leaves_.size() + thin_.size() + level_.size() - counted;
         counted += more;
         if (count.fetch_add(more) + more > most) return;
     }
+    look_up_borders_of_thin(relaxation);
+    for (const Triangle& triangle : thin_)
+        split_where_neighbours_did(triangle, {true, true, true}, relaxation);
+    count.fetch_add(leaves_.size() - counted);
     look_up_new();
 }
 
@@ -116,7 +114,10 @@ AdaptivePart::Triangle AdaptivePart::triangle_of(std::uint32_t a, std::uint32_t 
 
 /// Splits a triangle, or leaves it whole, if what is known of its edges tells.
 void AdaptivePart::split_or_wait(const Triangle& triangle, float relaxation) {
-    if (is_left_whole(triangle)) return leave_whole(triangle);
+    if (is_left_whole(triangle)) {
+        if (triangle.is_settled) now_settled_.push_back(triangle);
+        return thin_.push_back(triangle);
+    }
     bool is_decided = true;
     for (const std::uint32_t edge : triangle.edges)
         if (!knows_enough_of(edge)) is_decided = false;
@@ -171,15 +172,12 @@ bool AdaptivePart::is_split(std::uint32_t number, float relaxation) const {
 }
 
 /// Thin triangles are: their long edge may have no reason to be split where the others always have.
-/// Vertices lie on the edges of their neighbours, so that no gap opens. But a face that is seen
-/// along its plane is as thin, and across the whole picture: no one photograph shows it all, so
-/// that it is cut to the length that any triangle may have, unless it covers less than the smallest
-/// would.
+/// But a face that is seen along its plane is as thin, and crosses the whole picture: no photograph
+/// shows all of it, so that it is cut to the length that any triangle may have, unless it covers
+/// less than the smallest would.
 bool AdaptivePart::is_left_whole(const Triangle& triangle) const {
     const auto [a, b, c] = triangle.corners;
-    float longest_px = 0;
-    for (const std::uint32_t edge : triangle.edges)
-        longest_px = std::max(longest_px, edges_[edge].length_px);
+    const float longest_px = edges_[triangle.edges[longest_edge_of(triangle)]].length_px;
     const Eigen::Vector2d ab = pixels_[b] - pixels_[a];
     const Eigen::Vector2d ac = pixels_[c] - pixels_[a];
     const double least_edge_px = options_.min_edge_px;
@@ -187,69 +185,37 @@ bool AdaptivePart::is_left_whole(const Triangle& triangle) const {
            (longest_px <= max_edge_px_ || doubled_area_px2(ab, ac) < least_edge_px * least_edge_px);
 }
 
+/// What tells where neighbours in other parts split the edges that they share with thin triangles.
+/// Edges that are not looked up here no neighbour in this part splits.
+void AdaptivePart::look_up_borders_of_thin(float relaxation) {
+    std::vector<std::uint32_t> asked;
+    for (const Triangle& triangle : thin_)
+        std::copy_if(triangle.edges.begin(), triangle.edges.end(), std::back_inserter(asked),
+                     [&](std::uint32_t edge) { return edges_[edge].is_border; });
+    while (!asked.empty()) {
+        for (const std::uint32_t edge : asked) static_cast<void>(knows_enough_of(edge));
+        look_up_new();
+        std::vector<std::uint32_t> halves;
+        for (const std::uint32_t edge : asked) {
+            if (!is_split(edge, relaxation)) continue;
+            halves.push_back(half_at(edge, edges_[edge].from));
+            halves.push_back(half_at(edge, edges_[edge].to));
+        }
+        asked.swap(halves);
+    }
+}
+
 void AdaptivePart::leave_whole(const Triangle& triangle) {
     if (triangle.is_settled) now_settled_.push_back(triangle);
     leaves_.push_back(triangle);
 }
 
-void AdaptivePart::split(const Triangle& triangle, float relaxation) {
-    std::array<bool, 3> splits{};
-    for (std::size_t i = 0; i < 3; ++i) splits[i] = is_split(triangle.edges[i], relaxation);
-    const auto count = std::count(splits.begin(), splits.end(), true);
-    if (count == 0) return leave_whole(triangle);
-    if (count == 3) return split_in_four(triangle);
-    if (triangle.is_settled) now_settled_.push_back(triangle);
-    if (count == 1) return split_in_two(turned_to(true, splits, triangle));
-    split_in_three(turned_to(false, splits, triangle));
-}
-
-void AdaptivePart::split_in_four(const Triangle& triangle) {
-    const auto [a, b, c] = triangle.corners;
-    const auto [edge_ab, edge_bc, edge_ca] = triangle.edges;
-    const std::uint32_t ab = edges_[edge_ab].middle;
-    const std::uint32_t bc = edges_[edge_bc].middle;
-    const std::uint32_t ca = edges_[edge_ca].middle;
-    const Triangle inner = triangle_of(ab, bc, ca, triangle.is_settled);
-    const bool settled = triangle.is_settled;
-    const auto [beside_b, beside_c, beside_a] = inner.edges;
-    next_level_.push_back(
-        {{a, ab, ca}, {half_at(edge_ab, a), beside_a, half_at(edge_ca, a)}, settled});
-    next_level_.push_back(
-        {{ab, b, bc}, {half_at(edge_ab, b), half_at(edge_bc, b), beside_b}, settled});
-    next_level_.push_back(
-        {{ca, bc, c}, {beside_c, half_at(edge_bc, c), half_at(edge_ca, c)}, settled});
-    next_level_.push_back(inner);
-}
-
-/// The first edge is split.
-void AdaptivePart::split_in_two(const Triangle& triangle) {
-    const auto [a, b, c] = triangle.corners;
-    const auto [edge_ab, edge_bc, edge_ca] = triangle.edges;
-    const std::uint32_t ab = edges_[edge_ab].middle;
-    const std::uint32_t across = inner_edge(ab, c);
-    next_level_.push_back({{a, ab, c}, {half_at(edge_ab, a), across, edge_ca}});
-    next_level_.push_back({{ab, b, c}, {half_at(edge_ab, b), edge_bc, across}});
-}
-
-/// The first edge is kept. The quadrilateral that is left is cut along its shorter diagonal.
-void AdaptivePart::split_in_three(const Triangle& triangle) {
-    const auto [a, b, c] = triangle.corners;
-    const auto [edge_ab, edge_bc, edge_ca] = triangle.edges;
-    const std::uint32_t bc = edges_[edge_bc].middle;
-    const std::uint32_t ca = edges_[edge_ca].middle;
-    const std::uint32_t opposite = inner_edge(ca, bc);
-    const std::uint32_t at_a = half_at(edge_ca, a);
-    const std::uint32_t at_b = half_at(edge_bc, b);
-    next_level_.push_back({{ca, bc, c}, {opposite, half_at(edge_bc, c), half_at(edge_ca, c)}});
-    if ((pixels_[a] - pixels_[bc]).squaredNorm() < (pixels_[b] - pixels_[ca]).squaredNorm()) {
-        const std::uint32_t diagonal = inner_edge(a, bc);
-        next_level_.push_back({{a, b, bc}, {edge_ab, at_b, diagonal}});
-        next_level_.push_back({{a, bc, ca}, {diagonal, opposite, at_a}});
-    } else {
-        const std::uint32_t diagonal = inner_edge(b, ca);
-        next_level_.push_back({{a, b, ca}, {edge_ab, diagonal, at_a}});
-        next_level_.push_back({{b, bc, ca}, {at_b, opposite, diagonal}});
-    }
+std::size_t AdaptivePart::longest_edge_of(const Triangle& triangle) const {
+    const auto longest = std::max_element(triangle.edges.begin(), triangle.edges.end(),
+                                          [&](std::uint32_t a, std::uint32_t b) {
+                                              return edges_[a].length_px < edges_[b].length_px;
+                                          });
+    return static_cast<std::size_t>(longest - triangle.edges.begin());
 }
 
 }  // namespace lumi

@@ -55,17 +55,24 @@ class AdaptivePart {
     [[nodiscard]] std::uint32_t half_at(std::uint32_t edge, std::uint32_t corner);
     [[nodiscard]] Triangle triangle_of(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                                        bool is_settled);
+    // What is decided of triangles and edges: adaptive_part.cpp.
     void split_or_wait(const Triangle& triangle, float relaxation);
     [[nodiscard]] bool knows_enough_of(std::uint32_t number);
     void look_up_new();
     void judge(SplitEdge& edge) const;
     [[nodiscard]] bool is_split(std::uint32_t number, float relaxation) const;
     [[nodiscard]] bool is_left_whole(const Triangle& triangle) const;
+    [[nodiscard]] std::size_t longest_edge_of(const Triangle& triangle) const;
+    void look_up_borders_of_thin(float relaxation);
     void leave_whole(const Triangle& triangle);
+    // How triangles are split: adaptive_part_splits.cpp.
+    [[nodiscard]] std::array<bool, 3> splits_of(const Triangle& triangle, float relaxation) const;
     void split(const Triangle& triangle, float relaxation);
     void split_in_four(const Triangle& triangle);
     void split_in_two(const Triangle& triangle);
     void split_in_three(const Triangle& triangle);
+    void split_where_neighbours_did(const Triangle& triangle, const std::array<bool, 3>& is_shared,
+                                    float relaxation);
 
     AdaptiveSubdivisionOptions options_;
     const std::vector<PatchSampler>* samplers_ = nullptr;
@@ -83,6 +90,7 @@ class AdaptivePart {
     std::vector<Triangle> undecided_;  ///< Of the level, until their edges are looked up.
     std::vector<Triangle> next_level_;
     std::vector<Triangle> leaves_;
+    std::vector<Triangle> thin_;  ///< To be split as their neighbours are, at the end.
     std::vector<Triangle> whole_;
 };
 

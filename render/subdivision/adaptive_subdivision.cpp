@@ -29,8 +29,7 @@ class AdaptiveSubdivider::Parts {
         samplers_.clear();
         for (const FacePolygon& polygon : polygons)
             samplers_.emplace_back(polygon, search, scene_plane, sampling);
-        const CoarseTriangles coarse =
-            coarse_triangles(polygons, options.min_edge_px, options.max_edge_px);
+        const CoarseTriangles coarse = coarse_triangles(polygons, options.max_edge_px);
         const std::size_t count = coarse.triangles.size();
         used_ = std::clamp<std::size_t>(count / kFewestOfPart, 1, kMostParts);
         parts_.resize(std::max(parts_.size(), used_));

@@ -28,8 +28,9 @@ struct AdaptiveSubdivision {
 /// Whether an edge is split is decided at its midpoint, by how far the places where the photographs
 /// are looked up lie from halfway between those of its ends, each photograph counting as its
 /// weight. Both sides of an edge come to the same decision, also across faces, as the photograph
-/// that they do not share has no weight there: no cracks, without a pass that removes T-vertices. A
-/// plane is split only for the perspective in it, and cameras that are close together ask for less.
+/// that they do not share has no weight there: no cracks, without a pass that removes T-vertices.
+/// Triangles that become too thin are split no more but where their neighbours are. A plane is
+/// split only for the perspective in it, and cameras that are close together ask for less.
 ///
 /// Errors are relaxed until the triangles are few enough (relaxation_search.h). What was seen of
 /// the scene for one subdivision serves the others, so that it is hardly looked at for more than is

@@ -11,8 +11,7 @@ namespace {
 /// Splits the triangles of one picture.
 class Splitting {
  public:
-    Splitting(double min_edge_px, double max_edge_px)
-        : min_edge_px_(min_edge_px), max_edge_px_(static_cast<float>(max_edge_px)) {}
+    explicit Splitting(double max_edge_px) : max_edge_px_(static_cast<float>(max_edge_px)) {}
 
     void add(const FacePolygon& polygon, std::uint32_t number) {
         const auto first = static_cast<std::uint32_t>(coarse_.pixels.size());
@@ -32,7 +31,7 @@ class Splitting {
         const Eigen::Vector2d& at_c = coarse_.pixels[c];
         const auto [shortest, longest] = std::minmax(
             {edge_length_px(at_a, at_b), edge_length_px(at_b, at_c), edge_length_px(at_c, at_a)});
-        if (!(shortest > max_edge_px_) || is_thin(at_b - at_a, at_c - at_a, longest, min_edge_px_))
+        if (!(shortest > max_edge_px_) || is_flat(at_b - at_a, at_c - at_a, longest))
             return coarse_.triangles.push_back(triangle);
         const std::uint32_t ab = middle(a, b);
         const std::uint32_t bc = middle(b, c);
@@ -51,7 +50,6 @@ class Splitting {
         return middles_[edge];
     }
 
-    double min_edge_px_;
     float max_edge_px_;
     CoarseTriangles coarse_;
     EdgeTable edges_;
@@ -60,9 +58,8 @@ class Splitting {
 
 }  // namespace
 
-CoarseTriangles coarse_triangles(const std::vector<FacePolygon>& polygons, double min_edge_px,
-                                 double max_edge_px) {
-    Splitting splitting(min_edge_px, max_edge_px);
+CoarseTriangles coarse_triangles(const std::vector<FacePolygon>& polygons, double max_edge_px) {
+    Splitting splitting(max_edge_px);
     for (std::uint32_t i = 0; i < polygons.size(); ++i) splitting.add(polygons[i], i);
     return splitting.take();
 }

@@ -22,7 +22,7 @@ struct CoarseTriangles {
 };
 
 [[nodiscard]] CoarseTriangles coarse_triangles(const std::vector<FacePolygon>& polygons,
-                                               double min_edge_px, double max_edge_px);
+                                               double max_edge_px);
 
 /// As lengths are compared.
 [[nodiscard]] inline float edge_length_px(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -32,6 +32,14 @@ struct CoarseTriangles {
 /// Of a triangle.
 [[nodiscard]] inline double doubled_area_px2(const Eigen::Vector2d& ab, const Eigen::Vector2d& ac) {
     return std::abs(ab.x() * ac.y() - ab.y() * ac.x());
+}
+
+/// Whether all of a triangle's corners lie nearly on its longest edge: split in four it stays flat.
+[[nodiscard]] inline bool is_flat(const Eigen::Vector2d& ab, const Eigen::Vector2d& ac,
+                                  float longest_px) {
+    constexpr double kFlattest = 0.125;
+    const auto longest = static_cast<double>(longest_px);
+    return doubled_area_px2(ab, ac) < kFlattest * longest * longest;
 }
 
 /// Whether a triangle has an altitude below a quarter of the shortest edge.

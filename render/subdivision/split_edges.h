@@ -22,6 +22,7 @@ struct SplitEdge {
     float split_below = 0.0F;      ///< It is split where errors are relaxed less.
     std::uint32_t middle = kNone;  ///< A vertex, when it was looked up.
     std::array<std::uint32_t, 2> halves{kNone, kNone};  ///< Edges, when they were asked for.
+    bool is_border = false;  ///< Of the part, with one triangle: the other may be in another part.
 };
 
 /// The edges of a subdivision, each made when it is first asked for. `pixels` are its vertices.
@@ -44,6 +45,7 @@ class SplitEdges {
         const std::size_t side = edges_[number].from == corner ? 0 : 1;
         if (edges_[number].halves[side] == SplitEdge::kNone) {
             const std::uint32_t half = add(corner, edges_[number].middle, pixels);
+            edges_[half].is_border = edges_[number].is_border;
             edges_[number].halves[side] = half;
         }
         return edges_[number].halves[side];

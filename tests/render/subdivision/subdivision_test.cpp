@@ -98,9 +98,8 @@ FacePolygon picture_through_camera(int view_index, const Eye& eye) {
 }
 
 TEST_F(Subdivision, CoarseTrianglesHaveNoMoreToBeSplitInAnyCase) {
-    constexpr double kMinEdge_px = 1.0;
     constexpr double kMaxEdge_px = 12.0;
-    const CoarseTriangles coarse = coarse_triangles(polygons_, kMinEdge_px, kMaxEdge_px);
+    const CoarseTriangles coarse = coarse_triangles(polygons_, kMaxEdge_px);
     std::vector<double> areas_px2(polygons_.size(), 0.0);
     std::set<std::tuple<std::uint32_t, double, double>> places;
     std::set<std::uint32_t> named;
@@ -110,7 +109,7 @@ TEST_F(Subdivision, CoarseTrianglesHaveNoMoreToBeSplitInAnyCase) {
         const Eigen::Vector2d ac = coarse.pixels[corners[2]] - a;
         const auto [shortest, longest] = std::minmax({ab.norm(), ac.norm(), (ac - ab).norm()});
         const double doubled_px2 = std::abs(ab.x() * ac.y() - ab.y() * ac.x());
-        EXPECT_TRUE(shortest <= kMaxEdge_px || doubled_px2 < 0.25 * kMinEdge_px * longest);
+        EXPECT_TRUE(shortest <= kMaxEdge_px || is_flat(ab, ac, static_cast<float>(longest)));
         areas_px2[polygon] += 0.5 * doubled_px2;
         for (const std::uint32_t corner : corners) {
             const Eigen::Vector2d& at = coarse.pixels[corner];
@@ -131,19 +130,11 @@ TEST_F(Subdivision, CoarseTrianglesHaveNoMoreToBeSplitInAnyCase) {
     }
 }
 
-TEST_F(Subdivision, PartsOfAPictureFitTogetherWithoutCracks) {
-    const Lumigraph ball = ball_in_sky();
-    const SearchedViews views = searched_views(ball);
-    const Eye eye = eye_at({0.5, 0.6, -2}, {0, 0, 0}, kEye.camera);
-    const DepthSearch search(ball, views, eye, 1.0);
-    // 128 coarse triangles: as many parts as there may be. None becomes so thin that it is left
-    // whole.
-    const BlendTriangles triangles =
-        adaptive_subdivision(
-            {picture_through_camera(3, eye)}, search, scene_plane_inverse_depth(ball, eye), {},
-            {.max_error_px = 0.1, .min_edge_px = 8, .max_edge_px = 12, .max_triangles = 0})
-            .triangles;
+/// Each edge within the picture has two triangles, and all of them together cover it.
+void expect_no_cracks(const BlendTriangles& triangles, const Camera& camera) {
     using Place = std::array<float, 2>;
+    const auto width_px = static_cast<float>(camera.width_px);
+    const auto height_px = static_cast<float>(camera.height_px);
     std::map<std::pair<Place, Place>, int> sides;
     double covered_px2 = 0;
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
@@ -154,14 +145,46 @@ TEST_F(Subdivision, PartsOfAPictureFitTogetherWithoutCracks) {
             ++sides[std::minmax(a, b)];
         }
     }
-    EXPECT_GT(triangles.count(), 150U);
-    EXPECT_NEAR(covered_px2, 128.0 * 96.0, 1e-3);
+    EXPECT_NEAR(covered_px2, static_cast<double>(camera.width_px * camera.height_px), 1e-3);
     for (const auto& [places, count] : sides) {
         const auto& [a, b] = places;
-        const bool is_border = (a[0] == b[0] && (a[0] == 0.0F || a[0] == 128.0F)) ||
-                               (a[1] == b[1] && (a[1] == 0.0F || a[1] == 96.0F));
+        const bool is_border = (a[0] == b[0] && (a[0] == 0.0F || a[0] == width_px)) ||
+                               (a[1] == b[1] && (a[1] == 0.0F || a[1] == height_px));
         EXPECT_EQ(count, is_border ? 1 : 2) << a[0] << ' ' << a[1] << " to " << b[0] << ' ' << b[1];
     }
+}
+
+TEST_F(Subdivision, PartsOfAPictureFitTogetherWithoutCracks) {
+    const Lumigraph ball = ball_in_sky();
+    const SearchedViews views = searched_views(ball);
+    const Eye eye = eye_at({0.5, 0.6, -2}, {0, 0, 0}, kEye.camera);
+    const DepthSearch search(ball, views, eye, 1.0);
+    // 128 coarse triangles: as many parts as there may be. Along the ball's outline some become so
+    // thin that they are left whole, but for the vertices of their neighbours.
+    for (const double min_edge_px : {8.0, 5.0, 3.0}) {
+        const BlendTriangles triangles =
+            adaptive_subdivision({picture_through_camera(3, eye)}, search,
+                                 scene_plane_inverse_depth(ball, eye), {},
+                                 {.max_error_px = 0.1,
+                                  .min_edge_px = min_edge_px,
+                                  .max_edge_px = 12,
+                                  .max_triangles = 0})
+                .triangles;
+        EXPECT_GT(triangles.count(), 150U);
+        expect_no_cracks(triangles, eye.camera);
+    }
+}
+
+// A budget that is met by relaxing errors time and again, from what was found before.
+TEST_F(Subdivision, RelaxedErrorsOpenNoCracks) {
+    const Eye behind = eye_at({0, 0, -2}, {0, 0, 4}, kEye.camera);
+    const DepthSearch search(lumigraph_, views_, behind, 1.0);
+    for (const std::size_t most : {100U, 400U, 1600U})
+        expect_no_cracks(
+            adaptive_subdivision({picture_through_camera(0, behind)}, search, {0, 0, 1.0 / 5}, {},
+                                 {.max_error_px = 0.1, .min_edge_px = 2, .max_triangles = most})
+                .triangles,
+            behind.camera);
 }
 
 // From behind a camera the wall is hidden from it around the card; there nothing tells where its
