@@ -17,7 +17,8 @@ Triangle turned_to(bool is_split, const std::array<bool, 3>& splits, const Trian
 
 }  // namespace
 
-/// Which edges are split: of a flat triangle the longest alone, as the others' parts would be flat.
+/// Which edges are split. Of a flat triangle that would be split in four the longest alone is, as
+/// all four would be flat.
 std::array<bool, 3> AdaptivePart::splits_of(const Triangle& triangle, float relaxation) const {
     std::array<bool, 3> splits{};
     for (std::size_t i = 0; i < 3; ++i) splits[i] = is_split(triangle.edges[i], relaxation);
