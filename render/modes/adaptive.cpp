@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <tuple>
 
 #include "render/lumigraph/same_eye.h"
@@ -20,12 +19,6 @@ namespace {
 std::array<int, 3> three_depth_views(const Lumigraph& layout, const Eye& eye) {
     const std::vector<int> chosen = choose_depth_views(layout, eye, 3);
     return {chosen[0], chosen[std::min<std::size_t>(1, chosen.size() - 1)], chosen.back()};
-}
-
-/// What an edge's middle is off grows with the square of its length: where larger errors are
-/// allowed than usual, shorter edges than these bring nothing.
-double shortest_edge_px(double usual_px, double error_px) {
-    return usual_px * std::sqrt(std::max(1.0, error_px / kTriangleError_px));
 }
 
 /// Without the triangles that nothing is seen of.
@@ -49,17 +42,11 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const Searc
                                             AdaptiveSubdivider& subdivider) {
     const DepthSearch search(layout, views, eye, options.occlusion_tolerance_px);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(layout, eye);
-    PatchSampler::Options sampling{.correct_occlusion = options.correct_occlusion,
-                                   .fade_beyond_border = options.fade_beyond_capture,
-                                   .before_shell = {}};
-    const double error_px = options.triangle_error_ratio * layout.triangle_error_px;
+    PatchSampler::Options sampling = sampling_options(options);
     const auto subdivided = [&](const CameraMesh& mesh, double overlap_px) {
         return subdivider
             .subdivide(face_polygons(mesh, eye, overlap_px), search, plane, sampling,
-                       {.max_error_px = error_px,
-                        .min_edge_px = shortest_edge_px(options.min_triangle_px, error_px),
-                        .max_edge_px = options.max_triangle_px,
-                        .max_triangles = options.max_triangles})
+                       subdivision_options(layout, options))
             .triangles;
     };
     std::vector<BlendTriangles> layers{subdivided(layout.mesh, kOverlap_px)};

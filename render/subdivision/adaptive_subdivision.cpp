@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <optional>
 
 #include "calib/work/parallel_for.h"
@@ -17,7 +18,22 @@ namespace {
 constexpr std::size_t kMostParts = 8;
 constexpr std::size_t kFewestOfPart = 8;
 
+/// What an edge's middle is off grows with the square of its length: where larger errors are
+/// allowed than usual, shorter edges than these bring nothing.
+double shortest_edge_px(double usual_px, double error_px) {
+    return usual_px * std::sqrt(std::max(1.0, error_px / kTriangleError_px));
+}
+
 }  // namespace
+
+AdaptiveSubdivisionOptions subdivision_options(const Lumigraph& lumigraph,
+                                               const RenderOptions& options) {
+    const double error_px = options.triangle_error_ratio * lumigraph.triangle_error_px;
+    return {.max_error_px = error_px,
+            .min_edge_px = shortest_edge_px(options.min_triangle_px, error_px),
+            .max_edge_px = options.max_triangle_px,
+            .max_triangles = options.max_triangles};
+}
 
 /// The polygons of one picture in parts, each of which is subdivided on one thread.
 class AdaptiveSubdivider::Parts {

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "render/frame/frame.h"
 #include "render/subdivision/edge_error.h"
 #include "render/subdivision/subdivision.h"
 
@@ -15,6 +16,10 @@ struct AdaptiveSubdivisionOptions {
     /// Where there would be more, all errors above are relaxed alike. 0: any number.
     std::size_t max_triangles = 5000;
 };
+
+/// What a frame asks for.
+[[nodiscard]] AdaptiveSubdivisionOptions subdivision_options(const Lumigraph& lumigraph,
+                                                             const RenderOptions& options);
 
 struct AdaptiveSubdivision {
     BlendTriangles triangles;

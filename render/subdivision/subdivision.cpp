@@ -125,6 +125,12 @@ BlendVertex blend_vertex(const PatchSample& sample, const FacePolygon& polygon, 
     return corner;
 }
 
+PatchSampler::Options sampling_options(const RenderOptions& options) {
+    return {.correct_occlusion = options.correct_occlusion,
+            .fade_beyond_border = options.fade_beyond_capture,
+            .before_shell = {}};
+}
+
 SubdividedPatch::SubdividedPatch(const PatchSampler& sampler) : sampler_(sampler) {
     for (const Eigen::Vector2d& corner : sampler.polygon().corners_px)
         static_cast<void>(add(corner));

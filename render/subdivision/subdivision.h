@@ -9,6 +9,7 @@
 
 #include "render/depth_search/depth_search.h"
 #include "render/faces/face_polygons.h"
+#include "render/frame/frame.h"
 #include "render/subdivision/blend_triangles.h"
 
 namespace lumi {
@@ -71,6 +72,9 @@ class PatchSampler {
     Eigen::Vector3d scene_plane_;
     Options options_;
 };
+
+/// What a frame asks for, of the camera mesh itself.
+[[nodiscard]] PatchSampler::Options sampling_options(const RenderOptions& options);
 
 /// Vertices of a subdivided face polygon; the midpoint of two vertices is made once.
 class SubdividedPatch {

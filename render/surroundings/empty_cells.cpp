@@ -52,15 +52,6 @@ double area_px2(const Corners& corners) {
     return 0.5 * std::abs(doubled);
 }
 
-/// The part of a convex polygon from `low` to `high` along an axis.
-Corners between(const Corners& corners, Eigen::Index axis, double low, double high) {
-    Eigen::Vector3d from_low(0, 0, -low);
-    Eigen::Vector3d to_high(0, 0, high);
-    from_low[axis] = 1;
-    to_high[axis] = -1;
-    return clipped(clipped(corners, from_low), to_high);
-}
-
 /// What is seen through the faces, on the plane and infinitely far beyond its horizon.
 class OnPlane {
  public:
@@ -166,10 +157,10 @@ void mark_beyond_mesh(const CameraMesh& mesh, const Eye& eye, PictureCells& cell
         const PictureCells::Block block = touched_by(polygon, cells);
         for (int row = block.begin_row; row < block.end_row; ++row) {
             const Corners in_row =
-                between(polygon.corners_px, 1, row * cell_px, (row + 1) * cell_px);
+                clipped_between(polygon.corners_px, 1, row * cell_px, (row + 1) * cell_px);
             for (int column = block.begin_column; column < block.end_column; ++column)
                 open_px2(row, column) -=
-                    area_px2(between(in_row, 0, column * cell_px, (column + 1) * cell_px));
+                    area_px2(clipped_between(in_row, 0, column * cell_px, (column + 1) * cell_px));
         }
     }
     for (int row = 0; row < cells.rows(); ++row)

@@ -17,8 +17,11 @@ int cell_at(double pixel, double cell_px, int cells) {
 }  // namespace
 
 PictureCells::PictureCells(const Camera& camera)
-    : cell_px_(
-          std::max(kSmallestCell_px, std::max(camera.width_px, camera.height_px) / kCellsAcross)),
+    : PictureCells(camera, std::max(kSmallestCell_px,
+                                    std::max(camera.width_px, camera.height_px) / kCellsAcross)) {}
+
+PictureCells::PictureCells(const Camera& camera, double cell_px)
+    : cell_px_(cell_px),
       columns_(static_cast<int>(std::ceil(camera.width_px / cell_px_))),
       rows_(static_cast<int>(std::ceil(camera.height_px / cell_px_))),
       marked_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}

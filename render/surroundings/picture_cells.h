@@ -15,6 +15,8 @@ class PictureCells {
     /// 24 along the longer side, but none smaller than 8 pixels: a block of pixels (pixel_blocks.h)
     /// has the colours of the cell that its middle lies in. None is marked.
     explicit PictureCells(const Camera& camera);
+    /// So large. None is marked.
+    PictureCells(const Camera& camera, double cell_px);
 
     [[nodiscard]] double cell_px() const { return cell_px_; }
     [[nodiscard]] int columns() const { return columns_; }

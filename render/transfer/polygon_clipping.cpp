@@ -17,4 +17,19 @@ std::vector<Eigen::Vector2d> clipped(const std::vector<Eigen::Vector2d>& corners
     return kept;
 }
 
+std::vector<Eigen::Vector2d> clipped_between(const std::vector<Eigen::Vector2d>& corners,
+                                             Eigen::Index axis, double low, double high) {
+    Eigen::Vector3d from_low(0, 0, -low);
+    Eigen::Vector3d to_high(0, 0, high);
+    from_low[axis] = 1;
+    to_high[axis] = -1;
+    return clipped(clipped(corners, from_low), to_high);
+}
+
+std::vector<Eigen::Vector2d> clipped(const std::vector<Eigen::Vector2d>& corners,
+                                     const Eigen::AlignedBox2d& box) {
+    return clipped_between(clipped_between(corners, 1, box.min().y(), box.max().y()), 0,
+                           box.min().x(), box.max().x());
+}
+
 }  // namespace lumi

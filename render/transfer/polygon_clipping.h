@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <vector>
 
 namespace lumi {
@@ -9,5 +10,13 @@ namespace lumi {
 /// 1974). A line of zeros keeps everything.
 [[nodiscard]] std::vector<Eigen::Vector2d> clipped(const std::vector<Eigen::Vector2d>& corners,
                                                    const Eigen::Vector3d& line);
+
+/// The part from `low` to `high` along an axis.
+[[nodiscard]] std::vector<Eigen::Vector2d> clipped_between(
+    const std::vector<Eigen::Vector2d>& corners, Eigen::Index axis, double low, double high);
+
+/// The part that lies in a box.
+[[nodiscard]] std::vector<Eigen::Vector2d> clipped(const std::vector<Eigen::Vector2d>& corners,
+                                                   const Eigen::AlignedBox2d& box);
 
 }  // namespace lumi
