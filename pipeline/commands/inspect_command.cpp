@@ -35,6 +35,7 @@ Json package_json(const Lumigraph& lumigraph) {
                 {"far_depth", lumigraph.far_depth},
                 {"depth_views", lumigraph.depth_views},
                 {"depth_block_px", lumigraph.depth_block_px},
+                {"fills_holes", lumigraph.fills_holes},
                 {"triangle_error_px", lumigraph.triangle_error_px},
                 {"mesh",
                  {{"construction", name_of(lumigraph.mesh.construction)},
@@ -58,8 +59,9 @@ std::string package_text(const Lumigraph& lumigraph) {
         std::to_string(lumigraph.mesh.vertices.size()) + " vertices and " +
         std::to_string(lumigraph.mesh.faces.size()) + " faces, depth compared from " +
         std::to_string(lumigraph.depth_views) + " views for " +
-        text_of_depth_blocks(lumigraph.depth_block_px) + ", triangles within " +
-        number_text(lumigraph.triangle_error_px, 2) + " px\n";
+        text_of_depth_blocks(lumigraph.depth_block_px) +
+        (lumigraph.fills_holes ? ", what these do not see drawn from others" : "") +
+        ", triangles within " + number_text(lumigraph.triangle_error_px, 2) + " px\n";
     for (const LumigraphView& view : lumigraph.views) {
         text += view.name + "  " + std::to_string(view.camera.width_px) + "x" +
                 std::to_string(view.camera.height_px) + "  focal length " +

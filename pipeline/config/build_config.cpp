@@ -69,6 +69,10 @@ DrawingOptions read_drawing_options(const ConfigSection& render) {
     if (options.depth_block_px != 0 && !(options.depth_block_px >= kLeastDepthBlock_px &&
                                          options.depth_block_px <= kMaxDepthBlock_px))
         render.refuse("depth_block_px", "0 (as photographs ask for), or 1 to 2");
+    const std::string fill_holes = render.text("fill_holes", "auto");
+    if (fill_holes != "auto" && fill_holes != "yes" && fill_holes != "no")
+        render.refuse("fill_holes", R"("auto" (as photographs ask for), "yes" or "no")");
+    if (fill_holes != "auto") options.fill_holes = fill_holes == "yes";
     options.triangle_error_px = render.number("triangle_error_px", options.triangle_error_px);
     if (options.triangle_error_px != 0 && !(options.triangle_error_px >= kLeastTriangleError_px &&
                                             options.triangle_error_px <= kMostTriangleError_px))

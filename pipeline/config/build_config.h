@@ -38,6 +38,9 @@ struct DrawingOptions {
     /// How wide blocks of pixels may be that depth is worked out for, in pixels of the photographs
     /// (Lumigraph::depth_block_px), 1 to 2; 0: as wide as photographs cannot tell.
     double depth_block_px = 0.0;
+    /// Whether `perpixel` draws from other views what none that it asks for depth sees
+    /// (Lumigraph::fills_holes); empty: where photographs ask for it.
+    std::optional<bool> fill_holes;
     /// Of the triangles that `adaptive` draws; 0: as photographs ask for.
     double triangle_error_px = 0.0;
 };

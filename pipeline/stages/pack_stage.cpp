@@ -124,10 +124,11 @@ DepthEffort depth_effort(const PackSources& sources, const Lumigraph& lumigraph,
                          Progress& progress) {
     const DrawingOptions& wanted = sources.drawing;
     DepthEffort effort;
-    if (wanted.depth_views == 0 || wanted.depth_block_px == 0)
+    if (wanted.depth_views == 0 || wanted.depth_block_px == 0 || !wanted.fill_holes)
         effort = asked(sources.sufficient_depth_effort, sources, lumigraph, progress);
     if (wanted.depth_views != 0) effort.views = wanted.depth_views;
     if (wanted.depth_block_px != 0) effort.block_px = wanted.depth_block_px;
+    effort.fills_holes = wanted.fill_holes.value_or(effort.fills_holes);
     return effort;
 }
 
@@ -239,6 +240,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     const DepthEffort effort = depth_effort(sources, lumigraph, progress);
     lumigraph.depth_views = effort.views;
     lumigraph.depth_block_px = effort.block_px;
+    lumigraph.fills_holes = effort.fills_holes;
     const TriangleEffort of_triangles = triangle_effort(sources, lumigraph, progress);
     lumigraph.triangle_error_px = of_triangles.error_px;
     progress.begin("writing the package", 0);

@@ -100,6 +100,7 @@ Lumigraph without_its_views(const Lumigraph& lumigraph) {
     rest.fade_beyond_capture = lumigraph.fade_beyond_capture;
     rest.depth_views = lumigraph.depth_views;
     rest.depth_block_px = lumigraph.depth_block_px;
+    rest.fills_holes = lumigraph.fills_holes;
     rest.triangle_error_px = lumigraph.triangle_error_px;
     return rest;
 }

@@ -66,6 +66,9 @@ struct Lumigraph {
     /// Per pixel, depth is worked out for blocks of pixels in frames so fine that these are no
     /// wider than that, in pixels of the photographs; for kMaxDepthBlock_px in any frame.
     double depth_block_px = kLeastDepthBlock_px;
+    /// Whether, per pixel, what none of these views sees is drawn from others
+    /// (render/holes/hole_triangles.h): worth its time where much is hidden from them.
+    bool fills_holes = false;
     /// How far from the right place `adaptive` may look up photographs before it splits triangles.
     double triangle_error_px = kTriangleError_px;
 };

@@ -66,6 +66,7 @@ struct Manifest {
     bool fade_beyond_capture = false;
     int depth_views = kMaxDepthViews;
     double depth_block_px = kLeastDepthBlock_px;
+    bool fills_holes = false;
     double triangle_error_px = kTriangleError_px;
     std::vector<ManifestView> views;
     PackageFile camera_mesh;

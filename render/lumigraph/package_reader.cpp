@@ -146,6 +146,7 @@ Lumigraph read_contents(const fs::path& folder, const PackageLimits& limits) {
     lumigraph.fade_beyond_capture = manifest.fade_beyond_capture;
     lumigraph.depth_views = manifest.depth_views;
     lumigraph.depth_block_px = manifest.depth_block_px;
+    lumigraph.fills_holes = manifest.fills_holes;
     lumigraph.triangle_error_px = manifest.triangle_error_px;
     lumigraph.mesh = parse_camera_mesh_ply(package.read(manifest.camera_mesh),
                                            package.path_of(manifest.camera_mesh));

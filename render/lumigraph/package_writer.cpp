@@ -76,6 +76,7 @@ void write_contents(const fs::path& root, const Lumigraph& lumigraph, const Pack
     manifest.fade_beyond_capture = lumigraph.fade_beyond_capture;
     manifest.depth_views = lumigraph.depth_views;
     manifest.depth_block_px = lumigraph.depth_block_px;
+    manifest.fills_holes = lumigraph.fills_holes;
     manifest.triangle_error_px = lumigraph.triangle_error_px;
     manifest.evidence_json = extras.evidence_json;
     manifest.views.resize(lumigraph.views.size());

@@ -11,6 +11,7 @@
 #include "render/depth_layers/depth_layer_views.h"
 #include "render/faces/asked_views.h"
 #include "render/gl/to_glm.h"
+#include "render/holes/hole_triangles.h"
 #include "render/shaders/shader_sources.h"
 #include "render/surroundings/empty_cells.h"
 #include "render/transfer/pixel_transfer.h"
@@ -22,8 +23,7 @@ namespace {
 
 constexpr std::size_t kRowsPerView = 4;
 
-PictureProgram program_of(int layers, std::vector<std::string> definitions) {
-    definitions.push_back("LAYERS " + std::to_string(layers));
+PictureProgram program_of(std::vector<std::string> definitions) {
     return {"per_pixel",
             {shader_source("drawn_pixels"), shader_source("face"), shader_source("agreed_depth"),
              shader_source("per_pixel")},
@@ -51,17 +51,24 @@ PerPixel::PerPixel(const UploadedLumigraph& uploaded, DepthLayers::DrawnBy depth
           std::min(uploaded.layout.depth_views, static_cast<int>(uploaded.layout.views.size()))),
       depth_(uploaded, layer_count_, depth_drawn_by),
       faces_(uploaded),
+      blend_(uploaded, kLeastConfidence),
       in_pixels_(programs({})),
       smooth_(programs({"SMOOTH"})),
       in_blocks_(programs({"BLOCKS"})),
       fading_(programs({"FADES"})) {}
 
+std::vector<std::string> PerPixel::layer_definitions() const {
+    std::vector<std::string> definitions{"LAYERS " + std::to_string(layer_count_)};
+    if (depth_.is_packed()) definitions.emplace_back("PACKED_LAYERS");
+    return definitions;
+}
+
 PerPixel::Programs PerPixel::programs(const std::vector<std::string>& definitions) const {
     const auto of_faces = [&](int unasked_views) {
-        std::vector<std::string> all = definitions;
-        if (depth_.is_packed()) all.emplace_back("PACKED_LAYERS");
+        std::vector<std::string> all = layer_definitions();
+        all.insert(all.end(), definitions.begin(), definitions.end());
         all.push_back("UNASKED_VIEWS " + std::to_string(unasked_views));
-        return program_of(layer_count_, std::move(all));
+        return program_of(std::move(all));
     };
     return {of_faces(0), of_faces(1), of_faces(2), of_faces(3)};
 }
@@ -114,8 +121,21 @@ std::size_t PerPixel::draw_base(const Eye& eye, const RenderOptions& options,
         const Fade fade = options.fade_beyond_capture ? Fade::kBeyondCapture : Fade::kNone;
         triangles = draw_strips(polygons, eye, options, {viewport}, asked, fade);
     }
+    triangles += fill_holes(eye, options, viewport, asked);
     if (options.debug_picture == DebugPicture::kGrid) grid_.draw(polygons, eye);
     return triangles;
+}
+
+std::size_t PerPixel::fill_holes(const Eye& eye, const RenderOptions& options,
+                                 const Viewport& viewport, const AskedDepth& asked) {
+    if (!uploaded_.layout.fills_holes || options.fade_beyond_capture) return 0;
+    if (!holes_) holes_.emplace(layer_definitions());
+    const PictureCells cells = holes_->find(depth_.texture(), asked.depth_eye, eye.camera);
+    glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
+    const BlendTriangles triangles = hole_triangles(uploaded_.layout, uploaded_.searched_views, eye,
+                                                    options, cells, subdivider_);
+    blend_.draw(triangles, eye, options, Behind::kGuesses);
+    return triangles.count();
 }
 
 std::size_t PerPixel::draw_shells(const Eye& eye, const RenderOptions& options,

@@ -2,17 +2,21 @@
 
 #include <array>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "render/depth_layers/depth_eye.h"
 #include "render/depth_layers/depth_layers.h"
 #include "render/frame/drawing_mode.h"
+#include "render/painters/blend_painter.h"
 #include "render/painters/face_painter.h"
 #include "render/painters/grid_painter.h"
+#include "render/painters/hole_finder.h"
 #include "render/painters/picture_program.h"
 #include "render/painters/pixel_blocks.h"
 #include "render/painters/surroundings_painter.h"
+#include "render/subdivision/adaptive_subdivision.h"
 
 namespace lumi {
 
@@ -25,6 +29,9 @@ namespace lumi {
 /// Where photographs cannot tell the difference, all but the colours is worked out for blocks of
 /// two by two pixels (Lumigraph::depth_block_px), at less than two thirds of the cost. Where they
 /// can, and depth is sampled finely enough, silhouettes are smooth.
+///
+/// Where photographs can tell (Lumigraph::fills_holes), what none of the views that were asked for
+/// depth sees is drawn from others (hole_triangles.h).
 class PerPixel : public DrawingMode {
  public:
     explicit PerPixel(const UploadedLumigraph& uploaded,
@@ -48,6 +55,8 @@ class PerPixel : public DrawingMode {
     /// One for each number of a face's views that are not asked for depth: those that are say what
     /// they see, the others' depth maps are looked up.
     using Programs = std::array<PictureProgram, 4>;
+    /// How many layers of depth there are, and how they lie in the texture.
+    [[nodiscard]] std::vector<std::string> layer_definitions() const;
     [[nodiscard]] Programs programs(const std::vector<std::string>& definitions) const;
     enum class Fade { kNone, kBeyondCapture, kShell };
 
@@ -57,6 +66,9 @@ class PerPixel : public DrawingMode {
     /// The cells of the picture that surroundings are drawn in, beneath the faces.
     [[nodiscard]] PictureCells open_cells(const std::vector<FacePolygon>& polygons, const Eye& eye,
                                           const RenderOptions& options) const;
+    /// What no view that was asked for depth sees, from others.
+    std::size_t fill_holes(const Eye& eye, const RenderOptions& options, const Viewport& viewport,
+                           const AskedDepth& asked);
     std::size_t draw_shells(const Eye& eye, const RenderOptions& options, const Viewport& viewport,
                             const AskedDepth& asked);
     /// Puts the program in use, with all that they need.
@@ -78,6 +90,9 @@ class PerPixel : public DrawingMode {
     int layer_count_;
     DepthLayers depth_;
     FacePainter faces_;
+    BlendPainter blend_;
+    std::optional<HoleFinder> holes_;  ///< When it is first asked for.
+    AdaptiveSubdivider subdivider_;
     GridPainter grid_;
     PixelBlocks blocks_;
     Programs in_pixels_;

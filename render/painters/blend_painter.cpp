@@ -37,6 +37,7 @@ BlendPainter::BlendPainter(const UploadedLumigraph& uploaded, float least_confid
       discarding_(blend_programs({"DISCARDS"})),
       filling_(blend_programs({"FILLS"})),
       see_through_(blend_programs({"FADES"})),
+      known_alone_(blend_programs({"KNOWN_ALONE"})),
       triangles_(blend_vertex_attributes()) {}
 
 void BlendPainter::draw(const BlendTriangles& triangles, const Eye& eye,
@@ -46,8 +47,9 @@ void BlendPainter::draw(const BlendTriangles& triangles, const Eye& eye,
     const std::vector<BlendVertex>& vertices = sorted.triangles.vertices;
     triangles_.upload(vertices.data(), vertices.size() * sizeof(BlendVertex),
                       sorted.triangles.indices);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    if (behind == Behind::kPicture) glEnable(GL_BLEND);
+    if (behind == Behind::kPicture) glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    if (behind == Behind::kGuesses) glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_DST_ALPHA);
+    if (behind == Behind::kPicture || behind == Behind::kGuesses) glEnable(GL_BLEND);
     std::size_t first = 0;
     for (const LookupRun& run : sorted.runs) {
         const Program& program = program_for(run, behind).use(uploaded_, eye, options);
@@ -63,6 +65,7 @@ void BlendPainter::draw(const BlendTriangles& triangles, const Eye& eye,
 
 PictureProgram& BlendPainter::program_for(const LookupRun& run, Behind behind) {
     if (behind == Behind::kPicture) return see_through_[run.lookups - 1];
+    if (behind == Behind::kGuesses) return known_alone_[run.lookups - 1];
     if (!run.may_show_none) return programs_[run.lookups - 1];
     return (behind == Behind::kSurroundings ? filling_ : discarding_)[run.lookups - 1];
 }

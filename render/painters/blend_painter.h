@@ -18,6 +18,7 @@ enum class Behind {
     kNothing,       ///< What no photograph shows stays as it was.
     kSurroundings,  ///< What no photograph shows gets the surroundings of the vertices.
     kPicture,       ///< The picture shows through as far as the vertices are not opaque.
+    kGuesses,       ///< The picture stays where it is known, and where the triangles are guesses.
 };
 
 /// Draws triangles that blend three photographs each (shaders/blend.glsl), in one pass.
@@ -39,6 +40,7 @@ class BlendPainter {
     std::array<PictureProgram, 3> discarding_;  ///< Where photographs may end.
     std::array<PictureProgram, 3> filling_;     ///< There, too, where there are surroundings.
     std::array<PictureProgram, 3> see_through_;
+    std::array<PictureProgram, 3> known_alone_;  ///< Over guesses.
     VertexBuffer triangles_;
     GridPainter grid_;
 };

@@ -69,6 +69,13 @@ std::vector<AgreedPixelDepth> AgreedDepth::samples_at(const Eigen::Vector2d& pix
     return all;
 }
 
+bool AgreedDepth::is_hole(const Eigen::Vector2d& pixel) const {
+    const std::vector<EyeDepth> depths = depths_at(pixel);
+    return std::none_of(depths.begin(), depths.end(), [](const EyeDepth& depth) {
+        return depth.is_known() && depth.kind != DepthKind::kStretched;
+    });
+}
+
 int AgreedDepth::column_of(const Eigen::Vector2d& pixel) const {
     return static_cast<int>(pixel.x() * depth_eye_.texels_per_pixel);
 }

@@ -33,6 +33,10 @@ class AgreedDepth {
     /// texels of a pixel where these are of several surfaces (kSmoothTexelsPerPixel).
     [[nodiscard]] std::vector<AgreedPixelDepth> samples_at(const Eigen::Vector2d& pixel) const;
 
+    /// Whether none of the views sees what is at the place: it is stretched over tears, or nothing
+    /// is known (holes/hole_cells.h).
+    [[nodiscard]] bool is_hole(const Eigen::Vector2d& pixel) const;
+
  private:
     /// The views that are asked at a column of texels, kNoView among them.
     [[nodiscard]] const std::vector<int>& views_at(int column) const;

@@ -15,6 +15,7 @@
 #include "render/reference/agreed_depth.h"
 #include "render/reference/debug_color.h"
 #include "render/reference/point_in_views.h"
+#include "render/reference/reference_holes.h"
 #include "render/surroundings/surroundings.h"
 #include "render/transfer/scene_plane.h"
 #include "render/transfer/view_geometry.h"
@@ -54,6 +55,8 @@ class ReferenceFrame {
                                                     const Eigen::Vector2d& pixel) const;
     /// Where nothing is seen.
     [[nodiscard]] DrawnPixel behind(int x, int y) const;
+    /// What is not known is drawn from other views, if these know it.
+    void fill(DrawnPixel& drawn, int x, int y) const;
     void lay_over(DrawnPixel& drawn, const CameraMesh& shell, const KnownPoint& known) const;
     [[nodiscard]] std::array<double, 3> visibilities(const RayWeights& ray,
                                                      const KnownPoint& known) const;
@@ -77,6 +80,7 @@ class ReferenceFrame {
     bool is_in_blocks_ = false;
     std::optional<AgreedDepth> depth_;  ///< None where the scene plane is drawn.
     ColorImage surroundings_;           ///< Empty where they are not drawn.
+    std::optional<Frame> filled_;       ///< None where holes are not filled.
 };
 
 /// Of a ray's weight, what views do not see.
@@ -104,6 +108,8 @@ ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
     if (options.mode != RenderMode::kPerPixel || !has_depth(lumigraph)) return;
     depth_.emplace(lumigraph, views_.geometries(), eye, options);
     is_in_blocks_ = is_drawn_in_blocks(lumigraph, eye, options);
+    if (lumigraph.fills_holes && !options.fade_beyond_capture)
+        filled_ = filled_holes(lumigraph, *depth_, eye, options);
 }
 
 Eigen::Vector3d ReferenceFrame::direction_in_world(const Eigen::Vector2d& pixel) const {
@@ -251,6 +257,7 @@ DrawnPixel ReferenceFrame::color_at(int x, int y) const {
                     : known,
                 pixel)
             .value_or(behind(x, y));
+    fill(drawn, x, y);
     for (const CameraMesh& shell : lumigraph_.mesh.shells) lay_over(drawn, shell, known.front());
     return drawn;
 }
@@ -262,6 +269,14 @@ DrawnPixel ReferenceFrame::behind(int x, int y) const {
     drawn.color = {static_cast<double>(color.r), static_cast<double>(color.g),
                    static_cast<double>(color.b)};
     return drawn;
+}
+
+void ReferenceFrame::fill(DrawnPixel& drawn, int x, int y) const {
+    if (!filled_ || filled_->coverage(x, y) == 0) return;
+    const Rgb8& color = filled_->color(x, y);
+    drawn.color = (1 - drawn.coverage) * Eigen::Vector3d(color.r, color.g, color.b) +
+                  drawn.coverage * drawn.color;
+    drawn.coverage = std::max(drawn.coverage, filled_->coverage(x, y) / 255.0);
 }
 
 Eigen::Vector3d ReferenceFrame::debug_color_of(const RayWeights& ray, bool unseen,

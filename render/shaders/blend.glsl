@@ -77,6 +77,9 @@ void main() {
     float is_seen = step(kLeastWeight, sum);
     weights *= is_seen / max(sum, kLeastWeight);
     float is_known = is_seen * step(least_confidence, weight2_and_depth.z);
+#ifdef KNOWN_ALONE
+    if (is_known == 0.0) discard;
+#endif
 #ifdef DEBUG_PICTURE
     drawn = vec4(is_seen * debug_color(weights, layers_and_face, weight2_and_depth.y,
                                        weight2_and_depth.z, weight2_and_depth.w),

@@ -26,6 +26,7 @@ TEST(DepthEffort, IsTheLeastWhereEachViewSeesEverything) {
     Studio studio = before_a_board(18, 0.04);
     const DepthEffort effort = effort_in(studio);
     EXPECT_EQ(effort.views, kLeastDepthViews);
+    EXPECT_FALSE(effort.fills_holes);
     EXPECT_EQ(effort.pictures, 9);
     EXPECT_NEAR(effort.fewer_views_lose_db, 0, 0.1);
 }
@@ -44,6 +45,15 @@ TEST(DepthEffort, IsTheMostWhereEachViewSeesAPart) {
     EXPECT_GT(effort.fewer_views_lose_db, effort.standard_error_db);
 }
 
+TEST(DepthEffort, FillsHolesWhereThingsHideOneAnother) {
+    Studio studio(kBodiesInTheWay);
+    for (const Eigen::Vector3d& direction : spiral(40, 0.0))
+        studio.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
+    const DepthEffort effort = effort_in(studio);
+    EXPECT_TRUE(effort.fills_holes);
+    EXPECT_GT(effort.holes_lose_db, 0.1);
+}
+
 TEST(DepthEffort, IsForEachPixelOfThinThingsThatStandApart) {
     Studio studio(kThinThings);
     for (const Eigen::Vector3d& direction : spiral(40, 0.0))
@@ -59,6 +69,7 @@ TEST(DepthEffort, IsTheMostOfFewerThanEightViewsUnasked) {
     const DepthEffort effort = effort_in(studio);
     EXPECT_EQ(effort.views, kMaxDepthViews);
     EXPECT_EQ(effort.block_px, kLeastDepthBlock_px);
+    EXPECT_FALSE(effort.fills_holes);
     EXPECT_EQ(effort.pictures, 0);
 }
 

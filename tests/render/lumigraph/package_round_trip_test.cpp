@@ -139,6 +139,13 @@ TEST_F(PackageRoundTrip, KeepsForHowManyPixelsDepthIsWorkedOutAtOnce) {
     EXPECT_EQ(read_package(folder_).depth_block_px, 1.46);
 }
 
+TEST_F(PackageRoundTrip, KeepsWhetherHolesAreFilled) {
+    EXPECT_FALSE(read_.fills_holes);
+    written_.fills_holes = true;
+    write_package(folder_, written_, tiny_extras());
+    EXPECT_TRUE(read_package(folder_).fills_holes);
+}
+
 TEST_F(PackageRoundTrip, KeepsHowFarTrianglesMayErr) {
     EXPECT_EQ(read_.triangle_error_px, kTriangleError_px);
     written_.triangle_error_px = 1.4;

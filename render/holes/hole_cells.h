@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+#include "render/surroundings/picture_cells.h"
+
+namespace lumi {
+
+/// Where holes are looked for: in cells so wide, at so many places along each side of one.
+inline constexpr double kHoleCell_px = 16.0;
+inline constexpr int kHoleSamples = 4;
+/// Of the places in a cell: from so many on it counts as a hole. Outlines, along which some view
+/// always loses the surface, are none.
+inline constexpr double kLeastHoleShare = 0.25;
+
+/// Place `number` of a cell's kHoleSamples * kHoleSamples, row by row.
+[[nodiscard]] Eigen::Vector2d hole_sample_px(int column, int row, int number);
+
+/// The cells of a picture in which none of the views that were asked for depth sees the scene:
+/// what they show there is stretched over a tear, or nothing. Places beyond the picture's border do
+/// not count.
+[[nodiscard]] PictureCells hole_cells(
+    const Camera& camera, const std::function<bool(const Eigen::Vector2d& pixel)>& is_hole);
+
+}  // namespace lumi
