@@ -22,16 +22,16 @@ struct Choice {
     double depth_block_px;
     bool fills_holes = false;
 };
-/// To be told from each other, the one that takes the longest first; each that fills holes comes
-/// before the same without.
-constexpr std::array<Choice, 4> kDepthChoices{{{kMaxDepthViews, kLeastDepthBlock_px, true},
-                                               {kMaxDepthViews, kLeastDepthBlock_px},
-                                               {kLeastDepthViews, kLeastDepthBlock_px, true},
-                                               {kLeastDepthViews, kLeastDepthBlock_px}}};
-constexpr std::size_t kMostViews = 1;
-constexpr std::size_t kFewestViews = 3;
-/// To be told from the last of them.
+constexpr Choice kMostViews{kMaxDepthViews, kLeastDepthBlock_px};
+/// To be told from the most.
+constexpr Choice kFewestViews{kLeastDepthViews, kLeastDepthBlock_px};
+/// To be told from the fewest.
 constexpr Choice kInBlocks{kLeastDepthViews, kMaxDepthBlock_px};
+/// To be told from as many views without.
+constexpr Choice kMostViewsFilled{kMaxDepthViews, kLeastDepthBlock_px, true};
+constexpr Choice kFewestViewsFilled{kLeastDepthViews, kLeastDepthBlock_px, true};
+constexpr std::array kChoices{kMostViews, kFewestViews, kInBlocks, kMostViewsFilled,
+                              kFewestViewsFilled};
 
 using LossesDb = std::vector<double>;
 
@@ -48,51 +48,40 @@ void append(const LossesDb& more, LossesDb& losses_db) {
     losses_db.insert(losses_db.end(), more.begin(), more.end());
 }
 
-/// What a depth choice and the same with the holes filled differ by.
-Excess loss_of_holes(const std::vector<LossesDb>& losses_db, int depth_views) {
-    const std::size_t unfilled = depth_views == kMaxDepthViews ? kMostViews : kFewestViews;
-    return excess_over(losses_db[unfilled], losses_db[unfilled - 1]);
-}
-
-/// Holes are filled only for what anyone would miss.
-Choice sufficient_choice(const std::vector<LossesDb>& losses_db) {
-    Choice choice = kDepthChoices[simplest_as_good(losses_db)];
-    if (loss_of_holes(losses_db, choice.depth_views).mean <= kUnseenLoss_db)
-        choice.fills_holes = false;
-    return choice;
-}
-
 }  // namespace
 
 DepthEffort sufficient_depth_effort(const Lumigraph& lumigraph, const Capture& capture,
                                     const CameraMeshOptions& mesh_options, Progress& progress) {
-    std::vector<LossesDb> losses_db(kDepthChoices.size());
-    LossesDb in_blocks_db;
+    std::array<LossesDb, kChoices.size()> losses_db;
     const std::size_t asked = visit_kept_back(
         lumigraph, capture, mesh_options, "asking photographs how well depth must be known",
         progress, [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
-            for (std::size_t choice = 0; choice < kDepthChoices.size(); ++choice) {
+            for (std::size_t choice = 0; choice < kChoices.size(); ++choice) {
                 progress.throw_if_interrupted();
-                append(losses_db_of(kDepthChoices[choice], others, pictures), losses_db[choice]);
+                append(losses_db_of(kChoices[choice], others, pictures), losses_db[choice]);
             }
-            append(losses_db_of(kInBlocks, others, pictures), in_blocks_db);
         });
     if (asked == 0) return {};
-    const Choice sufficient = sufficient_choice(losses_db);
-    const Excess of_fewest = excess_over(losses_db[kFewestViews], losses_db[kMostViews]);
-    const Excess of_blocks = excess_over(in_blocks_db, losses_db[kFewestViews]);
+    const auto& [most_views, fewest_views, in_blocks, most_filled, fewest_filled] = losses_db;
+    const Excess of_fewest = excess_over(fewest_views, most_views);
+    const Excess of_blocks = excess_over(in_blocks, fewest_views);
+    const bool has_few = simplest_as_good({most_views, fewest_views}) == 1;
+    const LossesDb& filled = has_few ? fewest_filled : most_filled;
+    const LossesDb& unfilled = has_few ? fewest_views : most_views;
+    const Excess of_holes = excess_over(unfilled, filled);
     const double block_px = of_blocks.mean <= kUnseenLoss_db
                                 ? kMaxDepthBlock_px
                                 : sufficient_block_px(lumigraph, capture, mesh_options,
                                                       of_blocks.mean, kUnseenLoss_db, progress);
-    return {.views = sufficient.depth_views,
-            .block_px = block_px,
-            .fills_holes = sufficient.fills_holes,
-            .pictures = static_cast<int>(asked),
-            .fewer_views_lose_db = of_fewest.mean,
-            .standard_error_db = of_fewest.standard_error,
-            .blocks_lose_db = of_blocks.mean,
-            .holes_lose_db = loss_of_holes(losses_db, sufficient.depth_views).mean};
+    return {
+        .views = has_few ? kLeastDepthViews : kMaxDepthViews,
+        .block_px = block_px,
+        .fills_holes = simplest_as_good({filled, unfilled}) == 0 && of_holes.mean > kUnseenLoss_db,
+        .pictures = static_cast<int>(asked),
+        .fewer_views_lose_db = of_fewest.mean,
+        .standard_error_db = of_fewest.standard_error,
+        .blocks_lose_db = of_blocks.mean,
+        .holes_lose_db = of_holes.mean};
 }
 
 }  // namespace lumi

@@ -10,9 +10,9 @@ namespace lumi {
 /// The least that photographs cannot tell from more: of the Lumigraph's own views some are kept
 /// back and drawn from the others (kept_back_rounds.h).
 ///
-/// Of how many views depth is compared, and whether what these do not see is drawn from others, the
-/// one-standard-error rule chooses: a further view shows what the others do not see, but may as
-/// well be wrong; holes are left where nobody would miss what fills them. Blocks of pixels lose a
+/// Of how many views depth is compared the one-standard-error rule chooses: a further view shows
+/// what the others do not see, but may as well be wrong. So it does of whether what they do not see
+/// is drawn from others, which is left out where nobody would miss it. Blocks of pixels lose a
 /// little on every silhouette, which is measured without any doubt: they are chosen as wide as
 /// loses less than anyone sees (block_width.h). For fewer than eight views nobody is asked.
 /// `capture.views` lists the Lumigraph's views in the same order. Throws Error (E-GL-...).
