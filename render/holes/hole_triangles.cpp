@@ -19,10 +19,6 @@ namespace {
 /// triangle.
 constexpr int kCellsAtOnce = 3;
 
-/// Outlines run through most holes, and there are few triangles in them: of the shortest edge that
-/// is split elsewhere.
-constexpr double kShortestEdgeShare = 0.5;
-
 /// Marked cells of one row, from the first to before the last.
 struct CellRun {
     int row;
@@ -81,12 +77,10 @@ BlendTriangles hole_triangles(const Lumigraph& lumigraph, const SearchedViews& v
     const DepthSearch search(lumigraph, views, eye, options.occlusion_tolerance_px);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
     const PatchSampler::Options sampling = sampling_options(options);
-    AdaptiveSubdivisionOptions subdivision = subdivision_options(lumigraph, options);
-    subdivision.min_edge_px *= kShortestEdgeShare;
     BlendTriangles triangles =
         subdivider
             .subdivide(parts_in(runs, holes.cell_px(), face_polygons(lumigraph.mesh, eye)), search,
-                       plane, sampling, subdivision)
+                       plane, sampling, subdivision_options(lumigraph, options))
             .triangles;
     draw_unseen(lumigraph, eye, search, plane, sampling, triangles);
     keep_own_surfaces(search, triangles);

@@ -11,6 +11,7 @@
 #include "render/depth_layers/depth_layer_views.h"
 #include "render/faces/asked_views.h"
 #include "render/gl/to_glm.h"
+#include "render/holes/hole_cells.h"
 #include "render/holes/hole_triangles.h"
 #include "render/shaders/shader_sources.h"
 #include "render/surroundings/empty_cells.h"
@@ -77,11 +78,14 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& wanted,
                               const Viewport& viewport) {
     const RenderOptions options =
         drawable(wanted, eye.camera, uploaded_.capabilities.max_texture_size_px);
-    const AskedDepth asked{depth_view_sets(uploaded_.layout, eye, layer_count_),
-                           depth_eye(uploaded_.layout, eye, options)};
+    AskedDepth asked{depth_view_sets(uploaded_.layout, eye, layer_count_),
+                     depth_eye(uploaded_.layout, eye, options),
+                     PictureCells(eye.camera, kHoleCell_px)};
     {
         const FramebufferBindingKeeper keeper;
         depth_.draw(asked.depth_eye.eye, asked.sets);
+        if (uploaded_.layout.fills_holes && !options.fade_beyond_capture)
+            asked.holes = found_holes(asked.depth_eye, eye.camera);
     }
     glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
     std::size_t triangles = draw_base(eye, options, viewport, asked);
@@ -121,19 +125,20 @@ std::size_t PerPixel::draw_base(const Eye& eye, const RenderOptions& options,
         const Fade fade = options.fade_beyond_capture ? Fade::kBeyondCapture : Fade::kNone;
         triangles = draw_strips(polygons, eye, options, {viewport}, asked, fade);
     }
-    triangles += fill_holes(eye, options, viewport, asked);
+    triangles += fill_holes(eye, options, asked);
     if (options.debug_picture == DebugPicture::kGrid) grid_.draw(polygons, eye);
     return triangles;
 }
 
-std::size_t PerPixel::fill_holes(const Eye& eye, const RenderOptions& options,
-                                 const Viewport& viewport, const AskedDepth& asked) {
-    if (!uploaded_.layout.fills_holes || options.fade_beyond_capture) return 0;
+PictureCells PerPixel::found_holes(const DepthEye& depth_eye, const Camera& camera) {
     if (!holes_) holes_.emplace(layer_definitions());
-    const PictureCells cells = holes_->find(depth_.texture(), asked.depth_eye, eye.camera);
-    glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
+    return holes_->find(depth_.texture(), depth_eye, camera);
+}
+
+std::size_t PerPixel::fill_holes(const Eye& eye, const RenderOptions& options,
+                                 const AskedDepth& asked) {
     const BlendTriangles triangles = hole_triangles(uploaded_.layout, uploaded_.searched_views, eye,
-                                                    options, cells, subdivider_);
+                                                    options, asked.holes, subdivider_);
     blend_.draw(triangles, eye, options, Behind::kGuesses);
     return triangles.count();
 }

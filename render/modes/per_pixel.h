@@ -44,6 +44,7 @@ class PerPixel : public DrawingMode {
     struct AskedDepth {
         std::vector<DepthViewSet> sets;
         DepthEye depth_eye;
+        PictureCells holes;  ///< That are to be filled.
     };
     /// What fragments stand for: the pixels of a viewport, or blocks of them (pixel_blocks.h).
     struct Fragments {
@@ -66,9 +67,10 @@ class PerPixel : public DrawingMode {
     /// The cells of the picture that surroundings are drawn in, beneath the faces.
     [[nodiscard]] PictureCells open_cells(const std::vector<FacePolygon>& polygons, const Eye& eye,
                                           const RenderOptions& options) const;
-    /// What no view that was asked for depth sees, from others.
-    std::size_t fill_holes(const Eye& eye, const RenderOptions& options, const Viewport& viewport,
-                           const AskedDepth& asked);
+    /// What no view that was asked for depth sees: where, once that was drawn, and then, from
+    /// others.
+    [[nodiscard]] PictureCells found_holes(const DepthEye& depth_eye, const Camera& camera);
+    std::size_t fill_holes(const Eye& eye, const RenderOptions& options, const AskedDepth& asked);
     std::size_t draw_shells(const Eye& eye, const RenderOptions& options, const Viewport& viewport,
                             const AskedDepth& asked);
     /// Puts the program in use, with all that they need.
