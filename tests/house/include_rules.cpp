@@ -20,11 +20,11 @@ constexpr std::array<std::string_view, 7> kHeavy{"opencv2/", "CGAL/",        "ce
                                                  "nlohmann", "OpenImageIO/", "toml++"};
 
 constexpr std::string_view kChaptersOf = "render";
-constexpr std::array<std::string_view, 21> kChapters{
-    "lumigraph",    "transfer",    "depth_mesh",   "faces",     "depth_search", "view_choice",
-    "frame",        "subdivision", "surroundings", "gl",        "shaders",      "uploaded",
-    "depth_layers", "painters",    "modes",        "reference", "rivals",       "renderer",
-    "paths",        "bench",       "viewer"};
+constexpr std::array<std::string_view, 22> kChapters{
+    "lumigraph", "transfer",     "depth_mesh",   "faces", "depth_search", "view_choice",
+    "frame",     "subdivision",  "surroundings", "holes", "gl",           "shaders",
+    "uploaded",  "depth_layers", "painters",     "modes", "reference",    "rivals",
+    "renderer",  "paths",        "bench",        "viewer"};
 
 /// Where a path's first part stands in the order of the rooms; empty for anything else.
 std::optional<std::size_t> room_of(const std::string& path) {
