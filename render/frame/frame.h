@@ -60,14 +60,14 @@ struct RenderOptions {
     /// What no photograph shows gets the colours of what lies next to it (surroundings.h) instead
     /// of black; not where the capture fades to black, and not in `paper2001` and `heigl`.
     bool guess_surroundings = true;
-    /// For modes that subdivide.
+    /// For modes that subdivide, and what is filled where depth has holes.
     double triangle_error_ratio = 1.0;    ///< `adaptive`: times Lumigraph::triangle_error_px.
     double depth_threshold_share = 0.02;  ///< `paper2001`: of the scene's depth range.
     /// Shorter edges are not split. Where `adaptive` may err by more than kTriangleError_px, this
     /// grows with the root of the error.
     double min_triangle_px = 6.0;
     double max_triangle_px = 96.0;     ///< Longer edges are split in any case.
-    std::size_t max_triangles = 5000;  ///< `adaptive`: errors give way to this. 0: any number.
+    std::size_t max_triangles = 5000;  ///< `adaptive`, and in holes: errors give way to it. 0: any.
 };
 
 /// Whether these options ask for colours where no photograph shows anything.

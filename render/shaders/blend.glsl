@@ -84,6 +84,10 @@ void main() {
     drawn = vec4(is_seen * debug_color(weights, layers_and_face, weight2_and_depth.y,
                                        weight2_and_depth.z, weight2_and_depth.w),
                  is_known);
+#ifdef KNOWN_ALONE
+    // White, as in per_pixel.glsl: none of those that should see it does.
+    if (debug_picture == 1) drawn.rgb = vec3(1.0);
+#endif
 #elif LOOKUPS == 1
     drawn = vec4(is_seen * color0.rgb, is_known);
 #elif LOOKUPS == 2

@@ -87,6 +87,20 @@ TEST_F(Holes, AreAllThatChanges) {
     }
 }
 
+TEST_F(Holes, AreMarkedInThePictureOfWeights) {
+    const RenderOptions weights{.debug_picture = DebugPicture::kWeights};
+    const Frame before = OffscreenRenderer(lumigraph_).draw(eye_, weights);
+    lumigraph_.fills_holes = true;
+    const Frame after = OffscreenRenderer(lumigraph_).draw(eye_, weights);
+    int filled = 0;
+    for (std::size_t i = 0; i < before.coverage.pixels().size(); ++i) {
+        if (before.coverage.pixels()[i] != 0 || after.coverage.pixels()[i] == 0) continue;
+        ++filled;
+        EXPECT_EQ(after.color.pixels()[i], (Rgb8{255, 255, 255}));
+    }
+    EXPECT_GT(filled, 400);
+}
+
 TEST_F(Holes, FadeLikeTheRestBeyondTheCapture) {
     const RenderOptions fading{.fade_beyond_capture = true};
     const Frame before = OffscreenRenderer(lumigraph_).draw(eye_, fading);
