@@ -72,7 +72,6 @@ TEST_F(HoleTriangles, CoverTheCellsAndNothingElse) {
     EXPECT_NEAR(drawn_px2, wanted_px2, 0.01 * wanted_px2);
 }
 
-/// Beside each other but not cut together, of all rows: what two share has the same corners.
 TEST_F(HoleTriangles, KeepToTheirOwnCells) {
     PictureCells cells(eye_.camera, kHoleCell_px);
     cells.mark_all();
@@ -81,9 +80,9 @@ TEST_F(HoleTriangles, KeepToTheirOwnCells) {
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
         Eigen::AlignedBox2d box;
         for (std::size_t k = i; k < i + 3; ++k) box.extend(corner(triangles, k));
-        const double row = std::floor(box.center().y() / kHoleCell_px);
-        EXPECT_GE(box.min().y(), kHoleCell_px * row - 1e-3);
-        EXPECT_LE(box.max().y(), kHoleCell_px * (row + 1) + 1e-3);
+        const Eigen::Array2d cell = (box.center() / kHoleCell_px).array().floor();
+        EXPECT_TRUE((box.min().array() >= kHoleCell_px * cell - 1e-3).all());
+        EXPECT_TRUE((box.max().array() <= kHoleCell_px * (cell + 1) + 1e-3).all());
     }
 }
 
