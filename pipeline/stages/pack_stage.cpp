@@ -108,15 +108,19 @@ Effort asked(const std::function<Effort(const Lumigraph&, const Capture&)>& suff
              const PackSources& sources, const Lumigraph& lumigraph, Progress& progress) {
     if (!sufficient) return {};
     try {
-        const Effort effort = sufficient(lumigraph, capture_of(lumigraph, sources.photographs));
-        if (const std::string text = text_of(effort); !text.empty()) progress.note("pack: " + text);
-        return effort;
+        return sufficient(lumigraph, capture_of(lumigraph, sources.photographs));
     } catch (const Error& error) {
         if (!error.code().starts_with("E-GL-")) throw;
         progress.note(std::string("nothing can be drawn here to see how much is enough: ") +
                       error.what());
         return {};
     }
+}
+
+/// What is done, and what photographs say to it.
+template <typename Effort>
+void note(const Effort& effort, Progress& progress) {
+    if (const std::string text = text_of(effort); !text.empty()) progress.note("pack: " + text);
 }
 
 /// Options come before what photographs want.
@@ -129,13 +133,17 @@ DepthEffort depth_effort(const PackSources& sources, const Lumigraph& lumigraph,
     if (wanted.depth_views != 0) effort.views = wanted.depth_views;
     if (wanted.depth_block_px != 0) effort.block_px = wanted.depth_block_px;
     effort.fills_holes = wanted.fill_holes.value_or(effort.fills_holes);
+    note(effort, progress);
     return effort;
 }
 
 TriangleEffort triangle_effort(const PackSources& sources, const Lumigraph& lumigraph,
                                Progress& progress) {
     if (sources.drawing.triangle_error_px != 0) return {sources.drawing.triangle_error_px};
-    return asked(sources.sufficient_triangle_effort, sources, lumigraph, progress);
+    const TriangleEffort effort =
+        asked(sources.sufficient_triangle_effort, sources, lumigraph, progress);
+    note(effort, progress);
+    return effort;
 }
 
 PackageExtras extras_of(const PackSources& sources) {

@@ -1,11 +1,15 @@
 #include "render/holes/hole_cells.h"
 
 namespace lumi {
+namespace {
 
+/// Place `number` of a cell's kHoleSamples * kHoleSamples, row by row.
 Eigen::Vector2d hole_sample_px(int column, int row, int number) {
     const Eigen::Vector2d in_cell(number % kHoleSamples + 0.5, number / kHoleSamples + 0.5);
     return kHoleCell_px * (Eigen::Vector2d(column, row) + in_cell / kHoleSamples);
 }
+
+}  // namespace
 
 PictureCells hole_cells(const Camera& camera,
                         const std::function<bool(const Eigen::Vector2d& pixel)>& is_hole) {

@@ -14,9 +14,6 @@ inline constexpr int kHoleSamples = 4;
 /// always loses the surface, are none.
 inline constexpr double kLeastHoleShare = 0.25;
 
-/// Place `number` of a cell's kHoleSamples * kHoleSamples, row by row.
-[[nodiscard]] Eigen::Vector2d hole_sample_px(int column, int row, int number);
-
 /// The cells of a picture in which none of the views that were asked for depth sees the scene:
 /// what they show there is stretched over a tear, or nothing. Places beyond the picture's border do
 /// not count.
