@@ -63,8 +63,9 @@ struct RenderOptions {
     /// For modes that subdivide, and what is filled where depth has holes.
     double triangle_error_ratio = 1.0;    ///< `adaptive`: times Lumigraph::triangle_error_px.
     double depth_threshold_share = 0.02;  ///< `paper2001`: of the scene's depth range.
-    /// Shorter edges are not split. Where `adaptive` may err by more than kTriangleError_px, this
-    /// grows with the root of the error.
+    /// Shorter edges are not split; in `adaptive`, which cuts triangles at outlines, none that are
+    /// shorter than twice this, and where it may err by more than kTriangleError_px, this grows
+    /// with the root of the error.
     double min_triangle_px = 6.0;
     double max_triangle_px = 96.0;     ///< Longer edges are split in any case.
     std::size_t max_triangles = 5000;  ///< `adaptive`, and in holes: errors give way to it. 0: any.

@@ -71,19 +71,20 @@ void AdaptivePart::subdivide(float relaxation, std::size_t most, std::atomic<std
     look_up_borders_of_thin(relaxation);
     for (const Triangle& triangle : thin_)
         split_where_neighbours_did(triangle, {true, true, true}, relaxation);
-    count.fetch_add(leaves_.size() - counted);
     look_up_new();
+    cut_at_outlines();
+    count.fetch_add(pieces_.size() - counted);
 }
 
 void AdaptivePart::keep() {
-    whole_.swap(leaves_);
+    whole_.swap(pieces_);
     settled_.swap(now_settled_);
 }
 
 void AdaptivePart::append_to(BlendTriangles& drawn) const {
     std::vector<std::uint32_t> index_of(vertices_.size(), kNone);
-    for (const Triangle& triangle : whole_) {
-        for (const std::uint32_t corner : triangle.corners) {
+    for (const Corners& corners : whole_) {
+        for (const std::uint32_t corner : corners) {
             if (index_of[corner] == kNone) {
                 index_of[corner] = static_cast<std::uint32_t>(drawn.vertices.size());
                 drawn.vertices.push_back(vertices_[corner]);

@@ -28,9 +28,9 @@ class AdaptivePart {
                const std::vector<PatchSampler>& samplers,
                const AdaptiveSubdivisionOptions& options);
 
-    /// Splits triangles with errors relaxed so much. Adds those that it finds to `count`, as it
-    /// finds them, and gives up once there are more than `most`. To be called for lesser and lesser
-    /// relaxations once its triangles were kept.
+    /// Splits triangles with errors relaxed so much, and cuts them at outlines. Adds those that it
+    /// finds to `count`, as it finds them, and gives up once there are more than `most`. To be
+    /// called for lesser and lesser relaxations once its triangles were kept.
     void subdivide(float relaxation, std::size_t most, std::atomic<std::size_t>& count);
 
     /// The triangles that were found last are those that are drawn.
@@ -42,9 +42,10 @@ class AdaptivePart {
     void append_to(BlendTriangles& drawn) const;
 
  private:
+    using Corners = std::array<std::uint32_t, 3>;
     /// Corners, and the edges that start from them.
     struct Triangle {
-        std::array<std::uint32_t, 3> corners{};
+        Corners corners{};
         std::array<std::uint32_t, 3> edges{};
         /// All that it lies in are split in four, and so they are for lesser relaxations.
         bool is_settled = false;
@@ -66,6 +67,9 @@ class AdaptivePart {
     void look_up_borders_of_thin(float relaxation);
     void leave_whole(const Triangle& triangle);
     // How triangles are split: adaptive_part_splits.cpp.
+    /// So that the first edge is the one that is split or cut, or is not.
+    [[nodiscard]] static Triangle turned_to(bool is_marked, const std::array<bool, 3>& marks,
+                                            const Triangle& triangle);
     [[nodiscard]] std::array<bool, 3> splits_of(const Triangle& triangle, float relaxation) const;
     void split(const Triangle& triangle, float relaxation);
     void split_in_four(const Triangle& triangle);
@@ -73,6 +77,14 @@ class AdaptivePart {
     void split_in_three(const Triangle& triangle);
     void split_where_neighbours_did(const Triangle& triangle, const std::array<bool, 3>& is_shared,
                                     float relaxation);
+    // What of them is drawn: adaptive_part_cuts.cpp.
+    void cut_at_outlines();
+    [[nodiscard]] bool crosses_outline(std::uint32_t number);
+    [[nodiscard]] std::uint32_t add_looked_up(const BlendVertex& vertex, std::uint32_t polygon);
+    [[nodiscard]] std::uint32_t crossing_at(std::uint32_t number, std::uint32_t corner) const;
+    void cut_in_two(const Triangle& triangle);
+    void cut_off_last_corner(const Triangle& triangle);
+    void cut_off_all_corners(const Triangle& triangle);
 
     AdaptiveSubdivisionOptions options_;
     const std::vector<PatchSampler>* samplers_ = nullptr;
@@ -90,8 +102,9 @@ class AdaptivePart {
     std::vector<Triangle> undecided_;  ///< Of the level, until their edges are looked up.
     std::vector<Triangle> next_level_;
     std::vector<Triangle> leaves_;
-    std::vector<Triangle> thin_;  ///< To be split as their neighbours are, at the end.
-    std::vector<Triangle> whole_;
+    std::vector<Triangle> thin_;   ///< To be split as their neighbours are, at the end.
+    std::vector<Corners> pieces_;  ///< Of leaves, cut at outlines.
+    std::vector<Corners> whole_;   ///< Pieces that were kept.
 };
 
 }  // namespace lumi

@@ -3,19 +3,15 @@
 #include "render/subdivision/adaptive_part.h"
 
 namespace lumi {
-namespace {
 
-/// So that the first edge is the one that is split, or is not.
-template <class Triangle>
-Triangle turned_to(bool is_split, const std::array<bool, 3>& splits, const Triangle& triangle) {
+AdaptivePart::Triangle AdaptivePart::turned_to(bool is_marked, const std::array<bool, 3>& marks,
+                                               const Triangle& triangle) {
     Triangle turned = triangle;
-    const auto first = std::find(splits.begin(), splits.end(), is_split) - splits.begin();
+    const auto first = std::find(marks.begin(), marks.end(), is_marked) - marks.begin();
     std::rotate(turned.corners.begin(), turned.corners.begin() + first, turned.corners.end());
     std::rotate(turned.edges.begin(), turned.edges.begin() + first, turned.edges.end());
     return turned;
 }
-
-}  // namespace
 
 /// Which edges are split. Of a flat triangle that would be split in four the longest alone is, as
 /// all four would be flat.

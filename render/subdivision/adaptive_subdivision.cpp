@@ -18,6 +18,9 @@ namespace {
 constexpr std::size_t kMostParts = 8;
 constexpr std::size_t kFewestOfPart = 8;
 
+/// Triangles that are cut at outlines need not be as small as those that could but follow them.
+constexpr double kCutEdges = 2.0;
+
 /// What an edge's middle is off grows with the square of its length: where larger errors are
 /// allowed than usual, shorter edges than these bring nothing.
 double shortest_edge_px(double usual_px, double error_px) {
@@ -30,7 +33,7 @@ AdaptiveSubdivisionOptions subdivision_options(const Lumigraph& lumigraph,
                                                const RenderOptions& options) {
     const double error_px = options.triangle_error_ratio * lumigraph.triangle_error_px;
     return {.max_error_px = error_px,
-            .min_edge_px = shortest_edge_px(options.min_triangle_px, error_px),
+            .min_edge_px = shortest_edge_px(kCutEdges * options.min_triangle_px, error_px),
             .max_edge_px = options.max_triangle_px,
             .max_triangles = options.max_triangles};
 }

@@ -11,7 +11,7 @@ namespace lumi {
 struct AdaptiveSubdivisionOptions {
     double max_error_px = 0.7;    ///< Of where the three photographs are looked up.
     EdgeErrorCounts counts = {};  ///< Where there is no depth, all is a guess, and is followed.
-    double min_edge_px = 6.0;     ///< Shorter edges are not split.
+    double min_edge_px = 12.0;    ///< Shorter edges are not split, but cut at outlines.
     double max_edge_px = 96.0;    ///< Longer ones are, in any case.
     /// Where there would be more, all errors above are relaxed alike. 0: any number.
     std::size_t max_triangles = 5000;

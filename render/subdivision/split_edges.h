@@ -22,6 +22,9 @@ struct SplitEdge {
     float split_below = 0.0F;      ///< It is split where errors are relaxed less.
     std::uint32_t middle = kNone;  ///< A vertex, when it was looked up.
     std::array<std::uint32_t, 2> halves{kNone, kNone};  ///< Edges, when they were asked for.
+    bool is_crossing_known = false;
+    /// Vertices where it crosses an outline, on the surfaces of either end, if it does.
+    std::array<std::uint32_t, 2> crossing{kNone, kNone};
     bool is_border = false;  ///< Of the part, with one triangle: the other may be in another part.
 };
 

@@ -60,6 +60,7 @@ class PatchSampler {
 
     [[nodiscard]] PatchSample at(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] const FacePolygon& polygon() const { return polygon_; }
+    [[nodiscard]] const DepthSearch& search() const { return search_; }
 
  private:
     [[nodiscard]] std::array<int, 3> by_weight(const std::array<double, 3>& weights) const;
