@@ -8,7 +8,7 @@ namespace lumi {
 namespace {
 
 /// Smears of less are hardly seen.
-constexpr double kLeastJump_px = 4.0;
+constexpr double kLeastJump_px = 8.0;
 /// The outline lies anywhere in a stretch that is left so long.
 constexpr double kFinest_px = 1.5;
 /// Of a jump, that one half of the edge holds; a slope has as much in the other.
