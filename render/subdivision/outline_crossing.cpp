@@ -10,7 +10,7 @@ namespace {
 /// Smears of less are hardly seen.
 constexpr double kLeastJump_px = 8.0;
 /// The outline lies anywhere in a stretch that is left so long.
-constexpr double kFinest_px = 1.5;
+constexpr double kFinest_px = 3.0;
 /// Of a jump, that one half of the edge holds; a slope has as much in the other.
 constexpr double kMost = 0.7;
 

@@ -24,7 +24,9 @@ TEST(EdgeError, IsHowFarAMiddleIsFromHalfway) {
 TEST(EdgeError, IsTwiceTheErrorOfAWeight) {
     BlendVertex middle = looked_up_at(15, 1);
     middle.weights = {0.75F, 0.25F, 0};
-    EXPECT_DOUBLE_EQ(edge_error_px(looked_up_at(10, 1), looked_up_at(20, 1), middle), 0.5);
+    EXPECT_DOUBLE_EQ(
+        edge_error_px(looked_up_at(10, 1), looked_up_at(20, 1), middle, {.weight_error_px = 1.0}),
+        0.5);
     EXPECT_DOUBLE_EQ(
         edge_error_px(looked_up_at(10, 1), looked_up_at(20, 1), middle, {.weight_error_px = 3.0}),
         1.5);
