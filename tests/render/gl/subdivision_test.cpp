@@ -211,7 +211,7 @@ TEST(SubdivisionGl, TheGridShowsTheEdgesOfTheTrianglesOverThePicture) {
 }
 
 /// Frames along a path, each costing `fixed_ms` and so much more for each triangle that the mode
-/// draws; what the worst but the first of them cost, and the triangles of the last.
+/// draws; what the worst but the first two of them cost, and the triangles of the last.
 struct ModelledFrames {
     double worst_ms = 0.0;
     std::size_t triangles = 0;
@@ -229,7 +229,7 @@ ModelledFrames modelled_frames(double frames_per_second, double fixed_ms, double
             adaptive_layers(lumigraph, views, eye, budget.within({.max_triangles = 0}));
         frames.triangles = layers.front().count();
         const double ms = fixed_ms + ms_each * static_cast<double>(frames.triangles);
-        if (i > 0) frames.worst_ms = std::max(frames.worst_ms, ms);
+        if (i > 1) frames.worst_ms = std::max(frames.worst_ms, ms);
         budget.measured(frames.triangles, ms);
     }
     return frames;
@@ -239,7 +239,7 @@ TEST(TriangleBudget, IsKeptAndSpentWhateverATriangleCosts) {
     const std::size_t all = modelled_frames(0, 5, 0.01).triangles;
     ASSERT_GT(all, 500U);
     for (const double ms_each : {0.005, 0.02, 0.1}) {
-        // Frames that have time for a third of the triangles.
+        // Frames that have time for a third of the triangles, which is approached by halves.
         const double afforded_ms = 5 + ms_each * static_cast<double>(all) / 3;
         const ModelledFrames frames = modelled_frames(1000 / afforded_ms, 5, ms_each);
         EXPECT_LT(frames.worst_ms, 1.2 * afforded_ms) << ms_each;
