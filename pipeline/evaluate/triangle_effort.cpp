@@ -11,8 +11,9 @@ namespace {
 
 /// Steps of about half an octave.
 constexpr std::array<double, 8> kErrors_px{0.35, 0.5, kTriangleError_px, 1.0, 1.4, 2.0, 2.8, 4.0};
-/// A fifth of what viewers begin to see; the same that `perpixel` may lose (depth_effort.cpp).
-constexpr double kMostLoss_db = 0.1;
+/// Two fifths of what viewers begin to see: `adaptive` is there for speed, and may lose twice what
+/// `perpixel` may (depth_effort.cpp).
+constexpr double kMostLoss_db = 0.2;
 
 /// Of one error, over all pictures.
 struct Outcome {
