@@ -18,7 +18,7 @@ namespace lumi {
 
 /// How much of a frame's CPU time the paper's occlusion correction (section 4) takes
 /// (median_share_saved). Each frame is drawn with it and without in turn, as the two differ by less
-/// than frames do. Throws Error (E-GL-...).
+/// than frames do, and once before that. Throws Error (E-GL-...).
 [[nodiscard]] double occlusion_share(const Lumigraph& lumigraph, const std::vector<Eye>& path,
                                      const RenderOptions& options, Progress& progress);
 
