@@ -34,7 +34,9 @@ struct AdaptiveSubdivision {
 /// are looked up lie from halfway between those of its ends, each photograph counting as its
 /// weight. Both sides of an edge come to the same decision, also across faces, as the photograph
 /// that they do not share has no weight there: no cracks, without a pass that removes T-vertices.
-/// Triangles that become too thin are split no more but where their neighbours are. A plane is
+/// Triangles that become too thin are split no more but where their neighbours are. What is split
+/// no more is cut where its edges cross outlines (outline_crossing.h), so that each lies on one
+/// surface. A plane is
 /// split only for the perspective in it, and cameras that are close together ask for less.
 ///
 /// Errors are relaxed until the triangles are few enough (relaxation_search.h). What was seen of

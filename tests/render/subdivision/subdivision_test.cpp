@@ -175,19 +175,34 @@ TEST_F(Subdivision, PartsOfAPictureFitTogetherWithoutCracks) {
     }
 }
 
-TEST_F(Subdivision, TrianglesAreCutAtTheOutlinesOfWhatTheyShow) {
-    const Camera camera = pinhole_camera(256, 192, 260);
-    std::vector<Eye> cameras;
-    for (const auto& [x, y] : {std::pair(0.4, 0.3), {-0.4, 0.3}, {-0.4, -0.3}, {0.4, -0.3}})
-        cameras.push_back(eye_at({x, y, 0}, {x, y, 6}, camera));
-    const Lumigraph card = photographed(AnalyticScene::kCardBeforeWall, cameras);
-    const SearchedViews views = searched_views(card);
-    const Eye eye = eye_at({0, 0, 0}, {0, 0, 6}, camera);
-    const DepthSearch search(card, views, eye, 1.0);
-    const BlendTriangles triangles =
-        adaptive_subdivision(face_polygons(card.mesh, eye), search,
-                             scene_plane_inverse_depth(card, eye), {}, {.min_edge_px = 12})
+/// The card from between four cameras, in whose photographs it lies far before the wall.
+class OutlinedCard : public testing::Test {
+ protected:
+    static Eye looking_ahead(double x, double y) {
+        return eye_at({x, y, 0}, {x, y, 6}, pinhole_camera(256, 192, 260));
+    }
+    [[nodiscard]] BlendTriangles subdivided(const std::vector<FacePolygon>& polygons,
+                                            std::size_t max_triangles) const {
+        return adaptive_subdivision(polygons, search_, scene_plane_inverse_depth(card_, eye_), {},
+                                    {.min_edge_px = 12, .max_triangles = max_triangles})
             .triangles;
+    }
+
+    Eye eye_ = looking_ahead(0, 0);
+    Lumigraph card_ = photographed(AnalyticScene::kCardBeforeWall,
+                                   {looking_ahead(0.4, 0.3), looking_ahead(-0.4, 0.3),
+                                    looking_ahead(-0.4, -0.3), looking_ahead(0.4, -0.3)});
+    SearchedViews views_ = searched_views(card_);
+    DepthSearch search_{card_, views_, eye_, 1.0};
+};
+
+TEST_F(OutlinedCard, CutsOpenNoCracks) {
+    for (const std::size_t most : {200U, 400U, 0U})
+        expect_no_cracks(subdivided({picture_through_camera(0, eye_)}, most), eye_.camera);
+}
+
+TEST_F(OutlinedCard, TrianglesAreCutAtTheOutlinesOfWhatTheyShow) {
+    const BlendTriangles triangles = subdivided(face_polygons(card_.mesh, eye_), 5000);
     double on_both_px2 = 0;
     double on_card_px2 = 0;
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
