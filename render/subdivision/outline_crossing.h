@@ -13,7 +13,8 @@ struct OutlineCrossing {
     BlendVertex at_to;    ///< On that of its second.
 };
 
-/// Looks between two vertices for the place where depth jumps, by halving, to within a pixel.
+/// Looks between two vertices for the place where depth jumps, by halving, to one and a half
+/// pixels.
 ///
 /// Triangles that end there, on both sides, leave a surface its outline however long their edges
 /// are; one across it would draw it out into what lies behind. Empty where photographs are looked
