@@ -22,6 +22,7 @@ void add_bench_poses_command(CLI::App& app, CommandContext& context);
 void add_bench_flicker_command(CLI::App& app, CommandContext& context);
 void add_bench_hazards_command(CLI::App& app, CommandContext& context);
 void add_bench_mesh_command(CLI::App& app, CommandContext& context);
+void add_bench_orbit_command(CLI::App& app, CommandContext& context);
 void add_bench_rivals_command(CLI::App& app, CommandContext& context);
 void add_evaluate_command(CLI::App& app, CommandContext& context);
 void add_select_command(CLI::App& app, CommandContext& context);

@@ -37,6 +37,7 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_bench_flicker_command(app, context);
     lumi::add_bench_hazards_command(app, context);
     lumi::add_bench_mesh_command(app, context);
+    lumi::add_bench_orbit_command(app, context);
     lumi::add_bench_rivals_command(app, context);
     lumi::add_evaluate_command(app, context);
     lumi::add_select_command(app, context);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <utility>
 
+#include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "calib/work/stopwatch.h"
 #include "render/bench/three_texture_blend.h"
@@ -29,15 +30,9 @@ struct Times {
     std::vector<double> cpu_ms;
 };
 
-double at_share(std::vector<double> values, double share) {
-    const auto nth = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + nth, values.end());
-    return values[static_cast<std::size_t>(nth)];
-}
-
 FrameCost cost_of(const Times& times) {
-    return {at_share(times.wall_ms, 0.5), at_share(times.wall_ms, 0.95),
-            at_share(times.cpu_ms, 0.5)};
+    return {quantile_of(times.wall_ms, 0.5), quantile_of(times.wall_ms, 0.95),
+            quantile_of(times.cpu_ms, 0.5)};
 }
 
 void time_one(const std::function<void()>& draw, bool counted, Times& times) {

@@ -217,10 +217,11 @@ ViewerWindow::ViewerWindow(Lumigraph lumigraph, const WindowOptions& options)
 
 ViewerWindow::~ViewerWindow() = default;
 
-bool ViewerWindow::step() {
+bool ViewerWindow::step(const WindowInput* in_place_of_user) {
     Implementation& viewer = *implementation_;
-    const WindowInput input =
-        viewer.window.poll(viewer.is_moving() || !viewer.drawn ? 0.0 : kIdleWait_s);
+    const bool is_awaited = in_place_of_user || viewer.is_moving() || !viewer.drawn;
+    WindowInput input = viewer.window.poll(is_awaited ? 0.0 : kIdleWait_s);
+    if (in_place_of_user) input = *in_place_of_user;
     if (viewer.window.should_close()) return false;
     for (const std::filesystem::path& path : input.dropped) open_package(path);
     if (const auto chosen = std::exchange(viewer.state.package_to_open, {}); !chosen.empty())

@@ -13,6 +13,8 @@
 
 namespace lumi {
 
+struct WindowInput;
+
 /// How the window begins, and whether it stays.
 struct WindowOptions {
     int width_px = 0;  ///< 0: the size of the photograph it begins at.
@@ -44,8 +46,9 @@ class ViewerWindow {
     ViewerWindow(const ViewerWindow&) = delete;
     ViewerWindow& operator=(const ViewerWindow&) = delete;
 
-    /// Takes in what the user did and shows a frame. False when the window was closed.
-    bool step();
+    /// Takes in what the user did, or what is said here in its place, and shows a frame. False when
+    /// the window was closed.
+    bool step(const WindowInput* in_place_of_user = nullptr);
     /// Draws the whole picture of the present eye and writes it with its pose.
     void write_screenshot_to(const std::filesystem::path& path);
     /// Opens another package in place of this one; one that cannot be read leaves this one and a

@@ -55,8 +55,9 @@ TEST(CommandLine, HelpBeginsWithAnExample) {
                                       "bench-poses",   "bench-boards",
                                       "bench-depth",   "bench-flicker",
                                       "bench-mesh",    "bench-rivals",
-                                      "bench-hazards", "fuse",
-                                      "regression",    "gallery"}) {
+                                      "bench-hazards", "bench-orbit",
+                                      "fuse",          "regression",
+                                      "gallery"}) {
         const Outcome help = lumi(command + " --help");
         EXPECT_EQ(help.exit_code, 0) << command;
         EXPECT_THAT(help.out, StartsWith("Example: lumi " + command));

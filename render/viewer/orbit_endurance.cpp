@@ -1,0 +1,115 @@
+#include "render/viewer/orbit_endurance.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "calib/work/error.h"
+#include "calib/work/median.h"
+#include "calib/work/process_memory.h"
+#include "render/lumigraph/same_eye.h"
+#include "render/viewer/window_input.h"
+
+namespace lumi {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::uint64_t memory_now() {
+    if (const auto bytes = memory_in_use()) return *bytes;
+    throw Error(ErrorKind::kBadInput, "E-ORBIT-MEMORY",
+                "the system does not tell what memory is in use", "run it where /proc is mounted");
+}
+
+/// An ellipse once every four seconds, as a hand draws it: back where it began, so that the eye
+/// stays about its photograph.
+WindowInput drag_at(double seconds, double last_seconds) {
+    constexpr double kPeriod_s = 4.0;
+    const Eigen::Vector2d reach_px(120.0, 40.0);
+    const auto cursor_at = [&](double when) -> Eigen::Vector2d {
+        const double turn = 2 * std::numbers::pi * when / kPeriod_s;
+        return reach_px.cwiseProduct(Eigen::Vector2d(std::sin(turn), 1 - std::cos(turn)));
+    };
+    WindowInput input;
+    input.left_button = true;
+    input.drag_px = cursor_at(seconds) - cursor_at(last_seconds);
+    return input;
+}
+
+/// Shows one frame, without a hand on the mouse where there is no input.
+void step(ViewerWindow& window, const WindowInput* input, OrbitReport& report) {
+    if (!window.step(input))
+        throw Error(ErrorKind::kInterrupted, "E-ORBIT-CLOSED",
+                    "the window was closed before its time was over", "leave it open");
+    while (glGetError() != GL_NO_ERROR) ++report.gl_errors;
+    ++report.frames;
+}
+
+/// From the next photograph on, turns about its middle and then rests.
+void take_turn(ViewerWindow& window, const OrbitOptions& options, OrbitReport& report,
+               std::vector<double>& moving_frames_ms) {
+    WindowInput key;
+    key.commands = {Command::kNextPhotograph};
+    step(window, &key, report);
+
+    const Eye begun_at = window.state().navigation.eye;
+    const Clock::time_point start = Clock::now();
+    bool has_moved = false;
+    double last_s = 0.0;
+    for (double now_s = 0.0; now_s < options.drag_s; now_s = seconds_since(start)) {
+        const WindowInput drag = drag_at(now_s, last_s);
+        step(window, &drag, report);
+        moving_frames_ms.push_back(window.statistics().frame_ms);
+        has_moved = has_moved || !is_same_eye(window.state().navigation.eye, begun_at);
+        last_s = now_s;
+    }
+    if (!has_moved)
+        throw Error(ErrorKind::kBadInput, "E-ORBIT-STILL",
+                    "the eye did not follow the drag, as the cursor lies over the panel",
+                    "move the cursor out of the window");
+    while (seconds_since(start) < options.drag_s + options.rest_s) step(window, nullptr, report);
+}
+
+}  // namespace
+
+std::int64_t OrbitReport::growth_bytes(double warm_up_s) const {
+    const auto first = std::find_if(memory.begin(), memory.end(), [&](const MemorySample& sample) {
+        return sample.seconds >= warm_up_s;
+    });
+    if (first == memory.end()) return 0;
+    return static_cast<std::int64_t>(memory.back().bytes) - static_cast<std::int64_t>(first->bytes);
+}
+
+OrbitReport orbit_window(ViewerWindow& window, const OrbitOptions& options, Progress& progress) {
+    OrbitReport report;
+    const auto turns =
+        static_cast<std::size_t>(std::ceil(options.seconds / (options.drag_s + options.rest_s)));
+    // What is remembered must not be what grows.
+    std::vector<double> moving_frames_ms;
+    constexpr double kMostFramesPerSecond = 200.0;
+    moving_frames_ms.reserve(static_cast<std::size_t>(kMostFramesPerSecond * options.seconds));
+    report.memory.reserve(turns);
+
+    progress.begin("turns about the scene", turns);
+    const Clock::time_point start = Clock::now();
+    for (std::size_t turn = 0; turn < turns; ++turn) {
+        window.state().render.mode = options.modes[turn % options.modes.size()];
+        take_turn(window, options, report, moving_frames_ms);
+        report.memory.push_back({seconds_since(start), memory_now()});
+        progress.advance();
+        progress.throw_if_interrupted();
+    }
+    report.seconds = seconds_since(start);
+    report.median_frame_ms = quantile_of(moving_frames_ms, 0.5);
+    report.p95_frame_ms = quantile_of(moving_frames_ms, 0.95);
+    return report;
+}
+
+}  // namespace lumi
