@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "calib/work/process_memory.h"
@@ -32,10 +33,18 @@ double growth_mib(const OrbitReport& report, const OrbitOptions& options) {
     return static_cast<double>(report.growth_bytes(options.warm_up_s)) / kBytesPerMebibyte;
 }
 
+std::uint64_t most_while_moving(const OrbitReport& report) {
+    std::uint64_t most = 0;
+    for (const MemorySample& sample : report.memory) most = std::max(most, sample.moving_bytes);
+    return most;
+}
+
 Json report_json(const OrbitReport& report, const OrbitOptions& options) {
     Json memory = Json::array();
     for (const MemorySample& sample : report.memory)
-        memory.push_back({{"seconds", sample.seconds}, {"mib", mebibytes(sample.bytes)}});
+        memory.push_back({{"seconds", sample.seconds},
+                          {"moving_mib", mebibytes(sample.moving_bytes)},
+                          {"mib", mebibytes(sample.bytes)}});
     return Json{{"frames", report.frames},
                 {"seconds", report.seconds},
                 {"median_frame_ms", report.median_frame_ms},
@@ -51,9 +60,10 @@ std::string report_text(const OrbitReport& report, const OrbitOptions& options) 
            " s; while moving a median of " + number_text(report.median_frame_ms, 1) +
            " ms, 95 % within " + number_text(report.p95_frame_ms, 1) + " ms\n" +
            std::to_string(report.gl_errors) + " OpenGL errors\n" +
-           number_text(mebibytes(report.memory.back().bytes), 1) + " MiB at the end, " +
+           number_text(mebibytes(report.memory.back().bytes), 1) + " MiB at rest at the end, " +
            number_text(growth_mib(report, options), 2) + " more than after the first " +
-           number_text(options.warm_up_s, 0) + " s\n";
+           number_text(options.warm_up_s, 0) + " s; " +
+           number_text(mebibytes(most_while_moving(report)), 1) + " at most while moving\n";
 }
 
 void run_bench_orbit(const BenchOrbitRequest& request, const CommandContext& context) {

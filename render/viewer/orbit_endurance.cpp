@@ -52,9 +52,9 @@ void step(ViewerWindow& window, const WindowInput* input, OrbitReport& report) {
     ++report.frames;
 }
 
-/// From the next photograph on, turns about its middle and then rests.
-void take_turn(ViewerWindow& window, const OrbitOptions& options, OrbitReport& report,
-               std::vector<double>& moving_frames_ms) {
+/// From the next photograph on, turns about its middle and then rests; what was held meanwhile.
+MemorySample take_turn(ViewerWindow& window, const OrbitOptions& options, OrbitReport& report,
+                       std::vector<double>& moving_frames_ms) {
     WindowInput key;
     key.commands = {Command::kNextPhotograph};
     step(window, &key, report);
@@ -74,7 +74,9 @@ void take_turn(ViewerWindow& window, const OrbitOptions& options, OrbitReport& r
         throw Error(ErrorKind::kBadInput, "E-ORBIT-STILL",
                     "the eye did not follow the drag, as the cursor lies over the panel",
                     "move the cursor out of the window");
+    const std::uint64_t moving_bytes = memory_now();
     while (seconds_since(start) < options.drag_s + options.rest_s) step(window, nullptr, report);
+    return {0.0, moving_bytes, memory_now()};
 }
 
 }  // namespace
@@ -101,8 +103,8 @@ OrbitReport orbit_window(ViewerWindow& window, const OrbitOptions& options, Prog
     const Clock::time_point start = Clock::now();
     for (std::size_t turn = 0; turn < turns; ++turn) {
         window.state().render.mode = options.modes[turn % options.modes.size()];
-        take_turn(window, options, report, moving_frames_ms);
-        report.memory.push_back({seconds_since(start), memory_now()});
+        report.memory.push_back(take_turn(window, options, report, moving_frames_ms));
+        report.memory.back().seconds = seconds_since(start);
         progress.advance();
         progress.throw_if_interrupted();
     }

@@ -22,7 +22,8 @@ struct OrbitOptions {
 /// What the process held, and when.
 struct MemorySample {
     double seconds = 0.0;
-    std::uint64_t bytes = 0;
+    std::uint64_t moving_bytes = 0;  ///< At the end of the drag.
+    std::uint64_t bytes = 0;         ///< At rest after it.
 };
 
 struct OrbitReport {
@@ -33,7 +34,8 @@ struct OrbitReport {
     int gl_errors = 0;
     std::vector<MemorySample> memory;  ///< At each turn's end.
 
-    /// Between the first turn that ended after `warm_up_s` and the last; 0 of fewer than two.
+    /// At rest, between the first turn that ended after `warm_up_s` and the last; 0 of fewer than
+    /// two.
     [[nodiscard]] std::int64_t growth_bytes(double warm_up_s) const;
 };
 

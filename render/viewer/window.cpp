@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "calib/work/error.h"
+#include "calib/work/process_memory.h"
 #include "render/gl/capabilities.h"
 #include "render/lumigraph/package.h"
 #include "render/lumigraph/same_eye.h"
@@ -104,6 +105,7 @@ struct ViewerWindow::Implementation {
     void take_in(WindowInput input);
     void draw(double scale, const RenderOptions& options);
     void draw_where_needed();
+    void give_back_at_rest();
     void record_path();
     void remember(const std::filesystem::path& package);
     void present();
@@ -125,7 +127,8 @@ struct ViewerWindow::Implementation {
     FrameStatistics statistics;
     Clock::time_point last_motion = Clock::now() - std::chrono::hours(1);
     Clock::time_point last_step = Clock::now();
-    bool steers = false;  ///< A drag that began on the picture goes on.
+    bool is_memory_given_back = false;  ///< Since the eye last moved.
+    bool steers = false;                ///< A drag that began on the picture goes on.
     bool holds_button = false;
     PathRecording recording;
 };
@@ -185,6 +188,13 @@ void ViewerWindow::Implementation::draw_where_needed() {
     budget.measured(statistics.triangles, statistics.frame_ms);
 }
 
+/// Frames of a moving eye take memory and free it again, each as much as it happens to need; a
+/// picture that stays needs none of it.
+void ViewerWindow::Implementation::give_back_at_rest() {
+    const bool was_given_back = std::exchange(is_memory_given_back, !is_moving());
+    if (is_memory_given_back && !was_given_back) release_free_memory();
+}
+
 void ViewerWindow::Implementation::record_path() {
     const std::string message =
         state.records_path
@@ -239,6 +249,7 @@ bool ViewerWindow::step(const WindowInput* in_place_of_user) {
         }
     }
     viewer.draw_where_needed();
+    viewer.give_back_at_rest();
     viewer.record_path();
     viewer.present();
     return !viewer.state.wants_to_close;

@@ -57,6 +57,7 @@ TEST_F(Orbited, WindowTurnsAboutOnePhotographAfterTheOtherWithoutAnyGlError) {
     EXPECT_EQ(report.gl_errors, 0);
     ASSERT_EQ(report.memory.size(), 3U);
     EXPECT_GT(report.memory.front().bytes, 1U << 20);
+    EXPECT_GT(report.memory.front().moving_bytes, 1U << 20);
 }
 
 TEST_F(Orbited, WindowCountsGlErrors) {
@@ -88,7 +89,7 @@ TEST_F(Orbited, WindowThatIsClosedIsNoMeasurement) {
 
 TEST(OrbitReport, CountsWhatMemoryGrewByAfterTheWarmUp) {
     OrbitReport report;
-    report.memory = {{10.0, 100}, {20.0, 500}, {30.0, 900}, {40.0, 700}};
+    report.memory = {{10.0, 0, 100}, {20.0, 0, 500}, {30.0, 0, 900}, {40.0, 0, 700}};
     EXPECT_EQ(report.growth_bytes(0.0), 600);
     EXPECT_EQ(report.growth_bytes(15.0), 200);
     EXPECT_EQ(report.growth_bytes(25.0), -200);
