@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <tuple>
 
+#include "render/faces/face_polygons.h"
 #include "render/lumigraph/same_eye.h"
+#include "render/subdivision/coarse_triangles.h"
 #include "render/subdivision/own_surfaces.h"
 #include "render/subdivision/unseen_triangles.h"
 #include "render/surroundings/empty_cells.h"
@@ -35,6 +38,40 @@ BlendTriangles without_unseen(BlendTriangles triangles) {
     return triangles;
 }
 
+/// Of the mesh, which cover the picture, and of each of its shells.
+std::vector<std::vector<FacePolygon>> polygons_of_layers(const CameraMesh& mesh, const Eye& eye) {
+    std::vector<std::vector<FacePolygon>> layers{face_polygons(mesh, eye, kOverlap_px)};
+    for (const CameraMesh& shell : mesh.shells)
+        layers.push_back(face_polygons(shell, eye, kNoOverlap_px));
+    return layers;
+}
+
+double area_px2(const std::vector<FacePolygon>& polygons) {
+    double doubled = 0;
+    for (const FacePolygon& polygon : polygons) {
+        const std::vector<Eigen::Vector2d>& corners = polygon.corners_px;
+        for (std::size_t i = 2; i < corners.size(); ++i)
+            doubled += doubled_area_px2(corners[i - 1] - corners[0], corners[i] - corners[0]);
+    }
+    return 0.5 * doubled;
+}
+
+/// How many of all triangles that may be drawn each layer may have: as its share of what all of
+/// them cover. 0: any number.
+std::vector<std::size_t> most_of_layers(const std::vector<std::vector<FacePolygon>>& layers,
+                                        std::size_t most) {
+    std::vector<double> areas_px2;
+    for (const std::vector<FacePolygon>& layer : layers) areas_px2.push_back(area_px2(layer));
+    const double whole_px2 = std::accumulate(areas_px2.begin(), areas_px2.end(), 0.0);
+    std::vector<std::size_t> shares;
+    for (const double area : areas_px2) {
+        const auto share =
+            static_cast<std::size_t>(area / std::max(whole_px2, 1.0) * static_cast<double>(most));
+        shares.push_back(most == 0 ? 0 : std::max<std::size_t>(1, share));
+    }
+    return shares;
+}
+
 }  // namespace
 
 std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const SearchedViews& views,
@@ -42,20 +79,26 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const Searc
                                             AdaptiveSubdivider& subdivider) {
     const DepthSearch search(layout, views, eye, options.occlusion_tolerance_px);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(layout, eye);
-    PatchSampler::Options sampling = sampling_options(options);
-    const auto subdivided = [&](const CameraMesh& mesh, double overlap_px) {
-        return subdivider
-            .subdivide(face_polygons(mesh, eye, overlap_px), search, plane, sampling,
-                       subdivision_options(layout, options))
-            .triangles;
+    const auto subdivided = [&](const std::vector<FacePolygon>& polygons,
+                                const PatchSampler::Options& sampling, std::size_t most) {
+        AdaptiveSubdivisionOptions subdivision = subdivision_options(layout, options);
+        subdivision.max_triangles = most;
+        return subdivider.subdivide(polygons, search, plane, sampling, subdivision).triangles;
     };
-    std::vector<BlendTriangles> layers{subdivided(layout.mesh, kOverlap_px)};
-    draw_unseen(layout, eye, search, plane, sampling, layers.front());
-    keep_own_surfaces(search, layers.front());
-    if (layout.mesh.shells.empty()) return layers;
-    sampling.before_shell = three_depth_views(layout, eye);
-    for (const CameraMesh& shell : layout.mesh.shells)
-        layers.push_back(without_unseen(subdivided(shell, kNoOverlap_px)));
+    const std::vector<std::vector<FacePolygon>> polygons = polygons_of_layers(layout.mesh, eye);
+    std::vector<std::size_t> most = most_of_layers(polygons, options.max_triangles);
+    std::vector<BlendTriangles> layers(polygons.size());
+    PatchSampler::Options sampling = sampling_options(options);
+    if (layers.size() > 1) sampling.before_shell = three_depth_views(layout, eye);
+    for (std::size_t shell = 1; shell < layers.size(); ++shell) {
+        layers[shell] = without_unseen(subdivided(polygons[shell], sampling, most[shell]));
+        // What it does not need is the mesh's.
+        if (most[shell] > 0) most[0] += most[shell] - std::min(most[shell], layers[shell].count());
+    }
+    sampling.before_shell.reset();
+    layers[0] = subdivided(polygons[0], sampling, most[0]);
+    draw_unseen(layout, eye, search, plane, sampling, layers[0]);
+    keep_own_surfaces(search, layers[0]);
     return layers;
 }
 

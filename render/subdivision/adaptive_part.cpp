@@ -72,8 +72,14 @@ void AdaptivePart::subdivide(float relaxation, std::size_t most, std::atomic<std
     for (const Triangle& triangle : thin_)
         split_where_neighbours_did(triangle, {true, true, true}, relaxation);
     look_up_new();
-    cut_at_outlines();
-    count.fetch_add(pieces_.size() - counted);
+    pieces_.clear();
+    for (const Triangle& leaf : leaves_) {
+        cut_at_outlines(leaf);
+        if (pieces_.size() <= counted) continue;
+        const std::size_t more = pieces_.size() - counted;
+        counted += more;
+        if (count.fetch_add(more) + more > most) return;
+    }
 }
 
 void AdaptivePart::keep() {

@@ -78,7 +78,7 @@ class AdaptivePart {
     void split_where_neighbours_did(const Triangle& triangle, const std::array<bool, 3>& is_shared,
                                     float relaxation);
     // What of them is drawn: adaptive_part_cuts.cpp.
-    void cut_at_outlines();
+    void cut_at_outlines(const Triangle& leaf);
     [[nodiscard]] bool crosses_outline(std::uint32_t number);
     [[nodiscard]] std::uint32_t add_looked_up(const BlendVertex& vertex, std::uint32_t polygon);
     [[nodiscard]] std::uint32_t crossing_at(std::uint32_t number, std::uint32_t corner) const;

@@ -7,24 +7,18 @@ namespace lumi {
 
 /// What is split no more, cut where its edges cross outlines: each piece lies on one surface. Both
 /// sides of an edge are cut at the same pixel.
-void AdaptivePart::cut_at_outlines() {
-    pieces_.clear();
-    for (const Triangle& leaf : leaves_) {
-        std::array<bool, 3> crosses{};
-        for (std::size_t i = 0; i < 3; ++i) crosses[i] = crosses_outline(leaf.edges[i]);
-        switch (std::count(crosses.begin(), crosses.end(), true)) {
-            case 0:
-                pieces_.push_back(leaf.corners);
-                break;
-            case 1:
-                cut_in_two(turned_to(true, crosses, leaf));
-                break;
-            case 2:
-                cut_off_last_corner(turned_to(false, crosses, leaf));
-                break;
-            default:
-                cut_off_all_corners(leaf);
-        }
+void AdaptivePart::cut_at_outlines(const Triangle& leaf) {
+    std::array<bool, 3> crosses{};
+    for (std::size_t i = 0; i < 3; ++i) crosses[i] = crosses_outline(leaf.edges[i]);
+    switch (std::count(crosses.begin(), crosses.end(), true)) {
+        case 0:
+            return pieces_.push_back(leaf.corners);
+        case 1:
+            return cut_in_two(turned_to(true, crosses, leaf));
+        case 2:
+            return cut_off_last_corner(turned_to(false, crosses, leaf));
+        default:
+            cut_off_all_corners(leaf);
     }
 }
 

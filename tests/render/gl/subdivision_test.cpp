@@ -210,6 +210,32 @@ TEST(SubdivisionGl, TheGridShowsTheEdgesOfTheTrianglesOverThePicture) {
             EXPECT_TRUE(is_line(x, y) || grid(x, y) == picture(x, y)) << x << ' ' << y;
 }
 
+TEST(SubdivisionGl, AdaptiveKeepsToItsTrianglesWithShellsToo) {
+    const Lumigraph lumigraph = card_with_close_ups();
+    const SearchedViews views = searched_views(lumigraph);
+    const Camera camera = pinhole_camera(640, 480, 560);
+    for (const Eigen::Vector3d& place :
+         {Eigen::Vector3d(0.02, 0.06, 2.25), Eigen::Vector3d(0.05, 0, 1.2),
+          Eigen::Vector3d(0.5, 0.1, 2.0)}) {
+        const Eye eye = eye_at(place, {0, 0, 3}, camera);
+        const auto in_layers = [&](std::size_t most) {
+            std::vector<std::size_t> counts;
+            for (const BlendTriangles& layer : adaptive_layers(
+                     lumigraph, views, eye, {.triangle_error_ratio = 0.1, .max_triangles = most}))
+                counts.push_back(layer.count());
+            return counts;
+        };
+        const std::vector<std::size_t> all = in_layers(0);
+        ASSERT_EQ(all.size(), 2U);
+        ASSERT_GT(all[1], 0U) << "the shell is seen from " << place.transpose();
+        const std::size_t most = (all[0] + all[1]) / 2;
+        const std::vector<std::size_t> kept = in_layers(most);
+        EXPECT_LE(kept[0] + kept[1], most) << place.transpose();
+        EXPECT_GT(kept[0] + kept[1], most / 3) << place.transpose();
+        EXPECT_GT(kept[1], 0U) << "the mesh beneath must not take all";
+    }
+}
+
 /// Frames along a path, each costing `fixed_ms` and so much more for each triangle that the mode
 /// draws; what the worst but the first two of them cost, and the triangles of the last.
 struct ModelledFrames {
