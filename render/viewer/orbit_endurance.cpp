@@ -18,6 +18,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Longer than the window takes for granted that the hand only hesitates.
+constexpr double kRest_s = 0.25;
+
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -52,30 +55,42 @@ void step(ViewerWindow& window, const WindowInput* input, OrbitReport& report) {
     ++report.frames;
 }
 
-/// From the next photograph on, turns about its middle and then rests; what was held meanwhile.
-MemorySample take_turn(ViewerWindow& window, const OrbitOptions& options, OrbitReport& report,
-                       std::vector<double>& moving_frames_ms) {
-    WindowInput key;
-    key.commands = {Command::kNextPhotograph};
-    step(window, &key, report);
-
+/// Drags the eye about; whether it followed.
+bool drag(ViewerWindow& window, double seconds, OrbitReport& report,
+          std::vector<double>& moving_frames_ms) {
     const Eye begun_at = window.state().navigation.eye;
     const Clock::time_point start = Clock::now();
     bool has_moved = false;
     double last_s = 0.0;
-    for (double now_s = 0.0; now_s < options.drag_s; now_s = seconds_since(start)) {
+    for (double now_s = 0.0; now_s < seconds; now_s = seconds_since(start)) {
         const WindowInput drag = drag_at(now_s, last_s);
         step(window, &drag, report);
         moving_frames_ms.push_back(window.statistics().frame_ms);
         has_moved = has_moved || !is_same_eye(window.state().navigation.eye, begun_at);
         last_s = now_s;
     }
-    if (!has_moved)
+    return has_moved;
+}
+
+/// Goes to the next photograph, turns about its middle in each mode, and rests; what was held.
+MemorySample take_turn(ViewerWindow& window, const OrbitOptions& options, double seconds,
+                       OrbitReport& report, std::vector<double>& moving_frames_ms) {
+    const Clock::time_point start = Clock::now();
+    WindowInput key;
+    key.commands = {Command::kNextPhotograph};
+    step(window, &key, report);
+    const double drag_s = (seconds - kRest_s) / static_cast<double>(options.modes.size());
+    for (const RenderMode mode : options.modes) {
+        window.state().render.mode = mode;
+        if (drag(window, drag_s, report, moving_frames_ms)) continue;
         throw Error(ErrorKind::kBadInput, "E-ORBIT-STILL",
                     "the eye did not follow the drag, as the cursor lies over the panel",
                     "move the cursor out of the window");
+    }
     const std::uint64_t moving_bytes = memory_now();
-    while (seconds_since(start) < options.drag_s + options.rest_s) step(window, nullptr, report);
+    do {
+        step(window, nullptr, report);
+    } while (seconds_since(start) < seconds);
     return {0.0, moving_bytes, memory_now()};
 }
 
@@ -89,21 +104,22 @@ std::int64_t OrbitReport::growth_bytes(double warm_up_s) const {
     return static_cast<std::int64_t>(memory.back().bytes) - static_cast<std::int64_t>(first->bytes);
 }
 
-OrbitReport orbit_window(ViewerWindow& window, const OrbitOptions& options, Progress& progress) {
+OrbitReport orbit_window(ViewerWindow& window, std::size_t photographs, const OrbitOptions& options,
+                         Progress& progress) {
     OrbitReport report;
-    const auto turns =
-        static_cast<std::size_t>(std::ceil(options.seconds / (options.drag_s + options.rest_s)));
+    const double turn_s =
+        std::max(kShortestTurn_s, options.round_s / static_cast<double>(photographs));
+    const auto turns = static_cast<std::size_t>(std::ceil(options.seconds / turn_s));
     // What is remembered must not be what grows.
     std::vector<double> moving_frames_ms;
     constexpr double kMostFramesPerSecond = 200.0;
     moving_frames_ms.reserve(static_cast<std::size_t>(kMostFramesPerSecond * options.seconds));
     report.memory.reserve(turns);
 
-    progress.begin("turns about the scene", turns);
+    progress.begin("photographs to turn about", turns);
     const Clock::time_point start = Clock::now();
-    for (std::size_t turn = 0; turn < turns; ++turn) {
-        window.state().render.mode = options.modes[turn % options.modes.size()];
-        report.memory.push_back(take_turn(window, options, report, moving_frames_ms));
+    while (report.memory.size() < turns) {
+        report.memory.push_back(take_turn(window, options, turn_s, report, moving_frames_ms));
         report.memory.back().seconds = seconds_since(start);
         progress.advance();
         progress.throw_if_interrupted();
@@ -111,6 +127,7 @@ OrbitReport orbit_window(ViewerWindow& window, const OrbitOptions& options, Prog
     report.seconds = seconds_since(start);
     report.median_frame_ms = quantile_of(moving_frames_ms, 0.5);
     report.p95_frame_ms = quantile_of(moving_frames_ms, 0.95);
+    report.longest_frame_ms = quantile_of(moving_frames_ms, 1.0);
     return report;
 }
 
