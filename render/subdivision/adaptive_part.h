@@ -36,6 +36,10 @@ class AdaptivePart {
     /// The triangles that were found last are those that are drawn.
     void keep();
 
+    /// Gives triangles corners of their own where photographs are not to be blended on them
+    /// (hidden_photographs.h). To be called once, when the triangles that are drawn were kept.
+    void leave_out_hidden();
+
     /// How many triangles were kept.
     [[nodiscard]] std::size_t count() const { return whole_.size(); }
     /// These triangles, and the vertices that they name.

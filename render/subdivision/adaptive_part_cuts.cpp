@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "render/subdivision/adaptive_part.h"
+#include "render/subdivision/hidden_photographs.h"
 #include "render/subdivision/outline_crossing.h"
 
 namespace lumi {
@@ -83,6 +84,18 @@ void AdaptivePart::cut_off_all_corners(const Triangle& triangle) {
             vertices_[next].inverse_depth < vertices_[beyond].inverse_depth ? next : beyond;
     }
     pieces_.push_back(between);
+}
+
+void AdaptivePart::leave_out_hidden() {
+    for (Corners& corners : whole_) {
+        const std::uint32_t polygon = polygon_of_[corners[0]];
+        const std::array<bool, 3> hidden = hidden_photographs(
+            (*samplers_)[polygon],
+            {&vertices_[corners[0]], &vertices_[corners[1]], &vertices_[corners[2]]});
+        if (hidden == std::array<bool, 3>{}) continue;
+        for (std::uint32_t& corner : corners)
+            corner = add_looked_up(without(hidden, vertices_[corner]), polygon);
+    }
 }
 
 }  // namespace lumi

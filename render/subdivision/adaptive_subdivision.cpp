@@ -68,8 +68,9 @@ class AdaptiveSubdivider::Parts {
         return count;
     }
 
-    /// The triangles that were found last, and the vertices that they name.
-    [[nodiscard]] BlendTriangles triangles() const {
+    /// The triangles that were found last, and the vertices that they name. To be called once.
+    [[nodiscard]] BlendTriangles triangles() {
+        for_each([&](std::size_t i) { parts_[i].leave_out_hidden(); });
         std::size_t count = 0;
         for (std::size_t i = 0; i < used_; ++i) count += parts_[i].count();
         BlendTriangles drawn;

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+
+#include "render/subdivision/subdivision.h"
+
+namespace lumi {
+
+/// Which photographs of a triangle are not to be blended, of the three that its face has.
+///
+/// Between the corners of a triangle weights are interpolated, and so a photograph from which
+/// something hides a corner would still show, over half of the triangle, what hides it: a ghost
+/// beside every outline. Where another photograph counts at all corners it is left out instead, if
+/// what hides the corner is so far before it that it is no error of depth. Photographs agree on
+/// what all of them see, so that they may end at an edge. Corners are as they were looked up.
+[[nodiscard]] std::array<bool, 3> hidden_photographs(
+    const PatchSampler& sampler, const std::array<const BlendVertex*, 3>& corners);
+
+/// The corner without these photographs: the others keep their ratio, as in the paper's correction
+/// of occlusion (occlusion.h). One of them at least must count there.
+[[nodiscard]] BlendVertex without(const std::array<bool, 3>& photographs, BlendVertex corner);
+
+}  // namespace lumi
