@@ -7,7 +7,7 @@ namespace lumi {
 /// What counts as how much of an error.
 struct EdgeErrorCounts {
     /// A change of a weight from 0 to 1, so that edges of visibility are met.
-    double weight_error_px = 1.0;
+    double weight_error_px = 2.0;
     /// Guesses are followed so many times less closely, as by depth meshes (depth_triangulation.h):
     /// their errors may be so many times as large, and edges among them are left so many times as
     /// long. Triangles are better spent on what was seen, and a torn guess is no truer in more
