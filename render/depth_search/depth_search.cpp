@@ -267,20 +267,14 @@ double DepthSearch::inner_share_of(int view_index, const Eigen::Vector2d& view_p
                        std::min(target.width_px, target.height_px));
 }
 
-double DepthSearch::difference_px(const Target& target, const Eigen::Vector3d& in_view,
-                                  double inverse_depth) {
-    const Eigen::Vector2d in_depth = in_view.hnormalized().cwiseProduct(target.samples_per_pixel);
-    const double seen = surface_at(target, in_depth.x(), in_depth.y()).inverse_depth;
-    return std::abs(inverse_depth / in_view.z() - seen) * target.disparity_px;
-}
-
-double DepthSearch::difference_px(const Eigen::Vector2d& pixel, double inverse_depth,
-                                  int view_index) const {
+double DepthSearch::hidden_by_px(const Eigen::Vector2d& pixel, double inverse_depth,
+                                 int view_index) const {
     const Target& target = targets_[static_cast<std::size_t>(view_index)];
     const Eigen::Vector3d at = line_in(view_index, pixel).at(inverse_depth);
-    const bool is_shown =
-        at.z() > 0 && !target.depth->empty() && inside(view_index, at.hnormalized()) > 0;
-    return is_shown ? difference_px(target, at, inverse_depth) : 0;
+    if (at.z() <= 0 || target.depth->empty() || inside(view_index, at.hnormalized()) <= 0) return 0;
+    const Surface surface = surface_at(target, at);
+    if (surface.kind != DepthKind::kSeen) return 0;
+    return std::max(0.0, surface.inverse_depth - inverse_depth / at.z()) * target.disparity_px;
 }
 
 double DepthSearch::visibility(const Eigen::Vector2d& pixel, double inverse_depth,
@@ -290,7 +284,10 @@ double DepthSearch::visibility(const Eigen::Vector2d& pixel, double inverse_dept
     if (at.z() <= 0) return 0;
     const double inside_share = inside(view_index, at.hnormalized());
     if (inside_share <= 0 || target.depth->empty()) return inside_share;
-    return inside_share * visibility_of(difference_px(target, at, inverse_depth), tolerance_px_);
+    const double difference_px =
+        std::abs(inverse_depth / at.z() - surface_at(target, at).inverse_depth) *
+        target.disparity_px;
+    return inside_share * visibility_of(difference_px, tolerance_px_);
 }
 
 }  // namespace lumi

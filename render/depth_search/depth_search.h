@@ -54,11 +54,11 @@ class DepthSearch {
     [[nodiscard]] double visibility(const Eigen::Vector2d& pixel, double inverse_depth,
                                     int view_index) const;
 
-    /// By how many pixels of disparity the surface that the view sees is another than the point at
-    /// `inverse_depth` on the eye's ray through `pixel`; 0 where it sees neither, as the point lies
-    /// outside of its photograph, or the view has no depth.
-    [[nodiscard]] double difference_px(const Eigen::Vector2d& pixel, double inverse_depth,
-                                       int view_index) const;
+    /// By how many pixels of disparity something that the view has seen stands before the point at
+    /// `inverse_depth` on the eye's ray through `pixel`; 0 where nothing does, or where the point
+    /// lies outside of its photograph.
+    [[nodiscard]] double hidden_by_px(const Eigen::Vector2d& pixel, double inverse_depth,
+                                      int view_index) const;
 
     /// How much a view counts at a pixel near the border of its photograph; 0 outside.
     [[nodiscard]] double inside(int view_index, const Eigen::Vector2d& view_pixel) const;
@@ -114,10 +114,12 @@ class DepthSearch {
     /// The nearest that two have seen, or else the nearest that one has.
     [[nodiscard]] std::optional<RayHit> nearest_seen(
         const std::array<std::optional<RayHit>, 3>& hits) const;
-    /// Of a point in the view, as of the eye's line into it, whose inverse depth in the eye is
-    /// given.
-    [[nodiscard]] static double difference_px(const Target& target, const Eigen::Vector3d& in_view,
-                                              double inverse_depth);
+    /// What the view sees at a point of the eye's line into it.
+    [[nodiscard]] static Surface surface_at(const Target& target, const Eigen::Vector3d& in_view) {
+        const Eigen::Vector2d in_depth =
+            in_view.hnormalized().cwiseProduct(target.samples_per_pixel);
+        return surface_at(target, in_depth.x(), in_depth.y());
+    }
     /// Over which a point lies in a photograph, and not before or behind all that it shows.
     [[nodiscard]] RayStretch visible_stretch(const Target& target, const EpipolarLine& line) const;
     [[nodiscard]] std::optional<RayHit> first_hit_in(int view_index,

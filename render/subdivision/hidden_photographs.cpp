@@ -6,8 +6,8 @@
 namespace lumi {
 namespace {
 
-/// Nearer surfaces hide nothing that would be seen as a ghost, and may be noise.
-constexpr double kLeastDifference_px = 16.0;
+/// What stands less before the corner may be noise, and photographs are better blended then.
+constexpr double kLeastBefore_px = 16.0;
 /// A photograph that would count less, were it not hidden, does not count on that side of the face.
 constexpr double kLeastRayWeight = 0.01;
 
@@ -28,8 +28,8 @@ bool is_hidden_from(std::size_t k, const BlendVertex& corner, const PatchSampler
     const Eigen::Vector2d pixel = vector_of(corner.pixel);
     return weight_of(k, corner.weights, polygon) <= 0 &&
            weight_of(k, weights_at(polygon, pixel), polygon) > kLeastRayWeight &&
-           sampler.search().difference_px(pixel, static_cast<double>(corner.inverse_depth),
-                                          polygon.view_indices[k]) >= kLeastDifference_px;
+           sampler.search().hidden_by_px(pixel, static_cast<double>(corner.inverse_depth),
+                                         polygon.view_indices[k]) >= kLeastBefore_px;
 }
 
 }  // namespace

@@ -151,6 +151,20 @@ TEST_F(HiddenPhotographs, AreNoneWhereAPhotographWouldNotCountAnyway) {
     }
 }
 
+TEST_F(HiddenPhotographs, AreNotHiddenByGuesses) {
+    Lumigraph guessed = scene_;
+    for (LumigraphView& view : guessed.views)
+        for (std::uint8_t& confidence : view.depth.confidence.pixels()) confidence = 0;
+    const SearchedViews views = searched_views(guessed);
+    const DepthSearch search(guessed, views, eye_, 1.0);
+    int hidden = 0;
+    for (double x = 4; x < 256; x += 8) {
+        EXPECT_EQ(search.hidden_by_px({x, 96}, 1 / kWallDepth, 0), 0.0);
+        if (search_.hidden_by_px({x, 96}, 1 / kWallDepth, 0) > 0) ++hidden;
+    }
+    EXPECT_GT(hidden, 4);
+}
+
 TEST_F(HiddenPhotographs, LieBehindWhatIsAsManyPixelsBeforeThemAsItsDepthSays) {
     // The median neighbour of a corner of the rectangle is nearer than the eye.
     const double baseline = std::min(0.5, view_geometries(scene_)[0].baseline);
@@ -168,12 +182,13 @@ TEST_F(HiddenPhotographs, LieBehindWhatIsAsManyPixelsBeforeThemAsItsDepthSays) {
                     in_view.x() > 1 && in_view.y() > 1 && in_view.x() < 255 && in_view.y() < 191;
                 if (!is_shown) continue;
                 ++(within > 0 ? hidden : seen);
-                EXPECT_NEAR(search_.difference_px({x, y}, 1 / kWallDepth, view),
+                EXPECT_NEAR(search_.hidden_by_px({x, y}, 1 / kWallDepth, view),
                             within > 0 ? expected_px : 0.0, 0.01)
                     << x << ' ' << y << " view " << view;
             }
         }
-        EXPECT_EQ(search_.difference_px({1e4, 96}, 1 / kWallDepth, view), 0.0);
+        EXPECT_EQ(search_.hidden_by_px({1e4, 96}, 1 / kWallDepth, view), 0.0);
+        EXPECT_EQ(search_.hidden_by_px({128, 96}, 1.0, view), 0.0) << "the card is behind that";
     }
     EXPECT_GT(hidden, 100);
     EXPECT_GT(seen, 100);
