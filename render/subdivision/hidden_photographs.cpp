@@ -32,24 +32,37 @@ bool is_hidden_from(std::size_t k, const BlendVertex& corner, const PatchSampler
                                          polygon.view_indices[k]) >= kLeastBefore_px;
 }
 
+/// At how many corners it counts.
+std::size_t counting_corners(std::size_t k, const std::array<const BlendVertex*, 3>& corners,
+                             const FacePolygon& polygon) {
+    return static_cast<std::size_t>(std::count_if(
+        corners.begin(), corners.end(),
+        [&](const BlendVertex* corner) { return weight_of(k, corner->weights, polygon) > 0; }));
+}
+
+/// Most triangles are of this kind.
+bool count_all_everywhere(const std::array<const BlendVertex*, 3>& corners) {
+    return std::all_of(corners.begin(), corners.end(), [](const BlendVertex* corner) {
+        return corner->weights[0] > 0 && corner->weights[1] > 0 && corner->weights[2] > 0;
+    });
+}
+
 }  // namespace
 
 std::array<bool, 3> hidden_photographs(const PatchSampler& sampler,
                                        const std::array<const BlendVertex*, 3>& corners) {
     std::array<bool, kViews> is_hidden{};
-    bool does_one_count_everywhere = false;
-    for (std::size_t k = 0; k < kViews; ++k) {
-        const auto counting =
-            std::count_if(corners.begin(), corners.end(), [&](const auto* corner) {
-                return weight_of(k, corner->weights, sampler.polygon()) > 0;
-            });
-        if (counting == 3) does_one_count_everywhere = true;
-        is_hidden[k] = (counting == 1 || counting == 2) &&
+    if (count_all_everywhere(corners)) return is_hidden;
+    std::array<std::size_t, kViews> counting{};
+    for (std::size_t k = 0; k < kViews; ++k)
+        counting[k] = counting_corners(k, corners, sampler.polygon());
+    if (std::count(counting.begin(), counting.end(), corners.size()) == 0) return is_hidden;
+    for (std::size_t k = 0; k < kViews; ++k)
+        is_hidden[k] = counting[k] > 0 && counting[k] < corners.size() &&
                        std::any_of(corners.begin(), corners.end(), [&](const auto* corner) {
                            return is_hidden_from(k, *corner, sampler);
                        });
-    }
-    return does_one_count_everywhere ? is_hidden : std::array<bool, kViews>{};
+    return is_hidden;
 }
 
 BlendVertex without(const std::array<bool, 3>& photographs, BlendVertex corner) {
