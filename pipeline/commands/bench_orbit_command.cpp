@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "calib/work/error.h"
 #include "calib/work/process_memory.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/frame_size.h"
 #include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/report/number_text.h"
+#include "pipeline/report/optional_json.h"
 #include "render/lumigraph/package.h"
 #include "render/viewer/orbit_endurance.h"
 
@@ -31,8 +34,10 @@ struct BenchOrbitRequest {
 double mebibytes(std::uint64_t bytes) { return static_cast<double>(bytes) / kBytesPerMebibyte; }
 
 /// Of the window after the warm-up; below 0 where it gave memory back.
-double growth_mib(const OrbitReport& report, const OrbitOptions& options) {
-    return static_cast<double>(report.growth_bytes(options.warm_up_s)) / kBytesPerMebibyte;
+std::optional<double> growth_mib(const OrbitReport& report, const OrbitOptions& options) {
+    const std::optional<std::int64_t> bytes = report.growth_bytes(options.warm_up_s);
+    if (!bytes) return std::nullopt;
+    return static_cast<double>(*bytes) / kBytesPerMebibyte;
 }
 
 std::uint64_t most_while_moving(const OrbitReport& report) {
@@ -54,23 +59,28 @@ Json report_json(const OrbitReport& report, const OrbitOptions& options) {
                 {"longest_frame_ms", report.longest_frame_ms},
                 {"gl_errors", report.gl_errors},
                 {"warm_up_s", options.warm_up_s},
-                {"growth_mib", growth_mib(report, options)},
+                {"growth_mib", optional_json(growth_mib(report, options))},
                 {"memory", std::move(memory)}};
 }
 
 std::string report_text(const OrbitReport& report, const OrbitOptions& options) {
+    const std::optional<double> growth = growth_mib(report, options);
     return std::to_string(report.frames) + " frames in " + number_text(report.seconds, 0) +
            " s; while moving a median of " + number_text(report.median_frame_ms, 1) +
            " ms, 95 % within " + number_text(report.p95_frame_ms, 1) + " ms, all within " +
            number_text(report.longest_frame_ms, 0) + " ms\n" + std::to_string(report.gl_errors) +
            " OpenGL errors\n" + number_text(mebibytes(report.memory.back().bytes), 1) +
-           " MiB at rest at the end, " + number_text(growth_mib(report, options), 2) +
+           " MiB at rest at the end, " + (growth ? number_text(*growth, 2) : "an unknown amount") +
            " more than after the first " + number_text(options.warm_up_s, 0) + " s; " +
            number_text(mebibytes(most_while_moving(report)), 1) + " at most while moving\n";
 }
 
 void run_bench_orbit(const BenchOrbitRequest& request, const CommandContext& context) {
     constexpr double kSecondsPerMinute = 60.0;
+    if (request.warm_up_minutes >= request.minutes)
+        throw Error(ErrorKind::kUsage, "E-ORBIT-WARM-UP",
+                    "the warm-up lasts as long as all of it, so that nothing is left to measure",
+                    "give more --minutes, or fewer of --warm-up");
     OrbitOptions options;
     options.seconds = kSecondsPerMinute * request.minutes;
     options.warm_up_s = kSecondsPerMinute * request.warm_up_minutes;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -32,6 +33,14 @@ struct BlendVertex {
     /// blue, 0 to 255; below 0 what is behind shows.
     std::array<float, 3> surroundings{-1.0F, -1.0F, -1.0F};
 };
+
+/// How much photograph k counts at a corner; where a face names a camera twice, both together.
+[[nodiscard]] inline float weight_of_photograph(std::size_t k, const BlendVertex& corner) {
+    float sum = 0;
+    for (std::size_t other = 0; other < corner.weights.size(); ++other)
+        if (corner.view_layers[other] == corner.view_layers[k]) sum += corner.weights[other];
+    return sum;
+}
 
 /// The confidence of what one view alone has seen; guesses have less.
 inline constexpr float kSeenByOne = 0.5F;

@@ -3,41 +3,38 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "render/depth_search/occlusion.h"
+
 namespace lumi {
 namespace {
 
 /// What stands less before the corner may be noise, and photographs are better blended then.
 constexpr double kLeastBefore_px = 16.0;
 /// A photograph that would count less, were it not hidden, does not count on that side of the face.
-constexpr double kLeastRayWeight = 0.01;
+constexpr float kLeastRayWeight = 0.01F;
 
 constexpr std::size_t kViews = 3;
 
-/// Of photograph k; where a face names a camera twice, of all that are the same.
-template <class Weights>
-double weight_of(std::size_t k, const Weights& weights, const FacePolygon& polygon) {
-    double sum = 0;
-    for (std::size_t other = 0; other < kViews; ++other)
-        if (polygon.view_indices[other] == polygon.view_indices[k])
-            sum += static_cast<double>(weights[other]);
-    return sum;
+/// The corner as if nothing hid it from any photograph.
+BlendVertex unhidden(BlendVertex corner, const FacePolygon& polygon) {
+    const std::array<double, kViews> of_ray = weights_at(polygon, vector_of(corner.pixel));
+    for (std::size_t k = 0; k < kViews; ++k) corner.weights[k] = static_cast<float>(of_ray[k]);
+    return corner;
 }
 
 bool is_hidden_from(std::size_t k, const BlendVertex& corner, const PatchSampler& sampler) {
-    const FacePolygon& polygon = sampler.polygon();
-    const Eigen::Vector2d pixel = vector_of(corner.pixel);
-    return weight_of(k, corner.weights, polygon) <= 0 &&
-           weight_of(k, weights_at(polygon, pixel), polygon) > kLeastRayWeight &&
-           sampler.search().hidden_by_px(pixel, static_cast<double>(corner.inverse_depth),
-                                         polygon.view_indices[k]) >= kLeastBefore_px;
+    return weight_of_photograph(k, corner) <= 0 &&
+           weight_of_photograph(k, unhidden(corner, sampler.polygon())) > kLeastRayWeight &&
+           sampler.search().hidden_by_px(vector_of(corner.pixel),
+                                         static_cast<double>(corner.inverse_depth),
+                                         sampler.polygon().view_indices[k]) >= kLeastBefore_px;
 }
 
 /// At how many corners it counts.
-std::size_t counting_corners(std::size_t k, const std::array<const BlendVertex*, 3>& corners,
-                             const FacePolygon& polygon) {
+std::size_t counting_corners(std::size_t k, const std::array<const BlendVertex*, 3>& corners) {
     return static_cast<std::size_t>(std::count_if(
         corners.begin(), corners.end(),
-        [&](const BlendVertex* corner) { return weight_of(k, corner->weights, polygon) > 0; }));
+        [&](const BlendVertex* corner) { return weight_of_photograph(k, *corner) > 0; }));
 }
 
 /// Most triangles are of this kind.
@@ -54,8 +51,7 @@ std::array<bool, 3> hidden_photographs(const PatchSampler& sampler,
     std::array<bool, kViews> is_hidden{};
     if (count_all_everywhere(corners)) return is_hidden;
     std::array<std::size_t, kViews> counting{};
-    for (std::size_t k = 0; k < kViews; ++k)
-        counting[k] = counting_corners(k, corners, sampler.polygon());
+    for (std::size_t k = 0; k < kViews; ++k) counting[k] = counting_corners(k, corners);
     if (std::count(counting.begin(), counting.end(), corners.size()) == 0) return is_hidden;
     for (std::size_t k = 0; k < kViews; ++k)
         is_hidden[k] = counting[k] > 0 && counting[k] < corners.size() &&
@@ -66,12 +62,14 @@ std::array<bool, 3> hidden_photographs(const PatchSampler& sampler,
 }
 
 BlendVertex without(const std::array<bool, 3>& photographs, BlendVertex corner) {
-    float left = 0;
+    std::array<double, kViews> weights{};
+    std::array<double, kViews> visibility{};
     for (std::size_t k = 0; k < kViews; ++k) {
-        if (photographs[k]) corner.weights[k] = 0;
-        left += corner.weights[k];
+        weights[k] = static_cast<double>(corner.weights[k]);
+        visibility[k] = photographs[k] ? 0.0 : 1.0;
     }
-    for (float& weight : corner.weights) weight /= left;
+    if (const auto left = redistributed(weights, visibility))
+        for (std::size_t k = 0; k < kViews; ++k) corner.weights[k] = static_cast<float>((*left)[k]);
     return corner;
 }
 

@@ -17,7 +17,7 @@ namespace lumi {
     const PatchSampler& sampler, const std::array<const BlendVertex*, 3>& corners);
 
 /// The corner without these photographs: the others keep their ratio, as in the paper's correction
-/// of occlusion (occlusion.h). One of them at least must count there.
+/// of occlusion (occlusion.h); as it is where none of the others counts there.
 [[nodiscard]] BlendVertex without(const std::array<bool, 3>& photographs, BlendVertex corner);
 
 }  // namespace lumi

@@ -26,13 +26,8 @@ class Triangle {
         });
     }
 
-    /// Of photograph k at a corner; where cameras are named twice, of all that are the same.
     [[nodiscard]] float weight(std::size_t corner, std::size_t k) const {
-        float sum = 0;
-        for (std::size_t other = 0; other < kViews; ++other)
-            if (corners_[corner]->view_layers[other] == corners_[corner]->view_layers[k])
-                sum += corners_[corner]->weights[other];
-        return sum;
+        return weight_of_photograph(k, *corners_[corner]);
     }
 
     /// Where photograph k counts, if it does at some corners and not at others.

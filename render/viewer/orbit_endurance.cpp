@@ -55,14 +55,16 @@ void step(ViewerWindow& window, const WindowInput* input, OrbitReport& report) {
     ++report.frames;
 }
 
-/// Drags the eye about; whether it followed.
+/// Drags the eye about, for two frames at least, as the first does not move it; whether it
+/// followed.
 bool drag(ViewerWindow& window, double seconds, OrbitReport& report,
           std::vector<double>& moving_frames_ms) {
     const Eye begun_at = window.state().navigation.eye;
     const Clock::time_point start = Clock::now();
     bool has_moved = false;
     double last_s = 0.0;
-    for (double now_s = 0.0; now_s < seconds; now_s = seconds_since(start)) {
+    double now_s = 0.0;
+    for (int frame = 0; frame < 2 || now_s < seconds; ++frame, now_s = seconds_since(start)) {
         const WindowInput drag = drag_at(now_s, last_s);
         step(window, &drag, report);
         moving_frames_ms.push_back(window.statistics().frame_ms);
@@ -96,11 +98,11 @@ MemorySample take_turn(ViewerWindow& window, const OrbitOptions& options, double
 
 }  // namespace
 
-std::int64_t OrbitReport::growth_bytes(double warm_up_s) const {
+std::optional<std::int64_t> OrbitReport::growth_bytes(double warm_up_s) const {
     const auto first = std::find_if(memory.begin(), memory.end(), [&](const MemorySample& sample) {
         return sample.seconds >= warm_up_s;
     });
-    if (first == memory.end()) return 0;
+    if (memory.end() - first < 2) return std::nullopt;
     return static_cast<std::int64_t>(memory.back().bytes) - static_cast<std::int64_t>(first->bytes);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "calib/work/progress.h"
@@ -42,9 +43,9 @@ struct OrbitReport {
     int gl_errors = 0;
     std::vector<MemorySample> memory;  ///< At each photograph.
 
-    /// At rest, between the first photograph that was left after `warm_up_s` and the last; 0 of
-    /// fewer than two.
-    [[nodiscard]] std::int64_t growth_bytes(double warm_up_s) const;
+    /// At rest, between the first photograph that was left after `warm_up_s` and the last; nothing
+    /// of fewer than two.
+    [[nodiscard]] std::optional<std::int64_t> growth_bytes(double warm_up_s) const;
 };
 
 /// Steers the window as a hand with a mouse would, for as long as is asked, and watches its memory

@@ -72,6 +72,7 @@ TEST(CommandLine, AWrongCommandLineIsUsage) {
     EXPECT_EQ(lumi("build --threads -3 x.toml").exit_code, 2);
     EXPECT_EQ(lumi("render p.lumi --out x.png").exit_code, 2);
     EXPECT_EQ(lumi("").out, "");
+    EXPECT_EQ(lumi("bench-orbit --minutes 1 --warm-up 1 no.lumi").exit_code, 2);
 }
 
 TEST(CommandLine, VersionNamesWhatLumiIsBuiltFrom) {
