@@ -65,23 +65,36 @@ SquaredResiduals squared_residuals_px2(const Capture& capture) {
     return squares;
 }
 
-/// Each point counts once: errors within a track go together.
-bool own_explains_better(const Capture& shared, const Capture& own) {
-    constexpr int kParametersOfLens = 2;  // Focal length and one of distortion.
-    const SquaredResiduals of_shared = squared_residuals_px2(shared);
-    const SquaredResiduals of_own = squared_residuals_px2(own);
+/// What two models leave of the observations that both have.
+struct SharedCosts {
     double shared_px2 = 0;
     double own_px2 = 0;
-    for (const auto& [seen, square_px2] : of_shared) {
-        const auto same = of_own.find(seen);
-        if (same == of_own.end()) continue;
-        shared_px2 += square_px2;
-        own_px2 += same->second;
+
+    SharedCosts(const Capture& shared, const Capture& own) {
+        const SquaredResiduals of_own = squared_residuals_px2(own);
+        for (const auto& [seen, square_px2] : squared_residuals_px2(shared)) {
+            const auto same = of_own.find(seen);
+            if (same == of_own.end()) continue;
+            shared_px2 += square_px2;
+            own_px2 += same->second;
+        }
     }
-    const int more = kParametersOfLens * (static_cast<int>(own.cameras.size()) -
-                                          static_cast<int>(shared.cameras.size()));
-    return explains_better(shared_px2, own_px2, more, shared.points.size());
-}
+
+    /// Each point counts once: errors within a track go together.
+    [[nodiscard]] bool own_is_better(const Capture& shared, const Capture& own) const {
+        constexpr int kParametersOfLens = 2;  // Focal length and one of distortion.
+        const int more = kParametersOfLens * (static_cast<int>(own.cameras.size()) -
+                                              static_cast<int>(shared.cameras.size()));
+        return explains_better(shared_px2, own_px2, more, shared.points.size());
+    }
+
+    /// Own lenses are simple ones. Where the shared lens bends as they cannot (a fisheye), their
+    /// focal lengths differ only to make up for that, and more is left.
+    [[nodiscard]] bool own_is_much_worse() const {
+        constexpr double kMuch = 1.5;
+        return own_px2 > kMuch * shared_px2;
+    }
+};
 
 /// Whether focal lengths of photographs that shared a lens differ by more than they are uncertain:
 /// five standard deviations, root mean square, of points that count once each; where pictures are
@@ -200,12 +213,15 @@ class ZoomQuestion {
     /// differ: then the one counts that assumes less, if its focal lengths are sure to differ.
     [[nodiscard]] bool tells(const Capture& own, const PoseEvidence& evidence,
                              double min_factor) const {
-        return own.views.size() >= shared_.views.size() &&
-               zoom_factor(own, shared_) >= min_factor &&
-               pose_shift(named_poses(shared_), named_poses(own)).matters() &&
-               !compare_with_pairs(own, job_.photographs, matched_.photographs, matched_.pairs)
-                    .is_contradiction() &&
-               (own_explains_better(shared_, own) || focal_lengths_differ(own, evidence, shared_));
+        if (own.views.size() < shared_.views.size() || zoom_factor(own, shared_) < min_factor ||
+            !pose_shift(named_poses(shared_), named_poses(own)).matters() ||
+            compare_with_pairs(own, job_.photographs, matched_.photographs, matched_.pairs)
+                .is_contradiction()) {
+            return false;
+        }
+        const SharedCosts costs(shared_, own);
+        return costs.own_is_better(shared_, own) ||
+               (!costs.own_is_much_worse() && focal_lengths_differ(own, evidence, shared_));
     }
 
  private:

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <vector>
-
-#include "calib/lens/lens_form.h"
 
 namespace lumi {
 namespace {
@@ -23,40 +22,67 @@ struct OwnParameters {
     Eigen::Vector3d crop = Eigen::Vector3d::Zero();
 };
 
+/// What a view saw of a point, as a pinhole of the same focal length would have.
+struct StraightSight {
+    Eigen::Vector2d straight_px;         ///< From the principal point.
+    Eigen::Matrix2d pixel_per_straight;  ///< How errors there show in the picture.
+    double focal_px;
+    double time;  ///< When its row was read: -0.5 for the first to 0.5 for the last.
+};
+
+/// Empty where the lens, far out, does not tell where it was.
+std::optional<StraightSight> straight_sight(const Camera& camera, const Eigen::Vector2d& pixel) {
+    constexpr double kStep = 1e-4;
+    constexpr double kFarOff_px = 0.1;
+    const Eigen::Vector3d ray = unproject(camera, pixel);
+    const auto again = project(camera, ray);
+    if (!again || !((*again - pixel).norm() < kFarOff_px)) return std::nullopt;
+    const double focal_px = focal_length_px(camera).mean();
+    StraightSight sight{focal_px * ray.head<2>(), Eigen::Matrix2d::Identity(), focal_px,
+                        pixel.y() / camera.height_px - 0.5};
+    for (int axis = 0; axis < 2; ++axis) {
+        const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(axis);
+        const auto before = project(camera, ray - step);
+        const auto behind = project(camera, ray + step);
+        if (!before || !behind) return std::nullopt;
+        sight.pixel_per_straight.col(axis) = (*behind - *before) / (2 * kStep * focal_px);
+    }
+    return sight;
+}
+
 /// Parameter blocks: rotation and translation cam_from_world at the middle row, the turn and the
-/// crop of the view, the logarithm of the focal length over that of the lens, its two coefficients
-/// of radial distortion, the point.
+/// crop of the view, the logarithm of the focal length over that of the lens, two coefficients of
+/// the radial distortion that it lacks, the point.
 class SightCost {
  public:
-    /// `pixel` is counted from the principal point.
-    SightCost(const Eigen::Vector2d& pixel, double focal_px, double time)
-        : pixel_(pixel), focal_px_(focal_px), time_(time) {}
+    explicit SightCost(const StraightSight& seen) : seen_(seen) {}
 
     template <class T>
     bool operator()(const T* rotation, const T* translation, const T* turn, const T* crop,
                     const T* zoom, const T* radial, const T* point, T* residual) const {
         using std::exp;
+        using Vector2 = Eigen::Matrix<T, 2, 1>;
         using Vector3 = Eigen::Matrix<T, 3, 1>;
         const Vector3 at_middle =
             Eigen::Map<const Eigen::Quaternion<T>>(rotation) * Eigen::Map<const Vector3>(point) +
             Eigen::Map<const Vector3>(translation);
         const Vector3 turned =
-            at_middle + T(time_) * Eigen::Map<const Vector3>(turn).cross(at_middle);
+            at_middle + T(seen_.time) * Eigen::Map<const Vector3>(turn).cross(at_middle);
         if (!(turned.z() > T(1e-9))) return false;
         const T x = turned.x() / turned.z();
         const T y = turned.y() / turned.z();
         const T square = x * x + y * y;
-        const T scale = T(focal_px_) * exp(zoom[0] + crop[2]) *
+        const T scale = T(seen_.focal_px) * exp(zoom[0] + crop[2]) *
                         (T(1) + square * (radial[0] + square * radial[1]));
-        residual[0] = scale * x + crop[0] - T(pixel_.x());
-        residual[1] = scale * y + crop[1] - T(pixel_.y());
+        const Vector2 straight(scale * x + crop[0] - T(seen_.straight_px.x()),
+                               scale * y + crop[1] - T(seen_.straight_px.y()));
+        Eigen::Map<Vector2> in_picture(residual);
+        in_picture = seen_.pixel_per_straight.template cast<T>() * straight;
         return true;
     }
 
  private:
-    Eigen::Vector2d pixel_;
-    double focal_px_;
-    double time_;
+    StraightSight seen_;
 };
 
 /// Holds values near zero.
@@ -111,13 +137,8 @@ class Fit {
           supposition_(supposition),
           lenses_are_held_(lenses_are_held),
           own_(capture.views.size()),
-          zooms_(capture.cameras.size(), 0.0) {
-        for (const Camera& lens : capture.cameras) {
-            // A lens that is held keeps its distortion: pixels are taken as a pinhole would see
-            // them.
-            radials_.push_back(lenses_are_held ? Eigen::Vector2d::Zero()
-                                               : Eigen::Vector2d(radial_of(lens)));
-        }
+          zooms_(capture.cameras.size(), 0.0),
+          radials_(capture.cameras.size(), Eigen::Vector2d::Zero()) {
         for (const std::size_t point : leading_points(capture)) {
             for (const Observation& seen : capture.points[point].track) look_at(point, seen);
         }
@@ -174,17 +195,10 @@ class Fit {
         return std::sqrt(sum_px2 / static_cast<double>(own_.size()));
     }
 
-    /// As adjusted; lenses that were not held as RADIAL.
+    /// As adjusted; lenses as they came.
     [[nodiscard]] Capture capture() const {
         Capture adjusted = capture_;
         for (View& view : adjusted.views) view.cam_from_world.rotation.normalize();
-        for (std::size_t lens = 0; lens < zooms_.size() && !lenses_are_held_; ++lens) {
-            Camera camera = in_model(capture_.cameras[lens], LensModel::kRadial);
-            camera.parameters[0] *= std::exp(zooms_[lens]);
-            camera.parameters[3] = radials_[lens].x();
-            camera.parameters[4] = radials_[lens].y();
-            adjusted.cameras[lens] = std::move(camera);
-        }
         return adjusted;
     }
 
@@ -195,12 +209,8 @@ class Fit {
         const Eigen::Vector3d in_cam =
             capture_.views[view].cam_from_world * capture_.points[point].position_in_world;
         if (!(in_cam.z() > 1e-6)) return;
-        const double focal_px = focal_length_px(camera).mean();
-        const Eigen::Vector2d pixel =
-            lenses_are_held_ ? Eigen::Vector2d(focal_px * unproject(camera, seen.pixel).head<2>())
-                             : Eigen::Vector2d(seen.pixel - principal_point_px(camera));
-        all_.push_back(
-            {point, view, SightCost(pixel, focal_px, seen.pixel.y() / camera.height_px - 0.5)});
+        if (const auto sight = straight_sight(camera, seen.pixel))
+            all_.push_back({point, view, SightCost(*sight)});
     }
 
     [[nodiscard]] std::size_t lens_of(std::size_t view) const {
@@ -264,11 +274,6 @@ class Fit {
             capture_.points[seen.point].position_in_world.data(), residual_px.data());
         const double limit_px2 = limit_px * limit_px;
         return is_in_front ? std::min(limit_px2, residual_px.squaredNorm()) : limit_px2;
-    }
-
-    static Eigen::Vector2d radial_of(const Camera& lens) {
-        const Camera radial = in_model(lens, LensModel::kRadial);
-        return {radial.parameters[3], radial.parameters[4]};
     }
 
     Capture capture_;

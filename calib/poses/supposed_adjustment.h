@@ -18,7 +18,7 @@ enum class Supposition {
 
 /// A capture adjusted under a supposition.
 struct SupposedAdjustment {
-    Capture capture;        ///< Poses at the middle row; lenses without what each picture has own.
+    Capture capture;        ///< Poses at the middle row; lenses as they came.
     double cost_px2 = 0.0;  ///< Sum of squared residuals, each truncated at the limit.
     /// What the supposition does to pictures, root mean square over them: how far the last row is
     /// turned away from the first, or how far the lens's middle lies from where it was taken to be.
@@ -27,8 +27,8 @@ struct SupposedAdjustment {
     std::size_t observations = 0;  ///< That were looked at.
 };
 
-/// Adjusts poses, points, lenses (focal length and radial distortion, unless `lenses_are_held`) and
-/// three parameters of each view's own by robust least squares, over a few hundred points a
+/// Adjusts poses, points, lenses (focal length and radial distortion besides that of the lens,
+/// unless `lenses_are_held`) and three parameters of each view's own by robust least squares, over a few hundred points a
 /// photograph, those with the longest tracks: a turning rate (Hedborg et al., Rolling shutter
 /// bundle adjustment, CVPR 2012, for rotation alone, which moves pictures most), or a principal
 /// point and a scale. A weak prior holds those that nothing determines. Adjustments from one start

@@ -70,6 +70,11 @@ const std::vector<HazardCurve>& hazard_curves() {
          "sideways / forward",
          Reason::kForward,
          {1.0, 0.3, 0.1, 0.03, 0.0}},
+        {Hazard::kFisheye,
+         "fisheye",
+         "corner from the axis, degrees",
+         Reason::kFocal,
+         {30, 45, 60, 75, 88}},
     };
     return kCurves;
 }

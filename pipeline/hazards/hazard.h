@@ -26,6 +26,7 @@ enum class Hazard {
     kZoom,        ///< Every other photograph is zoomed, and nothing tells.
     kDuplicates,  ///< Fewer and fewer places, photographed again and again.
     kForward,     ///< The camera walks towards the scene, ever straighter.
+    kFisheye,     ///< The lens sees more and more, and nothing tells that it bends what it sees.
 };
 
 /// How a hazard is driven through its breaking point.

@@ -278,6 +278,19 @@ HazardScene forward(std::uint64_t seed, double sideways_share) {
     return walk.with(room(seed));
 }
 
+/// By a lens that bends angles evenly, to so many degrees in the corners.
+HazardScene through_fisheye(HazardScene scene, double corner_deg) {
+    for (Camera& camera : scene.cameras) {
+        const double corner_px = 0.5 * std::hypot(camera.width_px, camera.height_px);
+        const double focal_px = corner_px / (corner_deg * kRadiansPerDegree);
+        camera = {camera.width_px,
+                  camera.height_px,
+                  LensModel::kOpenCvFisheye,
+                  {focal_px, focal_px, 0.5 * camera.width_px, 0.5 * camera.height_px, 0, 0, 0, 0}};
+    }
+    return scene;
+}
+
 }  // namespace
 
 HazardScene hazard_scene(Hazard hazard, double strength, std::uint64_t seed) {
@@ -294,6 +307,8 @@ HazardScene hazard_scene(Hazard hazard, double strength, std::uint64_t seed) {
             return repetition(seed, strength);
         case Hazard::kForward:
             return forward(seed, strength);
+        case Hazard::kFisheye:
+            return through_fisheye(good_path(seed), strength);
         case Hazard::kZoom:
             return good_path(seed, strength);
         case Hazard::kDuplicates:

@@ -46,6 +46,7 @@ TEST_P(UsableCapture, IsPlacedRight) {
 INSTANTIATE_TEST_SUITE_P(Stress, UsableCapture,
                          testing::Values(Place{Hazard::kBlur, 0}, Place{Hazard::kForward, 0},
                                          Place{Hazard::kZoom, 2}, Place{Hazard::kOverlap, 0},
+                                         Place{Hazard::kFisheye, 3},
                                          // Features of overexposed pictures, displaced together,
                                          // once passed for a zoom.
                                          Place{Hazard::kExposure, 2, 31}),

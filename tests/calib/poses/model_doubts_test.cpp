@@ -139,6 +139,34 @@ TEST(SupposedAdjustment, ExplainsNothingOfSteadyCamerasWithWholePhotographs) {
     }
 }
 
+/// A lens that sees 70 degrees off its axis, amid the cloud.
+Capture through_fisheye(unsigned seed) {
+    const Camera fisheye{
+        1100, 1100, LensModel::kOpenCvFisheye, {420, 420, 550, 550, 0.02, 0, 0, 0}};
+    return synthetic_capture(fisheye,
+                             {.points = 600, .noise_px = 0.1, .arc_radius = 1.3, .seed = seed});
+}
+
+TEST(SupposedAdjustment, TakesNoFisheyeForARollingShutter) {
+    for (const unsigned seed : {1u, 2u}) {
+        const Capture capture = through_fisheye(seed);
+        double widest_px = 0;
+        for (const ScenePoint& point : capture.points)
+            for (const Observation& seen : point.track)
+                widest_px = std::max(widest_px,
+                                     (seen.pixel - principal_point_px(capture.cameras[0])).norm());
+        ASSERT_GT(widest_px, 420) << "the lens must bend what is seen";
+        const SupposedAdjustment steady = adjusted(Supposition::kSteady, capture, false);
+        EXPECT_LT(steady.cost_px2, 2 * 0.011 * static_cast<double>(steady.observations));
+        for (const Supposition other : {Supposition::kTurning, Supposition::kShifted}) {
+            const SupposedAdjustment supposed = adjusted(other, capture, false);
+            EXPECT_FALSE(explains_better(steady.cost_px2, supposed.cost_px2, supposed.parameters,
+                                         supposed.observations))
+                << seed;
+        }
+    }
+}
+
 TEST(PoseShift, IsNothingAfterASimilarity) {
     const Capture capture = synthetic_capture(kDoubtedCamera, {});
     NamedPoses moved;
