@@ -56,6 +56,15 @@ PackageOptions read_package_options(const ConfigSection& package) {
     return options;
 }
 
+/// Empty for "auto".
+std::optional<bool> read_yes_no_or_auto(const ConfigSection& section, const std::string& key) {
+    const std::string answer = section.text(key, "auto");
+    if (answer == "auto") return std::nullopt;
+    if (answer != "yes" && answer != "no")
+        section.refuse(key, R"("auto" (as photographs ask for), "yes" or "no")");
+    return answer == "yes";
+}
+
 DrawingOptions read_drawing_options(const ConfigSection& render) {
     DrawingOptions options;
     options.even_exposure = render.boolean("even_exposure", options.even_exposure);
@@ -69,14 +78,12 @@ DrawingOptions read_drawing_options(const ConfigSection& render) {
     if (options.depth_block_px != 0 && !(options.depth_block_px >= kLeastDepthBlock_px &&
                                          options.depth_block_px <= kMaxDepthBlock_px))
         render.refuse("depth_block_px", "0 (as photographs ask for), or 1 to 2");
-    const std::string fill_holes = render.text("fill_holes", "auto");
-    if (fill_holes != "auto" && fill_holes != "yes" && fill_holes != "no")
-        render.refuse("fill_holes", R"("auto" (as photographs ask for), "yes" or "no")");
-    if (fill_holes != "auto") options.fill_holes = fill_holes == "yes";
+    options.fill_holes = read_yes_no_or_auto(render, "fill_holes");
     options.triangle_error_px = render.number("triangle_error_px", options.triangle_error_px);
     if (options.triangle_error_px != 0 && !(options.triangle_error_px >= kLeastTriangleError_px &&
                                             options.triangle_error_px <= kMostTriangleError_px))
         render.refuse("triangle_error_px", "0 (as photographs ask for), or 0.1 to 10");
+    options.draw_thin = read_yes_no_or_auto(render, "draw_thin");
     return options;
 }
 

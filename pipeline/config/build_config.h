@@ -43,6 +43,9 @@ struct DrawingOptions {
     std::optional<bool> fill_holes;
     /// Of the triangles that `adaptive` draws; 0: as photographs ask for.
     double triangle_error_px = 0.0;
+    /// Whether it draws what is thinner over them (Lumigraph::draws_thin); empty: where photographs
+    /// ask for it.
+    std::optional<bool> draw_thin;
 };
 
 /// Everything that one run of the line is told.

@@ -33,7 +33,10 @@ std::string text_of(const TriangleEffort& effort) {
     return "triangles may err by " + number_text(effort.error_px, 2) +
            " px: " + std::to_string(effort.pictures) + " photographs are drawn with " +
            std::to_string(std::lround(effort.triangles)) + " of them, and at best " +
-           number_text(effort.loses_db, 2) + " dB better";
+           number_text(effort.loses_db, 2) + " dB better; with what is thinner drawn over them " +
+           number_text(effort.thin_gains_db, 2) + " +- " +
+           number_text(effort.thin_standard_error_db, 2) + " dB, " +
+           (effort.draws_thin ? "which is done" : "which is not done");
 }
 
 Json json_of(const DepthEffort& effort) {
@@ -51,7 +54,10 @@ Json json_of(const TriangleEffort& effort) {
     return {{"error_px", effort.error_px},
             {"pictures", effort.pictures},
             {"loses_db", effort.loses_db},
-            {"triangles", effort.triangles}};
+            {"triangles", effort.triangles},
+            {"draws_thin", effort.draws_thin},
+            {"thin_gains_db", effort.thin_gains_db},
+            {"thin_standard_error_db", effort.thin_standard_error_db}};
 }
 
 }  // namespace lumi

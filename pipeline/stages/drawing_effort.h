@@ -22,12 +22,16 @@ struct DepthEffort {
     double holes_lose_db = 0.0;      ///< The same, of so many views, for holes that are not filled.
 };
 
-/// How far the triangles of `adaptive` may err (Lumigraph::triangle_error_px), and why.
+/// How far the triangles of `adaptive` may err (Lumigraph::triangle_error_px), whether what is
+/// thinner is drawn over them (Lumigraph::draws_thin), and why.
 struct TriangleEffort {
     double error_px = kTriangleError_px;
     int pictures = 0;        ///< That were asked; 0: nobody was.
     double loses_db = 0.0;   ///< At them, in the mean, beside the best of the errors asked.
     double triangles = 0.0;  ///< Drawn, in the mean.
+    bool draws_thin = false;
+    double thin_gains_db = 0.0;           ///< At them, in the mean; 0 where nothing is thin.
+    double thin_standard_error_db = 0.0;  ///< Of that.
 };
 
 /// Where depth is worked out, for people: "each block of 2 by 2 pixels".

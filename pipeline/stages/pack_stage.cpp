@@ -139,9 +139,12 @@ DepthEffort depth_effort(const PackSources& sources, const Lumigraph& lumigraph,
 
 TriangleEffort triangle_effort(const PackSources& sources, const Lumigraph& lumigraph,
                                Progress& progress) {
-    if (sources.drawing.triangle_error_px != 0) return {sources.drawing.triangle_error_px};
-    const TriangleEffort effort =
-        asked(sources.sufficient_triangle_effort, sources, lumigraph, progress);
+    const DrawingOptions& wanted = sources.drawing;
+    TriangleEffort effort;
+    if (wanted.triangle_error_px == 0 || !wanted.draw_thin)
+        effort = asked(sources.sufficient_triangle_effort, sources, lumigraph, progress);
+    if (wanted.triangle_error_px != 0) effort.error_px = wanted.triangle_error_px;
+    effort.draws_thin = wanted.draw_thin.value_or(effort.draws_thin);
     note(effort, progress);
     return effort;
 }
@@ -251,6 +254,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     lumigraph.fills_holes = effort.fills_holes;
     const TriangleEffort of_triangles = triangle_effort(sources, lumigraph, progress);
     lumigraph.triangle_error_px = of_triangles.error_px;
+    lumigraph.draws_thin = of_triangles.draws_thin;
     progress.begin("writing the package", 0);
     write_package(package_folder, lumigraph, extras_of(sources));
     write_json_file(record_path(folder),

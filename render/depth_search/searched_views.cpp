@@ -16,12 +16,14 @@ TiledDepth tiled_depth(const LumigraphView& view, double disparity_px) {
 }  // namespace
 
 SearchedViews searched_views(const Lumigraph& lumigraph) {
-    SearchedViews views{view_geometries(lumigraph),
-                        std::vector<TiledDepth>(lumigraph.views.size())};
+    SearchedViews views{view_geometries(lumigraph), std::vector<TiledDepth>(lumigraph.views.size()),
+                        std::vector<ThinSurfaces>(lumigraph.views.size())};
     parallel_for(static_cast<int>(lumigraph.views.size()), 0, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
-        views.depths[index] =
-            tiled_depth(lumigraph.views[index], max_disparity_px(views.geometries[index]));
+        const LumigraphView& view = lumigraph.views[index];
+        const double disparity_px = max_disparity_px(views.geometries[index]);
+        views.depths[index] = tiled_depth(view, disparity_px);
+        if (lumigraph.draws_thin) views.thin[index] = thin_surfaces(view, disparity_px);
     });
     return views;
 }

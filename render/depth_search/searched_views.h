@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "render/depth_mesh/thin_surfaces.h"
 #include "render/depth_search/tiled_depth.h"
 #include "render/lumigraph/lumigraph.h"
 #include "render/transfer/view_geometry.h"
@@ -12,6 +13,7 @@ namespace lumi {
 struct SearchedViews {
     std::vector<ViewGeometry> geometries;
     std::vector<TiledDepth> depths;  ///< Their depth maps; empty where a view has none.
+    std::vector<ThinSurfaces> thin;  ///< Where they are drawn (Lumigraph::draws_thin).
 };
 
 [[nodiscard]] SearchedViews searched_views(const Lumigraph& lumigraph);

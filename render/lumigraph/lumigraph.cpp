@@ -102,6 +102,7 @@ Lumigraph without_its_views(const Lumigraph& lumigraph) {
     rest.depth_block_px = lumigraph.depth_block_px;
     rest.fills_holes = lumigraph.fills_holes;
     rest.triangle_error_px = lumigraph.triangle_error_px;
+    rest.draws_thin = lumigraph.draws_thin;
     return rest;
 }
 

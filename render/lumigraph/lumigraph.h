@@ -71,6 +71,9 @@ struct Lumigraph {
     bool fills_holes = false;
     /// How far from the right place `adaptive` may look up photographs before it splits triangles.
     double triangle_error_px = kTriangleError_px;
+    /// Whether it draws what is thinner than its triangles over them (thin_triangles.h): worth its
+    /// time where there are bars, cables or leaves.
+    bool draws_thin = false;
 };
 
 /// Throws Error (E-LUMIGRAPH-INVALID, E-CAMERA-INVALID, E-MESH-INVALID) unless there is a view, the

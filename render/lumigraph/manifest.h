@@ -68,6 +68,7 @@ struct Manifest {
     double depth_block_px = kLeastDepthBlock_px;
     bool fills_holes = false;
     double triangle_error_px = kTriangleError_px;
+    bool draws_thin = false;
     std::vector<ManifestView> views;
     PackageFile camera_mesh;
     PackageFile points;

@@ -178,6 +178,7 @@ Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
             manifest.triangle_error_px > kMostTriangleError_px)
             document.refuse("triangle_error_px", "0.1 to 10");
     }
+    if (document.has("draws_thin")) manifest.draws_thin = document.boolean("draws_thin");
     for (const StrictJsonObject& view : document.objects("views", limits.max_views)) {
         manifest.views.push_back(view_of(view));
     }

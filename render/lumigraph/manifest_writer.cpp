@@ -101,6 +101,7 @@ std::string manifest_text(const Manifest& manifest) {
     if (manifest.fills_holes) document["fills_holes"] = true;
     if (manifest.triangle_error_px != kTriangleError_px)
         document["triangle_error_px"] = manifest.triangle_error_px;
+    if (manifest.draws_thin) document["draws_thin"] = true;
     try {
         return with_manifest_checksum(document.dump(1) + "\n").value();
     } catch (const Json::exception&) {

@@ -148,6 +148,7 @@ Lumigraph read_contents(const fs::path& folder, const PackageLimits& limits) {
     lumigraph.depth_block_px = manifest.depth_block_px;
     lumigraph.fills_holes = manifest.fills_holes;
     lumigraph.triangle_error_px = manifest.triangle_error_px;
+    lumigraph.draws_thin = manifest.draws_thin;
     lumigraph.mesh = parse_camera_mesh_ply(package.read(manifest.camera_mesh),
                                            package.path_of(manifest.camera_mesh));
     // Not part of the Lumigraph, but a package with a damaged file is a damaged package.

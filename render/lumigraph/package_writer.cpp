@@ -78,6 +78,7 @@ void write_contents(const fs::path& root, const Lumigraph& lumigraph, const Pack
     manifest.depth_block_px = lumigraph.depth_block_px;
     manifest.fills_holes = lumigraph.fills_holes;
     manifest.triangle_error_px = lumigraph.triangle_error_px;
+    manifest.draws_thin = lumigraph.draws_thin;
     manifest.evidence_json = extras.evidence_json;
     manifest.views.resize(lumigraph.views.size());
     parallel_for(static_cast<int>(lumigraph.views.size()), 0, [&](int i) {

@@ -9,6 +9,7 @@
 #include "render/lumigraph/same_eye.h"
 #include "render/subdivision/coarse_triangles.h"
 #include "render/subdivision/own_surfaces.h"
+#include "render/subdivision/thin_triangles.h"
 #include "render/subdivision/unseen_triangles.h"
 #include "render/surroundings/empty_cells.h"
 #include "render/surroundings/triangle_surroundings.h"
@@ -99,6 +100,8 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const Searc
     layers[0] = subdivided(polygons[0], sampling, most[0]);
     draw_unseen(layout, eye, search, plane, sampling, layers[0]);
     keep_own_surfaces(search, layers[0]);
+    if (layout.draws_thin)
+        layers.insert(layers.begin() + 1, thin_triangles(layout, views, eye, search));
     return layers;
 }
 

@@ -83,6 +83,7 @@ TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
                             "depth_block_px",
                             "fill_holes",
                             "triangle_error_px",
+                            "draw_thin",
                             "[evaluate]",
                             "hold_out_every",
                             "hold_out"}) {
@@ -120,6 +121,7 @@ TEST(BuildConfig, RefusesWhatContradictsItself) {
           "[capture]\nphotos = \"p\"\n[render]\ndepth_views = 2\n",
           "[capture]\nphotos = \"p\"\n[render]\ndepth_block_px = 3\n",
           "[capture]\nphotos = \"p\"\n[render]\nfill_holes = \"some\"\n",
+          "[capture]\nphotos = \"p\"\n[render]\ndraw_thin = \"some\"\n",
           "[capture]\nphotos = \"p\"\n[render]\ndepth_block_px = 0.5\n",
           "[capture]\nphotos = \"p\"\n[render]\ndepth_block_px = nan\n",
           "[capture]\nphotos = \"p\"\n[render]\ntriangle_error_px = 0.01\n",

@@ -29,6 +29,19 @@ TEST(TriangleEffort, IsTheLeastWherePicturesShowTheSameEverywhere) {
     EXPECT_EQ(effort.pictures, 9);
     EXPECT_NEAR(effort.loses_db, 0, 0.05);
     EXPECT_GT(effort.triangles, 0);
+    EXPECT_EQ(effort.thin_gains_db, 0);
+    EXPECT_FALSE(effort.draws_thin);
+}
+
+TEST(TriangleEffort, DrawsWhatIsThinWhereThatStandsApart) {
+    Studio studio(kThinThings);
+    for (const Eigen::Vector3d& direction : spiral(40, 0.0))
+        studio.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
+    studio.find_points();
+    const TriangleEffort effort = effort_of(studio);
+    EXPECT_GT(effort.thin_gains_db, 0.1);
+    EXPECT_GT(effort.thin_gains_db, effort.thin_standard_error_db);
+    EXPECT_TRUE(effort.draws_thin);
 }
 
 TEST(TriangleEffort, IsGreaterWhereBodiesHideOneAnother) {

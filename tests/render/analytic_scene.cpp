@@ -22,10 +22,11 @@ Eigen::Vector3d smooth_color(double u, double v, double phase) {
 
 /// `pattern` waves of print in each unit of length; 0: none.
 Hit hit_card_or_wall(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
-                     double pattern) {
+                     const Eigen::Vector2d& half_size, double pattern) {
     const double to_card = (3 - from.z()) / direction.z();
     const Eigen::Vector3d on_card = from + to_card * direction;
-    if (to_card > 0 && std::abs(on_card.x()) < 0.7 && std::abs(on_card.y()) < 0.5)
+    if (to_card > 0 && std::abs(on_card.x()) < half_size.x() &&
+        std::abs(on_card.y()) < half_size.y())
         return {to_card, smooth_color((1 + pattern) * on_card.x(), (1 + pattern) * on_card.y(), 2)};
     const double to_wall = (6 - from.z()) / direction.z();
     if (to_wall <= 0) return {0, Eigen::Vector3d::Zero()};
@@ -48,7 +49,10 @@ Hit hit_ball_or_sky(const Eigen::Vector3d& from, const Eigen::Vector3d& directio
 
 Hit hit(AnalyticScene scene, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
     if (scene == AnalyticScene::kBallInSky) return hit_ball_or_sky(from, direction);
-    return hit_card_or_wall(from, direction, scene == AnalyticScene::kPrintedCard ? 9 : 0);
+    if (scene == AnalyticScene::kBarBeforeWall)
+        return hit_card_or_wall(from, direction, {0.023, 0.8}, 0);
+    return hit_card_or_wall(from, direction, {0.7, 0.5},
+                            scene == AnalyticScene::kPrintedCard ? 9 : 0);
 }
 
 Hit hit_at_pixel(AnalyticScene scene, const Eye& eye, int x, int y) {

@@ -11,6 +11,7 @@ namespace lumi {
 enum class AnalyticScene {
     kCardBeforeWall,  ///< A rectangle at z = 3 before a wall at z = 6.
     kPrintedCard,     ///< The same with a fine pattern on the card.
+    kBarBeforeWall,   ///< A bar 0.046 wide and 1.6 long at z = 3 before the wall.
     kBallInSky,       ///< A ball of radius 1 around the origin before an infinitely far sky.
 };
 

@@ -146,6 +146,13 @@ TEST_F(PackageRoundTrip, KeepsWhetherHolesAreFilled) {
     EXPECT_TRUE(read_package(folder_).fills_holes);
 }
 
+TEST_F(PackageRoundTrip, KeepsWhetherThinThingsAreDrawn) {
+    EXPECT_FALSE(read_.draws_thin);
+    written_.draws_thin = true;
+    write_package(folder_, written_, tiny_extras());
+    EXPECT_TRUE(read_package(folder_).draws_thin);
+}
+
 TEST_F(PackageRoundTrip, KeepsHowFarTrianglesMayErr) {
     EXPECT_EQ(read_.triangle_error_px, kTriangleError_px);
     written_.triangle_error_px = 1.4;

@@ -1,0 +1,174 @@
+#include "render/subdivision/thin_triangles.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "calib/work/parallel_for.h"
+#include "render/transfer/pixel_transfer.h"
+#include "render/view_choice/depth_view_choice.h"
+
+namespace lumi {
+namespace {
+
+constexpr int kMostViews = 3;
+/// So far beside the eye's picture triangles are still drawn, as shares of its size.
+constexpr float kBeside = 0.25F;
+/// Something that the view sees so far before a point hides it, and is no error of depth.
+constexpr double kHides_px = 2.0;
+/// Of a point's depth in the eye over that in the view.
+constexpr double kLeastRatio = 1e-6;
+constexpr std::size_t kThinAtATime = 64;
+
+/// Of a triangle.
+struct Middle {
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+    double inverse_depth = 0.0;
+};
+
+/// Thin surfaces of one view in the eye's picture.
+class ThinPicture {
+ public:
+    ThinPicture(const Lumigraph& lumigraph, int view_index, const ThinSurfaces& thin,
+                const Eye& eye)
+        : view_index_(view_index),
+          thin_(thin),
+          size_px_(eye.camera.width_px, eye.camera.height_px) {
+        const LumigraphView& view = lumigraph.views[static_cast<std::size_t>(view_index)];
+        const PixelTransfer eye_from_view =
+            pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
+        corners_.reserve(thin.vertices.size());
+        for (const Eigen::Vector3f& vertex : thin.vertices)
+            corners_.push_back(corner_at(vertex.cast<double>(), eye_from_view));
+    }
+
+    [[nodiscard]] std::size_t count() const { return thin_.indices.size() / 3; }
+    [[nodiscard]] int view_index() const { return view_index_; }
+    [[nodiscard]] const BlendVertex& corner(std::size_t triangle, std::size_t k) const {
+        return corners_[thin_.indices[3 * triangle + k]];
+    }
+
+    /// Before the eye, and not far beside its picture.
+    [[nodiscard]] bool is_in_picture(std::size_t triangle) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const BlendVertex& at = corner(triangle, k);
+            const Eigen::Array2f share =
+                Eigen::Array2f(at.pixel[0], at.pixel[1]) / size_px_.cast<float>();
+            if (at.weights[0] <= 0 || share.minCoeff() < -kBeside || share.maxCoeff() > 1 + kBeside)
+                return false;
+        }
+        return true;
+    }
+
+    [[nodiscard]] Middle middle_of(std::size_t triangle) const {
+        Middle middle;
+        for (std::size_t k = 0; k < 3; ++k) {
+            middle.pixel += vector_of(corner(triangle, k).pixel) / 3;
+            middle.inverse_depth += static_cast<double>(corner(triangle, k).inverse_depth) / 3;
+        }
+        return middle;
+    }
+
+ private:
+    /// Without weight where it lies behind the eye.
+    [[nodiscard]] BlendVertex corner_at(const Eigen::Vector3d& vertex,
+                                        const PixelTransfer& eye_from_view) const {
+        const Eigen::Vector3d in_eye = eye_from_view.at_infinity * vertex.head<2>().homogeneous() +
+                                       vertex.z() * eye_from_view.per_inverse_depth;
+        BlendVertex corner;
+        corner.view_layers.fill(static_cast<float>(view_index_));
+        if (in_eye.z() <= kLeastRatio) return corner;
+        corner.pixel = {static_cast<float>(in_eye.x() / in_eye.z()),
+                        static_cast<float>(in_eye.y() / in_eye.z())};
+        corner.depth = static_cast<float>(in_eye.z());
+        corner.view_pixels.fill({static_cast<float>(vertex.x()), static_cast<float>(vertex.y())});
+        corner.depth_ratios.fill(static_cast<float>(1 / in_eye.z()));
+        corner.weights = {1.0F, 0.0F, 0.0F};
+        corner.inverse_depth = static_cast<float>(vertex.z() / in_eye.z());
+        corner.confidence = 1.0F;
+        return corner;
+    }
+
+    int view_index_;
+    const ThinSurfaces& thin_;
+    Eigen::Array2i size_px_;
+    std::vector<BlendVertex> corners_;
+};
+
+/// Whether a view that comes first has a say: it has the place in its photograph, and nothing
+/// hides it there.
+bool is_for_view(int view_index, const Middle& middle, const DepthSearch& search) {
+    const Eigen::Vector3d at = search.line_in(view_index, middle.pixel).at(middle.inverse_depth);
+    return at.z() > 0 && search.inside(view_index, at.hnormalized()) > 0 &&
+           search.hidden_by_px(middle.pixel, middle.inverse_depth, view_index) < kHides_px;
+}
+
+bool is_hidden(const Middle& middle, const std::array<int, 3>& asked, const DepthSearch& search) {
+    const auto hit = search.first_hit(middle.pixel, asked);
+    return hit && hit->kind == DepthKind::kSeen &&
+           search.is_before(*hit, {.inverse_depth = middle.inverse_depth});
+}
+
+/// The triangles that are drawn, the farthest first.
+BlendTriangles gathered(const std::vector<ThinPicture>& pictures,
+                        const std::vector<std::vector<char>>& is_drawn) {
+    BlendTriangles drawn;
+    struct Placed {
+        double inverse_depth;
+        std::array<std::uint32_t, 3> corners;
+    };
+    std::vector<Placed> placed;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        for (std::size_t t = 0; t < pictures[i].count(); ++t) {
+            if (is_drawn[i][t] == 0) continue;
+            Placed triangle{pictures[i].middle_of(t).inverse_depth, {}};
+            for (std::size_t k = 0; k < 3; ++k) {
+                triangle.corners[k] = static_cast<std::uint32_t>(drawn.vertices.size());
+                drawn.vertices.push_back(pictures[i].corner(t, k));
+            }
+            placed.push_back(triangle);
+        }
+    }
+    std::stable_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+        return a.inverse_depth < b.inverse_depth;
+    });
+    drawn.indices.reserve(3 * placed.size());
+    for (const Placed& triangle : placed)
+        drawn.indices.insert(drawn.indices.end(), triangle.corners.begin(), triangle.corners.end());
+    return drawn;
+}
+
+}  // namespace
+
+BlendTriangles thin_triangles(const Lumigraph& lumigraph, const SearchedViews& views,
+                              const Eye& eye, const DepthSearch& search) {
+    const std::vector<int> chosen = choose_depth_views(lumigraph, eye, kMostViews);
+    const std::array<int, 3> asked{chosen[0], chosen[std::min<std::size_t>(1, chosen.size() - 1)],
+                                   chosen.back()};
+    std::vector<ThinPicture> pictures;
+    std::vector<std::vector<char>> is_drawn;
+    for (const int view : chosen) {
+        pictures.emplace_back(lumigraph, view, views.thin[static_cast<std::size_t>(view)], eye);
+        const ThinPicture& picture = pictures.back();
+        std::vector<char>& drawn = is_drawn.emplace_back(picture.count(), 0);
+        const auto are_others = [&](const Middle& middle) {
+            return std::any_of(pictures.begin(), pictures.end() - 1, [&](const ThinPicture& other) {
+                return is_for_view(other.view_index(), middle, search);
+            });
+        };
+        parallel_for_runs(
+            picture.count(), kThinAtATime, 0, [&](std::size_t first, std::size_t end) {
+                for (std::size_t t = first; t < end; ++t) {
+                    if (!picture.is_in_picture(t)) continue;
+                    const Middle middle = picture.middle_of(t);
+                    drawn[t] = !are_others(middle) && !is_hidden(middle, asked, search) ? 1 : 0;
+                }
+            });
+    }
+    return gathered(pictures, is_drawn);
+}
+
+}  // namespace lumi
