@@ -13,13 +13,13 @@ namespace {
 /// Of the longer side of the depth map: in a picture of so many pixels triangles are half as long
 /// at the shortest, and what is wider is found by some of their corners.
 constexpr double kWidestShare = 1.0 / 48;
-/// Smears of less are hardly seen.
-constexpr double kLeastOut_px = 8.0;
+/// What stands out less may be noise.
+constexpr double kLeastOut_px = 16.0;
 /// What stands out half as far, and touches that, is of the same thing.
 constexpr double kLeastOfThing_px = 0.5 * kLeastOut_px;
-/// How far triangles may be from the surface, and their ends from its own: nobody looks so closely
-/// at what is thin.
-constexpr DecimationOptions kCoarse{.max_error_px = 1.5, .max_tear_px = 1.0};
+/// How far triangles may be from the surface, and their ends from its own, as a share of the longer
+/// side of the picture: nobody looks so closely at what is thin, an eighth of the widest.
+constexpr double kCoarseShare = kWidestShare / 8;
 
 using Mask = cv::Mat_<std::uint8_t>;
 
@@ -137,8 +137,9 @@ ThinSurfaces thin_surfaces(const LumigraphView& view, double disparity_px) {
     if (view.depth.inverse_depth.empty()) return {};
     const ThinVertices thin(view, disparity_px);
     if (thin.are_none()) return {};
-    DepthMesh part =
-        decimated(part_with(thin, *depth_mesh_of(view, disparity_px)), disparity_px, kCoarse);
+    const double coarse_px = kCoarseShare * std::max(view.camera.width_px, view.camera.height_px);
+    DepthMesh part = decimated(part_with(thin, *depth_mesh_of(view, disparity_px)), disparity_px,
+                               {.max_error_px = coarse_px, .max_tear_px = coarse_px});
     return {std::move(part.vertices), std::move(part.indices)};
 }
 

@@ -57,6 +57,12 @@ double area_px2(const std::vector<FacePolygon>& polygons) {
     return 0.5 * doubled;
 }
 
+/// Of a number of triangles that may be drawn, where 0 stands for any number.
+std::size_t half_of(std::size_t most) { return (most + 1) / 2; }
+std::size_t rest_of(std::size_t most, std::size_t drawn) {
+    return most == 0 ? 0 : std::max<std::size_t>(1, most - std::min(most, drawn));
+}
+
 /// How many of all triangles that may be drawn each layer may have: as its share of what all of
 /// them cover. 0: any number.
 std::vector<std::size_t> most_of_layers(const std::vector<std::vector<FacePolygon>>& layers,
@@ -87,7 +93,11 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const Searc
         return subdivider.subdivide(polygons, search, plane, sampling, subdivision).triangles;
     };
     const std::vector<std::vector<FacePolygon>> polygons = polygons_of_layers(layout.mesh, eye);
-    std::vector<std::size_t> most = most_of_layers(polygons, options.max_triangles);
+    BlendTriangles thin;
+    if (layout.draws_thin && !options.fade_beyond_capture)
+        thin = thin_triangles(layout, views, eye, search, half_of(options.max_triangles));
+    std::vector<std::size_t> most =
+        most_of_layers(polygons, rest_of(options.max_triangles, thin.count()));
     std::vector<BlendTriangles> layers(polygons.size());
     PatchSampler::Options sampling = sampling_options(options);
     if (layers.size() > 1) sampling.before_shell = three_depth_views(layout, eye);
@@ -100,8 +110,7 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const Searc
     layers[0] = subdivided(polygons[0], sampling, most[0]);
     draw_unseen(layout, eye, search, plane, sampling, layers[0]);
     keep_own_surfaces(search, layers[0]);
-    if (layout.draws_thin)
-        layers.insert(layers.begin() + 1, thin_triangles(layout, views, eye, search));
+    if (thin.count() > 0) layers.insert(layers.begin() + 1, std::move(thin));
     return layers;
 }
 

@@ -3,11 +3,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "calib/work/parallel_for.h"
+#include "render/subdivision/coarse_triangles.h"
 #include "render/transfer/pixel_transfer.h"
 #include "render/view_choice/depth_view_choice.h"
 
@@ -112,63 +115,76 @@ bool is_hidden(const Middle& middle, const std::array<int, 3>& asked, const Dept
            search.is_before(*hit, {.inverse_depth = middle.inverse_depth});
 }
 
-/// The triangles that are drawn, the farthest first.
-BlendTriangles gathered(const std::vector<ThinPicture>& pictures,
-                        const std::vector<std::vector<char>>& is_drawn) {
-    BlendTriangles drawn;
-    struct Placed {
-        double inverse_depth;
-        std::array<std::uint32_t, 3> corners;
-    };
-    std::vector<Placed> placed;
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        for (std::size_t t = 0; t < pictures[i].count(); ++t) {
-            if (is_drawn[i][t] == 0) continue;
-            Placed triangle{pictures[i].middle_of(t).inverse_depth, {}};
-            for (std::size_t k = 0; k < 3; ++k) {
-                triangle.corners[k] = static_cast<std::uint32_t>(drawn.vertices.size());
-                drawn.vertices.push_back(pictures[i].corner(t, k));
-            }
-            placed.push_back(triangle);
-        }
-    }
-    std::stable_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+/// One that is drawn, by its place among those of the picture that it is part of.
+struct Drawn {
+    std::size_t picture;
+    std::size_t triangle;
+    double inverse_depth;
+    double doubled_area_px2;
+};
+
+double doubled_area_of(const ThinPicture& picture, std::size_t triangle) {
+    const Eigen::Vector2d a = vector_of(picture.corner(triangle, 0).pixel);
+    return std::abs(doubled_area_px2(vector_of(picture.corner(triangle, 1).pixel) - a,
+                                     vector_of(picture.corner(triangle, 2).pixel) - a));
+}
+
+void keep_largest(std::size_t most, std::vector<Drawn>& drawn) {
+    if (most == 0 || drawn.size() <= most) return;
+    std::stable_sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) {
+        return a.doubled_area_px2 > b.doubled_area_px2;
+    });
+    drawn.resize(most);
+}
+
+/// The farthest first.
+BlendTriangles sorted(const std::vector<ThinPicture>& pictures, std::vector<Drawn> drawn) {
+    std::stable_sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) {
         return a.inverse_depth < b.inverse_depth;
     });
-    drawn.indices.reserve(3 * placed.size());
-    for (const Placed& triangle : placed)
-        drawn.indices.insert(drawn.indices.end(), triangle.corners.begin(), triangle.corners.end());
-    return drawn;
+    BlendTriangles triangles;
+    for (const Drawn& one : drawn) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            triangles.indices.push_back(static_cast<std::uint32_t>(triangles.vertices.size()));
+            triangles.vertices.push_back(pictures[one.picture].corner(one.triangle, k));
+        }
+    }
+    return triangles;
 }
 
 }  // namespace
 
 BlendTriangles thin_triangles(const Lumigraph& lumigraph, const SearchedViews& views,
-                              const Eye& eye, const DepthSearch& search) {
+                              const Eye& eye, const DepthSearch& search, std::size_t most) {
     const std::vector<int> chosen = choose_depth_views(lumigraph, eye, kMostViews);
     const std::array<int, 3> asked{chosen[0], chosen[std::min<std::size_t>(1, chosen.size() - 1)],
                                    chosen.back()};
     std::vector<ThinPicture> pictures;
-    std::vector<std::vector<char>> is_drawn;
+    std::vector<Drawn> drawn;
     for (const int view : chosen) {
         pictures.emplace_back(lumigraph, view, views.thin[static_cast<std::size_t>(view)], eye);
         const ThinPicture& picture = pictures.back();
-        std::vector<char>& drawn = is_drawn.emplace_back(picture.count(), 0);
         const auto are_others = [&](const Middle& middle) {
             return std::any_of(pictures.begin(), pictures.end() - 1, [&](const ThinPicture& other) {
                 return is_for_view(other.view_index(), middle, search);
             });
         };
+        std::vector<char> is_drawn(picture.count(), 0);
         parallel_for_runs(
             picture.count(), kThinAtATime, 0, [&](std::size_t first, std::size_t end) {
                 for (std::size_t t = first; t < end; ++t) {
                     if (!picture.is_in_picture(t)) continue;
                     const Middle middle = picture.middle_of(t);
-                    drawn[t] = !are_others(middle) && !is_hidden(middle, asked, search) ? 1 : 0;
+                    is_drawn[t] = !are_others(middle) && !is_hidden(middle, asked, search) ? 1 : 0;
                 }
             });
+        for (std::size_t t = 0; t < picture.count(); ++t)
+            if (is_drawn[t] != 0)
+                drawn.push_back({pictures.size() - 1, t, picture.middle_of(t).inverse_depth,
+                                 doubled_area_of(picture, t)});
     }
-    return gathered(pictures, is_drawn);
+    keep_largest(most, drawn);
+    return sorted(pictures, std::move(drawn));
 }
 
 }  // namespace lumi

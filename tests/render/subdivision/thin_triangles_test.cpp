@@ -29,8 +29,8 @@ class ThinTriangles : public testing::Test {
         return lumigraph;
     }
 
-    [[nodiscard]] BlendTriangles drawn_from(const Eye& eye) const {
-        return thin_triangles(scene_, views_, eye, DepthSearch(scene_, views_, eye, 1.0));
+    [[nodiscard]] BlendTriangles drawn_from(const Eye& eye, std::size_t most = 0) const {
+        return thin_triangles(scene_, views_, eye, DepthSearch(scene_, views_, eye, 1.0), most);
     }
 
     Lumigraph scene_ = lumigraph_of(AnalyticScene::kBarBeforeWall);
@@ -93,7 +93,7 @@ TEST_F(ThinTriangles, AreNoneBehindTheEyeNorBehindAnything) {
     }
     const Eye eye = before_bar(0, 0);
     const BlendTriangles triangles =
-        thin_triangles(hidden, views, eye, DepthSearch(hidden, views, eye, 1.0));
+        thin_triangles(hidden, views, eye, DepthSearch(hidden, views, eye, 1.0), 0);
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
         Eigen::Vector2d middle(0, 0);
         for (std::size_t k = 0; k < 3; ++k)
@@ -112,6 +112,26 @@ TEST_F(ThinTriangles, AreDrawnWhereALumigraphSaysSoAlone) {
         adaptive_layers(scene_, searched_views(scene_), eye, {});
     ASSERT_EQ(without.size(), 1U);
     EXPECT_EQ(without[0].indices, with[0].indices);
+}
+
+TEST_F(ThinTriangles, AreTheLargestWhereThereMayBeFew) {
+    const Eye eye = before_bar(0.1, 0);
+    const BlendTriangles all = drawn_from(eye);
+    ASSERT_GT(all.count(), 4U);
+    const BlendTriangles few = drawn_from(eye, 4);
+    EXPECT_EQ(few.count(), 4U);
+    EXPECT_GT(area_px2(few) / 4, area_px2(all) / static_cast<double>(all.count()));
+    EXPECT_EQ(drawn_from(eye, all.count()).count(), all.count());
+}
+
+TEST_F(ThinTriangles, CountForWhatAFrameMayHave) {
+    RenderOptions options;
+    options.max_triangles = 60;
+    const std::vector<BlendTriangles> layers =
+        adaptive_layers(scene_, views_, before_bar(0.1, 0), options);
+    ASSERT_EQ(layers.size(), 2U);
+    EXPECT_GT(layers[1].count(), 0U);
+    EXPECT_LE(layers[0].count() + layers[1].count(), 60U);
 }
 
 TEST_F(ThinTriangles, AreSortedFromFarToNear) {
