@@ -73,6 +73,7 @@ DepthSearch::DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views,
         target.width_px = view.camera.width_px;
         target.height_px = view.camera.height_px;
         target.depth = &depth;
+        target.sees_thin = !views.thin[i].indices.empty();
         has_depth_ = has_depth_ || !depth.empty();
         targets_.push_back(target);
     }
@@ -275,6 +276,15 @@ double DepthSearch::hidden_by_px(const Eigen::Vector2d& pixel, double inverse_de
     const Surface surface = surface_at(target, at);
     if (surface.kind != DepthKind::kSeen) return 0;
     return std::max(0.0, surface.inverse_depth - inverse_depth / at.z()) * target.disparity_px;
+}
+
+bool DepthSearch::is_part_hidden(const Footprint& corners, double least_px, int view_index) const {
+    const Target& target = targets_[static_cast<std::size_t>(view_index)];
+    if (!target.sees_thin) return false;
+    Footprint in_depth = corners;
+    for (Eigen::Vector2d& corner : in_depth.corners)
+        corner = corner.cwiseProduct(target.samples_per_pixel);
+    return is_anything_before(in_depth, least_px / target.disparity_px, *target.depth);
 }
 
 double DepthSearch::visibility(const Eigen::Vector2d& pixel, double inverse_depth,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/depth_search/epipolar_walk.h"
+#include "render/depth_search/footprint.h"
 #include "render/depth_search/searched_views.h"
 #include "render/lumigraph/depth_mesh.h"
 #include "render/lumigraph/lumigraph.h"
@@ -60,6 +61,13 @@ class DepthSearch {
     [[nodiscard]] double hidden_by_px(const Eigen::Vector2d& pixel, double inverse_depth,
                                       int view_index) const;
 
+    /// Whether a view that sees thin things (SearchedViews::thin) has seen something within a flat
+    /// triangle of the scene and before it, by more than so many pixels of disparity. Wider things
+    /// are found by the triangle's corners. `corners` as the view sees them: in its pixels, with
+    /// their inverse depths in the view.
+    [[nodiscard]] bool is_part_hidden(const Footprint& corners, double least_px,
+                                      int view_index) const;
+
     /// How much a view counts at a pixel near the border of its photograph; 0 outside.
     [[nodiscard]] double inside(int view_index, const Eigen::Vector2d& view_pixel) const;
 
@@ -89,6 +97,7 @@ class DepthSearch {
         int width_px = 0;
         int height_px = 0;
         const TiledDepth* depth = nullptr;
+        bool sees_thin = false;
     };
     /// What a view sees at a place in its depth map.
     struct Surface {

@@ -37,11 +37,18 @@ std::size_t counting_corners(std::size_t k, const std::array<const BlendVertex*,
         [&](const BlendVertex* corner) { return weight_of_photograph(k, *corner) > 0; }));
 }
 
-/// Most triangles are of this kind.
-bool count_all_everywhere(const std::array<const BlendVertex*, 3>& corners) {
-    return std::all_of(corners.begin(), corners.end(), [](const BlendVertex* corner) {
-        return corner->weights[0] > 0 && corner->weights[1] > 0 && corner->weights[2] > 0;
-    });
+/// Whether it shows something else within the triangle.
+bool is_hidden_between(std::size_t k, const std::array<const BlendVertex*, 3>& corners,
+                       const PatchSampler& sampler) {
+    Footprint footprint;
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        if (corners[c]->depth_ratios[k] <= 0) return false;
+        footprint.corners[c] = vector_of(corners[c]->view_pixels[k]);
+        footprint.inverse_depths[static_cast<Eigen::Index>(c)] =
+            static_cast<double>(corners[c]->inverse_depth / corners[c]->depth_ratios[k]);
+    }
+    return sampler.search().is_part_hidden(footprint, kLeastBefore_px,
+                                           sampler.polygon().view_indices[k]);
 }
 
 }  // namespace
@@ -49,16 +56,19 @@ bool count_all_everywhere(const std::array<const BlendVertex*, 3>& corners) {
 std::array<bool, 3> hidden_photographs(const PatchSampler& sampler,
                                        const std::array<const BlendVertex*, 3>& corners) {
     std::array<bool, kViews> is_hidden{};
-    if (count_all_everywhere(corners)) return is_hidden;
-    std::array<std::size_t, kViews> counting{};
-    for (std::size_t k = 0; k < kViews; ++k) counting[k] = counting_corners(k, corners);
-    if (std::count(counting.begin(), counting.end(), corners.size()) == 0) return is_hidden;
-    for (std::size_t k = 0; k < kViews; ++k)
-        is_hidden[k] = counting[k] > 0 && counting[k] < corners.size() &&
-                       std::any_of(corners.begin(), corners.end(), [&](const auto* corner) {
-                           return is_hidden_from(k, *corner, sampler);
-                       });
-    return is_hidden;
+    bool does_one_see_all = false;
+    for (std::size_t k = 0; k < kViews; ++k) {
+        const std::size_t counting = counting_corners(k, corners);
+        if (counting == 0) continue;
+        const bool is_corner_hidden =
+            counting < corners.size() &&
+            std::any_of(corners.begin(), corners.end(), [&](const BlendVertex* corner) {
+                return is_hidden_from(k, *corner, sampler);
+            });
+        is_hidden[k] = is_corner_hidden || is_hidden_between(k, corners, sampler);
+        does_one_see_all = does_one_see_all || (counting == corners.size() && !is_hidden[k]);
+    }
+    return does_one_see_all ? is_hidden : std::array<bool, kViews>{};
 }
 
 BlendVertex without(const std::array<bool, 3>& photographs, BlendVertex corner) {

@@ -194,5 +194,53 @@ TEST_F(HiddenPhotographs, LieBehindWhatIsAsManyPixelsBeforeThemAsItsDepthSays) {
     EXPECT_GT(seen, 100);
 }
 
+/// A triangle of the wall, all of whose corners each photograph sees, and in one of them a bar
+/// stands between: of photographs that see thin things that one is left out.
+TEST_F(HiddenPhotographs, ShowNothingThinBetweenCorners) {
+    int left_out = 0;
+    for (const bool draws_thin : {true, false}) {
+        Lumigraph bar = photographed(AnalyticScene::kBarBeforeWall, cameras_);
+        bar.draws_thin = draws_thin;
+        const SearchedViews views = searched_views(bar);
+        const DepthSearch search(bar, views, eye_, 1.0);
+        const Eigen::Vector3d plane = scene_plane_inverse_depth(bar, eye_);
+        for (const FacePolygon& polygon : face_polygons(bar.mesh, eye_)) {
+            const PatchSampler sampler(polygon, search, plane, {});
+            for (double x = 16; x < 236; x += 4) {
+                const LookedUp triangle(sampler, {{x, 60}, {x + 18, 60}, {x + 9, 90}});
+                const bool is_free =
+                    std::all_of(triangle.vertices.begin(), triangle.vertices.end(),
+                                [&](const BlendVertex& corner) {
+                                    return is_wall(corner) && corner.occluded < 0.001F;
+                                });
+                if (!is_free) continue;
+                const std::array<bool, 3> hidden = hidden_photographs(sampler, triangle.corners());
+                for (std::size_t k = 0; k < 3; ++k) {
+                    if (!hidden[k]) continue;
+                    ++left_out;
+                    EXPECT_TRUE(draws_thin);
+                    // Where the bar is in that photograph, at x = 128 less what its camera stands
+                    // to the right.
+                    const double bar_x =
+                        128 - kHiddenFocal_px / kCardDepth *
+                                  centre_in_world(
+                                      bar.views[static_cast<std::size_t>(polygon.view_indices[k])]
+                                          .cam_from_world)
+                                      .x();
+                    double least = 1e9;
+                    double most = -1e9;
+                    for (const BlendVertex& corner : triangle.vertices) {
+                        least = std::min(least, static_cast<double>(corner.view_pixels[k][0]));
+                        most = std::max(most, static_cast<double>(corner.view_pixels[k][0]));
+                    }
+                    EXPECT_LT(least, bar_x + 3);
+                    EXPECT_GT(most, bar_x - 3);
+                }
+            }
+        }
+    }
+    EXPECT_GT(left_out, 2);
+}
+
 }  // namespace
 }  // namespace lumi
