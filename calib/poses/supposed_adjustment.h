@@ -28,11 +28,11 @@ struct SupposedAdjustment {
 };
 
 /// Adjusts poses, points, lenses (focal length and radial distortion besides that of the lens,
-/// unless `lenses_are_held`) and three parameters of each view's own by robust least squares, over a few hundred points a
-/// photograph, those with the longest tracks: a turning rate (Hedborg et al., Rolling shutter
-/// bundle adjustment, CVPR 2012, for rotation alone, which moves pictures most), or a principal
-/// point and a scale. A weak prior holds those that nothing determines. Adjustments from one start
-/// look at the same observations, so that their costs can be compared.
+/// unless `lenses_are_held`) and three parameters of each view's own by robust least squares, over
+/// a few hundred points a photograph, those with the longest tracks: a turning rate (Hedborg et
+/// al., Rolling shutter bundle adjustment, CVPR 2012, for rotation alone, which moves pictures
+/// most), or a principal point and a scale. A weak prior holds those that nothing determines.
+/// Adjustments from one start look at the same observations, so that their costs can be compared.
 [[nodiscard]] SupposedAdjustment adjust_supposing(Supposition supposition, const Capture& capture,
                                                   bool lenses_are_held, double limit_px,
                                                   Progress& progress);

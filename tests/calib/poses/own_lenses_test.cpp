@@ -74,7 +74,8 @@ TEST_F(OwnLenses, AreNotTakenForAFisheyeThatAllShare) {
     const Camera fisheye{
         1100, 1100, LensModel::kOpenCvFisheye, {480, 480, 550, 550, 0.02, 0, 0, 0}};
     const Capture truth = synthetic_capture(
-        fisheye, {.views = 12, .points = 2000, .noise_px = 0.07, .depth_of_cloud = 0.5, .arc_radius = 1.2});
+        fisheye,
+        {.views = 12, .points = 2000, .noise_px = 0.07, .depth_of_cloud = 0.5, .arc_radius = 1.2});
     photograph(truth);
     EXPECT_FALSE(asked(truth).has_value());
 }
