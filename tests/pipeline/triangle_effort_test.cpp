@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
+#include <string>
 
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/synth/hand_held_path.h"
@@ -33,10 +35,35 @@ TEST(TriangleEffort, IsTheLeastWherePicturesShowTheSameEverywhere) {
     EXPECT_FALSE(effort.draws_thin);
 }
 
+/// A lattice of bars, two pixels wide, far before a board.
+std::string bars_before_a_board() {
+    std::string scene = kFlatBoard;
+    scene += R"(
+[[material]]
+name = "paint"
+pattern = "stone"
+colors = ["#103018", "#204828", "#081008"]
+feature_size = 0.1
+[[body]]
+name = "bars"
+material = "paint"
+solids = [
+)";
+    for (int i = -6; i <= 6; ++i)
+        scene += "{ shape = \"box\", at = [" + std::to_string(0.22 * i) +
+                 ", 0, 1.7], size = [0.02, 3, 0.02] },\n";
+    return scene + "]\n";
+}
+
 TEST(TriangleEffort, DrawsWhatIsThinWhereThatStandsApart) {
-    Studio studio(kThinThings);
-    for (const Eigen::Vector3d& direction : spiral(40, 0.0))
-        studio.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
+    const std::string scene = bars_before_a_board();
+    Studio studio(scene.c_str());
+    constexpr int kCount = 24;
+    for (int i = 0; i < kCount; ++i) {
+        const double radius = 0.8 * std::sqrt((i + 0.5) / kCount);
+        const Eigen::Vector3d place(radius * std::cos(2.4 * i), radius * std::sin(2.4 * i), 2.6);
+        studio.photograph_from(looking_at(place, place - Eigen::Vector3d(0, 1e-3, 1)));
+    }
     studio.find_points();
     const TriangleEffort effort = effort_of(studio);
     EXPECT_GT(effort.thin_gains_db, 0.1);
