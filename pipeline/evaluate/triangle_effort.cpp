@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "meshing/selection/one_standard_error.h"
 #include "pipeline/evaluate/kept_back_rounds.h"
@@ -16,7 +17,7 @@ constexpr std::array<double, 8> kErrors_px{0.35, 0.5, kTriangleError_px, 1.0, 1.
 /// `perpixel` may (depth_effort.cpp).
 constexpr double kMostLoss_db = 0.2;
 
-/// A fifth of it, as for holes (depth_effort.cpp): it costs up to a fifth of a frame.
+/// A fifth of it, as for holes (depth_effort.cpp): it costs up to a tenth of a frame.
 constexpr double kLeastThinGain_db = 0.1;
 
 /// Of one error, over all pictures.
@@ -27,33 +28,25 @@ struct Outcome {
 
 using LossesDb = std::vector<double>;
 
-/// With what is thin drawn over triangles of the usual error, and without.
-class ThinTrial {
- public:
-    void draw(Lumigraph& others, const std::vector<PicturedEye>& pictures) {
-        for (const bool draws_thin : {false, true}) {
-            others.draws_thin = draws_thin;
-            OffscreenRenderer renderer(others);
-            const LossesDb more =
-                draw_pictures(renderer, pictures, {.mode = RenderMode::kAdaptive}).losses_db;
-            LossesDb& losses_db = draws_thin ? with_ : without_;
-            losses_db.insert(losses_db.end(), more.begin(), more.end());
-        }
-        others.draws_thin = false;
-    }
+RenderOptions with_error(double error_px, const Lumigraph& others) {
+    return {.mode = RenderMode::kAdaptive,
+            .triangle_error_ratio = error_px / others.triangle_error_px};
+}
 
-    void conclude(TriangleEffort& effort) const {
-        const Excess gain = excess_over(without_, with_);
-        effort.thin_gains_db = gain.mean;
-        effort.thin_standard_error_db = gain.standard_error;
-        effort.draws_thin =
-            gain.mean > kLeastThinGain_db && simplest_as_good({with_, without_}) == 0;
-    }
+/// Of triangles of the usual error, with what is thin drawn over them.
+LossesDb losses_with_thin(Lumigraph& others, const std::vector<PicturedEye>& pictures) {
+    others.draws_thin = true;
+    OffscreenRenderer renderer(others);
+    others.draws_thin = false;
+    return draw_pictures(renderer, pictures, with_error(kTriangleError_px, others)).losses_db;
+}
 
- private:
-    LossesDb with_;
-    LossesDb without_;
-};
+void conclude_of_thin(const LossesDb& with, const LossesDb& without, TriangleEffort& effort) {
+    const Excess gain = excess_over(without, with);
+    effort.thin_gains_db = gain.mean;
+    effort.thin_standard_error_db = gain.standard_error;
+    effort.draws_thin = gain.mean > kLeastThinGain_db && simplest_as_good({with, without}) == 0;
+}
 
 }  // namespace
 
@@ -61,19 +54,22 @@ TriangleEffort sufficient_triangle_effort(const Lumigraph& lumigraph, const Capt
                                           const CameraMeshOptions& mesh_options,
                                           Progress& progress) {
     std::array<Outcome, kErrors_px.size()> sums;
-    ThinTrial thin;
+    LossesDb with_thin;
+    LossesDb without_thin;
     const std::size_t asked = visit_kept_back(
         lumigraph, capture, mesh_options, "asking photographs how fine triangles must be", progress,
         [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
-            thin.draw(others, pictures);
+            const LossesDb more = losses_with_thin(others, pictures);
+            with_thin.insert(with_thin.end(), more.begin(), more.end());
             OffscreenRenderer renderer(others);
             for (std::size_t i = 0; i < kErrors_px.size(); ++i) {
                 progress.throw_if_interrupted();
-                const DrawnPictures drawn = draw_pictures(
-                    renderer, pictures,
-                    {.mode = RenderMode::kAdaptive,
-                     .triangle_error_ratio = kErrors_px[i] / others.triangle_error_px});
-                for (const double loss_db : drawn.losses_db) sums[i].loss_db += loss_db;
+                const DrawnPictures drawn =
+                    draw_pictures(renderer, pictures, with_error(kErrors_px[i], others));
+                for (const double loss_db : drawn.losses_db) {
+                    sums[i].loss_db += loss_db;
+                    if (kErrors_px[i] == kTriangleError_px) without_thin.push_back(loss_db);
+                }
                 sums[i].triangles += drawn.mean_triangles * static_cast<double>(pictures.size());
             }
         });
@@ -90,7 +86,7 @@ TriangleEffort sufficient_triangle_effort(const Lumigraph& lumigraph, const Capt
                           .pictures = static_cast<int>(asked),
                           .loses_db = sums[chosen].loss_db / count - least_db,
                           .triangles = sums[chosen].triangles / count};
-    thin.conclude(effort);
+    conclude_of_thin(with_thin, without_thin, effort);
     return effort;
 }
 

@@ -30,12 +30,16 @@ std::string text_of(const DepthEffort& effort) {
 
 std::string text_of(const TriangleEffort& effort) {
     if (effort.pictures == 0) return "";
+    const std::string of_error = effort.triangles > 0
+                                     ? "with " + std::to_string(std::lround(effort.triangles)) +
+                                           " of them, and at best " +
+                                           number_text(effort.loses_db, 2) + " dB better, and "
+                                     : "";
     return "triangles may err by " + number_text(effort.error_px, 2) +
-           " px: " + std::to_string(effort.pictures) + " photographs are drawn with " +
-           std::to_string(std::lround(effort.triangles)) + " of them, and at best " +
-           number_text(effort.loses_db, 2) + " dB better; with what is thinner drawn over them " +
+           " px: " + std::to_string(effort.pictures) + " photographs are drawn " + of_error +
            number_text(effort.thin_gains_db, 2) + " +- " +
-           number_text(effort.thin_standard_error_db, 2) + " dB, " +
+           number_text(effort.thin_standard_error_db, 2) +
+           " dB better with what is thinner drawn over them, " +
            (effort.draws_thin ? "which is done" : "which is not done");
 }
 

@@ -28,7 +28,7 @@ struct TriangleEffort {
     double error_px = kTriangleError_px;
     int pictures = 0;        ///< That were asked; 0: nobody was.
     double loses_db = 0.0;   ///< At them, in the mean, beside the best of the errors asked.
-    double triangles = 0.0;  ///< Drawn, in the mean.
+    double triangles = 0.0;  ///< Drawn, in the mean; 0 where the error was given.
     bool draws_thin = false;
     double thin_gains_db = 0.0;           ///< At them, in the mean; 0 where nothing is thin.
     double thin_standard_error_db = 0.0;  ///< Of that.

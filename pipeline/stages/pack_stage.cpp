@@ -143,7 +143,10 @@ TriangleEffort triangle_effort(const PackSources& sources, const Lumigraph& lumi
     TriangleEffort effort;
     if (wanted.triangle_error_px == 0 || !wanted.draw_thin)
         effort = asked(sources.sufficient_triangle_effort, sources, lumigraph, progress);
-    if (wanted.triangle_error_px != 0) effort.error_px = wanted.triangle_error_px;
+    if (wanted.triangle_error_px != 0) {
+        effort.error_px = wanted.triangle_error_px;
+        effort.loses_db = effort.triangles = 0;  // Were those of another.
+    }
     effort.draws_thin = wanted.draw_thin.value_or(effort.draws_thin);
     note(effort, progress);
     return effort;

@@ -75,6 +75,7 @@ DepthSearch::DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views,
         target.depth = &depth;
         target.sees_thin = !views.thin[i].indices.empty();
         has_depth_ = has_depth_ || !depth.empty();
+        has_thin_ = has_thin_ || target.sees_thin;
         targets_.push_back(target);
     }
 }

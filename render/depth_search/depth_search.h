@@ -81,6 +81,8 @@ class DepthSearch {
 
     /// Whether any view has a depth map.
     [[nodiscard]] bool has_depth() const { return has_depth_; }
+    /// Whether any view sees thin things (SearchedViews::thin).
+    [[nodiscard]] bool has_thin() const { return has_thin_; }
 
     /// What is farther is as good as infinitely far.
     [[nodiscard]] double least_inverse_depth() const { return least_inverse_depth_; }
@@ -147,6 +149,7 @@ class DepthSearch {
     double max_inverse_depth_;  ///< Of the eye: nothing nearer is looked for.
     double least_inverse_depth_;
     bool has_depth_ = false;
+    bool has_thin_ = false;
     std::vector<Target> targets_;
 };
 

@@ -30,6 +30,13 @@ bool is_hidden_from(std::size_t k, const BlendVertex& corner, const PatchSampler
                                          sampler.polygon().view_indices[k]) >= kLeastBefore_px;
 }
 
+/// Most triangles are of this kind.
+bool count_all_everywhere(const std::array<const BlendVertex*, 3>& corners) {
+    return std::all_of(corners.begin(), corners.end(), [](const BlendVertex* corner) {
+        return corner->weights[0] > 0 && corner->weights[1] > 0 && corner->weights[2] > 0;
+    });
+}
+
 /// At how many corners it counts.
 std::size_t counting_corners(std::size_t k, const std::array<const BlendVertex*, 3>& corners) {
     return static_cast<std::size_t>(std::count_if(
@@ -56,6 +63,8 @@ bool is_hidden_between(std::size_t k, const std::array<const BlendVertex*, 3>& c
 std::array<bool, 3> hidden_photographs(const PatchSampler& sampler,
                                        const std::array<const BlendVertex*, 3>& corners) {
     std::array<bool, kViews> is_hidden{};
+    const bool may_show_thin = sampler.search().has_thin();
+    if (!may_show_thin && count_all_everywhere(corners)) return is_hidden;
     bool does_one_see_all = false;
     for (std::size_t k = 0; k < kViews; ++k) {
         const std::size_t counting = counting_corners(k, corners);
@@ -65,7 +74,8 @@ std::array<bool, 3> hidden_photographs(const PatchSampler& sampler,
             std::any_of(corners.begin(), corners.end(), [&](const BlendVertex* corner) {
                 return is_hidden_from(k, *corner, sampler);
             });
-        is_hidden[k] = is_corner_hidden || is_hidden_between(k, corners, sampler);
+        is_hidden[k] =
+            is_corner_hidden || (may_show_thin && is_hidden_between(k, corners, sampler));
         does_one_see_all = does_one_see_all || (counting == corners.size() && !is_hidden[k]);
     }
     return does_one_see_all ? is_hidden : std::array<bool, kViews>{};

@@ -94,6 +94,7 @@ TEST_F(ThinTriangles, AreNoneBehindTheEyeNorBehindAnything) {
     const Eye eye = before_bar(0, 0);
     const BlendTriangles triangles =
         thin_triangles(hidden, views, eye, DepthSearch(hidden, views, eye, 1.0), 0);
+    EXPECT_GT(triangles.count(), 0U) << "it reaches beyond the card";
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
         Eigen::Vector2d middle(0, 0);
         for (std::size_t k = 0; k < 3; ++k)
