@@ -1,9 +1,12 @@
 #include "meshing/depth/finished_depth.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 #include "calib/work/parallel_for.h"
 #include "meshing/depth/cross_view_check.h"
+#include "meshing/depth/depth_of_others.h"
 #include "meshing/depth/edge_aware_fill.h"
 #include "meshing/depth/edge_snapping.h"
 #include "meshing/depth/receding_fill.h"
@@ -18,12 +21,26 @@ double one_pixel_of(const DepthView& view) {
                                                    : 0.0;
 }
 
-/// Continues what is known over the whole map, and tells how far.
-FloatImage continued(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
-                     int view_index, DepthMap& map) {
+/// Continues what is known over the whole map.
+Continuation continued(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
+                       int view_index, DepthMap& map) {
     const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
-    return continue_known_depth(map, sparse_depth(view).inverse_depth, one_pixel_of(view),
-                                surrounding_depth(scene, confirmed_maps, view_index));
+    DepthOfOthers others = depth_of_others(scene, confirmed_maps, view_index);
+    FloatImage distance_px =
+        continue_known_depth(map, sparse_depth(view).inverse_depth, one_pixel_of(view),
+                             surrounding_depth(scene, confirmed_maps, view_index, others.agreed));
+    take_claims_against(scene, confirmed_maps, view_index, std::move(others.doubtful), map,
+                        distance_px);
+    return {std::move(distance_px), std::move(others.agreed.confidence)};
+}
+
+/// What others agree upon is as good as what one of them has confirmed.
+void trust_agreed(const GrayImage& agreed, DepthMap& map) {
+    constexpr std::uint8_t kConfirmedByOne = 128;
+    for (std::size_t i = 0; i < agreed.pixels().size(); ++i) {
+        std::uint8_t& confidence = map.confidence.pixels()[i];
+        if (agreed.pixels()[i] != 0 && confidence == 0) confidence = kConfirmedByOne;
+    }
 }
 
 /// Evenly over those whose depth is continued.
@@ -63,7 +80,7 @@ Recession fill_recession(const DepthScene& scene, const std::vector<GrayImage>& 
                          const std::vector<DepthEstimate>& estimates, int threads,
                          std::vector<DepthMap>& confirmed_maps) {
     const std::vector<int> asked = views_to_ask(estimates);
-    Recession recession{std::nullopt, std::vector<FloatImage>(estimates.size())};
+    Recession recession{std::nullopt, std::vector<Continuation>(estimates.size())};
     std::vector<std::vector<double>> differences(asked.size());
     const auto at_one_time = static_cast<std::size_t>(std::max(1, threads));
     for (std::size_t begin = 0; begin < asked.size(); begin += at_one_time) {
@@ -73,11 +90,11 @@ Recession fill_recession(const DepthScene& scene, const std::vector<GrayImage>& 
             const auto index = static_cast<std::size_t>(i);
             const auto view = static_cast<std::size_t>(asked[begin + index]);
             DepthMap map = confirmed_maps[view];
-            recession.distance_px[view] =
-                continued(scene, confirmed_maps, asked[begin + index], map);
+            Continuation& continuation = recession.continuations[view];
+            continuation = continued(scene, confirmed_maps, asked[begin + index], map);
             differences[begin + index] =
                 recession_differences(scene, confirmed_maps, asked[begin + index], map,
-                                      within(masks[view], recession.distance_px[view]));
+                                      within(masks[view], continuation.distance_px));
             inverse_depths[index] = std::move(map.inverse_depth);
         });
         // Not before: the views beside it read the maps, if not what is unknown in them.
@@ -92,15 +109,16 @@ Recession fill_recession(const DepthScene& scene, const std::vector<GrayImage>& 
 
 void fill_unknown_depth(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
                         int view_index, double recession_px, DepthMap& map) {
-    const FloatImage distance_px = continued(scene, confirmed_maps, view_index, map);
-    finish_continued_depth(scene.views[static_cast<std::size_t>(view_index)], distance_px,
+    const Continuation continuation = continued(scene, confirmed_maps, view_index, map);
+    finish_continued_depth(scene.views[static_cast<std::size_t>(view_index)], continuation,
                            recession_px, map);
 }
 
-void finish_continued_depth(const DepthView& view, const FloatImage& distance_px,
+void finish_continued_depth(const DepthView& view, const Continuation& continuation,
                             double recession_px, DepthMap& map) {
     const double one_pixel = one_pixel_of(view);
-    recede(recession_px, one_pixel, distance_px, map);
+    trust_agreed(continuation.agreed, map);
+    recede(recession_px, one_pixel, continuation.distance_px, map);
     smooth_filled_depth(map, view.photograph, one_pixel);
     snap_edges(map, view.photograph, one_pixel);
 }

@@ -16,14 +16,22 @@ namespace lumi {
 [[nodiscard]] DepthMap confirmed_depth(const DepthScene& scene,
                                        const std::vector<DepthEstimate>& estimates, int view_index);
 
+/// How the unknown depth of a view was continued.
+struct Continuation {
+    /// How far from what is known each pixel lies (edge_aware_fill.h).
+    FloatImage distance_px;
+    /// 255 where other views agree upon a pixel that the view itself did not know
+    /// (depth_of_others.h), else 0.
+    GrayImage agreed;
+};
+
 /// What the photographs say of depth beyond what is confirmed, and what was found on the way.
 struct Recession {
     /// By how many pixels of disparity what is continued beyond all that is known should recede,
     /// for each pixel of its distance (receding_fill.h). 0: not at all; empty: too few can tell.
     std::optional<double> slope_px;
-    /// How far from what is known each pixel of a view was continued; empty for views that were not
-    /// asked.
-    std::vector<FloatImage> distance_px;
+    /// Of each view; its pictures are empty where the view was not asked.
+    std::vector<Continuation> continuations;
 };
 
 /// Asks up to 32 views, evenly over the capture, of what `masks` (view_mask.h) leave in the scene.
@@ -34,14 +42,15 @@ struct Recession {
                                        std::vector<DepthMap>& confirmed_maps);
 
 /// Gives every pixel of `map`, view `view_index` among the confirmed maps, an inverse depth: what
-/// is unknown is filled along the photograph's edges from what is known around it, or recedes from
-/// it by `recession_px`, and what is known ends where the photograph does (edge_aware_fill.h,
-/// edge_snapping.h).
+/// is unknown is what other views agree upon, with confidence 128 as if one neighbour had confirmed
+/// it; or it is filled along the photograph's edges from what is known around it, or recedes from
+/// it by `recession_px`. What is known ends where the photograph does (depth_of_others.h,
+/// edge_aware_fill.h, edge_snapping.h).
 void fill_unknown_depth(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
                         int view_index, double recession_px, DepthMap& map);
 
-/// The same of a map that is continued already, over `distance_px`.
-void finish_continued_depth(const DepthView& view, const FloatImage& distance_px,
+/// The same of a map that is continued already.
+void finish_continued_depth(const DepthView& view, const Continuation& continuation,
                             double recession_px, DepthMap& map);
 
 }  // namespace lumi

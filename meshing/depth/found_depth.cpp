@@ -147,7 +147,7 @@ std::vector<DepthMap> maps_to_continue_from(const DepthResult& result,
                                             const std::vector<DepthEstimate>& estimates,
                                             const Recession& recession) {
     for (std::size_t i = 0; i < estimates.size(); ++i) {
-        if (!estimates[i].is_complete && recession.distance_px[i].empty()) {
+        if (!estimates[i].is_complete && recession.continuations[i].distance_px.empty()) {
             return result.depth_maps;
         }
     }
@@ -163,14 +163,14 @@ void tell_recession(double recession_px, Progress& progress) {
 
 /// Fills one view's confirmed map, and says what speaks for it.
 void finish(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
-            const DepthEstimate& estimate, const FloatImage& distance_px, double recession_px,
+            const DepthEstimate& estimate, const Continuation& continuation, double recession_px,
             const GrayImage& mask, int view_index, DepthMap& map, DepthEvidence& evidence) {
     const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
     evidence.view_name = view.name;
     evidence.model = estimate.model;
     evidence.confident_share = confident_share(map);
-    if (!distance_px.empty()) {
-        finish_continued_depth(view, distance_px, recession_px, map);
+    if (!continuation.distance_px.empty()) {
+        finish_continued_depth(view, continuation, recession_px, map);
     } else if (!estimate.is_complete) {
         fill_unknown_depth(scene, confirmed_maps, view_index, recession_px, map);
     }
@@ -207,8 +207,8 @@ void find_depth(const DepthScene& scene, const std::vector<GrayImage>& masks,
         maps_to_continue_from(result, estimates, recession);
     for_each_view("depth: filling", result, result.memory.views_filled, progress, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
-        const FloatImage distance_px = std::exchange(recession.distance_px[index], {});
-        finish(scene, confirmed_maps, estimates[index], distance_px, recession_px, masks[index], i,
+        const Continuation continuation = std::exchange(recession.continuations[index], {});
+        finish(scene, confirmed_maps, estimates[index], continuation, recession_px, masks[index], i,
                result.depth_maps[index], result.evidence[index]);
     });
     result.warning = doubt_about(result.evidence, estimates, scene);

@@ -16,9 +16,10 @@ struct SurroundingDepth {
 };
 
 /// Carries the confident pixels of its neighbours' maps, and of theirs, into view `view_index`; of
-/// those that fall on one pixel the nearest counts. Lone pixels are left out, and small gaps are
-/// closed: a pixel has the median of the pixels around it when four of the nine are hit.
+/// those that fall on one pixel the nearest counts, and small gaps are closed. The picture itself
+/// is what is known `within` it, of the view's size.
 [[nodiscard]] SurroundingDepth surrounding_depth(const DepthScene& scene,
-                                                 const std::vector<DepthMap>& maps, int view_index);
+                                                 const std::vector<DepthMap>& maps, int view_index,
+                                                 const DepthMap& within);
 
 }  // namespace lumi

@@ -16,11 +16,11 @@ DepthMemory predicted(std::size_t views, int threads, std::uint64_t budget_mib,
                                   budget_mib * kMiB, 150 * kMiB);
 }
 
-TEST(DepthMemory, AViewMoreAddsItsPictureTwoMapsAndHalfOfItsDistances) {
+TEST(DepthMemory, AViewMoreAddsItsPictureTwoMapsAndHalfOfItsContinuation) {
     // 3 bytes of colour, twice 4 of inverse depth and 1 of confidence, and half of the 4 that tell
-    // how far each pixel is from what is known.
+    // how far each pixel is from what is known and of 1 that others agree upon it.
     EXPECT_EQ(predicted(9, 1, 100'000).finishing - predicted(8, 1, 100'000).finishing,
-              15 * kPixels);
+              31 * kPixels / 2);
     EXPECT_EQ(predicted(9, 1, 100'000).in_use, 150 * kMiB);
 }
 

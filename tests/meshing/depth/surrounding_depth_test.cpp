@@ -20,13 +20,15 @@ KnownDepthScene board_before_wall() {
         {{0, 0, 0}, {1.2, 0, 0}}, {0.1, 1.0});
 }
 
+DepthMap nothing_within() { return {FloatImage(240, 180), GrayImage(240, 180)}; }
+
 TEST(SurroundingDepth, KnowsBeyondTheBorderWhatANeighbourSees) {
     const KnownDepthScene known = board_before_wall();
     std::vector<DepthMap> maps;
     for (const FloatImage& truth : known.inverse_depths) {
         maps.push_back({truth, GrayImage(240, 180, 255)});
     }
-    const SurroundingDepth around = surrounding_depth(known.scene, maps, 0);
+    const SurroundingDepth around = surrounding_depth(known.scene, maps, 0, nothing_within());
     const DepthView& view = known.scene.views[0];
     int hits = 0;
     for (int y = 40; y < 140; ++y) {
@@ -61,7 +63,7 @@ TEST(SurroundingDepth, LetsTheFillContinueABackgroundThatTheViewSeesAlone) {
         }
     }
     const double one_pixel = 1 / known.scene.views[0].disparity_px_per_inverse_depth;
-    const SurroundingDepth around = surrounding_depth(known.scene, maps, 0);
+    const SurroundingDepth around = surrounding_depth(known.scene, maps, 0, nothing_within());
     edge_aware_fill(map, known.scene.views[0].photograph, FloatImage(240, 180, 0.5F), one_pixel,
                     around);
     const FloatImage errors = errors_px(map, known.inverse_depths[0], known.scene.views[0]);

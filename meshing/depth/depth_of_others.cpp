@@ -1,0 +1,249 @@
+#include "meshing/depth/depth_of_others.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "meshing/depth/color_match.h"
+#include "meshing/depth/gap_closing.h"
+#include "meshing/depth/views_around.h"
+#include "meshing/depth/warped_rows.h"
+
+namespace lumi {
+namespace {
+
+using Claim = DepthOfOthers::Claim;
+
+/// What several views say alike of one pixel.
+struct Agreement {
+    float inverse_depth = 0.0F;  ///< Mean.
+    int views = 0;
+    int first_asked = -1;  ///< One of them, by its place in the order of asking.
+};
+
+/// Inverse depths that other views claim for the unknown pixels of a view, at most one a view.
+class Claims {
+ public:
+    explicit Claims(const GrayImage& confidence)
+        : slot_of_pixel_(confidence.width(), confidence.height(), -1) {
+        int slots = 0;
+        for (std::size_t i = 0; i < slot_of_pixel_.pixels().size(); ++i) {
+            if (confidence.pixels()[i] == 0) slot_of_pixel_.pixels()[i] = slots++;
+        }
+        slots_.resize(static_cast<std::size_t>(slots));
+    }
+
+    [[nodiscard]] bool is_wanted(int x, int y) const { return slot_of_pixel_(x, y) >= 0; }
+
+    /// The first six views to be asked count: they stand nearest.
+    void add(int x, int y, std::uint8_t asked, float inverse_depth) {
+        Slot& slot = slot_at(x, y);
+        if (slot.count > 0 && slot.asked[slot.count - 1U] == asked) {
+            // Of one view what is nearer hides the rest.
+            float& last = slot.inverse_depths[slot.count - 1U];
+            last = std::max(last, inverse_depth);
+            return;
+        }
+        if (slot.count == kMostClaims) return;
+        slot.inverse_depths[slot.count] = inverse_depth;
+        slot.asked[slot.count++] = asked;
+    }
+
+    /// What most views agree upon, each within `tolerance` of the middle; of that the nearest.
+    [[nodiscard]] Agreement agreement(int x, int y, float tolerance) const {
+        const Slot& slot = slots_[static_cast<std::size_t>(slot_of_pixel_(x, y))];
+        Agreement best;
+        for (std::size_t nearest = 0; nearest < slot.count; ++nearest) {
+            const float near = slot.inverse_depths[nearest];
+            float sum = 0;
+            int views = 0;
+            for (std::size_t i = 0; i < slot.count; ++i) {
+                const float behind = near - slot.inverse_depths[i];
+                if (behind < 0 || behind > 2 * tolerance) continue;
+                sum += slot.inverse_depths[i];
+                ++views;
+            }
+            const float mean = sum / static_cast<float>(views);
+            if (views < best.views || (views == best.views && mean <= best.inverse_depth)) continue;
+            best = {mean, views, slot.asked[nearest]};
+        }
+        return best;
+    }
+
+ private:
+    static constexpr std::size_t kMostClaims = 6;
+
+    struct Slot {
+        std::array<float, kMostClaims> inverse_depths{};
+        std::array<std::uint8_t, kMostClaims> asked{};
+        std::uint8_t count = 0;
+    };
+
+    [[nodiscard]] Slot& slot_at(int x, int y) {
+        return slots_[static_cast<std::size_t>(slot_of_pixel_(x, y))];
+    }
+
+    Image<int> slot_of_pixel_;
+    std::vector<Slot> slots_;
+};
+
+/// Another view, asked about the pixels of a view.
+struct Witness {
+    const DepthView* view;
+    const DepthMap* map;
+    InverseDepthWarp own_from_other;
+    ColorImage picture;  ///< Averaged.
+    ColorMatch match;
+};
+
+/// The surfaces that both know, in the colours of both.
+std::vector<SharedColor> shared_colors(const DepthMap& own, const ColorImage& own_picture,
+                                       const DepthMap& other, const ColorImage& other_picture,
+                                       const InverseDepthWarp& own_from_other, float tolerance) {
+    constexpr int kStep = 8;
+    std::vector<SharedColor> shared;
+    const WarpRaster raster{own.confidence.width(), own.confidence.height(), 0, 0};
+    warp_rows(other, own_from_other, raster, kStep, [&](int y, const WarpedRow& warped) {
+        for (std::size_t i = 0; i < warped.rows.size(); i += kStep) {
+            if (warped.rows[i] < 0) continue;
+            const int column = warped.columns[i];
+            const int row = warped.rows[i];
+            if (own.confidence(column, row) == 0) continue;
+            const float apart = own.inverse_depth(column, row) - warped.inverse_depths[i];
+            if (std::abs(apart) > tolerance) continue;
+            shared.push_back({own_picture(column, row), other_picture(static_cast<int>(i), y)});
+        }
+    });
+    return shared;
+}
+
+/// Empty where the views share too little to compare colours.
+std::optional<Witness> witness(const DepthScene& scene, const std::vector<DepthMap>& maps,
+                               int view_index, const ColorImage& own_picture, int other_index) {
+    const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
+    const DepthView& other = scene.views[static_cast<std::size_t>(other_index)];
+    const DepthMap& map = maps[static_cast<std::size_t>(other_index)];
+    const InverseDepthWarp own_from_other =
+        warp_b_from_a(other.camera, other.cam_from_world, view.camera, view.cam_from_world);
+    ColorImage picture = averaged(other.photograph);
+    const auto match = color_match(
+        shared_colors(maps[static_cast<std::size_t>(view_index)], own_picture, map, picture,
+                      own_from_other, static_cast<float>(1 / view.disparity_px_per_inverse_depth)));
+    if (!match) return std::nullopt;
+    return Witness{&other, &map, own_from_other, std::move(picture), *match};
+}
+
+void add_claims(const Witness& witness, std::uint8_t asked, const ColorImage& own_picture,
+                Claims& claims) {
+    const WarpRaster raster{own_picture.width(), own_picture.height(), 0, 0};
+    warp_rows(*witness.map, witness.own_from_other, raster, 1, [&](int y, const WarpedRow& warped) {
+        for (std::size_t i = 0; i < warped.rows.size(); ++i) {
+            if (warped.rows[i] < 0) continue;
+            const int column = warped.columns[i];
+            const int row = warped.rows[i];
+            if (!claims.is_wanted(column, row)) continue;
+            const Rgb8& color = witness.picture(static_cast<int>(i), y);
+            if (!witness.match.is_same(own_picture(column, row), color)) continue;
+            claims.add(column, row, asked, warped.inverse_depths[i]);
+        }
+    });
+}
+
+/// Claims of enough views; of the other pixels what is claimed, if anything is.
+DepthOfOthers told_apart(const Claims& claims, const std::vector<int>& asked, int width, int height,
+                         float one_pixel) {
+    constexpr int kLeastViews = 3;
+    DepthOfOthers result{{FloatImage(width, height), GrayImage(width, height)}, {}};
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            if (!claims.is_wanted(x, y)) continue;
+            const Agreement found = claims.agreement(x, y, one_pixel);
+            if (found.views >= kLeastViews) {
+                result.agreed.inverse_depth(x, y) = found.inverse_depth;
+                result.agreed.confidence(x, y) = 255;
+            } else if (found.views > 0) {
+                const int view = asked[static_cast<std::size_t>(found.first_asked)];
+                result.doubtful.push_back({x, y, view, found.inverse_depth});
+            }
+        }
+    }
+    result.agreed = with_gaps_closed(result.agreed);
+    std::erase_if(result.doubtful, [&](const Claim& claim) {
+        return result.agreed.confidence(claim.x, claim.y) != 0;
+    });
+    return result;
+}
+
+/// Whether the view sees past a surface at this place of another, or another colour there.
+bool refutes(const Witness& witness, const InverseDepthWarp& other_from_own, const Claim& claim,
+             float continued, const Rgb8& color) {
+    constexpr double kClearlyPx = 2.0;
+    const Eigen::Vector3d there =
+        other_from_own({claim.x + 0.5, claim.y + 0.5}, static_cast<double>(continued));
+    if (there.z() <= 0) return false;
+    const Eigen::Vector2i pixel = there.hnormalized().array().floor().cast<int>();
+    if (!witness.map->confidence.contains(pixel.x(), pixel.y())) return false;
+    if (witness.map->confidence(pixel.x(), pixel.y()) != 0) {
+        const double before = static_cast<double>(continued) / there.z() -
+                              static_cast<double>(witness.map->inverse_depth(pixel.x(), pixel.y()));
+        const double clearly = kClearlyPx / witness.view->disparity_px_per_inverse_depth;
+        if (before > clearly) return true;
+        if (before < -clearly) return false;  // Hidden from there.
+    }
+    return !witness.match.is_same(color, witness.picture(pixel.x(), pixel.y()));
+}
+
+}  // namespace
+
+DepthOfOthers depth_of_others(const DepthScene& scene, const std::vector<DepthMap>& maps,
+                              int view_index) {
+    constexpr std::size_t kMostAsked = 255;
+    const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
+    const GrayImage& confidence = maps[static_cast<std::size_t>(view_index)].confidence;
+    const int width = confidence.width();
+    const int height = confidence.height();
+    if (view.disparity_px_per_inverse_depth <= 0) {
+        return {{FloatImage(width, height), GrayImage(width, height)}, {}};
+    }
+    const ColorImage own_picture = averaged(view.photograph);
+    std::vector<int> asked = views_around(scene, view_index);
+    asked.resize(std::min(asked.size(), kMostAsked));
+    Claims claims(confidence);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        const auto other = witness(scene, maps, view_index, own_picture, asked[i]);
+        if (other) add_claims(*other, static_cast<std::uint8_t>(i), own_picture, claims);
+    }
+    const auto one_pixel = static_cast<float>(1 / view.disparity_px_per_inverse_depth);
+    return told_apart(claims, asked, width, height, one_pixel);
+}
+
+void take_claims_against(const DepthScene& scene, const std::vector<DepthMap>& maps, int view_index,
+                         std::vector<Claim> claims, DepthMap& map, FloatImage& distance_px) {
+    const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
+    const ColorImage own_picture = averaged(view.photograph);
+    std::sort(claims.begin(), claims.end(),
+              [](const Claim& a, const Claim& b) { return a.view < b.view; });
+    for (auto first = claims.begin(); first != claims.end();) {
+        const int asked = first->view;
+        const auto last = std::find_if(first, claims.end(),
+                                       [&](const Claim& claim) { return claim.view != asked; });
+        if (const auto other = witness(scene, maps, view_index, own_picture, asked)) {
+            const InverseDepthWarp other_from_own = warp_b_from_a(
+                view.camera, view.cam_from_world, other->view->camera, other->view->cam_from_world);
+            std::for_each(first, last, [&](const Claim& claim) {
+                float& continued = map.inverse_depth(claim.x, claim.y);
+                const Rgb8& color = own_picture(claim.x, claim.y);
+                if (!refutes(*other, other_from_own, claim, continued, color)) return;
+                continued = claim.inverse_depth;
+                distance_px(claim.x, claim.y) = 0;
+            });
+        }
+        first = last;
+    }
+}
+
+}  // namespace lumi

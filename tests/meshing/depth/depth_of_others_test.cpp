@@ -1,0 +1,179 @@
+#include "meshing/depth/depth_of_others.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "meshing/depth/finished_depth.h"
+#include "meshing/depth/inverse_depth_warp.h"
+#include "tests/meshing/depth/raycast_scene.h"
+
+namespace lumi {
+namespace {
+
+constexpr float kRods = 0.5F;  // Inverse depths.
+constexpr float kWall = 0.25F;
+
+/// Upright rods before a wall, from the given places; the first view knows the rods alone, all
+/// others know everything.
+struct RodsBeforeWall {
+    explicit RodsBeforeWall(const std::vector<Eigen::Vector3d>& centres)
+        : known(known_depth_scene(
+              {{{0, 0, 4}, {0, 0, 1}, [](const auto&) { return true; }, noise_texture(0.3, 5)},
+               {{0, 0, 2},
+                {0, 0, 1},
+                [](const Eigen::Vector3d& p) {
+                    return p.x() - 0.4 * std::floor(p.x() / 0.4) < 0.2;
+                },
+                noise_texture(0.2, 8)}},
+              centres, {0.1, 1.0})) {
+        for (const FloatImage& truth : known.inverse_depths) {
+            maps.push_back({truth, GrayImage(truth.width(), truth.height(), 255)});
+        }
+        for (int y = 0; y < truth().height(); ++y) {
+            for (int x = 0; x < truth().width(); ++x) {
+                if (is_wall(x, y)) maps[0].confidence(x, y) = 0;
+            }
+        }
+    }
+
+    [[nodiscard]] const FloatImage& truth() const { return known.inverse_depths[0]; }
+    [[nodiscard]] bool is_wall(int x, int y) const { return truth()(x, y) < 0.3F; }
+
+    /// How many of the others see what the first view sees there.
+    [[nodiscard]] int others_that_see(int x, int y) const {
+        const auto& views = known.scene.views;
+        int count = 0;
+        for (std::size_t j = 1; j < views.size(); ++j) {
+            const Eigen::Vector2d there =
+                warp_b_from_a(views[0].camera, views[0].cam_from_world, views[j].camera,
+                              views[j].cam_from_world)({x + 0.5, y + 0.5},
+                                                       static_cast<double>(truth()(x, y)))
+                    .hnormalized();
+            const Eigen::Vector2i pixel = there.array().floor().cast<int>();
+            const FloatImage& seen = known.inverse_depths[j];
+            if (!seen.contains(pixel.x(), pixel.y())) continue;
+            if (std::abs(seen(pixel.x(), pixel.y()) - truth()(x, y)) < 0.01F) ++count;
+        }
+        return count;
+    }
+
+    KnownDepthScene known;
+    std::vector<DepthMap> maps;
+};
+
+int count_of(const GrayImage& confidence) {
+    return static_cast<int>(confidence.pixels().size() -
+                            static_cast<std::size_t>(std::count(confidence.pixels().begin(),
+                                                                confidence.pixels().end(), 0)));
+}
+
+TEST(DepthOfOthers, KnowsBehindRodsWhatThreeOtherViewsSee) {
+    const RodsBeforeWall scene(cross_of_centres(0.3));
+    const DepthOfOthers others = depth_of_others(scene.known.scene, scene.maps, 0);
+    int seen_by_three = 0;
+    int agreed = 0;
+    for (int y = 4; y < 176; ++y) {
+        for (int x = 4; x < 236; ++x) {
+            if (!scene.is_wall(x, y)) continue;
+            if (scene.others_that_see(x, y) >= 3) ++seen_by_three;
+            if (others.agreed.confidence(x, y) == 0) continue;
+            ++agreed;
+            ASSERT_NEAR(others.agreed.inverse_depth(x, y), kWall, 1e-3F) << x << " " << y;
+        }
+    }
+    ASSERT_GT(seen_by_three, 5000);
+    EXPECT_GT(agreed, 0.65 * seen_by_three) << "but for what is blurred along the rods";
+    EXPECT_LT(agreed, 1.1 * seen_by_three) << "what two views see is not agreed upon";
+    for (const DepthOfOthers::Claim& claim : others.doubtful) {
+        ASSERT_EQ(others.agreed.confidence(claim.x, claim.y), 0);
+        ASSERT_EQ(scene.maps[0].confidence(claim.x, claim.y), 0);
+    }
+}
+
+TEST(DepthOfOthers, IsNotOfAnotherColourThanThePhotograph) {
+    RodsBeforeWall scene(cross_of_centres(0.3));
+    const int before =
+        count_of(depth_of_others(scene.known.scene, scene.maps, 0).agreed.confidence);
+    ColorImage& picture = scene.known.scene.views[0].photograph;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            if (scene.is_wall(x, y)) picture(x, y) = {20, 60, 255};
+        }
+    }
+    const DepthOfOthers others = depth_of_others(scene.known.scene, scene.maps, 0);
+    EXPECT_LT(count_of(others.agreed.confidence), before / 50);
+    EXPECT_LT(static_cast<int>(others.doubtful.size()), before / 10);
+}
+
+TEST(DepthOfOthers, StandsADarkerExposure) {
+    RodsBeforeWall scene(cross_of_centres(0.3));
+    const int before =
+        count_of(depth_of_others(scene.known.scene, scene.maps, 0).agreed.confidence);
+    for (std::size_t j = 1; j < scene.maps.size(); ++j) {
+        for (Rgb8& color : scene.known.scene.views[j].photograph.pixels()) {
+            color.r = static_cast<std::uint8_t>(color.r * 6 / 10);
+            color.g = static_cast<std::uint8_t>(color.g * 8 / 10);
+        }
+    }
+    const int darker =
+        count_of(depth_of_others(scene.known.scene, scene.maps, 0).agreed.confidence);
+    EXPECT_GT(darker, 0.95 * before);
+}
+
+TEST(DepthOfOthers, OfOneViewIsDoubtfulAndTakesWhatThatViewSeesPast) {
+    const RodsBeforeWall scene({{0, 0, 0}, {0.3, 0, 0}});
+    const DepthOfOthers others = depth_of_others(scene.known.scene, scene.maps, 0);
+    EXPECT_EQ(count_of(others.agreed.confidence), 0);
+    ASSERT_GT(others.doubtful.size(), 3000U);
+    DepthMap map = scene.maps[0];
+    map.inverse_depth = FloatImage(240, 180, kRods);  // Continued from the rods.
+    FloatImage distance_px(240, 180, 3.0F);
+    take_claims_against(scene.known.scene, scene.maps, 0, others.doubtful, map, distance_px);
+    int taken = 0;
+    for (const DepthOfOthers::Claim& claim : others.doubtful) {
+        if (distance_px(claim.x, claim.y) > 0) continue;
+        ++taken;
+        ASSERT_NEAR(map.inverse_depth(claim.x, claim.y), kWall, 1e-3F);
+    }
+    // Behind some of the places that are continued the other view sees a rod before them.
+    EXPECT_GT(taken, static_cast<int>(others.doubtful.size()) / 2);
+}
+
+TEST(DepthOfOthers, LeavesWhatIsContinuedAlikeWhereTheClaimIsDoubtful) {
+    const RodsBeforeWall scene({{0, 0, 0}, {0.3, 0, 0}});
+    const DepthOfOthers others = depth_of_others(scene.known.scene, scene.maps, 0);
+    const float beside = kWall + 0.005F;  // A third of a pixel of disparity.
+    DepthMap map = scene.maps[0];
+    map.inverse_depth = FloatImage(240, 180, beside);
+    FloatImage distance_px(240, 180, 3.0F);
+    take_claims_against(scene.known.scene, scene.maps, 0, others.doubtful, map, distance_px);
+    int left = 0;
+    for (const DepthOfOthers::Claim& claim : others.doubtful) {
+        if (map.inverse_depth(claim.x, claim.y) == beside) ++left;
+    }
+    EXPECT_GT(left, static_cast<int>(0.9 * static_cast<double>(others.doubtful.size())));
+}
+
+TEST(DepthOfOthers, CountsAsConfirmedByOneWhereTheyAgree) {
+    const RodsBeforeWall scene(cross_of_centres(0.3));
+    const DepthOfOthers others = depth_of_others(scene.known.scene, scene.maps, 0);
+    DepthMap map = scene.maps[0];
+    const Continuation continuation{FloatImage(240, 180), others.agreed.confidence};
+    finish_continued_depth(scene.known.scene.views[0], continuation, 0.0, map);
+    int agreed = 0;
+    int trusted = 0;
+    for (int y = 0; y < 180; ++y) {
+        for (int x = 0; x < 240; ++x) {
+            if (scene.maps[0].confidence(x, y) != 0) continue;
+            if (others.agreed.confidence(x, y) != 0) ++agreed;
+            if (map.confidence(x, y) == 128) ++trusted;
+        }
+    }
+    ASSERT_GT(agreed, 4000);
+    EXPECT_NEAR(trusted, agreed, 0.1 * agreed) << "but for edges that were moved";
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,29 @@
+#include "meshing/depth/gap_closing.h"
+
+#include <gtest/gtest.h>
+
+namespace lumi {
+namespace {
+
+TEST(GapClosing, GivesAGapTheMedianAroundItAndLeavesLonePixelsOut) {
+    DepthMap map{FloatImage(20, 10), GrayImage(20, 10)};
+    for (int y = 0; y < 10; ++y) {
+        for (int x = 0; x < 8; ++x) {
+            map.inverse_depth(x, y) = static_cast<float>(x);
+            map.confidence(x, y) = 255;
+        }
+    }
+    map.confidence(4, 5) = 0;
+    map.inverse_depth(6, 3) = 100.0F;  // One wrong pixel.
+    map.inverse_depth(15, 5) = 7.0F;
+    map.confidence(15, 5) = 255;
+    const DepthMap closed = with_gaps_closed(map);
+    EXPECT_EQ(closed.confidence(4, 5), 255);
+    EXPECT_NEAR(closed.inverse_depth(4, 5), 4.0F, 1.0F);
+    EXPECT_NEAR(closed.inverse_depth(6, 3), 6.0F, 1.0F);
+    EXPECT_EQ(closed.confidence(15, 5), 0);
+    EXPECT_EQ(closed.confidence(12, 5), 0) << "wider gaps stay";
+}
+
+}  // namespace
+}  // namespace lumi
