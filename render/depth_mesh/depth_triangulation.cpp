@@ -200,6 +200,13 @@ bool is_within(const DepthLattice& lattice, const RightTriangle& triangle) {
                             std::max({triangle.a.row, triangle.b.row, triangle.c.row}));
 }
 
+bool reaches_infinity(const DepthLattice& lattice, const RightTriangle& triangle) {
+    const std::array<LatticeNode, 3> nodes{triangle.a, triangle.b, triangle.c};
+    return std::any_of(nodes.begin(), nodes.end(), [&](const LatticeNode& node) {
+        return lattice.inverse_depth(node.column, node.row) <= 0.0F;
+    });
+}
+
 DepthMesh mesh_of(const SplitErrors& errors, const DepthLattice& lattice, float error_px) {
     DepthMesh mesh;
     DepthMeshVertices vertices(lattice, mesh.vertices);
@@ -209,7 +216,10 @@ DepthMesh mesh_of(const SplitErrors& errors, const DepthLattice& lattice, float 
         const DepthKind kind = kind_of(lattice, triangle);
         std::vector<std::uint32_t>& indices = by_kind[static_cast<std::size_t>(kind)];
         if (!is_within(lattice, triangle)) return border.append(triangle, indices);
-        if (kind == DepthKind::kStretched) append_torn(lattice, triangle, vertices, by_kind);
+        if (kind == DepthKind::kStretched) {
+            append_torn(lattice, triangle, vertices, by_kind);
+            if (reaches_infinity(lattice, triangle)) return;
+        }
         for (const LatticeNode& node : {triangle.a, triangle.b, triangle.c})
             indices.push_back(vertices.index_of(node));
     });

@@ -20,7 +20,8 @@ inline constexpr int kDepthKinds = 3;
 ///
 /// Vertices are (x, y) in pixels of the photograph and the inverse depth there, which is affine in
 /// the picture for a plane: planes need few triangles. Those seen or filled reach half a sample
-/// beyond the last of each surface, those stretched cover the rest: the whole photograph.
+/// beyond the last of each surface; those stretched cover the rest of the photograph, but for what
+/// ends in infinity: from a little aside it would cover half of the picture.
 struct DepthMesh {
     std::vector<Eigen::Vector3f> vertices;
     std::vector<std::uint32_t> indices;  ///< Three a triangle, sorted by kind.

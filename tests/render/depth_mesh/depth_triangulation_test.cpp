@@ -141,6 +141,18 @@ TEST(DepthMesh, TearsBetweenForegroundAndBackgroundAndOnlyThere) {
     }
 }
 
+TEST(DepthMesh, StretchesNothingToInfinity) {
+    const DepthMap depth =
+        depth_map(61, 47, [](double x, double y) { return x > 20 && y > 11 ? 0.8 : 0.0; });
+    const DepthMesh mesh = triangulate(depth, kCamera, kDisparity_px, {.decimated_share = 0});
+    EXPECT_EQ(triangle_count(mesh, DepthKind::kStretched), 0U);
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const float a = mesh.vertices[mesh.indices[i]].z();
+        EXPECT_FLOAT_EQ(mesh.vertices[mesh.indices[i + 1]].z(), a);
+        EXPECT_FLOAT_EQ(mesh.vertices[mesh.indices[i + 2]].z(), a);
+    }
+}
+
 TEST(DepthMesh, DoesNotTearASteepPlaneOrACrease) {
     const DepthMap steep = depth_map(61, 47, [](double x, double) { return 0.1 + 0.013 * x; });
     const DepthMap crease =
