@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/synth/hand_held_path.h"
@@ -45,8 +46,24 @@ TEST(DepthEffort, IsTheMostWhereEachViewSeesAPart) {
     EXPECT_GT(effort.fewer_views_lose_db, effort.standard_error_db);
 }
 
+/// Before an even background nothing has to be filled: it surrounds the scene.
+const char* const kWallsAround = R"(
+[[body]]
+name = "walls"
+material = "stone"
+casts_shadow = false
+solids = [
+    { shape = "box", at = [3.6, 0, 0], size = [0.2, 7, 7] },
+    { shape = "box", at = [-3.6, 0, 0], size = [0.2, 7, 7] },
+    { shape = "box", at = [0, 3.6, 0], size = [7, 0.2, 7] },
+    { shape = "box", at = [0, -3.6, 0], size = [7, 0.2, 7] },
+    { shape = "box", at = [0, 0, 3.6], size = [7, 7, 0.2] },
+    { shape = "box", at = [0, 0, -3.6], size = [7, 7, 0.2] },
+]
+)";
+
 TEST(DepthEffort, FillsHolesWhereThingsHideOneAnother) {
-    Studio studio(kBodiesInTheWay);
+    Studio studio((std::string(kBodiesInTheWay) + kWallsAround).c_str());
     for (const Eigen::Vector3d& direction : spiral(40, 0.0))
         studio.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
     const DepthEffort effort = effort_in(studio);
