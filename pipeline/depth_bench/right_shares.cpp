@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "calib/capture/gray.h"
+#include "calib/work/median.h"
 #include "meshing/depth/inverse_depth_warp.h"
 #include "meshing/depth/window_match.h"
 
@@ -69,6 +70,22 @@ RightShares right_shares(const DepthScene& scene, const std::vector<DepthMap>& t
         }
     }
     return {confident.share(), visible.share()};
+}
+
+std::optional<double> points_by_truth(const DepthScene& scene, const std::vector<DepthMap>& truth) {
+    constexpr std::size_t kLeastPoints = 20;
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < scene.views.size(); ++i) {
+        for (const SparsePoint& point : scene.views[i].points) {
+            const Eigen::Vector2i pixel = point.pixel.array().floor().cast<int>();
+            if (!truth[i].confidence.contains(pixel.x(), pixel.y())) continue;
+            const auto there = static_cast<double>(truth[i].inverse_depth(pixel.x(), pixel.y()));
+            if (truth[i].confidence(pixel.x(), pixel.y()) == 0 || there <= 0) continue;
+            ratios.push_back(point.inverse_depth / there);
+        }
+    }
+    if (ratios.size() < kLeastPoints) return std::nullopt;
+    return median_of(std::move(ratios));
 }
 
 }  // namespace lumi

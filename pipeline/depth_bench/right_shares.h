@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "meshing/depth/depth_scene.h"
@@ -19,5 +20,10 @@ struct RightShares {
 /// 0.
 [[nodiscard]] RightShares right_shares(const DepthScene& scene, const std::vector<DepthMap>& truth,
                                        const std::vector<DepthMap>& found);
+
+/// By how much the scene's points are nearer than the truth at their pixels, as the median ratio of
+/// inverse depths: 1 where both are in one unit of length. Empty where too few points tell.
+[[nodiscard]] std::optional<double> points_by_truth(const DepthScene& scene,
+                                                    const std::vector<DepthMap>& truth);
 
 }  // namespace lumi

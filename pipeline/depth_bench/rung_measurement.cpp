@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <numeric>
+#include <sstream>
 
 #include "calib/capture/all_views.h"
 #include "calib/capture/image_io.h"
+#include "calib/work/error.h"
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "calib/work/process_memory.h"
@@ -88,6 +91,21 @@ class TileErrors {
     std::vector<double> errors_;
 };
 
+/// Throws where the truth is measured in another unit than the workspace: all would be wrong.
+void require_one_unit(const DepthScene& scene, const std::vector<DepthMap>& truth,
+                      const std::filesystem::path& folder) {
+    constexpr double kFartherApart = 1.1;
+    const auto ratio = points_by_truth(scene, truth);
+    if (!ratio || (*ratio < kFartherApart && 1 / *ratio < kFartherApart)) return;
+    std::ostringstream says;
+    says << "exact depth in " << folder.string() << " is " << std::setprecision(3) << *ratio
+         << " times the distance at which the workspace has its scene points: its poses are in "
+            "another unit, or of another scene";
+    throw Error(ErrorKind::kBadInput, "E-BENCH-TRUTH-UNIT", says.str(),
+                "build the workspace from the poses that the depth belongs to, with [capture] "
+                "import");
+}
+
 void take_truth(const DepthBenchScene& scene, const DepthOptions& options,
                 const std::vector<DepthMap>& depth_maps, int threads, Progress& progress,
                 RungMeasurement& measured) {
@@ -97,6 +115,7 @@ void take_truth(const DepthBenchScene& scene, const DepthOptions& options,
     for (const DepthView& view : depth_scene.views) {
         truth.push_back(imported_depth(view, scene.truth_folder));
     }
+    require_one_unit(depth_scene, truth, scene.truth_folder);
     const RightShares shares = right_shares(depth_scene, truth, depth_maps);
     measured.right_share = shares.of_confident;
     measured.right_visible_share = shares.of_visible;

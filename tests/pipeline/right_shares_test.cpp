@@ -104,5 +104,18 @@ TEST(DepthStability, ClaimsTooMuchWhoIsOftenWrongWhereItIsSure) {
     EXPECT_FALSE(claims_too_much({"sweep", 0.5, 0.5, 0.7, 0.0, true})) << "it says so";
 }
 
+TEST(PointsByTruth, IsTheRatioOfUnitsAndEmptyWhereFewPointsTell) {
+    DepthScene scene = two_views();
+    for (int k = 0; k < 30; ++k) {
+        // A point at an outline, where truth is another surface, does not rule.
+        scene.views[0].points.push_back({{k + 0.5, 10.5}, k == 0 ? 9.0 : 1.5});
+    }
+    const auto ratio = points_by_truth(scene, {wall(0.5F), wall(0.5F)});
+    ASSERT_TRUE(ratio);
+    EXPECT_NEAR(*ratio, 3.0, 1e-6);
+    scene.views[0].points.resize(19);
+    EXPECT_FALSE(points_by_truth(scene, {wall(0.5F), wall(0.5F)}));
+}
+
 }  // namespace
 }  // namespace lumi
