@@ -4,9 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <optional>
-#include <span>
 
 #include "meshing/depth/color_match.h"
 #include "meshing/depth/gap_closing.h"
