@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <opencv2/imgproc.hpp>
+#include <utility>
+
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
@@ -49,16 +52,13 @@ std::optional<ColorMatch> color_match(const std::vector<SharedColor>& shared) {
                 std::min(255.0, std::round(static_cast<double>(level) * gains[channel])));
         }
     }
-    std::vector<int> differences;
+    std::vector<double> differences;
     differences.reserve(shared.size());
     for (const SharedColor& color : shared) {
         differences.push_back(difference(match, color.own, color.other));
     }
-    const auto within =
-        differences.begin() +
-        static_cast<std::ptrdiff_t>(kShareWithin * static_cast<double>(differences.size()));
-    std::nth_element(differences.begin(), within, differences.end());
-    match.tolerance = std::max(kLeastTolerance, *within);
+    match.tolerance = std::max(kLeastTolerance,
+                               static_cast<int>(quantile_of(std::move(differences), kShareWithin)));
     return match;
 }
 

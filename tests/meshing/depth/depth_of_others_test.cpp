@@ -41,6 +41,14 @@ struct RodsBeforeWall {
     [[nodiscard]] const FloatImage& truth() const { return known.inverse_depths[0]; }
     [[nodiscard]] bool is_wall(int x, int y) const { return truth()(x, y) < 0.3F; }
 
+    /// Whether a rod is as near as colours are averaged and gaps are closed.
+    [[nodiscard]] bool is_beside_rod(int x, int y) const {
+        for (int column = x - 2; column <= x + 2; ++column) {
+            if (truth().contains(column, y) && !is_wall(column, y)) return true;
+        }
+        return false;
+    }
+
     /// How many of the others see what the first view sees there.
     [[nodiscard]] int others_that_see(int x, int y) const {
         const auto& views = known.scene.views;
@@ -77,14 +85,15 @@ TEST(DepthOfOthers, KnowsBehindRodsWhatThreeOtherViewsSee) {
     for (int y = 4; y < 176; ++y) {
         for (int x = 4; x < 236; ++x) {
             if (!scene.is_wall(x, y)) continue;
-            if (scene.others_that_see(x, y) >= 3) ++seen_by_three;
+            if (scene.others_that_see(x, y) >= 3 && !scene.is_beside_rod(x, y)) ++seen_by_three;
             if (others.agreed.confidence(x, y) == 0) continue;
-            ++agreed;
+            if (!scene.is_beside_rod(x, y)) ++agreed;
             ASSERT_NEAR(others.agreed.inverse_depth(x, y), kWall, 1e-3F) << x << " " << y;
         }
     }
-    ASSERT_GT(seen_by_three, 5000);
-    EXPECT_GT(agreed, 0.65 * seen_by_three) << "but for what is blurred along the rods";
+    ASSERT_GT(seen_by_three, 4000);
+    // The colours of nine of ten surfaces pass in each of three views.
+    EXPECT_GT(agreed, std::pow(0.9, 3) * seen_by_three);
     EXPECT_LT(agreed, 1.1 * seen_by_three) << "what two views see is not agreed upon";
     for (const DepthOfOthers::Claim& claim : others.doubtful) {
         ASSERT_EQ(others.agreed.confidence(claim.x, claim.y), 0);
