@@ -12,6 +12,7 @@
 #include "calib/work/error.h"
 #include "calib/work/median.h"
 #include "meshing/cameras/border.h"
+#include "meshing/cameras/forward_motion.h"
 #include "meshing/cameras/spherical_triangulation.h"
 
 namespace lumi {
@@ -227,6 +228,16 @@ Arrangement arrange(const CameraStar& star) {
     return arrangement;
 }
 
+std::optional<Arrangement> arrange_forward(const std::vector<OpticalAxis>& axes) {
+    const std::optional<ForwardMotion> motion = forward_motion(axes);
+    if (!motion) return std::nullopt;
+    return Arrangement{
+        .construction = MeshConstruction::kForward,
+        .reason = with_figure("the cameras stand behind each other, %.0f degrees off their line of "
+                              "sight",
+                              motion->angle_deg)};
+}
+
 Arrangement arrange_as(const CameraStar& star, MeshConstruction construction) {
     const auto refuse = [&](const std::string& why) {
         throw Error(ErrorKind::kDegenerateCapture, "E-MESH-CONSTRUCTION",
@@ -243,11 +254,12 @@ Arrangement arrange_as(const CameraStar& star, MeshConstruction construction) {
         if (open_triangulation(star.directions, arrangement.gap_direction).empty()) {
             refuse("the cameras stand in one row");
         }
-    } else if (spherical_triangulation(star.directions).empty()) {
+    } else if (construction == MeshConstruction::kClosed &&
+               spherical_triangulation(star.directions).empty()) {
         refuse("the cameras' directions from the scene lie in one plane");
     }
     arrangement.construction = construction;
-    arrangement.inside_out = looks_away(star);
+    arrangement.inside_out = construction != MeshConstruction::kForward && looks_away(star);
     arrangement.reason = "it was asked for";
     return arrangement;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "meshing/cameras/camera_star.h"
 #include "meshing/surface/camera_mesh.h"
@@ -24,8 +26,12 @@ struct Arrangement {
 /// camera, and by how many triangles are thin.
 [[nodiscard]] Arrangement arrange(const CameraStar& star);
 
-/// The arrangement for a construction that the user demands: closed, open or line. Throws Error
-/// (E-MESH-CONSTRUCTION) when the cameras cannot carry it.
+/// The arrangement of cameras that stand behind each other (forward_motion.h), if they do: what no
+/// star can hold.
+[[nodiscard]] std::optional<Arrangement> arrange_forward(const std::vector<OpticalAxis>& axes);
+
+/// The arrangement for a construction that the user demands: closed, open, line or forward. Throws
+/// Error (E-MESH-CONSTRUCTION) when the cameras cannot carry it.
 [[nodiscard]] Arrangement arrange_as(const CameraStar& star, MeshConstruction construction);
 
 }  // namespace lumi

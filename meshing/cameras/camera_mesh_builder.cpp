@@ -12,6 +12,7 @@
 #include "meshing/cameras/camera_star.h"
 #include "meshing/cameras/close_ups.h"
 #include "meshing/cameras/construction.h"
+#include "meshing/cameras/forward_motion.h"
 #include "meshing/cameras/kernel.h"
 #include "meshing/cameras/repair.h"
 #include "meshing/cameras/scene_centre.h"
@@ -60,8 +61,18 @@ CameraMesh single_camera_mesh(const OpticalAxis& axis) {
 Arrangement chosen_arrangement(const std::vector<OpticalAxis>& axes, const Eigen::Vector3d& centre,
                                const CameraMeshOptions& options) {
     const CameraStar star = camera_star(axes, centre);
-    const auto demanded = mesh_construction_named(options.construction);
-    return demanded ? arrange_as(star, *demanded) : arrange(star);
+    if (const auto demanded = mesh_construction_named(options.construction))
+        return arrange_as(star, *demanded);
+    // The paper's mesh is a hull in any case.
+    if (options.shape != "convex")
+        if (const auto forward = arrange_forward(axes)) return *forward;
+    return arrange(star);
+}
+
+/// What such a walk comes close to is no close-up: all of its cameras are in one order.
+bool walks_forward(const std::vector<OpticalAxis>& axes, const CameraMeshOptions& options) {
+    return options.construction == "auto" ? forward_motion(axes).has_value()
+                                          : options.construction == "forward";
 }
 
 /// How far the centre may be moved: it stays within the scene, for it is also where the plane of a
@@ -254,7 +265,8 @@ BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>
     const std::vector<Eigen::Vector3d> points =
         visible_points(capture, view_indices, kMaxScenePoints);
     std::vector<CloseUpGroup> groups;
-    if (options.shells && options.shape != "convex") groups = find_close_ups(capture, axes, points);
+    if (options.shells && options.shape != "convex" && !walks_forward(axes, options))
+        groups = find_close_ups(capture, axes, points);
     BuiltSurface surface = build_surface(capture, without_close_ups(axes, groups), points, options);
     // From the middle of a room every camera sees a part of it only: near walls are no close-ups.
     if (surface.inside_out && !groups.empty()) {

@@ -9,6 +9,7 @@
 #include "meshing/cameras/border.h"
 #include "meshing/cameras/camera_star.h"
 #include "meshing/cameras/convex_mesh.h"
+#include "meshing/cameras/forward_motion.h"
 #include "meshing/cameras/kernel.h"
 #include "meshing/cameras/line_strip.h"
 #include "meshing/cameras/spherical_triangulation.h"
@@ -122,6 +123,9 @@ CameraMesh construct(const std::vector<OpticalAxis>& axes, const Eigen::Vector3d
         case MeshConstruction::kOpen:
             mesh = surface_mesh(star, rules);
             break;
+        case MeshConstruction::kForward:
+            mesh = forward_mesh(axes, centre);
+            break;
         case MeshConstruction::kSingle:
             mesh = cameras_alone(star);
             break;
@@ -173,7 +177,8 @@ int distinct_views(const CameraMesh& mesh) {
             views.insert(mesh.vertices[static_cast<std::size_t>(corner)].view_index);
         }
     }
-    if (mesh.faces.empty() && !mesh.vertices.empty()) return 1;
+    if (mesh.faces.empty())
+        for (const CameraMesh::Vertex& camera : mesh.vertices) views.insert(camera.view_index);
     return static_cast<int>(views.size());
 }
 

@@ -143,6 +143,17 @@ void draw_faces(std::string& svg, const Panel& panel, const CameraMesh& mesh, co
     }
 }
 
+/// What a walk forward has in place of faces.
+void draw_way(std::string& svg, const Panel& panel, const CameraMesh& mesh, const char* stroke) {
+    if (mesh.construction != MeshConstruction::kForward) return;
+    svg += formatted("<polyline fill=\"none\" stroke=\"%s\" points=\"", stroke);
+    for (const CameraMesh::Vertex& camera : mesh.vertices) {
+        const Eigen::Vector2d at = panel.at(camera.position_in_world);
+        svg += formatted("%.1f,%.1f ", at.x(), at.y());
+    }
+    svg += "\"/>\n";
+}
+
 void draw_frustum(std::string& svg, const Panel& panel, const Drawing& drawing,
                   const Camera& camera, const Rigid3& cam_from_world, const char* stroke) {
     const Rigid3 world_from_cam = inverse(cam_from_world);
@@ -205,6 +216,7 @@ std::string panel_svg(const Panel& panel, const Drawing& drawing, const char* ti
         id, panel.left, kHeadline, kPanelWidth, kPanelHeight, id);
     draw_points(svg, panel, drawing);
     draw_faces(svg, panel, drawing.mesh, kFaceStroke);
+    draw_way(svg, panel, drawing.mesh, kFaceStroke);
     for (const CameraMesh& shell : drawing.mesh.shells) {
         draw_faces(svg, panel, shell, kShellStroke);
     }

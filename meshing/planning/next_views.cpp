@@ -6,6 +6,7 @@
 
 #include "calib/work/error.h"
 #include "meshing/cameras/arrangement.h"
+#include "meshing/cameras/forward_motion.h"
 #include "meshing/cameras/scene_centre.h"
 
 namespace lumi {
@@ -36,7 +37,7 @@ class Planner {
           axes_(optical_axes(capture, view_indices)),
           centre_(estimate_scene_centre(axes_)),
           arrangement_(arrange(camera_star(axes_, centre_))) {
-        if (arrangement_.construction == MeshConstruction::kSingle) {
+        if (arrangement_.construction == MeshConstruction::kSingle || forward_motion(axes_)) {
             throw Error(ErrorKind::kDegenerateCapture, "E-PLAN-ONESPOT",
                         "all cameras stand in one direction from the scene: nothing lies between "
                         "them that could be planned",

@@ -11,11 +11,12 @@
 namespace lumi {
 namespace {
 
-constexpr std::array<std::pair<MeshConstruction, const char*>, 5> kConstructionNames{{
+constexpr std::array<std::pair<MeshConstruction, const char*>, 6> kConstructionNames{{
     {MeshConstruction::kClosed, "closed"},
     {MeshConstruction::kOpen, "open"},
     {MeshConstruction::kLine, "line"},
     {MeshConstruction::kPair, "pair"},
+    {MeshConstruction::kForward, "forward"},
     {MeshConstruction::kSingle, "single"},
 }};
 
@@ -83,9 +84,35 @@ Eigen::Vector3d side_products(const CameraMesh& mesh, const CameraMesh::Face& fa
     return {determinant(back, p1, p2), determinant(back, p2, p0), determinant(back, p0, p1)};
 }
 
+RayWeights weights_of_eye(const CameraMesh& mesh, const Eigen::Vector3d& eye_in_world) {
+    const std::vector<CameraMesh::Vertex>& cameras = mesh.vertices;
+    const Eigen::Vector3d way = cameras.back().position_in_world - cameras[0].position_in_world;
+    const auto along = [&](const CameraMesh::Vertex& camera) {
+        return way.dot(camera.position_in_world - eye_in_world);
+    };
+    const auto first_ahead =
+        std::find_if(cameras.begin(), cameras.end(),
+                     [&](const CameraMesh::Vertex& camera) { return along(camera) > 0; });
+    const bool is_beyond = first_ahead == cameras.end();
+    const CameraMesh::Vertex& ahead = is_beyond ? cameras.back() : *first_ahead;
+    const CameraMesh::Vertex& behind =
+        is_beyond || first_ahead == cameras.begin() ? ahead : *(first_ahead - 1);
+    // Zero or less for what is behind, more for what is ahead.
+    const double apart = along(ahead) - along(behind);
+    const double share_ahead = apart > 0 ? -along(behind) / apart : 0.0;
+    return {-1,
+            {behind.view_index, ahead.view_index, ahead.view_index},
+            {1.0 - share_ahead, share_ahead, 0.0},
+            0.0};
+}
+
 std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
                                          const Eigen::Vector3d& eye_in_world,
                                          const Eigen::Vector3d& direction) {
+    const bool has_weights_of_eye = mesh.construction == MeshConstruction::kSingle ||
+                                    mesh.construction == MeshConstruction::kForward;
+    if (mesh.faces.empty() && has_weights_of_eye && !mesh.vertices.empty())
+        return weights_of_eye(mesh, eye_in_world);
     std::optional<RayWeights> best;
     double best_crossing = 0;
     for (std::size_t index = 0; index < mesh.faces.size(); ++index) {
@@ -99,10 +126,6 @@ std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
         if (best && crossing <= best_crossing) continue;
         best = ray_weights(mesh, static_cast<int>(index), weights);
         best_crossing = crossing;
-    }
-    if (!best && mesh.construction == MeshConstruction::kSingle && !mesh.vertices.empty()) {
-        const int view_index = mesh.vertices.front().view_index;
-        best = RayWeights{-1, {view_index, view_index, view_index}, {1, 0, 0}, 0.0};
     }
     return best;
 }
@@ -126,6 +149,8 @@ void validate(const CameraMesh& mesh, int view_count, const std::string& where) 
     };
     if (mesh.vertices.empty()) refuse("expected at least one vertex");
     if (!mesh.scene_centre_in_world.allFinite()) refuse("the scene centre is not finite");
+    if (mesh.construction == MeshConstruction::kForward && !mesh.faces.empty())
+        refuse("a walk forward has no faces");
     for (const CameraMesh::Vertex& corner : mesh.vertices) {
         if (!corner.position_in_world.allFinite()) refuse("a vertex is not finite");
         if (corner.view_index < 0 || corner.view_index >= view_count) {

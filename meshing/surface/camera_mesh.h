@@ -14,6 +14,9 @@ enum class MeshConstruction {
     kOpen,    ///< A patch (hemisphere, wall): the hull without its far side, with a skirt.
     kLine,    ///< A row, arc or ring: a strip of quadrilaterals stretched along its normal.
     kPair,    ///< Two cameras: a strip.
+    /// Cameras behind each other along their line of sight: no surface, as nothing lies between
+    /// them. Drawn from the two that the eye stands between.
+    kForward,
     kSingle,  ///< One camera: it alone is drawn from.
 };
 
@@ -36,7 +39,7 @@ struct CameraMesh {
 
     MeshConstruction construction = MeshConstruction::kSingle;
     Eigen::Vector3d scene_centre_in_world = Eigen::Vector3d::Zero();
-    std::vector<Vertex> vertices;
+    std::vector<Vertex> vertices;  ///< Of kForward: from the hindmost on.
     std::vector<Face> faces;
     /// Meshes over close-ups, coarse before fine: each refines what its cameras see, as far as
     /// their weights say (see `capture_fade`), and its own cameras are vertices of it alone.
@@ -60,9 +63,17 @@ struct RayWeights {
                                             const Eigen::Vector3d& point_in_world,
                                             const Eigen::Vector3d& direction);
 
+/// Of a mesh without faces, whose weights are those of the eye and the same for all its rays: of a
+/// walk forward the two cameras between whose planes across the way the eye stands, by its
+/// distances from them, and the first or the last alone behind or before all of them; continuous in
+/// the eye. Of a single camera itself. The mesh must have a vertex.
+[[nodiscard]] RayWeights weights_of_eye(const CameraMesh& mesh,
+                                        const Eigen::Vector3d& eye_in_world);
+
 /// Weights of the line through `eye_in_world` along `direction` (from the eye to the scene): the
 /// first face it enters through, behind the eye included. The same for any eye on the line. Empty
-/// when no face is crossed from outside. Lines through a vertex give that vertex weight 1.
+/// when no face is crossed from outside. Lines through a vertex give that vertex weight 1. Without
+/// faces those of the eye.
 [[nodiscard]] std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
                                                        const Eigen::Vector3d& eye_in_world,
                                                        const Eigen::Vector3d& direction);

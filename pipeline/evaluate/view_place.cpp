@@ -9,8 +9,9 @@ constexpr int kRaysAcross = 9;
 
 /// Cameras that a face has when it lies between cameras.
 std::size_t cameras_between(MeshConstruction construction) {
-    const bool is_row =
-        construction == MeshConstruction::kLine || construction == MeshConstruction::kPair;
+    const bool is_row = construction == MeshConstruction::kLine ||
+                        construction == MeshConstruction::kPair ||
+                        construction == MeshConstruction::kForward;
     return is_row ? 2 : 3;
 }
 

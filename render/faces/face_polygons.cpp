@@ -107,11 +107,13 @@ void normalise(FacePolygon& polygon) {
     polygon.crossing_numerator /= largest;
 }
 
-FacePolygon single_view_polygon(int view_index, const EyeRays& rays) {
+/// The whole picture, with the weights of the eye.
+FacePolygon polygon_without_face(const CameraMesh& mesh, const EyeRays& rays) {
+    const RayWeights weights = weights_of_eye(mesh, rays.eye_in_world);
     FacePolygon polygon;
-    polygon.view_indices = {view_index, view_index, view_index};
-    polygon.side_lines = {Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(),
-                          Eigen::Vector3d::Zero()};
+    polygon.view_indices = weights.view_indices;
+    for (std::size_t i = 0; i < 3; ++i)
+        polygon.side_lines[i] = weights.weights[i] * Eigen::Vector3d::UnitZ();
     polygon.corners_px = rays.picture;
     return polygon;
 }
@@ -122,7 +124,7 @@ std::vector<FacePolygon> face_polygons(const CameraMesh& mesh, const Eye& eye, d
     const EyeRays rays = eye_rays(eye);
     std::vector<FacePolygon> polygons;
     if (mesh.faces.empty() && !mesh.vertices.empty())
-        polygons.push_back(single_view_polygon(mesh.vertices.front().view_index, rays));
+        polygons.push_back(polygon_without_face(mesh, rays));
     for (std::size_t index = 0; index < mesh.faces.size(); ++index) {
         FacePolygon polygon = polygon_of(mesh, static_cast<int>(index), rays, overlap_px);
         normalise(polygon);

@@ -21,7 +21,7 @@ inline constexpr double kNoOverlap_px = 0.0;
 /// direction is affine in the pixel. So the pixels whose rays enter through the face form a convex
 /// polygon, wherever the eye stands: outside the mesh, inside, on a face, or at a camera.
 struct FacePolygon {
-    int face_index = -1;  ///< -1: no face; the whole picture comes from one view.
+    int face_index = -1;  ///< -1: no face; the whole picture has the eye's weights.
     std::array<int, 3> view_indices{};
     /// 1 for corners beyond the border of the mesh, 0 for cameras.
     std::array<float, 3> beyond_border{};

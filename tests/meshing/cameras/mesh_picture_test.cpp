@@ -29,6 +29,15 @@ TEST(CameraMeshPicture, ShowsEveryFaceAndFrustumInBothViews) {
     EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
+TEST(CameraMeshPicture, ShowsTheWayOfAWalkForward) {
+    const Capture capture =
+        capture_of({{0, 0, -3}, {0, 0, -4}, {0, 0, -5}}, Eigen::Vector3d::Zero(), {});
+    const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
+    const std::string svg = camera_mesh_svg(capture, all_views(capture), built.mesh);
+    EXPECT_EQ(occurrences(svg, "<polyline"), 2U);
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
 TEST(CameraMeshPicture, OfOneCameraOrAnyUnitOfLengthIsFinite) {
     for (const double scale : {1e-6, 1.0, 1e6}) {
         const Capture capture = capture_of({{0, 0, -scale}}, Eigen::Vector3d::Zero(), {});

@@ -133,6 +133,8 @@ TEST(CapturePlan, RefusesWhatHasNothingBetweenItsCameras) {
     EXPECT_THROW((void)plan_capture(one, {}, {}), Error);
     const Capture walk = around({{3, 0, 0}, {4, 0, 0}, {5, 0, 0}});
     EXPECT_THROW((void)plan_capture(walk, all_views(walk), {}), Error);
+    const Capture sway = around({{3, 0.03, 0}, {4, -0.04, 0.02}, {5, 0.01, -0.03}, {6, 0, 0.04}});
+    EXPECT_THROW((void)plan_capture(sway, all_views(sway), {}), Error);
 }
 
 }  // namespace

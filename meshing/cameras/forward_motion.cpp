@@ -1,0 +1,67 @@
+#include "meshing/cameras/forward_motion.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "calib/capture/degrees.h"
+
+namespace lumi {
+namespace {
+
+constexpr double kMostSwayShare = 0.2;
+constexpr double kMostAngle_deg = 30.0;
+
+/// Not of length one: shorter the more the cameras look in different directions.
+Eigen::Vector3d mean_line_of_sight(const std::vector<OpticalAxis>& axes) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const OpticalAxis& axis : axes) sum += axis.direction_in_world;
+    return sum / static_cast<double>(axes.size());
+}
+
+Eigen::Matrix3d moments_of_places(const std::vector<OpticalAxis>& axes) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const OpticalAxis& axis : axes) middle += axis.centre_in_world;
+    middle /= static_cast<double>(axes.size());
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    for (const OpticalAxis& axis : axes) {
+        const Eigen::Vector3d from_middle = axis.centre_in_world - middle;
+        moments += from_middle * from_middle.transpose();
+    }
+    return moments;
+}
+
+}  // namespace
+
+std::optional<ForwardMotion> forward_motion(const std::vector<OpticalAxis>& axes) {
+    if (axes.size() < 2) return std::nullopt;
+    const double least_cosine = std::cos(kMostAngle_deg * kRadiansPerDegree);
+    const Eigen::Vector3d sight = mean_line_of_sight(axes);
+    if (sight.norm() < least_cosine) return std::nullopt;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments_of_places(axes));
+    const Eigen::Vector3d sigmas = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    if (!(sigmas[2] > 0)) return std::nullopt;
+    const double cosine = std::abs(solver.eigenvectors().col(2).dot(sight.normalized()));
+    const ForwardMotion motion{sigmas[1] / sigmas[2],
+                               std::acos(std::min(1.0, cosine)) / kRadiansPerDegree};
+    if (motion.sway_share > kMostSwayShare || motion.angle_deg > kMostAngle_deg)
+        return std::nullopt;
+    return motion;
+}
+
+CameraMesh forward_mesh(const std::vector<OpticalAxis>& axes,
+                        const Eigen::Vector3d& scene_centre_in_world) {
+    const Eigen::Vector3d sight = mean_line_of_sight(axes);
+    CameraMesh mesh;
+    mesh.construction = MeshConstruction::kForward;
+    mesh.scene_centre_in_world = scene_centre_in_world;
+    for (const OpticalAxis& axis : axes)
+        mesh.vertices.push_back({axis.centre_in_world, axis.view_index});
+    std::stable_sort(mesh.vertices.begin(), mesh.vertices.end(),
+                     [&](const CameraMesh::Vertex& a, const CameraMesh::Vertex& b) {
+                         return sight.dot(a.position_in_world) < sight.dot(b.position_in_world);
+                     });
+    return mesh;
+}
+
+}  // namespace lumi
