@@ -9,6 +9,7 @@
 
 #include "render/depth_layers/depth_eye.h"
 #include "render/depth_layers/depth_layer_views.h"
+#include "render/depth_layers/unknown_cells.h"
 #include "render/faces/asked_views.h"
 #include "render/gl/to_glm.h"
 #include "render/holes/hole_cells.h"
@@ -93,13 +94,13 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& wanted,
     return {triangles};
 }
 
-PictureCells PerPixel::open_cells(const std::vector<FacePolygon>& polygons, const Eye& eye,
-                                  const RenderOptions& options) const {
+PictureCells PerPixel::open_cells(const Eye& eye, const RenderOptions& options,
+                                  const AskedDepth& asked) const {
     PictureCells cells(eye.camera);
     if (!are_surroundings_drawn(options)) return cells;
     mark_beyond_mesh(uploaded_.layout.mesh, eye, cells);
-    mark_where_none_may_be_shown(polygons, uploaded_.layout.views, eye,
-                                 scene_plane_inverse_depth(uploaded_.layout, eye), cells);
+    mark_where_depth_may_be_unknown(uploaded_.layout, uploaded_.searched_views.depths, asked.sets,
+                                    eye, depth_.max_inverse_depth(), cells);
     return cells;
 }
 
@@ -108,7 +109,7 @@ std::size_t PerPixel::draw_base(const Eye& eye, const RenderOptions& options,
     const bool in_blocks = is_drawn_in_blocks(uploaded_.layout, eye, options);
     const Eye drawn = in_blocks ? PixelBlocks::covering(eye) : eye;
     const std::vector<FacePolygon> polygons = face_polygons(uploaded_.layout.mesh, drawn);
-    const PictureCells cells = open_cells(polygons, drawn, options);
+    const PictureCells cells = open_cells(drawn, options, asked);
     std::size_t triangles = 0;
     if (in_blocks) {
         {

@@ -65,8 +65,8 @@ class PerPixel : public DrawingMode {
     std::size_t draw_base(const Eye& eye, const RenderOptions& options, const Viewport& viewport,
                           const AskedDepth& asked);
     /// The cells of the picture that surroundings are drawn in, beneath the faces.
-    [[nodiscard]] PictureCells open_cells(const std::vector<FacePolygon>& polygons, const Eye& eye,
-                                          const RenderOptions& options) const;
+    [[nodiscard]] PictureCells open_cells(const Eye& eye, const RenderOptions& options,
+                                          const AskedDepth& asked) const;
     /// What no view that was asked for depth sees: where, once that was drawn, and then, from
     /// others.
     [[nodiscard]] PictureCells found_holes(const DepthEye& depth_eye, const Camera& camera);

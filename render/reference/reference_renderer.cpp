@@ -24,8 +24,7 @@
 namespace lumi {
 namespace {
 
-/// The same with how it is known. Without any support: the scene plane, for the mode that draws it
-/// or as a guess.
+/// The same with how it is known. Without any support: the scene plane, for the mode that draws it.
 struct KnownPoint {
     RayPoint point;
     ConsensusDepth depth;
@@ -183,6 +182,7 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
         weights_of_ray(lumigraph_.mesh, eye_in_world_, shared.point.direction_in_world);
     if (!ray) return std::nullopt;
     const bool has_depth = depth.support > 0;
+    if (depth_ && !has_depth) return std::nullopt;
     const std::array<double, 3> seen = visibilities(*ray, shared);
     RayPoint point = shared.point;
     // Steep as a tear is, all of a block shows nearly the same.

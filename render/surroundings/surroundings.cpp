@@ -6,15 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "calib/capture/image_io.h"
 #include "render/depth_search/points_in_view.h"
 #include "render/transfer/scene_plane.h"
 
 namespace lumi {
 namespace {
 
-/// Of the longer side.
-constexpr double kSmallPhotograph_px = 16.0;
 /// At this angle between view and eye a view counts a quarter.
 constexpr double kHalfCloseness_rad = 0.1;
 /// So far outside of a photograph, of its shorter side, its border counts a quarter.
@@ -40,16 +37,6 @@ Eigen::Vector3d color_at(const ColorImage& image, double x, double y) {
     const double down = row - top;
     return (1 - down) * ((1 - to_right) * color(left, top) + to_right * color(right, top)) +
            down * ((1 - to_right) * color(left, bottom) + to_right * color(right, bottom));
-}
-
-Eigen::Vector3d mean_of(const std::vector<ColorImage>& images) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    double count = 0;
-    for (const ColorImage& image : images) {
-        for (const Rgb8& pixel : image.pixels()) sum += Eigen::Vector3d(pixel.r, pixel.g, pixel.b);
-        count += static_cast<double>(image.pixels().size());
-    }
-    return sum / std::max(count, 1.0);
 }
 
 /// What the eye sees of the scene plane at these pixels.
@@ -155,22 +142,6 @@ Eigen::Vector3f ColorGrid::at(const Eigen::Vector2d& pixel) const {
                down * (end - corner(column + 1, row));
     return start + down * (corner(column, row + 1) - start) +
            right * (end - corner(column, row + 1));
-}
-
-SmallPhotographs small_photographs(const Lumigraph& lumigraph) {
-    SmallPhotographs small;
-    for (const LumigraphView& view : lumigraph.views) {
-        const ColorImage& photograph = view.photograph;
-        const double scale =
-            std::min(1.0, kSmallPhotograph_px / std::max(photograph.width(), photograph.height()));
-        const auto scaled = [scale](int size_px) {
-            return std::max(1, static_cast<int>(std::lround(scale * size_px)));
-        };
-        small.of_views.push_back(
-            resized(photograph, scaled(photograph.width()), scaled(photograph.height())));
-    }
-    small.mean = mean_of(small.of_views);
-    return small;
 }
 
 ColorGrid surrounding_colors(const Lumigraph& lumigraph, const SmallPhotographs& small,

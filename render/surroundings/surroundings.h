@@ -6,6 +6,7 @@
 #include "calib/capture/image.h"
 #include "render/lumigraph/lumigraph.h"
 #include "render/surroundings/picture_cells.h"
+#include "render/surroundings/small_photographs.h"
 
 namespace lumi {
 
@@ -26,13 +27,6 @@ struct ColorGrid {
     /// In a marked cell.
     [[nodiscard]] Eigen::Vector3f at(const Eigen::Vector2d& pixel) const;
 };
-
-/// Photographs so small that only the colours of their regions are left: what guesses are made of.
-struct SmallPhotographs {
-    std::vector<ColorImage> of_views;
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< Of all their pixels, 0 to 255.
-};
-[[nodiscard]] SmallPhotographs small_photographs(const Lumigraph& lumigraph);
 
 /// What an eye would see, were there nothing but colours: a guess for where no photograph shows
 /// anything, so that a picture goes on beyond the capture instead of ending in black. It knows no
