@@ -15,6 +15,10 @@ namespace lumi {
 /// the tolerance, 0 from twice that on, and a ramp between, so that nothing jumps.
 [[nodiscard]] double visibility_of(double difference_px, double tolerance_px);
 
+/// A view that has seen something so far before a point, in pixels of disparity, shows that in its
+/// place; what stands less before it may be noise.
+inline constexpr double kSurelyBefore_px = 16.0;
+
 /// How much a view counts near the border of its photograph, `distance_px` inside of it: it fades
 /// in, and counts nothing outside.
 [[nodiscard]] double border_fade(double distance_px);

@@ -8,8 +8,6 @@
 namespace lumi {
 namespace {
 
-/// What stands less before the corner may be noise, and photographs are better blended then.
-constexpr double kLeastBefore_px = 16.0;
 /// A photograph that would count less, were it not hidden, does not count on that side of the face.
 constexpr float kLeastRayWeight = 0.01F;
 
@@ -27,7 +25,7 @@ bool is_hidden_from(std::size_t k, const BlendVertex& corner, const PatchSampler
            weight_of_photograph(k, unhidden(corner, sampler.polygon())) > kLeastRayWeight &&
            sampler.search().hidden_by_px(vector_of(corner.pixel),
                                          static_cast<double>(corner.inverse_depth),
-                                         sampler.polygon().view_indices[k]) >= kLeastBefore_px;
+                                         sampler.polygon().view_indices[k]) >= kSurelyBefore_px;
 }
 
 /// Most triangles are of this kind.
@@ -54,7 +52,7 @@ bool is_hidden_between(std::size_t k, const std::array<const BlendVertex*, 3>& c
         footprint.inverse_depths[static_cast<Eigen::Index>(c)] =
             static_cast<double>(corners[c]->inverse_depth / corners[c]->depth_ratios[k]);
     }
-    return sampler.search().is_part_hidden(footprint, kLeastBefore_px,
+    return sampler.search().is_part_hidden(footprint, kSurelyBefore_px,
                                            sampler.polygon().view_indices[k]);
 }
 

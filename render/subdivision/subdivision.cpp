@@ -53,6 +53,12 @@ double PatchSampler::opacity_of(const PatchSample& sample,
     return shell_opacity(capture_fade(ray, kShellFadedShare), seen, inside);
 }
 
+/// A guess is nothing that stands before it.
+bool PatchSampler::is_guess_hidden(const PatchSample& sample, int view) const {
+    return !sample.hits && !options_.unseen_is_black &&
+           search_.hidden_by_px(sample.pixel, sample.inverse_depth, view) >= kSurelyBefore_px;
+}
+
 PatchSample PatchSampler::at(const Eigen::Vector2d& pixel) const {
     PatchSample sample;
     sample.pixel = pixel;
@@ -85,7 +91,8 @@ PatchSample PatchSampler::at(const Eigen::Vector2d& pixel) const {
         ratio += sample.ray_weights[k] * in_view.z();
         const bool may_be_hidden = hit && options_.correct_occlusion && !hit->is_met_by(view);
         visible[k] = may_be_hidden ? search_.visibility(pixel, hit->inverse_depth, view)
-                                   : search_.inside(view, sample.view_pixels[k]);
+                     : is_guess_hidden(sample, view) ? 0.0
+                                                     : search_.inside(view, sample.view_pixels[k]);
     }
     sample.occluded = 1;
     for (std::size_t k = 0; k < 3; ++k) sample.occluded -= sample.ray_weights[k] * visible[k];
@@ -96,7 +103,7 @@ PatchSample PatchSampler::at(const Eigen::Vector2d& pixel) const {
         return sample;
     }
     sample.confidence = 0;
-    if (options_.unseen_is_black) return sample;
+    if (options_.unseen_is_black || !hit) return sample;
     std::array<double, 3> inside{};
     for (std::size_t k = 0; k < 3; ++k)
         if (sample.depth_ratios[k] > 0)

@@ -65,6 +65,7 @@ class PatchSampler {
  private:
     [[nodiscard]] std::array<int, 3> by_weight(const std::array<double, 3>& weights) const;
     [[nodiscard]] std::optional<RayHit> first_hit(const PatchSample& sample) const;
+    [[nodiscard]] bool is_guess_hidden(const PatchSample& sample, int view) const;
     [[nodiscard]] double opacity_of(const PatchSample& sample,
                                     const std::array<double, 3>& visible) const;
 

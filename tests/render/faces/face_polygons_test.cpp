@@ -225,18 +225,9 @@ TEST(FacePolygons, OfAWalkForwardIsOneWithTheWeightsOfTheEye) {
     }
     for (const Eigen::Vector3d& place :
          {Eigen::Vector3d(0, 0.3, 1.25), Eigen::Vector3d(0.4, 0, -2), Eigen::Vector3d(0, 0, 5)}) {
-        const auto polygons = face_polygons(mesh, eye_at(place, {0, 0, 9}, kCamera));
-        ASSERT_EQ(polygons.size(), 1U);
-        const RayWeights expected = weights_of_eye(mesh, place);
-        WeightOfView by_view;
-        for (std::size_t i = 0; i < 3; ++i)
-            if (expected.weights[i] > 0) by_view[expected.view_indices[i]] += expected.weights[i];
-        for (const Eigen::Vector2d& pixel : {Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d(30, 20)}) {
-            const auto painted = painted_at(polygons, pixel);
-            ASSERT_TRUE(painted.has_value());
-            for (const auto& [view, weight] : by_view)
-                EXPECT_NEAR(painted->at(view), weight, 1e-12);
-        }
+        const Eye eye = eye_at(place, {0, 0, 9}, kCamera);
+        EXPECT_EQ(face_polygons(mesh, eye).size(), 1U);
+        EXPECT_EQ(expect_polygons_equal_ray_weights(mesh, eye, "a walk"), 24 * 18);
     }
 }
 

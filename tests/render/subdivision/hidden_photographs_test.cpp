@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "render/depth_search/occlusion.h"
 #include "render/subdivision/adaptive_subdivision.h"
 #include "render/transfer/scene_plane.h"
 #include "tests/render/analytic_scene.h"
@@ -240,6 +241,34 @@ TEST_F(HiddenPhotographs, ShowNothingThinBetweenCorners) {
         }
     }
     EXPECT_GT(left_out, 2);
+}
+
+/// Around the ball no camera nearby has seen the sky: the ball is before it.
+TEST(Guesses, ShowNothingThatStandsBeforeThem) {
+    const Lumigraph scene = ball_in_sky();
+    const SearchedViews views = searched_views(scene);
+    const Eye eye = eye_at({1, -2, -3}, {0, 0, 0}, pinhole_camera(80, 60, 90));
+    const DepthSearch search(scene, views, eye, 1.0);
+    const Eigen::Vector3d plane = scene_plane_inverse_depth(scene, eye);
+    int hidden = 0;
+    for (const FacePolygon& polygon : face_polygons(scene.mesh, eye)) {
+        const PatchSampler sampler(polygon, search, plane, {});
+        for (int y = 0; y < 60; ++y) {
+            for (int x = 0; x < 80; ++x) {
+                const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
+                const PatchSample sample = sampler.at(pixel);
+                if (sample.hits) continue;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    if (search.hidden_by_px(pixel, sample.inverse_depth, polygon.view_indices[k]) <
+                        kSurelyBefore_px)
+                        continue;
+                    ++hidden;
+                    EXPECT_EQ(sample.weights[k], 0.0) << x << ' ' << y;
+                }
+            }
+        }
+    }
+    EXPECT_GT(hidden, 100);
 }
 
 }  // namespace
