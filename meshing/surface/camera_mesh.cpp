@@ -85,23 +85,28 @@ Eigen::Vector3d side_products(const CameraMesh& mesh, const CameraMesh::Face& fa
 }
 
 RayWeights weights_of_eye(const CameraMesh& mesh, const Eigen::Vector3d& eye_in_world) {
-    const std::vector<CameraMesh::Vertex>& cameras = mesh.vertices;
-    const Eigen::Vector3d way = cameras.back().position_in_world - cameras[0].position_in_world;
-    const auto along = [&](const CameraMesh::Vertex& camera) {
-        return way.dot(camera.position_in_world - eye_in_world);
-    };
-    const auto first_ahead =
-        std::find_if(cameras.begin(), cameras.end(),
-                     [&](const CameraMesh::Vertex& camera) { return along(camera) > 0; });
-    const bool is_beyond = first_ahead == cameras.end();
-    const CameraMesh::Vertex& ahead = is_beyond ? cameras.back() : *first_ahead;
-    const CameraMesh::Vertex& behind =
-        is_beyond || first_ahead == cameras.begin() ? ahead : *(first_ahead - 1);
-    // Zero or less for what is behind, more for what is ahead.
-    const double apart = along(ahead) - along(behind);
-    const double share_ahead = apart > 0 ? -along(behind) / apart : 0.0;
+    const Eigen::Vector3d way =
+        mesh.vertices.back().position_in_world - mesh.vertices.front().position_in_world;
+    // The nearest on either side; of cameras that sway, no order along another line tells these.
+    const CameraMesh::Vertex* behind = nullptr;
+    const CameraMesh::Vertex* ahead = nullptr;
+    double to_behind = 0;
+    double to_ahead = 0;
+    for (const CameraMesh::Vertex& camera : mesh.vertices) {
+        const double along = way.dot(camera.position_in_world - eye_in_world);
+        if (along <= 0 && (!behind || -along < to_behind)) {
+            behind = &camera;
+            to_behind = -along;
+        } else if (along > 0 && (!ahead || along < to_ahead)) {
+            ahead = &camera;
+            to_ahead = along;
+        }
+    }
+    const double share_ahead = !behind ? 1.0 : !ahead ? 0.0 : to_behind / (to_behind + to_ahead);
+    if (!behind) behind = ahead;
+    if (!ahead) ahead = behind;
     return {-1,
-            {behind.view_index, ahead.view_index, ahead.view_index},
+            {behind->view_index, ahead->view_index, ahead->view_index},
             {1.0 - share_ahead, share_ahead, 0.0},
             0.0};
 }

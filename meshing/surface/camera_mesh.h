@@ -39,7 +39,7 @@ struct CameraMesh {
 
     MeshConstruction construction = MeshConstruction::kSingle;
     Eigen::Vector3d scene_centre_in_world = Eigen::Vector3d::Zero();
-    std::vector<Vertex> vertices;  ///< Of kForward: from the hindmost on.
+    std::vector<Vertex> vertices;  ///< Of kForward: the way leads from the first to the last.
     std::vector<Face> faces;
     /// Meshes over close-ups, coarse before fine: each refines what its cameras see, as far as
     /// their weights say (see `capture_fade`), and its own cameras are vertices of it alone.

@@ -9,7 +9,6 @@
 
 #include "render/depth_layers/depth_eye.h"
 #include "render/depth_layers/depth_layer_views.h"
-#include "render/depth_layers/unknown_cells.h"
 #include "render/faces/asked_views.h"
 #include "render/gl/to_glm.h"
 #include "render/holes/hole_cells.h"
@@ -52,6 +51,7 @@ PerPixel::PerPixel(const UploadedLumigraph& uploaded, DepthLayers::DrawnBy depth
       layer_count_(
           std::min(uploaded.layout.depth_views, static_cast<int>(uploaded.layout.views.size()))),
       depth_(uploaded, layer_count_, depth_drawn_by),
+      checks_guesses_(do_views_see_infinity(uploaded.searched_views)),
       faces_(uploaded),
       blend_(uploaded, kLeastConfidence),
       in_pixels_(programs({})),
@@ -70,6 +70,7 @@ PerPixel::Programs PerPixel::programs(const std::vector<std::string>& definition
         std::vector<std::string> all = layer_definitions();
         all.insert(all.end(), definitions.begin(), definitions.end());
         all.push_back("UNASKED_VIEWS " + std::to_string(unasked_views));
+        if (checks_guesses_) all.emplace_back("CHECKS_GUESSES");
         return program_of(std::move(all));
     };
     return {of_faces(0), of_faces(1), of_faces(2), of_faces(3)};
@@ -94,13 +95,17 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& wanted,
     return {triangles};
 }
 
-PictureCells PerPixel::open_cells(const Eye& eye, const RenderOptions& options,
-                                  const AskedDepth& asked) const {
+PictureCells PerPixel::open_cells(const std::vector<FacePolygon>& polygons, const Eye& eye,
+                                  const RenderOptions& options) const {
     PictureCells cells(eye.camera);
     if (!are_surroundings_drawn(options)) return cells;
+    if (checks_guesses_) {
+        cells.mark_all();
+        return cells;
+    }
     mark_beyond_mesh(uploaded_.layout.mesh, eye, cells);
-    mark_where_depth_may_be_unknown(uploaded_.layout, uploaded_.searched_views.depths, asked.sets,
-                                    eye, depth_.max_inverse_depth(), cells);
+    mark_where_none_may_be_shown(polygons, uploaded_.layout.views, eye,
+                                 scene_plane_inverse_depth(uploaded_.layout, eye), cells);
     return cells;
 }
 
@@ -109,7 +114,7 @@ std::size_t PerPixel::draw_base(const Eye& eye, const RenderOptions& options,
     const bool in_blocks = is_drawn_in_blocks(uploaded_.layout, eye, options);
     const Eye drawn = in_blocks ? PixelBlocks::covering(eye) : eye;
     const std::vector<FacePolygon> polygons = face_polygons(uploaded_.layout.mesh, drawn);
-    const PictureCells cells = open_cells(drawn, options, asked);
+    const PictureCells cells = open_cells(polygons, drawn, options);
     std::size_t triangles = 0;
     if (in_blocks) {
         {

@@ -65,8 +65,8 @@ class PerPixel : public DrawingMode {
     std::size_t draw_base(const Eye& eye, const RenderOptions& options, const Viewport& viewport,
                           const AskedDepth& asked);
     /// The cells of the picture that surroundings are drawn in, beneath the faces.
-    [[nodiscard]] PictureCells open_cells(const Eye& eye, const RenderOptions& options,
-                                          const AskedDepth& asked) const;
+    [[nodiscard]] PictureCells open_cells(const std::vector<FacePolygon>& polygons, const Eye& eye,
+                                          const RenderOptions& options) const;
     /// What no view that was asked for depth sees: where, once that was drawn, and then, from
     /// others.
     [[nodiscard]] PictureCells found_holes(const DepthEye& depth_eye, const Camera& camera);
@@ -91,6 +91,7 @@ class PerPixel : public DrawingMode {
     SurroundingsPainter surroundings_;
     int layer_count_;
     DepthLayers depth_;
+    bool checks_guesses_;  ///< As depth meshes end at outlines before what is infinitely far.
     FacePainter faces_;
     BlendPainter blend_;
     std::optional<HoleFinder> holes_;  ///< When it is first asked for.

@@ -10,6 +10,17 @@
 
 namespace lumi {
 
+namespace {
+
+bool is_anything_infinitely_far(const Lumigraph& lumigraph) {
+    return std::any_of(lumigraph.views.begin(), lumigraph.views.end(), [](const auto& view) {
+        const auto& pixels = view.depth.inverse_depth.pixels();
+        return std::find(pixels.begin(), pixels.end(), 0.0F) != pixels.end();
+    });
+}
+
+}  // namespace
+
 double border_distance_px(const Camera& camera, const Eigen::Vector2d& pixel) {
     return std::min(
         {pixel.x(), pixel.y(), camera.width_px - pixel.x(), camera.height_px - pixel.y()});
@@ -20,7 +31,8 @@ PointInViews::PointInViews(const Lumigraph& lumigraph, const Eye& eye, const Ren
       options_(options),
       eye_in_world_(centre_in_world(eye.cam_from_world)),
       geometries_(view_geometries(lumigraph)),
-      photographs_(lumigraph, eye) {}
+      photographs_(lumigraph, eye),
+      is_anything_infinitely_far_(is_anything_infinitely_far(lumigraph)) {}
 
 std::optional<Sight> PointInViews::sight(int view_index, const RayPoint& point) const {
     const LumigraphView& seen_by = view(view_index);
@@ -62,6 +74,15 @@ double PointInViews::visibility(int view_index, const RayPoint& point,
         disparity_px_per_inverse_depth(geometries_[static_cast<std::size_t>(view_index)],
                                        eye_in_world_);
     return visibility_of(difference_px, options_.occlusion_tolerance_px);
+}
+
+bool PointInViews::is_guess_hidden(int view_index, const RayPoint& point) const {
+    if (!is_anything_infinitely_far_ || !is_inside(view_index, point)) return false;
+    const Sight at = *sight(view_index, point);
+    const double before_px = (seen_by(view_index, at, {}).value_or(0.0) - at.inverse_depth) *
+                             disparity_px_per_inverse_depth(
+                                 geometries_[static_cast<std::size_t>(view_index)], eye_in_world_);
+    return before_px > kSurelyBefore_px;
 }
 
 double PointInViews::opacity(int view_index, const RayPoint& point) const {

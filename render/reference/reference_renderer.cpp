@@ -24,7 +24,8 @@
 namespace lumi {
 namespace {
 
-/// The same with how it is known. Without any support: the scene plane, for the mode that draws it.
+/// The same with how it is known. Without any support: the scene plane, for the mode that draws it
+/// or as a guess.
 struct KnownPoint {
     RayPoint point;
     ConsensusDepth depth;
@@ -139,6 +140,7 @@ std::array<double, 3> ReferenceFrame::visibilities(const RayWeights& ray,
             seen[i] = views_.visibility(view, point, known.of_views);
         else if (depth_ ? views_.is_inside(view, point) : views_.sight(view, point).has_value())
             seen[i] = 1;
+        if (depth_ && known.depth.support == 0 && views_.is_guess_hidden(view, point)) seen[i] = 0;
     }
     return seen;
 }
@@ -182,7 +184,6 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
         weights_of_ray(lumigraph_.mesh, eye_in_world_, shared.point.direction_in_world);
     if (!ray) return std::nullopt;
     const bool has_depth = depth.support > 0;
-    if (depth_ && !has_depth) return std::nullopt;
     const std::array<double, 3> seen = visibilities(*ray, shared);
     RayPoint point = shared.point;
     // Steep as a tear is, all of a block shows nearly the same.

@@ -7,6 +7,8 @@
 // does. A view that was asked for depth has said what it sees along the eye's ray; of others the
 // depth maps tell. UNASKED_VIEWS: so many of the face's views were not asked, its last.
 //
+// CHECKS_GUESSES: on the scene plane a photograph shows nothing that stands before it.
+//
 // SMOOTH: a pixel has four samples of depth. Where they are of several surfaces, it is the mean of
 // what is drawn of each.
 //
@@ -25,6 +27,8 @@ uniform float check_per_px;              // 1 / tolerance; 0 without occlusion c
 // photograph_opacity.h.
 const float kLeastCounting = 0.25;
 const float kMostParallax_px = 1.0;
+// Of disparity: what stands so far before a point hides it. See occlusion.h.
+const float kSurelyBefore_px = 16.0;
 // What a photograph counts beyond its border, which it continues: a quarter of the least within.
 const float kLeastOpacity = 1.0 / 1024.0;
 
@@ -73,13 +77,22 @@ float seen_by(bool is_asked, float photograph, vec3 sight, vec4 size, Depth dept
 
 // 1 when the view sees the point, 0 when it sees something else; in between a ramp.
 float visibility(bool is_asked, vec3 sight, float is_before, vec4 size, float photograph,
-                 Depth depth, float inverse_depth, float disparity_px) {
+                 Depth depth, float inverse_depth, float disparity_px, float check) {
     vec2 to_border = min(sight.xy, size.xy - sight.xy);
     float inside = step(0.0, min(to_border.x, to_border.y)) * is_before;
     float seen = seen_by(is_asked, photograph, sight, size, depth);
     float difference_px = abs(inverse_depth * sight.z - seen) * disparity_px;
-    return inside * clamp(2.0 - check_per_px * difference_px, 0.0, 1.0);
+    return inside * clamp(2.0 - check * difference_px, 0.0, 1.0);
 }
+
+#ifdef CHECKS_GUESSES
+// 1 unless the view has something before a point that is a guess.
+float is_free_before(vec3 sight, vec4 size, float photograph, float inverse_depth,
+                     float disparity_px) {
+    float seen = texelFetch(depth_maps, ivec3(ivec2(sight.xy * size.zw), int(photograph)), 0).r;
+    return step((seen - inverse_depth * sight.z) * disparity_px, kSurelyBefore_px);
+}
+#endif
 
 // What all pixels of a fragment share.
 struct Blend {
@@ -90,6 +103,7 @@ struct Blend {
     float sum;     // of these weights
     bool is_unseen;
     Depth depth;
+    bool is_guess;  // no depth is known: the scene plane
     float inverse_depth;
 #ifdef FADES
     vec3 ray_weights;  // before the correction
@@ -109,8 +123,8 @@ vec4 drawn_at(Blend blend, vec2 from_centre_px) {
     // Where all are mixed of two surfaces the colour is a guess, unless a camera is where the eye is.
     float pure = counting + dot(blend.weights, step(near_inverse_depth * disparity_and_face.xyz,
                                                     vec3(kMostParallax_px)));
-    // What none of the three sees and no view has seen is drawn as a guess.
-    float is_known = blend.is_unseen && blend.depth.kind > 1.5 ? 0.0 : 1.0;
+    // What none of the three sees and no view has seen is drawn as a guess too.
+    float is_known = blend.is_guess || (blend.is_unseen && blend.depth.kind > 1.5) ? 0.0 : 1.0;
     float covered = is_known * (blend.is_unseen ? 1.0 : step(kLeastCounting * blend.sum, pure));
     weights = blend.is_unseen ? vec3(1.0, 0.0, 0.0) : weights * (1.0 / max(counting, 1e-9));
 #ifdef FADES
@@ -118,9 +132,10 @@ vec4 drawn_at(Blend blend, vec2 from_centre_px) {
     covered = mix(covered, is_known, is_shell);
 #endif
 #ifdef DEBUG_PICTURE
-    // Two views agree: 1; one has seen it: 0.5; filled: 0.25; stretched: 0.125.
+    // Two views agree: 1; one has seen it: 0.5; filled: 0.25; stretched: 0.125; a guess: 0.
     float confidence = blend.depth.kind < 0.5   ? 0.5 * blend.depth.support
                        : blend.depth.kind < 1.5 ? 0.25
+                       : blend.is_guess         ? 0.0
                                                 : 0.125;
     // White: none of the three sees the point.
     bool is_marked = blend.is_unseen && debug_picture == 1;
@@ -142,13 +157,12 @@ ivec2 texel_at(vec2 window) {
     return ivec2(window * texels_per_pixel + vec2(0.0, texels_below));
 }
 
-// No view that was asked knows any depth: what is behind is shown.
-bool is_unknown(Depth depth) { return depth.kind > 2.5; }
-
 Blend blend_at(vec2 window, Depth depth) {
     Blend blend;
     blend.depth = depth;
-    float q = depth.inverse_depth;
+    // Where no depth is known the scene plane is a guess: drawn, but not counted as covered.
+    blend.is_guess = depth.kind > 2.5;
+    float q = blend.is_guess ? max(0.0, side_products_and_plane.w) : depth.inverse_depth;
     blend.inverse_depth = q;
     vec3 pixel0 = AT_CENTRE(view_pixel0) + q * view_parallax0.xyz;
     vec3 pixel1 = AT_CENTRE(view_pixel1) + q * view_parallax1.xyz;
@@ -157,6 +171,7 @@ Blend blend_at(vec2 window, Depth depth) {
     vec3 sight1 = sight_of(pixel1);
     vec3 sight2 = sight_of(pixel2);
     vec3 is_before = vec3(greaterThan(vec3(pixel0.z, pixel1.z, pixel2.z), vec3(0.0)));
+    float check = blend.is_guess ? 0.0 : check_per_px;
     vec3 weights = blending_weights();
 #ifdef FADES
     blend.ray_weights = weights;
@@ -164,18 +179,27 @@ Blend blend_at(vec2 window, Depth depth) {
                         inner(sight2.xy, view_size2.xy));
 #endif
     weights *= vec3(visibility(kAskedViews > 0, sight0, is_before.x, view_size0, view_parallax0.w,
-                               depth, q, disparity_and_face.x),
+                               depth, q, disparity_and_face.x, check),
                     visibility(kAskedViews > 1, sight1, is_before.y, view_size1, view_parallax1.w,
-                               depth, q, disparity_and_face.y),
+                               depth, q, disparity_and_face.y, check),
                     visibility(kAskedViews > 2, sight2, is_before.z, view_size2, view_parallax2.w,
-                               depth, q, disparity_and_face.z));
+                               depth, q, disparity_and_face.z, check));
+#ifdef CHECKS_GUESSES
+    weights *= max(vec3(blend.is_guess ? 0.0 : 1.0),
+                   vec3(is_free_before(sight0, view_size0, view_parallax0.w, q,
+                                       disparity_and_face.x),
+                        is_free_before(sight1, view_size1, view_parallax1.w, q,
+                                       disparity_and_face.y),
+                        is_free_before(sight2, view_size2, view_parallax2.w, q,
+                                       disparity_and_face.z)));
+#endif
     blend.weights = weights;
     blend.sum = weights.x + weights.y + weights.z;
     blend.is_unseen = blend.sum < 1e-4;
     bool is_unseen = blend.is_unseen;
     // What is stretched over a tear is steep: the next pixel of the block is much farther, and shows
     // nearly the same, not what is beside it at this depth.
-    bool is_stretched = depth.kind > 1.5;
+    bool is_stretched = depth.kind > 1.5 && !blend.is_guess;
     float per_pixel = is_stretched ? 0.0 : 1.0 / kFragment_px;
     float per_layer_pixel = is_stretched ? 0.0 : 1.0;
     blend.place0 = place_of(
@@ -221,9 +245,9 @@ vec4 smooth_at(vec2 window) {
         float samples = dot(of_surface, vec4(1.0));
         vec4 mean = (of_surface.x * depth0 + of_surface.y * depth1 + of_surface.z * depth2 +
                      of_surface.w * depth3) / samples;
-        Depth depth = agreed_depth(mean);
-        float drawn_samples = is_unknown(depth) ? 0.0 : samples;
-        sum += drawn_samples * drawn_at(blend_at(window, depth), vec2(0.0));
+        Blend blend = blend_at(window, agreed_depth(mean));
+        float drawn_samples = blend.is_unseen && blend.is_guess ? 0.0 : samples;
+        sum += drawn_samples * drawn_at(blend, vec2(0.0));
         count += drawn_samples;
     } while (dot(left, vec4(1.0)) > 0.5);
     if (count < 0.5) discard;
@@ -236,9 +260,8 @@ void main() {
 #ifdef SMOOTH
     drawn = smooth_at(window);
 #else
-    Depth depth = agreed_depth(layer_depths(texel_at(window)));
-    if (is_unknown(depth)) discard;
-    Blend blend = blend_at(window, depth);
+    Blend blend = blend_at(window, agreed_depth(layer_depths(texel_at(window))));
+    if (blend.is_unseen && blend.is_guess) discard;
 #ifdef BLOCKS
     drawn = drawn_at(blend, vec2(-0.5, -0.5));
     drawn_right = drawn_at(blend, vec2(0.5, -0.5));
