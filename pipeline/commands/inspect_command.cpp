@@ -36,6 +36,7 @@ Json package_json(const Lumigraph& lumigraph) {
                 {"depth_views", lumigraph.depth_views},
                 {"depth_block_px", lumigraph.depth_block_px},
                 {"fills_holes", lumigraph.fills_holes},
+                {"checks_guesses", lumigraph.checks_guesses},
                 {"triangle_error_px", lumigraph.triangle_error_px},
                 {"draws_thin", lumigraph.draws_thin},
                 {"mesh",
@@ -62,6 +63,7 @@ std::string package_text(const Lumigraph& lumigraph) {
                        " faces, depth compared from " + std::to_string(lumigraph.depth_views) +
                        " views for " + text_of_depth_blocks(lumigraph.depth_block_px) +
                        (lumigraph.fills_holes ? ", what these do not see drawn from others" : "") +
+                       (lumigraph.checks_guesses ? ", guesses checked" : "") +
                        ", triangles within " + number_text(lumigraph.triangle_error_px, 2) + " px" +
                        (lumigraph.draws_thin ? ", what is thinner drawn over them" : "") + "\n";
     for (const LumigraphView& view : lumigraph.views) {

@@ -79,6 +79,7 @@ DrawingOptions read_drawing_options(const ConfigSection& render) {
                                          options.depth_block_px <= kMaxDepthBlock_px))
         render.refuse("depth_block_px", "0 (as photographs ask for), or 1 to 2");
     options.fill_holes = read_yes_no_or_auto(render, "fill_holes");
+    options.check_guesses = read_yes_no_or_auto(render, "check_guesses");
     options.triangle_error_px = render.number("triangle_error_px", options.triangle_error_px);
     if (options.triangle_error_px != 0 && !(options.triangle_error_px >= kLeastTriangleError_px &&
                                             options.triangle_error_px <= kMostTriangleError_px))

@@ -41,6 +41,9 @@ struct DrawingOptions {
     /// Whether `perpixel` draws from other views what none that it asks for depth sees
     /// (Lumigraph::fills_holes); empty: where photographs ask for it.
     std::optional<bool> fill_holes;
+    /// Whether guesses are drawn only where nothing was seen before them
+    /// (Lumigraph::checks_guesses); empty: where photographs ask for it.
+    std::optional<bool> check_guesses;
     /// Of the triangles that `adaptive` draws; 0: as photographs ask for.
     double triangle_error_px = 0.0;
     /// Whether it draws what is thinner over them (Lumigraph::draws_thin); empty: where photographs

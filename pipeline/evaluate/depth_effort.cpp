@@ -21,6 +21,7 @@ struct Choice {
     int depth_views;
     double depth_block_px;
     bool fills_holes = false;
+    bool checks_guesses = false;
 };
 constexpr Choice kMostViews{kMaxDepthViews, kLeastDepthBlock_px};
 /// To be told from the most.
@@ -30,8 +31,10 @@ constexpr Choice kInBlocks{kLeastDepthViews, kMaxDepthBlock_px};
 /// To be told from as many views without.
 constexpr Choice kMostViewsFilled{kMaxDepthViews, kLeastDepthBlock_px, true};
 constexpr Choice kFewestViewsFilled{kLeastDepthViews, kLeastDepthBlock_px, true};
-constexpr std::array kChoices{kMostViews, kFewestViews, kInBlocks, kMostViewsFilled,
-                              kFewestViewsFilled};
+/// To be told from as many filled ones: what others know is no guess.
+constexpr Choice kMostViewsChecked{kMaxDepthViews, kLeastDepthBlock_px, true, true};
+constexpr std::array kChoices{kMostViews,       kFewestViews,       kInBlocks,
+                              kMostViewsFilled, kFewestViewsFilled, kMostViewsChecked};
 
 using LossesDb = std::vector<double>;
 
@@ -40,6 +43,7 @@ LossesDb losses_db_of(const Choice& choice, Lumigraph& lumigraph,
     lumigraph.depth_views = choice.depth_views;
     lumigraph.depth_block_px = choice.depth_block_px;
     lumigraph.fills_holes = choice.fills_holes;
+    lumigraph.checks_guesses = choice.checks_guesses;
     OffscreenRenderer renderer(lumigraph);
     return draw_pictures(renderer, pictures, kAlike).losses_db;
 }
@@ -62,13 +66,15 @@ DepthEffort sufficient_depth_effort(const Lumigraph& lumigraph, const Capture& c
             }
         });
     if (asked == 0) return {};
-    const auto& [most_views, fewest_views, in_blocks, most_filled, fewest_filled] = losses_db;
+    const auto& [most_views, fewest_views, in_blocks, most_filled, fewest_filled, most_checked] =
+        losses_db;
     const Excess of_fewest = excess_over(fewest_views, most_views);
     const Excess of_blocks = excess_over(in_blocks, fewest_views);
     const bool has_few = simplest_as_good({most_views, fewest_views}) == 1;
     const LossesDb& filled = has_few ? fewest_filled : most_filled;
     const LossesDb& unfilled = has_few ? fewest_views : most_views;
     const Excess of_holes = excess_over(unfilled, filled);
+    const Excess of_guesses = excess_over(most_filled, most_checked);
     const double block_px = of_blocks.mean <= kUnseenLoss_db
                                 ? kMaxDepthBlock_px
                                 : sufficient_block_px(lumigraph, capture, mesh_options,
@@ -77,11 +83,14 @@ DepthEffort sufficient_depth_effort(const Lumigraph& lumigraph, const Capture& c
         .views = has_few ? kLeastDepthViews : kMaxDepthViews,
         .block_px = block_px,
         .fills_holes = simplest_as_good({filled, unfilled}) == 0 && of_holes.mean > kUnseenLoss_db,
+        .checks_guesses =
+            simplest_as_good({most_checked, most_filled}) == 0 && of_guesses.mean > kUnseenLoss_db,
         .pictures = static_cast<int>(asked),
         .fewer_views_lose_db = of_fewest.mean,
         .standard_error_db = of_fewest.standard_error,
         .blocks_lose_db = of_blocks.mean,
-        .holes_lose_db = of_holes.mean};
+        .holes_lose_db = of_holes.mean,
+        .guesses_lose_db = of_guesses.mean};
 }
 
 }  // namespace lumi

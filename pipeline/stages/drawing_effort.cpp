@@ -22,10 +22,12 @@ std::string text_of(const DepthEffort& effort) {
            " photographs are drawn " + number_text(effort.fewer_views_lose_db, 2) + " +- " +
            number_text(effort.standard_error_db, 2) + " dB better with " +
            std::to_string(kMaxDepthViews) + " views than with " + std::to_string(kLeastDepthViews) +
-           ", " + number_text(effort.blocks_lose_db, 2) + " dB better pixel by pixel, and " +
+           ", " + number_text(effort.blocks_lose_db, 2) + " dB better pixel by pixel, " +
            number_text(effort.holes_lose_db, 2) + " dB better with what these do not see " +
            (effort.fills_holes ? "drawn from others, which is done"
-                               : "drawn from others, which is not done");
+                               : "drawn from others, which is not done") +
+           ", and " + number_text(effort.guesses_lose_db, 2) + " dB better with guesses " +
+           (effort.checks_guesses ? "checked, which is done" : "checked, which is not done");
 }
 
 std::string text_of(const TriangleEffort& effort) {
@@ -47,11 +49,13 @@ Json json_of(const DepthEffort& effort) {
     return {{"views", effort.views},
             {"block_px", effort.block_px},
             {"fills_holes", effort.fills_holes},
+            {"checks_guesses", effort.checks_guesses},
             {"pictures", effort.pictures},
             {"fewer_views_lose_db", effort.fewer_views_lose_db},
             {"standard_error_db", effort.standard_error_db},
             {"blocks_lose_db", effort.blocks_lose_db},
-            {"holes_lose_db", effort.holes_lose_db}};
+            {"holes_lose_db", effort.holes_lose_db},
+            {"guesses_lose_db", effort.guesses_lose_db}};
 }
 
 Json json_of(const TriangleEffort& effort) {

@@ -9,17 +9,20 @@ namespace lumi {
 
 /// How much `perpixel` does to know depth: how many views' depths are compared
 /// (Lumigraph::depth_views), in how wide blocks of pixels (Lumigraph::depth_block_px), whether what
-/// none of them sees is drawn from others (Lumigraph::fills_holes), and why.
+/// none of them sees is drawn from others (Lumigraph::fills_holes), whether guesses are checked
+/// (Lumigraph::checks_guesses), and why.
 struct DepthEffort {
     int views = kMaxDepthViews;
     double block_px = kLeastDepthBlock_px;
     bool fills_holes = false;
+    bool checks_guesses = false;
     int pictures = 0;  ///< That were asked; 0: nobody was.
     /// What one view fewer than the most loses at them, in the mean; negative where it gains.
     double fewer_views_lose_db = 0.0;
     double standard_error_db = 0.0;  ///< Of that.
     double blocks_lose_db = 0.0;     ///< The same for blocks of kMaxDepthBlock_px.
     double holes_lose_db = 0.0;      ///< The same, of so many views, for holes that are not filled.
+    double guesses_lose_db = 0.0;    ///< The same for guesses that are not checked.
 };
 
 /// How far the triangles of `adaptive` may err (Lumigraph::triangle_error_px), whether what is

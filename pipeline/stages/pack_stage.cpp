@@ -128,11 +128,13 @@ DepthEffort depth_effort(const PackSources& sources, const Lumigraph& lumigraph,
                          Progress& progress) {
     const DrawingOptions& wanted = sources.drawing;
     DepthEffort effort;
-    if (wanted.depth_views == 0 || wanted.depth_block_px == 0 || !wanted.fill_holes)
+    if (wanted.depth_views == 0 || wanted.depth_block_px == 0 || !wanted.fill_holes ||
+        !wanted.check_guesses)
         effort = asked(sources.sufficient_depth_effort, sources, lumigraph, progress);
     if (wanted.depth_views != 0) effort.views = wanted.depth_views;
     if (wanted.depth_block_px != 0) effort.block_px = wanted.depth_block_px;
     effort.fills_holes = wanted.fill_holes.value_or(effort.fills_holes);
+    effort.checks_guesses = wanted.check_guesses.value_or(effort.checks_guesses);
     note(effort, progress);
     return effort;
 }
@@ -255,6 +257,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     lumigraph.depth_views = effort.views;
     lumigraph.depth_block_px = effort.block_px;
     lumigraph.fills_holes = effort.fills_holes;
+    lumigraph.checks_guesses = effort.checks_guesses;
     const TriangleEffort of_triangles = triangle_effort(sources, lumigraph, progress);
     lumigraph.triangle_error_px = of_triangles.error_px;
     lumigraph.draws_thin = of_triangles.draws_thin;

@@ -1,7 +1,5 @@
 #include "render/depth_search/searched_views.h"
 
-#include <algorithm>
-
 #include "calib/work/parallel_for.h"
 #include "render/depth_mesh/surface_tears.h"
 
@@ -28,12 +26,6 @@ SearchedViews searched_views(const Lumigraph& lumigraph) {
         if (lumigraph.draws_thin) views.thin[index] = thin_surfaces(view, disparity_px);
     });
     return views;
-}
-
-bool do_views_see_infinity(const SearchedViews& views) {
-    return std::any_of(views.depths.begin(), views.depths.end(), [](const TiledDepth& depth) {
-        return !depth.empty() && !(depth.farthest() > 0);
-    });
 }
 
 }  // namespace lumi

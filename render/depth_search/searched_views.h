@@ -18,8 +18,4 @@ struct SearchedViews {
 
 [[nodiscard]] SearchedViews searched_views(const Lumigraph& lumigraph);
 
-/// Whether one of them has something infinitely far in its photograph, as a plain background or
-/// what a mask leaves out.
-[[nodiscard]] bool do_views_see_infinity(const SearchedViews& views);
-
 }  // namespace lumi

@@ -83,11 +83,10 @@ struct DrawStatistics {
 struct Frame {
     ColorImage color;
     /// 255 where the picture is known, 0 where it is not. There it is a guess: on the scene plane
-    /// where nobody knows how far the scene is and photographs show nothing nearer (per pixel:
-    /// where something is infinitely far in one of them), or, per pixel, on what is stretched over
-    /// a tear in depth where none of the ray's cameras sees it, or where only pixels show it that
-    /// are mixed of two surfaces; where no photograph shows anything it is what surroundings.h
-    /// says, or black.
+    /// where nobody knows how far the scene is and photographs show nothing nearer (per pixel only
+    /// if guesses are checked), or, per pixel, on what is stretched over a tear in depth where none
+    /// of the ray's cameras sees it, or where only pixels show it that are mixed of two surfaces;
+    /// where no photograph shows anything it is what surroundings.h says, or black.
     GrayImage coverage;
     DrawStatistics statistics{};
 };

@@ -101,6 +101,7 @@ Lumigraph without_its_views(const Lumigraph& lumigraph) {
     rest.depth_views = lumigraph.depth_views;
     rest.depth_block_px = lumigraph.depth_block_px;
     rest.fills_holes = lumigraph.fills_holes;
+    rest.checks_guesses = lumigraph.checks_guesses;
     rest.triangle_error_px = lumigraph.triangle_error_px;
     rest.draws_thin = lumigraph.draws_thin;
     return rest;

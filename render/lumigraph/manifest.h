@@ -67,6 +67,7 @@ struct Manifest {
     int depth_views = kMaxDepthViews;
     double depth_block_px = kLeastDepthBlock_px;
     bool fills_holes = false;
+    bool checks_guesses = false;
     double triangle_error_px = kTriangleError_px;
     bool draws_thin = false;
     std::vector<ManifestView> views;

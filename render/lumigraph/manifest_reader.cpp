@@ -172,6 +172,8 @@ Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
             document.refuse("depth_block_px", "a number from 1 to 2");
     }
     if (document.has("fills_holes")) manifest.fills_holes = document.boolean("fills_holes");
+    if (document.has("checks_guesses"))
+        manifest.checks_guesses = document.boolean("checks_guesses");
     if (document.has("triangle_error_px")) {
         manifest.triangle_error_px = document.number("triangle_error_px");
         if (manifest.triangle_error_px < kLeastTriangleError_px ||

@@ -99,6 +99,7 @@ std::string manifest_text(const Manifest& manifest) {
     if (manifest.depth_block_px != kLeastDepthBlock_px)
         document["depth_block_px"] = manifest.depth_block_px;
     if (manifest.fills_holes) document["fills_holes"] = true;
+    if (manifest.checks_guesses) document["checks_guesses"] = true;
     if (manifest.triangle_error_px != kTriangleError_px)
         document["triangle_error_px"] = manifest.triangle_error_px;
     if (manifest.draws_thin) document["draws_thin"] = true;

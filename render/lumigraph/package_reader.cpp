@@ -147,6 +147,7 @@ Lumigraph read_contents(const fs::path& folder, const PackageLimits& limits) {
     lumigraph.depth_views = manifest.depth_views;
     lumigraph.depth_block_px = manifest.depth_block_px;
     lumigraph.fills_holes = manifest.fills_holes;
+    lumigraph.checks_guesses = manifest.checks_guesses;
     lumigraph.triangle_error_px = manifest.triangle_error_px;
     lumigraph.draws_thin = manifest.draws_thin;
     lumigraph.mesh = parse_camera_mesh_ply(package.read(manifest.camera_mesh),

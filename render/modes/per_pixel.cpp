@@ -51,7 +51,6 @@ PerPixel::PerPixel(const UploadedLumigraph& uploaded, DepthLayers::DrawnBy depth
       layer_count_(
           std::min(uploaded.layout.depth_views, static_cast<int>(uploaded.layout.views.size()))),
       depth_(uploaded, layer_count_, depth_drawn_by),
-      checks_guesses_(do_views_see_infinity(uploaded.searched_views)),
       faces_(uploaded),
       blend_(uploaded, kLeastConfidence),
       in_pixels_(programs({})),
@@ -70,7 +69,7 @@ PerPixel::Programs PerPixel::programs(const std::vector<std::string>& definition
         std::vector<std::string> all = layer_definitions();
         all.insert(all.end(), definitions.begin(), definitions.end());
         all.push_back("UNASKED_VIEWS " + std::to_string(unasked_views));
-        if (checks_guesses_) all.emplace_back("CHECKS_GUESSES");
+        if (uploaded_.layout.checks_guesses) all.emplace_back("CHECKS_GUESSES");
         return program_of(std::move(all));
     };
     return {of_faces(0), of_faces(1), of_faces(2), of_faces(3)};
@@ -99,7 +98,7 @@ PictureCells PerPixel::open_cells(const std::vector<FacePolygon>& polygons, cons
                                   const RenderOptions& options) const {
     PictureCells cells(eye.camera);
     if (!are_surroundings_drawn(options)) return cells;
-    if (checks_guesses_) {
+    if (uploaded_.layout.checks_guesses) {
         cells.mark_all();
         return cells;
     }

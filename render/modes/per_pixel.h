@@ -91,7 +91,6 @@ class PerPixel : public DrawingMode {
     SurroundingsPainter surroundings_;
     int layer_count_;
     DepthLayers depth_;
-    bool checks_guesses_;  ///< As depth meshes end at outlines before what is infinitely far.
     FacePainter faces_;
     BlendPainter blend_;
     std::optional<HoleFinder> holes_;  ///< When it is first asked for.

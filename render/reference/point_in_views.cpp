@@ -10,17 +10,6 @@
 
 namespace lumi {
 
-namespace {
-
-bool is_anything_infinitely_far(const Lumigraph& lumigraph) {
-    return std::any_of(lumigraph.views.begin(), lumigraph.views.end(), [](const auto& view) {
-        const auto& pixels = view.depth.inverse_depth.pixels();
-        return std::find(pixels.begin(), pixels.end(), 0.0F) != pixels.end();
-    });
-}
-
-}  // namespace
-
 double border_distance_px(const Camera& camera, const Eigen::Vector2d& pixel) {
     return std::min(
         {pixel.x(), pixel.y(), camera.width_px - pixel.x(), camera.height_px - pixel.y()});
@@ -31,8 +20,7 @@ PointInViews::PointInViews(const Lumigraph& lumigraph, const Eye& eye, const Ren
       options_(options),
       eye_in_world_(centre_in_world(eye.cam_from_world)),
       geometries_(view_geometries(lumigraph)),
-      photographs_(lumigraph, eye),
-      is_anything_infinitely_far_(is_anything_infinitely_far(lumigraph)) {}
+      photographs_(lumigraph, eye) {}
 
 std::optional<Sight> PointInViews::sight(int view_index, const RayPoint& point) const {
     const LumigraphView& seen_by = view(view_index);
@@ -77,7 +65,7 @@ double PointInViews::visibility(int view_index, const RayPoint& point,
 }
 
 bool PointInViews::is_guess_hidden(int view_index, const RayPoint& point) const {
-    if (!is_anything_infinitely_far_ || !is_inside(view_index, point)) return false;
+    if (!lumigraph_.checks_guesses || !is_inside(view_index, point)) return false;
     const Sight at = *sight(view_index, point);
     const double before_px = (seen_by(view_index, at, {}).value_or(0.0) - at.inverse_depth) *
                              disparity_px_per_inverse_depth(

@@ -47,7 +47,7 @@ class PointInViews {
     [[nodiscard]] double visibility(int view_index, const RayPoint& point,
                                     const std::map<int, EyeDepth>& asked) const;
     /// Whether the view's depth map has something surely before a point that is a guess
-    /// (occlusion.h). Looked for only where something is infinitely far in a photograph.
+    /// (occlusion.h), if guesses are checked.
     [[nodiscard]] bool is_guess_hidden(int view_index, const RayPoint& point) const;
     /// How much the photograph counts there, 0 to 255.
     [[nodiscard]] double opacity(int view_index, const RayPoint& point) const;
@@ -69,7 +69,6 @@ class PointInViews {
     Eigen::Vector3d eye_in_world_;
     std::vector<ViewGeometry> geometries_;
     PhotographSamples photographs_;
-    bool is_anything_infinitely_far_;
 };
 
 }  // namespace lumi

@@ -82,6 +82,7 @@ TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
                             "depth_views",
                             "depth_block_px",
                             "fill_holes",
+                            "check_guesses",
                             "triangle_error_px",
                             "draw_thin",
                             "[evaluate]",
@@ -111,7 +112,8 @@ TEST(BuildConfig, RefusesAnUnknownKeyInEverySectionWithASuggestion) {
 
 TEST(BuildConfig, RefusesWhatContradictsItself) {
     for (const char* toml :
-         {"", "[capture]\nphotos = \"p\"\nvideo = \"v.mp4\"\n",
+         {"",
+          "[capture]\nphotos = \"p\"\nvideo = \"v.mp4\"\n",
           "[capture]\nphotos = \"p\"\n[evaluate]\nhold_out_every = 1\n",
           "[capture]\nphotos = \"p\"\n[evaluate]\nhold_out_every = -8\n",
           "[capture]\nphotos = \"p\"\n[evaluate]\nhold_out_every = 8\nhold_out = [\"a\"]\n",
@@ -122,6 +124,7 @@ TEST(BuildConfig, RefusesWhatContradictsItself) {
           "[capture]\nphotos = \"p\"\n[render]\ndepth_block_px = 3\n",
           "[capture]\nphotos = \"p\"\n[render]\nfill_holes = \"some\"\n",
           "[capture]\nphotos = \"p\"\n[render]\ndraw_thin = \"some\"\n",
+          "[capture]\nphotos = \"p\"\n[render]\ncheck_guesses = \"some\"\n",
           "[capture]\nphotos = \"p\"\n[render]\ndepth_block_px = 0.5\n",
           "[capture]\nphotos = \"p\"\n[render]\ndepth_block_px = nan\n",
           "[capture]\nphotos = \"p\"\n[render]\ntriangle_error_px = 0.01\n",

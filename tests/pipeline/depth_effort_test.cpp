@@ -28,6 +28,8 @@ TEST(DepthEffort, IsTheLeastWhereEachViewSeesEverything) {
     const DepthEffort effort = effort_in(studio);
     EXPECT_EQ(effort.views, kLeastDepthViews);
     EXPECT_FALSE(effort.fills_holes);
+    EXPECT_FALSE(effort.checks_guesses);
+    EXPECT_NEAR(effort.guesses_lose_db, 0, 0.01);
     EXPECT_EQ(effort.pictures, 9);
     EXPECT_NEAR(effort.fewer_views_lose_db, 0, 0.1);
 }

@@ -119,6 +119,16 @@ TEST(GlAgainstReference, PerPixelAroundABall) {
                                {.mode = RenderMode::kPerPixel}, GlApi::kAny);
 }
 
+TEST(GlAgainstReference, PerPixelWithGuessesChecked) {
+    Lumigraph lumigraph = ball_in_sky();
+    lumigraph.checks_guesses = true;
+    expect_gl_equals_reference(lumigraph, eyes_around_ball(lumigraph),
+                               {.mode = RenderMode::kPerPixel}, GlApi::kAny);
+    lumigraph.depth_block_px = kMaxDepthBlock_px;
+    expect_gl_equals_reference(lumigraph, eyes_around_ball(lumigraph),
+                               {.mode = RenderMode::kPerPixel}, GlApi::kAny);
+}
+
 TEST(GlAgainstReference, MipLevelsFromFarAway) {
     Lumigraph lumigraph = card_before_wall();
     const Camera close_lens = pinhole_camera(80, 60, 100);  // So that the wall fills the picture.

@@ -107,6 +107,50 @@ TEST(LumigraphRendererGl, LeavesNoHoleWithinAClosedMesh) {
     EXPECT_EQ(eyes, 68);
 }
 
+/// The ball in large photographs, red before black.
+Lumigraph red_ball() {
+    Lumigraph lumigraph = ball_in_sky();
+    std::vector<Eye> cameras;
+    for (const LumigraphView& view : lumigraph.views)
+        cameras.push_back(
+            {resized(view.camera, 8 * view.camera.width_px, 8 * view.camera.height_px),
+             view.cam_from_world});
+    lumigraph.views = photographed(AnalyticScene::kBallInSky, cameras).views;
+    for (LumigraphView& view : lumigraph.views)
+        for (int y = 0; y < view.photograph.height(); ++y)
+            for (int x = 0; x < view.photograph.width(); ++x)
+                view.photograph(x, y) =
+                    view.depth.inverse_depth(x, y) > 0.0F ? Rgb8{200, 0, 0} : Rgb8{};
+    return lumigraph;
+}
+
+/// Pixels that are drawn as guesses, and those of them that show the ball.
+std::array<int, 2> guesses_of(const Lumigraph& lumigraph) {
+    OffscreenRenderer renderer(lumigraph);
+    std::array<int, 2> counts{};
+    for (double angle = 0; angle < 6.2; angle += 0.37) {
+        const Eye eye = eye_at({3 * std::cos(angle), std::sin(3 * angle), 3 * std::sin(angle)},
+                               {0, 0, 0}, pinhole_camera(80, 60, 90));
+        const Frame drawn = renderer.draw(eye, {.mode = RenderMode::kPerPixel});
+        for (std::size_t i = 0; i < drawn.coverage.pixels().size(); ++i) {
+            if (drawn.coverage.pixels()[i] != 0) continue;
+            ++counts[0];
+            counts[1] += drawn.color.pixels()[i].r > 100 ? 1 : 0;
+        }
+    }
+    return counts;
+}
+
+/// Where no photograph shows the sky behind the ball, the ball does not stand beside itself.
+TEST(LumigraphRendererGl, CheckedGuessesShowNothingThatStandsBeforeThem) {
+    Lumigraph lumigraph = red_ball();
+    const auto [guesses, red_guesses] = guesses_of(lumigraph);
+    lumigraph.checks_guesses = true;
+    const auto [checked, red_checked] = guesses_of(lumigraph);
+    EXPECT_GT(red_guesses, 500);
+    EXPECT_LT(red_checked, red_guesses / 2) << guesses << ' ' << checked;
+}
+
 /// Around the ball there is sky that no camera nearby has seen, because the ball is before it.
 TEST(LumigraphRendererGl, MostOfWhatIsWrongIsAGuessAndNotCovered) {
     OffscreenRenderer renderer(ball_in_sky());

@@ -146,6 +146,13 @@ TEST_F(PackageRoundTrip, KeepsWhetherHolesAreFilled) {
     EXPECT_TRUE(read_package(folder_).fills_holes);
 }
 
+TEST_F(PackageRoundTrip, KeepsWhetherGuessesAreChecked) {
+    EXPECT_FALSE(read_.checks_guesses);
+    written_.checks_guesses = true;
+    write_package(folder_, written_, tiny_extras());
+    EXPECT_TRUE(read_package(folder_).checks_guesses);
+}
+
 TEST_F(PackageRoundTrip, KeepsWhetherThinThingsAreDrawn) {
     EXPECT_FALSE(read_.draws_thin);
     written_.draws_thin = true;
