@@ -254,6 +254,8 @@ Arrangement arrange_as(const CameraStar& star, MeshConstruction construction) {
         if (open_triangulation(star.directions, arrangement.gap_direction).empty()) {
             refuse("the cameras stand in one row");
         }
+    } else if (construction == MeshConstruction::kForward) {
+        if (!do_look_one_way(star.axes)) refuse("the cameras do not look in one direction");
     } else if (construction == MeshConstruction::kClosed &&
                spherical_triangulation(star.directions).empty()) {
         refuse("the cameras' directions from the scene lie in one plane");

@@ -33,11 +33,13 @@ Eigen::Matrix3d moments_of_places(const std::vector<OpticalAxis>& axes) {
 
 }  // namespace
 
+bool do_look_one_way(const std::vector<OpticalAxis>& axes) {
+    return mean_line_of_sight(axes).norm() >= std::cos(kMostAngle_deg * kRadiansPerDegree);
+}
+
 std::optional<ForwardMotion> forward_motion(const std::vector<OpticalAxis>& axes) {
-    if (axes.size() < 2) return std::nullopt;
-    const double least_cosine = std::cos(kMostAngle_deg * kRadiansPerDegree);
+    if (axes.size() < 2 || !do_look_one_way(axes)) return std::nullopt;
     const Eigen::Vector3d sight = mean_line_of_sight(axes);
-    if (sight.norm() < least_cosine) return std::nullopt;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments_of_places(axes));
     const Eigen::Vector3d sigmas = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
     if (!(sigmas[2] > 0)) return std::nullopt;

@@ -15,6 +15,9 @@ struct ForwardMotion {
     double angle_deg = 0.0;   ///< Between the way and the mean line of sight.
 };
 
+/// Whether the cameras look in one direction, to 30 degrees or so.
+[[nodiscard]] bool do_look_one_way(const std::vector<OpticalAxis>& axes);
+
 /// From the scene such cameras lie in nearly one direction, in an order that is chance: no surface
 /// lies between them. Nothing when they stand beside the way by more than a fifth of its length, or
 /// when it leads more than 30 degrees past what they look at: a strip (line_strip.h) tells them

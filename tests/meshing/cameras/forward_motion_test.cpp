@@ -136,6 +136,20 @@ TEST(ForwardMesh, IsNotThePapersHull) {
     EXPECT_NE(built.mesh.construction, MeshConstruction::kForward) << built.evidence.explanation;
 }
 
+TEST(ForwardMesh, CanBeAskedForWhereAllLookOneWay) {
+    CameraMeshOptions options;
+    options.construction = "forward";
+    const Points row{{-1, 0, -3}, {0, 0, -3}, {1, 0, -3}};
+    const Capture before = capture_of(row, Eigen::Vector3d::Zero(), {});
+    EXPECT_EQ(build_camera_mesh(before, all_views(before), options).mesh.construction,
+              MeshConstruction::kForward);
+    Points around;
+    for (const Eigen::Vector3d& direction : sphere_directions(20, -1))
+        around.push_back(3 * direction);
+    const Capture all_around = capture_of(around, Eigen::Vector3d::Zero(), {});
+    EXPECT_THROW((void)build_camera_mesh(all_around, all_views(all_around), options), Error);
+}
+
 TEST(ForwardMesh, IsRefusedWithFaces) {
     CameraMesh mesh = walk_mesh();
     EXPECT_NO_THROW(validate(mesh, 5, "here"));
