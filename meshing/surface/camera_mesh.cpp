@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "calib/work/error.h"
@@ -102,9 +103,12 @@ RayWeights weights_of_eye(const CameraMesh& mesh, const Eigen::Vector3d& eye_in_
             to_ahead = along;
         }
     }
-    const double share_ahead = !behind ? 1.0 : !ahead ? 0.0 : to_behind / (to_behind + to_ahead);
     if (!behind) behind = ahead;
     if (!ahead) ahead = behind;
+    // Numbers that overflow come to neither side.
+    if (!behind) behind = ahead = &mesh.vertices.front();
+    const double share = to_behind / (to_behind + to_ahead);
+    const double share_ahead = behind != ahead && std::isfinite(share) ? share : 0.0;
     return {-1,
             {behind->view_index, ahead->view_index, ahead->view_index},
             {1.0 - share_ahead, share_ahead, 0.0},
@@ -114,10 +118,7 @@ RayWeights weights_of_eye(const CameraMesh& mesh, const Eigen::Vector3d& eye_in_
 std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
                                          const Eigen::Vector3d& eye_in_world,
                                          const Eigen::Vector3d& direction) {
-    const bool has_weights_of_eye = mesh.construction == MeshConstruction::kSingle ||
-                                    mesh.construction == MeshConstruction::kForward;
-    if (mesh.faces.empty() && has_weights_of_eye && !mesh.vertices.empty())
-        return weights_of_eye(mesh, eye_in_world);
+    if (mesh.faces.empty() && !mesh.vertices.empty()) return weights_of_eye(mesh, eye_in_world);
     std::optional<RayWeights> best;
     double best_crossing = 0;
     for (std::size_t index = 0; index < mesh.faces.size(); ++index) {
@@ -133,6 +134,31 @@ std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
         best_crossing = crossing;
     }
     return best;
+}
+
+std::vector<std::set<int>> neighbouring_views(const CameraMesh& mesh, std::size_t view_count) {
+    std::vector<std::set<int>> neighbours(view_count);
+    const auto link = [&](int a, int b) {
+        const int view_a = vertex(mesh, a).view_index;
+        const int view_b = vertex(mesh, b).view_index;
+        if (view_a == view_b) return;
+        neighbours[static_cast<std::size_t>(view_a)].insert(view_b);
+        neighbours[static_cast<std::size_t>(view_b)].insert(view_a);
+    };
+    for (const CameraMesh::Face& face : mesh.faces)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            link(face[corner], face[(corner + 1) % 3]);
+    if (mesh.construction != MeshConstruction::kForward) return neighbours;
+    const Eigen::Vector3d way =
+        mesh.vertices.back().position_in_world - mesh.vertices.front().position_in_world;
+    std::vector<int> order(mesh.vertices.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+        return way.dot(vertex(mesh, a).position_in_world) <
+               way.dot(vertex(mesh, b).position_in_world);
+    });
+    for (std::size_t i = 1; i < order.size(); ++i) link(order[i - 1], order[i]);
+    return neighbours;
 }
 
 double capture_fade(const RayWeights& weights, double faded_share) {

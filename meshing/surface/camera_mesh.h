@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -71,12 +73,17 @@ struct RayWeights {
                                         const Eigen::Vector3d& eye_in_world);
 
 /// Weights of the line through `eye_in_world` along `direction` (from the eye to the scene): the
-/// first face it enters through, behind the eye included. The same for any eye on the line. Empty
-/// when no face is crossed from outside. Lines through a vertex give that vertex weight 1. Without
-/// faces those of the eye.
+/// first face it enters through, behind the eye included. With faces, the same for any eye on the
+/// line, empty when none is crossed from outside, and 1 for a vertex that the line passes through.
+/// Without faces those of the eye.
 [[nodiscard]] std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
                                                        const Eigen::Vector3d& eye_in_world,
                                                        const Eigen::Vector3d& direction);
+
+/// Of each view those that it is blended with somewhere: they share a face of the mesh, or follow
+/// each other on a walk forward. Shells are not asked.
+[[nodiscard]] std::vector<std::set<int>> neighbouring_views(const CameraMesh& mesh,
+                                                            std::size_t view_count);
 
 /// Shares of virtual vertices at which what lies beyond the border has faded out, about 35 degrees
 /// beyond it: skirts and the ends of strips reach eight camera distances out, shells end there.

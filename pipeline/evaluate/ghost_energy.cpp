@@ -59,26 +59,11 @@ FloatImage variance(const ClassMoments& moments) {
     return result;
 }
 
-std::vector<std::set<int>> neighbours_on(const CameraMesh& mesh, int view_count) {
-    std::vector<std::set<int>> neighbours(static_cast<std::size_t>(view_count));
-    const auto view_of = [&](int vertex) {
-        return mesh.vertices[static_cast<std::size_t>(vertex)].view_index;
-    };
-    for (const CameraMesh::Face& face : mesh.faces) {
-        for (const int a : face) {
-            for (const int b : face) {
-                if (view_of(a) == view_of(b)) continue;
-                neighbours[static_cast<std::size_t>(view_of(a))].insert(view_of(b));
-            }
-        }
-    }
-    return neighbours;
-}
-
 }  // namespace
 
 std::vector<int> camera_classes(const CameraMesh& mesh, int view_count) {
-    const std::vector<std::set<int>> neighbours = neighbours_on(mesh, view_count);
+    const std::vector<std::set<int>> neighbours =
+        neighbouring_views(mesh, static_cast<std::size_t>(view_count));
     std::vector<int> classes(static_cast<std::size_t>(view_count), -1);
     for (std::size_t view = 0; view < classes.size(); ++view) {
         std::set<int> taken;

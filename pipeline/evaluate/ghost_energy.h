@@ -23,7 +23,7 @@ namespace lumi {
                                                      Progress& progress);
 
 /// A class for each of `view_count` views, from 0, so that the cameras of a face have different
-/// ones; views that no face has are in class 0.
+/// ones; views that are blended with none are in class 0.
 [[nodiscard]] std::vector<int> camera_classes(const CameraMesh& mesh, int view_count);
 
 }  // namespace lumi

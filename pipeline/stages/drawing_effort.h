@@ -22,7 +22,8 @@ struct DepthEffort {
     double standard_error_db = 0.0;  ///< Of that.
     double blocks_lose_db = 0.0;     ///< The same for blocks of kMaxDepthBlock_px.
     double holes_lose_db = 0.0;      ///< The same, of so many views, for holes that are not filled.
-    double guesses_lose_db = 0.0;    ///< The same for guesses that are not checked.
+    double guesses_lose_db = 0.0;    ///< The same for guesses that are not checked, of the
+                                     ///< most views, with holes filled.
 };
 
 /// How far the triangles of `adaptive` may err (Lumigraph::triangle_error_px), whether what is

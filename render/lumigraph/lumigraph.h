@@ -70,8 +70,8 @@ struct Lumigraph {
     /// (render/holes/hole_triangles.h): worth its time where much is hidden from them.
     bool fills_holes = false;
     /// Whether, per pixel, what is drawn on the scene plane where no depth is known is only what no
-    /// view has seen something before (kSurelyBefore_px): worth its time where subjects stand
-    /// alone.
+    /// view's depth has something before (kSurelyBefore_px), seen or filled: worth its time where
+    /// subjects stand alone.
     bool checks_guesses = false;
     /// How far from the right place `adaptive` may look up photographs before it splits triangles.
     double triangle_error_px = kTriangleError_px;

@@ -65,9 +65,11 @@ double PointInViews::visibility(int view_index, const RayPoint& point,
 }
 
 bool PointInViews::is_guess_hidden(int view_index, const RayPoint& point) const {
-    if (!lumigraph_.checks_guesses || !is_inside(view_index, point)) return false;
+    if (!lumigraph_.checks_guesses || view(view_index).depth.inverse_depth.empty() ||
+        !is_inside(view_index, point))
+        return false;
     const Sight at = *sight(view_index, point);
-    const double before_px = (seen_by(view_index, at, {}).value_or(0.0) - at.inverse_depth) *
+    const double before_px = (*seen_by(view_index, at, {}) - at.inverse_depth) *
                              disparity_px_per_inverse_depth(
                                  geometries_[static_cast<std::size_t>(view_index)], eye_in_world_);
     return before_px > kSurelyBefore_px;

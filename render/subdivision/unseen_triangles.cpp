@@ -63,15 +63,11 @@ std::vector<Candidate> candidates_among(const BlendTriangles& triangles, Standin
     return candidates;
 }
 
-/// Of the face that the triangle is part of; where there are no faces there is one view.
-std::vector<int> own_views_of(const Candidate& candidate, const BlendTriangles& triangles,
-                              const CameraMesh& mesh) {
-    const auto face =
-        static_cast<int>(triangles.vertices[triangles.indices[candidate.first_index]].face_index);
+/// Those that the triangle is blended from.
+std::vector<int> own_views_of(const Candidate& candidate, const BlendTriangles& triangles) {
+    const BlendVertex& corner = triangles.vertices[triangles.indices[candidate.first_index]];
     std::vector<int> views;
-    if (face < 0) return views;
-    for (const int vertex : mesh.faces[static_cast<std::size_t>(face)])
-        views.push_back(mesh.vertices[static_cast<std::size_t>(vertex)].view_index);
+    for (const float view : corner.view_layers) views.push_back(static_cast<int>(view));
     return views;
 }
 
@@ -199,17 +195,17 @@ void draw_unseen(const Lumigraph& lumigraph, const Eye& eye, const DepthSearch& 
     const std::vector<Candidate> candidates = candidates_among(triangles, best);
     const NearestViews nearest(lumigraph, eye, middles_of(candidates), kMostAsked + kOwnViews);
     std::vector<std::optional<Taken>> taken(candidates.size());
-    parallel_for_runs(
-        candidates.size(), kTrianglesAtATime, 0, [&](std::size_t first, std::size_t end) {
-            OtherSights sights(search, scene_plane, sampling, triangles);
-            for (std::size_t i = first; i < end; ++i) {
-                std::vector<int> others = nearest.at(candidates[i].middle_px);
-                for (const int own : own_views_of(candidates[i], triangles, lumigraph.mesh))
-                    std::erase(others, own);
-                taken[i] = first_sight_of(candidates[i], triangles, std::move(others), best, search,
-                                          sights);
-            }
-        });
+    parallel_for_runs(candidates.size(), kTrianglesAtATime, 0,
+                      [&](std::size_t first, std::size_t end) {
+                          OtherSights sights(search, scene_plane, sampling, triangles);
+                          for (std::size_t i = first; i < end; ++i) {
+                              std::vector<int> others = nearest.at(candidates[i].middle_px);
+                              for (const int own : own_views_of(candidates[i], triangles))
+                                  std::erase(others, own);
+                              taken[i] = first_sight_of(candidates[i], triangles, std::move(others),
+                                                        best, search, sights);
+                          }
+                      });
     std::unordered_map<std::uint64_t, std::uint32_t> numbers;
     for (std::size_t i = 0; i < candidates.size(); ++i)
         if (taken[i])

@@ -1,26 +1,11 @@
 #include "render/transfer/view_geometry.h"
 
 #include <algorithm>
-#include <set>
 
 #include "calib/work/median.h"
 
 namespace lumi {
 namespace {
-
-std::vector<std::set<int>> neighbours_in(const CameraMesh& mesh, std::size_t view_count) {
-    std::vector<std::set<int>> neighbours(view_count);
-    for (const CameraMesh::Face& face : mesh.faces) {
-        for (const int a : face) {
-            for (const int b : face) {
-                const int view_a = mesh.vertices[static_cast<std::size_t>(a)].view_index;
-                const int view_b = mesh.vertices[static_cast<std::size_t>(b)].view_index;
-                if (view_a != view_b) neighbours[static_cast<std::size_t>(view_a)].insert(view_b);
-            }
-        }
-    }
-    return neighbours;
-}
 
 /// The depth at which disparities are halfway between those of the near and the far end.
 double middle_depth(const Lumigraph& lumigraph) { return 2 / inverse_depth_range(lumigraph).sum(); }
@@ -41,7 +26,7 @@ std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph) {
         geometries.push_back(
             {centre_in_world(view.cam_from_world), focal_length_px(view.camera).mean()});
     }
-    const auto neighbours = neighbours_in(lumigraph.mesh, geometries.size());
+    const auto neighbours = neighbouring_views(lumigraph.mesh, geometries.size());
     for (std::size_t i = 0; i < geometries.size(); ++i) {
         std::vector<double> distances;
         for (const int neighbour : neighbours[i])

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <vector>
 
 #include "calib/capture/degrees.h"
-#include "calib/capture/rigid3.h"
 #include "calib/work/error.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
@@ -134,6 +136,25 @@ TEST(ForwardMesh, IsNotThePapersHull) {
     options.shape = "convex";
     const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), options);
     EXPECT_NE(built.mesh.construction, MeshConstruction::kForward) << built.evidence.explanation;
+}
+
+TEST(ForwardMesh, LinksEachCameraWithThoseBeforeAndBehindIt) {
+    const auto neighbours = neighbouring_views(walk_mesh(), 5);
+    EXPECT_EQ(neighbours[0], std::set<int>{1});
+    EXPECT_EQ(neighbours[2], (std::set<int>{1, 3}));
+    EXPECT_EQ(neighbours[4], std::set<int>{3});
+}
+
+/// As an untrusted package may have them.
+TEST(ForwardMesh, WeighsNumbersThatOverflowFinitely) {
+    CameraMesh mesh = walk_mesh();
+    for (CameraMesh::Vertex& camera : mesh.vertices) camera.position_in_world *= 1e308;
+    for (const double far : {0.0, 1e308, std::numeric_limits<double>::quiet_NaN()}) {
+        const RayWeights weights = weights_of_eye(mesh, Eigen::Vector3d::Constant(far));
+        double sum = 0;
+        for (const double weight : weights.weights) sum += weight;
+        EXPECT_NEAR(sum, 1, 1e-12);
+    }
 }
 
 TEST(ForwardMesh, CanBeAskedForWhereAllLookOneWay) {

@@ -121,7 +121,10 @@ TEST(GlAgainstReference, PerPixelAroundABall) {
 
 TEST(GlAgainstReference, PerPixelWithGuessesChecked) {
     Lumigraph lumigraph = ball_in_sky();
+    const Eye far_outside = eyes_around_ball(lumigraph).front().eye;
+    const ColorImage unchecked = draw_reference(lumigraph, far_outside, {}).color;
     lumigraph.checks_guesses = true;
+    EXPECT_NE(draw_reference(lumigraph, far_outside, {}).color.pixels(), unchecked.pixels());
     expect_gl_equals_reference(lumigraph, eyes_around_ball(lumigraph),
                                {.mode = RenderMode::kPerPixel}, GlApi::kAny);
     lumigraph.depth_block_px = kMaxDepthBlock_px;

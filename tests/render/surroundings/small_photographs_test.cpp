@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "calib/capture/image_io.h"
 #include "tests/render/analytic_scene.h"
 
@@ -13,8 +11,7 @@ namespace {
 constexpr Rgb8 kBackground{20, 40, 200};
 constexpr Rgb8 kSubject{250, 180, 10};
 
-/// A view of a subject in the middle rows of the picture and in columns from `left` to `right`;
-/// what is around it is infinitely far.
+/// A view of a subject within these columns and rows; what is around it is infinitely far.
 LumigraphView view_of_subject(int left, int right, int top, int bottom) {
     LumigraphView view;
     view.camera = pinhole_camera(160, 120, 150);
