@@ -47,6 +47,11 @@ double crossing_of(const CameraMesh& mesh, const CameraMesh::Face& face,
     return (crossing - point).dot(direction) / direction.squaredNorm();
 }
 
+/// Of a walk forward.
+Eigen::Vector3d way_of(const CameraMesh& mesh) {
+    return mesh.vertices.back().position_in_world - mesh.vertices.front().position_in_world;
+}
+
 RayWeights ray_weights(const CameraMesh& mesh, int face_index, const Eigen::Vector3d& weights) {
     RayWeights result;
     result.face_index = face_index;
@@ -86,8 +91,7 @@ Eigen::Vector3d side_products(const CameraMesh& mesh, const CameraMesh::Face& fa
 }
 
 RayWeights weights_of_eye(const CameraMesh& mesh, const Eigen::Vector3d& eye_in_world) {
-    const Eigen::Vector3d way =
-        mesh.vertices.back().position_in_world - mesh.vertices.front().position_in_world;
+    const Eigen::Vector3d way = way_of(mesh);
     // The nearest on either side; of cameras that sway, no order along another line tells these.
     const CameraMesh::Vertex* behind = nullptr;
     const CameraMesh::Vertex* ahead = nullptr;
@@ -149,8 +153,7 @@ std::vector<std::set<int>> neighbouring_views(const CameraMesh& mesh, std::size_
         for (std::size_t corner = 0; corner < 3; ++corner)
             link(face[corner], face[(corner + 1) % 3]);
     if (mesh.construction != MeshConstruction::kForward) return neighbours;
-    const Eigen::Vector3d way =
-        mesh.vertices.back().position_in_world - mesh.vertices.front().position_in_world;
+    const Eigen::Vector3d way = way_of(mesh);
     std::vector<int> order(mesh.vertices.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {

@@ -12,11 +12,12 @@ namespace lumi {
 ///
 /// Of how many views depth is compared the one-standard-error rule chooses: a further view shows
 /// what the others do not see, but may as well be wrong. So it does of whether what they do not see
-/// is drawn from others, and of whether guesses are checked, which is left out where nobody would
-/// miss it. Blocks of pixels lose a
-/// little on every silhouette, which is measured without any doubt: they are chosen as wide as
-/// loses less than anyone sees (block_width.h). For fewer than eight views nobody is asked.
-/// `capture.views` lists the Lumigraph's views in the same order. Throws Error (E-GL-...).
+/// is drawn from others, and of whether guesses are checked, which are left out where nobody would
+/// miss them; guesses are asked for with the most views and with holes filled, whatever is chosen.
+/// Blocks of pixels lose a little on every silhouette, which is measured without any doubt: they
+/// are chosen as wide as loses less than anyone sees (block_width.h). For fewer than eight views
+/// nobody is asked. `capture.views` lists the Lumigraph's views in the same order. Throws Error
+/// (E-GL-...).
 [[nodiscard]] DepthEffort sufficient_depth_effort(const Lumigraph& lumigraph,
                                                   const Capture& capture,
                                                   const CameraMeshOptions& mesh_options,
