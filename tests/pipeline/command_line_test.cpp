@@ -257,6 +257,27 @@ TEST_F(Line, MakesHarmedFilesAgain) {
     EXPECT_EQ(build(), "uuuur");
 }
 
+TEST_F(Line, WhatIsAskedOfDrawingReachesThePackage) {
+    for (const std::string answer : {"yes", "no"}) {
+        const bool is_yes = answer == "yes";
+        const int depth_views = is_yes ? 3 : 4;
+        const double block_px = is_yes ? 1.5 : 1.25;
+        const double error_px = is_yes ? 2.5 : 1.5;
+        configure("[render]\ndepth_views = " + std::to_string(depth_views) +
+                  "\ndepth_block_px = " + std::to_string(block_px) + "\nfill_holes = \"" + answer +
+                  "\"\ncheck_guesses = \"" + answer + "\"\ndraw_thin = \"" + answer +
+                  "\"\ntriangle_error_px = " + std::to_string(error_px) + "\n");
+        static_cast<void>(build());
+        const Json inspected = Json::parse(lumi("inspect --json " + quoted(package())).out);
+        EXPECT_EQ(inspected.at("depth_views"), depth_views);
+        EXPECT_EQ(inspected.at("depth_block_px"), block_px);
+        EXPECT_EQ(inspected.at("fills_holes"), is_yes);
+        EXPECT_EQ(inspected.at("checks_guesses"), is_yes);
+        EXPECT_EQ(inspected.at("draws_thin"), is_yes);
+        EXPECT_EQ(inspected.at("triangle_error_px"), error_px);
+    }
+}
+
 TEST_F(Line, HeldOutViewsAreInThePosesAndInNothingElse) {
     configure("[evaluate]\nhold_out_every = 4\n");  // 1, 5 and 9 of nine.
     static_cast<void>(build());

@@ -155,6 +155,21 @@ Lumigraph card_before_wall() {
     return photographed(AnalyticScene::kCardBeforeWall, cameras_before_wall());
 }
 
+Lumigraph walk_past_card() {
+    Lumigraph lumigraph = card_before_wall();
+    CameraMesh walk;
+    walk.construction = MeshConstruction::kForward;
+    walk.scene_centre_in_world = lumigraph.mesh.scene_centre_in_world;
+    for (std::size_t view = 0; view < lumigraph.views.size(); ++view)
+        walk.vertices.push_back(
+            {centre_in_world(lumigraph.views[view].cam_from_world), static_cast<int>(view)});
+    std::stable_sort(walk.vertices.begin(), walk.vertices.end(), [](const auto& a, const auto& b) {
+        return a.position_in_world.x() < b.position_in_world.x();
+    });
+    lumigraph.mesh = walk;
+    return lumigraph;
+}
+
 Lumigraph card_with_close_ups() {
     std::vector<Eye> cameras = cameras_before_wall();
     for (const Eigen::Vector3d& place :

@@ -73,22 +73,6 @@ TEST(GlAgainstReference, LightFieldBeforeAWall) {
                                {.mode = RenderMode::kLightField}, GlApi::kAny);
 }
 
-/// The same photographs as if they had been taken on a walk forward, from left to right.
-Lumigraph walk_past_card() {
-    Lumigraph lumigraph = card_before_wall();
-    CameraMesh walk;
-    walk.construction = MeshConstruction::kForward;
-    walk.scene_centre_in_world = lumigraph.mesh.scene_centre_in_world;
-    for (std::size_t view = 0; view < lumigraph.views.size(); ++view)
-        walk.vertices.push_back(
-            {centre_in_world(lumigraph.views[view].cam_from_world), static_cast<int>(view)});
-    std::stable_sort(walk.vertices.begin(), walk.vertices.end(), [](const auto& a, const auto& b) {
-        return a.position_in_world.x() < b.position_in_world.x();
-    });
-    lumigraph.mesh = walk;
-    return lumigraph;
-}
-
 TEST(GlAgainstReference, LightFieldOfAWalkForward) {
     const Lumigraph lumigraph = walk_past_card();
     expect_gl_equals_reference(lumigraph, eyes_before_wall(lumigraph),
