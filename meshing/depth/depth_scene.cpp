@@ -75,8 +75,9 @@ double fastest_disparity(const DepthScene& scene, const DepthView& view) {
         for (int i = 0; i < kSide * kSide; ++i) {
             const Eigen::Vector2d pixel((i % kSide + 0.5) * view.camera.width_px / kSide,
                                         (i / kSide + 0.5) * view.camera.height_px / kSide);
-            disparities.push_back(
-                disparity_per_inverse_depth(warp, pixel, 0.5 * (view.range.far + view.range.near)));
+            const double middle = 0.5 * (view.range.far + view.range.near);
+            disparities.push_back(disparity_per_inverse_depth(
+                warp, pixel, comparable_inverse_depth(warp, pixel, middle)));
         }
         std::sort(disparities.begin(), disparities.end());
         fastest = std::max(fastest, disparities[disparities.size() / 2]);

@@ -32,4 +32,11 @@ struct InverseDepthWarp {
                                                  const Eigen::Vector2d& pixel_a,
                                                  double inverse_depth_a);
 
+/// The inverse depth itself, or the largest at which b, which is ahead, sees the point at no less
+/// than half its depth in a. A camera ahead sees what it is about to pass move without bound, and
+/// nothing of what it has passed.
+[[nodiscard]] double comparable_inverse_depth(const InverseDepthWarp& b_from_a,
+                                              const Eigen::Vector2d& pixel_a,
+                                              double inverse_depth_a);
+
 }  // namespace lumi

@@ -23,6 +23,19 @@ double angle_weight(const Eigen::Vector3d& point, const Eigen::Vector3d& centre_
     return std::exp(-0.5 * deviation * deviation);
 }
 
+/// Patches of one size are compared: the larger the point is in one view than in the other, the
+/// less it tells (Goesele et al., ICCV 2007, section 4.2).
+double size_weight(const Eigen::Vector3d& point, const DepthView& a, const DepthView& b) {
+    constexpr double kAlike = 1.2;  // Times as large: one standard deviation.
+    const double depth_in_a = (a.cam_from_world * point).z();
+    const double depth_in_b = (b.cam_from_world * point).z();
+    if (!(depth_in_a > 0 && depth_in_b > 0)) return 0.0;
+    const double times_as_large = focal_length_px(a.camera).mean() * depth_in_b /
+                                  (focal_length_px(b.camera).mean() * depth_in_a);
+    const double deviation = std::log(times_as_large) / std::log(kAlike);
+    return std::exp(-0.5 * deviation * deviation);
+}
+
 /// Pixels of the view at one inverse depth, as points in the world.
 std::vector<Eigen::Vector3d> grid_points(const DepthView& view) {
     constexpr int kSide = 7;
@@ -49,6 +62,10 @@ std::vector<double> scores_of(const DepthScene& scene, int index,
                               const std::vector<Eigen::Vector3d>& centres) {
     const auto self = static_cast<std::size_t>(index);
     std::vector<double> scores(scene.views.size(), 0.0);
+    const auto worth = [&](const Eigen::Vector3d& point, std::size_t other) {
+        return angle_weight(point, centres[self], centres[other]) *
+               size_weight(point, scene.views[self], scene.views[other]);
+    };
     if (scene.views[self].points.size() >= kMinSharedPoints) {
         for (const ScenePoint& point : scene.points) {
             const bool seen = std::any_of(point.track.begin(), point.track.end(),
@@ -56,14 +73,14 @@ std::vector<double> scores_of(const DepthScene& scene, int index,
             if (!seen) continue;
             for (const Observation& other : point.track) {
                 const auto j = static_cast<std::size_t>(other.view_index);
-                scores[j] += angle_weight(point.position_in_world, centres[self], centres[j]);
+                scores[j] += worth(point.position_in_world, j);
             }
         }
     } else if (scene.views[self].range.near > 0) {
         for (const Eigen::Vector3d& point : grid_points(scene.views[self])) {
             for (std::size_t j = 0; j < scores.size(); ++j) {
                 if (!sees(scene.views[j], point)) continue;
-                scores[j] += angle_weight(point, centres[self], centres[j]);
+                scores[j] += worth(point, j);
             }
         }
     }

@@ -10,7 +10,8 @@ namespace lumi {
 ///
 /// A pair scores the sum, over the points both see, of a weight by the angle at which the two
 /// lines of sight meet: largest at 6 degrees, falling fast towards no parallax and slowly towards
-/// views that look different (after MVSNet, Yao et al. 2018, section 4.1). A view without tracks
+/// views that look different (after MVSNet, Yao et al. 2018, section 4.1); less where one of them
+/// sees the point larger, as one that is ahead on a walk does. A view without tracks
 /// takes a grid of its pixels at the harmonic mean of its range in place of points. Neighbours are
 /// taken greedily, and one that stands in the direction of an earlier one counts less, so that what
 /// one side cannot see is seen from another. Ties go to the lower index.

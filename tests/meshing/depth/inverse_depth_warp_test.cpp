@@ -35,5 +35,28 @@ TEST(InverseDepthWarp, DisparityIsTheDerivativeOfThePixel) {
     EXPECT_NEAR(disparity_per_inverse_depth(warp, pixel, 0.5), moved.norm() / (2 * kStep), 1e-4);
 }
 
+TEST(InverseDepthWarp, ComparesWithACameraAheadWhereThingsAreTwiceAsLargeAtMost) {
+    const Rigid3 three_ahead{Eigen::Quaterniond::Identity(), {0, 0, -3}};
+    const InverseDepthWarp warp = warp_b_from_a(kLeft, {}, kLeft, three_ahead);
+    const Eigen::Vector2d pixel(200, 100);
+    // Passed, about to be passed, and far enough: 6 ahead of the one is 3 ahead of the other.
+    EXPECT_NEAR(comparable_inverse_depth(warp, pixel, 1 / 2.5), 1 / 6.0, 1e-12);
+    EXPECT_NEAR(comparable_inverse_depth(warp, pixel, 1 / 3.001), 1 / 6.0, 1e-12);
+    EXPECT_EQ(comparable_inverse_depth(warp, pixel, 1 / 7.0), 1 / 7.0);
+    // By the derivative of r / (1 - 3 q): four times the length of the step and the distance from
+    // where both look.
+    EXPECT_NEAR(disparity_per_inverse_depth(warp, pixel, 1 / 6.0),
+                4 * 3 * (pixel - Eigen::Vector2d(320, 240)).norm(), 1e-6);
+}
+
+TEST(InverseDepthWarp, ComparesWithACameraBesideOrBehindAsNearAsAsked) {
+    for (const Eigen::Vector3d& step :
+         {Eigen::Vector3d(0.5, 0, 0), Eigen::Vector3d(0, 0.2, 0), Eigen::Vector3d(0, 0, 3)}) {
+        const InverseDepthWarp warp =
+            warp_b_from_a(kLeft, {}, kLeft, {Eigen::Quaterniond::Identity(), step});
+        EXPECT_EQ(comparable_inverse_depth(warp, {200, 100}, 1 / 0.8), 1 / 0.8);
+    }
+}
+
 }  // namespace
 }  // namespace lumi

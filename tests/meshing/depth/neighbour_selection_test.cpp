@@ -65,6 +65,51 @@ TEST(NeighbourSelection, FollowsTheTracksWhereThereAreSome) {
     EXPECT_EQ(select_neighbours(scene, 4)[0], (std::vector<int>{3, 4}));
 }
 
+/// Views half a unit behind each other, looking along a way between walls that are 1.4 to its left
+/// and right, each of which sees what lies before it.
+DepthScene walk(int count) {
+    DepthScene scene;
+    for (int i = 0; i < count; ++i) {
+        DepthView view;
+        view.camera = small_camera();
+        view.cam_from_world.translation = {0, 0, -0.5 * i};
+        scene.views.push_back(view);
+    }
+    for (double z = 1; z < 20; z += 0.1) {
+        for (const double x : {-1.4, 1.4}) {
+            ScenePoint point;
+            point.position_in_world = {x, 0.3 * std::sin(7 * z), z};
+            for (int i = 0; i < count; ++i) {
+                const DepthView& view = scene.views[static_cast<std::size_t>(i)];
+                const auto pixel =
+                    project(view.camera, view.cam_from_world * point.position_in_world);
+                if (pixel && is_inside(view.camera, *pixel)) point.track.push_back({i, *pixel});
+            }
+            if (point.track.size() < 2) continue;
+            for (const Observation& seen : point.track) {
+                DepthView& view = scene.views[static_cast<std::size_t>(seen.view_index)];
+                view.points.push_back(
+                    {seen.pixel, 1 / (view.cam_from_world * point.position_in_world).z()});
+            }
+            scene.points.push_back(point);
+        }
+    }
+    return scene;
+}
+
+TEST(NeighbourSelection, OnAWalkForwardTakesThoseThatSeeThingsOfTheSameSize) {
+    constexpr int kViews = 16;
+    DepthScene scene = walk(kViews);
+    choose_ranges(scene);
+    const auto neighbours = select_neighbours(scene, 4);
+    // Six steps ahead angles are wider, but walls that both see are three times as large there.
+    for (int i = 0; i < kViews; ++i) {
+        EXPECT_EQ(neighbours[static_cast<std::size_t>(i)].size(), 4U) << i;
+        for (const int other : neighbours[static_cast<std::size_t>(i)])
+            EXPECT_LE(std::abs(other - i), 4) << i;
+    }
+}
+
 TEST(InverseDepthRange, HoldsTheScenePointsWithRoomToSpare) {
     DepthScene scene = arc(3, 5.0, 6.0);
     for (int i = 0; i < 100; ++i) {
