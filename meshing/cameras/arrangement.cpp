@@ -232,7 +232,7 @@ std::optional<Arrangement> arrange_forward(const std::vector<OpticalAxis>& axes)
     const std::optional<ForwardMotion> motion = forward_motion(axes);
     if (!motion) return std::nullopt;
     return Arrangement{
-        .construction = MeshConstruction::kForward,
+        .construction = MeshConstruction::kNearest,
         .reason = with_figure("the cameras stand behind each other, %.0f degrees off their line of "
                               "sight",
                               motion->angle_deg)};
@@ -254,14 +254,12 @@ Arrangement arrange_as(const CameraStar& star, MeshConstruction construction) {
         if (open_triangulation(star.directions, arrangement.gap_direction).empty()) {
             refuse("the cameras stand in one row");
         }
-    } else if (construction == MeshConstruction::kForward) {
-        if (!do_look_one_way(star.axes)) refuse("the cameras do not look in one direction");
     } else if (construction == MeshConstruction::kClosed &&
                spherical_triangulation(star.directions).empty()) {
         refuse("the cameras' directions from the scene lie in one plane");
     }
     arrangement.construction = construction;
-    arrangement.inside_out = construction != MeshConstruction::kForward && looks_away(star);
+    arrangement.inside_out = construction != MeshConstruction::kNearest && looks_away(star);
     arrangement.reason = "it was asked for";
     return arrangement;
 }

@@ -30,7 +30,7 @@ struct Arrangement {
 /// star can hold.
 [[nodiscard]] std::optional<Arrangement> arrange_forward(const std::vector<OpticalAxis>& axes);
 
-/// The arrangement for a construction that the user demands: closed, open, line or forward. Throws
+/// The arrangement for a construction that the user demands: closed, open, line or nearest. Throws
 /// Error (E-MESH-CONSTRUCTION) when the cameras cannot carry it.
 [[nodiscard]] Arrangement arrange_as(const CameraStar& star, MeshConstruction construction);
 

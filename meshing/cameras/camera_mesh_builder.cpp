@@ -24,6 +24,10 @@ namespace {
 constexpr std::size_t kMaxScenePoints = 2000;
 /// Cameras closer together than this share of their depth show no parallax in any photograph.
 constexpr double kOneSpot = 1e-6;
+/// With less of the scene than this where no ray crosses two faces, the mesh is none that lies
+/// between cameras and scene: captures that walk around something were seen at 0.98 and more,
+/// others at 0.24 and less.
+constexpr double kLeastSceneShare = 0.5;
 /// Open meshes may leave the scene all the room there is; reports want a finite figure.
 constexpr double kMostRoom = 100.0;
 
@@ -69,10 +73,16 @@ Arrangement chosen_arrangement(const std::vector<OpticalAxis>& axes, const Eigen
     return arrange(star);
 }
 
-/// What such a walk comes close to is no close-up: all of its cameras are in one order.
+/// What such a walk comes close to is no close-up.
 bool walks_forward(const std::vector<OpticalAxis>& axes, const CameraMeshOptions& options) {
     return options.construction == "auto" ? forward_motion(axes).has_value()
-                                          : options.construction == "forward";
+                                          : options.construction == "nearest";
+}
+
+/// Of a mesh whose kernel was judged.
+bool lies_around_the_scene(const BuiltCameraMesh& built, bool has_scene) {
+    return !has_scene || built.mesh.faces.empty() ||
+           built.evidence.scene_share_in_kernel >= kLeastSceneShare;
 }
 
 /// How far the centre may be moved: it stays within the scene, for it is also where the plane of a
@@ -170,6 +180,7 @@ void note_repair(const RepairReport& repair, CameraMeshEvidence& evidence) {
 struct BuiltSurface {
     BuiltCameraMesh built;
     bool inside_out = false;
+    bool lies_around_the_scene = true;
 };
 
 /// The mesh over the given cameras, with what speaks for it.
@@ -210,7 +221,27 @@ BuiltSurface build_surface(const Capture& capture, const std::vector<OpticalAxis
     if (rules.arrangement.inside_out) {
         for (CameraMesh::Face& face : built.mesh.faces) std::swap(face[1], face[2]);
     }
-    return {std::move(built), rules.arrangement.inside_out};
+    const bool lies_around = lies_around_the_scene(built, !scene.empty());
+    return {std::move(built), rules.arrangement.inside_out, lies_around};
+}
+
+/// All cameras, in place of a surface that would not lie between them and what they show.
+BuiltCameraMesh without_surface(const std::vector<OpticalAxis>& axes,
+                                const BuiltCameraMesh& surface) {
+    ConstructionRules rules;
+    rules.arrangement = {.construction = MeshConstruction::kNearest,
+                         .reason = "of a mesh over the cameras (" +
+                                   name_of(surface.mesh.construction) +
+                                   ") rays cross two faces to " +
+                                   percent(1 - surface.evidence.scene_share_in_kernel, 0) +
+                                   " of the scene's points"};
+    BuiltCameraMesh built;
+    built.mesh = construct(axes, surface.mesh.scene_centre_in_world, rules);
+    built.evidence.cameras_total = static_cast<int>(axes.size());
+    built.evidence.cameras_kept = distinct_views(built.mesh);
+    built.evidence.explanation =
+        explain(built.mesh, rules.arrangement, false, false, built.evidence);
+    return built;
 }
 
 /// The axes of the views in no group.
@@ -272,6 +303,10 @@ BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>
     if (surface.inside_out && !groups.empty()) {
         groups.clear();
         surface = build_surface(capture, axes, points, options);
+    }
+    if (!surface.lies_around_the_scene && options.construction == "auto" &&
+        options.shape != "convex") {
+        return without_surface(axes, surface.built);
     }
     add_shells(capture, axes, groups, points, surface.built);
     return std::move(surface.built);

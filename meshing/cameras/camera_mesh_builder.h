@@ -12,7 +12,7 @@ namespace lumi {
 
 /// How the camera mesh is built.
 struct CameraMeshOptions {
-    std::string construction = "auto";  ///< "auto", "closed", "open", "line" or "forward".
+    std::string construction = "auto";  ///< "auto", "closed", "open", "line" or "nearest".
     /// "star": every camera is a vertex; "convex": the paper's mesh, without the cameras within.
     std::string shape = "star";
     bool repair =

@@ -7,8 +7,8 @@
 namespace lumi {
 namespace {
 
-constexpr std::array<const char*, 5> kConstructions{"auto", "closed", "open", "line", "forward"};
-constexpr const char* kExpected = R"("auto", "closed", "open", "line" or "forward")";
+constexpr std::array<const char*, 5> kConstructions{"auto", "closed", "open", "line", "nearest"};
+constexpr const char* kExpected = R"("auto", "closed", "open", "line" or "nearest")";
 
 constexpr std::array<const char*, 2> kShapes{"star", "convex"};
 constexpr const char* kExpectedShape = R"("star" or "convex")";

@@ -9,7 +9,6 @@
 #include "meshing/cameras/border.h"
 #include "meshing/cameras/camera_star.h"
 #include "meshing/cameras/convex_mesh.h"
-#include "meshing/cameras/forward_motion.h"
 #include "meshing/cameras/kernel.h"
 #include "meshing/cameras/line_strip.h"
 #include "meshing/cameras/spherical_triangulation.h"
@@ -99,6 +98,15 @@ CameraMesh surface_mesh(CameraStar star, const ConstructionRules& rules) {
     return mesh;
 }
 
+CameraMesh mesh_without_faces(const std::vector<OpticalAxis>& axes, const Eigen::Vector3d& centre) {
+    CameraMesh mesh;
+    mesh.scene_centre_in_world = centre;
+    for (const OpticalAxis& axis : axes)
+        mesh.vertices.push_back(
+            {axis.centre_in_world, axis.view_index, false, axis.direction_in_world});
+    return mesh;
+}
+
 CameraMesh strip_mesh(const CameraStar& star, const ConstructionRules& rules) {
     const Eigen::Vector3d& normal = rules.arrangement.strip_normal;
     const double length = kReach * largest_distance(star);
@@ -123,8 +131,8 @@ CameraMesh construct(const std::vector<OpticalAxis>& axes, const Eigen::Vector3d
         case MeshConstruction::kOpen:
             mesh = surface_mesh(star, rules);
             break;
-        case MeshConstruction::kForward:
-            mesh = forward_mesh(axes, centre);
+        case MeshConstruction::kNearest:
+            mesh = mesh_without_faces(axes, centre);
             break;
         case MeshConstruction::kSingle:
             mesh = cameras_alone(star);

@@ -9,10 +9,11 @@
 namespace lumi {
 namespace {
 
-/// Measured: beyond it, or past what they look at by more than the angle, faces between the cameras
-/// show held-out photographs better (README.images/measurements.md, Camera mesh).
-constexpr double kMostSwayShare = 0.2;
-constexpr double kMostAngle_deg = 30.0;
+/// As far as was measured: up to it, and past what they look at by no more than the angle, faces
+/// between the cameras show held-out photographs no better than the nearest cameras do
+/// (README.images/measurements.md, Camera mesh).
+constexpr double kMostSwayShare = 0.4;
+constexpr double kMostAngle_deg = 40.0;
 /// Length of the mean of all lines of sight, from which on they are one.
 constexpr double kLeastAgreement = 0.85;
 
@@ -37,13 +38,10 @@ Eigen::Matrix3d moments_of_places(const std::vector<OpticalAxis>& axes) {
 
 }  // namespace
 
-bool do_look_one_way(const std::vector<OpticalAxis>& axes) {
-    return mean_line_of_sight(axes).norm() >= kLeastAgreement;
-}
-
 std::optional<ForwardMotion> forward_motion(const std::vector<OpticalAxis>& axes) {
-    if (axes.size() < 2 || !do_look_one_way(axes)) return std::nullopt;
+    if (axes.size() < 2) return std::nullopt;
     const Eigen::Vector3d sight = mean_line_of_sight(axes);
+    if (sight.norm() < kLeastAgreement) return std::nullopt;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments_of_places(axes));
     const Eigen::Vector3d sigmas = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
     if (!(sigmas[2] > 0)) return std::nullopt;
@@ -53,21 +51,6 @@ std::optional<ForwardMotion> forward_motion(const std::vector<OpticalAxis>& axes
     if (motion.sway_share > kMostSwayShare || motion.angle_deg > kMostAngle_deg)
         return std::nullopt;
     return motion;
-}
-
-CameraMesh forward_mesh(const std::vector<OpticalAxis>& axes,
-                        const Eigen::Vector3d& scene_centre_in_world) {
-    const Eigen::Vector3d sight = mean_line_of_sight(axes);
-    CameraMesh mesh;
-    mesh.construction = MeshConstruction::kForward;
-    mesh.scene_centre_in_world = scene_centre_in_world;
-    for (const OpticalAxis& axis : axes)
-        mesh.vertices.push_back({axis.centre_in_world, axis.view_index});
-    std::stable_sort(mesh.vertices.begin(), mesh.vertices.end(),
-                     [&](const CameraMesh::Vertex& a, const CameraMesh::Vertex& b) {
-                         return sight.dot(a.position_in_world) < sight.dot(b.position_in_world);
-                     });
-    return mesh;
 }
 
 }  // namespace lumi

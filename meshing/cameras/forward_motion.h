@@ -1,11 +1,9 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
 #include "meshing/cameras/scene_centre.h"
-#include "meshing/surface/camera_mesh.h"
 
 namespace lumi {
 
@@ -15,17 +13,9 @@ struct ForwardMotion {
     double angle_deg = 0.0;   ///< Between the way and the mean line of sight.
 };
 
-/// Whether the cameras look in one direction, to 30 degrees or so.
-[[nodiscard]] bool do_look_one_way(const std::vector<OpticalAxis>& axes);
-
 /// From the scene such cameras lie in nearly one direction, in an order that is chance: no surface
-/// lies between them. Nothing when they stand beside the way by more than a fifth of its length, or
-/// when it leads more than 30 degrees past what they look at: a strip (line_strip.h) tells them
-/// apart then.
+/// lies between them. Nothing when they stand beside the way by more than two fifths of its length,
+/// or when it leads more than 40 degrees past what they look at.
 [[nodiscard]] std::optional<ForwardMotion> forward_motion(const std::vector<OpticalAxis>& axes);
-
-/// The mesh without faces that holds the cameras in their order along the mean line of sight.
-[[nodiscard]] CameraMesh forward_mesh(const std::vector<OpticalAxis>& axes,
-                                      const Eigen::Vector3d& scene_centre_in_world);
 
 }  // namespace lumi

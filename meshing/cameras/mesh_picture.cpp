@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "calib/work/formatted.h"
@@ -143,15 +144,24 @@ void draw_faces(std::string& svg, const Panel& panel, const CameraMesh& mesh, co
     }
 }
 
-/// What a walk forward has in place of faces.
-void draw_way(std::string& svg, const Panel& panel, const CameraMesh& mesh, const char* stroke) {
-    if (mesh.construction != MeshConstruction::kForward) return;
-    svg += formatted("<polyline fill=\"none\" stroke=\"%s\" points=\"", stroke);
-    for (const CameraMesh::Vertex& camera : mesh.vertices) {
-        const Eigen::Vector2d at = panel.at(camera.position_in_world);
-        svg += formatted("%.1f,%.1f ", at.x(), at.y());
+/// What a mesh without faces has in their place: who is near whom.
+void draw_neighbours(std::string& svg, const Panel& panel, const CameraMesh& mesh,
+                     const char* stroke) {
+    if (mesh.construction != MeshConstruction::kNearest) return;
+    std::map<int, Eigen::Vector2d> place_of_view;
+    for (const CameraMesh::Vertex& camera : mesh.vertices)
+        place_of_view[camera.view_index] = panel.at(camera.position_in_world);
+    const auto neighbours =
+        neighbouring_views(mesh, static_cast<std::size_t>(place_of_view.rbegin()->first) + 1);
+    for (const auto& [view, from] : place_of_view) {
+        for (const int other : neighbours[static_cast<std::size_t>(view)]) {
+            if (other < view) continue;
+            const Eigen::Vector2d& to = place_of_view.at(other);
+            svg += formatted(
+                "<path stroke=\"%s\" stroke-opacity=\"0.5\" d=\"M%.1f %.1fL%.1f %.1f\"/>\n", stroke,
+                from.x(), from.y(), to.x(), to.y());
+        }
     }
-    svg += "\"/>\n";
 }
 
 void draw_frustum(std::string& svg, const Panel& panel, const Drawing& drawing,
@@ -216,7 +226,7 @@ std::string panel_svg(const Panel& panel, const Drawing& drawing, const char* ti
         id, panel.left, kHeadline, kPanelWidth, kPanelHeight, id);
     draw_points(svg, panel, drawing);
     draw_faces(svg, panel, drawing.mesh, kFaceStroke);
-    draw_way(svg, panel, drawing.mesh, kFaceStroke);
+    draw_neighbours(svg, panel, drawing.mesh, kFaceStroke);
     for (const CameraMesh& shell : drawing.mesh.shells) {
         draw_faces(svg, panel, shell, kShellStroke);
     }

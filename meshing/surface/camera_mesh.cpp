@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "calib/work/error.h"
+#include "meshing/surface/nearest_cameras.h"
 
 namespace lumi {
 namespace {
@@ -17,7 +17,7 @@ constexpr std::array<std::pair<MeshConstruction, const char*>, 6> kConstructionN
     {MeshConstruction::kOpen, "open"},
     {MeshConstruction::kLine, "line"},
     {MeshConstruction::kPair, "pair"},
-    {MeshConstruction::kForward, "forward"},
+    {MeshConstruction::kNearest, "nearest"},
     {MeshConstruction::kSingle, "single"},
 }};
 
@@ -45,11 +45,6 @@ double crossing_of(const CameraMesh& mesh, const CameraMesh::Face& face,
                     vertex(mesh, face[static_cast<std::size_t>(corner)]).position_in_world;
     }
     return (crossing - point).dot(direction) / direction.squaredNorm();
-}
-
-/// Of a walk forward.
-Eigen::Vector3d way_of(const CameraMesh& mesh) {
-    return mesh.vertices.back().position_in_world - mesh.vertices.front().position_in_world;
 }
 
 RayWeights ray_weights(const CameraMesh& mesh, int face_index, const Eigen::Vector3d& weights) {
@@ -90,39 +85,11 @@ Eigen::Vector3d side_products(const CameraMesh& mesh, const CameraMesh::Face& fa
     return {determinant(back, p1, p2), determinant(back, p2, p0), determinant(back, p0, p1)};
 }
 
-RayWeights weights_of_eye(const CameraMesh& mesh, const Eigen::Vector3d& eye_in_world) {
-    const Eigen::Vector3d way = way_of(mesh);
-    // The nearest on either side; of cameras that sway, no order along another line tells these.
-    const CameraMesh::Vertex* behind = nullptr;
-    const CameraMesh::Vertex* ahead = nullptr;
-    double to_behind = 0;
-    double to_ahead = 0;
-    for (const CameraMesh::Vertex& camera : mesh.vertices) {
-        const double along = way.dot(camera.position_in_world - eye_in_world);
-        if (along <= 0 && (!behind || -along < to_behind)) {
-            behind = &camera;
-            to_behind = -along;
-        } else if (along > 0 && (!ahead || along < to_ahead)) {
-            ahead = &camera;
-            to_ahead = along;
-        }
-    }
-    if (!behind) behind = ahead;
-    if (!ahead) ahead = behind;
-    // Numbers that overflow come to neither side.
-    if (!behind) behind = ahead = &mesh.vertices.front();
-    const double share = to_behind / (to_behind + to_ahead);
-    const double share_ahead = behind != ahead && std::isfinite(share) ? share : 0.0;
-    return {-1,
-            {behind->view_index, ahead->view_index, ahead->view_index},
-            {1.0 - share_ahead, share_ahead, 0.0},
-            0.0};
-}
-
 std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
                                          const Eigen::Vector3d& eye_in_world,
                                          const Eigen::Vector3d& direction) {
-    if (mesh.faces.empty() && !mesh.vertices.empty()) return weights_of_eye(mesh, eye_in_world);
+    if (mesh.faces.empty() && !mesh.vertices.empty())
+        return weights_of_eye(mesh, eye_in_world, direction.normalized());
     std::optional<RayWeights> best;
     double best_crossing = 0;
     for (std::size_t index = 0; index < mesh.faces.size(); ++index) {
@@ -141,6 +108,7 @@ std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
 }
 
 std::vector<std::set<int>> neighbouring_views(const CameraMesh& mesh, std::size_t view_count) {
+    if (mesh.faces.empty()) return nearest_views(mesh, view_count);
     std::vector<std::set<int>> neighbours(view_count);
     const auto link = [&](int a, int b) {
         const int view_a = vertex(mesh, a).view_index;
@@ -152,15 +120,6 @@ std::vector<std::set<int>> neighbouring_views(const CameraMesh& mesh, std::size_
     for (const CameraMesh::Face& face : mesh.faces)
         for (std::size_t corner = 0; corner < 3; ++corner)
             link(face[corner], face[(corner + 1) % 3]);
-    if (mesh.construction != MeshConstruction::kForward) return neighbours;
-    const Eigen::Vector3d way = way_of(mesh);
-    std::vector<int> order(mesh.vertices.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-        return way.dot(vertex(mesh, a).position_in_world) <
-               way.dot(vertex(mesh, b).position_in_world);
-    });
-    for (std::size_t i = 1; i < order.size(); ++i) link(order[i - 1], order[i]);
     return neighbours;
 }
 
@@ -183,10 +142,11 @@ void validate(const CameraMesh& mesh, int view_count, const std::string& where) 
     };
     if (mesh.vertices.empty()) refuse("expected at least one vertex");
     if (!mesh.scene_centre_in_world.allFinite()) refuse("the scene centre is not finite");
-    if (mesh.construction == MeshConstruction::kForward && !mesh.faces.empty())
-        refuse("a walk forward has no faces");
+    if (mesh.construction == MeshConstruction::kNearest && !mesh.faces.empty())
+        refuse("cameras without a surface have no faces");
     for (const CameraMesh::Vertex& corner : mesh.vertices) {
         if (!corner.position_in_world.allFinite()) refuse("a vertex is not finite");
+        if (!corner.line_of_sight_in_world.allFinite()) refuse("a line of sight is not finite");
         if (corner.view_index < 0 || corner.view_index >= view_count) {
             refuse("a vertex names view " + std::to_string(corner.view_index) + " of " +
                    std::to_string(view_count));

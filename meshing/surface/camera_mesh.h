@@ -16,9 +16,9 @@ enum class MeshConstruction {
     kOpen,    ///< A patch (hemisphere, wall): the hull without its far side, with a skirt.
     kLine,    ///< A row, arc or ring: a strip of quadrilaterals stretched along its normal.
     kPair,    ///< Two cameras: a strip.
-    /// Cameras behind each other along their line of sight: no surface, as nothing lies between
-    /// them. Drawn from the two that the eye stands between.
-    kForward,
+    /// No surface lies between the cameras and the scene: they stand behind each other along their
+    /// line of sight, or amid what they show. Drawn from the three that are nearest to the eye.
+    kNearest,
     kSingle,  ///< One camera: it alone is drawn from.
 };
 
@@ -36,13 +36,15 @@ struct CameraMesh {
         int view_index = 0;
         /// Stands beyond the border, where no camera stands: part of a skirt or of a strip's end.
         bool is_virtual = false;
+        /// Of length one, for kNearest; zero where it does not matter.
+        Eigen::Vector3d line_of_sight_in_world = Eigen::Vector3d::Zero();
     };
     using Face = std::array<int, 3>;  ///< Indices into `vertices`.
 
     MeshConstruction construction = MeshConstruction::kSingle;
     Eigen::Vector3d scene_centre_in_world = Eigen::Vector3d::Zero();
-    std::vector<Vertex> vertices;  ///< Of kForward: the way leads from the first to the last.
-    std::vector<Face> faces;
+    std::vector<Vertex> vertices;
+    std::vector<Face> faces;  ///< None of kNearest and kSingle.
     /// Meshes over close-ups, coarse before fine: each refines what its cameras see, as far as
     /// their weights say (see `capture_fade`), and its own cameras are vertices of it alone.
     std::vector<CameraMesh> shells;
@@ -65,23 +67,16 @@ struct RayWeights {
                                             const Eigen::Vector3d& point_in_world,
                                             const Eigen::Vector3d& direction);
 
-/// Of a mesh without faces, whose weights are those of the eye and the same for all its rays: of a
-/// walk forward the two cameras between whose planes across the way the eye stands, by its
-/// distances from them, and the first or the last alone behind or before all of them; continuous in
-/// the eye. Of a single camera itself. The mesh must have a vertex.
-[[nodiscard]] RayWeights weights_of_eye(const CameraMesh& mesh,
-                                        const Eigen::Vector3d& eye_in_world);
-
 /// Weights of the line through `eye_in_world` along `direction` (from the eye to the scene): the
 /// first face it enters through, behind the eye included. With faces, the same for any eye on the
 /// line, empty when none is crossed from outside, and 1 for a vertex that the line passes through.
-/// Without faces those of the eye.
+/// Without faces those of an eye that looks along it (nearest_cameras.h).
 [[nodiscard]] std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
                                                        const Eigen::Vector3d& eye_in_world,
                                                        const Eigen::Vector3d& direction);
 
-/// Of each view those that it is blended with somewhere: they share a face of the mesh, or follow
-/// each other on a walk forward. Shells are not asked.
+/// Of each view those that it is blended with somewhere: they share a face of the mesh, or, without
+/// faces, are nearest. Shells are not asked.
 [[nodiscard]] std::vector<std::set<int>> neighbouring_views(const CameraMesh& mesh,
                                                             std::size_t view_count);
 

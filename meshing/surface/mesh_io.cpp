@@ -18,6 +18,9 @@ constexpr const char* kVertexLayout =
     "property double x\nproperty double y\nproperty double z\nproperty int view\n";
 /// Written since vertices say whether they are virtual; files without it are read as well.
 constexpr const char* kVirtualLayout = "property uchar virtual\n";
+/// Written where it matters: of cameras without a surface.
+constexpr const char* kSightLayout =
+    "property double sight_x\nproperty double sight_y\nproperty double sight_z\n";
 constexpr std::size_t kPlaceBytes = 3 * sizeof(double) + sizeof(std::int32_t);
 constexpr std::size_t kFaceBytes = 1 + 3 * sizeof(std::int32_t);
 
@@ -42,6 +45,10 @@ Value take(const Bytes& bytes, std::size_t& offset) {
 
 Bytes header_bytes(const std::string& header) { return {header.begin(), header.end()}; }
 
+bool names_lines_of_sight(const CameraMesh& mesh) {
+    return mesh.construction == MeshConstruction::kNearest;
+}
+
 /// Shells stand in the same lists, behind the mesh that they belong to, each announced by a line
 /// "comment shell CONSTRUCTION CENTRE VERTICES FACES".
 std::string camera_mesh_header(const CameraMesh& mesh) {
@@ -64,16 +71,27 @@ std::string camera_mesh_header(const CameraMesh& mesh) {
         header << " " << shell.vertices.size() << " " << shell.faces.size();
     }
     header << "\nelement vertex " << vertices << "\n"
-           << kVertexLayout << kVirtualLayout << "element face " << faces
-           << "\nproperty list uchar int vertex_indices\nend_header\n";
+           << kVertexLayout << kVirtualLayout << (names_lines_of_sight(mesh) ? kSightLayout : "")
+           << "element face " << faces << "\nproperty list uchar int vertex_indices\nend_header\n";
     return header.str();
 }
 
-void put_vertices(Bytes& bytes, const CameraMesh& mesh) {
+void put_vector(Bytes& bytes, const Eigen::Vector3d& vector) {
+    for (int axis = 0; axis < 3; ++axis) put(bytes, vector[axis]);
+}
+
+Eigen::Vector3d take_vector(const Bytes& bytes, std::size_t& offset) {
+    Eigen::Vector3d vector;
+    for (int axis = 0; axis < 3; ++axis) vector[axis] = take<double>(bytes, offset);
+    return vector;
+}
+
+void put_vertices(Bytes& bytes, const CameraMesh& mesh, bool with_lines_of_sight) {
     for (const CameraMesh::Vertex& vertex : mesh.vertices) {
-        for (int axis = 0; axis < 3; ++axis) put(bytes, vertex.position_in_world[axis]);
+        put_vector(bytes, vertex.position_in_world);
         put(bytes, static_cast<std::int32_t>(vertex.view_index));
         put(bytes, static_cast<std::uint8_t>(vertex.is_virtual ? 1 : 0));
+        if (with_lines_of_sight) put_vector(bytes, vertex.line_of_sight_in_world);
     }
 }
 
@@ -110,6 +128,7 @@ struct Part {
 
 struct ParsedHeader {
     bool names_virtual_vertices = false;
+    bool names_lines_of_sight = false;
     std::size_t vertices = 0;  ///< Of all parts.
     std::size_t faces = 0;
     std::vector<Part> shells;  ///< In the order of the mesh's.
@@ -175,27 +194,30 @@ ParsedHeader parse_header(const std::vector<std::string>& lines, CameraMesh& mes
     }
     const std::string begin = std::string("ply\nformat binary_little_endian 1.0\n") + kVertexLayout;
     const std::string end = "property list uchar int vertex_indices\nend_header\n";
-    header.names_virtual_vertices = layout == begin + kVirtualLayout + end;
+    header.names_lines_of_sight = layout == begin + kVirtualLayout + kSightLayout + end;
+    header.names_virtual_vertices =
+        header.names_lines_of_sight || layout == begin + kVirtualLayout + end;
     if (!header.names_virtual_vertices && layout != begin + end) {
         refuse(path, "expected vertices x y z view virtual and triangular faces");
     }
     return header;
 }
 
-void take_vertices(const Bytes& bytes, std::size_t& offset, std::size_t count, bool names_virtual,
-                   CameraMesh& mesh, const std::filesystem::path& path) {
+void take_vertices(const Bytes& bytes, std::size_t& offset, std::size_t count,
+                   const ParsedHeader& header, CameraMesh& mesh,
+                   const std::filesystem::path& path) {
     for (std::size_t i = 0; i < count; ++i) {
         CameraMesh::Vertex vertex;
-        for (int axis = 0; axis < 3; ++axis) {
-            vertex.position_in_world[axis] = take<double>(bytes, offset);
-        }
+        vertex.position_in_world = take_vector(bytes, offset);
         vertex.view_index = take<std::int32_t>(bytes, offset);
-        if (names_virtual) {
+        if (header.names_virtual_vertices) {
             const auto is_virtual = take<std::uint8_t>(bytes, offset);
             if (is_virtual > 1) refuse(path, "a vertex is neither virtual nor not");
             vertex.is_virtual = is_virtual == 1;
         }
-        if (!vertex.position_in_world.allFinite()) refuse(path, "a vertex is not finite");
+        if (header.names_lines_of_sight) vertex.line_of_sight_in_world = take_vector(bytes, offset);
+        if (!vertex.position_in_world.allFinite() || !vertex.line_of_sight_in_world.allFinite())
+            refuse(path, "a vertex is not finite");
         if (vertex.view_index < 0) refuse(path, "a vertex names a negative view");
         mesh.vertices.push_back(vertex);
     }
@@ -224,8 +246,9 @@ void take_faces(const Bytes& bytes, std::size_t& offset, std::size_t count,
 
 Bytes camera_mesh_ply(const CameraMesh& mesh) {
     Bytes bytes = header_bytes(camera_mesh_header(mesh));
-    put_vertices(bytes, mesh);
-    for (const CameraMesh& shell : mesh.shells) put_vertices(bytes, shell);
+    const bool with_lines_of_sight = names_lines_of_sight(mesh);
+    put_vertices(bytes, mesh, with_lines_of_sight);
+    for (const CameraMesh& shell : mesh.shells) put_vertices(bytes, shell, with_lines_of_sight);
     put_faces(bytes, mesh, 0);
     std::size_t first_vertex = mesh.vertices.size();
     for (const CameraMesh& shell : mesh.shells) {
@@ -248,14 +271,15 @@ CameraMesh parse_camera_mesh_ply(const Bytes& bytes, const std::filesystem::path
     std::size_t offset = 0;
     const ParsedHeader header = parse_header(header_lines(bytes, offset, path), mesh, path);
     const std::size_t body = bytes.size() - offset;
-    const std::size_t vertex_bytes = kPlaceBytes + (header.names_virtual_vertices ? 1 : 0);
+    const std::size_t vertex_bytes = kPlaceBytes + (header.names_virtual_vertices ? 1 : 0) +
+                                     (header.names_lines_of_sight ? 3 * sizeof(double) : 0);
     const bool fits = header.vertices <= body / vertex_bytes && header.faces <= body / kFaceBytes &&
                       header.vertices * vertex_bytes + header.faces * kFaceBytes == body;
     if (!fits) refuse(path, "the file's size does not match its counts");
     const std::optional<Part> base = base_part(header);
     if (!base) refuse(path, "its shells have more vertices or faces than there are");
     const auto vertices_of = [&](std::size_t count, CameraMesh& part) {
-        take_vertices(bytes, offset, count, header.names_virtual_vertices, part, path);
+        take_vertices(bytes, offset, count, header, part, path);
     };
     vertices_of(base->vertices, mesh);
     for (std::size_t i = 0; i < mesh.shells.size(); ++i) {

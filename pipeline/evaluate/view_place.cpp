@@ -9,9 +9,8 @@ constexpr int kRaysAcross = 9;
 
 /// Cameras that a face has when it lies between cameras.
 std::size_t cameras_between(MeshConstruction construction) {
-    const bool is_row = construction == MeshConstruction::kLine ||
-                        construction == MeshConstruction::kPair ||
-                        construction == MeshConstruction::kForward;
+    const bool is_row =
+        construction == MeshConstruction::kLine || construction == MeshConstruction::kPair;
     return is_row ? 2 : 3;
 }
 

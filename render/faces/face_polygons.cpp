@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meshing/surface/nearest_cameras.h"
 #include "render/faces/paint_order.h"
 #include "render/transfer/pixel_transfer.h"
 #include "render/transfer/polygon_clipping.h"
@@ -34,9 +35,11 @@ double largest_on(const Corners& corners, const Eigen::Vector3d& line) {
     return largest;
 }
 
-/// What is needed of the eye: where it is, and the direction of each pixel's ray.
+/// What is needed of the eye: where it is, which way it looks, and the direction of each pixel's
+/// ray.
 struct EyeRays {
     Eigen::Vector3d eye_in_world;
+    Eigen::Vector3d line_of_sight;
     Eigen::Matrix3d direction_from_pixel;  ///< World direction, of unit depth, from (x, y, 1).
     Corners picture;
     double longest_direction = 0.0;
@@ -45,6 +48,7 @@ struct EyeRays {
 EyeRays eye_rays(const Eye& eye) {
     EyeRays rays;
     rays.eye_in_world = centre_in_world(eye.cam_from_world);
+    rays.line_of_sight = eye.cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitZ();
     rays.direction_from_pixel = eye.cam_from_world.rotation.conjugate().toRotationMatrix() *
                                 pinhole_matrix(eye.camera).inverse();
     rays.picture = picture_rectangle(eye.camera);
@@ -109,7 +113,7 @@ void normalise(FacePolygon& polygon) {
 
 /// The whole picture, with the weights of the eye.
 FacePolygon polygon_without_face(const CameraMesh& mesh, const EyeRays& rays) {
-    const RayWeights weights = weights_of_eye(mesh, rays.eye_in_world);
+    const RayWeights weights = weights_of_eye(mesh, rays.eye_in_world, rays.line_of_sight);
     FacePolygon polygon;
     polygon.view_indices = weights.view_indices;
     for (std::size_t i = 0; i < 3; ++i)

@@ -9,6 +9,7 @@
 
 #include "calib/capture/nearest_byte.h"
 #include "meshing/surface/camera_mesh.h"
+#include "meshing/surface/nearest_cameras.h"
 #include "render/depth_layers/depth_eye.h"
 #include "render/depth_search/occlusion.h"
 #include "render/faces/shell_opacity.h"
@@ -45,6 +46,7 @@ class ReferenceFrame {
 
  private:
     [[nodiscard]] Eigen::Vector3d direction_in_world(const Eigen::Vector2d& pixel) const;
+    [[nodiscard]] std::optional<RayWeights> weights_along(const Eigen::Vector3d& direction) const;
     /// One, or one for each sample of a silhouette that is drawn smoothly.
     [[nodiscard]] std::vector<KnownPoint> points_at(const Eigen::Vector2d& pixel) const;
     /// The mean of all that is drawn for a pixel.
@@ -177,11 +179,17 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const std::vector<KnownPoint>&
     return DrawnPixel{sum.color / count, sum.coverage >= 0.5 * count ? 1.0 : 0.0};
 }
 
+std::optional<RayWeights> ReferenceFrame::weights_along(const Eigen::Vector3d& direction) const {
+    if (!lumigraph_.mesh.faces.empty())
+        return weights_of_ray(lumigraph_.mesh, eye_in_world_, direction);
+    return weights_of_eye(lumigraph_.mesh, eye_in_world_,
+                          eye_.cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitZ());
+}
+
 std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
                                                   const Eigen::Vector2d& pixel) const {
     const ConsensusDepth& depth = shared.depth;
-    std::optional<RayWeights> ray =
-        weights_of_ray(lumigraph_.mesh, eye_in_world_, shared.point.direction_in_world);
+    std::optional<RayWeights> ray = weights_along(shared.point.direction_in_world);
     if (!ray) return std::nullopt;
     const bool has_depth = depth.support > 0;
     const std::array<double, 3> seen = visibilities(*ray, shared);

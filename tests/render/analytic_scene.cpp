@@ -155,18 +155,16 @@ Lumigraph card_before_wall() {
     return photographed(AnalyticScene::kCardBeforeWall, cameras_before_wall());
 }
 
-Lumigraph walk_past_card() {
+Lumigraph card_without_surface() {
     Lumigraph lumigraph = card_before_wall();
-    CameraMesh walk;
-    walk.construction = MeshConstruction::kForward;
-    walk.scene_centre_in_world = lumigraph.mesh.scene_centre_in_world;
+    CameraMesh cameras;
+    cameras.construction = MeshConstruction::kNearest;
+    cameras.scene_centre_in_world = lumigraph.mesh.scene_centre_in_world;
     for (std::size_t view = 0; view < lumigraph.views.size(); ++view)
-        walk.vertices.push_back(
-            {centre_in_world(lumigraph.views[view].cam_from_world), static_cast<int>(view)});
-    std::stable_sort(walk.vertices.begin(), walk.vertices.end(), [](const auto& a, const auto& b) {
-        return a.position_in_world.x() < b.position_in_world.x();
-    });
-    lumigraph.mesh = walk;
+        cameras.vertices.push_back(
+            {centre_in_world(lumigraph.views[view].cam_from_world), static_cast<int>(view), false,
+             lumigraph.views[view].cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitZ()});
+    lumigraph.mesh = cameras;
     return lumigraph;
 }
 

@@ -28,8 +28,8 @@ enum class AnalyticScene {
 /// A ring of eight cameras around one, before the wall (an open mesh); 64 x 48 pixels.
 [[nodiscard]] Lumigraph card_before_wall();
 
-/// The same photographs as if they had been taken on a walk forward, from left to right.
-[[nodiscard]] Lumigraph walk_past_card();
+/// The same photographs without a surface between them and the scene.
+[[nodiscard]] Lumigraph card_without_surface();
 
 /// The same cameras before the printed card, and three close-ups of it, which are in a shell.
 [[nodiscard]] Lumigraph card_with_close_ups();

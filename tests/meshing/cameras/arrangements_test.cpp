@@ -86,8 +86,8 @@ TEST_P(Arrangements, WeighARayTheSameFromEveryEyeAndByAtMostThreeCamerasThatSumT
             ASSERT_EQ(one.has_value(), other.has_value());
             if (!one) continue;
             ++answered;
-            // A walk forward weighs the eye's place on the way, not the line.
-            if (built_.mesh.construction != MeshConstruction::kForward) {
+            // The nearest cameras are those of the eye, not of the line.
+            if (built_.mesh.construction != MeshConstruction::kNearest) {
                 EXPECT_LT(distance(*one, *other), 1e-9);
             }
             double sum = 0;

@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
-#include <limits>
 #include <random>
-#include <set>
+#include <string>
 #include <vector>
 
 #include "calib/capture/degrees.h"
-#include "calib/work/error.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
 
@@ -30,23 +29,20 @@ std::vector<OpticalAxis> walk(int count, double step, double sway, double angle_
     return axes;
 }
 
-CameraMesh walk_mesh() { return forward_mesh(walk(5, 0.5, 0.05, 0), {0, 0, 6}); }
-
-TEST(ForwardMotion, IsFoundUpToAFifthOfSwayAndThirtyDegrees) {
+TEST(ForwardMotion, IsFoundUpToTwoFifthsOfSwayAndFortyDegrees) {
     // 0.1 beside a way of 9 steps of 0.3: sigmas of 0.07 and 0.86.
     const auto straight = forward_motion(walk(10, 0.3, 0.1, 0));
     ASSERT_TRUE(straight.has_value());
     EXPECT_NEAR(straight->sway_share, 0.082, 0.02);
     EXPECT_LT(straight->angle_deg, 5);
-    EXPECT_TRUE(forward_motion(walk(10, 0.3, 0.1, 25)).has_value());
-    EXPECT_FALSE(forward_motion(walk(10, 0.3, 0.1, 36)).has_value());
-    EXPECT_FALSE(forward_motion(walk(10, 0.3, 0.5, 0)).has_value());
+    EXPECT_TRUE(forward_motion(walk(10, 0.3, 0.1, 36)).has_value());
+    EXPECT_FALSE(forward_motion(walk(10, 0.3, 0.1, 46)).has_value());
+    EXPECT_TRUE(forward_motion(walk(10, 0.3, 0.4, 0)).has_value());
+    EXPECT_FALSE(forward_motion(walk(10, 0.3, 0.7, 0)).has_value());
 }
 
 TEST(ForwardMotion, IsWalkedBackwardsToo) {
     EXPECT_TRUE(forward_motion(walk(10, -0.3, 0.1, 0)).has_value());
-    const CameraMesh mesh = forward_mesh(walk(10, -0.3, 0.1, 0), {0, 0, 6});
-    EXPECT_EQ(mesh.vertices.front().view_index, 9);
 }
 
 TEST(ForwardMotion, IsNoneOfOneCameraOrOfCamerasThatLookAllAround) {
@@ -59,57 +55,6 @@ TEST(ForwardMotion, IsNoneOfOneCameraOrOfCamerasThatLookAllAround) {
     EXPECT_FALSE(forward_motion(looking_around).has_value());
 }
 
-TEST(ForwardMesh, BlendsTheTwoCamerasThatTheEyeStandsBetween) {
-    const CameraMesh mesh = forward_mesh(walk(5, 0.5, 0, 0), {0, 0, 6});
-    // 0.8 along the way, wherever beside it: 0.3 from camera 1, 0.2 from camera 2.
-    for (const Eigen::Vector3d& eye : Points{{0, 0, 0.8}, {0.4, -0.2, 0.8}, {-3, 2, 0.8}}) {
-        const auto weights = weights_by_view(weights_of_eye(mesh, eye), 5);
-        EXPECT_NEAR(weights[1], 0.4, 1e-12);
-        EXPECT_NEAR(weights[2], 0.6, 1e-12);
-    }
-    EXPECT_EQ(weights_by_view(weights_of_eye(mesh, {0.1, 0, -3}), 5)[0], 1);
-    EXPECT_EQ(weights_by_view(weights_of_eye(mesh, {0.1, 0, 2.5}), 5)[4], 1);
-}
-
-TEST(ForwardMesh, GivesACameraItsOwnPicture) {
-    // Of the long walk, the way leads past some cameras in another order than the line of sight.
-    for (const CameraMesh& mesh :
-         {walk_mesh(), forward_mesh(walk(300, 0.01, 0.3, 12), {0, 0, 6})}) {
-        const std::size_t cameras = mesh.vertices.size();
-        for (const CameraMesh::Vertex& camera : mesh.vertices) {
-            const auto weights =
-                weights_by_view(weights_of_eye(mesh, camera.position_in_world), cameras);
-            EXPECT_NEAR(weights[static_cast<std::size_t>(camera.view_index)], 1, 1e-12);
-        }
-    }
-}
-
-TEST(ForwardMesh, WeighsContinuouslyAndTheSameInAllDirections) {
-    const CameraMesh mesh = walk_mesh();
-    std::mt19937 random(3);
-    constexpr int kSteps = 4000;
-    for (int path = 0; path < 20; ++path) {
-        const Eigen::Vector3d from = 2 * random_direction(random) + Eigen::Vector3d(0, 0, 1);
-        const Eigen::Vector3d to = 2 * random_direction(random) + Eigen::Vector3d(0, 0, 1);
-        std::vector<double> last;
-        for (int step = 0; step <= kSteps; ++step) {
-            const Eigen::Vector3d eye = from + step * (to - from) / kSteps;
-            const auto ray = weights_of_ray(mesh, eye, random_direction(random));
-            ASSERT_TRUE(ray.has_value());
-            const auto weights = weights_by_view(*ray, 5);
-            double sum = 0;
-            for (std::size_t view = 0; view < 5; ++view) {
-                sum += weights[view];
-                // A step of at most 1e-3 on cameras that stand 0.4 and more apart.
-                if (last.empty()) continue;
-                EXPECT_LT(std::abs(weights[view] - last[view]), 4e-3);
-            }
-            EXPECT_NEAR(sum, 1, 1e-12);
-            last = weights;
-        }
-    }
-}
-
 Capture approach() {
     Points centres;
     for (int i = 0; i < 8; ++i)
@@ -119,10 +64,10 @@ Capture approach() {
                       points_in_ball(300, Eigen::Vector3d::Zero(), 0.4, random));
 }
 
-TEST(ForwardMesh, OfAnApproachHoldsAllCamerasAndNoCloseUps) {
+TEST(MeshWithoutFaces, OfAnApproachHoldsAllCamerasAndNoCloseUps) {
     const Capture capture = approach();
     const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
-    EXPECT_EQ(built.mesh.construction, MeshConstruction::kForward) << built.evidence.explanation;
+    EXPECT_EQ(built.mesh.construction, MeshConstruction::kNearest) << built.evidence.explanation;
     EXPECT_EQ(built.evidence.cameras_kept, 8);
     EXPECT_TRUE(built.mesh.shells.empty());
     EXPECT_TRUE(built.mesh.faces.empty());
@@ -130,52 +75,88 @@ TEST(ForwardMesh, OfAnApproachHoldsAllCamerasAndNoCloseUps) {
         EXPECT_EQ(built.mesh.vertices[static_cast<std::size_t>(i)].view_index, i);
 }
 
-TEST(ForwardMesh, IsNotThePapersHull) {
+TEST(MeshWithoutFaces, IsNotThePapersHull) {
     const Capture capture = approach();
     CameraMeshOptions options;
     options.shape = "convex";
     const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), options);
-    EXPECT_NE(built.mesh.construction, MeshConstruction::kForward) << built.evidence.explanation;
+    EXPECT_NE(built.mesh.construction, MeshConstruction::kNearest) << built.evidence.explanation;
 }
 
-TEST(ForwardMesh, LinksEachCameraWithThoseBeforeAndBehindIt) {
-    const auto neighbours = neighbouring_views(walk_mesh(), 5);
-    EXPECT_EQ(neighbours[0], std::set<int>{1});
-    EXPECT_EQ(neighbours[2], (std::set<int>{1, 3}));
-    EXPECT_EQ(neighbours[4], std::set<int>{3});
-}
-
-/// As an untrusted package may have them.
-TEST(ForwardMesh, WeighsNumbersThatOverflowFinitely) {
-    CameraMesh mesh = walk_mesh();
-    for (CameraMesh::Vertex& camera : mesh.vertices) camera.position_in_world *= 1e308;
-    for (const double far : {0.0, 1e308, std::numeric_limits<double>::quiet_NaN()}) {
-        const RayWeights weights = weights_of_eye(mesh, Eigen::Vector3d::Constant(far));
-        double sum = 0;
-        for (const double weight : weights.weights) sum += weight;
-        EXPECT_NEAR(sum, 1, 1e-12);
-    }
-}
-
-TEST(ForwardMesh, CanBeAskedForWhereAllLookOneWay) {
+TEST(MeshWithoutFaces, CanBeAskedFor) {
     CameraMeshOptions options;
-    options.construction = "forward";
-    const Points row{{-1, 0, -3}, {0, 0, -3}, {1, 0, -3}};
-    const Capture before = capture_of(row, Eigen::Vector3d::Zero(), {});
-    EXPECT_EQ(build_camera_mesh(before, all_views(before), options).mesh.construction,
-              MeshConstruction::kForward);
+    options.construction = "nearest";
     Points around;
     for (const Eigen::Vector3d& direction : sphere_directions(20, -1))
         around.push_back(3 * direction);
     const Capture all_around = capture_of(around, Eigen::Vector3d::Zero(), {});
-    EXPECT_THROW((void)build_camera_mesh(all_around, all_views(all_around), options), Error);
+    const CameraMesh mesh = build_camera_mesh(all_around, all_views(all_around), options).mesh;
+    EXPECT_EQ(mesh.construction, MeshConstruction::kNearest);
+    ASSERT_EQ(mesh.vertices.size(), 20U);
+    for (const CameraMesh::Vertex& camera : mesh.vertices) {
+        const Eigen::Vector3d inwards = -camera.position_in_world.normalized();
+        EXPECT_LT((camera.line_of_sight_in_world - inwards).norm(), 1e-9);
+    }
 }
 
-TEST(ForwardMesh, IsRefusedWithFaces) {
-    CameraMesh mesh = walk_mesh();
-    EXPECT_NO_THROW(validate(mesh, 5, "here"));
-    mesh.faces.push_back({0, 1, 2});
-    EXPECT_THROW(validate(mesh, 5, "here"), Error);
+/// A walk along one corridor and, round a corner, another; points on the walls of both.
+Capture walk_round_a_corner() {
+    Capture capture;
+    capture.cameras.push_back(pinhole_camera(640, 480, 400));
+    const auto photograph = [&](const Eigen::Vector3d& centre, double turn) {
+        View view;
+        view.name = std::to_string(capture.views.size());
+        view.cam_from_world.rotation =
+            Eigen::Quaterniond(Eigen::AngleAxisd(-turn, Eigen::Vector3d::UnitY()));
+        view.cam_from_world.translation = -(view.cam_from_world.rotation * centre);
+        capture.views.push_back(view);
+    };
+    for (int i = 0; i < 14; ++i) photograph({0.02 * (i % 3), 0, 0.5 * i}, 0);
+    for (int i = 1; i < 6; ++i) {
+        const double angle = 15 * i * kRadiansPerDegree;
+        photograph({2 - 2 * std::cos(angle), 0.02, 7 + 2 * std::sin(angle)}, angle);
+    }
+    for (int i = 0; i < 12; ++i)
+        photograph({2 + 0.5 * i, 0.02 * (i % 2), 9}, 90 * kRadiansPerDegree);
+    const auto add = [&](double x, double y, double z) {
+        ScenePoint point;
+        point.position_in_world = {x, y, z};
+        for (std::size_t i = 0; i < capture.views.size(); ++i) {
+            const auto pixel = project(capture.cameras.front(),
+                                       capture.views[i].cam_from_world * point.position_in_world);
+            if (pixel && is_inside(capture.cameras.front(), *pixel))
+                point.track.push_back({static_cast<int>(i), *pixel});
+        }
+        if (point.track.size() >= 2) capture.points.push_back(point);
+    };
+    for (double y = -1; y <= 1; y += 0.25) {
+        for (double along = 0; along < 10; along += 0.25) {
+            add(-1.4, y, along);
+            if (along < 7) add(1.4, y, along);
+            add(along, y, 10.4);
+            if (along > 1.5) add(along, y, 7.6);
+        }
+    }
+    return capture;
+}
+
+TEST(MeshWithoutFaces, IsTakenWhereNoSurfaceLiesBetweenCamerasAndScene) {
+    const Capture capture = walk_round_a_corner();
+    const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
+    EXPECT_EQ(built.mesh.construction, MeshConstruction::kNearest) << built.evidence.explanation;
+    EXPECT_EQ(built.evidence.cameras_kept, static_cast<int>(capture.views.size()));
+    EXPECT_TRUE(built.mesh.faces.empty());
+    EXPECT_TRUE(built.mesh.shells.empty());
+    EXPECT_NE(built.evidence.explanation.find("cross two faces"), std::string::npos)
+        << built.evidence.explanation;
+    CameraMeshOptions options;
+    options.construction = "open";
+    EXPECT_EQ(build_camera_mesh(capture, all_views(capture), options).mesh.construction,
+              MeshConstruction::kOpen);
+    options = {};
+    options.shape = "convex";
+    EXPECT_NE(build_camera_mesh(capture, all_views(capture), options).mesh.construction,
+              MeshConstruction::kNearest);
 }
 
 }  // namespace

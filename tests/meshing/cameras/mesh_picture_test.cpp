@@ -29,12 +29,12 @@ TEST(CameraMeshPicture, ShowsEveryFaceAndFrustumInBothViews) {
     EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
-TEST(CameraMeshPicture, ShowsTheWayOfAWalkForward) {
+TEST(CameraMeshPicture, ShowsWhoIsNearWhomOnAWalkForward) {
     const Capture capture =
         capture_of({{0, 0, -3}, {0, 0, -4}, {0, 0, -5}}, Eigen::Vector3d::Zero(), {});
     const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
     const std::string svg = camera_mesh_svg(capture, all_views(capture), built.mesh);
-    EXPECT_EQ(occurrences(svg, "<polyline"), 2U);
+    EXPECT_EQ(occurrences(svg, "stroke-opacity=\"0.5\" d=\"M"), 6U);
     EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 

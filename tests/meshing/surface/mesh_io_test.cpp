@@ -55,6 +55,24 @@ TEST_F(CameraMeshFile, KeepsEveryBit) {
     }
 }
 
+TEST_F(CameraMeshFile, KeepsLinesOfSightOfCamerasWithoutASurface) {
+    CameraMesh mesh = tiny_mesh();
+    mesh.construction = MeshConstruction::kNearest;
+    mesh.faces.clear();
+    for (CameraMesh::Vertex& vertex : mesh.vertices)
+        vertex.line_of_sight_in_world = vertex.position_in_world.normalized();
+    write_camera_mesh_ply(path(), mesh);
+    const CameraMesh again = read_camera_mesh_ply(path());
+    EXPECT_EQ(again.construction, mesh.construction);
+    ASSERT_EQ(again.vertices.size(), mesh.vertices.size());
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        EXPECT_EQ(again.vertices[i].position_in_world, mesh.vertices[i].position_in_world);
+        EXPECT_EQ(again.vertices[i].view_index, mesh.vertices[i].view_index);
+        EXPECT_EQ(again.vertices[i].line_of_sight_in_world,
+                  mesh.vertices[i].line_of_sight_in_world);
+    }
+}
+
 TEST_F(CameraMeshFile, KeepsShellsApart) {
     CameraMesh mesh = tiny_mesh();
     mesh.shells = {tiny_mesh(), tiny_mesh()};

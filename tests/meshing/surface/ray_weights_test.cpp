@@ -95,7 +95,7 @@ TEST(RayWeights, OfASingleCameraAreItself) {
 TEST(CameraMesh, NamesOfConstructionsAreReadBack) {
     for (const MeshConstruction construction :
          {MeshConstruction::kClosed, MeshConstruction::kOpen, MeshConstruction::kLine,
-          MeshConstruction::kPair, MeshConstruction::kForward, MeshConstruction::kSingle}) {
+          MeshConstruction::kPair, MeshConstruction::kNearest, MeshConstruction::kSingle}) {
         EXPECT_EQ(mesh_construction_named(name_of(construction)), construction);
     }
     EXPECT_FALSE(mesh_construction_named("auto").has_value());

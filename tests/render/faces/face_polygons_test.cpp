@@ -216,9 +216,9 @@ TEST(FacePolygons, LeaveNoPixelEmptyForAnEyeInside) {
     }
 }
 
-TEST(FacePolygons, OfAWalkForwardIsOneWithTheWeightsOfTheEye) {
+TEST(FacePolygons, WithoutFacesIsOneWithTheWeightsOfTheEye) {
     CameraMesh mesh;
-    mesh.construction = MeshConstruction::kForward;
+    mesh.construction = MeshConstruction::kNearest;
     for (const int view : {4, 2, 7}) {
         const auto along = static_cast<double>(mesh.vertices.size());
         mesh.vertices.push_back({{0.1 * view, 0, along}, view});
