@@ -9,11 +9,11 @@
 namespace lumi {
 namespace {
 
-/// As far as was measured: up to it, and past what they look at by no more than the angle, faces
-/// between the cameras show held-out photographs no better than the nearest cameras do
-/// (README.images/measurements.md, Camera mesh).
-constexpr double kMostSwayShare = 0.4;
-constexpr double kMostAngle_deg = 40.0;
+/// Walks that sway twice as much are shown better without faces, too, but a wall of photographs
+/// with close-ups of it looks like one (README.images/measurements.md, Camera mesh).
+constexpr double kMostSwayShare = 0.2;
+/// Past what they look at by more, faces between the cameras are as good.
+constexpr double kMostAngle_deg = 30.0;
 /// Length of the mean of all lines of sight, from which on they are one.
 constexpr double kLeastAgreement = 0.85;
 

@@ -14,8 +14,8 @@ struct ForwardMotion {
 };
 
 /// From the scene such cameras lie in nearly one direction, in an order that is chance: no surface
-/// lies between them. Nothing when they stand beside the way by more than two fifths of its length,
-/// or when it leads more than 40 degrees past what they look at.
+/// lies between them. Nothing when they stand beside the way by more than a fifth of its length,
+/// or when it leads more than 30 degrees past what they look at.
 [[nodiscard]] std::optional<ForwardMotion> forward_motion(const std::vector<OpticalAxis>& axes);
 
 }  // namespace lumi

@@ -143,7 +143,7 @@ std::vector<ArrangedCapture> arranged_captures() {
         around_the_origin("straight line", row(8, 0.35), kLine, 8, x, 50),
         around_the_origin("forward walk", walk_towards_scene(8, 0.12), kNearest, 8, x, 40, 0.2),
         around_the_origin("straight forward walk", walk_towards_scene(6, 0.0), kNearest, 6, x, 60),
-        around_the_origin("swaying walk", walk_towards_scene(8, 0.8), kOpen, 8, x, 40, 0.2),
+        around_the_origin("swaying walk", walk_towards_scene(8, 0.5), kOpen, 8, x, 40, 0.2),
         around_the_origin("two cameras", row(2, 1.0), kPair, 2, x, 50),
         around_the_origin("one camera", row(1, 1.0), kSingle, 1, x, 60),
         around_the_origin("coincident cameras", coincident, kSingle, 1, x, 60),
