@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "calib/work/error.h"
@@ -14,6 +15,7 @@
 #include "meshing/cameras/construction.h"
 #include "meshing/cameras/forward_motion.h"
 #include "meshing/cameras/kernel.h"
+#include "meshing/cameras/preconditions.h"
 #include "meshing/cameras/repair.h"
 #include "meshing/cameras/scene_centre.h"
 #include "meshing/cameras/scene_hull.h"
@@ -24,10 +26,6 @@ namespace {
 constexpr std::size_t kMaxScenePoints = 2000;
 /// Cameras closer together than this share of their depth show no parallax in any photograph.
 constexpr double kOneSpot = 1e-6;
-/// With less of the scene than this where no ray crosses two faces, the mesh is none that lies
-/// between cameras and scene: captures that walk around something were seen at 0.98 and more,
-/// others at 0.24 and less.
-constexpr double kLeastSceneShare = 0.5;
 /// Open meshes may leave the scene all the room there is; reports want a finite figure.
 constexpr double kMostRoom = 100.0;
 
@@ -77,12 +75,6 @@ Arrangement chosen_arrangement(const std::vector<OpticalAxis>& axes, const Eigen
 bool walks_forward(const std::vector<OpticalAxis>& axes, const CameraMeshOptions& options) {
     return options.construction == "auto" ? forward_motion(axes).has_value()
                                           : options.construction == "nearest";
-}
-
-/// Of a mesh whose kernel was judged.
-bool lies_around_the_scene(const BuiltCameraMesh& built, bool has_scene) {
-    return !has_scene || built.mesh.faces.empty() ||
-           built.evidence.scene_share_in_kernel >= kLeastSceneShare;
 }
 
 /// How far the centre may be moved: it stays within the scene, for it is also where the plane of a
@@ -180,7 +172,7 @@ void note_repair(const RepairReport& repair, CameraMeshEvidence& evidence) {
 struct BuiltSurface {
     BuiltCameraMesh built;
     bool inside_out = false;
-    bool lies_around_the_scene = true;
+    std::optional<std::string> why_none;  ///< It does not lie between the cameras and the scene.
 };
 
 /// The mesh over the given cameras, with what speaks for it.
@@ -221,22 +213,24 @@ BuiltSurface build_surface(const Capture& capture, const std::vector<OpticalAxis
     if (rules.arrangement.inside_out) {
         for (CameraMesh::Face& face : built.mesh.faces) std::swap(face[1], face[2]);
     }
-    const bool lies_around = lies_around_the_scene(built, !scene.empty());
-    return {std::move(built), rules.arrangement.inside_out, lies_around};
+    BuiltSurface surface{std::move(built), rules.arrangement.inside_out, {}};
+    if (!surface.built.mesh.faces.empty()) {
+        SurfacePreconditions preconditions;
+        if (!scene.empty())
+            preconditions.scene_share_in_kernel = surface.built.evidence.scene_share_in_kernel;
+        preconditions.share_that_faces_scene = share_that_faces(
+            capture, axes, surface.built.mesh.scene_centre_in_world, surface.inside_out);
+        surface.why_none = why_no_surface(preconditions);
+    }
+    return surface;
 }
 
 /// All cameras, in place of a surface that would not lie between them and what they show.
-BuiltCameraMesh without_surface(const std::vector<OpticalAxis>& axes,
-                                const BuiltCameraMesh& surface) {
+BuiltCameraMesh without_surface(const std::vector<OpticalAxis>& axes, const BuiltSurface& surface) {
     ConstructionRules rules;
-    rules.arrangement = {.construction = MeshConstruction::kNearest,
-                         .reason = "of a mesh over the cameras (" +
-                                   name_of(surface.mesh.construction) +
-                                   ") rays cross two faces to " +
-                                   percent(1 - surface.evidence.scene_share_in_kernel, 0) +
-                                   " of the scene's points"};
+    rules.arrangement = {.construction = MeshConstruction::kNearest, .reason = *surface.why_none};
     BuiltCameraMesh built;
-    built.mesh = construct(axes, surface.mesh.scene_centre_in_world, rules);
+    built.mesh = construct(axes, surface.built.mesh.scene_centre_in_world, rules);
     built.evidence.cameras_total = static_cast<int>(axes.size());
     built.evidence.cameras_kept = distinct_views(built.mesh);
     built.evidence.explanation =
@@ -304,10 +298,8 @@ BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>
         groups.clear();
         surface = build_surface(capture, axes, points, options);
     }
-    if (!surface.lies_around_the_scene && options.construction == "auto" &&
-        options.shape != "convex") {
-        return without_surface(axes, surface.built);
-    }
+    if (surface.why_none && options.construction == "auto" && options.shape != "convex")
+        return without_surface(axes, surface);
     add_shells(capture, axes, groups, points, surface.built);
     return std::move(surface.built);
 }

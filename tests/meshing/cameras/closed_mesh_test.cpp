@@ -102,10 +102,30 @@ TEST(ClosedMeshKernel, ReportsASceneThatReachesBeyondIt) {
     // The icosahedron-like hull of 12 cameras has an inner radius of about 0.75.
     const Capture capture = capture_of(centres, Eigen::Vector3d::Zero(),
                                        points_in_ball(2000, Eigen::Vector3d::Zero(), 0.97, random));
-    const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {.repair = false});
+    const BuiltCameraMesh built =
+        build_camera_mesh(capture, all_views(capture), {.construction = "closed", .repair = false});
     EXPECT_EQ(built.mesh.construction, MeshConstruction::kClosed);
     EXPECT_LT(built.evidence.kernel_radius_over_scene_radius, 1.0);
     EXPECT_GT(built.evidence.kernel_radius_over_scene_radius, 0.6);
+}
+
+TEST(ClosedMeshKernel, IsAskedForMostOfTheScene) {
+    std::mt19937 random(5);
+    Points centres;
+    for (const Eigen::Vector3d& direction : sphere_directions(12, -1)) centres.push_back(direction);
+    for (const bool reaches_beyond : {false, true}) {
+        const Capture capture = capture_of(
+            centres, Eigen::Vector3d::Zero(),
+            points_in_ball(2000, Eigen::Vector3d::Zero(), reaches_beyond ? 0.97 : 0.7, random));
+        const BuiltCameraMesh built =
+            build_camera_mesh(capture, all_views(capture), {.repair = false});
+        EXPECT_EQ(built.mesh.construction,
+                  reaches_beyond ? MeshConstruction::kNearest : MeshConstruction::kClosed)
+            << built.evidence.explanation;
+        EXPECT_EQ(built.evidence.explanation.find("cross two faces of a mesh") != std::string::npos,
+                  reaches_beyond)
+            << built.evidence.explanation;
+    }
 }
 
 TEST(Kernel, OfACubeHasItsClosedForm) {
