@@ -71,8 +71,8 @@ Arrangement chosen_arrangement(const std::vector<OpticalAxis>& axes, const Eigen
     return arrange(star);
 }
 
-/// What such a walk comes close to is no close-up.
-bool walks_forward(const std::vector<OpticalAxis>& axes, const CameraMeshOptions& options) {
+/// Without faces nothing is split off: what a walk comes close to is no close-up.
+bool has_no_faces(const std::vector<OpticalAxis>& axes, const CameraMeshOptions& options) {
     return options.construction == "auto" ? forward_motion(axes).has_value()
                                           : options.construction == "nearest";
 }
@@ -233,6 +233,9 @@ BuiltCameraMesh without_surface(const std::vector<OpticalAxis>& axes, const Buil
     built.mesh = construct(axes, surface.built.mesh.scene_centre_in_world, rules);
     built.evidence.cameras_total = static_cast<int>(axes.size());
     built.evidence.cameras_kept = distinct_views(built.mesh);
+    built.evidence.scene_share_in_kernel = surface.built.evidence.scene_share_in_kernel;
+    built.evidence.kernel_radius_over_scene_radius =
+        surface.built.evidence.kernel_radius_over_scene_radius;
     built.evidence.explanation =
         explain(built.mesh, rules.arrangement, false, false, built.evidence);
     return built;
@@ -290,7 +293,7 @@ BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>
     const std::vector<Eigen::Vector3d> points =
         visible_points(capture, view_indices, kMaxScenePoints);
     std::vector<CloseUpGroup> groups;
-    if (options.shells && options.shape != "convex" && !walks_forward(axes, options))
+    if (options.shells && options.shape != "convex" && !has_no_faces(axes, options))
         groups = find_close_ups(capture, axes, points);
     BuiltSurface surface = build_surface(capture, without_close_ups(axes, groups), points, options);
     // From the middle of a room every camera sees a part of it only: near walls are no close-ups.

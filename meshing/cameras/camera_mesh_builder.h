@@ -54,9 +54,9 @@ struct BuiltCameraMesh {
 /// the scene reaches out of the kernel, edges are flipped, and then vertices slid, until it does
 /// not: the whole scene if that can be had, else the largest inner part of it. Close-ups that see a
 /// part of the scene only are no vertices of it, but of shells (close_ups.h). Where cameras walk
-/// forward, or a surface would not lie between them and the scene (preconditions.h), all of them
-/// without faces. Vertices name views
-/// by their index in capture.views. Throws Error (E-MESH-NOVIEW) when `view_indices` is empty.
+/// forward, or a surface would not lie between them and the scene (preconditions.h), all are
+/// vertices and there are no faces. Vertices name views by their index in capture.views. Throws
+/// Error (E-MESH-NOVIEW) when `view_indices` is empty.
 [[nodiscard]] BuiltCameraMesh build_camera_mesh(const Capture& capture,
                                                 const std::vector<int>& view_indices,
                                                 const CameraMeshOptions& options);

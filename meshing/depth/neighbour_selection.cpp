@@ -24,7 +24,7 @@ double angle_weight(const Eigen::Vector3d& point, const Eigen::Vector3d& centre_
 }
 
 /// Patches of one size are compared: the larger the point is in one view than in the other, the
-/// less it tells (Goesele et al., ICCV 2007, section 4.2).
+/// less it tells (after Goesele et al., ICCV 2007).
 double size_weight(const Eigen::Vector3d& point, const DepthView& a, const DepthView& b) {
     constexpr double kAlike = 1.2;  // Times as large: one standard deviation.
     const double depth_in_a = (a.cam_from_world * point).z();

@@ -146,7 +146,9 @@ void validate(const CameraMesh& mesh, int view_count, const std::string& where) 
         refuse("cameras without a surface have no faces");
     for (const CameraMesh::Vertex& corner : mesh.vertices) {
         if (!corner.position_in_world.allFinite()) refuse("a vertex is not finite");
-        if (!corner.line_of_sight_in_world.allFinite()) refuse("a line of sight is not finite");
+        const double sight = corner.line_of_sight_in_world.norm();
+        if (sight != 0 && !(std::abs(sight - 1) < 1e-6))
+            refuse("a line of sight is not of length one");
         if (corner.view_index < 0 || corner.view_index >= view_count) {
             refuse("a vertex names view " + std::to_string(corner.view_index) + " of " +
                    std::to_string(view_count));

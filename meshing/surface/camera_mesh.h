@@ -70,13 +70,14 @@ struct RayWeights {
 /// Weights of the line through `eye_in_world` along `direction` (from the eye to the scene): the
 /// first face it enters through, behind the eye included. With faces, the same for any eye on the
 /// line, empty when none is crossed from outside, and 1 for a vertex that the line passes through.
-/// Without faces those of an eye that looks along it (nearest_cameras.h).
+/// Without faces those of an eye that looks along it (nearest_cameras.h), where frames are drawn
+/// with those of the eye's optical axis.
 [[nodiscard]] std::optional<RayWeights> weights_of_ray(const CameraMesh& mesh,
                                                        const Eigen::Vector3d& eye_in_world,
                                                        const Eigen::Vector3d& direction);
 
-/// Of each view those that it is blended with somewhere: they share a face of the mesh, or, without
-/// faces, are nearest. Shells are not asked.
+/// Of each view those that it is blended with somewhere: they share a face of the mesh; without
+/// faces, those nearest to it (nearest_views). Shells are not asked.
 [[nodiscard]] std::vector<std::set<int>> neighbouring_views(const CameraMesh& mesh,
                                                             std::size_t view_count);
 
@@ -92,8 +93,8 @@ inline constexpr double kShellFadedShare = 1.0;
 /// Gives every vertex of the mesh and of its shells the view that `new_index` has for its old one.
 void renumber_views(CameraMesh& mesh, const std::vector<int>& new_index);
 
-/// Throws Error (E-MESH-INVALID) unless indices are in range and every number is finite, in the
-/// shells as well.
+/// Throws Error (E-MESH-INVALID) unless indices are in range, every number is finite and lines of
+/// sight are of length one or zero, in the shells as well.
 void validate(const CameraMesh& mesh, int view_count, const std::string& where);
 
 }  // namespace lumi

@@ -175,6 +175,8 @@ ParsedHeader parse_header(const std::vector<std::string>& lines, CameraMesh& mes
         if (first == "comment" && second == "construction") {
             std::string name;
             words >> name;
+            // Walks forward had a name of their own, and no lines of sight.
+            if (name == "forward") name = name_of(MeshConstruction::kNearest);
             const auto construction = mesh_construction_named(name);
             if (!construction) refuse(path, "unknown construction '" + name + "'");
             mesh.construction = *construction;

@@ -36,8 +36,9 @@ std::vector<NearCamera> by_distance(const CameraMesh& mesh, const Eigen::Vector3
     for (NearCamera& near : cameras) {
         const Eigen::Vector3d& sight = near.camera->line_of_sight_in_world;
         const double cosine = sight.isZero() ? 1.0 : sight.dot(line_of_sight);
-        const double share = *unit > 0 ? near.distance / *unit : 0.0;
-        near.distance = (share + kFromItself) / std::max(cosine, kLeastCosine);
+        // Four at the eye: whoever is elsewhere is infinitely farther.
+        const double share = near.distance > 0 ? near.distance / *unit : 0.0;
+        near.distance = (share + kFromItself) / std::clamp(cosine, kLeastCosine, 1.0);
         // Numbers that overflow are as far as can be.
         if (!std::isfinite(near.distance)) near.distance = std::numeric_limits<double>::max();
     }
@@ -66,7 +67,10 @@ RayWeights weights_of_eye(const CameraMesh& mesh, const Eigen::Vector3d& eye_in_
         sum += weights.weights[i];
     }
     // All four are equally far.
-    if (!(sum > 0)) sum = weights.weights[0] = 1.0;
+    if (!(sum > 0)) {
+        weights.weights.fill(1.0);
+        sum = kBlended;
+    }
     for (double& weight : weights.weights) weight /= sum;
     return weights;
 }
@@ -77,7 +81,7 @@ std::vector<std::set<int>> nearest_views(const CameraMesh& mesh, std::size_t vie
         for (const NearCamera& near :
              by_distance(mesh, vertex.position_in_world, vertex.line_of_sight_in_world)) {
             const int other = near.camera->view_index;
-            if (other == vertex.view_index) continue;
+            if (near.camera == &vertex || other == vertex.view_index) continue;
             neighbours[static_cast<std::size_t>(vertex.view_index)].insert(other);
             neighbours[static_cast<std::size_t>(other)].insert(vertex.view_index);
         }

@@ -8,17 +8,18 @@
 
 namespace lumi {
 
-/// Of a mesh without faces, whose weights are those of the eye and the same for all its rays: the
-/// three cameras nearest to the eye, by how much nearer than the fourth they are (Buehler et al.,
-/// SIGGRAPH 2001, section 4.2, for the eye as a whole). A camera that looks another way than the
-/// eye counts as farther off by the cosine between both, so that of cameras that turned in one
-/// place those are taken that see what the eye does. Continuous in the eye and `line_of_sight` (of
-/// length one). A camera's own eye has its picture but for a thousandth, by which the next ones
-/// show what it does not. The mesh must have a vertex.
+/// Of a mesh without faces, whose weights are those of the eye and its optical axis, the same for
+/// all of a frame's rays: the three cameras nearest to the eye, by how much nearer than the fourth
+/// they are (Buehler et al., SIGGRAPH 2001, for the eye as a whole). A camera that looks another
+/// way than the eye counts as farther off by the cosine between both, so that of cameras that
+/// turned in one place those are taken that see what the eye does. Continuous in the eye and
+/// `line_of_sight` (of length one), but where the four nearest are equally far. A camera's own eye
+/// has its picture but for some thousandths, by which the next ones show what it does not, unless
+/// another stands as near. The mesh must have a vertex.
 [[nodiscard]] RayWeights weights_of_eye(const CameraMesh& mesh, const Eigen::Vector3d& eye_in_world,
                                         const Eigen::Vector3d& line_of_sight);
 
-/// Of each view the three nearest to it by the same measure, and those to which it is one of them.
+/// Of each view the three that come next to it by the same measure, and those to which it does.
 [[nodiscard]] std::vector<std::set<int>> nearest_views(const CameraMesh& mesh,
                                                        std::size_t view_count);
 

@@ -162,7 +162,8 @@ class Benchmark {
             kLeastCameras + static_cast<int>(random.below(kMostCameras - kLeastCameras + 1));
         const Points centres = hand_held_centres(count, options_.roughness, random);
         const Capture capture = capture_around(centres, options_.scene_share, random);
-        const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
+        const BuiltCameraMesh built =
+            build_camera_mesh(capture, all_views(capture), {.construction = "closed"});
         add_evidence(built.evidence, count);
         add_epipole_losses(built, capture);
         add_convex(capture, built.mesh.scene_centre_in_world);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "meshing/surface/nearest_cameras.h"
 #include "render/renderer/offscreen_renderer.h"
 
 namespace lumi {
@@ -47,6 +48,20 @@ void add_class(ClassMoments& moments, const Frame& frame) {
     moments.coverage = frame.coverage;
 }
 
+/// Of a mesh without faces.
+std::vector<std::set<int>> views_blended_for(const CameraMesh& mesh, int view_count,
+                                             const std::vector<Eye>& eyes) {
+    std::vector<std::set<int>> blended(static_cast<std::size_t>(view_count));
+    for (const Eye& eye : eyes) {
+        const RayWeights weights = weights_of_eye(mesh, centre_in_world(eye.cam_from_world),
+                                                  optical_axis_in_world(eye.cam_from_world));
+        for (const int one : weights.view_indices)
+            for (const int other : weights.view_indices)
+                if (one != other) blended[static_cast<std::size_t>(one)].insert(other);
+    }
+    return blended;
+}
+
 FloatImage variance(const ClassMoments& moments) {
     FloatImage result(moments.weight.width(), moments.weight.height());
     for (std::size_t i = 0; i < result.pixels().size(); ++i) {
@@ -61,9 +76,11 @@ FloatImage variance(const ClassMoments& moments) {
 
 }  // namespace
 
-std::vector<int> camera_classes(const CameraMesh& mesh, int view_count) {
+std::vector<int> camera_classes(const CameraMesh& mesh, int view_count,
+                                const std::vector<Eye>& eyes) {
     const std::vector<std::set<int>> neighbours =
-        neighbouring_views(mesh, static_cast<std::size_t>(view_count));
+        mesh.faces.empty() ? views_blended_for(mesh, view_count, eyes)
+                           : neighbouring_views(mesh, static_cast<std::size_t>(view_count));
     std::vector<int> classes(static_cast<std::size_t>(view_count), -1);
     for (std::size_t view = 0; view < classes.size(); ++view) {
         std::set<int> taken;
@@ -80,7 +97,7 @@ std::vector<int> camera_classes(const CameraMesh& mesh, int view_count) {
 std::vector<FloatImage> ghost_energies(const Lumigraph& lumigraph, const std::vector<Eye>& eyes,
                                        RenderMode mode, Progress& progress) {
     const std::vector<int> classes =
-        camera_classes(lumigraph.mesh, static_cast<int>(lumigraph.views.size()));
+        camera_classes(lumigraph.mesh, static_cast<int>(lumigraph.views.size()), eyes);
     const int class_count = 1 + *std::max_element(classes.begin(), classes.end());
     std::vector<ClassMoments> moments;
     for (const Eye& eye : eyes) {

@@ -22,8 +22,10 @@ namespace lumi {
                                                      const std::vector<Eye>& eyes, RenderMode mode,
                                                      Progress& progress);
 
-/// A class for each of `view_count` views, from 0, so that the cameras of a face have different
-/// ones; views that are blended with none are in class 0.
-[[nodiscard]] std::vector<int> camera_classes(const CameraMesh& mesh, int view_count);
+/// A class for each of `view_count` views, from 0, so that the cameras of a face, or without faces
+/// those that an eye's frame is blended from, have different ones; views that are blended with none
+/// are in class 0.
+[[nodiscard]] std::vector<int> camera_classes(const CameraMesh& mesh, int view_count,
+                                              const std::vector<Eye>& eyes);
 
 }  // namespace lumi

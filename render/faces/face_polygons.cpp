@@ -48,7 +48,7 @@ struct EyeRays {
 EyeRays eye_rays(const Eye& eye) {
     EyeRays rays;
     rays.eye_in_world = centre_in_world(eye.cam_from_world);
-    rays.line_of_sight = eye.cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitZ();
+    rays.line_of_sight = optical_axis_in_world(eye.cam_from_world);
     rays.direction_from_pixel = eye.cam_from_world.rotation.conjugate().toRotationMatrix() *
                                 pinhole_matrix(eye.camera).inverse();
     rays.picture = picture_rectangle(eye.camera);

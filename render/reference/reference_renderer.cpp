@@ -183,7 +183,7 @@ std::optional<RayWeights> ReferenceFrame::weights_along(const Eigen::Vector3d& d
     if (!lumigraph_.mesh.faces.empty())
         return weights_of_ray(lumigraph_.mesh, eye_in_world_, direction);
     return weights_of_eye(lumigraph_.mesh, eye_in_world_,
-                          eye_.cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitZ());
+                          optical_axis_in_world(eye_.cam_from_world));
 }
 
 std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
 
 #include "calib/capture/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "meshing/surface/nearest_cameras.h"
 #include "pipeline/evaluate/evaluation.h"
 #include "pipeline/evaluate/evaluation_comparison.h"
 #include "pipeline/evaluate/evaluation_file.h"
@@ -52,7 +55,7 @@ SyntheticCapture* HeldOutEvaluation::scene_ = nullptr;
 
 TEST_F(HeldOutEvaluation, CamerasOfAFaceAreInDifferentClasses) {
     const CameraMesh grid = mesh();
-    const std::vector<int> classes = camera_classes(grid, 9);
+    const std::vector<int> classes = camera_classes(grid, 9, {});
     for (const CameraMesh::Face& face : grid.faces) {
         const auto class_at = [&](int corner) {
             const auto vertex = static_cast<std::size_t>(face[static_cast<std::size_t>(corner)]);
@@ -129,6 +132,45 @@ TEST_F(HeldOutEvaluation, TheMiddleIsInteriorAndOutsideTheGridIsBorder) {
     EXPECT_EQ(place_of_view(grid, eye.camera, eye.cam_from_world), ViewPlace::kInterior);
     eye.cam_from_world.translation.x() += 30.0;
     EXPECT_EQ(place_of_view(grid, eye.camera, eye.cam_from_world), ViewPlace::kBorder);
+}
+
+/// Five cameras half a unit behind each other.
+CameraMesh without_faces() {
+    CameraMesh mesh;
+    mesh.construction = MeshConstruction::kNearest;
+    for (int i = 0; i < 5; ++i)
+        mesh.vertices.push_back({{0, 0, 0.5 * i}, i, false, Eigen::Vector3d::UnitZ()});
+    return mesh;
+}
+
+TEST(ViewPlace, WithoutFacesIsInteriorAsNearAsCamerasStandToEachOther) {
+    const Camera camera = pinhole_camera(64, 48, 50);
+    for (const double z : {-0.4, 0.3, 2.4})
+        EXPECT_EQ(
+            place_of_view(without_faces(), camera, {Eigen::Quaterniond::Identity(), {0, 0, -z}}),
+            ViewPlace::kInterior)
+            << z;
+    for (const double z : {-0.6, 2.6})
+        EXPECT_EQ(
+            place_of_view(without_faces(), camera, {Eigen::Quaterniond::Identity(), {0, 0, -z}}),
+            ViewPlace::kBorder)
+            << z;
+}
+
+TEST(GhostEnergy, SortsCamerasWithoutFacesByTheEyesTheyAreBlendedFor) {
+    const Camera camera = pinhole_camera(64, 48, 50);
+    std::vector<Eye> eyes;
+    for (const double z : {0.1, 0.9, 1.7})
+        eyes.push_back({camera, {Eigen::Quaterniond::Identity(), {0, 0, -z}}});
+    const std::vector<int> classes = camera_classes(without_faces(), 5, eyes);
+    for (const Eye& eye : eyes) {
+        std::set<int> of_eye;
+        for (const int view : weights_of_eye(without_faces(), centre_in_world(eye.cam_from_world),
+                                             Eigen::Vector3d::UnitZ())
+                                  .view_indices)
+            of_eye.insert(classes[static_cast<std::size_t>(view)]);
+        EXPECT_EQ(of_eye.size(), 3U);
+    }
 }
 
 TEST_F(HeldOutEvaluation, FiguresOfPicturesAreTheSameInEveryRun) {

@@ -161,9 +161,9 @@ Lumigraph card_without_surface() {
     cameras.construction = MeshConstruction::kNearest;
     cameras.scene_centre_in_world = lumigraph.mesh.scene_centre_in_world;
     for (std::size_t view = 0; view < lumigraph.views.size(); ++view)
-        cameras.vertices.push_back(
-            {centre_in_world(lumigraph.views[view].cam_from_world), static_cast<int>(view), false,
-             lumigraph.views[view].cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitZ()});
+        cameras.vertices.push_back({centre_in_world(lumigraph.views[view].cam_from_world),
+                                    static_cast<int>(view), false,
+                                    optical_axis_in_world(lumigraph.views[view].cam_from_world)});
     lumigraph.mesh = cameras;
     return lumigraph;
 }

@@ -73,6 +73,20 @@ TEST_F(CameraMeshFile, KeepsLinesOfSightOfCamerasWithoutASurface) {
     }
 }
 
+TEST_F(CameraMeshFile, OfAWalkForwardIsReadAsOfTheNearest) {
+    CameraMesh mesh = tiny_mesh();
+    mesh.construction = MeshConstruction::kSingle;
+    mesh.faces.clear();
+    const Bytes bytes = camera_mesh_ply(mesh);
+    std::string text(bytes.begin(), bytes.end());
+    const std::string name = "construction single";
+    text.replace(text.find(name), name.size(), "construction forward");
+    const CameraMesh again = parse_camera_mesh_ply(Bytes(text.begin(), text.end()), "walk.ply");
+    EXPECT_EQ(again.construction, MeshConstruction::kNearest);
+    ASSERT_EQ(again.vertices.size(), mesh.vertices.size());
+    EXPECT_TRUE(again.vertices[0].line_of_sight_in_world.isZero());
+}
+
 TEST_F(CameraMeshFile, KeepsShellsApart) {
     CameraMesh mesh = tiny_mesh();
     mesh.shells = {tiny_mesh(), tiny_mesh()};

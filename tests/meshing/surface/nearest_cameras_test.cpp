@@ -140,8 +140,16 @@ TEST(NearestCameras, SumToOneWhereAllAreEquallyFar) {
     double sum = 0;
     for (const double weight : weights) sum += weight;
     EXPECT_NEAR(sum, 1, 1e-12);
-    const auto in_one_place = weights_at_eye(cameras_at(Points(5, {1, 1, 1})), {1, 1, 1});
-    for (const double weight : in_one_place) EXPECT_TRUE(std::isfinite(weight));
+    sum = 0;
+    for (const double weight : weights_at_eye(cameras_at(Points(5, {1, 1, 1})), {1, 1, 1}))
+        sum += weight;
+    EXPECT_NEAR(sum, 1, 1e-12);
+    // Those at the eye, not those elsewhere.
+    Points places{{9, 0, 0}, {8, 0, 0}};
+    places.resize(6, {1, 0, 0});
+    const auto at_the_eye = weights_at_eye(cameras_at(places), {1, 0, 0});
+    EXPECT_EQ(at_the_eye[0], 0);
+    EXPECT_EQ(at_the_eye[1], 0);
 }
 
 /// As an untrusted package may have them.
@@ -166,8 +174,10 @@ TEST(NearestCameras, AreLinkedWithThoseBeforeAndBehindThemOnAWalk) {
 TEST(NearestCameras, AreRefusedWithFaces) {
     CameraMesh mesh = row(5);
     EXPECT_NO_THROW(validate(mesh, 5, "here"));
-    mesh.vertices[2].line_of_sight_in_world.x() = std::numeric_limits<double>::infinity();
-    EXPECT_THROW(validate(mesh, 5, "here"), Error);
+    for (const double length : {0.5, 1e307, std::numeric_limits<double>::infinity()}) {
+        mesh.vertices[2].line_of_sight_in_world = {length, 0, 0};
+        EXPECT_THROW(validate(mesh, 5, "here"), Error) << length;
+    }
     mesh = row(5);
     mesh.faces.push_back({0, 1, 2});
     EXPECT_THROW(validate(mesh, 5, "here"), Error);
