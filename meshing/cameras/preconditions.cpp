@@ -10,7 +10,7 @@ namespace {
 /// Captures that walk around something were seen at 0.98 and more; those that failed by this, at
 /// 0.55 and less.
 constexpr double kLeastSceneShare = 0.75;
-/// And with nearly all cameras; those that failed by this, with 0.52 and less.
+/// And with 0.75 of the cameras and more; those that failed by this, with 0.52 and less.
 constexpr double kLeastCameraShare = 0.6;
 
 }  // namespace

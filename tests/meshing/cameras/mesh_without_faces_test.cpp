@@ -1,59 +1,16 @@
-#include "meshing/cameras/forward_motion.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <random>
 #include <string>
-#include <vector>
 
 #include "calib/capture/degrees.h"
 #include "meshing/cameras/camera_mesh_builder.h"
-#include "meshing/cameras/preconditions.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
 
 namespace lumi {
 namespace {
-
-/// Cameras on the z axis that sway beside it by `sway`, all looking `angle_deg` past it.
-std::vector<OpticalAxis> walk(int count, double step, double sway, double angle_deg) {
-    const double angle = angle_deg * kRadiansPerDegree;
-    std::vector<OpticalAxis> axes;
-    for (int i = 0; i < count; ++i) {
-        OpticalAxis axis;
-        axis.view_index = i;
-        axis.centre_in_world = {sway * std::cos(1.7 * i), sway * std::sin(1.7 * i), step * i};
-        axis.direction_in_world = {std::sin(angle), 0, std::cos(angle)};
-        axes.push_back(axis);
-    }
-    return axes;
-}
-
-TEST(ForwardMotion, IsFoundUpToAFifthOfSwayAndThirtyDegrees) {
-    // 0.1 beside a way of 9 steps of 0.3: sigmas of 0.07 and 0.86.
-    const auto straight = forward_motion(walk(10, 0.3, 0.1, 0));
-    ASSERT_TRUE(straight.has_value());
-    EXPECT_NEAR(straight->sway_share, 0.082, 0.02);
-    EXPECT_LT(straight->angle_deg, 5);
-    EXPECT_TRUE(forward_motion(walk(10, 0.3, 0.1, 25)).has_value());
-    EXPECT_FALSE(forward_motion(walk(10, 0.3, 0.1, 36)).has_value());
-    EXPECT_FALSE(forward_motion(walk(10, 0.3, 0.5, 0)).has_value());
-}
-
-TEST(ForwardMotion, IsWalkedBackwardsToo) {
-    EXPECT_TRUE(forward_motion(walk(10, -0.3, 0.1, 0)).has_value());
-}
-
-TEST(ForwardMotion, IsNoneOfOneCameraOrOfCamerasThatLookAllAround) {
-    EXPECT_FALSE(forward_motion(walk(1, 1, 0, 0)).has_value());
-    EXPECT_FALSE(forward_motion(walk(4, 0, 0, 0)).has_value());
-    std::vector<OpticalAxis> looking_around = walk(8, 0.3, 0, 0);
-    for (int i = 0; i < 8; ++i)
-        looking_around[static_cast<std::size_t>(i)].direction_in_world = {std::sin(0.8 * i), 0,
-                                                                          std::cos(0.8 * i)};
-    EXPECT_FALSE(forward_motion(looking_around).has_value());
-}
 
 Capture approach() {
     Points centres;
@@ -157,34 +114,6 @@ TEST(MeshWithoutFaces, IsTakenWhereNoSurfaceLiesBetweenCamerasAndScene) {
     options.shape = "convex";
     EXPECT_NE(build_camera_mesh(capture, all_views(capture), options).mesh.construction,
               MeshConstruction::kNearest);
-}
-
-TEST(Preconditions, AskWhoFacesTheMiddleOrWhatLiesOppositeOfIt) {
-    // On a ring, looking in, along it, and out.
-    for (const double turn_deg : {0.0, 90.0, 180.0}) {
-        Capture capture;
-        capture.cameras.push_back(pinhole_camera(640, 480, 500));
-        for (int i = 0; i < 12; ++i) {
-            View view;
-            view.name = std::to_string(i);
-            view.cam_from_world.rotation = Eigen::AngleAxisd(
-                (30 * i + turn_deg) * kRadiansPerDegree, Eigen::Vector3d::UnitY());
-            const double at = 30 * i * kRadiansPerDegree;
-            const Eigen::Vector3d centre(3 * std::sin(at), 0, -3 * std::cos(at));
-            view.cam_from_world.translation = -(view.cam_from_world.rotation * centre);
-            capture.views.push_back(view);
-        }
-        const auto axes = optical_axes(capture, all_views(capture));
-        EXPECT_EQ(share_that_faces(capture, axes, {0, 0, 0}, false), turn_deg == 0 ? 1 : 0);
-        EXPECT_EQ(share_that_faces(capture, axes, {0, 0, 0}, true), turn_deg == 180 ? 1 : 0);
-    }
-}
-
-TEST(Preconditions, AreMetByMostOfTheSceneAndOfTheCameras) {
-    EXPECT_FALSE(why_no_surface({}).has_value());
-    EXPECT_FALSE(why_no_surface({0.98, 0.9}).has_value());
-    EXPECT_TRUE(why_no_surface({0.54, 1.0}).has_value());
-    EXPECT_TRUE(why_no_surface({1.0, 0.52}).has_value());
 }
 
 }  // namespace
