@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meshing/surface/nearest_cameras.h"
+#include "render/faces/blend_strips.h"
 #include "render/faces/paint_order.h"
 #include "render/transfer/pixel_transfer.h"
 #include "render/transfer/polygon_clipping.h"
@@ -111,24 +111,34 @@ void normalise(FacePolygon& polygon) {
     polygon.crossing_numerator /= largest;
 }
 
-/// The whole picture, with the weights of the eye.
-FacePolygon polygon_without_face(const CameraMesh& mesh, const EyeRays& rays) {
-    const RayWeights weights = weights_of_eye(mesh, rays.eye_in_world, rays.line_of_sight);
-    FacePolygon polygon;
-    polygon.view_indices = weights.view_indices;
-    for (std::size_t i = 0; i < 3; ++i)
-        polygon.side_lines[i] = weights.weights[i] * Eigen::Vector3d::UnitZ();
-    polygon.corners_px = rays.picture;
-    return polygon;
+/// The whole picture, in a strip for each of the eye's blends.
+std::vector<FacePolygon> polygons_without_faces(const CameraMesh& mesh, const EyeRays& rays) {
+    const std::vector<EyeBlend> blends = blends_of_eye(mesh, rays.eye_in_world, rays.line_of_sight);
+    const double width = rays.picture[2].x();
+    const double height = rays.picture[2].y();
+    const std::vector<int> ends = blend_strip_ends(blends, static_cast<int>(width));
+    std::vector<FacePolygon> polygons;
+    double begin = 0;
+    for (std::size_t strip = 0; strip < blends.size(); ++strip) {
+        const double end = ends[strip];
+        if (!(end > begin)) continue;
+        FacePolygon polygon;
+        polygon.view_indices = blends[strip].weights.view_indices;
+        for (std::size_t i = 0; i < 3; ++i)
+            polygon.side_lines[i] = blends[strip].weights.weights[i] * Eigen::Vector3d::UnitZ();
+        polygon.corners_px = {{begin, 0}, {end, 0}, {end, height}, {begin, height}};
+        polygons.push_back(std::move(polygon));
+        begin = end;
+    }
+    return polygons;
 }
 
 }  // namespace
 
 std::vector<FacePolygon> face_polygons(const CameraMesh& mesh, const Eye& eye, double overlap_px) {
     const EyeRays rays = eye_rays(eye);
+    if (mesh.faces.empty() && !mesh.vertices.empty()) return polygons_without_faces(mesh, rays);
     std::vector<FacePolygon> polygons;
-    if (mesh.faces.empty() && !mesh.vertices.empty())
-        polygons.push_back(polygon_without_face(mesh, rays));
     for (std::size_t index = 0; index < mesh.faces.size(); ++index) {
         FacePolygon polygon = polygon_of(mesh, static_cast<int>(index), rays, overlap_px);
         normalise(polygon);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "calib/work/parallel_for.h"
+#include "render/faces/strip_ends.h"
 #include "render/view_choice/view_sight.h"
 
 namespace lumi {
@@ -150,14 +151,9 @@ double agreeing_inverse_depth(const Lumigraph& lumigraph,
 }
 
 std::vector<int> strip_ends(const std::vector<DepthViewSet>& sets, int width_px) {
-    std::vector<int> ends;
-    double share = 0;
-    for (const DepthViewSet& set : sets) {
-        share += set.share;
-        ends.push_back(static_cast<int>(std::lround(share * width_px)));
-    }
-    ends.back() = width_px;
-    return ends;
+    std::vector<double> shares;
+    for (const DepthViewSet& set : sets) shares.push_back(set.share);
+    return strip_ends(shares, width_px);
 }
 
 }  // namespace lumi

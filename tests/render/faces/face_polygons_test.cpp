@@ -9,6 +9,8 @@
 #include <set>
 
 #include "meshing/surface/camera_mesh.h"
+#include "meshing/surface/nearest_cameras.h"
+#include "render/faces/blend_strips.h"
 #include "tests/render/analytic_scene.h"
 
 namespace lumi {
@@ -228,6 +230,35 @@ TEST(FacePolygons, WithoutFacesIsOneWithTheWeightsOfTheEye) {
         const Eye eye = eye_at(place, {0, 0, 9}, kCamera);
         EXPECT_EQ(face_polygons(mesh, eye).size(), 1U);
         EXPECT_EQ(expect_polygons_equal_ray_weights(mesh, eye, "a walk"), 24 * 18);
+    }
+}
+
+TEST(FacePolygons, WithoutFacesAreStripsWhereOneCameraIsAboutToBeExchanged) {
+    CameraMesh mesh;
+    mesh.construction = MeshConstruction::kNearest;
+    for (int view = 0; view < 4; ++view)
+        mesh.vertices.push_back({{0, 0, static_cast<double>(view)}, view});
+    // Halfway between the first and the last of four.
+    const Eye eye = eye_at({0, 0, 1.5}, {0, 0, 9}, kCamera);
+    const auto polygons = face_polygons(mesh, eye);
+    ASSERT_EQ(polygons.size(), 2U);
+    const double middle = 0.5 * kCamera.width_px;
+    for (const FacePolygon& polygon : polygons) {
+        const bool has_first =
+            std::count(polygon.view_indices.begin(), polygon.view_indices.end(), 0) > 0;
+        const bool has_last =
+            std::count(polygon.view_indices.begin(), polygon.view_indices.end(), 3) > 0;
+        EXPECT_NE(has_first, has_last);
+        for (const Eigen::Vector2d& corner : polygon.corners_px)
+            EXPECT_TRUE(has_first ? corner.x() <= middle : corner.x() >= middle);
+    }
+    const std::vector<EyeBlend> blends = blends_of_eye(mesh, {0, 0, 1.5}, Eigen::Vector3d::UnitZ());
+    for (int x = 0; x < kCamera.width_px; ++x) {
+        const RayWeights& weights = weights_in_strip(blends, kCamera.width_px, x + 0.5);
+        const auto painted = painted_at(polygons, {x + 0.5, 3.5});
+        ASSERT_TRUE(painted.has_value());
+        for (const auto& [view, weight] : by_view(weights.view_indices, weights.weights))
+            EXPECT_NEAR(painted->at(view), weight, 1e-12) << x;
     }
 }
 
