@@ -33,6 +33,7 @@ Json package_json(const Lumigraph& lumigraph) {
     return Json{{"name", lumigraph.name},
                 {"near_depth", lumigraph.near_depth},
                 {"far_depth", lumigraph.far_depth},
+                {"occlusion_tolerance_px", lumigraph.occlusion_tolerance_px},
                 {"depth_views", lumigraph.depth_views},
                 {"depth_block_px", lumigraph.depth_block_px},
                 {"fills_holes", lumigraph.fills_holes},
@@ -62,6 +63,8 @@ std::string package_text(const Lumigraph& lumigraph) {
                        std::to_string(lumigraph.mesh.faces.size()) +
                        " faces, depth compared from " + std::to_string(lumigraph.depth_views) +
                        " views for " + text_of_depth_blocks(lumigraph.depth_block_px) +
+                       ", views blended unless they see something else by " +
+                       number_text(lumigraph.occlusion_tolerance_px, 1) + " px" +
                        (lumigraph.fills_holes ? ", what these do not see drawn from others" : "") +
                        (lumigraph.checks_guesses ? ", guesses checked" : "") +
                        ", triangles within " + number_text(lumigraph.triangle_error_px, 2) + " px" +

@@ -70,6 +70,12 @@ DrawingOptions read_drawing_options(const ConfigSection& render) {
     options.even_exposure = render.boolean("even_exposure", options.even_exposure);
     options.fade_beyond_capture =
         render.boolean("fade_beyond_capture", options.fade_beyond_capture);
+    options.occlusion_tolerance_px =
+        render.number("occlusion_tolerance_px", options.occlusion_tolerance_px);
+    if (options.occlusion_tolerance_px != 0 &&
+        !(options.occlusion_tolerance_px >= kLeastOcclusionTolerance_px &&
+          options.occlusion_tolerance_px <= kMostOcclusionTolerance_px))
+        render.refuse("occlusion_tolerance_px", "0 (as photographs ask for), or 0.1 to 100");
     options.depth_views = render.integer("depth_views", options.depth_views);
     if (options.depth_views != 0 &&
         (options.depth_views < kLeastDepthViews || options.depth_views > kMaxDepthViews))

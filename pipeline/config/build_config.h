@@ -33,6 +33,9 @@ struct DrawingOptions {
     /// Differences in exposure and white balance between neighbours are measured and evened out.
     bool even_exposure = true;
     bool fade_beyond_capture = false;  ///< The default of `lumi render` and `lumi view`.
+    /// Disparity beyond which a view sees something else (Lumigraph::occlusion_tolerance_px), 0.1
+    /// to 100; 0: as photographs ask for.
+    double occlusion_tolerance_px = 0.0;
     /// How many views' depths are compared at each pixel, 3 or 4; 0: as photographs ask for.
     int depth_views = 0;
     /// How wide blocks of pixels may be that depth is worked out for, in pixels of the photographs

@@ -30,6 +30,15 @@ std::string text_of(const DepthEffort& effort) {
            (effort.checks_guesses ? "checked, which is done" : "checked, which is not done");
 }
 
+std::string text_of(const OcclusionEffort& effort) {
+    if (effort.pictures == 0) return "";
+    return "views are blended unless they see something else by " +
+           number_text(effort.tolerance_px, 1) + " px: " + std::to_string(effort.pictures) +
+           " photographs are drawn " + number_text(effort.gains_db, 2) + " +- " +
+           number_text(effort.standard_error_db, 2) + " dB better than with " +
+           number_text(kOcclusionTolerance_px, 1);
+}
+
 std::string text_of(const TriangleEffort& effort) {
     if (effort.pictures == 0) return "";
     const std::string of_error = effort.triangles > 0
@@ -56,6 +65,13 @@ Json json_of(const DepthEffort& effort) {
             {"blocks_lose_db", effort.blocks_lose_db},
             {"holes_lose_db", effort.holes_lose_db},
             {"guesses_lose_db", effort.guesses_lose_db}};
+}
+
+Json json_of(const OcclusionEffort& effort) {
+    return {{"tolerance_px", effort.tolerance_px},
+            {"pictures", effort.pictures},
+            {"gains_db", effort.gains_db},
+            {"standard_error_db", effort.standard_error_db}};
 }
 
 Json json_of(const TriangleEffort& effort) {

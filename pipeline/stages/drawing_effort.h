@@ -26,6 +26,15 @@ struct DepthEffort {
                                      ///< most views, with holes filled.
 };
 
+/// From how far on a view that sees something else is not blended
+/// (Lumigraph::occlusion_tolerance_px), and why.
+struct OcclusionEffort {
+    double tolerance_px = kOcclusionTolerance_px;
+    int pictures = 0;                ///< That were asked; 0: nobody was.
+    double gains_db = 0.0;           ///< At them, in the mean, beside kOcclusionTolerance_px.
+    double standard_error_db = 0.0;  ///< Of that.
+};
+
 /// How far the triangles of `adaptive` may err (Lumigraph::triangle_error_px), whether what is
 /// thinner is drawn over them (Lumigraph::draws_thin), and why.
 struct TriangleEffort {
@@ -44,9 +53,11 @@ struct TriangleEffort {
 /// For the journal of a build: what was chosen, and what was measured for it. Empty where nobody
 /// was asked.
 [[nodiscard]] std::string text_of(const DepthEffort& effort);
+[[nodiscard]] std::string text_of(const OcclusionEffort& effort);
 [[nodiscard]] std::string text_of(const TriangleEffort& effort);
 
 [[nodiscard]] nlohmann::ordered_json json_of(const DepthEffort& effort);
+[[nodiscard]] nlohmann::ordered_json json_of(const OcclusionEffort& effort);
 [[nodiscard]] nlohmann::ordered_json json_of(const TriangleEffort& effort);
 
 }  // namespace lumi

@@ -124,6 +124,16 @@ void note(const Effort& effort, Progress& progress) {
 }
 
 /// Options come before what photographs want.
+OcclusionEffort occlusion_effort(const PackSources& sources, const Lumigraph& lumigraph,
+                                 Progress& progress) {
+    if (sources.drawing.occlusion_tolerance_px != 0)
+        return {.tolerance_px = sources.drawing.occlusion_tolerance_px};
+    const OcclusionEffort effort =
+        asked(sources.sufficient_occlusion_effort, sources, lumigraph, progress);
+    note(effort, progress);
+    return effort;
+}
+
 DepthEffort depth_effort(const PackSources& sources, const Lumigraph& lumigraph,
                          Progress& progress) {
     const DrawingOptions& wanted = sources.drawing;
@@ -253,6 +263,8 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     }
     ViewLimit(sources, folder, threads, progress).apply_to(lumigraph);
     make_depth_meshes(lumigraph, threads, progress);
+    const OcclusionEffort of_occlusion = occlusion_effort(sources, lumigraph, progress);
+    lumigraph.occlusion_tolerance_px = of_occlusion.tolerance_px;
     const DepthEffort effort = depth_effort(sources, lumigraph, progress);
     lumigraph.depth_views = effort.views;
     lumigraph.depth_block_px = effort.block_px;
@@ -273,6 +285,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
                      {"near_depth", lumigraph.near_depth},
                      {"far_depth", lumigraph.far_depth},
                      {"exposure", exposure_json(exposures)},
+                     {"occlusion_effort", json_of(of_occlusion)},
                      {"depth_effort", json_of(effort)},
                      {"triangle_effort", json_of(of_triangles)}};
     return {json_text(facts), "{}"};

@@ -30,7 +30,10 @@ struct PackSources {
     CameraMeshOptions mesh_options;  ///< For the camera mesh over fewer views.
     /// How many views are enough; asked for when the options want the fewest.
     std::function<int(const Lumigraph& lumigraph, const Capture& capture)> sufficient_views;
-    /// How much is enough to know depth; asked for where the drawing options do not say.
+    /// How far depth is to be trusted; asked for where the drawing options do not say.
+    std::function<OcclusionEffort(const Lumigraph& lumigraph, const Capture& capture)>
+        sufficient_occlusion_effort;
+    /// How much is enough to know depth; the same.
     std::function<DepthEffort(const Lumigraph& lumigraph, const Capture& capture)>
         sufficient_depth_effort;
     /// How fine triangles must be; the same.

@@ -51,15 +51,15 @@ double between(double from, double to, double share) { return from + share * (to
 }  // namespace
 
 DepthSearch::DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views, const Eye& eye,
-                         double tolerance_px)
-    : tolerance_px_(tolerance_px),
+                         double occlusion_tolerance_ratio)
+    : occlusion_tolerance_px_(occlusion_tolerance_ratio * lumigraph.occlusion_tolerance_px),
       max_inverse_depth_(kNearMargin * inverse_depth_range(lumigraph).y()),
       least_inverse_depth_(kFarShare * inverse_depth_range(lumigraph).y()) {
     const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
     std::vector<int> all(lumigraph.views.size());
     std::iota(all.begin(), all.end(), 0);
-    agreeing_inverse_depth_ =
-        agreeing_inverse_depth(lumigraph, views.geometries, all, eye_in_world, tolerance_px);
+    agreeing_inverse_depth_ = agreeing_inverse_depth(lumigraph, views.geometries, all, eye_in_world,
+                                                     kAgreeingDisparity_px);
     for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
         const LumigraphView& view = lumigraph.views[i];
         const TiledDepth& depth = views.depths[i];
@@ -134,7 +134,7 @@ RayStretch DepthSearch::visible_stretch(const Target& target, const EpipolarLine
     // what is taken for the farthest.
     const double nearest = static_cast<double>(target.depth->nearest());
     const double farthest = std::max(0.0, static_cast<double>(target.depth->farthest()) -
-                                              tolerance_px_ / target.max_disparity_px);
+                                              kAgreeingDisparity_px / target.max_disparity_px);
     keep(nearest * a.z(), nearest * e.z() - 1);
     keep(-farthest * a.z(), 1 - farthest * e.z());
     return stretch;
@@ -298,7 +298,7 @@ double DepthSearch::visibility(const Eigen::Vector2d& pixel, double inverse_dept
     const double difference_px =
         std::abs(inverse_depth / at.z() - surface_at(target, at).inverse_depth) *
         target.disparity_px;
-    return inside_share * visibility_of(difference_px, tolerance_px_);
+    return inside_share * visibility_of(difference_px, occlusion_tolerance_px_);
 }
 
 }  // namespace lumi

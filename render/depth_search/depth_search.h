@@ -38,7 +38,7 @@ class DepthSearch {
  public:
     /// Keeps references to the depth maps of `views`, which are the lumigraph's.
     DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views, const Eye& eye,
-                double tolerance_px);
+                double occlusion_tolerance_ratio = 1.0);
 
     /// What the ray through `pixel` meets first in the depth maps of three views (a view may be
     /// named twice): of what they have seen the nearest that two agree on, or else the nearest.
@@ -138,13 +138,13 @@ class DepthSearch {
     /// Whether a point is on the surface by so much of the tolerance.
     [[nodiscard]] bool is_at_surface(const Target& target, const Meeting& meeting,
                                      double share) const {
-        return std::abs(meeting.ahead) * target.max_disparity_px <= share * tolerance_px_;
+        return std::abs(meeting.ahead) * target.max_disparity_px <= share * kAgreeingDisparity_px;
     }
     /// The hit between a share of the way before the surface and one behind it; empty at a tear.
     [[nodiscard]] std::optional<RayHit> refined(int view_index, const EpipolarWalk& walk,
                                                 double before, double behind) const;
 
-    double tolerance_px_;
+    double occlusion_tolerance_px_;
     double agreeing_inverse_depth_;
     double max_inverse_depth_;  ///< Of the eye: nothing nearer is looked for.
     double least_inverse_depth_;

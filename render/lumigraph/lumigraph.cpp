@@ -74,6 +74,9 @@ void validate(const Lumigraph& lumigraph, const std::string& where) {
     if (!(lumigraph.depth_block_px >= kLeastDepthBlock_px &&
           lumigraph.depth_block_px <= kMaxDepthBlock_px))
         refuse_lumigraph(where, "expected depth blocks of 1 to 2 pixels");
+    if (!(lumigraph.occlusion_tolerance_px >= kLeastOcclusionTolerance_px &&
+          lumigraph.occlusion_tolerance_px <= kMostOcclusionTolerance_px))
+        refuse_lumigraph(where, "expected an occlusion tolerance of 0.1 to 100 pixels");
     if (!(lumigraph.triangle_error_px >= kLeastTriangleError_px &&
           lumigraph.triangle_error_px <= kMostTriangleError_px))
         refuse_lumigraph(where, "expected triangles that err by 0.1 to 10 pixels");
@@ -98,6 +101,7 @@ Lumigraph without_its_views(const Lumigraph& lumigraph) {
     rest.near_depth = lumigraph.near_depth;
     rest.far_depth = lumigraph.far_depth;
     rest.fade_beyond_capture = lumigraph.fade_beyond_capture;
+    rest.occlusion_tolerance_px = lumigraph.occlusion_tolerance_px;
     rest.depth_views = lumigraph.depth_views;
     rest.depth_block_px = lumigraph.depth_block_px;
     rest.fills_holes = lumigraph.fills_holes;

@@ -45,6 +45,15 @@ inline constexpr int kDepthBlockSide_px = 2;
 inline constexpr double kLeastDepthBlock_px = 1.0;
 inline constexpr double kMaxDepthBlock_px = kDepthBlockSide_px;
 
+/// Disparity by which depths of one surface differ in the eye's views.
+inline constexpr double kAgreeingDisparity_px = 1.5;
+
+/// Of a view that sees something else than a point: what is asked for where photographs were not
+/// asked, and what may be.
+inline constexpr double kOcclusionTolerance_px = kAgreeingDisparity_px;
+inline constexpr double kLeastOcclusionTolerance_px = 0.1;
+inline constexpr double kMostOcclusionTolerance_px = 100.0;
+
 /// Of the triangles that `adaptive` draws: what is asked for where photographs were not asked, and
 /// what may be.
 inline constexpr double kTriangleError_px = 0.7;
@@ -61,6 +70,9 @@ struct Lumigraph {
     double far_depth = 0.0;   ///< units.
     /// How it wants to be drawn where nobody says otherwise (RenderOptions::fade_beyond_capture).
     bool fade_beyond_capture = false;
+    /// Disparity beyond which a view sees something else than the point that is drawn
+    /// (occlusion.h): the more, the less its depth is to be trusted.
+    double occlusion_tolerance_px = kOcclusionTolerance_px;
     /// How many views' depths are compared at each pixel, or as many views as there are.
     int depth_views = kMaxDepthViews;
     /// Per pixel, depth is worked out for blocks of pixels in frames so fine that these are no

@@ -66,6 +66,7 @@ struct Manifest {
     bool fade_beyond_capture = false;
     int depth_views = kMaxDepthViews;
     double depth_block_px = kLeastDepthBlock_px;
+    double occlusion_tolerance_px = kOcclusionTolerance_px;
     bool fills_holes = false;
     bool checks_guesses = false;
     double triangle_error_px = kTriangleError_px;

@@ -171,6 +171,12 @@ Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
             manifest.depth_block_px > kMaxDepthBlock_px)
             document.refuse("depth_block_px", "a number from 1 to 2");
     }
+    if (document.has("occlusion_tolerance_px")) {
+        manifest.occlusion_tolerance_px = document.number("occlusion_tolerance_px");
+        if (manifest.occlusion_tolerance_px < kLeastOcclusionTolerance_px ||
+            manifest.occlusion_tolerance_px > kMostOcclusionTolerance_px)
+            document.refuse("occlusion_tolerance_px", "0.1 to 100");
+    }
     if (document.has("fills_holes")) manifest.fills_holes = document.boolean("fills_holes");
     if (document.has("checks_guesses"))
         manifest.checks_guesses = document.boolean("checks_guesses");

@@ -146,6 +146,7 @@ Lumigraph read_contents(const fs::path& folder, const PackageLimits& limits) {
     lumigraph.fade_beyond_capture = manifest.fade_beyond_capture;
     lumigraph.depth_views = manifest.depth_views;
     lumigraph.depth_block_px = manifest.depth_block_px;
+    lumigraph.occlusion_tolerance_px = manifest.occlusion_tolerance_px;
     lumigraph.fills_holes = manifest.fills_holes;
     lumigraph.checks_guesses = manifest.checks_guesses;
     lumigraph.triangle_error_px = manifest.triangle_error_px;

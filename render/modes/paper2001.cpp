@@ -16,7 +16,8 @@ Paper2001::Paper2001(const UploadedLumigraph& uploaded)
 
 DrawStatistics Paper2001::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
     const Lumigraph& layout = uploaded_.layout;
-    const DepthSearch search(layout, uploaded_.searched_views, eye, options.occlusion_tolerance_px);
+    const DepthSearch search(layout, uploaded_.searched_views, eye,
+                             options.occlusion_tolerance_ratio);
     const PaperSubdivisionOptions subdivision{
         .depth_threshold_share = options.depth_threshold_share,
         .min_size_px = options.min_triangle_px,

@@ -175,10 +175,12 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
                 static_cast<float>(inverse_depth_range(uploaded_.layout).y()));
     program.set(
         "check_per_px",
-        static_cast<float>(options.correct_occlusion ? 1 / options.occlusion_tolerance_px : 0.0));
+        static_cast<float>(options.correct_occlusion ? 1 / (options.occlusion_tolerance_ratio *
+                                                            uploaded_.layout.occlusion_tolerance_px)
+                                                     : 0.0));
     const double agreeing =
         agreeing_inverse_depth(uploaded_.layout, uploaded_.searched_views.geometries, asked.sets,
-                               centre_in_world(eye.cam_from_world), options.occlusion_tolerance_px);
+                               centre_in_world(eye.cam_from_world), kAgreeingDisparity_px);
     program.set("agreeing_depth", static_cast<float>(depth_.buffer_difference(agreeing)));
     const auto& [depth_eye, texels_per_pixel] = asked.depth_eye;
     program.set("texels_per_pixel", static_cast<float>(texels_per_pixel));

@@ -41,9 +41,8 @@ AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeome
     const std::vector<DepthViewSet> sets = depth_view_sets(lumigraph, eye, lumigraph.depth_views);
     strip_ends_ = strip_ends(sets, depth_eye_.eye.camera.width_px);
     layer_views_ = depth_layer_views(sets, lumigraph.depth_views);
-    agreeing_inverse_depth_ =
-        agreeing_inverse_depth(lumigraph, geometries, sets, centre_in_world(eye.cam_from_world),
-                               options.occlusion_tolerance_px);
+    agreeing_inverse_depth_ = agreeing_inverse_depth(
+        lumigraph, geometries, sets, centre_in_world(eye.cam_from_world), kAgreeingDisparity_px);
     for (const DepthViewSet& set : sets) {
         for (const int index : set.view_indices) {
             if (eye_depth_of_view_.contains(index)) continue;

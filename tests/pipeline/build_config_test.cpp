@@ -79,6 +79,7 @@ TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
                             "[render]",
                             "even_exposure",
                             "fade_beyond_capture",
+                            "occlusion_tolerance_px",
                             "depth_views",
                             "depth_block_px",
                             "fill_holes",
@@ -129,6 +130,8 @@ TEST(BuildConfig, RefusesWhatContradictsItself) {
           "[capture]\nphotos = \"p\"\n[render]\ndepth_block_px = nan\n",
           "[capture]\nphotos = \"p\"\n[render]\ntriangle_error_px = 0.01\n",
           "[capture]\nphotos = \"p\"\n[render]\ntriangle_error_px = nan\n",
+          "[capture]\nphotos = \"p\"\n[render]\nocclusion_tolerance_px = -1\n",
+          "[capture]\nphotos = \"p\"\n[render]\nocclusion_tolerance_px = nan\n",
           "threads = -1\n[capture]\nphotos = \"p\"\n",
           "name = \"a/b\"\n[capture]\nphotos = \"p\"\n",
           "name = \"..\"\n[capture]\nphotos = \"p\"\n"}) {

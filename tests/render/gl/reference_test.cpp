@@ -116,6 +116,16 @@ TEST(GlAgainstReference, PerPixelWithGuessesChecked) {
                                {.mode = RenderMode::kPerPixel}, GlApi::kAny);
 }
 
+TEST(GlAgainstReference, PerPixelWhereDepthIsTrustedLess) {
+    Lumigraph lumigraph = ball_in_sky();
+    const Eye far_outside = eyes_around_ball(lumigraph).front().eye;
+    const ColorImage trusted = draw_reference(lumigraph, far_outside, {}).color;
+    lumigraph.occlusion_tolerance_px = kMostOcclusionTolerance_px;
+    EXPECT_NE(draw_reference(lumigraph, far_outside, {}).color.pixels(), trusted.pixels());
+    expect_gl_equals_reference(lumigraph, eyes_around_ball(lumigraph),
+                               {.mode = RenderMode::kPerPixel}, GlApi::kAny);
+}
+
 TEST(GlAgainstReference, MipLevelsFromFarAway) {
     Lumigraph lumigraph = card_before_wall();
     const Camera close_lens = pinhole_camera(80, 60, 100);  // So that the wall fills the picture.

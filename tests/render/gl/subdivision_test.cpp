@@ -49,7 +49,7 @@ void expect_gl_equals_reference(GlApi api) {
         const Eye eye = is_ball ? eye_at({0.5, 0.6, -2}, {0, 0, 0}, camera)
                                 : eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, camera);
         const SearchedViews views = searched_views(lumigraph);
-        const DepthSearch search(lumigraph, views, eye, defaults.occlusion_tolerance_px);
+        const DepthSearch search(lumigraph, views, eye);
         const auto polygons = face_polygons(lumigraph.mesh, eye);
         const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
         OffscreenRenderer renderer(lumigraph, api);

@@ -131,6 +131,8 @@ TEST_F(PackageReader, RefusesNumbersOutOfRange) {
         expect_refused_value(bad, "/depth_block_px", block);
     for (const Json& error : {Json(0), Json(-1), Json(11), Json("1"), Json(nullptr)})
         expect_refused_value(bad, "/triangle_error_px", error);
+    for (const Json& tolerance : {Json(0), Json(-1), Json(101), Json("1"), Json(nullptr)})
+        expect_refused_value(bad, "/occlusion_tolerance_px", tolerance);
     expect_refused_value("E-PACKAGE-VERSION", "/schema_version", 2);
 }
 

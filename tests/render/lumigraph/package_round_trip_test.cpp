@@ -160,6 +160,13 @@ TEST_F(PackageRoundTrip, KeepsWhetherThinThingsAreDrawn) {
     EXPECT_TRUE(read_package(folder_).draws_thin);
 }
 
+TEST_F(PackageRoundTrip, KeepsHowFarDepthIsTrusted) {
+    EXPECT_EQ(read_.occlusion_tolerance_px, kOcclusionTolerance_px);
+    written_.occlusion_tolerance_px = 6;
+    write_package(folder_, written_, tiny_extras());
+    EXPECT_EQ(read_package(folder_).occlusion_tolerance_px, 6);
+}
+
 TEST_F(PackageRoundTrip, KeepsHowFarTrianglesMayErr) {
     EXPECT_EQ(read_.triangle_error_px, kTriangleError_px);
     written_.triangle_error_px = 1.4;

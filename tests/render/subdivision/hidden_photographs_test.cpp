@@ -48,7 +48,7 @@ class HiddenPhotographs : public testing::Test {
                               facing_wall(-0.4, -0.3), facing_wall(0.4, -0.3)};
     Lumigraph scene_ = photographed(AnalyticScene::kCardBeforeWall, cameras_);
     SearchedViews views_ = searched_views(scene_);
-    DepthSearch search_{scene_, views_, eye_, 1.0};
+    DepthSearch search_{scene_, views_, eye_};
     Eigen::Vector3d plane_ = scene_plane_inverse_depth(scene_, eye_);
     std::vector<FacePolygon> polygons_ = face_polygons(scene_.mesh, eye_);
 };
@@ -142,7 +142,7 @@ TEST_F(HiddenPhotographs, AreNoneWhereAllSeeAllOrNoOtherDoes) {
 TEST_F(HiddenPhotographs, AreNoneWhereAPhotographWouldNotCountAnyway) {
     // At a camera's own place in the mesh the others have no weight, hidden or not.
     const Eye at_camera = cameras_[0];
-    const DepthSearch search(scene_, views_, at_camera, 1.0);
+    const DepthSearch search(scene_, views_, at_camera);
     for (const FacePolygon& polygon : face_polygons(scene_.mesh, at_camera)) {
         const PatchSampler sampler(polygon, search, plane_, {});
         for (double x = 4; x < 250; x += 16) {
@@ -157,7 +157,7 @@ TEST_F(HiddenPhotographs, AreNotHiddenByGuesses) {
     for (LumigraphView& view : guessed.views)
         for (std::uint8_t& confidence : view.depth.confidence.pixels()) confidence = 0;
     const SearchedViews views = searched_views(guessed);
-    const DepthSearch search(guessed, views, eye_, 1.0);
+    const DepthSearch search(guessed, views, eye_);
     int hidden = 0;
     for (double x = 4; x < 256; x += 8) {
         EXPECT_EQ(search.hidden_by_px({x, 96}, 1 / kWallDepth, 0), 0.0);
@@ -203,7 +203,7 @@ TEST_F(HiddenPhotographs, ShowNothingThinBetweenCorners) {
         Lumigraph bar = photographed(AnalyticScene::kBarBeforeWall, cameras_);
         bar.draws_thin = draws_thin;
         const SearchedViews views = searched_views(bar);
-        const DepthSearch search(bar, views, eye_, 1.0);
+        const DepthSearch search(bar, views, eye_);
         const Eigen::Vector3d plane = scene_plane_inverse_depth(bar, eye_);
         for (const FacePolygon& polygon : face_polygons(bar.mesh, eye_)) {
             const PatchSampler sampler(polygon, search, plane, {});
@@ -248,7 +248,7 @@ TEST(Guesses, ShowNothingThatStandsBeforeThem) {
     const Lumigraph scene = ball_in_sky();
     const SearchedViews views = searched_views(scene);
     const Eye eye = eye_at({1, -2, -3}, {0, 0, 0}, pinhole_camera(80, 60, 90));
-    const DepthSearch search(scene, views, eye, 1.0);
+    const DepthSearch search(scene, views, eye);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(scene, eye);
     int hidden = 0;
     for (const FacePolygon& polygon : face_polygons(scene.mesh, eye)) {

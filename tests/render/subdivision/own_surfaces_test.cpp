@@ -54,7 +54,7 @@ class OwnSurfaces : public testing::Test {
     Lumigraph lumigraph_ = card_before_wall();
     SearchedViews views_ = searched_views(lumigraph_);
     Eye eye_ = eye_at({0.6, 0.4, 0}, {0.6, 0.4, 4}, pinhole_camera(64, 48, 80));
-    DepthSearch search_{lumigraph_, views_, eye_, 1.0};
+    DepthSearch search_{lumigraph_, views_, eye_};
 };
 
 TEST_F(OwnSurfaces, APhotographThatIsHiddenAtACornerStaysOnTheSurfaceThatItShows) {

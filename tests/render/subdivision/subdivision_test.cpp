@@ -42,7 +42,8 @@ class Subdivision : public testing::Test {
     Lumigraph lumigraph_ = card_before_wall();
     SearchedViews views_ = searched_views(lumigraph_);
     std::vector<FacePolygon> polygons_ = face_polygons(lumigraph_.mesh, kEye);
-    DepthSearch search_{lumigraph_, views_, kEye, 1.0};
+    /// Of a tolerance that a card before a wall does not reach across.
+    DepthSearch search_{lumigraph_, views_, kEye, 0.6};
     Eigen::Vector3d plane_ = scene_plane_inverse_depth(lumigraph_, kEye);
 };
 
@@ -158,7 +159,7 @@ TEST_F(Subdivision, PartsOfAPictureFitTogetherWithoutCracks) {
     const Lumigraph ball = ball_in_sky();
     const SearchedViews views = searched_views(ball);
     const Eye eye = eye_at({0.5, 0.6, -2}, {0, 0, 0}, kEye.camera);
-    const DepthSearch search(ball, views, eye, 1.0);
+    const DepthSearch search(ball, views, eye);
     // 128 coarse triangles: as many parts as there may be. Along the ball's outline some become so
     // thin that they are left whole, but for the vertices of their neighbours.
     for (const double min_edge_px : {8.0, 5.0, 3.0}) {
@@ -193,7 +194,7 @@ class OutlinedCard : public testing::Test {
                                    {looking_ahead(0.4, 0.3), looking_ahead(-0.4, 0.3),
                                     looking_ahead(-0.4, -0.3), looking_ahead(0.4, -0.3)});
     SearchedViews views_ = searched_views(card_);
-    DepthSearch search_{card_, views_, eye_, 1.0};
+    DepthSearch search_{card_, views_, eye_};
 };
 
 TEST_F(OutlinedCard, CutsOpenNoCracks) {
@@ -221,7 +222,7 @@ TEST_F(OutlinedCard, TrianglesAreCutAtTheOutlinesOfWhatTheyShow) {
 // A budget that is met by relaxing errors time and again, from what was found before.
 TEST_F(Subdivision, RelaxedErrorsOpenNoCracks) {
     const Eye behind = eye_at({0, 0, -2}, {0, 0, 4}, kEye.camera);
-    const DepthSearch search(lumigraph_, views_, behind, 1.0);
+    const DepthSearch search(lumigraph_, views_, behind);
     for (const std::size_t most : {100U, 400U, 1600U})
         expect_no_cracks(
             adaptive_subdivision({picture_through_camera(0, behind)}, search, {0, 0, 1.0 / 5}, {},
@@ -234,7 +235,7 @@ TEST_F(Subdivision, RelaxedErrorsOpenNoCracks) {
 // photograph is to be looked up, least of all the plane through the card, which has no error.
 TEST_F(Subdivision, EdgesAreSplitWhereTheCamerasLoseTheScene) {
     const Eye behind = eye_at({0, 0, -2}, {0, 0, 4}, kEye.camera);
-    const DepthSearch search(lumigraph_, views_, behind, 1.0);
+    const DepthSearch search(lumigraph_, views_, behind);
     const AdaptiveSubdivisionOptions options{.min_edge_px = 3, .max_triangles = 0};
     const BlendTriangles triangles = adaptive_subdivision({picture_through_camera(0, behind)},
                                                           search, {0, 0, 1.0 / 5}, {}, options)
@@ -339,7 +340,7 @@ TEST_F(Subdivision, APlaneWithoutAnythingBeforeItIsHardlySplit) {
                     direction.z() / (6 - centre_in_world(view.cam_from_world).z()));
             }
     const SearchedViews views = searched_views(wall);
-    const DepthSearch search(wall, views, kEye, 1.0);
+    const DepthSearch search(wall, views, kEye);
     const AdaptiveSubdivision planar =
         adaptive_subdivision(polygons_, search, plane_, {}, {.min_edge_px = 1});
     EXPECT_LT(planar.triangles.count(), 120U);
@@ -356,7 +357,7 @@ class GuessSubdivision : public Subdivision {
     [[nodiscard]] double triangles(double max_error_px, double min_edge_px,
                                    double guess_ratio) const {
         const SearchedViews views = searched_views(lumigraph_);
-        const DepthSearch search(lumigraph_, views, kEye, 1.0);
+        const DepthSearch search(lumigraph_, views, kEye);
         return static_cast<double>(adaptive_subdivision(polygons_, search, plane_, {},
                                                         {.max_error_px = max_error_px,
                                                          .counts = {.guess_ratio = guess_ratio},
@@ -378,7 +379,7 @@ TEST_F(Subdivision, WithoutDepthThePlaneIsFollowedAsCloselyAsWhatIsSeen) {
     Lumigraph plain = lumigraph_;
     for (LumigraphView& view : plain.views) view.depth = {};
     const SearchedViews views = searched_views(plain);
-    const DepthSearch search(plain, views, kEye, 1.0);
+    const DepthSearch search(plain, views, kEye);
     const auto triangles = [&](double guess_ratio) {
         return adaptive_subdivision(polygons_, search, {0.002, 0, 0.1}, {},
                                     {.max_error_px = 0.02,
@@ -402,7 +403,7 @@ bool are_equal(const BlendTriangles& a, const BlendTriangles& b) {
 TEST_F(Subdivision, WhatWasSubdividedBeforeChangesNothing) {
     AdaptiveSubdivider subdivider;
     const Eye elsewhere = eye_at({0.4, 0.2, 0.1}, {0, 0, 4}, kEye.camera);
-    const DepthSearch search_elsewhere(lumigraph_, views_, elsewhere, 1.0);
+    const DepthSearch search_elsewhere(lumigraph_, views_, elsewhere);
     for (const std::size_t most : {0U, 300U, 5000U}) {
         static_cast<void>(subdivider.subdivide(face_polygons(lumigraph_.mesh, elsewhere),
                                                search_elsewhere, plane_, {},

@@ -30,7 +30,7 @@ class ThinTriangles : public testing::Test {
     }
 
     [[nodiscard]] BlendTriangles drawn_from(const Eye& eye, std::size_t most = 0) const {
-        return thin_triangles(scene_, views_, eye, DepthSearch(scene_, views_, eye, 1.0), most);
+        return thin_triangles(scene_, views_, eye, DepthSearch(scene_, views_, eye), most);
     }
 
     Lumigraph scene_ = lumigraph_of(AnalyticScene::kBarBeforeWall);
@@ -70,7 +70,7 @@ TEST_F(ThinTriangles, AreTheBarOnceWhereTheEyeSeesIt) {
 
 TEST_F(ThinTriangles, LookTheBarUpWhereAPhotographShowsIt) {
     const Eye eye = before_bar(0.1, -0.1);
-    const DepthSearch search(scene_, views_, eye, 1.0);
+    const DepthSearch search(scene_, views_, eye);
     for (const BlendVertex& corner : drawn_from(eye).vertices) {
         const auto view = static_cast<int>(corner.view_layers[0]);
         const Eigen::Vector3d in_view = search.line_in(view, vector_of(corner.pixel))
@@ -93,7 +93,7 @@ TEST_F(ThinTriangles, AreNoneBehindTheEyeNorBehindAnything) {
     }
     const Eye eye = before_bar(0, 0);
     const BlendTriangles triangles =
-        thin_triangles(hidden, views, eye, DepthSearch(hidden, views, eye, 1.0), 0);
+        thin_triangles(hidden, views, eye, DepthSearch(hidden, views, eye), 0);
     EXPECT_GT(triangles.count(), 0U) << "it reaches beyond the card";
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
         Eigen::Vector2d middle(0, 0);

@@ -70,7 +70,7 @@ class UnseenTriangles : public testing::Test {
          eye_at({0, 0.9, 0}, {0, 0, 4}, pinhole_camera(192, 144, 120))});
     Eye eye_ = eye_at({0, 0, -1}, {0, 0, 4}, pinhole_camera(96, 72, 90));
     SearchedViews views_ = searched_views(lumigraph_);
-    DepthSearch search_{lumigraph_, views_, eye_, 1.0};
+    DepthSearch search_{lumigraph_, views_, eye_};
     Eigen::Vector3d plane_ = scene_plane_inverse_depth(lumigraph_, eye_);
     std::vector<FacePolygon> polygons_ = face_polygons(lumigraph_.mesh, eye_);
     BlendTriangles triangles_;
