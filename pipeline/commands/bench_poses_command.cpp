@@ -155,7 +155,8 @@ void add_bench_poses_command(CLI::App& app, CommandContext& context) {
         "Time and accuracy from photographs to poses, beside COLMAP alone on the same photographs",
         "lumi bench-poses configs/fountain-given-lens.toml --truth fountain-P11/cameras");
     const auto request = std::make_shared<BenchPosesRequest>();
-    command.add_option("CONFIG", request->config, "Configuration, or a folder of photographs")
+    command
+        .add_option("CONFIG", request->config, "Configuration, a folder of photographs, or a video")
         ->required();
     command.add_option("--truth", request->truth,
                        "Folder with a COLMAP model or with .camera files to measure against");

@@ -12,13 +12,14 @@ void add_build_command(CLI::App& app, CommandContext& context) {
     CLI::App& command =
         add_command(app, "build", "Photographs to package: all stages, skipping what is up to date",
                     "lumi build configs/fountain.toml\n         lumi build photos/\n"
+                    "         lumi build walk.mp4\n"
                     "         lumi build configs/demo.toml --target 30dB\n"
                     "         lumi build configs/dataset.toml");
     const auto request = std::make_shared<BuildRequest>();
     const auto wish = std::make_shared<std::string>();
     command
         .add_option("CONFIG", request->config,
-                    "Configuration file, a folder of photographs, or a dataset file")
+                    "Configuration file, a folder of photographs, a video, or a dataset file")
         ->required();
     command.add_option("--workspace", request->workspace, "Where to work (default: work/NAME)");
     command.add_option("--target", *wish,

@@ -193,7 +193,9 @@ void add_doctor_command(CLI::App& app, CommandContext& context) {
                     "to do about it. Exit code 0: good, 5: at risk, 4: hopeless",
                     "lumi doctor configs/fountain.toml\n         lumi doctor photos/");
     const auto request = std::make_shared<DoctorRequest>();
-    command.add_option("CONFIG", request->config, "Configuration file, or a folder of photographs")
+    command
+        .add_option("CONFIG", request->config,
+                    "Configuration file, a folder of photographs, or a video")
         ->required();
     command.add_option("--workspace", request->workspace, "Where to work (default: work/NAME)");
     command.callback([request, &context] {

@@ -11,7 +11,9 @@ void add_stage_command(CLI::App& app, CommandContext& context, const std::string
     CLI::App& command = add_command(app, stage, description + ", and what it needs before",
                                     "lumi " + stage + " configs/fountain.toml");
     const auto request = std::make_shared<BuildRequest>();
-    command.add_option("CONFIG", request->config, "Configuration file, or a folder of photographs")
+    command
+        .add_option("CONFIG", request->config,
+                    "Configuration file, a folder of photographs, or a video")
         ->required();
     command.add_option("--workspace", request->workspace, "Where to work (default: work/NAME)");
     command.callback([request, stage, &context] {

@@ -4,6 +4,7 @@
 
 #include "calib/lens_files/lens_files.h"
 #include "pipeline/config/lens_file.h"
+#include "pipeline/config/plain_capture.h"
 #include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
@@ -122,12 +123,6 @@ std::string toml_quoted(const std::string& text) {
     return quoted + "\"";
 }
 
-/// The last part of a path that has a name: "photos" for "/a/photos/".
-std::string folder_name(const fs::path& folder) {
-    const fs::path absolute = fs::absolute(folder).lexically_normal();
-    return (absolute.has_filename() ? absolute : absolute.parent_path()).filename().string();
-}
-
 }  // namespace
 
 BuildConfig read_build_config(const ConfigSection& document, const std::string& default_name) {
@@ -164,16 +159,13 @@ BuildConfig read_build_config(const ConfigSection& document, const std::string& 
     return config;
 }
 
-BuildConfig load_build_config(const fs::path& file_or_folder) {
-    std::error_code status;
-    if (fs::is_directory(file_or_folder, status)) {
+BuildConfig load_build_config(const fs::path& path) {
+    if (const std::optional<PlainCapture> plain = plain_capture(path)) {
         const std::string toml =
-            "[capture]\nphotos = " + toml_quoted(file_or_folder.string()) + "\n";
-        return read_build_config(ConfigSection::from_text(toml, "(defaults)"),
-                                 folder_name(file_or_folder));
+            "[capture]\n" + plain->key + " = " + toml_quoted(path.string()) + "\n";
+        return read_build_config(ConfigSection::from_text(toml, "(defaults)"), plain->name);
     }
-    return read_build_config(ConfigSection::from_file(file_or_folder),
-                             file_or_folder.stem().string());
+    return read_build_config(ConfigSection::from_file(path), path.stem().string());
 }
 
 }  // namespace lumi

@@ -77,9 +77,10 @@ struct BuildConfig {
     std::map<std::string, std::string> stage_parameters;
 };
 
-/// Reads a configuration file; or, given a folder, the configuration that takes its photographs
-/// with every default. Throws Error (E-CONFIG-...) naming file, line and key.
-[[nodiscard]] BuildConfig load_build_config(const std::filesystem::path& file_or_folder);
+/// Reads a configuration file; or, given a folder of photographs or a video (plain_capture.h), the
+/// configuration that takes it with every default. Throws Error (E-CONFIG-...) naming file, line
+/// and key.
+[[nodiscard]] BuildConfig load_build_config(const std::filesystem::path& path);
 
 /// The same from an open document; `default_name` stands in for a missing `name`.
 [[nodiscard]] BuildConfig read_build_config(const ConfigSection& document,

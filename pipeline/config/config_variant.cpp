@@ -6,6 +6,7 @@
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "pipeline/config/plain_capture.h"
 
 namespace lumi {
 
@@ -91,23 +92,19 @@ std::vector<std::string> ConfigList::words() const {
     return words;
 }
 
-ConfigDocument ConfigDocument::open(const fs::path& file_or_folder) {
+ConfigDocument ConfigDocument::open(const fs::path& path) {
     ConfigDocument document;
     auto content = std::make_shared<Document>();
-    std::error_code status;
-    if (fs::is_directory(file_or_folder, status)) {
-        const fs::path folder = fs::absolute(file_or_folder).lexically_normal();
-        const fs::path named = folder.has_filename() ? folder : folder.parent_path();
-        content->root.insert("capture", toml::table{{"photos", folder.string()}});
-        document.name_ = file_or_folder.string();
-        document.default_build_name_ = named.filename().string();
+    document.name_ = path.string();
+    if (const std::optional<PlainCapture> plain = plain_capture(path)) {
+        const fs::path absolute = fs::absolute(path).lexically_normal();
+        content->root.insert("capture", toml::table{{plain->key, absolute.string()}});
+        document.default_build_name_ = plain->name;
         document.folder_ = fs::current_path();
     } else {
-        content->root =
-            parsed(read_whole_text(file_or_folder, std::size_t{1} << 24), file_or_folder.string());
-        document.name_ = file_or_folder.string();
-        document.default_build_name_ = file_or_folder.stem().string();
-        document.folder_ = fs::absolute(file_or_folder).parent_path();
+        content->root = parsed(read_whole_text(path, std::size_t{1} << 24), path.string());
+        document.default_build_name_ = path.stem().string();
+        document.folder_ = fs::absolute(path).parent_path();
     }
     document.document_ = std::move(content);
     return document;

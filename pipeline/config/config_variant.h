@@ -29,9 +29,9 @@ struct ConfigList {
 /// A configuration of which variants are made: the file with some settings changed.
 class ConfigDocument {
  public:
-    /// A file, or the configuration of a folder of photographs. Throws Error (E-CONFIG-...,
-    /// E-FILE-READ).
-    [[nodiscard]] static ConfigDocument open(const std::filesystem::path& file_or_folder);
+    /// A file, or the configuration of a folder of photographs or a video (plain_capture.h).
+    /// Throws Error (E-CONFIG-..., E-FILE-READ).
+    [[nodiscard]] static ConfigDocument open(const std::filesystem::path& path);
 
     /// What errors call it.
     [[nodiscard]] const std::string& name() const { return name_; }

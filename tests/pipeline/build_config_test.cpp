@@ -6,6 +6,7 @@
 #include "calib/lens_files/lens_files.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "pipeline/config/config_variant.h"
 #include "pipeline/config/lens_file.h"
 #include "tests/calib/scratch_folder.h"
 
@@ -166,6 +167,27 @@ TEST(BuildConfig, AFolderOfPhotographsIsAConfiguration) {
     const BuildConfig config = load_build_config(photos / "");
     EXPECT_EQ(config.name, "my \"best\" photos");
     EXPECT_TRUE(std::filesystem::equivalent(config.photographs_or_video, photos));
+}
+
+TEST(BuildConfig, AVideoIsAConfiguration) {
+    const ScratchFolder scratch;
+    const std::filesystem::path video = scratch.path() / "a walk.mp4";
+    write_whole_text(video, std::string("\0\0\0\x18"
+                                        "ftypmp42",
+                                        12));
+    const BuildConfig config = load_build_config(video);
+    EXPECT_EQ(config.name, "a walk");
+    EXPECT_TRUE(std::filesystem::equivalent(config.photographs_or_video, video));
+    EXPECT_EQ(ConfigDocument::open(video).build_config_with({}).photographs_or_video,
+              config.photographs_or_video);
+    // No text is one, however little it is a configuration.
+    write_whole_text(scratch.path() / "notes.txt", "mend me");
+    try {
+        static_cast<void>(load_build_config(scratch.path() / "notes.txt"));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-CONFIG-SYNTAX");
+    }
 }
 
 TEST(LensFile, GivesTheLens) {

@@ -1,0 +1,34 @@
+#include "pipeline/config/plain_capture.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has_zero_byte_at_its_beginning(const fs::path& file) {
+    std::array<char, 4096> beginning{};
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(beginning.data(), beginning.size());
+    const auto end = beginning.begin() + stream.gcount();
+    return std::find(beginning.begin(), end, '\0') != end;
+}
+
+}  // namespace
+
+std::optional<PlainCapture> plain_capture(const fs::path& path) {
+    std::error_code status;
+    if (fs::is_directory(path, status)) {
+        const fs::path folder = fs::absolute(path).lexically_normal();
+        const fs::path named = folder.has_filename() ? folder : folder.parent_path();
+        return PlainCapture{"photos", named.filename().string()};
+    }
+    if (fs::is_regular_file(path, status) && has_zero_byte_at_its_beginning(path))
+        return PlainCapture{"video", path.stem().string()};
+    return std::nullopt;
+}
+
+}  // namespace lumi

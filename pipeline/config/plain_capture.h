@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace lumi {
+
+/// A capture that is named itself instead of a configuration: all else has its default.
+struct PlainCapture {
+    std::string key;   ///< Of [capture]: "photos" for a folder, "video" for a file.
+    std::string name;  ///< Of the folder or the file, for the build.
+};
+
+/// None where the path names a configuration, or nothing: a file with a zero byte in its first
+/// four KiB, which no text has and every video, is taken for a video.
+[[nodiscard]] std::optional<PlainCapture> plain_capture(const std::filesystem::path& path);
+
+}  // namespace lumi
