@@ -9,26 +9,26 @@ namespace lumi {
 namespace {
 
 /// What costs more than another by this share is not chosen instead.
-constexpr double kNearly = 0.04;
-constexpr std::size_t kConsidered = 8;
-constexpr std::size_t kMostChoices = 4;
-/// Taken from each choice but the largest, so that there are few.
-constexpr double kLeastShare = 0.02;
+constexpr double kNearlyShare = 0.04;
+/// Of which three can be chosen in 56 ways.
+constexpr std::size_t kMostConsidered = 8;
+/// Taken from each choice, so that there are few; the largest has more than that.
+constexpr double kLeastShare = 0.01;
 
-using Things = std::vector<std::size_t>;
+using Candidates = std::vector<std::size_t>;
 
-/// Takes things one by one.
-class Choosing {
+/// Takes candidates one by one.
+class Selection {
  public:
-    Choosing(const std::vector<double>& costs, std::size_t size) : costs_(costs), size_(size) {}
+    Selection(const std::vector<double>& costs, std::size_t size) : costs_(costs), size_(size) {}
 
-    [[nodiscard]] std::map<Things, double> among(const Things& things) {
-        complete({}, things, 1.0);
+    [[nodiscard]] std::map<Candidates, double> among(const Candidates& candidates) {
+        complete({}, candidates, 1.0);
         return std::move(shares_);
     }
 
  private:
-    void complete(Things chosen, const Things& rest, double share) {
+    void complete(Candidates chosen, const Candidates& rest, double share) {
         if (chosen.size() == size_ || rest.empty()) {
             std::sort(chosen.begin(), chosen.end());
             shares_[chosen] += share;
@@ -37,20 +37,20 @@ class Choosing {
         const std::vector<double> shares = shares_of(rest);
         for (std::size_t i = 0; i < rest.size(); ++i) {
             if (!(shares[i] > 0)) continue;
-            Things with = chosen;
+            Candidates with = chosen;
             with.push_back(rest[i]);
-            Things without = rest;
+            Candidates without = rest;
             without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
             complete(std::move(with), without, share * shares[i]);
         }
     }
 
-    [[nodiscard]] std::vector<double> shares_of(const Things& rest) const {
+    [[nodiscard]] std::vector<double> shares_of(const Candidates& rest) const {
         double least = costs_[rest.front()];
-        for (const std::size_t thing : rest) least = std::min(least, costs_[thing]);
+        for (const std::size_t candidate : rest) least = std::min(least, costs_[candidate]);
         std::vector<double> shares;
-        for (const std::size_t thing : rest)
-            shares.push_back(std::max(0.0, 1 - (costs_[thing] / least - 1) / kNearly));
+        for (const std::size_t candidate : rest)
+            shares.push_back(std::max(0.0, 1 - (costs_[candidate] / least - 1) / kNearlyShare));
         const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
         for (double& share : shares) share /= sum;
         return shares;
@@ -58,44 +58,32 @@ class Choosing {
 
     const std::vector<double>& costs_;
     std::size_t size_;
-    std::map<Things, double> shares_;
+    std::map<Candidates, double> shares_;
 };
 
-Things cheapest(const std::vector<double>& costs) {
-    Things things(costs.size());
-    std::iota(things.begin(), things.end(), std::size_t{0});
-    const std::size_t count = std::min(kConsidered, things.size());
-    std::partial_sort(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(count),
-                      things.end(), [&](std::size_t a, std::size_t b) {
+Candidates cheapest(const std::vector<double>& costs) {
+    Candidates candidates(costs.size());
+    std::iota(candidates.begin(), candidates.end(), std::size_t{0});
+    const std::size_t count = std::min(kMostConsidered, candidates.size());
+    std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(count),
+                      candidates.end(), [&](std::size_t a, std::size_t b) {
                           return costs[a] != costs[b] ? costs[a] < costs[b] : a < b;
                       });
-    things.resize(count);
-    return things;
-}
-
-/// What comes next to the largest choices that are kept, but no less than the least share.
-double share_that_is_left_out(const std::map<Things, double>& choices) {
-    std::vector<double> shares;
-    for (const auto& [chosen, share] : choices) shares.push_back(share);
-    std::sort(shares.rbegin(), shares.rend());
-    const double next = shares.size() > kMostChoices ? shares[kMostChoices] : 0.0;
-    return std::max(next, kLeastShare);
+    candidates.resize(count);
+    return candidates;
 }
 
 }  // namespace
 
 std::vector<GradualChoice> gradual_choices(const std::vector<double>& costs, std::size_t size) {
-    const std::map<Things, double> all = Choosing(costs, size).among(cheapest(costs));
-    const double left_out = share_that_is_left_out(all);
+    const std::map<Candidates, double> all = Selection(costs, size).among(cheapest(costs));
     std::vector<GradualChoice> choices;
     double sum = 0;
     for (const auto& [chosen, share] : all) {
-        if (!(share > left_out)) continue;
-        choices.push_back({chosen, share - left_out});
-        sum += share - left_out;
+        if (!(share > kLeastShare)) continue;
+        choices.push_back({chosen, share - kLeastShare});
+        sum += share - kLeastShare;
     }
-    // As many as can be, all alike.
-    if (choices.empty()) return {{all.begin()->first, 1.0}};
     for (GradualChoice& choice : choices) choice.share /= sum;
     return choices;
 }

@@ -21,7 +21,8 @@ struct EyeBlend {
 /// taken that see what the eye does. Where the next camera is nearly as near, a share of the
 /// picture is blended from it instead (gradual_choice.h), so that none is exchanged all at once:
 /// shares, which sum to 1, and weights are continuous in the eye and `line_of_sight` (of length
-/// one). A camera's own eye has its picture but for some thousandths, by which the next ones show
+/// one), but where nine cameras or more are nearly as near as the third, and at a place where four
+/// stand. A camera's own eye has its picture but for some thousandths, by which the next ones show
 /// what it does not, unless another stands as near. The mesh must have a vertex.
 [[nodiscard]] std::vector<EyeBlend> blends_of_eye(const CameraMesh& mesh,
                                                   const Eigen::Vector3d& eye_in_world,

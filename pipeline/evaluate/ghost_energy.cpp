@@ -53,11 +53,11 @@ std::vector<std::set<int>> views_blended_for(const CameraMesh& mesh, int view_co
                                              const std::vector<Eye>& eyes) {
     std::vector<std::set<int>> blended(static_cast<std::size_t>(view_count));
     for (const Eye& eye : eyes) {
-        const RayWeights weights = weights_of_eye(mesh, centre_in_world(eye.cam_from_world),
-                                                  optical_axis_in_world(eye.cam_from_world));
-        for (const int one : weights.view_indices)
-            for (const int other : weights.view_indices)
-                if (one != other) blended[static_cast<std::size_t>(one)].insert(other);
+        for (const EyeBlend& blend : blends_of_eye(mesh, centre_in_world(eye.cam_from_world),
+                                                   optical_axis_in_world(eye.cam_from_world)))
+            for (const int one : blend.weights.view_indices)
+                for (const int other : blend.weights.view_indices)
+                    if (one != other) blended[static_cast<std::size_t>(one)].insert(other);
     }
     return blended;
 }

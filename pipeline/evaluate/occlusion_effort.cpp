@@ -10,12 +10,17 @@
 namespace lumi {
 namespace {
 
-/// The richest first: each takes fewer views away than the next.
+/// The widest first: each takes fewer views away than the next. Beyond it hardly any occlusion is
+/// corrected any more.
 constexpr std::array<double, 5> kTolerances_px{24.0, 12.0, 6.0, 3.0, kOcclusionTolerance_px};
 
-RenderOptions with_tolerance(double tolerance_px, const Lumigraph& others) {
-    return {.occlusion_tolerance_ratio = tolerance_px / others.occlusion_tolerance_px,
-            .smooth_silhouettes = false};
+/// What blocks share is asked, as for all else that photographs choose.
+const RenderOptions kAlike{.smooth_silhouettes = false};
+
+/// What the choice is measured beside: the narrowest, or the next wider where it is that.
+std::size_t beside(std::size_t chosen) {
+    const std::size_t narrowest = kTolerances_px.size() - 1;
+    return chosen == narrowest ? narrowest - 1 : narrowest;
 }
 
 }  // namespace
@@ -27,20 +32,21 @@ OcclusionEffort sufficient_occlusion_effort(const Lumigraph& lumigraph, const Ca
     const std::size_t asked = visit_kept_back(
         lumigraph, capture, mesh_options, "asking photographs how far depth is to be trusted",
         progress, [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
-            OffscreenRenderer renderer(others);
             for (std::size_t i = 0; i < kTolerances_px.size(); ++i) {
                 progress.throw_if_interrupted();
-                const DrawnPictures drawn =
-                    draw_pictures(renderer, pictures, with_tolerance(kTolerances_px[i], others));
+                others.occlusion_tolerance_px = kTolerances_px[i];
+                OffscreenRenderer renderer(others);
+                const DrawnPictures drawn = draw_pictures(renderer, pictures, kAlike);
                 losses_db[i].insert(losses_db[i].end(), drawn.losses_db.begin(),
                                     drawn.losses_db.end());
             }
         });
     if (asked == 0) return {};
     const std::size_t chosen = simplest_as_good(losses_db);
-    const Excess gain = excess_over(losses_db.back(), losses_db[chosen]);
+    const Excess gain = excess_over(losses_db[beside(chosen)], losses_db[chosen]);
     return {.tolerance_px = kTolerances_px[chosen],
             .pictures = static_cast<int>(asked),
+            .beside_px = kTolerances_px[beside(chosen)],
             .gains_db = gain.mean,
             .standard_error_db = gain.standard_error};
 }

@@ -12,8 +12,8 @@ namespace lumi {
 /// left changes from pixel to pixel; where it is right a wide one blends what hides a point with
 /// it. Photographs that are kept back (kept_back_rounds.h) say how much that loses `perpixel`: of
 /// the tolerances asked the least that they cannot tell from the best (the one-standard-error
-/// rule). For fewer than eight views nobody is asked. `capture.views` lists the Lumigraph's views
-/// in the same order. Throws Error (E-GL-...).
+/// rule). None costs more time than another. For fewer than eight views nobody is asked.
+/// `capture.views` lists the Lumigraph's views in the same order. Throws Error (E-GL-...).
 [[nodiscard]] OcclusionEffort sufficient_occlusion_effort(const Lumigraph& lumigraph,
                                                           const Capture& capture,
                                                           const CameraMeshOptions& mesh_options,

@@ -36,7 +36,7 @@ std::string text_of(const OcclusionEffort& effort) {
            number_text(effort.tolerance_px, 1) + " px: " + std::to_string(effort.pictures) +
            " photographs are drawn " + number_text(effort.gains_db, 2) + " +- " +
            number_text(effort.standard_error_db, 2) + " dB better than with " +
-           number_text(kOcclusionTolerance_px, 1);
+           number_text(effort.beside_px, 1);
 }
 
 std::string text_of(const TriangleEffort& effort) {
@@ -70,6 +70,7 @@ Json json_of(const DepthEffort& effort) {
 Json json_of(const OcclusionEffort& effort) {
     return {{"tolerance_px", effort.tolerance_px},
             {"pictures", effort.pictures},
+            {"beside_px", effort.beside_px},
             {"gains_db", effort.gains_db},
             {"standard_error_db", effort.standard_error_db}};
 }

@@ -31,7 +31,8 @@ struct DepthEffort {
 struct OcclusionEffort {
     double tolerance_px = kOcclusionTolerance_px;
     int pictures = 0;                ///< That were asked; 0: nobody was.
-    double gains_db = 0.0;           ///< At them, in the mean, beside kOcclusionTolerance_px.
+    double beside_px = 0.0;          ///< Another tolerance, to compare with.
+    double gains_db = 0.0;           ///< At them, in the mean, beside that one.
     double standard_error_db = 0.0;  ///< Of that.
 };
 

@@ -19,7 +19,7 @@ constexpr double kLongestStep = TiledDepth::kFine;
 constexpr double kAtOnce = 2.0;
 constexpr int kMaxSteps = 256;
 constexpr int kRefinements = 4;
-/// Of the tolerance: a point so close to the surface is not refined.
+/// Of the disparity by which one surface differs: a point so close to the surface is not refined.
 constexpr double kCloseEnough = 0.25;
 /// One that is farther off after all refinements lies in a tear.
 constexpr double kMet = 0.5;
@@ -50,9 +50,8 @@ double between(double from, double to, double share) { return from + share * (to
 
 }  // namespace
 
-DepthSearch::DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views, const Eye& eye,
-                         double occlusion_tolerance_ratio)
-    : occlusion_tolerance_px_(occlusion_tolerance_ratio * lumigraph.occlusion_tolerance_px),
+DepthSearch::DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views, const Eye& eye)
+    : occlusion_tolerance_px_(lumigraph.occlusion_tolerance_px),
       max_inverse_depth_(kNearMargin * inverse_depth_range(lumigraph).y()),
       least_inverse_depth_(kFarShare * inverse_depth_range(lumigraph).y()) {
     const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);

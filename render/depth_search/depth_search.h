@@ -37,8 +37,7 @@ struct RayHit {
 class DepthSearch {
  public:
     /// Keeps references to the depth maps of `views`, which are the lumigraph's.
-    DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views, const Eye& eye,
-                double occlusion_tolerance_ratio = 1.0);
+    DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views, const Eye& eye);
 
     /// What the ray through `pixel` meets first in the depth maps of three views (a view may be
     /// named twice): of what they have seen the nearest that two agree on, or else the nearest.
@@ -135,7 +134,7 @@ class DepthSearch {
     [[nodiscard]] RayStretch visible_stretch(const Target& target, const EpipolarLine& line) const;
     [[nodiscard]] std::optional<RayHit> first_hit_in(int view_index,
                                                      const Eigen::Vector2d& pixel) const;
-    /// Whether a point is on the surface by so much of the tolerance.
+    /// Whether a point is on the surface, by this share of what depths of one may differ by.
     [[nodiscard]] bool is_at_surface(const Target& target, const Meeting& meeting,
                                      double share) const {
         return std::abs(meeting.ahead) * target.max_disparity_px <= share * kAgreeingDisparity_px;

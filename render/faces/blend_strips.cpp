@@ -10,17 +10,15 @@ namespace lumi {
 std::vector<int> blend_strip_ends(const std::vector<EyeBlend>& blends, int width_px) {
     std::vector<double> shares;
     for (const EyeBlend& blend : blends) shares.push_back(blend.share);
-    std::vector<int> ends = strip_ends(shares, width_px / kDepthBlockSide_px);
-    for (int& end : ends) end *= kDepthBlockSide_px;
-    ends.back() = width_px;
+    const int blocks = (width_px + kDepthBlockSide_px - 1) / kDepthBlockSide_px;
+    std::vector<int> ends = strip_ends(shares, blocks);
+    for (int& end : ends) end = std::min(kDepthBlockSide_px * end, width_px);
     return ends;
 }
 
-const RayWeights& weights_in_strip(const std::vector<EyeBlend>& blends, int width_px,
-                                   double pixel_x) {
-    const std::vector<int> ends = blend_strip_ends(blends, width_px);
-    const auto end = std::upper_bound(ends.begin(), ends.end() - 1, pixel_x);
-    return blends[static_cast<std::size_t>(end - ends.begin())].weights;
+std::size_t strip_at(const std::vector<int>& strip_ends, double pixel_x) {
+    const auto end = std::upper_bound(strip_ends.begin(), strip_ends.end() - 1, pixel_x);
+    return static_cast<std::size_t>(end - strip_ends.begin());
 }
 
 }  // namespace lumi

@@ -21,7 +21,7 @@ inline constexpr double kNoOverlap_px = 0.0;
 /// direction is affine in the pixel. So the pixels whose rays enter through the face form a convex
 /// polygon, wherever the eye stands: outside the mesh, inside, on a face, or at a camera.
 struct FacePolygon {
-    int face_index = -1;  ///< -1: no face; the whole picture has the eye's weights.
+    int face_index = -1;  ///< -1: no face, but a strip with the weights of the eye.
     std::array<int, 3> view_indices{};
     /// 1 for corners beyond the border of the mesh, 0 for cameras.
     std::array<float, 3> beyond_border{};
@@ -36,7 +36,8 @@ struct FacePolygon {
 
 /// The polygons of all faces that are seen in the picture: at each pixel that of the face that
 /// weights_of_ray chooses. Neighbours overlap by about a hundredth of a pixel, so that no crack
-/// opens. A face can come in several pieces (paint_order.h).
+/// opens. A face can come in several pieces (paint_order.h). Of a mesh without faces they are the
+/// strips of the eye's blends (blend_strips.h), which meet at whole columns and overlap nowhere.
 [[nodiscard]] std::vector<FacePolygon> face_polygons(const CameraMesh& mesh, const Eye& eye,
                                                      double overlap_px = kOverlap_px);
 

@@ -44,7 +44,6 @@ struct RenderOptions {
     /// Distance along the optical axis of the plane that `lightfield` and `heigl` look photographs
     /// up on (Isaksen, McMillan, Gortler 2000: a movable focal surface); 0: the scene plane.
     double focal_depth = 0.0;
-    double occlusion_tolerance_ratio = 1.0;  ///< Times Lumigraph::occlusion_tolerance_px.
     /// Four samples a pixel, for edges that are smooth: about four times the work. Frames
     /// (frame_target.h) take their mean; other framebuffers must be twice as wide and high, and
     /// hold the samples.

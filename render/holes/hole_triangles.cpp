@@ -47,7 +47,7 @@ BlendTriangles hole_triangles(const Lumigraph& lumigraph, const SearchedViews& v
                               const Eye& eye, const RenderOptions& options,
                               const PictureCells& holes, AdaptiveSubdivider& subdivider) {
     if (!holes.is_any_marked()) return {};
-    const DepthSearch search(lumigraph, views, eye, options.occlusion_tolerance_ratio);
+    const DepthSearch search(lumigraph, views, eye);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
     const PatchSampler::Options sampling = sampling_options(options);
     BlendTriangles triangles =

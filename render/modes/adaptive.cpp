@@ -84,7 +84,7 @@ std::vector<std::size_t> most_of_layers(const std::vector<std::vector<FacePolygo
 std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const SearchedViews& views,
                                             const Eye& eye, const RenderOptions& options,
                                             AdaptiveSubdivider& subdivider) {
-    const DepthSearch search(layout, views, eye, options.occlusion_tolerance_ratio);
+    const DepthSearch search(layout, views, eye);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(layout, eye);
     const auto subdivided = [&](const std::vector<FacePolygon>& polygons,
                                 const PatchSampler::Options& sampling, std::size_t most) {
@@ -126,9 +126,8 @@ Adaptive::Adaptive(const UploadedLumigraph& uploaded)
 bool Adaptive::is_made_for(const Eye& eye, const RenderOptions& options) const {
     if (!made_for_) return false;
     const auto wishes = [](const RenderOptions& of) {
-        return std::tuple(of.correct_occlusion, of.occlusion_tolerance_ratio,
-                          of.fade_beyond_capture, of.triangle_error_ratio, of.min_triangle_px,
-                          of.max_triangle_px, of.max_triangles);
+        return std::tuple(of.correct_occlusion, of.fade_beyond_capture, of.triangle_error_ratio,
+                          of.min_triangle_px, of.max_triangle_px, of.max_triangles);
     };
     return is_same_eye(eye, made_for_->eye) && wishes(options) == wishes(made_for_->options);
 }

@@ -16,8 +16,7 @@ Paper2001::Paper2001(const UploadedLumigraph& uploaded)
 
 DrawStatistics Paper2001::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
     const Lumigraph& layout = uploaded_.layout;
-    const DepthSearch search(layout, uploaded_.searched_views, eye,
-                             options.occlusion_tolerance_ratio);
+    const DepthSearch search(layout, uploaded_.searched_views, eye);
     const PaperSubdivisionOptions subdivision{
         .depth_threshold_share = options.depth_threshold_share,
         .min_size_px = options.min_triangle_px,

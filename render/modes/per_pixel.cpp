@@ -173,11 +173,9 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
     program.set("max_inverse_depth", static_cast<float>(depth_.max_inverse_depth()));
     program.set("near_inverse_depth",
                 static_cast<float>(inverse_depth_range(uploaded_.layout).y()));
-    program.set(
-        "check_per_px",
-        static_cast<float>(options.correct_occlusion ? 1 / (options.occlusion_tolerance_ratio *
-                                                            uploaded_.layout.occlusion_tolerance_px)
-                                                     : 0.0));
+    program.set("check_per_px", static_cast<float>(options.correct_occlusion
+                                                       ? 1 / uploaded_.layout.occlusion_tolerance_px
+                                                       : 0.0));
     const double agreeing =
         agreeing_inverse_depth(uploaded_.layout, uploaded_.searched_views.geometries, asked.sets,
                                centre_in_world(eye.cam_from_world), kAgreeingDisparity_px);

@@ -61,8 +61,7 @@ double PointInViews::visibility(int view_index, const RayPoint& point,
         std::abs(at.inverse_depth - *seen) *
         disparity_px_per_inverse_depth(geometries_[static_cast<std::size_t>(view_index)],
                                        eye_in_world_);
-    return visibility_of(difference_px,
-                         options_.occlusion_tolerance_ratio * lumigraph_.occlusion_tolerance_px);
+    return visibility_of(difference_px, lumigraph_.occlusion_tolerance_px);
 }
 
 bool PointInViews::is_guess_hidden(int view_index, const RayPoint& point) const {

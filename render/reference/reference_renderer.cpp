@@ -28,7 +28,6 @@ namespace {
 /// The same with how it is known. Without any support: the scene plane, for the mode that draws it
 /// or as a guess.
 struct KnownPoint {
-    Eigen::Vector2d pixel;
     RayPoint point;
     ConsensusDepth depth;
     std::map<int, EyeDepth> of_views;  ///< What those say that were asked.
@@ -47,7 +46,8 @@ class ReferenceFrame {
 
  private:
     [[nodiscard]] Eigen::Vector3d direction_in_world(const Eigen::Vector2d& pixel) const;
-    [[nodiscard]] std::optional<RayWeights> weights_of(const KnownPoint& known) const;
+    [[nodiscard]] std::optional<RayWeights> weights_along(const Eigen::Vector3d& direction,
+                                                          const Eigen::Vector2d& pixel) const;
     /// One, or one for each sample of a silhouette that is drawn smoothly.
     [[nodiscard]] std::vector<KnownPoint> points_at(const Eigen::Vector2d& pixel) const;
     /// The mean of all that is drawn for a pixel.
@@ -81,6 +81,7 @@ class ReferenceFrame {
     Eigen::Vector3d plane_;
     PointInViews views_;
     std::vector<EyeBlend> blends_;  ///< None where the camera mesh has faces.
+    std::vector<int> strip_ends_;   ///< Of these.
     bool is_in_blocks_ = false;
     std::optional<AgreedDepth> depth_;  ///< None where the scene plane is drawn.
     ColorImage surroundings_;           ///< Empty where they are not drawn.
@@ -109,9 +110,11 @@ ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
       views_(lumigraph, eye, options),
       surroundings_(are_surroundings_drawn(options) ? surroundings_picture(lumigraph, eye)
                                                     : ColorImage{}) {
-    if (lumigraph.mesh.faces.empty())
+    if (lumigraph.mesh.faces.empty()) {
         blends_ =
             blends_of_eye(lumigraph.mesh, eye_in_world_, optical_axis_in_world(eye.cam_from_world));
+        strip_ends_ = blend_strip_ends(blends_, eye.camera.width_px);
+    }
     if (options.mode != RenderMode::kPerPixel || !has_depth(lumigraph)) return;
     depth_.emplace(lumigraph, views_.geometries(), eye, options);
     is_in_blocks_ = is_drawn_in_blocks(lumigraph, eye, options);
@@ -130,8 +133,7 @@ std::vector<KnownPoint> ReferenceFrame::points_at(const Eigen::Vector2d& pixel) 
         const double inverse_depth = depth.support > 0
                                          ? depth.inverse_depth
                                          : std::max(0.0, plane_.dot(pixel.homogeneous()));
-        points.push_back(
-            {pixel, {direction_in_world(pixel), inverse_depth, known_by}, depth, of_views});
+        points.push_back({{direction_in_world(pixel), inverse_depth, known_by}, depth, of_views});
     }
     return points;
 }
@@ -185,16 +187,16 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const std::vector<KnownPoint>&
     return DrawnPixel{sum.color / count, sum.coverage >= 0.5 * count ? 1.0 : 0.0};
 }
 
-std::optional<RayWeights> ReferenceFrame::weights_of(const KnownPoint& known) const {
-    if (blends_.empty())
-        return weights_of_ray(lumigraph_.mesh, eye_in_world_, known.point.direction_in_world);
-    return weights_in_strip(blends_, eye_.camera.width_px, known.pixel.x());
+std::optional<RayWeights> ReferenceFrame::weights_along(const Eigen::Vector3d& direction,
+                                                        const Eigen::Vector2d& pixel) const {
+    if (blends_.empty()) return weights_of_ray(lumigraph_.mesh, eye_in_world_, direction);
+    return blends_[strip_at(strip_ends_, pixel.x())].weights;
 }
 
 std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
                                                   const Eigen::Vector2d& pixel) const {
     const ConsensusDepth& depth = shared.depth;
-    std::optional<RayWeights> ray = weights_of(shared);
+    std::optional<RayWeights> ray = weights_along(shared.point.direction_in_world, pixel);
     if (!ray) return std::nullopt;
     const bool has_depth = depth.support > 0;
     const std::array<double, 3> seen = visibilities(*ray, shared);

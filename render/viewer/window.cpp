@@ -49,7 +49,6 @@ bool same(const DrawnFrame& a, const DrawnFrame& b) {
            a.options.fade_beyond_capture == b.options.fade_beyond_capture &&
            a.options.guess_surroundings == b.options.guess_surroundings &&
            a.options.smooth_silhouettes == b.options.smooth_silhouettes &&
-           a.options.occlusion_tolerance_ratio == b.options.occlusion_tolerance_ratio &&
            a.options.triangle_error_ratio == b.options.triangle_error_ratio;
 }
 

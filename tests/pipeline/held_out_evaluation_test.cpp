@@ -160,16 +160,18 @@ TEST(ViewPlace, WithoutFacesIsInteriorAsNearAsCamerasStandToEachOther) {
 TEST(GhostEnergy, SortsCamerasWithoutFacesByTheEyesTheyAreBlendedFor) {
     const Camera camera = pinhole_camera(64, 48, 50);
     std::vector<Eye> eyes;
-    for (const double z : {0.1, 0.9, 1.7})
+    // Halfway between two cameras the third of three is about to be exchanged.
+    for (const double z : {0.1, 0.9, 1.25})
         eyes.push_back({camera, {Eigen::Quaterniond::Identity(), {0, 0, -z}}});
     const std::vector<int> classes = camera_classes(without_faces(), 5, eyes);
     for (const Eye& eye : eyes) {
-        std::set<int> of_eye;
-        for (const int view : weights_of_eye(without_faces(), centre_in_world(eye.cam_from_world),
-                                             Eigen::Vector3d::UnitZ())
-                                  .view_indices)
-            of_eye.insert(classes[static_cast<std::size_t>(view)]);
-        EXPECT_EQ(of_eye.size(), 3U);
+        for (const EyeBlend& blend : blends_of_eye(
+                 without_faces(), centre_in_world(eye.cam_from_world), Eigen::Vector3d::UnitZ())) {
+            std::set<int> of_blend;
+            for (const int view : blend.weights.view_indices)
+                of_blend.insert(classes[static_cast<std::size_t>(view)]);
+            EXPECT_EQ(of_blend.size(), 3U);
+        }
     }
 }
 

@@ -39,6 +39,18 @@ std::vector<double> weights_at_eye(const CameraMesh& mesh, const Eigen::Vector3d
     return weights_by_view(weights_of_eye(mesh, eye, line_of_sight), mesh.vertices.size());
 }
 
+/// The mean over an eye's picture.
+std::vector<double> mean_weights_at_eye(const CameraMesh& mesh, const Eigen::Vector3d& eye,
+                                        const Eigen::Vector3d& line_of_sight) {
+    std::vector<double> mean(mesh.vertices.size());
+    for (const EyeBlend& blend : blends_of_eye(mesh, eye, line_of_sight)) {
+        const auto weights = weights_by_view(blend.weights, mesh.vertices.size());
+        for (std::size_t view = 0; view < mean.size(); ++view)
+            mean[view] += blend.share * weights[view];
+    }
+    return mean;
+}
+
 TEST(NearestCameras, CountByHowMuchNearerTheyAreThanTheFourth) {
     const CameraMesh mesh = cameras_at({{1, 0, 0}, {0, 2, 0}, {0, 0, 3}, {-4, 0, 0}, {9, 0, 0}});
     const auto weights = weights_at_eye(mesh, Eigen::Vector3d::Zero());
@@ -109,9 +121,9 @@ TEST(NearestCameras, CountContinuouslyWhereverTheEyeGoesAndTurns) {
         std::vector<double> last;
         for (int step = 0; step <= kSteps; ++step) {
             const double share = static_cast<double>(step) / kSteps;
-            const auto weights =
-                weights_at_eye(mesh, from + share * (to - from),
-                               (looks_first + share * (looks_last - looks_first)).normalized());
+            const auto weights = mean_weights_at_eye(
+                mesh, from + share * (to - from),
+                (looks_first + share * (looks_last - looks_first)).normalized());
             double sum = 0;
             for (std::size_t view = 0; view < weights.size(); ++view) {
                 EXPECT_GE(weights[view], 0);
@@ -125,6 +137,19 @@ TEST(NearestCameras, CountContinuouslyWhereverTheEyeGoesAndTurns) {
             last = weights;
         }
     }
+}
+
+TEST(NearestCameras, AreExchangedGraduallyBetweenFourThatAreEquallyFar) {
+    const CameraMesh square = cameras_at({{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}});
+    const Eigen::Vector3d middle(0, 0, -2);
+    const auto at_middle = mean_weights_at_eye(square, middle, kAhead);
+    for (const double x : {-1e-6, 1e-6})
+        for (const double y : {-1e-6, 1e-6}) {
+            const auto beside =
+                mean_weights_at_eye(square, middle + Eigen::Vector3d(x, y, 0), kAhead);
+            for (std::size_t view = 0; view < 4; ++view)
+                EXPECT_NEAR(beside[view], at_middle[view], 1e-2);
+        }
 }
 
 TEST(NearestCameras, AreAllWhereThereAreNoMoreThanThree) {

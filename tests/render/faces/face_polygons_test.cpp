@@ -253,12 +253,30 @@ TEST(FacePolygons, WithoutFacesAreStripsWhereOneCameraIsAboutToBeExchanged) {
             EXPECT_TRUE(has_first ? corner.x() <= middle : corner.x() >= middle);
     }
     const std::vector<EyeBlend> blends = blends_of_eye(mesh, {0, 0, 1.5}, Eigen::Vector3d::UnitZ());
+    const std::vector<int> ends = blend_strip_ends(blends, kCamera.width_px);
     for (int x = 0; x < kCamera.width_px; ++x) {
-        const RayWeights& weights = weights_in_strip(blends, kCamera.width_px, x + 0.5);
+        const RayWeights& weights = blends[strip_at(ends, x + 0.5)].weights;
         const auto painted = painted_at(polygons, {x + 0.5, 3.5});
         ASSERT_TRUE(painted.has_value());
         for (const auto& [view, weight] : by_view(weights.view_indices, weights.weights))
             EXPECT_NEAR(painted->at(view), weight, 1e-12) << x;
+    }
+}
+
+TEST(BlendStrips, AreTheSameInAPictureWidenedToWholeBlocks) {
+    for (const int width : {1, 2, 3, 5, 79, 81}) {
+        const int widened = width + width % 2;
+        for (int i = 0; i <= 200; ++i) {
+            const double share = i / 200.0;
+            const std::vector<EyeBlend> blends{{{}, share}, {{}, 1 - share}};
+            const std::vector<int> ends = blend_strip_ends(blends, width);
+            const std::vector<int> in_blocks = blend_strip_ends(blends, widened);
+            EXPECT_EQ(ends.back(), width);
+            EXPECT_EQ(in_blocks.front() % 2, 0);
+            for (int x = 0; x < width; ++x)
+                EXPECT_EQ(strip_at(ends, x + 0.5), strip_at(in_blocks, x + 0.5))
+                    << width << ' ' << share;
+        }
     }
 }
 

@@ -33,7 +33,7 @@ class ThroughCamera {
         : lumigraph_(photographed(
               AnalyticScene::kCardBeforeWall,
               {camera_at(x, y), camera_at(-x, y), camera_at(-x, -y), camera_at(x, -y)})),
-          search_(lumigraph_, views_, eye, 1.0),
+          search_(lumigraph_, views_, eye),
           sampler_(polygon_, search_, scene_plane_inverse_depth(lumigraph_, eye), {}) {}
 
     [[nodiscard]] BlendVertex vertex_at(double x, double y) const {

@@ -23,6 +23,12 @@ namespace {
 
 const Eye kEye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, pinhole_camera(128, 96, 130));
 
+/// With a tolerance that does not reach from the card to the wall.
+Lumigraph told_apart(Lumigraph scene) {
+    scene.occlusion_tolerance_px = 0.9;
+    return scene;
+}
+
 class Subdivision : public testing::Test {
  protected:
     [[nodiscard]] BlendTriangles adaptive(const AdaptiveSubdivisionOptions& options) const {
@@ -39,11 +45,10 @@ class Subdivision : public testing::Test {
             .mean;
     }
 
-    Lumigraph lumigraph_ = card_before_wall();
+    Lumigraph lumigraph_ = told_apart(card_before_wall());
     SearchedViews views_ = searched_views(lumigraph_);
     std::vector<FacePolygon> polygons_ = face_polygons(lumigraph_.mesh, kEye);
-    /// Of a tolerance that a card before a wall does not reach across.
-    DepthSearch search_{lumigraph_, views_, kEye, 0.6};
+    DepthSearch search_{lumigraph_, views_, kEye};
     Eigen::Vector3d plane_ = scene_plane_inverse_depth(lumigraph_, kEye);
 };
 
