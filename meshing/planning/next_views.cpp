@@ -7,6 +7,7 @@
 #include "calib/work/error.h"
 #include "meshing/cameras/arrangement.h"
 #include "meshing/cameras/forward_motion.h"
+#include "meshing/cameras/preconditions.h"
 #include "meshing/cameras/scene_centre.h"
 
 namespace lumi {
@@ -43,6 +44,12 @@ class Planner {
                         "them that could be planned",
                         "step sideways between photographs, about a tenth of the distance to the "
                         "subject");
+        }
+        const double facing = share_that_faces(capture, axes_, centre_, arrangement_.inside_out);
+        if (const auto why = why_no_surface({.share_that_faces_scene = facing})) {
+            throw Error(ErrorKind::kDegenerateCapture, "E-PLAN-NOSURFACE",
+                        "the cameras have no surface with gaps to plan in: " + *why,
+                        "photograph again, from places in between, what few photographs show");
         }
         uncertainty_ = depth_uncertainty(capture, view_indices, camera_star(axes_, centre_));
     }

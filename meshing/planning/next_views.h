@@ -37,7 +37,8 @@ inline constexpr int kMostPlanned = 500;
 
 /// Plans from the poses alone: predicted errors between the cameras, then photographs at the worst
 /// place, one after another, each taking part when the next is placed. Throws Error (E-MESH-NOVIEW,
-/// E-PLAN-ONESPOT) without two cameras that stand in different directions from the scene.
+/// E-PLAN-ONESPOT) without two cameras that stand in different directions from the scene, and
+/// (E-PLAN-NOSURFACE) where most do not face what they would surround (preconditions.h).
 [[nodiscard]] CapturePlan plan_capture(const Capture& capture, const std::vector<int>& view_indices,
                                        const CapturePlanOptions& options);
 

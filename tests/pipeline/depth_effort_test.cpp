@@ -4,11 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numeric>
 #include <string>
 
-#include "pipeline/stages/chosen_views.h"
-#include "pipeline/synth/hand_held_path.h"
 #include "tests/pipeline/studio.h"
 
 namespace lumi {
@@ -16,11 +13,8 @@ namespace {
 
 DepthEffort effort_in(Studio& studio) {
     studio.find_points();
-    std::vector<int> all(studio.capture.views.size());
-    std::iota(all.begin(), all.end(), 0);
     SilentProgress progress;
-    return sufficient_depth_effort(lumigraph_of_views(studio.lumigraph, studio.capture, all, {}),
-                                   studio.capture, {}, progress);
+    return sufficient_depth_effort(with_camera_mesh(studio), studio.capture, {}, progress);
 }
 
 TEST(DepthEffort, IsTheLeastWhereEachViewSeesEverything) {
@@ -65,18 +59,14 @@ solids = [
 )";
 
 TEST(DepthEffort, FillsHolesWhereThingsHideOneAnother) {
-    Studio studio((std::string(kBodiesInTheWay) + kWallsAround).c_str());
-    for (const Eigen::Vector3d& direction : spiral(40, 0.0))
-        studio.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
+    Studio studio = from_all_around((std::string(kBodiesInTheWay) + kWallsAround).c_str(), 40);
     const DepthEffort effort = effort_in(studio);
     EXPECT_TRUE(effort.fills_holes);
     EXPECT_GT(effort.holes_lose_db, 0.1);
 }
 
 TEST(DepthEffort, IsForEachPixelOfThinThingsThatStandApart) {
-    Studio studio(kThinThings);
-    for (const Eigen::Vector3d& direction : spiral(40, 0.0))
-        studio.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
+    Studio studio = from_all_around(kThinThings, 40);
     const DepthEffort effort = effort_in(studio);
     EXPECT_GE(effort.block_px, kLeastDepthBlock_px);
     EXPECT_LT(effort.block_px, kMaxDepthBlock_px);

@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <numeric>
 #include <set>
 #include <vector>
 
-#include "pipeline/stages/chosen_views.h"
 #include "tests/pipeline/studio.h"
 
 namespace lumi {
@@ -17,13 +15,11 @@ namespace {
 std::vector<std::vector<Eigen::Vector3d>> asked_of(int views, std::size_t& asked) {
     Studio studio = before_a_board(views, 0.1);
     studio.find_points();
-    std::vector<int> all(studio.capture.views.size());
-    std::iota(all.begin(), all.end(), 0);
     std::vector<std::vector<Eigen::Vector3d>> rounds;
     SilentProgress progress;
     asked = visit_kept_back(
-        lumigraph_of_views(studio.lumigraph, studio.capture, all, {}), studio.capture, {}, "asking",
-        progress, [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
+        with_camera_mesh(studio), studio.capture, {}, "asking", progress,
+        [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
             EXPECT_LT(others.views.size(), static_cast<std::size_t>(views));
             rounds.emplace_back();
             for (const PicturedEye& picture : pictures)

@@ -3,23 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 #include <random>
 
-#include "pipeline/stages/chosen_views.h"
-#include "pipeline/synth/hand_held_path.h"
 #include "tests/pipeline/studio.h"
 
 namespace lumi {
 namespace {
 
 OcclusionEffort effort_for(const Studio& studio) {
-    std::vector<int> all(studio.capture.views.size());
-    std::iota(all.begin(), all.end(), 0);
     SilentProgress progress;
-    return sufficient_occlusion_effort(
-        lumigraph_of_views(studio.lumigraph, studio.capture, all, {}), studio.capture, {},
-        progress);
+    return sufficient_occlusion_effort(with_camera_mesh(studio), studio.capture, {}, progress);
 }
 
 /// By up to this share, another in each square of a few samples.
@@ -53,9 +46,7 @@ void disturb_photographs(Lumigraph& lumigraph, int most_levels) {
 }
 
 TEST(OcclusionEffort, TrustsDepthThatIsRight) {
-    Studio studio(kBodiesInTheWay);
-    for (const Eigen::Vector3d& direction : spiral(40, 0.0))
-        studio.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
+    Studio studio = from_all_around(kBodiesInTheWay, 40);
     studio.find_points();
     const OcclusionEffort effort = effort_for(studio);
     EXPECT_EQ(effort.tolerance_px, kOcclusionTolerance_px);

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
 
+#include "pipeline/stages/chosen_views.h"
 #include "pipeline/synth/exact_points.h"
 #include "pipeline/synth/hand_held_path.h"
 #include "pipeline/synth/photographer.h"
@@ -125,6 +127,19 @@ void Studio::find_points() {
     capture.points = exact_scene_points(description_.scene, capture, 300, 1);
     lumigraph.near_depth = kStudioDistance - 0.7;
     lumigraph.far_depth = kStudioDistance + 0.7;
+}
+
+Studio from_all_around(const char* scene, int count) {
+    Studio studio(scene);
+    for (const Eigen::Vector3d& direction : spiral(count, 0.0))
+        studio.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
+    return studio;
+}
+
+Lumigraph with_camera_mesh(const Studio& studio) {
+    std::vector<int> all(studio.lumigraph.views.size());
+    std::iota(all.begin(), all.end(), 0);
+    return lumigraph_of_views(studio.lumigraph, studio.capture, all, {});
 }
 
 Studio before_a_board(int count, double radius) {

@@ -37,6 +37,12 @@ class Studio {
     SceneDescription description_;
 };
 
+/// A scene from so many places on a sphere around it.
+[[nodiscard]] Studio from_all_around(const char* scene, int count);
+
+/// All its views, with the camera mesh over them: once their points are found.
+[[nodiscard]] Lumigraph with_camera_mesh(const Studio& studio);
+
 /// kFlatBoard from so many places within a disc before it, whatever each of them shows.
 [[nodiscard]] Studio before_a_board(int count, double radius);
 

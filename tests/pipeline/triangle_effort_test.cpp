@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 #include <string>
 
-#include "pipeline/stages/chosen_views.h"
 #include "pipeline/synth/hand_held_path.h"
 #include "tests/pipeline/studio.h"
 
@@ -14,11 +12,8 @@ namespace lumi {
 namespace {
 
 TriangleEffort effort_of(const Studio& studio) {
-    std::vector<int> all(studio.capture.views.size());
-    std::iota(all.begin(), all.end(), 0);
     SilentProgress progress;
-    return sufficient_triangle_effort(lumigraph_of_views(studio.lumigraph, studio.capture, all, {}),
-                                      studio.capture, {}, progress);
+    return sufficient_triangle_effort(with_camera_mesh(studio), studio.capture, {}, progress);
 }
 
 TEST(TriangleEffort, IsTheLeastWherePicturesShowTheSameEverywhere) {
@@ -72,9 +67,7 @@ TEST(TriangleEffort, DrawsWhatIsThinWhereThatStandsApart) {
 }
 
 TEST(TriangleEffort, IsGreaterWhereBodiesHideOneAnother) {
-    Studio studio(kBodiesInTheWay);
-    for (const Eigen::Vector3d& direction : spiral(40, 0.0))
-        studio.photograph_from(looking_at(kStudioDistance * direction, Eigen::Vector3d::Zero()));
+    Studio studio = from_all_around(kBodiesInTheWay, 40);
     studio.find_points();
     const TriangleEffort effort = effort_of(studio);
     EXPECT_LT(effort.error_px, 2.0);

@@ -127,6 +127,29 @@ TEST(CapturePlan, SaysTheWayInTheCamerasOwnDirections) {
     EXPECT_EQ(steps_in_words(camera, {0, 0, 0.01}, 10), "stay there");
 }
 
+TEST(CapturePlan, RefusesAWalkRoundThatLooksAhead) {
+    Points circle;
+    for (int i = 0; i < 24; ++i) {
+        const double angle = 15 * i * kRadiansPerDegree;
+        circle.emplace_back(3 * std::cos(angle), 3 * std::sin(angle), 0);
+    }
+    Capture capture = around(circle);
+    EXPECT_NO_THROW((void)plan_capture(capture, all_views(capture), {}));
+    const Eigen::Quaterniond aside(
+        Eigen::AngleAxisd(90 * kRadiansPerDegree, Eigen::Vector3d::UnitY()));
+    for (View& view : capture.views) {
+        const Eigen::Vector3d centre = centre_in_world(view.cam_from_world);
+        view.cam_from_world.rotation = aside * view.cam_from_world.rotation;
+        view.cam_from_world.translation = -(view.cam_from_world.rotation * centre);
+    }
+    try {
+        (void)plan_capture(capture, all_views(capture), {});
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-PLAN-NOSURFACE");
+    }
+}
+
 TEST(CapturePlan, RefusesWhatHasNothingBetweenItsCameras) {
     const Capture one = around({{3, 0, 0}});
     EXPECT_THROW((void)plan_capture(one, {0}, {}), Error);
