@@ -26,7 +26,8 @@ std::optional<PlainCapture> plain_capture(const fs::path& path) {
         const fs::path named = folder.has_filename() ? folder : folder.parent_path();
         return PlainCapture{"photos", named.filename().string()};
     }
-    if (fs::is_regular_file(path, status) && has_zero_byte_at_its_beginning(path))
+    if (path.extension() != ".toml" && fs::is_regular_file(path, status) &&
+        has_zero_byte_at_its_beginning(path))
         return PlainCapture{"video", path.stem().string()};
     return std::nullopt;
 }

@@ -12,8 +12,8 @@ struct PlainCapture {
     std::string name;  ///< Of the folder or the file, for the build.
 };
 
-/// None where the path names a configuration, or nothing: a file with a zero byte in its first
-/// four KiB, which no text has and every video, is taken for a video.
+/// None where the path names a configuration, or nothing: a file that is not named *.toml and has
+/// a zero byte in its first four KiB, as every video has, is taken for a video.
 [[nodiscard]] std::optional<PlainCapture> plain_capture(const std::filesystem::path& path);
 
 }  // namespace lumi

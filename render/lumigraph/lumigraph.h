@@ -45,7 +45,7 @@ inline constexpr int kDepthBlockSide_px = 2;
 inline constexpr double kLeastDepthBlock_px = 1.0;
 inline constexpr double kMaxDepthBlock_px = kDepthBlockSide_px;
 
-/// Disparity by which depths of one surface differ in the eye's views.
+/// Disparity by which depths of one surface may differ.
 inline constexpr double kAgreeingDisparity_px = 1.5;
 
 /// Of a view that sees something else than a point: what is asked for where photographs were not

@@ -182,11 +182,15 @@ TEST(BuildConfig, AVideoIsAConfiguration) {
               config.photographs_or_video);
     // No text is one, however little it is a configuration.
     write_whole_text(scratch.path() / "notes.txt", "mend me");
-    try {
-        static_cast<void>(load_build_config(scratch.path() / "notes.txt"));
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), "E-CONFIG-SYNTAX");
+    // Nor is a configuration, as some editors encode it.
+    write_whole_text(scratch.path() / "wide.toml", std::string("\xff\xfe[\0c\0", 6));
+    for (const char* name : {"notes.txt", "wide.toml"}) {
+        try {
+            static_cast<void>(load_build_config(scratch.path() / name));
+            FAIL() << name;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-CONFIG-SYNTAX") << name;
+        }
     }
 }
 
