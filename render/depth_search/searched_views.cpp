@@ -6,23 +6,25 @@
 namespace lumi {
 namespace {
 
-TiledDepth tiled_depth(const LumigraphView& view, double disparity_px) {
-    const DepthMap& depth = view.depth;
-    if (depth.inverse_depth.empty()) return {};
-    return {depth, torn_squares(depth.inverse_depth,
-                                disparity_per_pitch(depth, view.camera, disparity_px))};
+GrayImage torn_squares_of(const LumigraphView& view, double disparity_px) {
+    return torn_squares(view.depth.inverse_depth,
+                        disparity_per_pitch(view.depth, view.camera, disparity_px));
 }
 
 }  // namespace
 
 SearchedViews searched_views(const Lumigraph& lumigraph) {
     SearchedViews views{view_geometries(lumigraph), std::vector<TiledDepth>(lumigraph.views.size()),
+                        std::vector<std::vector<OutlinePoint>>(lumigraph.views.size()),
                         std::vector<ThinSurfaces>(lumigraph.views.size())};
     parallel_for(static_cast<int>(lumigraph.views.size()), 0, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         const LumigraphView& view = lumigraph.views[index];
         const double disparity_px = max_disparity_px(views.geometries[index]);
-        views.depths[index] = tiled_depth(view, disparity_px);
+        if (view.depth.inverse_depth.empty()) return;
+        const GrayImage torn = torn_squares_of(view, disparity_px);
+        views.depths[index] = {view.depth, torn};
+        views.outlines[index] = view_outlines(view, torn);
         if (lumigraph.draws_thin) views.thin[index] = thin_surfaces(view, disparity_px);
     });
     return views;

@@ -4,6 +4,7 @@
 
 #include "render/depth_mesh/thin_surfaces.h"
 #include "render/depth_search/tiled_depth.h"
+#include "render/depth_search/view_outlines.h"
 #include "render/lumigraph/lumigraph.h"
 #include "render/transfer/view_geometry.h"
 
@@ -13,6 +14,7 @@ namespace lumi {
 struct SearchedViews {
     std::vector<ViewGeometry> geometries;
     std::vector<TiledDepth> depths;  ///< Their depth maps; empty where a view has none.
+    std::vector<std::vector<OutlinePoint>> outlines;  ///< The same.
     std::vector<ThinSurfaces> thin;  ///< Where they are drawn (Lumigraph::draws_thin).
 };
 

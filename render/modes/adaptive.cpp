@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 #include "render/faces/face_polygons.h"
@@ -47,6 +48,14 @@ std::vector<std::vector<FacePolygon>> polygons_of_layers(const CameraMesh& mesh,
     return layers;
 }
 
+/// Whose photographs the polygons may show.
+std::vector<int> views_of(const std::vector<FacePolygon>& polygons) {
+    std::set<int> views;
+    for (const FacePolygon& polygon : polygons)
+        views.insert(polygon.view_indices.begin(), polygon.view_indices.end());
+    return {views.begin(), views.end()};
+}
+
 double area_px2(const std::vector<FacePolygon>& polygons) {
     double doubled = 0;
     for (const FacePolygon& polygon : polygons) {
@@ -86,13 +95,15 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const Searc
                                             AdaptiveSubdivider& subdivider) {
     const DepthSearch search(layout, views, eye);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(layout, eye);
-    const auto subdivided = [&](const std::vector<FacePolygon>& polygons,
+    const std::vector<std::vector<FacePolygon>> polygons = polygons_of_layers(layout.mesh, eye);
+    const OutlineCells outlines(layout, views, views_of(polygons.front()), eye);
+    const auto subdivided = [&](const std::vector<FacePolygon>& of_layer,
                                 const PatchSampler::Options& sampling, std::size_t most) {
         AdaptiveSubdivisionOptions subdivision = subdivision_options(layout, options);
         subdivision.max_triangles = most;
-        return subdivider.subdivide(polygons, search, plane, sampling, subdivision).triangles;
+        return subdivider.subdivide(of_layer, search, plane, sampling, subdivision, outlines)
+            .triangles;
     };
-    const std::vector<std::vector<FacePolygon>> polygons = polygons_of_layers(layout.mesh, eye);
     BlendTriangles thin;
     if (layout.draws_thin && !options.fade_beyond_capture)
         thin = thin_triangles(layout, views, eye, search, half_of(options.max_triangles));

@@ -13,6 +13,10 @@ constexpr std::uint32_t kNone = SplitEdge::kNone;
 /// for minutes.
 constexpr std::size_t kFirstVertices = std::size_t{1} << 13;
 
+/// So many times as long as those that are not split: what shorter ones miss costs more triangles
+/// than it is worth.
+constexpr double kLongEdges = 3.0;
+
 }  // namespace
 
 AdaptivePart::AdaptivePart() {
@@ -23,10 +27,11 @@ AdaptivePart::AdaptivePart() {
 }
 
 void AdaptivePart::begin(const CoarseTriangles& coarse, std::size_t first, std::size_t end,
-                         const std::vector<PatchSampler>& samplers,
+                         const std::vector<PatchSampler>& samplers, const OutlineCells& outlines,
                          const AdaptiveSubdivisionOptions& options) {
     options_ = options;
     samplers_ = &samplers;
+    outlines_ = &outlines;
     max_edge_px_ = static_cast<float>(options.max_edge_px);
     polygon_of_.clear();
     pixels_.clear();
@@ -167,9 +172,20 @@ void AdaptivePart::judge(SplitEdge& edge) const {
     const BlendVertex& to = vertices_[edge.to];
     const double allowed_px =
         edge_looseness(from, to, middle, options_.counts) * options_.min_edge_px;
-    edge.split_below = static_cast<float>(greatest_relaxation(
-        edge_error_px(from, to, middle, options_.counts) / options_.max_error_px,
-        static_cast<double>(edge.length_px) / allowed_px));
+    edge.split_below =
+        static_cast<float>(greatest_relaxation(error_px_of(edge) / options_.max_error_px,
+                                               static_cast<double>(edge.length_px) / allowed_px));
+}
+
+/// As its middle tells; of a long edge, beside which views know of an outline, what it may miss.
+double AdaptivePart::error_px_of(const SplitEdge& edge) const {
+    const double at_middle_px = edge_error_px(vertices_[edge.from], vertices_[edge.to],
+                                              vertices_[edge.middle], options_.counts);
+    const double step_px = kStepError_px;
+    const bool may_miss = at_middle_px<step_px&& static_cast<double>(edge.length_px)> kLongEdges *
+                              options_.min_edge_px &&
+                          outlines_->has_beside(pixels_[edge.from], pixels_[edge.to]);
+    return may_miss ? step_px : at_middle_px;
 }
 
 bool AdaptivePart::is_split(std::uint32_t number, float relaxation) const {

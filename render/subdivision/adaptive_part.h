@@ -23,9 +23,9 @@ class AdaptivePart {
     AdaptivePart();
 
     /// Of the coarse triangles from `first` up to `end`. Keeps references to the samplers, one a
-    /// polygon; of what was there before nothing but memory is kept.
+    /// polygon, and to the outlines; of what was there before nothing but memory is kept.
     void begin(const CoarseTriangles& coarse, std::size_t first, std::size_t end,
-               const std::vector<PatchSampler>& samplers,
+               const std::vector<PatchSampler>& samplers, const OutlineCells& outlines,
                const AdaptiveSubdivisionOptions& options);
 
     /// Splits triangles with errors relaxed so much, and cuts them at outlines. Adds those that it
@@ -65,6 +65,7 @@ class AdaptivePart {
     [[nodiscard]] bool knows_enough_of(std::uint32_t number);
     void look_up_new();
     void judge(SplitEdge& edge) const;
+    [[nodiscard]] double error_px_of(const SplitEdge& edge) const;
     [[nodiscard]] bool is_split(std::uint32_t number, float relaxation) const;
     [[nodiscard]] bool is_left_whole(const Triangle& triangle) const;
     [[nodiscard]] std::size_t longest_edge_of(const Triangle& triangle) const;
@@ -92,6 +93,7 @@ class AdaptivePart {
 
     AdaptiveSubdivisionOptions options_;
     const std::vector<PatchSampler>* samplers_ = nullptr;
+    const OutlineCells* outlines_ = nullptr;
     float least_edge_px_ = 0.0F;             ///< Shorter ones are not split.
     float max_edge_px_ = 0.0F;               ///< Longer ones are, in any case.
     std::vector<std::uint32_t> polygon_of_;  ///< Of each vertex.

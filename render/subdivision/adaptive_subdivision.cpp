@@ -43,7 +43,7 @@ class AdaptiveSubdivider::Parts {
  public:
     void begin(const std::vector<FacePolygon>& polygons, const DepthSearch& search,
                const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
-               AdaptiveSubdivisionOptions options) {
+               AdaptiveSubdivisionOptions options, const OutlineCells& outlines) {
         if (!search.has_depth()) options.counts.guess_ratio = 1.0;
         samplers_.clear();
         for (const FacePolygon& polygon : polygons)
@@ -53,7 +53,8 @@ class AdaptiveSubdivider::Parts {
         used_ = std::clamp<std::size_t>(count / kFewestOfPart, 1, kMostParts);
         parts_.resize(std::max(parts_.size(), used_));
         for_each([&](std::size_t i) {
-            parts_[i].begin(coarse, i * count / used_, (i + 1) * count / used_, samplers_, options);
+            parts_[i].begin(coarse, i * count / used_, (i + 1) * count / used_, samplers_, outlines,
+                            options);
         });
     }
 
@@ -100,8 +101,9 @@ AdaptiveSubdivision AdaptiveSubdivider::subdivide(const std::vector<FacePolygon>
                                                   const DepthSearch& search,
                                                   const Eigen::Vector3d& scene_plane,
                                                   const PatchSampler::Options& sampling,
-                                                  const AdaptiveSubdivisionOptions& options) {
-    parts_->begin(polygons, search, scene_plane, sampling, options);
+                                                  const AdaptiveSubdivisionOptions& options,
+                                                  const OutlineCells& outlines) {
+    parts_->begin(polygons, search, scene_plane, sampling, options, outlines);
     AdaptiveSubdivision result;
     result.relaxation =
         least_relaxation(options.max_triangles, [&](double relaxation, std::size_t most) {

@@ -4,6 +4,7 @@
 
 #include "render/frame/frame.h"
 #include "render/subdivision/edge_error.h"
+#include "render/subdivision/outline_cells.h"
 #include "render/subdivision/subdivision.h"
 
 namespace lumi {
@@ -34,10 +35,11 @@ struct AdaptiveSubdivision {
 /// are looked up lie from halfway between those of its ends, each photograph counting as its
 /// weight. Both sides of an edge come to the same decision, also across faces, as the photograph
 /// that they do not share has no weight there: no cracks, without a pass that removes T-vertices.
-/// Triangles that become too thin are split no more but where their neighbours are. What is split
-/// no more is cut where its edges cross outlines (outline_crossing.h), so that each lies on one
-/// surface. A plane is
-/// split only for the perspective in it, and cameras that are close together ask for less.
+/// Long edges are split also where views know of an outline beside them (outline_cells.h), which
+/// the midpoint may miss. Triangles that become too thin are split no more but where their
+/// neighbours are. What is split no more is cut where its edges cross outlines
+/// (outline_crossing.h), so that each lies on one surface. A plane is split only for the
+/// perspective in it, and cameras that are close together ask for less.
 ///
 /// Errors are relaxed until the triangles are few enough (relaxation_search.h). What was seen of
 /// the scene for one subdivision serves the others, so that it is hardly looked at for more than is
@@ -55,7 +57,8 @@ class AdaptiveSubdivider {
                                                 const DepthSearch& search,
                                                 const Eigen::Vector3d& scene_plane,
                                                 const PatchSampler::Options& sampling,
-                                                const AdaptiveSubdivisionOptions& options);
+                                                const AdaptiveSubdivisionOptions& options,
+                                                const OutlineCells& outlines = {});
 
  private:
     class Parts;

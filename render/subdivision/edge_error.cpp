@@ -6,10 +6,6 @@
 namespace lumi {
 namespace {
 
-/// Where the photographs do not see the scene, they are looked up at a guess, and others may take
-/// their place: as far off as at a step of depth.
-constexpr float kLostError_px = 8.0F;
-
 bool is_guess(const BlendVertex& vertex) { return vertex.confidence < kSeenByOne; }
 
 }  // namespace
@@ -32,8 +28,10 @@ double edge_error_px(const BlendVertex& a, const BlendVertex& b, const BlendVert
             std::abs(middle.weights[k] - (share_a * a.weights[k] + share_b * b.weights[k])));
     }
     const auto seen = [](const BlendVertex& vertex) { return vertex.confidence > 0 ? 1.0F : 0.0F; };
+    // Where the photographs do not see the scene, they are looked up at a guess, and others may
+    // take their place.
     error_px =
-        std::max(error_px, kLostError_px * std::abs(seen(middle) - 0.5F * (seen(a) + seen(b))));
+        std::max(error_px, kStepError_px * std::abs(seen(middle) - 0.5F * (seen(a) + seen(b))));
     const double error = std::max(static_cast<double>(error_px),
                                   2 * counts.weight_error_px * static_cast<double>(weight_error));
     return is_guess(middle) ? error / counts.guess_ratio : error;

@@ -4,6 +4,10 @@
 
 namespace lumi {
 
+/// How far off photographs are looked up where depth steps from one surface to another, for
+/// pictures that nobody looked at yet.
+inline constexpr float kStepError_px = 8.0F;
+
 /// What counts as how much of an error.
 struct EdgeErrorCounts {
     /// A change of a weight from 0 to 1, so that edges of visibility are met.

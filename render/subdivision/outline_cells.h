@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "render/depth_search/searched_views.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// Where in the eye's picture views know of outlines (view_outlines.h), in cells of a few pixels.
+///
+/// A subdivision that looks at the corners and the middles of edges alone misses what is smaller
+/// than its triangles, and that comes and goes as the eye moves. Views know where something ends
+/// before one looks.
+class OutlineCells {
+ public:
+    /// None are known.
+    OutlineCells() = default;
+    /// Of these views. Outlines that hardly move against what is behind them, from the view to the
+    /// eye, do not count.
+    OutlineCells(const Lumigraph& lumigraph, const SearchedViews& views,
+                 const std::vector<int>& view_indices, const Eye& eye);
+
+    /// Whether some may lie so near an edge that a triangle on either side has them nearest to it:
+    /// from there the edge is seen at 120 degrees and more, as at least one edge of a triangle is
+    /// from anywhere within. The same whichever end is the first.
+    [[nodiscard]] bool has_beside(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
+
+ private:
+    [[nodiscard]] std::size_t place(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_ + 1) +
+               static_cast<std::size_t>(column);
+    }
+    void mark(const Eigen::Vector3d& in_eye);
+    void sum_up();
+
+    int columns_ = 0;
+    int rows_ = 0;
+    /// How many cells above and to the left of a cell's corner have an outline (a summed area
+    /// table, Crow 1984).
+    std::vector<std::uint32_t> counts_;
+};
+
+}  // namespace lumi
