@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kCell_px = 4.0;
 /// Of a step in depth: by how much what is behind moves against the outline.
-constexpr double kLeastStep_px = 4.0;
+constexpr double kLeastStep_px = 12.0;
 /// How far beside an edge's middle it is still seen at 120 degrees, as a share of its length.
 const double kBesideMiddle = 0.5 / std::sqrt(3.0);
 

@@ -15,7 +15,7 @@ struct DepthViewSet {
 };
 
 /// No more sets than this are made for an eye.
-inline constexpr int kMaxDepthViewSets = 4;
+inline constexpr int kMaxDepthViewSets = 8;
 
 /// The views, at most `max_views`, whose depth is most use to the eye: those that see what it sees
 /// from nearly the same direction, and together all of it.

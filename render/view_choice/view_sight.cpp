@@ -31,7 +31,7 @@ SightSamples sight_samples(const Lumigraph& lumigraph, const Eye& eye,
     samples.points.directions_in_world.rightCols(count) =
         samples.points.directions_in_world.leftCols(count);
     samples.worth.head(count).setOnes();
-    samples.worth.tail(count).setConstant(kWorthOfNext);
+    samples.worth.tail(count).setConstant(kWorthBeforePlane);
     return samples;
 }
 

@@ -8,9 +8,11 @@
 
 namespace lumi {
 
-/// What one more view is worth where others see the same: two must agree, more are spare. No more
-/// than that is a view worth for what may stand before the scene plane.
-inline constexpr double kWorthOfNext = 0.1;
+/// What one more view is worth where others see the same: the less, the more a narrow strip counts
+/// that no other shows; the more, the nearer to the eye are those that must agree.
+inline constexpr double kWorthOfNext = 0.5;
+/// What a view is worth for what may stand before the scene plane.
+inline constexpr double kWorthBeforePlane = 0.1;
 
 /// Points that the eye may see, two a pixel: on the scene plane (scene_plane.h) and, for less, at
 /// the scene's near end. A view whose photograph holds a ray's far part alone cannot tell what
