@@ -14,7 +14,7 @@ namespace lumi {
 struct SearchedViews {
     std::vector<ViewGeometry> geometries;
     std::vector<TiledDepth> depths;  ///< Their depth maps; empty where a view has none.
-    std::vector<std::vector<OutlinePoint>> outlines;  ///< The same.
+    std::vector<std::vector<OutlinePoint>> outlines;  ///< In them (view_outlines.h).
     std::vector<ThinSurfaces> thin;  ///< Where they are drawn (Lumigraph::draws_thin).
 };
 

@@ -10,7 +10,7 @@ namespace lumi {
 struct OutlinePoint {
     float x_px;  ///< Of the photograph, as the next, on the nearer of the two.
     float y_px;
-    float inverse_depth;  ///< In the view.
+    float inverse_depth;  ///< In the view, one over world units, as the next.
     float step;           ///< What is behind has so much less.
 };
 

@@ -20,7 +20,7 @@
 namespace lumi {
 namespace {
 
-/// Views that see most of what the eye sees; some may be named twice.
+/// Views that are most use to the eye; some may be named twice.
 std::array<int, 3> three_depth_views(const Lumigraph& layout, const Eye& eye) {
     const std::vector<int> chosen = choose_depth_views(layout, eye, 3);
     return {chosen[0], chosen[std::min<std::size_t>(1, chosen.size() - 1)], chosen.back()};
@@ -48,11 +48,12 @@ std::vector<std::vector<FacePolygon>> polygons_of_layers(const CameraMesh& mesh,
     return layers;
 }
 
-/// Whose photographs the polygons may show.
-std::vector<int> views_of(const std::vector<FacePolygon>& polygons) {
+/// Whose photographs any of the polygons may show.
+std::vector<int> views_of(const std::vector<std::vector<FacePolygon>>& layers) {
     std::set<int> views;
-    for (const FacePolygon& polygon : polygons)
-        views.insert(polygon.view_indices.begin(), polygon.view_indices.end());
+    for (const std::vector<FacePolygon>& polygons : layers)
+        for (const FacePolygon& polygon : polygons)
+            views.insert(polygon.view_indices.begin(), polygon.view_indices.end());
     return {views.begin(), views.end()};
 }
 
@@ -96,7 +97,7 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const Searc
     const DepthSearch search(layout, views, eye);
     const Eigen::Vector3d plane = scene_plane_inverse_depth(layout, eye);
     const std::vector<std::vector<FacePolygon>> polygons = polygons_of_layers(layout.mesh, eye);
-    const OutlineCells outlines(layout, views, views_of(polygons.front()), eye);
+    const OutlineCells outlines(layout, views, views_of(polygons), eye);
     const auto subdivided = [&](const std::vector<FacePolygon>& of_layer,
                                 const PatchSampler::Options& sampling, std::size_t most) {
         AdaptiveSubdivisionOptions subdivision = subdivision_options(layout, options);

@@ -177,15 +177,16 @@ void AdaptivePart::judge(SplitEdge& edge) const {
                                                static_cast<double>(edge.length_px) / allowed_px));
 }
 
-/// As its middle tells; of a long edge, beside which views know of an outline, what it may miss.
+/// As its middle tells; of a long edge, beside which views know of an outline, what it may miss,
+/// though all that was looked up along it is a guess: an outline was seen.
 double AdaptivePart::error_px_of(const SplitEdge& edge) const {
     const double at_middle_px = edge_error_px(vertices_[edge.from], vertices_[edge.to],
                                               vertices_[edge.middle], options_.counts);
     const double step_px = kStepError_px;
-    const bool may_miss = at_middle_px<step_px&& static_cast<double>(edge.length_px)> kLongEdges *
-                              options_.min_edge_px &&
-                          outlines_->has_beside(pixels_[edge.from], pixels_[edge.to]);
-    return may_miss ? step_px : at_middle_px;
+    const double longest_px = kLongEdges * options_.min_edge_px;
+    const bool is_long = static_cast<double>(edge.length_px) > longest_px;
+    if (!is_long || at_middle_px >= step_px) return at_middle_px;
+    return outlines_->has_beside(pixels_[edge.from], pixels_[edge.to]) ? step_px : at_middle_px;
 }
 
 bool AdaptivePart::is_split(std::uint32_t number, float relaxation) const {

@@ -14,7 +14,8 @@ namespace lumi {
 
 /// A part of an adaptive subdivision: some coarse triangles, and what they are split into. Parts
 /// know nothing of each other. Edges that two of them share are looked up in both, which come to
-/// the same: all that is decided of an edge depends on what is seen along it.
+/// the same: all that is decided of an edge depends on what is seen along it, and on outlines known
+/// beside it.
 ///
 /// Level by level, all triangles are split, or not, before any of the next.
 class AdaptivePart {
@@ -23,7 +24,8 @@ class AdaptivePart {
     AdaptivePart();
 
     /// Of the coarse triangles from `first` up to `end`. Keeps references to the samplers, one a
-    /// polygon, and to the outlines; of what was there before nothing but memory is kept.
+    /// polygon, and to the outlines, for as long as it subdivides; of what was there before nothing
+    /// but memory is kept.
     void begin(const CoarseTriangles& coarse, std::size_t first, std::size_t end,
                const std::vector<PatchSampler>& samplers, const OutlineCells& outlines,
                const AdaptiveSubdivisionOptions& options);

@@ -51,8 +51,8 @@ class AdaptiveSubdivider {
     AdaptiveSubdivider(AdaptiveSubdivider&&) noexcept;
     AdaptiveSubdivider& operator=(AdaptiveSubdivider&&) noexcept;
 
-    /// The same for any number of threads, and whatever was subdivided before: nothing but memory
-    /// is kept.
+    /// `outlines` are of the eye that `search` is for; without them midpoints alone tell. The same
+    /// for any number of threads, and whatever was subdivided before: nothing but memory is kept.
     [[nodiscard]] AdaptiveSubdivision subdivide(const std::vector<FacePolygon>& polygons,
                                                 const DepthSearch& search,
                                                 const Eigen::Vector3d& scene_plane,

@@ -4,8 +4,7 @@
 
 namespace lumi {
 
-/// How far off photographs are looked up where depth steps from one surface to another, for
-/// pictures that nobody looked at yet.
+/// What a step of depth counts as, where its size is not known at the middle of the edge.
 inline constexpr float kStepError_px = 8.0F;
 
 /// What counts as how much of an error.

@@ -1,7 +1,6 @@
 #include "render/subdivision/outline_cells.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "render/transfer/pixel_transfer.h"
@@ -10,11 +9,10 @@
 namespace lumi {
 namespace {
 
-constexpr double kCell_px = 4.0;
-/// Of a step in depth: by how much what is behind moves against the outline.
+constexpr double kCell_px = 4.0;  ///< Of the eye's picture.
+/// By how much what is behind an outline moves against it, in pixels of the view's photograph: what
+/// is missed of lesser steps is hardly seen, and costs as many triangles.
 constexpr double kLeastStep_px = 12.0;
-/// How far beside an edge's middle it is still seen at 120 degrees, as a share of its length.
-const double kBesideMiddle = 0.5 / std::sqrt(3.0);
 
 int cells_of(int length_px) { return static_cast<int>(std::ceil(length_px / kCell_px)); }
 
@@ -61,14 +59,13 @@ void OutlineCells::sum_up() {
 
 bool OutlineCells::has_beside(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
     if (counts_.empty()) return false;
-    const Eigen::Vector2d along = (to - from).cwiseAbs();
-    const Eigen::Vector2d half = (0.5 * along).cwiseMax(kBesideMiddle * along.reverse()) / kCell_px;
-    const Eigen::Vector2d middle = 0.5 * (from + to) / kCell_px;
     const Eigen::Vector2i size(columns_, rows_);
     const Eigen::Vector2i begin =
-        (middle - half).cast<int>().cwiseMax(Eigen::Vector2i::Zero()).cwiseMin(size);
+        (from.cwiseMin(to) / kCell_px).cast<int>().cwiseMax(Eigen::Vector2i::Zero()).cwiseMin(size);
     const Eigen::Vector2i end =
-        ((middle + half).cast<int>() + Eigen::Vector2i::Ones()).cwiseMax(begin).cwiseMin(size);
+        ((from.cwiseMax(to) / kCell_px).cast<int>() + Eigen::Vector2i::Ones())
+            .cwiseMax(begin)
+            .cwiseMin(size);
     return counts_[place(end.x(), end.y())] + counts_[place(begin.x(), begin.y())] >
            counts_[place(begin.x(), end.y())] + counts_[place(end.x(), begin.y())];
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -13,19 +14,19 @@ namespace lumi {
 ///
 /// A subdivision that looks at the corners and the middles of edges alone misses what is smaller
 /// than its triangles, and that comes and goes as the eye moves. Views know where something ends
-/// before one looks.
+/// before one looks. What one of them knows counts in the whole picture, wherever it is blended, so
+/// that both sides of an edge come to the same.
 class OutlineCells {
  public:
     /// None are known.
     OutlineCells() = default;
-    /// Of these views. Outlines that hardly move against what is behind them, from the view to the
-    /// eye, do not count.
+    /// Of these views. Outlines against which what is behind them hardly moves, from the view to
+    /// the eye, do not count.
     OutlineCells(const Lumigraph& lumigraph, const SearchedViews& views,
                  const std::vector<int>& view_indices, const Eye& eye);
 
-    /// Whether some may lie so near an edge that a triangle on either side has them nearest to it:
-    /// from there the edge is seen at 120 degrees and more, as at least one edge of a triangle is
-    /// from anywhere within. The same whichever end is the first.
+    /// Whether there are some in the box around an edge, in whole cells: the boxes around the three
+    /// edges of a triangle cover it. The same whichever end is the first.
     [[nodiscard]] bool has_beside(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
 
  private:

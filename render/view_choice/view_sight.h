@@ -8,8 +8,9 @@
 
 namespace lumi {
 
-/// What one more view is worth where others see the same: the less, the more a narrow strip counts
-/// that no other shows; the more, the nearer to the eye are those that must agree.
+/// What each more view of the same is worth, of what the one before it was: the less, the more a
+/// narrow strip counts that no other shows; the more, the nearer to the eye are those that must
+/// agree.
 inline constexpr double kWorthOfNext = 0.5;
 /// What a view is worth for what may stand before the scene plane.
 inline constexpr double kWorthBeforePlane = 0.1;

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <random>
 
+#include "render/subdivision/adaptive_subdivision.h"
+#include "render/subdivision/coarse_triangles.h"
+#include "render/transfer/scene_plane.h"
 #include "tests/render/analytic_scene.h"
 
 namespace lumi {
@@ -31,7 +35,8 @@ double to_outline_px(const Eigen::Vector2d& pixel, const Eigen::Vector2d& card_m
 
 class OutlinesOfCard : public testing::Test {
  protected:
-    [[nodiscard]] OutlineCells cells_for(const Eye& eye, const std::vector<int>& view_indices) {
+    [[nodiscard]] OutlineCells cells_for(const Eye& eye,
+                                         const std::vector<int>& view_indices) const {
         return {card_, views_, view_indices, eye};
     }
 
@@ -108,6 +113,68 @@ TEST_F(OutlinesOfCard, AnEyeAtACameraNeedsNoneOfThatCamera) {
     const Eye at_camera = ahead_from(0.4, 0.3);
     EXPECT_FALSE(cells_for(at_camera, {0}).has_beside({0, 0}, {256, 192}));
     EXPECT_TRUE(cells_for(at_camera, {1}).has_beside({0, 0}, {256, 192}));
+}
+
+// By a third of twelve pixels for each tenth that the eye stands aside.
+TEST_F(OutlinesOfCard, StepsThatHardlyMoveDoNotCount) {
+    const auto knows = [&](double aside) {
+        return cells_for(ahead_from(0.4 - aside, 0.3), {0}).has_beside({0, 0}, {256, 192});
+    };
+    const double enough = 12 / (kLensFocal_px * static_cast<double>(kCardBeforeWallStep));
+    EXPECT_FALSE(knows(0.99 * enough));
+    EXPECT_TRUE(knows(1.01 * enough));
+}
+
+double area_of_px2(const BlendTriangles& triangles, std::size_t first_index) {
+    const auto corner = [&](std::size_t i) {
+        return vector_of(triangles.vertices[triangles.indices[first_index + i]].pixel);
+    };
+    return 0.5 * doubled_area_px2(corner(1) - corner(0), corner(2) - corner(0));
+}
+
+/// A bar of four pixels between the corners and the middles of large triangles.
+class OutlinedBar : public testing::Test {
+ protected:
+    [[nodiscard]] BlendTriangles subdivided(const AdaptiveSubdivisionOptions& options,
+                                            const OutlineCells& outlines) const {
+        return AdaptiveSubdivider()
+            .subdivide(face_polygons(bar_.mesh, eye_), search_,
+                       scene_plane_inverse_depth(bar_, eye_), {}, options, outlines)
+            .triangles;
+    }
+    /// How much of the picture is drawn on it.
+    [[nodiscard]] double on_bar_px2(const BlendTriangles& triangles) const {
+        double sum_px2 = 0;
+        for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
+            const auto first = triangles.indices.begin() + static_cast<std::ptrdiff_t>(i);
+            const bool is_on_bar = std::all_of(first, first + 3, [&](std::uint32_t corner) {
+                return triangles.vertices[corner].inverse_depth > 0.25F;
+            });
+            if (is_on_bar) sum_px2 += area_of_px2(triangles, i);
+        }
+        return sum_px2;
+    }
+
+    Lumigraph bar_ = photographed(AnalyticScene::kBarBeforeWall,
+                                  {ahead_from(0.4, 0.3), ahead_from(-0.4, 0.3),
+                                   ahead_from(-0.4, -0.3), ahead_from(0.4, -0.3)});
+    SearchedViews views_ = searched_views(bar_);
+    Eye eye_ = ahead_from(0.1, 0);
+    DepthSearch search_{bar_, views_, eye_};
+    OutlineCells outlines_{bar_, views_, {0, 1, 2, 3}, eye_};
+};
+
+TEST_F(OutlinedBar, IsFoundByItsOutline) {
+    const double bar_px2 = kLensFocal_px * 0.046 / 3 * kLensFocal_px * 1.6 / 3;
+    const AdaptiveSubdivisionOptions options{.min_edge_px = 4};
+    EXPECT_LT(on_bar_px2(subdivided(options, {})), 0.1 * bar_px2);
+    EXPECT_NEAR(on_bar_px2(subdivided(options, outlines_)), bar_px2, 0.1 * bar_px2);
+}
+
+// They are worth their triangles only where much may be missed.
+TEST_F(OutlinedBar, ShortEdgesAreNotSplitForIt) {
+    const AdaptiveSubdivisionOptions options{.min_edge_px = 8, .max_edge_px = 24};
+    EXPECT_EQ(subdivided(options, outlines_).count(), subdivided(options, {}).count());
 }
 
 }  // namespace

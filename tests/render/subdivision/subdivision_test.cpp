@@ -224,36 +224,6 @@ TEST_F(OutlinedCard, TrianglesAreCutAtTheOutlinesOfWhatTheyShow) {
     EXPECT_LT(on_both_px2, width_px + height_px) << "half a pixel along the outline";
 }
 
-// A bar of four pixels between the corners and the middles of large triangles.
-TEST_F(OutlinedCard, WhatIsNarrowerThanTrianglesIsFoundByItsOutline) {
-    const Lumigraph bar = photographed(AnalyticScene::kBarBeforeWall,
-                                       {looking_ahead(0.4, 0.3), looking_ahead(-0.4, 0.3),
-                                        looking_ahead(-0.4, -0.3), looking_ahead(0.4, -0.3)});
-    const SearchedViews views = searched_views(bar);
-    const Eye eye = looking_ahead(0.1, 0);
-    const DepthSearch search(bar, views, eye);
-    const std::vector<FacePolygon> polygons = face_polygons(bar.mesh, eye);
-    const auto on_bar_px2 = [&](const OutlineCells& outlines) {
-        const BlendTriangles triangles =
-            AdaptiveSubdivider()
-                .subdivide(polygons, search, scene_plane_inverse_depth(bar, eye), {},
-                           {.min_edge_px = 4}, outlines)
-                .triangles;
-        double sum_px2 = 0;
-        for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
-            const bool is_on_bar = std::all_of(
-                triangles.indices.begin() + static_cast<std::ptrdiff_t>(i),
-                triangles.indices.begin() + static_cast<std::ptrdiff_t>(i) + 3,
-                [&](std::uint32_t v) { return triangles.vertices[v].inverse_depth > 0.25F; });
-            if (is_on_bar) sum_px2 += area_px2(triangles, i);
-        }
-        return sum_px2;
-    };
-    const double bar_px2 = 260 * 0.046 / 3 * 260 * 1.6 / 3;
-    EXPECT_LT(on_bar_px2({}), 0.1 * bar_px2);
-    EXPECT_NEAR(on_bar_px2({bar, views, {0, 1, 2, 3}, eye}), bar_px2, 0.1 * bar_px2);
-}
-
 // A budget that is met by relaxing errors time and again, from what was found before.
 TEST_F(Subdivision, RelaxedErrorsOpenNoCracks) {
     const Eye behind = eye_at({0, 0, -2}, {0, 0, 4}, kEye.camera);

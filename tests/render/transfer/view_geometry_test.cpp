@@ -122,6 +122,28 @@ TEST(DepthViewChoice, TakesViewsThatSeeWhatStandsBeforeTheScenePlane) {
     EXPECT_EQ(choose_depth_views(lumigraph, eye, 2), (std::vector<int>{0, 1}));
 }
 
+// The first view is the eye's own, the second stands close to it and shows the same, the third far
+// aside, but shows all that the eye sees.
+TEST(DepthViewChoice, PrefersNearerViewsToThoseThatShowALittleMore) {
+    const Eye eye = eye_at({0, 0, 0}, {0, 0, 10}, pinhole_camera(64, 64, 60));
+    const auto chosen = [&](double focal_px) {
+        Lumigraph lumigraph;
+        const auto add = [&](double x, double of_view_px) {
+            const Eye view = eye_at({x, 0, 0}, {0, 0, 10}, pinhole_camera(64, 64, of_view_px));
+            lumigraph.views.push_back({"", view.camera, view.cam_from_world, 1, {}, {}});
+        };
+        add(0, focal_px);
+        add(0.2, focal_px);
+        add(3, 30);
+        lumigraph.mesh.scene_centre_in_world = {0, 0, 10};
+        lumigraph.near_depth = 9;
+        lumigraph.far_depth = 12;
+        return choose_depth_views(lumigraph, eye, 2);
+    };
+    EXPECT_EQ(chosen(80), (std::vector<int>{0, 1})) << "they show more than half of it";
+    EXPECT_EQ(chosen(100), (std::vector<int>{0, 2})) << "they show a third of it";
+}
+
 TEST(DepthViewChoice, LeavesOutViewsThatLookElsewhere) {
     Lumigraph lumigraph;
     for (const double side : {-1.0, 1.0}) {
