@@ -630,7 +630,7 @@ TEST(CommandLine, AutoPacksAsManyViewsAsAreEnough) {
     SceneDescription scene = textured_box_description();
     scene.path.count = 16;
     scene.path.rows = 4;
-    scene.path.length_share = 0.25;
+    scene.path.length_share = 0.1;
     SilentProgress progress;
     synthesize_into(scratch.path(), scene, 0, progress);
     write_whole_text(scratch / "box.toml",
