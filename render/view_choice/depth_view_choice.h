@@ -14,8 +14,8 @@ struct DepthViewSet {
     double share = 1.0;
 };
 
-/// No more sets than this are made for an eye: with half as many, shares changed in leaps where six
-/// were as good.
+/// No more sets than this are made for an eye: with half as many, shares change in leaps where many
+/// are nearly as good.
 inline constexpr int kMaxDepthViewSets = 8;
 
 /// The views, at most `max_views`, whose depth is most use to the eye: those that see what it sees

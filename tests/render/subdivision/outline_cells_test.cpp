@@ -115,7 +115,7 @@ TEST_F(OutlinesOfCard, AnEyeAtACameraNeedsNoneOfThatCamera) {
     EXPECT_TRUE(cells_for(at_camera, {1}).has_beside({0, 0}, {256, 192}));
 }
 
-// By a third of twelve pixels for each tenth that the eye stands aside.
+// The wall moves against the card by 43 pixels for each unit that the eye stands aside.
 TEST_F(OutlinesOfCard, StepsThatHardlyMoveDoNotCount) {
     const auto knows = [&](double aside) {
         return cells_for(ahead_from(0.4 - aside, 0.3), {0}).has_beside({0, 0}, {256, 192});
