@@ -135,8 +135,9 @@ std::optional<Witness> witness(const DepthScene& scene, const std::vector<DepthM
     return Witness{&other, &map, own_from_other, std::move(picture), *match};
 }
 
+/// What the witness knows in the colour that the view shows, and what in another.
 void add_claims(const Witness& witness, std::uint8_t asked, const ColorImage& own_picture,
-                Claims& claims) {
+                Claims& claims, Claims& denials) {
     const WarpRaster raster{own_picture.width(), own_picture.height(), 0, 0};
     warp_rows(*witness.map, witness.own_from_other, raster, 1, [&](int y, const WarpedRow& warped) {
         for (std::size_t i = 0; i < warped.rows.size(); ++i) {
@@ -145,17 +146,24 @@ void add_claims(const Witness& witness, std::uint8_t asked, const ColorImage& ow
             const int row = warped.rows[i];
             if (!claims.is_wanted(column, row)) continue;
             const Rgb8& color = witness.picture(static_cast<int>(i), y);
-            if (!witness.match.is_same(own_picture(column, row), color)) continue;
-            claims.add(column, row, asked, warped.inverse_depths[i]);
+            const bool is_same = witness.match.is_same(own_picture(column, row), color);
+            (is_same ? claims : denials).add(column, row, asked, warped.inverse_depths[i]);
         }
     });
 }
 
-/// Claims of enough views; of the other pixels what is claimed, if anything is.
-DepthOfOthers told_apart(const Claims& claims, const std::vector<int>& asked, int width, int height,
-                         float one_pixel) {
+DepthOfOthers nothing_told(int width, int height) {
+    return {{FloatImage(width, height), GrayImage(width, height)},
+            {},
+            FloatImage(width, height, DepthOfOthers::kNoneHidden)};
+}
+
+/// Claims of enough views; of the other pixels what is claimed, if anything is, and what is denied.
+DepthOfOthers told_apart(const Claims& claims, const Claims& denials, const std::vector<int>& asked,
+                         int width, int height, float one_pixel) {
     constexpr int kLeastViews = 3;
-    DepthOfOthers result{{FloatImage(width, height), GrayImage(width, height)}, {}};
+    constexpr int kLeastDenying = 2;
+    DepthOfOthers result = nothing_told(width, height);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             if (!claims.is_wanted(x, y)) continue;
@@ -167,6 +175,10 @@ DepthOfOthers told_apart(const Claims& claims, const std::vector<int>& asked, in
                 const int view = asked[static_cast<std::size_t>(found.first_asked)];
                 result.doubtful.push_back({x, y, view, found.inverse_depth});
             }
+            if (found.views >= kLeastViews) continue;
+            const Agreement denied = denials.agreement(x, y, one_pixel);
+            if (denied.views >= kLeastDenying && denied.views > found.views)
+                result.hidden(x, y) = denied.inverse_depth;
         }
     }
     result.agreed = with_gaps_closed(result.agreed);
@@ -176,23 +188,43 @@ DepthOfOthers told_apart(const Claims& claims, const std::vector<int>& asked, in
     return result;
 }
 
+constexpr double kClearlyPx = 2.0;
+
+/// Where another view has a point of a surface in its picture.
+struct Place {
+    int x = 0;
+    int y = 0;
+    /// By how much the point stands before what the view knows there, in its inverse depth; 0 where
+    /// it knows nothing.
+    double ahead = 0.0;
+};
+
+/// Empty outside of the picture.
+std::optional<Place> place_in(const DepthMap& known, const InverseDepthWarp& other_from_own, int x,
+                              int y, float inverse_depth) {
+    const Eigen::Vector3d there =
+        other_from_own({x + 0.5, y + 0.5}, static_cast<double>(inverse_depth));
+    if (there.z() <= 0) return std::nullopt;
+    const Eigen::Vector2i pixel = there.hnormalized().array().floor().cast<int>();
+    if (!known.confidence.contains(pixel.x(), pixel.y())) return std::nullopt;
+    Place place{pixel.x(), pixel.y(), 0.0};
+    if (known.confidence(place.x, place.y) != 0) {
+        place.ahead = static_cast<double>(inverse_depth) / there.z() -
+                      static_cast<double>(known.inverse_depth(place.x, place.y));
+    }
+    return place;
+}
+
 /// Whether the view sees past a surface at this place of another, or another colour there.
 bool refutes(const Witness& witness, const InverseDepthWarp& other_from_own, const Claim& claim,
              float continued, const Rgb8& color) {
-    constexpr double kClearlyPx = 2.0;
-    const Eigen::Vector3d there =
-        other_from_own({claim.x + 0.5, claim.y + 0.5}, static_cast<double>(continued));
-    if (there.z() <= 0) return false;
-    const Eigen::Vector2i pixel = there.hnormalized().array().floor().cast<int>();
-    if (!witness.map->confidence.contains(pixel.x(), pixel.y())) return false;
-    if (witness.map->confidence(pixel.x(), pixel.y()) != 0) {
-        const double before = static_cast<double>(continued) / there.z() -
-                              static_cast<double>(witness.map->inverse_depth(pixel.x(), pixel.y()));
-        const double clearly = kClearlyPx / witness.view->disparity_px_per_inverse_depth;
-        if (before > clearly) return true;
-        if (before < -clearly) return false;  // Hidden from there.
-    }
-    return !witness.match.is_same(color, witness.picture(pixel.x(), pixel.y()));
+    const std::optional<Place> there =
+        place_in(*witness.map, other_from_own, claim.x, claim.y, continued);
+    if (!there) return false;
+    const double clearly = kClearlyPx / witness.view->disparity_px_per_inverse_depth;
+    if (there->ahead > clearly) return true;
+    if (there->ahead < -clearly) return false;  // Hidden from there.
+    return !witness.match.is_same(color, witness.picture(there->x, there->y));
 }
 
 }  // namespace
@@ -205,18 +237,19 @@ DepthOfOthers depth_of_others(const DepthScene& scene, const std::vector<DepthMa
     const int width = confidence.width();
     const int height = confidence.height();
     if (view.disparity_px_per_inverse_depth <= 0) {
-        return {{FloatImage(width, height), GrayImage(width, height)}, {}};
+        return nothing_told(width, height);
     }
     const ColorImage own_picture = averaged(view.photograph);
     std::vector<int> asked = views_around(scene, view_index);
     asked.resize(std::min(asked.size(), kMostAsked));
     Claims claims(confidence);
+    Claims denials(confidence);
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const auto other = witness(scene, maps, view_index, own_picture, asked[i]);
-        if (other) add_claims(*other, static_cast<std::uint8_t>(i), own_picture, claims);
+        if (other) add_claims(*other, static_cast<std::uint8_t>(i), own_picture, claims, denials);
     }
     const auto one_pixel = static_cast<float>(1 / view.disparity_px_per_inverse_depth);
-    return told_apart(claims, asked, width, height, one_pixel);
+    return told_apart(claims, denials, asked, width, height, one_pixel);
 }
 
 void take_claims_against(const DepthScene& scene, const std::vector<DepthMap>& maps, int view_index,
@@ -241,6 +274,26 @@ void take_claims_against(const DepthScene& scene, const std::vector<DepthMap>& m
             });
         }
         first = last;
+    }
+}
+
+void leave_what_is_seen_past(const DepthScene& scene, const std::vector<DepthMap>& maps,
+                             int view_index, const DepthMap& map, FloatImage& hidden) {
+    const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
+    for (const int other_index : views_around(scene, view_index)) {
+        const DepthView& other = scene.views[static_cast<std::size_t>(other_index)];
+        const DepthMap& known = maps[static_cast<std::size_t>(other_index)];
+        const InverseDepthWarp other_from_own =
+            warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world);
+        const double clearly = kClearlyPx / other.disparity_px_per_inverse_depth;
+        for (int y = 0; y < hidden.height(); ++y) {
+            for (int x = 0; x < hidden.width(); ++x) {
+                float& behind = hidden(x, y);
+                if (behind == DepthOfOthers::kNoneHidden) continue;
+                const auto there = place_in(known, other_from_own, x, y, map.inverse_depth(x, y));
+                if (there && there->ahead > clearly) behind = DepthOfOthers::kNoneHidden;
+            }
+        }
     }
 }
 

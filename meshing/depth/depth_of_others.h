@@ -13,6 +13,9 @@ namespace lumi {
 /// aside find it with each other. Their confident pixels are carried into the view, and claim those
 /// that are unknown there where the two photographs show one colour. Of the claims for a pixel
 /// those count that most views make, to a pixel of disparity, and the nearest of these.
+///
+/// Where they show another colour, the view shows something before what they know: leaves that each
+/// photograph has at other places are found by no matching, but the ground behind them is.
 struct DepthOfOthers {
     /// A claim of fewer than three views: a matching window carries depth beyond an outline, and
     /// two views may do so alike.
@@ -25,6 +28,11 @@ struct DepthOfOthers {
 
     DepthMap agreed;              ///< Claims of three views or more: confidence 255; else 0.
     std::vector<Claim> doubtful;  ///< Of pixels that are not agreed upon.
+    /// Where two views or more know one surface, but in another colour: the view shows something
+    /// before it. Its inverse depth; kNoneHidden elsewhere.
+    FloatImage hidden;
+
+    static constexpr float kNoneHidden = -1.0F;
 };
 
 /// Asks the neighbours of view `view_index`, and theirs.
@@ -37,5 +45,10 @@ struct DepthOfOthers {
 void take_claims_against(const DepthScene& scene, const std::vector<DepthMap>& maps, int view_index,
                          std::vector<DepthOfOthers::Claim> claims, DepthMap& map,
                          FloatImage& distance_px);
+
+/// Where any view around sees past the surface that was continued into `map`, what hides something
+/// stands elsewhere: `hidden` becomes kNoneHidden there.
+void leave_what_is_seen_past(const DepthScene& scene, const std::vector<DepthMap>& maps,
+                             int view_index, const DepthMap& map, FloatImage& hidden);
 
 }  // namespace lumi

@@ -16,6 +16,8 @@
 namespace lumi {
 namespace {
 
+constexpr std::uint8_t kConfirmedByOne = 128;
+
 double one_pixel_of(const DepthView& view) {
     return view.disparity_px_per_inverse_depth > 0 ? 1.0 / view.disparity_px_per_inverse_depth
                                                    : 0.0;
@@ -31,15 +33,27 @@ Continuation continued(const DepthScene& scene, const std::vector<DepthMap>& con
                              surrounding_depth(scene, confirmed_maps, view_index, others.agreed));
     take_claims_against(scene, confirmed_maps, view_index, std::move(others.doubtful), map,
                         distance_px);
-    return {std::move(distance_px), std::move(others.agreed.confidence)};
+    leave_what_is_seen_past(scene, confirmed_maps, view_index, map, others.hidden);
+    return {std::move(distance_px), std::move(others.agreed.confidence), std::move(others.hidden)};
 }
 
 /// What others agree upon is as good as what one of them has confirmed.
 void trust_agreed(const GrayImage& agreed, DepthMap& map) {
-    constexpr std::uint8_t kConfirmedByOne = 128;
     for (std::size_t i = 0; i < agreed.pixels().size(); ++i) {
         std::uint8_t& confidence = map.confidence.pixels()[i];
         if (agreed.pixels()[i] != 0 && confidence == 0) confidence = kConfirmedByOne;
+    }
+}
+
+/// Where the view shows something before a surface that others know, and depth was continued before
+/// that, too, it is a better guess than what it hides.
+void trust_what_hides(const FloatImage& hidden, double one_pixel, DepthMap& map) {
+    const auto clearly = static_cast<float>(2 * one_pixel);
+    for (std::size_t i = 0; i < hidden.pixels().size(); ++i) {
+        std::uint8_t& confidence = map.confidence.pixels()[i];
+        const float behind = hidden.pixels()[i];
+        if (behind == DepthOfOthers::kNoneHidden || confidence != 0) continue;
+        if (map.inverse_depth.pixels()[i] > behind + clearly) confidence = kConfirmedByOne;
     }
 }
 
@@ -121,6 +135,7 @@ void finish_continued_depth(const DepthView& view, const Continuation& continuat
     recede(recession_px, one_pixel, continuation.distance_px, map);
     smooth_filled_depth(map, view.photograph, one_pixel);
     snap_edges(map, view.photograph, one_pixel);
+    trust_what_hides(continuation.hidden, one_pixel, map);
 }
 
 }  // namespace lumi

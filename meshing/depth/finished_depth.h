@@ -23,6 +23,7 @@ struct Continuation {
     /// 255 where other views agree upon a pixel that the view itself did not know
     /// (depth_of_others.h), else 0.
     GrayImage agreed;
+    FloatImage hidden;  ///< What others see behind what the view shows (depth_of_others.h).
 };
 
 /// What the photographs say of depth beyond what is confirmed, and what was found on the way.
@@ -44,7 +45,8 @@ struct Recession {
 /// Gives every pixel of `map`, view `view_index` among the confirmed maps, an inverse depth: what
 /// is unknown is what other views agree upon, with confidence 128 as if one neighbour had confirmed
 /// it; or it is filled along the photograph's edges from what is known around it, or recedes from
-/// it by `recession_px`. What is known ends where the photograph does (depth_of_others.h,
+/// it by `recession_px`. What was filled before something that the view hides has confidence 128,
+/// too (DepthOfOthers::hidden). What is known ends where the photograph does (depth_of_others.h,
 /// edge_aware_fill.h, edge_snapping.h).
 void fill_unknown_depth(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
                         int view_index, double recession_px, DepthMap& map);

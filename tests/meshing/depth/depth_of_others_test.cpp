@@ -51,20 +51,41 @@ struct RodsBeforeWall {
 
     /// How many of the others see what the first view sees there.
     [[nodiscard]] int others_that_see(int x, int y) const {
+        return others_that_see_at(x, y, truth()(x, y));
+    }
+
+    /// How many of the others see the point at an inverse depth along the first view's ray.
+    [[nodiscard]] int others_that_see_at(int x, int y, float inverse_depth) const {
         const auto& views = known.scene.views;
         int count = 0;
         for (std::size_t j = 1; j < views.size(); ++j) {
             const Eigen::Vector2d there =
                 warp_b_from_a(views[0].camera, views[0].cam_from_world, views[j].camera,
                               views[j].cam_from_world)({x + 0.5, y + 0.5},
-                                                       static_cast<double>(truth()(x, y)))
+                                                       static_cast<double>(inverse_depth))
                     .hnormalized();
             const Eigen::Vector2i pixel = there.array().floor().cast<int>();
             const FloatImage& seen = known.inverse_depths[j];
             if (!seen.contains(pixel.x(), pixel.y())) continue;
-            if (std::abs(seen(pixel.x(), pixel.y()) - truth()(x, y)) < 0.01F) ++count;
+            if (std::abs(seen(pixel.x(), pixel.y()) - inverse_depth) < 0.01F) ++count;
         }
         return count;
+    }
+
+    /// Every view knows the wall and nothing else, of which the first shows blue rods.
+    void forget_rods() {
+        ColorImage& picture = known.scene.views[0].photograph;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                if (!is_wall(x, y)) picture(x, y) = {20, 60, 255};
+            }
+        }
+        for (DepthMap& map : maps) {
+            for (std::size_t i = 0; i < map.confidence.pixels().size(); ++i) {
+                const bool is_of_wall = map.inverse_depth.pixels()[i] < 0.3F;
+                map.confidence.pixels()[i] = is_of_wall ? 255 : 0;
+            }
+        }
     }
 
     KnownDepthScene known;
@@ -169,7 +190,7 @@ TEST(DepthOfOthers, CountsAsConfirmedByOneWhereTheyAgree) {
     const RodsBeforeWall scene(cross_of_centres(0.3));
     const DepthOfOthers others = depth_of_others(scene.known.scene, scene.maps, 0);
     DepthMap map = scene.maps[0];
-    const Continuation continuation{FloatImage(240, 180), others.agreed.confidence};
+    const Continuation continuation{FloatImage(240, 180), others.agreed.confidence, others.hidden};
     finish_continued_depth(scene.known.scene.views[0], continuation, 0.0, map);
     int agreed = 0;
     int trusted = 0;
@@ -182,6 +203,76 @@ TEST(DepthOfOthers, CountsAsConfirmedByOneWhereTheyAgree) {
     }
     ASSERT_GT(agreed, 4000);
     EXPECT_NEAR(trusted, agreed, 0.1 * agreed) << "but for edges that were moved";
+}
+
+/// So near to each other that two on either side see the wall behind most of a rod.
+std::vector<Eigen::Vector3d> centres_in_a_row() {
+    return {{0, 0, 0}, {0.15, 0, 0}, {0.25, 0.1, 0}, {-0.15, 0, 0}, {-0.25, 0.1, 0}};
+}
+
+/// Of the rods' pixels behind which two others see the wall, those whose `hidden` is the wall.
+double share_known_to_hide(const RodsBeforeWall& scene, const FloatImage& hidden) {
+    int hiding = 0;
+    int told = 0;
+    for (int y = 4; y < 176; ++y) {
+        for (int x = 4; x < 236; ++x) {
+            if (scene.is_wall(x, y) || scene.others_that_see_at(x, y, kWall) < 2) continue;
+            ++hiding;
+            if (std::abs(hidden(x, y) - kWall) < 1e-3F) ++told;
+        }
+    }
+    EXPECT_GT(hiding, 2000);
+    return told / static_cast<double>(std::max(1, hiding));
+}
+
+TEST(DepthOfOthers, KnowsWhatIsHiddenBehindRodsThatNobodyKnows) {
+    RodsBeforeWall scene(centres_in_a_row());
+    scene.forget_rods();
+    const DepthOfOthers others = depth_of_others(scene.known.scene, scene.maps, 0);
+    EXPECT_GT(share_known_to_hide(scene, others.hidden), 0.9);
+    for (std::size_t i = 0; i < others.hidden.pixels().size(); ++i) {
+        if (others.hidden.pixels()[i] == DepthOfOthers::kNoneHidden) continue;
+        ASSERT_EQ(scene.maps[0].confidence.pixels()[i], 0);
+        ASSERT_NEAR(others.hidden.pixels()[i], kWall, 1e-3F);
+    }
+}
+
+TEST(DepthOfOthers, HidesNothingWhereItShowsWhatOthersKnow) {
+    RodsBeforeWall scene(cross_of_centres(0.3));
+    const DepthOfOthers others = depth_of_others(scene.known.scene, scene.maps, 0);
+    int walls = 0;
+    int hidden = 0;
+    for (int y = 4; y < 176; ++y) {
+        for (int x = 4; x < 236; ++x) {
+            if (!scene.is_wall(x, y) || scene.is_beside_rod(x, y)) continue;
+            ++walls;
+            if (others.hidden(x, y) != DepthOfOthers::kNoneHidden) ++hidden;
+        }
+    }
+    // Two of ten views may deny the colour of a surface by chance.
+    EXPECT_LT(hidden, 0.05 * walls);
+}
+
+TEST(DepthOfOthers, TrustsWhatIsContinuedBeforeSomethingHidden) {
+    RodsBeforeWall scene(centres_in_a_row());
+    scene.forget_rods();
+    const DepthOfOthers others = depth_of_others(scene.known.scene, scene.maps, 0);
+    const auto trusted_if_continued_at = [&](float inverse_depth) {
+        DepthMap map = scene.maps[0];
+        for (std::size_t i = 0; i < map.confidence.pixels().size(); ++i) {
+            if (map.confidence.pixels()[i] == 0) map.inverse_depth.pixels()[i] = inverse_depth;
+        }
+        Continuation continuation{FloatImage(240, 180), GrayImage(240, 180), others.hidden};
+        leave_what_is_seen_past(scene.known.scene, scene.maps, 0, map, continuation.hidden);
+        finish_continued_depth(scene.known.scene.views[0], continuation, 0.0, map);
+        return static_cast<int>(
+            std::count(map.confidence.pixels().begin(), map.confidence.pixels().end(), 128));
+    };
+    const int at_rods = trusted_if_continued_at(kRods);
+    EXPECT_GT(at_rods, 2000);
+    EXPECT_EQ(trusted_if_continued_at(kWall), 0) << "hides nothing where it is itself";
+    // Nearer than the rods, where other views see past it.
+    EXPECT_LT(trusted_if_continued_at(0.9F), at_rods / 4);
 }
 
 }  // namespace
