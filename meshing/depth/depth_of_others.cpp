@@ -8,6 +8,7 @@
 
 #include "meshing/depth/color_match.h"
 #include "meshing/depth/gap_closing.h"
+#include "meshing/depth/seen_past.h"
 #include "meshing/depth/views_around.h"
 #include "meshing/depth/warped_rows.h"
 
@@ -152,10 +153,13 @@ void add_claims(const Witness& witness, std::uint8_t asked, const ColorImage& ow
     });
 }
 
-DepthOfOthers nothing_told(int width, int height) {
-    return {{FloatImage(width, height), GrayImage(width, height)},
-            {},
-            FloatImage(width, height, DepthOfOthers::kNoneHidden)};
+DepthMap empty_map(int width, int height) {
+    return {FloatImage(width, height), GrayImage(width, height)};
+}
+
+void set_known(DepthMap& map, int x, int y, float inverse_depth) {
+    map.inverse_depth(x, y) = inverse_depth;
+    map.confidence(x, y) = 255;
 }
 
 /// Claims of enough views; of the other pixels what is claimed, if anything is, and what is denied.
@@ -163,24 +167,26 @@ DepthOfOthers told_apart(const Claims& claims, const Claims& denials, const std:
                          int width, int height, float one_pixel) {
     constexpr int kLeastViews = 3;
     constexpr int kLeastDenying = 2;
-    DepthOfOthers result = nothing_told(width, height);
+    DepthOfOthers result{empty_map(width, height), {}, empty_map(width, height)};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             if (!claims.is_wanted(x, y)) continue;
             const Agreement found = claims.agreement(x, y, one_pixel);
             if (found.views >= kLeastViews) {
-                result.agreed.inverse_depth(x, y) = found.inverse_depth;
-                result.agreed.confidence(x, y) = 255;
-            } else if (found.views > 0) {
+                set_known(result.agreed, x, y, found.inverse_depth);
+                continue;
+            }
+            if (found.views > 0) {
                 const int view = asked[static_cast<std::size_t>(found.first_asked)];
                 result.doubtful.push_back({x, y, view, found.inverse_depth});
             }
-            if (found.views >= kLeastViews) continue;
             const Agreement denied = denials.agreement(x, y, one_pixel);
-            if (denied.views >= kLeastDenying && denied.views > found.views)
-                result.hidden(x, y) = denied.inverse_depth;
+            if (denied.views >= kLeastDenying && denied.views > found.views) {
+                set_known(result.hidden, x, y, denied.inverse_depth);
+            }
         }
     }
+    result.hidden = with_gaps_closed(result.hidden);
     result.agreed = with_gaps_closed(result.agreed);
     std::erase_if(result.doubtful, [&](const Claim& claim) {
         return result.agreed.confidence(claim.x, claim.y) != 0;
@@ -188,40 +194,13 @@ DepthOfOthers told_apart(const Claims& claims, const Claims& denials, const std:
     return result;
 }
 
-constexpr double kClearlyPx = 2.0;
-
-/// Where another view has a point of a surface in its picture.
-struct Place {
-    int x = 0;
-    int y = 0;
-    /// By how much the point stands before what the view knows there, in its inverse depth; 0 where
-    /// it knows nothing.
-    double ahead = 0.0;
-};
-
-/// Empty outside of the picture.
-std::optional<Place> place_in(const DepthMap& known, const InverseDepthWarp& other_from_own, int x,
-                              int y, float inverse_depth) {
-    const Eigen::Vector3d there =
-        other_from_own({x + 0.5, y + 0.5}, static_cast<double>(inverse_depth));
-    if (there.z() <= 0) return std::nullopt;
-    const Eigen::Vector2i pixel = there.hnormalized().array().floor().cast<int>();
-    if (!known.confidence.contains(pixel.x(), pixel.y())) return std::nullopt;
-    Place place{pixel.x(), pixel.y(), 0.0};
-    if (known.confidence(place.x, place.y) != 0) {
-        place.ahead = static_cast<double>(inverse_depth) / there.z() -
-                      static_cast<double>(known.inverse_depth(place.x, place.y));
-    }
-    return place;
-}
-
 /// Whether the view sees past a surface at this place of another, or another colour there.
 bool refutes(const Witness& witness, const InverseDepthWarp& other_from_own, const Claim& claim,
              float continued, const Rgb8& color) {
-    const std::optional<Place> there =
-        place_in(*witness.map, other_from_own, claim.x, claim.y, continued);
+    const std::optional<PlaceInView> there =
+        place_in_view(*witness.map, other_from_own, claim.x, claim.y, continued);
     if (!there) return false;
-    const double clearly = kClearlyPx / witness.view->disparity_px_per_inverse_depth;
+    const double clearly = kClearlyApartPx / witness.view->disparity_px_per_inverse_depth;
     if (there->ahead > clearly) return true;
     if (there->ahead < -clearly) return false;  // Hidden from there.
     return !witness.match.is_same(color, witness.picture(there->x, there->y));
@@ -237,7 +216,7 @@ DepthOfOthers depth_of_others(const DepthScene& scene, const std::vector<DepthMa
     const int width = confidence.width();
     const int height = confidence.height();
     if (view.disparity_px_per_inverse_depth <= 0) {
-        return nothing_told(width, height);
+        return {empty_map(width, height), {}, empty_map(width, height)};
     }
     const ColorImage own_picture = averaged(view.photograph);
     std::vector<int> asked = views_around(scene, view_index);
@@ -274,26 +253,6 @@ void take_claims_against(const DepthScene& scene, const std::vector<DepthMap>& m
             });
         }
         first = last;
-    }
-}
-
-void leave_what_is_seen_past(const DepthScene& scene, const std::vector<DepthMap>& maps,
-                             int view_index, const DepthMap& map, FloatImage& hidden) {
-    const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
-    for (const int other_index : views_around(scene, view_index)) {
-        const DepthView& other = scene.views[static_cast<std::size_t>(other_index)];
-        const DepthMap& known = maps[static_cast<std::size_t>(other_index)];
-        const InverseDepthWarp other_from_own =
-            warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world);
-        const double clearly = kClearlyPx / other.disparity_px_per_inverse_depth;
-        for (int y = 0; y < hidden.height(); ++y) {
-            for (int x = 0; x < hidden.width(); ++x) {
-                float& behind = hidden(x, y);
-                if (behind == DepthOfOthers::kNoneHidden) continue;
-                const auto there = place_in(known, other_from_own, x, y, map.inverse_depth(x, y));
-                if (there && there->ahead > clearly) behind = DepthOfOthers::kNoneHidden;
-            }
-        }
     }
 }
 

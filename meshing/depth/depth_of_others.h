@@ -28,11 +28,7 @@ struct DepthOfOthers {
 
     DepthMap agreed;              ///< Claims of three views or more: confidence 255; else 0.
     std::vector<Claim> doubtful;  ///< Of pixels that are not agreed upon.
-    /// Where two views or more know one surface, but in another colour: the view shows something
-    /// before it. Its inverse depth; kNoneHidden elsewhere.
-    FloatImage hidden;
-
-    static constexpr float kNoneHidden = -1.0F;
+    DepthMap hidden;  ///< What two views or more know, but in another colour: confidence 255.
 };
 
 /// Asks the neighbours of view `view_index`, and theirs.
@@ -45,10 +41,5 @@ struct DepthOfOthers {
 void take_claims_against(const DepthScene& scene, const std::vector<DepthMap>& maps, int view_index,
                          std::vector<DepthOfOthers::Claim> claims, DepthMap& map,
                          FloatImage& distance_px);
-
-/// Where any view around sees past the surface that was continued into `map`, what hides something
-/// stands elsewhere: `hidden` becomes kNoneHidden there.
-void leave_what_is_seen_past(const DepthScene& scene, const std::vector<DepthMap>& maps,
-                             int view_index, const DepthMap& map, FloatImage& hidden);
 
 }  // namespace lumi

@@ -10,17 +10,26 @@
 #include "meshing/depth/edge_aware_fill.h"
 #include "meshing/depth/edge_snapping.h"
 #include "meshing/depth/receding_fill.h"
+#include "meshing/depth/seen_past.h"
 #include "meshing/depth/sparse_depth.h"
 #include "meshing/depth/surrounding_depth.h"
 
 namespace lumi {
 namespace {
 
-constexpr std::uint8_t kConfirmedByOne = 128;
-
 double one_pixel_of(const DepthView& view) {
     return view.disparity_px_per_inverse_depth > 0 ? 1.0 / view.disparity_px_per_inverse_depth
                                                    : 0.0;
+}
+
+GrayImage told_of(const GrayImage& agreed, const GrayImage& hides) {
+    GrayImage told(agreed.width(), agreed.height());
+    for (std::size_t i = 0; i < told.pixels().size(); ++i) {
+        told.pixels()[i] = agreed.pixels()[i] != 0  ? Continuation::kAgreed
+                           : hides.pixels()[i] != 0 ? Continuation::kHides
+                                                    : std::uint8_t{0};
+    }
+    return told;
 }
 
 /// Continues what is known over the whole map.
@@ -33,27 +42,18 @@ Continuation continued(const DepthScene& scene, const std::vector<DepthMap>& con
                              surrounding_depth(scene, confirmed_maps, view_index, others.agreed));
     take_claims_against(scene, confirmed_maps, view_index, std::move(others.doubtful), map,
                         distance_px);
-    leave_what_is_seen_past(scene, confirmed_maps, view_index, map, others.hidden);
-    return {std::move(distance_px), std::move(others.agreed.confidence), std::move(others.hidden)};
+    const GrayImage hides =
+        continued_before_hidden(scene, confirmed_maps, view_index, map, others.hidden);
+    return {std::move(distance_px), told_of(others.agreed.confidence, hides)};
 }
 
-/// What others agree upon is as good as what one of them has confirmed.
-void trust_agreed(const GrayImage& agreed, DepthMap& map) {
-    for (std::size_t i = 0; i < agreed.pixels().size(); ++i) {
+/// What others agree upon is as good as what one of them has confirmed. So is what stands before
+/// something that others know and the view does not show: to look past it would be wrong.
+void trust(std::uint8_t told, const GrayImage& all_told, DepthMap& map) {
+    constexpr std::uint8_t kConfirmedByOne = 128;
+    for (std::size_t i = 0; i < all_told.pixels().size(); ++i) {
         std::uint8_t& confidence = map.confidence.pixels()[i];
-        if (agreed.pixels()[i] != 0 && confidence == 0) confidence = kConfirmedByOne;
-    }
-}
-
-/// Where the view shows something before a surface that others know, and depth was continued before
-/// that, too, it is a better guess than what it hides.
-void trust_what_hides(const FloatImage& hidden, double one_pixel, DepthMap& map) {
-    const auto clearly = static_cast<float>(2 * one_pixel);
-    for (std::size_t i = 0; i < hidden.pixels().size(); ++i) {
-        std::uint8_t& confidence = map.confidence.pixels()[i];
-        const float behind = hidden.pixels()[i];
-        if (behind == DepthOfOthers::kNoneHidden || confidence != 0) continue;
-        if (map.inverse_depth.pixels()[i] > behind + clearly) confidence = kConfirmedByOne;
+        if (all_told.pixels()[i] == told && confidence == 0) confidence = kConfirmedByOne;
     }
 }
 
@@ -131,11 +131,11 @@ void fill_unknown_depth(const DepthScene& scene, const std::vector<DepthMap>& co
 void finish_continued_depth(const DepthView& view, const Continuation& continuation,
                             double recession_px, DepthMap& map) {
     const double one_pixel = one_pixel_of(view);
-    trust_agreed(continuation.agreed, map);
+    trust(Continuation::kAgreed, continuation.told, map);
     recede(recession_px, one_pixel, continuation.distance_px, map);
     smooth_filled_depth(map, view.photograph, one_pixel);
     snap_edges(map, view.photograph, one_pixel);
-    trust_what_hides(continuation.hidden, one_pixel, map);
+    trust(Continuation::kHides, continuation.told, map);
 }
 
 }  // namespace lumi

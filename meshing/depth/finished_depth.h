@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,10 +21,13 @@ namespace lumi {
 struct Continuation {
     /// How far from what is known each pixel lies (edge_aware_fill.h).
     FloatImage distance_px;
-    /// 255 where other views agree upon a pixel that the view itself did not know
-    /// (depth_of_others.h), else 0.
-    GrayImage agreed;
-    FloatImage hidden;  ///< What others see behind what the view shows (depth_of_others.h).
+    /// Of pixels that the view itself did not know: kAgreed where other views agree upon them,
+    /// kHides where what was continued stands before something that others know and the view does
+    /// not show (depth_of_others.h), else 0.
+    GrayImage told;
+
+    static constexpr std::uint8_t kAgreed = 255;
+    static constexpr std::uint8_t kHides = 128;
 };
 
 /// What the photographs say of depth beyond what is confirmed, and what was found on the way.
@@ -46,7 +50,7 @@ struct Recession {
 /// is unknown is what other views agree upon, with confidence 128 as if one neighbour had confirmed
 /// it; or it is filled along the photograph's edges from what is known around it, or recedes from
 /// it by `recession_px`. What was filled before something that the view hides has confidence 128,
-/// too (DepthOfOthers::hidden). What is known ends where the photograph does (depth_of_others.h,
+/// too. What is known ends where the photograph does (depth_of_others.h,
 /// edge_aware_fill.h, edge_snapping.h).
 void fill_unknown_depth(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
                         int view_index, double recession_px, DepthMap& map);

@@ -7,6 +7,7 @@
 
 #include "meshing/depth/finished_depth.h"
 #include "meshing/depth/inverse_depth_warp.h"
+#include "meshing/depth/seen_past.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
@@ -190,7 +191,7 @@ TEST(DepthOfOthers, CountsAsConfirmedByOneWhereTheyAgree) {
     const RodsBeforeWall scene(cross_of_centres(0.3));
     const DepthOfOthers others = depth_of_others(scene.known.scene, scene.maps, 0);
     DepthMap map = scene.maps[0];
-    const Continuation continuation{FloatImage(240, 180), others.agreed.confidence, others.hidden};
+    const Continuation continuation{FloatImage(240, 180), others.agreed.confidence};
     finish_continued_depth(scene.known.scene.views[0], continuation, 0.0, map);
     int agreed = 0;
     int trusted = 0;
@@ -211,14 +212,14 @@ std::vector<Eigen::Vector3d> centres_in_a_row() {
 }
 
 /// Of the rods' pixels behind which two others see the wall, those whose `hidden` is the wall.
-double share_known_to_hide(const RodsBeforeWall& scene, const FloatImage& hidden) {
+double share_known_to_hide(const RodsBeforeWall& scene, const DepthMap& hidden) {
     int hiding = 0;
     int told = 0;
     for (int y = 4; y < 176; ++y) {
         for (int x = 4; x < 236; ++x) {
             if (scene.is_wall(x, y) || scene.others_that_see_at(x, y, kWall) < 2) continue;
             ++hiding;
-            if (std::abs(hidden(x, y) - kWall) < 1e-3F) ++told;
+            if (hidden.confidence(x, y) != 0) ++told;
         }
     }
     EXPECT_GT(hiding, 2000);
@@ -230,10 +231,11 @@ TEST(DepthOfOthers, KnowsWhatIsHiddenBehindRodsThatNobodyKnows) {
     scene.forget_rods();
     const DepthOfOthers others = depth_of_others(scene.known.scene, scene.maps, 0);
     EXPECT_GT(share_known_to_hide(scene, others.hidden), 0.9);
-    for (std::size_t i = 0; i < others.hidden.pixels().size(); ++i) {
-        if (others.hidden.pixels()[i] == DepthOfOthers::kNoneHidden) continue;
-        ASSERT_EQ(scene.maps[0].confidence.pixels()[i], 0);
-        ASSERT_NEAR(others.hidden.pixels()[i], kWall, 1e-3F);
+    for (int y = 0; y < 180; ++y) {
+        for (int x = 0; x < 240; ++x) {
+            if (others.hidden.confidence(x, y) == 0) continue;
+            ASSERT_NEAR(others.hidden.inverse_depth(x, y), kWall, 1e-3F);
+        }
     }
 }
 
@@ -246,7 +248,7 @@ TEST(DepthOfOthers, HidesNothingWhereItShowsWhatOthersKnow) {
         for (int x = 4; x < 236; ++x) {
             if (!scene.is_wall(x, y) || scene.is_beside_rod(x, y)) continue;
             ++walls;
-            if (others.hidden(x, y) != DepthOfOthers::kNoneHidden) ++hidden;
+            if (others.hidden.confidence(x, y) != 0) ++hidden;
         }
     }
     // Two of ten views may deny the colour of a surface by chance.
@@ -262,8 +264,12 @@ TEST(DepthOfOthers, TrustsWhatIsContinuedBeforeSomethingHidden) {
         for (std::size_t i = 0; i < map.confidence.pixels().size(); ++i) {
             if (map.confidence.pixels()[i] == 0) map.inverse_depth.pixels()[i] = inverse_depth;
         }
-        Continuation continuation{FloatImage(240, 180), GrayImage(240, 180), others.hidden};
-        leave_what_is_seen_past(scene.known.scene, scene.maps, 0, map, continuation.hidden);
+        Continuation continuation{FloatImage(240, 180), GrayImage(240, 180)};
+        const GrayImage hides =
+            continued_before_hidden(scene.known.scene, scene.maps, 0, map, others.hidden);
+        for (std::size_t i = 0; i < hides.pixels().size(); ++i) {
+            if (hides.pixels()[i] != 0) continuation.told.pixels()[i] = Continuation::kHides;
+        }
         finish_continued_depth(scene.known.scene.views[0], continuation, 0.0, map);
         return static_cast<int>(
             std::count(map.confidence.pixels().begin(), map.confidence.pixels().end(), 128));
