@@ -9,6 +9,7 @@
 
 #include "meshing/depth/guided_smoothing.h"
 #include "meshing/depth/plane_slopes.h"
+#include "meshing/depth/seen_past.h"
 
 namespace lumi {
 namespace {
@@ -174,11 +175,20 @@ float background_mean(std::span<Found> found, float one_pixel) {
     return sum / weights;
 }
 
+/// Takes away candidates that do not lie nearer, unless none does.
+void keep_what_lies_before(float inverse_depth, std::vector<Found>& found) {
+    const auto first_behind = std::partition(
+        found.begin(), found.end(),
+        [&](const Found& candidate) { return candidate.inverse_depth > inverse_depth; });
+    if (first_behind != found.begin()) found.erase(first_behind, found.end());
+}
+
 /// Returns how far from what is known the pixels lie that it continues, where it does not lie on
 /// most sides of them: 0 for all others.
 FloatImage fill_from_background(DepthMap& map, const FloatImage& fallback, float one_pixel,
-                                const Field& field) {
+                                const Field& field, const DepthMap& hidden) {
     constexpr std::size_t kMostOfContinued = kDirections / 2;
+    const float clearly = static_cast<float>(kClearlyApartPx) * one_pixel;
     FloatImage continued_px(map.confidence.width(), map.confidence.height(), 0.0F);
     const auto nearer = [](const Found& a, const Found& b) {
         return a.distance_px < b.distance_px;
@@ -204,9 +214,13 @@ FloatImage fill_from_background(DepthMap& map, const FloatImage& fallback, float
         around.insert(around.end(), after.begin(), after.end());
         found_before.pop_back();
         std::erase_if(around, [](const Found& found) { return found.distance_px <= 0; });
+        const bool is_beyond = around.size() <= kMostOfContinued;
+        if (hidden.confidence.contains(x, y) && hidden.confidence(x, y) != 0) {
+            keep_what_lies_before(hidden.inverse_depth(x, y) + clearly, around);
+        }
         map.inverse_depth(x, y) =
             around.empty() ? fallback(x, y) : background_mean(around, one_pixel);
-        if (around.empty() || around.size() > kMostOfContinued) return;
+        if (around.empty() || !is_beyond) return;
         continued_px(x, y) = std::min_element(around.begin(), around.end(), nearer)->distance_px;
     });
     return continued_px;
@@ -239,13 +253,13 @@ FloatImage holds_of(const DepthMap& map, float one_pixel) {
 }  // namespace
 
 FloatImage continue_known_depth(DepthMap& map, const FloatImage& fallback, double one_pixel,
-                                SurroundingDepth surrounding) {
+                                SurroundingDepth surrounding, const DepthMap& hidden) {
     const auto& confidence = map.confidence.pixels();
     if (std::find(confidence.begin(), confidence.end(), 0) == confidence.end()) {
         return FloatImage(map.confidence.width(), map.confidence.height(), 0.0F);
     }
     return fill_from_background(map, fallback, static_cast<float>(one_pixel),
-                                field_of(map, std::move(surrounding), one_pixel));
+                                field_of(map, std::move(surrounding), one_pixel), hidden);
 }
 
 void smooth_filled_depth(DepthMap& map, const ColorImage& photograph, double one_pixel) {

@@ -21,8 +21,11 @@ void edge_aware_fill(DepthMap& map, const ColorImage& photograph, const FloatIma
 
 /// The first half of it: the planes continued. Returns how far from what is known those pixels lie
 /// that have known ones in at most half of the directions; 0 for all others.
+///
+/// Where other views know something that the photograph does not show (depth_of_others.h: `hidden`,
+/// empty or of the map's size), only what lies clearly before that is continued, if anything does.
 FloatImage continue_known_depth(DepthMap& map, const FloatImage& fallback, double one_pixel,
-                                SurroundingDepth surrounding = {});
+                                SurroundingDepth surrounding = {}, const DepthMap& hidden = {});
 
 /// The second half: what was filled is smoothed along the photograph's edges.
 void smooth_filled_depth(DepthMap& map, const ColorImage& photograph, double one_pixel);

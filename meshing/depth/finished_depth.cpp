@@ -37,9 +37,9 @@ Continuation continued(const DepthScene& scene, const std::vector<DepthMap>& con
                        int view_index, DepthMap& map) {
     const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
     DepthOfOthers others = depth_of_others(scene, confirmed_maps, view_index);
-    FloatImage distance_px =
-        continue_known_depth(map, sparse_depth(view).inverse_depth, one_pixel_of(view),
-                             surrounding_depth(scene, confirmed_maps, view_index, others.agreed));
+    FloatImage distance_px = continue_known_depth(
+        map, sparse_depth(view).inverse_depth, one_pixel_of(view),
+        surrounding_depth(scene, confirmed_maps, view_index, others.agreed), others.hidden);
     take_claims_against(scene, confirmed_maps, view_index, std::move(others.doubtful), map,
                         distance_px);
     const GrayImage hides =

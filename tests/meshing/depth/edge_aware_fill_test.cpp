@@ -57,6 +57,41 @@ TEST(EdgeAwareFill, ContinuesTheBackgroundBesideAnObject) {
     }
 }
 
+/// An object from column 60 on, a wall before column 45, and nothing known between.
+DepthMap wall_and_object(float wall, float object) {
+    DepthMap map{FloatImage(kWidth, kHeight, wall), GrayImage(kWidth, kHeight, 255)};
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 45; x < kWidth; ++x) {
+            if (x < 60) map.confidence(x, y) = 0;
+            map.inverse_depth(x, y) = object;
+        }
+    }
+    return map;
+}
+
+TEST(EdgeAwareFill, ContinuesTheObjectWhereTheWallIsKnownToBeHidden) {
+    DepthMap map = wall_and_object(0.2F, 0.9F);
+    DepthMap hidden{FloatImage(kWidth, kHeight, 0.2F), GrayImage(kWidth, kHeight)};
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 52; x < 60; ++x) hidden.confidence(x, y) = 255;
+    }
+    const FloatImage beyond_px =
+        continue_known_depth(map, FloatImage(kWidth, kHeight, 0.5F), kOnePixel, {}, hidden);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 45; x < 60; ++x) {
+            ASSERT_NEAR(map.inverse_depth(x, y), x < 52 ? 0.2F : 0.9F, kOnePixel) << x << " " << y;
+        }
+    }
+    EXPECT_EQ(beyond_px(55, kHeight / 2), 0.0F) << "it lies between what is known all the same";
+}
+
+TEST(EdgeAwareFill, ContinuesAsEverWhereNothingLiesBeforeWhatIsHidden) {
+    DepthMap map = wall_and_object(0.2F, 0.9F);
+    const DepthMap hidden{FloatImage(kWidth, kHeight, 0.95F), GrayImage(kWidth, kHeight, 255)};
+    continue_known_depth(map, FloatImage(kWidth, kHeight, 0.5F), kOnePixel, {}, hidden);
+    for (int x = 45; x < 60; ++x) ASSERT_NEAR(map.inverse_depth(x, 40), 0.2F, kOnePixel) << x;
+}
+
 TEST(EdgeAwareFill, ClosesAHoleInASlantedPlane) {
     DepthMap map{FloatImage(kWidth, kHeight), GrayImage(kWidth, kHeight, 255)};
     const auto plane = [](int x, int y) { return 0.2F + 0.001F * static_cast<float>(x + y); };
