@@ -11,12 +11,13 @@ namespace {
 // Bytes for each pixel of a depth map.
 constexpr double kPicture = 3;
 constexpr double kMap = 5;  // Inverse depth and confidence.
-// How far each pixel is from what is known, and whether others agree upon it: five bytes in views
+// How far each pixel is from what is known, and what others tell of it: five bytes in views
 // that are continued, about half.
 constexpr double kDistance = 2.5;
-// The surroundings, three times as large, or the smoother's arrays; what other views claim; and a
-// copy of the map, with how far each pixel is from what is known, while the recession is asked for.
-constexpr double kFilling = 62;
+// What other views claim and deny of pixels that are unknown, and what comes of it; later the
+// surroundings, three times as large, or the smoother's arrays; and a copy of the map, with how far
+// each pixel is from what is known, while the recession is asked for.
+constexpr double kFilling = 76;
 
 // A view that is matched takes its pictures, and so much for each plane that a pixel is compared
 // at; see kMaxCells of the sweep for the bound.

@@ -25,9 +25,10 @@ struct Agreement {
 };
 
 /// Inverse depths that other views claim for the unknown pixels of a view, at most one a view.
-class Claims {
+template <std::size_t kMost>
+class PixelClaims {
  public:
-    explicit Claims(const GrayImage& confidence)
+    explicit PixelClaims(const GrayImage& confidence)
         : slot_of_pixel_(confidence.width(), confidence.height(), -1) {
         int slots = 0;
         for (std::size_t i = 0; i < slot_of_pixel_.pixels().size(); ++i) {
@@ -38,7 +39,7 @@ class Claims {
 
     [[nodiscard]] bool is_wanted(int x, int y) const { return slot_of_pixel_(x, y) >= 0; }
 
-    /// The first six views to be asked count: they stand nearest.
+    /// The first `kMost` views that have something to say count: they stand nearest.
     void add(int x, int y, std::uint8_t asked, float inverse_depth) {
         Slot& slot = slot_at(x, y);
         if (slot.count > 0 && slot.asked[slot.count - 1U] == asked) {
@@ -47,7 +48,7 @@ class Claims {
             last = std::max(last, inverse_depth);
             return;
         }
-        if (slot.count == kMostClaims) return;
+        if (slot.count == kMost) return;
         slot.inverse_depths[slot.count] = inverse_depth;
         slot.asked[slot.count++] = asked;
     }
@@ -74,11 +75,9 @@ class Claims {
     }
 
  private:
-    static constexpr std::size_t kMostClaims = 6;
-
     struct Slot {
-        std::array<float, kMostClaims> inverse_depths{};
-        std::array<std::uint8_t, kMostClaims> asked{};
+        std::array<float, kMost> inverse_depths{};
+        std::array<std::uint8_t, kMost> asked{};
         std::uint8_t count = 0;
     };
 
@@ -89,6 +88,11 @@ class Claims {
     Image<int> slot_of_pixel_;
     std::vector<Slot> slots_;
 };
+
+/// In the colour that the view shows.
+using Claims = PixelClaims<6>;
+/// In another; two are enough.
+using Denials = PixelClaims<4>;
 
 /// Another view, asked about the pixels of a view.
 struct Witness {
@@ -138,7 +142,7 @@ std::optional<Witness> witness(const DepthScene& scene, const std::vector<DepthM
 
 /// What the witness knows in the colour that the view shows, and what in another.
 void add_claims(const Witness& witness, std::uint8_t asked, const ColorImage& own_picture,
-                Claims& claims, Claims& denials) {
+                Claims& claims, Denials& denials) {
     const WarpRaster raster{own_picture.width(), own_picture.height(), 0, 0};
     warp_rows(*witness.map, witness.own_from_other, raster, 1, [&](int y, const WarpedRow& warped) {
         for (std::size_t i = 0; i < warped.rows.size(); ++i) {
@@ -148,7 +152,11 @@ void add_claims(const Witness& witness, std::uint8_t asked, const ColorImage& ow
             if (!claims.is_wanted(column, row)) continue;
             const Rgb8& color = witness.picture(static_cast<int>(i), y);
             const bool is_same = witness.match.is_same(own_picture(column, row), color);
-            (is_same ? claims : denials).add(column, row, asked, warped.inverse_depths[i]);
+            if (is_same) {
+                claims.add(column, row, asked, warped.inverse_depths[i]);
+            } else {
+                denials.add(column, row, asked, warped.inverse_depths[i]);
+            }
         }
     });
 }
@@ -162,9 +170,19 @@ void set_known(DepthMap& map, int x, int y, float inverse_depth) {
     map.confidence(x, y) = 255;
 }
 
+/// Closing gaps reaches over what the view knows, and what is agreed upon.
+void forget_hidden_where_known(const Claims& claims, DepthOfOthers& others) {
+    for (int y = 0; y < others.hidden.confidence.height(); ++y) {
+        for (int x = 0; x < others.hidden.confidence.width(); ++x) {
+            if (claims.is_wanted(x, y) && others.agreed.confidence(x, y) == 0) continue;
+            others.hidden.confidence(x, y) = 0;
+        }
+    }
+}
+
 /// Claims of enough views; of the other pixels what is claimed, if anything is, and what is denied.
-DepthOfOthers told_apart(const Claims& claims, const Claims& denials, const std::vector<int>& asked,
-                         int width, int height, float one_pixel) {
+DepthOfOthers told_apart(const Claims& claims, const Denials& denials,
+                         const std::vector<int>& asked, int width, int height, float one_pixel) {
     constexpr int kLeastViews = 3;
     constexpr int kLeastDenying = 2;
     DepthOfOthers result{empty_map(width, height), {}, empty_map(width, height)};
@@ -191,6 +209,7 @@ DepthOfOthers told_apart(const Claims& claims, const Claims& denials, const std:
     std::erase_if(result.doubtful, [&](const Claim& claim) {
         return result.agreed.confidence(claim.x, claim.y) != 0;
     });
+    forget_hidden_where_known(claims, result);
     return result;
 }
 
@@ -222,7 +241,7 @@ DepthOfOthers depth_of_others(const DepthScene& scene, const std::vector<DepthMa
     std::vector<int> asked = views_around(scene, view_index);
     asked.resize(std::min(asked.size(), kMostAsked));
     Claims claims(confidence);
-    Claims denials(confidence);
+    Denials denials(confidence);
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const auto other = witness(scene, maps, view_index, own_picture, asked[i]);
         if (other) add_claims(*other, static_cast<std::uint8_t>(i), own_picture, claims, denials);

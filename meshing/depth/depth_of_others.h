@@ -28,7 +28,10 @@ struct DepthOfOthers {
 
     DepthMap agreed;              ///< Claims of three views or more: confidence 255; else 0.
     std::vector<Claim> doubtful;  ///< Of pixels that are not agreed upon.
-    DepthMap hidden;  ///< What two views or more know, but in another colour: confidence 255.
+    /// What two views or more know, but in another colour, and more than claim anything; small gaps
+    /// are closed. Confidence 255, else 0, as where the view or three others know what it shows.
+    /// Two are enough: what is carried beyond an outline is in the colours of what lies behind.
+    DepthMap hidden;
 };
 
 /// Asks the neighbours of view `view_index`, and theirs.

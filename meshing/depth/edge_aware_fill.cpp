@@ -214,14 +214,15 @@ FloatImage fill_from_background(DepthMap& map, const FloatImage& fallback, float
         around.insert(around.end(), after.begin(), after.end());
         found_before.pop_back();
         std::erase_if(around, [](const Found& found) { return found.distance_px <= 0; });
-        const bool is_beyond = around.size() <= kMostOfContinued;
+        if (!around.empty() && around.size() <= kMostOfContinued) {
+            continued_px(x, y) =
+                std::min_element(around.begin(), around.end(), nearer)->distance_px;
+        }
         if (hidden.confidence.contains(x, y) && hidden.confidence(x, y) != 0) {
             keep_what_lies_before(hidden.inverse_depth(x, y) + clearly, around);
         }
         map.inverse_depth(x, y) =
             around.empty() ? fallback(x, y) : background_mean(around, one_pixel);
-        if (around.empty() || !is_beyond) return;
-        continued_px(x, y) = std::min_element(around.begin(), around.end(), nearer)->distance_px;
     });
     return continued_px;
 }

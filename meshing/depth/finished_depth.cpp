@@ -32,6 +32,13 @@ GrayImage told_of(const GrayImage& agreed, const GrayImage& hides) {
     return told;
 }
 
+/// What hides something would recede into that.
+void keep_what_hides(const GrayImage& told, FloatImage& distance_px) {
+    for (std::size_t i = 0; i < told.pixels().size(); ++i) {
+        if (told.pixels()[i] == Continuation::kHides) distance_px.pixels()[i] = 0.0F;
+    }
+}
+
 /// Continues what is known over the whole map.
 Continuation continued(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
                        int view_index, DepthMap& map) {
@@ -42,13 +49,15 @@ Continuation continued(const DepthScene& scene, const std::vector<DepthMap>& con
         surrounding_depth(scene, confirmed_maps, view_index, others.agreed), others.hidden);
     take_claims_against(scene, confirmed_maps, view_index, std::move(others.doubtful), map,
                         distance_px);
-    const GrayImage hides =
-        continued_before_hidden(scene, confirmed_maps, view_index, map, others.hidden);
-    return {std::move(distance_px), told_of(others.agreed.confidence, hides)};
+    GrayImage told =
+        told_of(others.agreed.confidence,
+                continued_before_hidden(scene, confirmed_maps, view_index, map, others.hidden));
+    keep_what_hides(told, distance_px);
+    return {std::move(distance_px), std::move(told)};
 }
 
-/// What others agree upon is as good as what one of them has confirmed. So is what stands before
-/// something that others know and the view does not show: to look past it would be wrong.
+/// What others agree upon is as good as what one of them has confirmed. So is what hides something
+/// that others know: to look past it would be wrong.
 void trust(std::uint8_t told, const GrayImage& all_told, DepthMap& map) {
     constexpr std::uint8_t kConfirmedByOne = 128;
     for (std::size_t i = 0; i < all_told.pixels().size(); ++i) {

@@ -21,13 +21,14 @@ namespace lumi {
 struct Continuation {
     /// How far from what is known each pixel lies (edge_aware_fill.h).
     FloatImage distance_px;
-    /// Of pixels that the view itself did not know: kAgreed where other views agree upon them,
-    /// kHides where what was continued stands before something that others know and the view does
-    /// not show (depth_of_others.h), else 0.
+    /// Of pixels that the view itself did not know: kAgreed where other views agree upon them
+    /// (depth_of_others.h); kHides where what was continued stands clearly before something that
+    /// others know and the view does not show, and no view around sees past it (seen_past.h);
+    /// else 0.
     GrayImage told;
 
-    static constexpr std::uint8_t kAgreed = 255;
-    static constexpr std::uint8_t kHides = 128;
+    static constexpr std::uint8_t kAgreed = 1;
+    static constexpr std::uint8_t kHides = 2;
 };
 
 /// What the photographs say of depth beyond what is confirmed, and what was found on the way.
@@ -49,7 +50,7 @@ struct Recession {
 /// Gives every pixel of `map`, view `view_index` among the confirmed maps, an inverse depth: what
 /// is unknown is what other views agree upon, with confidence 128 as if one neighbour had confirmed
 /// it; or it is filled along the photograph's edges from what is known around it, or recedes from
-/// it by `recession_px`. What was filled before something that the view hides has confidence 128,
+/// it by `recession_px`. Of what was filled, Continuation::kHides has confidence 128,
 /// too. What is known ends where the photograph does (depth_of_others.h,
 /// edge_aware_fill.h, edge_snapping.h).
 void fill_unknown_depth(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,

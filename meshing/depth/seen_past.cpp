@@ -8,6 +8,7 @@ namespace {
 /// Takes away from `pixels` where the other view sees past what `map` has there.
 void leave_what_is_seen_past(const DepthView& view, const DepthMap& map, const DepthView& other,
                              const DepthMap& known, GrayImage& pixels) {
+    if (other.disparity_px_per_inverse_depth <= 0) return;
     const InverseDepthWarp other_from_own =
         warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world);
     const double clearly = kClearlyApartPx / other.disparity_px_per_inverse_depth;
@@ -41,8 +42,9 @@ std::optional<PlaceInView> place_in_view(const DepthMap& known,
 GrayImage continued_before_hidden(const DepthScene& scene, const std::vector<DepthMap>& maps,
                                   int view_index, const DepthMap& map, const DepthMap& hidden) {
     const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
-    const auto clearly = static_cast<float>(kClearlyApartPx / view.disparity_px_per_inverse_depth);
     GrayImage before = hidden.confidence;
+    if (view.disparity_px_per_inverse_depth <= 0) return GrayImage(before.width(), before.height());
+    const auto clearly = static_cast<float>(kClearlyApartPx / view.disparity_px_per_inverse_depth);
     for (std::size_t i = 0; i < before.pixels().size(); ++i) {
         const float ahead = map.inverse_depth.pixels()[i] - hidden.inverse_depth.pixels()[i];
         if (map.confidence.pixels()[i] != 0 || ahead <= clearly) before.pixels()[i] = 0;

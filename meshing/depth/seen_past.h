@@ -9,7 +9,7 @@
 
 namespace lumi {
 
-/// From how many pixels of disparity on a view sees past a surface, or behind it.
+/// Pixels of disparity from which on one surface counts as standing before another.
 inline constexpr double kClearlyApartPx = 2.0;
 
 /// Where another view has a point of a surface in its picture.

@@ -18,7 +18,7 @@ DepthMemory predicted(std::size_t views, int threads, std::uint64_t budget_mib,
 
 TEST(DepthMemory, AViewMoreAddsItsPictureTwoMapsAndHalfOfItsContinuation) {
     // 3 bytes of colour, twice 4 of inverse depth and 1 of confidence, and half of the 4 that tell
-    // how far each pixel is from what is known and of 1 that others agree upon it.
+    // how far each pixel is from what is known and of 1 that others tell of it.
     EXPECT_EQ(predicted(9, 1, 100'000).finishing - predicted(8, 1, 100'000).finishing,
               31 * kPixels / 2);
     EXPECT_EQ(predicted(9, 1, 100'000).in_use, 150 * kMiB);
