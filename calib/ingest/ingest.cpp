@@ -5,6 +5,7 @@
 #include "calib/capture/image_io.h"
 #include "calib/ingest/duplicates.h"
 #include "calib/ingest/exif.h"
+#include "calib/ingest/overlay_removal.h"
 #include "calib/ingest/photograph_folder.h"
 #include "calib/ingest/video.h"
 #include "calib/ingest/working_copies.h"
@@ -142,6 +143,10 @@ IngestResult ingest(const fs::path& photographs_or_video, const IngestOptions& o
     std::stable_sort(result.left_out.begin(), result.left_out.end(),
                      [](const LeftOut& a, const LeftOut& b) { return a.name < b.name; });
     result.photographs = number_working_copies(candidates, copies_folder);
+    if (!options.keep_overlays) {
+        result.overlays = remove_overlays(result.photographs, options.crop_bars, copies_folder,
+                                          threads, progress);
+    }
     refuse_too_few(result, options, photographs_or_video);
     return result;
 }

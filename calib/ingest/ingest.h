@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calib/capture/posed_photographs.h"
+#include "calib/ingest/overlay.h"
 #include "calib/work/config_section.h"
 #include "calib/work/progress.h"
 
@@ -17,6 +18,11 @@ struct IngestOptions {
     int min_width_px = 64;    ///< Shorter sides below this are "tiny". > 0.
     int min_photographs = 2;  ///< Fewer than this left over: E-INGEST-TOOFEW.
     double video_fps = 2.0;   ///< Frames taken from each second of a video. > 0.
+    /// Whether what was laid over all photographs (overlay.h) is left in them.
+    bool keep_overlays = false;
+    /// Whether bars beside the picture are cut off: not where something else speaks of the raster
+    /// with them, as known poses, a calibrated lens or masks do.
+    bool crop_bars = true;
 };
 
 void validate(const IngestOptions& options);
@@ -38,15 +44,28 @@ struct Photograph {
                              ///< model, focal length).
 };
 
+/// What was taken out of working copies of one size.
+struct RemovedOverlay {
+    int photographs = 0;
+    int width_px = 0;  ///< Of the copies before.
+    int height_px = 0;
+    ImageRectangle picture;  ///< What of them was kept.
+    double share = 0.0;      ///< Of `picture` that was painted over; 0: nothing.
+    /// Beside the copies, in the raster of `picture`: 0 where it was; empty: nothing was.
+    std::filesystem::path mask_path;
+};
+
 struct IngestResult {
     std::vector<Photograph> photographs;  ///< Sorted by name.
     std::vector<LeftOut> left_out;
+    std::vector<RemovedOverlay> overlays;
 };
 
 /// Reads a folder of photographs (JPEG, PNG, TIFF by content; sub-folders too) or one video file,
 /// and writes canonical working copies `000001.png ...` into `copies_folder`; those of an earlier
 /// run are removed. What is unreadable, truncated, tiny, the same picture as another, or taken from
-/// the very place of the one before is left out with a reason, and the work goes on. Throws Error:
+/// the very place of the one before is left out with a reason, and the work goes on. What was laid
+/// over all photographs is taken out of the copies (overlay_removal.h). Throws Error:
 /// E-INGEST-NOFOLDER, E-INGEST-NOVIDEO, E-INGEST-TOOFEW.
 [[nodiscard]] IngestResult ingest(const std::filesystem::path& photographs_or_video,
                                   const IngestOptions& options,

@@ -42,6 +42,7 @@ IngestOptions read_ingest_options(const ConfigSection& section) {
     options.min_width_px = section.integer("min_width_px", options.min_width_px);
     options.min_photographs = section.integer("min_photographs", options.min_photographs);
     options.video_fps = section.number("video_fps", options.video_fps);
+    options.keep_overlays = section.boolean("keep_overlays", options.keep_overlays);
     if (const auto fault = first_fault(options)) section.refuse(fault->key, fault->expected);
     return options;
 }

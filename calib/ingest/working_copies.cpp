@@ -21,8 +21,10 @@ fs::path copy_path(const fs::path& folder, std::size_t number) {
     return folder / name;
 }
 
-/// 000001.png, and 000001.png.aBcDeF that an interrupted run left behind.
-bool is_working_copy(const std::string& file_name) {
+/// 000001.png, 000001.png.aBcDeF that an interrupted run left behind, and masks of what was laid
+/// over them.
+bool is_of_working_copies(const std::string& file_name) {
+    if (file_name.starts_with(kOverlayPrefix)) return true;
     const std::size_t digits = std::min(file_name.find_first_not_of("0123456789"), kDigits + 1);
     return digits == kDigits && file_name.compare(kDigits, 4, ".png") == 0;
 }
@@ -51,7 +53,7 @@ void clear_working_copies(const fs::path& folder) {
     if (status) refuse_folder(folder, status);
     std::vector<fs::path> stale;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        if (is_working_copy(entry.path().filename().string())) stale.push_back(entry.path());
+        if (is_of_working_copies(entry.path().filename().string())) stale.push_back(entry.path());
     }
     for (const fs::path& path : stale) {
         fs::remove(path, status);

@@ -19,6 +19,9 @@ struct Candidate {
     std::optional<LeftOut> left_out;  ///< Then nothing else counts.
 };
 
+/// What the names of masks beside working copies begin with (overlay_removal.h).
+inline constexpr const char* kOverlayPrefix = "overlay-";
+
 /// Removes the working copies of an earlier run and makes the folder.
 void clear_working_copies(const std::filesystem::path& folder);
 

@@ -48,6 +48,16 @@ std::string used_photographs(const ReportSources& sources) {
                         html_table({"photograph", "size in pixels", "use"}, rows));
 }
 
+/// What was laid over photographs, and taken out.
+std::string removed_overlays(const Json& ingest) {
+    if (!ingest.contains("overlays")) return {};
+    std::string html;
+    for (const Json& overlay : ingest.at("overlays")) {
+        html += "<p>" + html_escaped(overlay.at("what").get<std::string>()) + "</p>\n";
+    }
+    return html;
+}
+
 }  // namespace
 
 std::string photographs_section(const ReportSources& sources) {
@@ -58,7 +68,7 @@ std::string photographs_section(const ReportSources& sources) {
     if (!poses.is_null()) {
         html += ", " + text_of(poses.at("photographs_registered")) + " of them found their place";
     }
-    html += ".</p>\n";
+    html += ".</p>\n" + removed_overlays(ingest);
     TableRows rows;
     append_left_out(rows, ingest.at("left_out"));
     if (!poses.is_null()) append_left_out(rows, poses.at("not_registered"));

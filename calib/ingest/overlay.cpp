@@ -1,0 +1,258 @@
+#include "calib/ingest/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+#include <vector>
+
+namespace lumi {
+namespace {
+
+/// What compression leaves of one colour, in 8-bit levels.
+constexpr double kStillSpread = 4.0;
+constexpr double kMovingSpread = 3 * kStillSpread;
+
+/// 255 where `is(x, y)` holds within the rectangle.
+template <typename Predicate>
+cv::Mat pixels_where(const ImageRectangle& within, const Predicate& is) {
+    cv::Mat pixels = cv::Mat::zeros(within.height_px, within.width_px, CV_8U);
+    for (int y = 0; y < within.height_px; ++y) {
+        for (int x = 0; x < within.width_px; ++x) {
+            if (is(within.left + x, within.top + y)) pixels.at<std::uint8_t>(y, x) = 255;
+        }
+    }
+    return pixels;
+}
+
+/// One row or column.
+struct Line {
+    double still_share = 0;  ///< Of its pixels.
+    double slope_share = 0;  ///< Mean of same_slope_share.
+};
+
+/// How many lines from the first on are still, if they end sharply and in all photographs at the
+/// same place; 0 if they do not.
+int lines_of_bar(const std::vector<Line>& lines) {
+    constexpr double kBar = 0.97;
+    constexpr double kPicture = 0.2;
+    constexpr double kEdge = 0.5;
+    constexpr std::ptrdiff_t kSharpEnd_px = 3;
+    constexpr int kBlurred_px = 2;
+    const auto end = std::find_if(lines.begin(), lines.end(),
+                                  [](const Line& line) { return line.still_share < kBar; });
+    if (end == lines.begin()) return 0;
+    const auto sharp = end + std::min(kSharpEnd_px, lines.end() - end);
+    const auto picture =
+        std::find_if(end, sharp, [](const Line& line) { return line.still_share <= kPicture; });
+    const bool is_edge =
+        std::any_of(end - 1, sharp, [](const Line& line) { return line.slope_share >= kEdge; });
+    if (picture == sharp || !is_edge) return 0;
+    // Where the bar ends the picture may be blurred with it.
+    return static_cast<int>(picture - lines.begin()) + kBlurred_px;
+}
+
+struct Margins {
+    int before = 0;
+    int after = 0;
+};
+
+Margins bars_of(std::vector<Line> lines) {
+    const int before = lines_of_bar(lines);
+    std::reverse(lines.begin(), lines.end());
+    return {before, lines_of_bar(lines)};
+}
+
+/// `count` lines of `length` pixels.
+template <typename PixelOfLine>
+std::vector<Line> lines_of(const StandingPixels& standing, int count, int length,
+                           const PixelOfLine& pixel) {
+    std::vector<Line> lines(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        Line& line = lines[static_cast<std::size_t>(i)];
+        for (int k = 0; k < length; ++k) {
+            const auto [x, y] = pixel(i, k);
+            if (standing.spread(x, y) <= kStillSpread) line.still_share += 1.0 / length;
+            line.slope_share += standing.same_slope_share(x, y) / length;
+        }
+    }
+    return lines;
+}
+
+/// What bars leave of the photographs.
+ImageRectangle picture_between_bars(const StandingPixels& standing) {
+    const int width = standing.width();
+    const int height = standing.height();
+    const Margins rows = bars_of(lines_of(standing, height, width, [](int i, int k) {
+        return std::pair{k, i};
+    }));
+    const int rows_left = height - rows.before - rows.after;
+    if (rows_left <= 0) return {0, 0, width, height};
+    const Margins columns = bars_of(lines_of(standing, width, rows_left, [&](int i, int k) {
+        return std::pair{i, rows.before + k};
+    }));
+    const int columns_left = width - columns.before - columns.after;
+    if (columns_left <= 0) return {0, 0, width, height};
+    return {columns.before, rows.before, columns_left, rows_left};
+}
+
+bool is_edge(const StandingPixels& standing, int x, int y) {
+    constexpr double kMinGradient = 6.0;
+    return standing.mean_gradient(x, y) >= kMinGradient;
+}
+
+constexpr double kNearlyAll = 0.95;
+
+/// Edges that point the same way in nearly every photograph.
+cv::Mat standing_edges(const StandingPixels& standing, const ImageRectangle& picture) {
+    return pixels_where(picture, [&](int x, int y) {
+        return is_edge(standing, x, y) && standing.same_slope_share(x, y) >= kNearlyAll;
+    });
+}
+
+/// Edges that stand still in many photographs, and move in others.
+cv::Mat nearly_standing_edges(const StandingPixels& standing, const ImageRectangle& picture) {
+    constexpr double kMost = 0.8;
+    return pixels_where(picture, [&](int x, int y) {
+        const double share = standing.same_slope_share(x, y);
+        return share >= kMost && share < kNearlyAll && is_edge(standing, x, y);
+    });
+}
+
+cv::Mat grown(const cv::Mat& pixels, int radius_px) {
+    cv::Mat larger;
+    cv::dilate(pixels, larger,
+               cv::getStructuringElement(cv::MORPH_RECT, {2 * radius_px + 1, 2 * radius_px + 1}));
+    return larger;
+}
+
+/// Connected pixels, without 0.
+struct Parts {
+    cv::Mat part_of;
+    cv::Mat boxes;
+    int count = 0;
+
+    explicit Parts(const cv::Mat& pixels, int connectivity = 8) {
+        cv::Mat centroids;
+        count = cv::connectedComponentsWithStats(pixels, part_of, boxes, centroids, connectivity);
+    }
+    [[nodiscard]] int area_px(int part) const { return boxes.at<int>(part, cv::CC_STAT_AREA); }
+    /// With a margin, within the picture.
+    [[nodiscard]] cv::Rect around(int part, int margin_px) const {
+        return cv::Rect(boxes.at<int>(part, cv::CC_STAT_LEFT) - margin_px,
+                        boxes.at<int>(part, cv::CC_STAT_TOP) - margin_px,
+                        boxes.at<int>(part, cv::CC_STAT_WIDTH) + 2 * margin_px,
+                        boxes.at<int>(part, cv::CC_STAT_HEIGHT) + 2 * margin_px) &
+               cv::Rect({0, 0}, part_of.size());
+    }
+};
+
+/// Areas that stand still although nearly all around them changes.
+cv::Mat standing_areas(const StandingPixels& standing, const ImageRectangle& picture) {
+    constexpr double kMovingShare = 0.7;
+    constexpr int kMinArea_px = 12;
+    constexpr int kAround_px = 3;
+    const cv::Mat moving =
+        pixels_where(picture, [&](int x, int y) { return standing.spread(x, y) >= kMovingSpread; });
+    const Parts still(
+        pixels_where(picture, [&](int x, int y) { return standing.spread(x, y) <= kStillSpread; }));
+    cv::Mat areas = cv::Mat::zeros(moving.size(), CV_8U);
+    for (int part = 1; part < still.count; ++part) {
+        if (still.area_px(part) < kMinArea_px) continue;
+        const cv::Rect around = still.around(part, kAround_px);
+        const cv::Mat own = still.part_of(around) == part;
+        const cv::Mat ring = grown(own, kAround_px) & ~grown(own, kAround_px - 1);
+        const int ring_px = cv::countNonZero(ring);
+        const int moving_px = cv::countNonZero(ring & moving(around));
+        if (ring_px > 0 && moving_px >= kMovingShare * ring_px) areas(around) |= own;
+    }
+    return areas;
+}
+
+double mean_spread(const StandingPixels& standing, const ImageRectangle& picture,
+                   const cv::Mat& pixels) {
+    double sum = 0;
+    for (int y = 0; y < pixels.rows; ++y) {
+        for (int x = 0; x < pixels.cols; ++x) {
+            if (pixels.at<std::uint8_t>(y, x) != 0) {
+                sum += standing.spread(picture.left + x, picture.top + y);
+            }
+        }
+    }
+    return sum / std::max(1, cv::countNonZero(pixels));
+}
+
+/// What lies within an outline and changes by less than half of what the picture does: through a
+/// label some of the picture may show.
+void fill_labels(const StandingPixels& standing, const ImageRectangle& picture, cv::Mat& over) {
+    constexpr double kVeiled = 0.5;
+    const cv::Mat beside = over == 0;
+    const double spread = mean_spread(standing, picture, beside);
+    const Parts parts(beside, 4);
+    for (int part = 1; part < parts.count; ++part) {
+        const cv::Rect box = parts.around(part, 0);
+        const bool is_within = box.x > 0 && box.y > 0 && box.x + box.width < over.cols &&
+                               box.y + box.height < over.rows;
+        if (!is_within) continue;
+        const cv::Mat own = parts.part_of == part;
+        if (mean_spread(standing, picture, own) < kVeiled * spread) over |= own;
+    }
+}
+
+cv::Mat without_gaps(const cv::Mat& pixels) {
+    constexpr int kGap_px = 4;  // Within letters, and between them.
+    cv::Mat closed;
+    cv::morphologyEx(pixels, closed, cv::MORPH_CLOSE,
+                     cv::getStructuringElement(cv::MORPH_RECT, {2 * kGap_px + 1, 2 * kGap_px + 1}));
+    return closed;
+}
+
+/// Leaves out crumbs, and what has many edges in and beside it that nearly stand still: there the
+/// scene itself is far away along a straight rail, or what a camera on one turns about.
+cv::Mat without_scene(const cv::Mat& over, const cv::Mat& edges, const cv::Mat& nearly_standing) {
+    constexpr int kMinCrumb_px = 24;
+    constexpr int kBeside_px = 12;
+    constexpr double kMostNearly = 0.25;
+    cv::Mat kept = cv::Mat::zeros(over.size(), CV_8U);
+    const Parts parts(over);
+    for (int part = 1; part < parts.count; ++part) {
+        if (parts.area_px(part) < kMinCrumb_px) continue;
+        const cv::Rect around = parts.around(part, kBeside_px);
+        const cv::Mat own = parts.part_of(around) == part;
+        const int nearly = cv::countNonZero(grown(own, kBeside_px) & nearly_standing(around));
+        const double outline_px = 4 * std::sqrt(parts.area_px(part));
+        const double still_px = std::max(outline_px, 1.0 * cv::countNonZero(own & edges(around)));
+        if (nearly <= kMostNearly * still_px) kept(around) |= own;
+    }
+    return kept;
+}
+
+}  // namespace
+
+Overlay overlay_of(const StandingPixels& standing) {
+    constexpr double kLeastShare = 0.0025;
+    constexpr double kMostShare = 0.2;
+    constexpr int kMargin_px = 4;
+    Overlay overlay{{0, 0, standing.width(), standing.height()}, {}, 0.0};
+    if (standing.photographs() < kFewestForOverlay) return overlay;
+    overlay.picture = picture_between_bars(standing);
+    const cv::Mat edges = standing_edges(standing, overlay.picture);
+    cv::Mat over = without_scene(without_gaps(edges | standing_areas(standing, overlay.picture)),
+                                 edges, nearly_standing_edges(standing, overlay.picture));
+    fill_labels(standing, overlay.picture, over);
+    over = grown(over, kMargin_px);
+    const double share =
+        static_cast<double>(cv::countNonZero(over)) / static_cast<double>(over.total());
+    if (share < kLeastShare || share > kMostShare) return overlay;
+    overlay.share = share;
+    overlay.mask = GrayImage(over.cols, over.rows, 255);
+    for (int y = 0; y < over.rows; ++y) {
+        for (int x = 0; x < over.cols; ++x) {
+            if (over.at<std::uint8_t>(y, x) != 0) overlay.mask(x, y) = 0;
+        }
+    }
+    return overlay;
+}
+
+}  // namespace lumi

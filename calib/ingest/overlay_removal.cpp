@@ -1,0 +1,153 @@
+#include "calib/ingest/overlay_removal.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <opencv2/core.hpp>
+#include <opencv2/photo.hpp>
+#include <string>
+#include <tuple>
+
+#include "calib/capture/image_io.h"
+#include "calib/ingest/working_copies.h"
+#include "calib/work/parallel_for.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is printed upright lies across photographs that were taken upright.
+using Raster = std::tuple<int, int, int>;  // Width, height, EXIF orientation.
+
+std::map<Raster, std::vector<Photograph*>> by_raster(std::vector<Photograph>& photographs) {
+    std::map<Raster, std::vector<Photograph*>> groups;
+    for (Photograph& photograph : photographs) {
+        groups[{photograph.width_px, photograph.height_px, photograph.exif_orientation}].push_back(
+            &photograph);
+    }
+    return groups;
+}
+
+StandingPixels standing_pixels_of(const std::vector<Photograph*>& photographs, Progress& progress) {
+    StandingPixels standing(photographs.front()->width_px, photographs.front()->height_px);
+    for (const Photograph* photograph : photographs) {
+        progress.throw_if_interrupted();
+        standing.add(read_color_image(photograph->picture_path));
+        progress.advance();
+    }
+    return standing;
+}
+
+ColorImage cropped(const ColorImage& picture, const ImageRectangle& to) {
+    ColorImage part(to.width_px, to.height_px);
+    for (int y = 0; y < to.height_px; ++y) {
+        const Rgb8* row = picture.row(to.top + y) + to.left;
+        std::copy(row, row + to.width_px, part.row(y));
+    }
+    return part;
+}
+
+void paint_over(const GrayImage& mask, ColorImage& picture) {
+    constexpr double kRadius_px = 4.0;
+    cv::Mat covered(mask.height(), mask.width(), CV_8U);
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+            covered.at<std::uint8_t>(y, x) = mask(x, y) == 0 ? 255 : 0;
+        }
+    }
+    const cv::Mat colors(picture.height(), picture.width(), CV_8UC3, picture.pixels().data());
+    cv::Mat painted;
+    cv::inpaint(colors, covered, painted, kRadius_px, cv::INPAINT_TELEA);
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+            const auto& color = painted.at<cv::Vec3b>(y, x);
+            if (mask(x, y) == 0) picture(x, y) = {color[0], color[1], color[2]};
+        }
+    }
+}
+
+void remove_from(Photograph& photograph, const Overlay& overlay) {
+    ColorImage picture = cropped(read_color_image(photograph.picture_path), overlay.picture);
+    if (!overlay.mask.empty()) paint_over(overlay.mask, picture);
+    write_png(photograph.picture_path, picture);
+    photograph.width_px = picture.width();
+    photograph.height_px = picture.height();
+}
+
+/// "56 pixels above, 56 below"; empty without bars.
+std::string bars_text(const RemovedOverlay& overlay) {
+    const ImageRectangle& picture = overlay.picture;
+    std::string text;
+    const auto add = [&](int pixels, const std::string& where) {
+        if (pixels <= 0) return;
+        text += (text.empty() ? "" : ", ") + std::to_string(pixels) + " pixels " + where;
+    };
+    add(picture.top, "above");
+    add(overlay.height_px - picture.top - picture.height_px, "below");
+    add(picture.left, "to the left");
+    add(overlay.width_px - picture.left - picture.width_px, "to the right");
+    return text;
+}
+
+bool has_bars(const Overlay& overlay, const StandingPixels& standing) {
+    return overlay.picture.width_px < standing.width() ||
+           overlay.picture.height_px < standing.height();
+}
+
+}  // namespace
+
+std::vector<RemovedOverlay> remove_overlays(std::vector<Photograph>& photographs, bool crop_bars,
+                                            const fs::path& copies_folder, int threads,
+                                            Progress& progress) {
+    std::vector<RemovedOverlay> removed;
+    auto groups = by_raster(photographs);
+    std::erase_if(groups, [](const auto& group) {
+        return group.second.size() < static_cast<std::size_t>(kFewestForOverlay);
+    });
+    std::size_t count = 0;
+    for (const auto& [raster, group] : groups) count += group.size();
+    progress.begin("looking for what was laid over photographs", count);
+    for (const auto& [raster, group] : groups) {
+        const StandingPixels standing = standing_pixels_of(group, progress);
+        const Overlay overlay = overlay_of(standing);
+        const bool bars = has_bars(overlay, standing);
+        if ((!bars && overlay.mask.empty()) || (bars && !crop_bars)) continue;
+        RemovedOverlay found{static_cast<int>(group.size()),
+                             standing.width(),
+                             standing.height(),
+                             overlay.picture,
+                             overlay.share,
+                             {}};
+        if (!overlay.mask.empty()) {
+            found.mask_path =
+                copies_folder / (kOverlayPrefix + std::to_string(removed.size() + 1) + ".png");
+            write_png(found.mask_path, overlay.mask);
+        }
+        parallel_for(static_cast<int>(group.size()), threads, [&](int i) {
+            progress.throw_if_interrupted();
+            remove_from(*group[static_cast<std::size_t>(i)], overlay);
+        });
+        removed.push_back(std::move(found));
+    }
+    return removed;
+}
+
+std::string text_of(const RemovedOverlay& overlay) {
+    std::string text = "in all " + std::to_string(overlay.photographs) + " photographs of " +
+                       std::to_string(overlay.width_px) + "x" + std::to_string(overlay.height_px) +
+                       " pixels the same stands still";
+    const std::string bars = bars_text(overlay);
+    if (!bars.empty()) text += "; bars were cut off: " + bars;
+    if (overlay.share > 0) {
+        std::array<char, 96> painted{};
+        std::snprintf(painted.data(), painted.size(),
+                      "; a stamp, logo or watermark was painted over: %.1f %% of the picture",
+                      100 * overlay.share);
+        text += painted.data();
+    }
+    return text + " ([capture] keep_overlays = true leaves it)";
+}
+
+}  // namespace lumi

@@ -1,0 +1,117 @@
+#include "calib/ingest/overlay_removal.h"
+
+#include <gmock/gmock.h>
+
+#include "calib/capture/image_io.h"
+#include "tests/calib/scratch_folder.h"
+#include "tests/calib/test_pictures.h"
+
+namespace lumi {
+namespace {
+
+constexpr int kPrintedWidth = 160;
+constexpr int kPrintedHeight = 120;
+constexpr int kPrinted = 12;
+constexpr int kBar_px = 14;
+
+/// Bars above and below, and a label, over a scene that passes by unevenly.
+void print_over(ColorImage& picture) {
+    for (int y = 0; y < kPrintedHeight; ++y) {
+        for (int x = 0; x < kPrintedWidth; ++x) {
+            if (y < kBar_px || y >= kPrintedHeight - kBar_px) picture(x, y) = {0, 0, 0};
+            if (x >= 100 && x < 130 && y >= 60 && y < 75) picture(x, y) = {255, 255, 255};
+        }
+    }
+}
+
+void write_photographs(const ScratchFolder& scratch) {
+    std::mt19937 random(8);
+    for (int i = 0; i < kPrinted; ++i) {
+        ColorImage picture =
+            wavy_picture(kPrintedWidth, kPrintedHeight, static_cast<double>(random() % 400));
+        print_over(picture);
+        write_png(scratch / "photos" / (std::to_string(100 + i) + ".png"), picture);
+    }
+}
+
+IngestResult printed_photographs(const ScratchFolder& scratch, const IngestOptions& options) {
+    SilentProgress progress;
+    return ingest(scratch / "photos", options, scratch / "copies", 2, progress);
+}
+
+TEST(OverlayRemoval, CutsBarsOffAndPaintsLabelsOver) {
+    const ScratchFolder scratch;
+    write_photographs(scratch);
+    const IngestResult result = printed_photographs(scratch, {});
+    ASSERT_EQ(result.overlays.size(), 1U);
+    const RemovedOverlay& overlay = result.overlays[0];
+    EXPECT_EQ(overlay.photographs, kPrinted);
+    EXPECT_EQ(overlay.picture,
+              (ImageRectangle{0, kBar_px + 2, kPrintedWidth, kPrintedHeight - 2 * kBar_px - 4}));
+    EXPECT_GT(overlay.share, 30.0 * 15.0 / (kPrintedWidth * kPrintedHeight));
+    EXPECT_LT(overlay.share, 0.08);
+    const GrayImage mask = read_gray_png(overlay.mask_path);
+    for (const Photograph& photograph : result.photographs) {
+        const ColorImage copy = read_color_image(photograph.picture_path);
+        ASSERT_EQ(copy.width(), photograph.width_px);
+        ASSERT_EQ(copy.height(), photograph.height_px);
+        ASSERT_EQ(copy.height(), overlay.picture.height_px);
+        const ColorImage taken = read_color_image(scratch / "photos" / photograph.name);
+        for (int y = 0; y < copy.height(); ++y) {
+            for (int x = 0; x < copy.width(); ++x) {
+                const Rgb8 before = taken(x, y + overlay.picture.top);
+                if (mask(x, y) != 0) {
+                    EXPECT_EQ(copy(x, y), before);
+                } else {
+                    EXPECT_NE(copy(x, y), (Rgb8{255, 255, 255}));
+                }
+            }
+        }
+    }
+}
+
+TEST(OverlayRemoval, LeavesPhotographsAsTheyAreWhenAskedTo) {
+    const ScratchFolder scratch;
+    write_photographs(scratch);
+    IngestOptions options;
+    options.keep_overlays = true;
+    const IngestResult result = printed_photographs(scratch, options);
+    EXPECT_TRUE(result.overlays.empty());
+    for (const Photograph& photograph : result.photographs) {
+        EXPECT_EQ(read_color_image(photograph.picture_path),
+                  read_color_image(scratch / "photos" / photograph.name));
+    }
+}
+
+TEST(OverlayRemoval, LeavesPhotographsWithBarsAsTheyAreWhereTheirRasterIsSpokenOf) {
+    const ScratchFolder scratch;
+    write_photographs(scratch);
+    IngestOptions options;
+    options.crop_bars = false;
+    const IngestResult result = printed_photographs(scratch, options);
+    EXPECT_TRUE(result.overlays.empty());
+    EXPECT_EQ(result.photographs.front().height_px, kPrintedHeight);
+}
+
+TEST(OverlayRemoval, SaysWhatItDid) {
+    RemovedOverlay overlay{28, 768, 512, {0, 56, 768, 400}, 0.024, "overlay-1.png"};
+    EXPECT_EQ(
+        text_of(overlay),
+        "in all 28 photographs of 768x512 pixels the same stands still; bars were cut off: 56 "
+        "pixels above, 56 pixels below; a stamp, logo or watermark was painted over: 2.4 % of "
+        "the picture ([capture] keep_overlays = true leaves it)");
+}
+
+TEST(OverlayRemoval, MasksOfAnEarlierRunAreRemoved) {
+    const ScratchFolder scratch;
+    write_photographs(scratch);
+    (void)printed_photographs(scratch, {});
+    EXPECT_TRUE(std::filesystem::exists(scratch / "copies/overlay-1.png"));
+    IngestOptions options;
+    options.keep_overlays = true;
+    (void)printed_photographs(scratch, options);
+    EXPECT_FALSE(std::filesystem::exists(scratch / "copies/overlay-1.png"));
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,229 @@
+#include "calib/ingest/overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace lumi {
+namespace {
+
+constexpr int kStillWidth = 120;
+constexpr int kStillHeight = 90;
+
+/// Noise, blurred to the size of things, that the eye moves over.
+class Scene {
+ public:
+    explicit Scene(int contrast = 90) {
+        constexpr int kSize = 400;
+        std::mt19937 random(3);
+        Image<float> noise(kSize, kSize);
+        for (float& value : noise.pixels()) {
+            value = static_cast<float>(random() % 1000) / 500.0F - 1.0F;
+        }
+        levels_ = GrayImage(kSize - 4, kSize - 4);
+        for (int y = 0; y < levels_.height(); ++y) {
+            for (int x = 0; x < levels_.width(); ++x) {
+                float sum = 0;
+                for (int dy = 0; dy < 5; ++dy) {
+                    for (int dx = 0; dx < 5; ++dx) sum += noise(x + dx, y + dy);
+                }
+                const float level = 120.0F + static_cast<float>(contrast) * 0.25F * sum;
+                levels_(x, y) = static_cast<std::uint8_t>(std::clamp(level, 0.0F, 255.0F));
+            }
+        }
+    }
+
+    [[nodiscard]] ColorImage photograph(int left, int top) const {
+        ColorImage picture(kStillWidth, kStillHeight);
+        for (int y = 0; y < kStillHeight; ++y) {
+            for (int x = 0; x < kStillWidth; ++x) {
+                const std::uint8_t level = levels_(left + x, top + y);
+                picture(x, y) = {level, level, level};
+            }
+        }
+        return picture;
+    }
+
+ private:
+    GrayImage levels_;
+};
+
+using Print = std::function<void(ColorImage&)>;
+
+/// Of a camera that a hand moves.
+Overlay overlay_printed(const Print& print, int photographs = 24, int contrast = 90) {
+    const Scene scene(contrast);
+    std::mt19937 random(5);
+    StandingPixels standing(kStillWidth, kStillHeight);
+    for (int i = 0; i < photographs; ++i) {
+        ColorImage picture =
+            scene.photograph(static_cast<int>(random() % 200), static_cast<int>(random() % 200));
+        print(picture);
+        standing.add(picture);
+    }
+    return overlay_of(standing);
+}
+
+void fill(ColorImage& picture, const ImageRectangle& area, Rgb8 color, double opacity = 1.0) {
+    const auto mixed = [&](std::uint8_t below, std::uint8_t above) {
+        return static_cast<std::uint8_t>(std::lround(opacity * above + (1 - opacity) * below));
+    };
+    for (int y = area.top; y < area.top + area.height_px; ++y) {
+        for (int x = area.left; x < area.left + area.width_px; ++x) {
+            const Rgb8 below = picture(x, y);
+            picture(x, y) = {mixed(below.r, color.r), mixed(below.g, color.g),
+                             mixed(below.b, color.b)};
+        }
+    }
+}
+
+constexpr Rgb8 kBlack{0, 0, 0};
+constexpr Rgb8 kWhite{255, 255, 255};
+constexpr Rgb8 kGrey{120, 120, 120};
+constexpr ImageRectangle kWhole{0, 0, kStillWidth, kStillHeight};
+
+/// Whether the mask covers the area, and nothing that lies further from it than its margins.
+void expect_covers_just(const Overlay& overlay, const ImageRectangle& area) {
+    ASSERT_FALSE(overlay.mask.empty());
+    constexpr int kMargins_px = 10;
+    for (int y = 0; y < overlay.mask.height(); ++y) {
+        for (int x = 0; x < overlay.mask.width(); ++x) {
+            const int beyond_x = std::max(area.left - x, x - area.left - area.width_px + 1);
+            const int beyond_y = std::max(area.top - y, y - area.top - area.height_px + 1);
+            const int beyond = std::max(beyond_x, beyond_y);
+            const bool is_between = beyond > 0 && beyond <= kMargins_px;
+            if (is_between) continue;
+            EXPECT_EQ(overlay.mask(x, y), beyond <= 0 ? 0 : 255) << x << ", " << y;
+        }
+    }
+}
+
+TEST(Overlay, ThereIsNoneInPhotographsOfAMovingCamera) {
+    const Overlay overlay = overlay_printed([](ColorImage&) {});
+    EXPECT_EQ(overlay.picture, kWhole);
+    EXPECT_TRUE(overlay.mask.empty());
+    EXPECT_EQ(overlay.share, 0.0);
+}
+
+TEST(Overlay, ALabelIsCovered) {
+    constexpr ImageRectangle kLabel{80, 60, 24, 12};
+    const Overlay overlay =
+        overlay_printed([&](ColorImage& picture) { fill(picture, kLabel, kWhite); });
+    EXPECT_EQ(overlay.picture, kWhole);
+    expect_covers_just(overlay, kLabel);
+}
+
+TEST(Overlay, ALabelOfTheScenesMeanColourIsCovered) {
+    constexpr ImageRectangle kLabel{80, 60, 24, 12};
+    const Overlay overlay =
+        overlay_printed([&](ColorImage& picture) { fill(picture, kLabel, kGrey); });
+    expect_covers_just(overlay, kLabel);
+}
+
+TEST(Overlay, ALabelThatTheSceneShinesThroughIsCovered) {
+    constexpr ImageRectangle kLabel{40, 30, 30, 14};
+    const Overlay overlay =
+        overlay_printed([&](ColorImage& picture) { fill(picture, kLabel, kWhite, 0.75); }, 24, 40);
+    expect_covers_just(overlay, kLabel);
+}
+
+TEST(Overlay, StrokesOfAWatermarkAreCovered) {
+    constexpr ImageRectangle kStroke{20, 40, 70, 3};
+    const Overlay overlay =
+        overlay_printed([&](ColorImage& picture) { fill(picture, kStroke, kWhite, 0.5); }, 24, 40);
+    expect_covers_just(overlay, kStroke);
+}
+
+TEST(Overlay, BarsAreNoneOfThePicture) {
+    const Overlay overlay = overlay_printed([](ColorImage& picture) {
+        fill(picture, {0, 0, kStillWidth, 11}, kBlack);
+        fill(picture, {0, kStillHeight - 7, kStillWidth, 7}, kBlack);
+    });
+    EXPECT_EQ(overlay.picture, (ImageRectangle{0, 13, kStillWidth, kStillHeight - 22}));
+    EXPECT_TRUE(overlay.mask.empty());
+}
+
+TEST(Overlay, BarsAtTheSidesAreNoneOfThePicture) {
+    const Overlay overlay = overlay_printed([](ColorImage& picture) {
+        fill(picture, {0, 0, 20, kStillHeight}, kWhite);
+        fill(picture, {kStillWidth - 20, 0, 20, kStillHeight}, kWhite);
+    });
+    EXPECT_EQ(overlay.picture, (ImageRectangle{22, 0, kStillWidth - 44, kStillHeight}));
+}
+
+TEST(Overlay, ALogoBesideABarIsFoundInWhatTheBarLeaves) {
+    const Overlay overlay = overlay_printed([](ColorImage& picture) {
+        fill(picture, {0, 0, kStillWidth, 10}, kBlack);
+        fill(picture, {80, 60, 20, 10}, kWhite);
+    });
+    EXPECT_EQ(overlay.picture, (ImageRectangle{0, 12, kStillWidth, kStillHeight - 12}));
+    expect_covers_just(overlay, {80, 48, 20, 10});
+}
+
+TEST(Overlay, FewPhotographsSayNothing) {
+    const Overlay overlay = overlay_printed(
+        [](ColorImage& picture) {
+            fill(picture, {80, 60, 24, 12}, kWhite);
+            fill(picture, {0, 0, kStillWidth, 10}, kBlack);
+        },
+        kFewestForOverlay - 1);
+    EXPECT_EQ(overlay.picture, kWhole);
+    EXPECT_TRUE(overlay.mask.empty());
+}
+
+/// As a plain sky over a scene that moves: it ends where the scene has it, not along a line.
+TEST(Overlay, APlainPartOfTheSceneIsNone) {
+    int photograph = 0;
+    const Overlay overlay = overlay_printed([&](ColorImage& picture) {
+        fill(picture, {0, 0, kStillWidth, 20 + (7 * photograph) % 25}, kWhite);
+        ++photograph;
+    });
+    EXPECT_EQ(overlay.picture, kWhole);
+    EXPECT_TRUE(overlay.mask.empty());
+}
+
+/// Of a turntable: only the middle of the picture changes.
+TEST(Overlay, APlainBackgroundIsNone) {
+    const Overlay overlay = overlay_printed([](ColorImage& picture) {
+        fill(picture, {0, 0, kStillWidth, 20}, kBlack);
+        fill(picture, {0, 70, kStillWidth, 20}, kBlack);
+        fill(picture, {0, 0, 40, kStillHeight}, kBlack);
+        fill(picture, {80, 0, 40, kStillHeight}, kBlack);
+    });
+    EXPECT_TRUE(overlay.mask.empty());
+}
+
+TEST(Overlay, NothingIsWhereTheCameraStoodStill) {
+    const Scene scene;
+    StandingPixels standing(kStillWidth, kStillHeight);
+    for (int i = 0; i < 16; ++i) standing.add(scene.photograph(50, 50));
+    const Overlay overlay = overlay_of(standing);
+    EXPECT_EQ(overlay.picture, kWhole);
+    EXPECT_TRUE(overlay.mask.empty());
+}
+
+/// Three depths: what is far stands still, what is nearer moves by up to three pixels, and what is
+/// near by many.
+TEST(Overlay, TheFarEndOfAStraightRailIsNone) {
+    const Scene scene;
+    StandingPixels standing(kStillWidth, kStillHeight);
+    for (int i = 0; i < 16; ++i) {
+        const ColorImage far = scene.photograph(50, 50);
+        const ColorImage nearer = scene.photograph(50 + i / 5, 50);
+        ColorImage picture = scene.photograph(50 + 9 * i, 50);
+        for (int y = 0; y < kStillHeight; ++y) {
+            for (int x = 0; x < kStillWidth; ++x) {
+                if (x < 15) picture(x, y) = far(x, y);
+                if (x >= 15 && x < 60) picture(x, y) = nearer(x, y);
+            }
+        }
+        standing.add(picture);
+    }
+    EXPECT_TRUE(overlay_of(standing).mask.empty());
+}
+
+}  // namespace
+}  // namespace lumi

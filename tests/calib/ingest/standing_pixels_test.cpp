@@ -1,0 +1,47 @@
+#include "calib/ingest/standing_pixels.h"
+
+#include <gtest/gtest.h>
+
+namespace lumi {
+namespace {
+
+ColorImage grey(std::initializer_list<int> levels) {
+    ColorImage picture(static_cast<int>(levels.size()), 1);
+    int x = 0;
+    for (const int level : levels) {
+        const auto value = static_cast<std::uint8_t>(level);
+        picture(x++, 0) = {value, value, value};
+    }
+    return picture;
+}
+
+TEST(StandingPixels, SpreadIsTheStandardDeviationOverPhotographs) {
+    StandingPixels standing(3, 1);
+    standing.add(grey({10, 50, 200}));
+    standing.add(grey({10, 70, 200}));
+    EXPECT_EQ(standing.photographs(), 2);
+    EXPECT_NEAR(standing.spread(0, 0), 0.0, 1e-3);
+    EXPECT_NEAR(standing.spread(1, 0), 10.0, 1e-3);
+    EXPECT_NEAR(standing.spread(2, 0), 0.0, 1e-3);
+}
+
+TEST(StandingPixels, TheMeanGradientIsSigned) {
+    StandingPixels standing(3, 1);
+    standing.add(grey({0, 50, 100}));
+    standing.add(grey({100, 50, 0}));
+    EXPECT_NEAR(standing.mean_gradient(1, 0), 0.0, 1e-3);
+    standing.add(grey({0, 50, 120}));
+    EXPECT_NEAR(standing.mean_gradient(1, 0), (50.0 - 50.0 + 60.0) / 3, 1e-3);
+}
+
+TEST(StandingPixels, SlopesAreCountedByTheirDirection) {
+    StandingPixels standing(3, 1);
+    standing.add(grey({0, 50, 100}));
+    standing.add(grey({10, 20, 30}));
+    standing.add(grey({100, 50, 0}));
+    standing.add(grey({50, 50, 51}));
+    EXPECT_NEAR(standing.same_slope_share(1, 0), 0.5, 1e-9);
+}
+
+}  // namespace
+}  // namespace lumi
