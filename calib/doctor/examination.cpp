@@ -113,6 +113,8 @@ Examination examine_capture(const fs::path& photographs_or_video,
     ingest_options.max_width_px = options.width_px;
     ingest_options.min_photographs = 1;
     ingest_options.video_fps = options.video_fps;
+    ingest_options.keep_overlays = options.keep_overlays;
+    ingest_options.crop_bars = options.crop_bars;
     IngestResult ingested =
         ingest(photographs_or_video, ingest_options, scratch_folder, threads, progress);
     for (Photograph& photograph : ingested.photographs) {
@@ -125,6 +127,7 @@ Examination examine_capture(const fs::path& photographs_or_video,
     evidence.duplicates_left_out = count_of_duplicates(ingested.left_out);
     evidence.lens_is_known = given_lens.has_value();
     result.left_out = std::move(ingested.left_out);
+    result.overlays = std::move(ingested.overlays);
     if (!ingested.photographs.empty()) {
         const CameraGroups groups = group_cameras(ingested.photographs, given_lens, {});
         SiftOptions sift;

@@ -15,10 +15,12 @@ namespace lumi {
 
 /// How closely the doctor looks.
 struct ExaminationOptions {
-    int width_px = 800;         ///< Longer sides are scaled down to this. >= 64.
-    int max_features = 1500;    ///< Per photograph. > 0.
-    int build_width_px = 1600;  ///< What a build scales longer sides down to; 0: not at all.
-    double video_fps = 2.0;     ///< Frames taken from each second of a video. > 0.
+    int width_px = 800;          ///< Longer sides are scaled down to this. >= 64.
+    int max_features = 1500;     ///< Per photograph. > 0.
+    int build_width_px = 1600;   ///< What a build scales longer sides down to; 0: not at all.
+    double video_fps = 2.0;      ///< Frames taken from each second of a video. > 0.
+    bool keep_overlays = false;  ///< See IngestOptions.
+    bool crop_bars = true;       ///< See IngestOptions.
     std::filesystem::path mask_folder = {};      ///< See PoseOptions; empty: none.
     std::optional<double> told_focal_length_px;  ///< For the size looked at, instead of EXIF's.
 };
@@ -33,6 +35,7 @@ struct ExpectedCost {
 struct Examination {
     CaptureEvidence evidence;
     std::vector<LeftOut> left_out;
+    std::vector<RemovedOverlay> overlays;
     std::vector<Finding> findings;  ///< The worst first.
     ExpectedCost build;
     std::vector<Eigen::Vector2i> build_sizes_px;  ///< Of the photographs, as a build scales them.

@@ -4,6 +4,7 @@
 
 #include "calib/doctor/examination.h"
 #include "calib/doctor/match_graph_picture.h"
+#include "calib/ingest/overlay_removal.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 #include "calib/work/process_memory.h"
@@ -14,6 +15,7 @@
 #include "pipeline/line/line.h"
 #include "pipeline/report/number_text.h"
 #include "pipeline/stages/left_out_json.h"
+#include "pipeline/stages/overlays_json.h"
 
 namespace lumi {
 namespace {
@@ -108,6 +110,7 @@ Json examination_json(const Examination& seen, double depth_mib, const fs::path&
                 {"findings", findings_json(seen.findings)},
                 {"photographs", photographs_json(seen.evidence.photographs)},
                 {"left_out", left_out_json(seen.left_out)},
+                {"overlays", overlays_json(seen.overlays)},
                 {"pairs", pairs_json(seen.evidence)},
                 {"rotation_share", motion.rotation_share()},
                 {"planar_share", motion.planar_share()},
@@ -142,6 +145,7 @@ std::string examination_text(const Examination& seen, double depth_mib, const fs
                 std::string(code_of(finding.reason)) + ": " + finding.what + "\n" +
                 concerned_text(finding) + "  -> " + std::string(advice_for(finding.reason)) + "\n";
     }
+    for (const RemovedOverlay& overlay : seen.overlays) text += text_of(overlay) + "\n";
     for (const LeftOut& left_out : seen.left_out) {
         text += "left out " + left_out.name + " (" + left_out.code + "): " + left_out.reason + "\n";
     }
@@ -165,6 +169,8 @@ void run_doctor(const DoctorRequest& request, CommandContext& context) {
     const fs::path folder = layout.folder() / "doctor";
     ExaminationOptions options;
     options.video_fps = config.ingest.video_fps;
+    options.keep_overlays = config.ingest.keep_overlays;
+    options.crop_bars = !is_raster_spoken_of(config);
     options.mask_folder = config.poses.mask_folder;
     options.build_width_px = config.ingest.max_width_px;
     const int threads = context.threads > 0 ? context.threads : config.threads;

@@ -168,4 +168,10 @@ BuildConfig load_build_config(const fs::path& path) {
     return read_build_config(ConfigSection::from_file(path), path.stem().string());
 }
 
+bool is_raster_spoken_of(const BuildConfig& config) {
+    return !config.imported_poses.empty() || config.given_lens || !config.boards.empty() ||
+           !config.poses.mask_folder.empty() || !config.depth.mask_folder.empty() ||
+           !config.depth.import_folder.empty();
+}
+
 }  // namespace lumi

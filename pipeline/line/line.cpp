@@ -73,20 +73,13 @@ class Line {
     [[nodiscard]] Stage ingest_stage() const {
         const std::vector<ContentEntry> inputs = content_of(config_.photographs_or_video, threads_);
         IngestOptions options = config_.ingest;
-        options.crop_bars = !is_raster_spoken_of();
+        options.crop_bars = !is_raster_spoken_of(config_);
         return {identity("ingest", options.crop_bars ? "" : "crop_bars = false", inputs),
                 [this, options](const fs::path& folder) {
                     return run_ingest_stage(config_.photographs_or_video, options, folder, threads_,
                                             progress_);
                 },
                 {}};
-    }
-
-    /// Whether something else than the photographs has their raster.
-    [[nodiscard]] bool is_raster_spoken_of() const {
-        return !config_.imported_poses.empty() || config_.given_lens || !config_.boards.empty() ||
-               !config_.poses.mask_folder.empty() || !config_.depth.mask_folder.empty() ||
-               !config_.depth.import_folder.empty();
     }
 
     [[nodiscard]] Stage calibrate_stage() const {

@@ -4,30 +4,11 @@
 
 #include "calib/ingest/overlay_removal.h"
 #include "pipeline/stages/left_out_json.h"
+#include "pipeline/stages/overlays_json.h"
 #include "pipeline/stages/photograph_list.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json overlays_json(const std::vector<RemovedOverlay>& overlays) {
-    Json list = Json::array();
-    for (const RemovedOverlay& overlay : overlays) {
-        const ImageRectangle& picture = overlay.picture;
-        list.push_back(
-            {{"what", text_of(overlay)},
-             {"photographs", overlay.photographs},
-             {"size_px", {overlay.width_px, overlay.height_px}},
-             {"picture_px", {picture.left, picture.top, picture.width_px, picture.height_px}},
-             {"share", overlay.share},
-             {"mask", overlay.mask_path.filename().string()}});
-    }
-    return list;
-}
-
-}  // namespace
 
 StageEvidence run_ingest_stage(const std::filesystem::path& photographs_or_video,
                                const IngestOptions& options, const std::filesystem::path& folder,
@@ -38,8 +19,8 @@ StageEvidence run_ingest_stage(const std::filesystem::path& photographs_or_video
         progress.note("left out " + left_out.name + " (" + left_out.code + "): " + left_out.reason);
     }
     for (const RemovedOverlay& overlay : result.overlays) progress.note(text_of(overlay));
-    Json facts{{"photographs", result.photographs.size()},
-               {"left_out", left_out_json(result.left_out)}};
+    nlohmann::ordered_json facts{{"photographs", result.photographs.size()},
+                                 {"left_out", left_out_json(result.left_out)}};
     if (!result.overlays.empty()) facts["overlays"] = overlays_json(result.overlays);
     return {json_text(facts), "{}"};
 }

@@ -39,6 +39,16 @@ TEST(BuildConfig, NeedsNothingButPhotographs) {
     EXPECT_EQ(config.hold_out.every, 0);
 }
 
+TEST(BuildConfig, KnownPosesBoardsAndMasksSpeakOfTheRaster) {
+    const std::string photos = "[capture]\nphotos = \"photos\"\n";
+    EXPECT_FALSE(is_raster_spoken_of(read(photos)));
+    EXPECT_TRUE(is_raster_spoken_of(read(photos + "import = \"sparse/0\"\n")));
+    EXPECT_TRUE(is_raster_spoken_of(read(photos + "[calibration]\nboards = \"b\"\n")));
+    EXPECT_TRUE(is_raster_spoken_of(read(photos + "[poses]\nmasks = \"m\"\n")));
+    EXPECT_TRUE(is_raster_spoken_of(read(photos + "[depth]\nmasks = \"m\"\n")));
+    EXPECT_TRUE(is_raster_spoken_of(read(photos + "[depth]\nimport_folder = \"d\"\n")));
+}
+
 TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
     const std::string resolved = read("[capture]\nphotos = \"photos\"\n").resolved_toml;
     for (const char* key : {"name",
@@ -52,6 +62,7 @@ TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
                             "min_width_px",
                             "min_photographs",
                             "video_fps",
+                            "keep_overlays",
                             "[calibration]",
                             "camera",
                             "[poses]",
