@@ -80,20 +80,21 @@ std::vector<Line> lines_of(const StandingPixels& standing, int count, int length
     return lines;
 }
 
-/// What bars leave of the photographs.
+/// What bars leave of the photographs: at least a quarter of each side, or there are none.
 ImageRectangle picture_between_bars(const StandingPixels& standing) {
     const int width = standing.width();
     const int height = standing.height();
+    const ImageRectangle whole{0, 0, width, height};
     const Margins rows = bars_of(lines_of(standing, height, width, [](int i, int k) {
         return std::pair{k, i};
     }));
     const int rows_left = height - rows.before - rows.after;
-    if (rows_left <= 0) return {0, 0, width, height};
+    if (4 * rows_left < height) return whole;
     const Margins columns = bars_of(lines_of(standing, width, rows_left, [&](int i, int k) {
         return std::pair{i, rows.before + k};
     }));
     const int columns_left = width - columns.before - columns.after;
-    if (columns_left <= 0) return {0, 0, width, height};
+    if (4 * columns_left < width) return whole;
     return {columns.before, rows.before, columns_left, rows_left};
 }
 

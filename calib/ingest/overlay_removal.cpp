@@ -1,8 +1,6 @@
 #include "calib/ingest/overlay_removal.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <map>
 #include <opencv2/core.hpp>
 #include <opencv2/photo.hpp>
@@ -11,6 +9,7 @@
 
 #include "calib/capture/image_io.h"
 #include "calib/ingest/working_copies.h"
+#include "calib/work/formatted.h"
 #include "calib/work/parallel_for.h"
 
 namespace lumi {
@@ -30,14 +29,34 @@ std::map<Raster, std::vector<Photograph*>> by_raster(std::vector<Photograph>& ph
     return groups;
 }
 
-StandingPixels standing_pixels_of(const std::vector<Photograph*>& photographs, Progress& progress) {
+bool has_bars(const Overlay& overlay, const Photograph& photograph) {
+    return overlay.picture.width_px < photograph.width_px ||
+           overlay.picture.height_px < photograph.height_px;
+}
+
+/// Of at most so many photographs, evenly over all.
+StandingPixels standing_pixels_of(const std::vector<Photograph*>& photographs, std::size_t most,
+                                  const Progress& progress) {
     StandingPixels standing(photographs.front()->width_px, photographs.front()->height_px);
-    for (const Photograph* photograph : photographs) {
+    const std::size_t count = std::min(most, photographs.size());
+    for (std::size_t i = 0; i < count; ++i) {
         progress.throw_if_interrupted();
-        standing.add(read_color_image(photograph->picture_path));
-        progress.advance();
+        const Photograph& photograph = *photographs[i * photographs.size() / count];
+        standing.add(read_color_image(photograph.picture_path));
     }
     return standing;
+}
+
+bool is_any(const Overlay& overlay, const Photograph& photograph) {
+    return has_bars(overlay, photograph) || !overlay.mask.empty();
+}
+
+/// Where a few photographs show none, all have none.
+Overlay overlay_over(const std::vector<Photograph*>& photographs, const Progress& progress) {
+    constexpr std::size_t kFew = 24;
+    const Overlay first = overlay_of(standing_pixels_of(photographs, kFew, progress));
+    if (photographs.size() <= kFew || !is_any(first, *photographs.front())) return first;
+    return overlay_of(standing_pixels_of(photographs, photographs.size(), progress));
 }
 
 ColorImage cropped(const ColorImage& picture, const ImageRectangle& to) {
@@ -91,11 +110,6 @@ std::string bars_text(const RemovedOverlay& overlay) {
     return text;
 }
 
-bool has_bars(const Overlay& overlay, const StandingPixels& standing) {
-    return overlay.picture.width_px < standing.width() ||
-           overlay.picture.height_px < standing.height();
-}
-
 }  // namespace
 
 std::vector<RemovedOverlay> remove_overlays(std::vector<Photograph>& photographs, bool crop_bars,
@@ -106,17 +120,16 @@ std::vector<RemovedOverlay> remove_overlays(std::vector<Photograph>& photographs
     std::erase_if(groups, [](const auto& group) {
         return group.second.size() < static_cast<std::size_t>(kFewestForOverlay);
     });
-    std::size_t count = 0;
-    for (const auto& [raster, group] : groups) count += group.size();
-    progress.begin("looking for what was laid over photographs", count);
+    progress.begin("looking for what was laid over photographs", groups.size());
     for (const auto& [raster, group] : groups) {
-        const StandingPixels standing = standing_pixels_of(group, progress);
-        const Overlay overlay = overlay_of(standing);
-        const bool bars = has_bars(overlay, standing);
-        if ((!bars && overlay.mask.empty()) || (bars && !crop_bars)) continue;
+        const Photograph before = *group.front();
+        const Overlay overlay = overlay_over(group, progress);
+        progress.advance();
+        const bool stays = has_bars(overlay, before) && !crop_bars;
+        if (stays || !is_any(overlay, before)) continue;
         RemovedOverlay found{static_cast<int>(group.size()),
-                             standing.width(),
-                             standing.height(),
+                             before.width_px,
+                             before.height_px,
                              overlay.picture,
                              overlay.share,
                              {}};
@@ -135,17 +148,13 @@ std::vector<RemovedOverlay> remove_overlays(std::vector<Photograph>& photographs
 }
 
 std::string text_of(const RemovedOverlay& overlay) {
-    std::string text = "in all " + std::to_string(overlay.photographs) + " photographs of " +
-                       std::to_string(overlay.width_px) + "x" + std::to_string(overlay.height_px) +
-                       " pixels the same stands still";
+    std::string text = formatted("in all %d photographs of %dx%d pixels the same stands still",
+                                 overlay.photographs, overlay.width_px, overlay.height_px);
     const std::string bars = bars_text(overlay);
     if (!bars.empty()) text += "; bars were cut off: " + bars;
     if (overlay.share > 0) {
-        std::array<char, 96> painted{};
-        std::snprintf(painted.data(), painted.size(),
-                      "; a stamp, logo or watermark was painted over: %.1f %% of the picture",
-                      100 * overlay.share);
-        text += painted.data();
+        text += formatted("; a stamp, logo or watermark was painted over: %.1f %% of the picture",
+                          100 * overlay.share);
     }
     return text + " ([capture] keep_overlays = true leaves it)";
 }

@@ -174,6 +174,21 @@ TEST(Overlay, FewPhotographsSayNothing) {
     EXPECT_TRUE(overlay.mask.empty());
 }
 
+TEST(Overlay, ALabelThatAFewPhotographsLackIsLeftIn) {
+    int photograph = 0;
+    const Overlay overlay = overlay_printed([&](ColorImage& picture) {
+        if (photograph++ % 8 != 0) fill(picture, {80, 60, 24, 12}, kWhite);
+    });
+    EXPECT_TRUE(overlay.mask.empty());
+}
+
+TEST(Overlay, BarsThatLeaveLessThanAQuarterAreNone) {
+    const Overlay overlay = overlay_printed([](ColorImage& picture) {
+        fill(picture, {0, 0, kStillWidth, 70}, kBlack);
+    });
+    EXPECT_EQ(overlay.picture, kWhole);
+}
+
 /// As a plain sky over a scene that moves: it ends where the scene has it, not along a line.
 TEST(Overlay, APlainPartOfTheSceneIsNone) {
     int photograph = 0;
