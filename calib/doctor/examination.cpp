@@ -128,6 +128,7 @@ Examination examine_capture(const fs::path& photographs_or_video,
     evidence.lens_is_known = given_lens.has_value();
     result.left_out = std::move(ingested.left_out);
     result.overlays = std::move(ingested.overlays);
+    for (RemovedOverlay& overlay : result.overlays) overlay.mask_path.clear();  // It does not stay.
     if (!ingested.photographs.empty()) {
         const CameraGroups groups = group_cameras(ingested.photographs, given_lens, {});
         SiftOptions sift;

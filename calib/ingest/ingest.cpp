@@ -143,11 +143,11 @@ IngestResult ingest(const fs::path& photographs_or_video, const IngestOptions& o
     std::stable_sort(result.left_out.begin(), result.left_out.end(),
                      [](const LeftOut& a, const LeftOut& b) { return a.name < b.name; });
     result.photographs = number_working_copies(candidates, copies_folder);
-    if (!options.keep_overlays) {
-        result.overlays = remove_overlays(result.photographs, options.crop_bars, copies_folder,
-                                          threads, progress);
-    }
     refuse_too_few(result, options, photographs_or_video);
+    if (!options.keep_overlays) {
+        result.overlays =
+            remove_overlays(result.photographs, options, copies_folder, threads, progress);
+    }
     return result;
 }
 

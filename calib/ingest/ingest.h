@@ -20,8 +20,8 @@ struct IngestOptions {
     double video_fps = 2.0;   ///< Frames taken from each second of a video. > 0.
     /// Whether what was laid over all photographs (overlay.h) is left in them.
     bool keep_overlays = false;
-    /// Whether bars beside the picture are cut off: not where something else speaks of the raster
-    /// with them, as known poses, a calibrated lens or masks do.
+    /// Whether bars beside the picture are cut off: not where something was made for the raster
+    /// with them, as known poses, a calibrated lens or masks.
     bool crop_bars = true;
 };
 
@@ -36,7 +36,7 @@ struct Photograph {
     std::filesystem::path picture_path;  ///< The working copy: 8-bit sRGB PNG.
     int width_px = 0;                    ///< Of the working copy.
     int height_px = 0;
-    int original_width_px = 0;
+    int original_width_px = 0;  ///< Of what the copy shows, before it was scaled.
     int original_height_px = 0;
     int exif_orientation = 1;               ///< 1 to 8.
     std::optional<double> focal_length_px;  ///< From EXIF, for the working copy.

@@ -33,21 +33,24 @@ struct Line {
 };
 
 /// How many lines from the first on are still, if they end sharply and in all photographs at the
-/// same place; 0 if they do not.
+/// same place; 0 if they do not. Lines of the picture are as still as bars across them make them.
 int lines_of_bar(const std::vector<Line>& lines) {
     constexpr double kBar = 0.97;
     constexpr double kPicture = 0.2;
     constexpr double kEdge = 0.5;
     constexpr std::ptrdiff_t kSharpEnd_px = 3;
     constexpr int kBlurred_px = 2;
+    double least = 1.0;
+    for (const Line& line : lines) least = std::min(least, line.still_share);
+    const double most_of_picture = least + kPicture * (1 - least);
     const auto end = std::find_if(lines.begin(), lines.end(),
                                   [](const Line& line) { return line.still_share < kBar; });
     if (end == lines.begin()) return 0;
     const auto sharp = end + std::min(kSharpEnd_px, lines.end() - end);
-    const auto picture =
-        std::find_if(end, sharp, [](const Line& line) { return line.still_share <= kPicture; });
-    const bool is_edge =
-        std::any_of(end - 1, sharp, [](const Line& line) { return line.slope_share >= kEdge; });
+    const auto picture = std::find_if(
+        end, sharp, [&](const Line& line) { return line.still_share <= most_of_picture; });
+    const bool is_edge = std::any_of(
+        end - 1, sharp, [&](const Line& line) { return line.slope_share >= kEdge * (1 - least); });
     if (picture == sharp || !is_edge) return 0;
     // Where the bar ends the picture may be blurred with it.
     return static_cast<int>(picture - lines.begin()) + kBlurred_px;
@@ -80,8 +83,8 @@ std::vector<Line> lines_of(const StandingPixels& standing, int count, int length
     return lines;
 }
 
-/// What bars leave of the photographs: at least a quarter of each side, or there are none.
-ImageRectangle picture_between_bars(const StandingPixels& standing) {
+/// What bars leave of the photographs.
+ImageRectangle picture_between_bars(const StandingPixels& standing, int min_side_px) {
     const int width = standing.width();
     const int height = standing.height();
     const ImageRectangle whole{0, 0, width, height};
@@ -89,12 +92,12 @@ ImageRectangle picture_between_bars(const StandingPixels& standing) {
         return std::pair{k, i};
     }));
     const int rows_left = height - rows.before - rows.after;
-    if (4 * rows_left < height) return whole;
+    if (rows_left < std::max(height / 4, min_side_px)) return whole;
     const Margins columns = bars_of(lines_of(standing, width, rows_left, [&](int i, int k) {
         return std::pair{i, rows.before + k};
     }));
     const int columns_left = width - columns.before - columns.after;
-    if (4 * columns_left < width) return whole;
+    if (columns_left < std::max(width / 4, min_side_px)) return whole;
     return {columns.before, rows.before, columns_left, rows_left};
 }
 
@@ -171,6 +174,7 @@ cv::Mat standing_areas(const StandingPixels& standing, const ImageRectangle& pic
     return areas;
 }
 
+/// Over the pixels that are not 0, within the rectangle.
 double mean_spread(const StandingPixels& standing, const ImageRectangle& picture,
                    const cv::Mat& pixels) {
     double sum = 0;
@@ -196,8 +200,10 @@ void fill_labels(const StandingPixels& standing, const ImageRectangle& picture, 
         const bool is_within = box.x > 0 && box.y > 0 && box.x + box.width < over.cols &&
                                box.y + box.height < over.rows;
         if (!is_within) continue;
-        const cv::Mat own = parts.part_of == part;
-        if (mean_spread(standing, picture, own) < kVeiled * spread) over |= own;
+        const cv::Mat own = parts.part_of(box) == part;
+        const ImageRectangle within{picture.left + box.x, picture.top + box.y, box.width,
+                                    box.height};
+        if (mean_spread(standing, within, own) < kVeiled * spread) over(box) |= own;
     }
 }
 
@@ -231,13 +237,13 @@ cv::Mat without_scene(const cv::Mat& over, const cv::Mat& edges, const cv::Mat& 
 
 }  // namespace
 
-Overlay overlay_of(const StandingPixels& standing) {
+Overlay overlay_of(const StandingPixels& standing, int min_side_px) {
     constexpr double kLeastShare = 0.0025;
     constexpr double kMostShare = 0.2;
     constexpr int kMargin_px = 4;
     Overlay overlay{{0, 0, standing.width(), standing.height()}, {}, 0.0};
     if (standing.photographs() < kFewestForOverlay) return overlay;
-    overlay.picture = picture_between_bars(standing);
+    overlay.picture = picture_between_bars(standing, min_side_px);
     const cv::Mat edges = standing_edges(standing, overlay.picture);
     cv::Mat over = without_scene(without_gaps(edges | standing_areas(standing, overlay.picture)),
                                  edges, nearly_standing_edges(standing, overlay.picture));

@@ -27,17 +27,19 @@ struct Overlay {
 /// Fewer photographs than this may show the same at a pixel by chance.
 inline constexpr int kFewestForOverlay = 8;
 
-/// The overlay of photographs whose pixels stood so.
+/// Tells the overlay from how the photographs' pixels changed.
 ///
 /// Bars: rows and columns along the border nearly all of whose pixels stand still, and that end
-/// within three pixels, in all photographs at the same; two more are taken with them. Other
-/// overlays: edges that point the same way in nearly every photograph (what median gradients tell
-/// of watermarks, Dekel et al., On the effectiveness of visible watermarks, CVPR 2017), and areas
-/// whose pixels stand still although all around them changes; with a margin of four pixels.
+/// within three pixels, in all photographs at the same; two more are taken with them. What is left
+/// has a quarter of each side or more, and `min_side_px`. Other overlays: edges that point the same
+/// way in nearly every photograph (what median gradients tell of watermarks, Dekel et al., On the
+/// effectiveness of visible watermarks, CVPR 2017), areas whose pixels stand still although all
+/// around them changes, and what such edges enclose if it changes by less than half of what the
+/// picture does; without pieces of less than 24 pixels, and with a margin of four.
 ///
-/// There is none where a fifth of the picture stands still (the camera did not move, or the
-/// background did with it), less than 0.25 % (chance), or among many edges that nearly do: those
-/// are far away along a straight rail, or what the camera turned about.
-[[nodiscard]] Overlay overlay_of(const StandingPixels& standing);
+/// But for bars there is none where a fifth of the picture would be covered (the camera did not
+/// move, or the background did with it), less than 0.25 % (chance), or among many edges that nearly
+/// stand still: those are far away along a straight rail, or what the camera turned about.
+[[nodiscard]] Overlay overlay_of(const StandingPixels& standing, int min_side_px = 1);
 
 }  // namespace lumi

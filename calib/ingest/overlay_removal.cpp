@@ -1,6 +1,7 @@
 #include "calib/ingest/overlay_removal.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <opencv2/core.hpp>
 #include <opencv2/photo.hpp>
@@ -17,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is printed upright lies across photographs that were taken upright.
+/// Rasters are as stored: what a camera prints upright turns in them with the EXIF orientation.
 using Raster = std::tuple<int, int, int>;  // Width, height, EXIF orientation.
 
 std::map<Raster, std::vector<Photograph*>> by_raster(std::vector<Photograph>& photographs) {
@@ -51,12 +52,27 @@ bool is_any(const Overlay& overlay, const Photograph& photograph) {
     return has_bars(overlay, photograph) || !overlay.mask.empty();
 }
 
-/// Where a few photographs show none, all have none.
-Overlay overlay_over(const std::vector<Photograph*>& photographs, const Progress& progress) {
+/// Asks all photographs only where a few show something: an overlay that two of these lack, though
+/// nearly all others have it, is missed.
+Overlay overlay_over(const std::vector<Photograph*>& photographs, int min_side_px,
+                     const Progress& progress) {
     constexpr std::size_t kFew = 24;
-    const Overlay first = overlay_of(standing_pixels_of(photographs, kFew, progress));
+    const Overlay first = overlay_of(standing_pixels_of(photographs, kFew, progress), min_side_px);
     if (photographs.size() <= kFew || !is_any(first, *photographs.front())) return first;
-    return overlay_of(standing_pixels_of(photographs, photographs.size(), progress));
+    return overlay_of(standing_pixels_of(photographs, photographs.size(), progress), min_side_px);
+}
+
+/// Where nothing may be cut off, the mask lies in the whole raster.
+Overlay without_crop(const Overlay& overlay, const Photograph& photograph) {
+    Overlay whole{{0, 0, photograph.width_px, photograph.height_px}, {}, overlay.share};
+    if (overlay.mask.empty()) return whole;
+    whole.mask = GrayImage(photograph.width_px, photograph.height_px, 255);
+    for (int y = 0; y < overlay.mask.height(); ++y) {
+        const std::uint8_t* row = overlay.mask.row(y);
+        std::copy(row, row + overlay.mask.width(),
+                  whole.mask.row(overlay.picture.top + y) + overlay.picture.left);
+    }
+    return whole;
 }
 
 ColorImage cropped(const ColorImage& picture, const ImageRectangle& to) {
@@ -91,8 +107,45 @@ void remove_from(Photograph& photograph, const Overlay& overlay) {
     ColorImage picture = cropped(read_color_image(photograph.picture_path), overlay.picture);
     if (!overlay.mask.empty()) paint_over(overlay.mask, picture);
     write_png(photograph.picture_path, picture);
+    const double scale = static_cast<double>(photograph.original_width_px) / photograph.width_px;
     photograph.width_px = picture.width();
     photograph.height_px = picture.height();
+    photograph.original_width_px = static_cast<int>(std::lround(scale * picture.width()));
+    photograph.original_height_px = static_cast<int>(std::lround(scale * picture.height()));
+}
+
+/// As many threads as hold in 2 GiB what painting needs.
+int threads_within_memory(const Photograph& photograph, int threads) {
+    constexpr std::size_t kBudgetBytes = std::size_t{2} << 30;
+    constexpr std::size_t kBytesPerPixel = 24;
+    const std::size_t bytes = kBytesPerPixel * static_cast<std::size_t>(photograph.width_px) *
+                              static_cast<std::size_t>(photograph.height_px);
+    const std::size_t affordable = std::max<std::size_t>(1, kBudgetBytes / bytes);
+    return static_cast<int>(
+        std::min(static_cast<std::size_t>(resolve_threads(threads)), affordable));
+}
+
+RemovedOverlay remove_from_all(const std::vector<Photograph*>& photographs, const Overlay& overlay,
+                               const fs::path& mask_path, int threads, Progress& progress) {
+    const Photograph before = *photographs.front();
+    RemovedOverlay removed{static_cast<int>(photographs.size()),
+                           before.width_px,
+                           before.height_px,
+                           overlay.picture,
+                           overlay.share,
+                           {}};
+    if (!overlay.mask.empty()) {
+        removed.mask_path = mask_path;
+        write_png(mask_path, overlay.mask);
+    }
+    progress.begin("taking out what was laid over photographs", photographs.size());
+    parallel_for(static_cast<int>(photographs.size()), threads_within_memory(before, threads),
+                 [&](int i) {
+                     progress.throw_if_interrupted();
+                     remove_from(*photographs[static_cast<std::size_t>(i)], overlay);
+                     progress.advance();
+                 });
+    return removed;
 }
 
 /// "56 pixels above, 56 below"; empty without bars.
@@ -112,43 +165,26 @@ std::string bars_text(const RemovedOverlay& overlay) {
 
 }  // namespace
 
-std::vector<RemovedOverlay> remove_overlays(std::vector<Photograph>& photographs, bool crop_bars,
+std::vector<RemovedOverlay> remove_overlays(std::vector<Photograph>& photographs,
+                                            const IngestOptions& options,
                                             const fs::path& copies_folder, int threads,
                                             Progress& progress) {
     std::vector<RemovedOverlay> removed;
-    auto groups = by_raster(photographs);
-    std::erase_if(groups, [](const auto& group) {
-        return group.second.size() < static_cast<std::size_t>(kFewestForOverlay);
-    });
-    progress.begin("looking for what was laid over photographs", groups.size());
-    for (const auto& [raster, group] : groups) {
-        const Photograph before = *group.front();
-        const Overlay overlay = overlay_over(group, progress);
-        progress.advance();
-        const bool stays = has_bars(overlay, before) && !crop_bars;
-        if (stays || !is_any(overlay, before)) continue;
-        RemovedOverlay found{static_cast<int>(group.size()),
-                             before.width_px,
-                             before.height_px,
-                             overlay.picture,
-                             overlay.share,
-                             {}};
-        if (!overlay.mask.empty()) {
-            found.mask_path =
-                copies_folder / (kOverlayPrefix + std::to_string(removed.size() + 1) + ".png");
-            write_png(found.mask_path, overlay.mask);
-        }
-        parallel_for(static_cast<int>(group.size()), threads, [&](int i) {
-            progress.throw_if_interrupted();
-            remove_from(*group[static_cast<std::size_t>(i)], overlay);
-        });
-        removed.push_back(std::move(found));
+    for (const auto& [raster, group] : by_raster(photographs)) {
+        if (group.size() < static_cast<std::size_t>(kFewestForOverlay)) continue;
+        progress.begin("looking for what was laid over photographs", 0);
+        Overlay overlay = overlay_over(group, options.min_width_px, progress);
+        if (!options.crop_bars) overlay = without_crop(overlay, *group.front());
+        if (!is_any(overlay, *group.front())) continue;
+        const fs::path mask_path =
+            copies_folder / (kOverlayPrefix + std::to_string(removed.size() + 1) + ".png");
+        removed.push_back(remove_from_all(group, overlay, mask_path, threads, progress));
     }
     return removed;
 }
 
 std::string text_of(const RemovedOverlay& overlay) {
-    std::string text = formatted("in all %d photographs of %dx%d pixels the same stands still",
+    std::string text = formatted("something stands still in all of %d photographs of %dx%d pixels",
                                  overlay.photographs, overlay.width_px, overlay.height_px);
     const std::string bars = bars_text(overlay);
     if (!bars.empty()) text += "; bars were cut off: " + bars;
@@ -156,7 +192,7 @@ std::string text_of(const RemovedOverlay& overlay) {
         text += formatted("; a stamp, logo or watermark was painted over: %.1f %% of the picture",
                           100 * overlay.share);
     }
-    return text + " ([capture] keep_overlays = true leaves it)";
+    return text + " ([capture] keep_overlays = true leaves it in)";
 }
 
 }  // namespace lumi

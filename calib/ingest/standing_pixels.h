@@ -7,12 +7,13 @@
 
 namespace lumi {
 
-/// How each pixel of photographs of one size changes from one to the next, told without keeping
-/// them: in 8-bit levels of luma.
+/// How each pixel of up to 65 000 photographs of one size changes from one to the next, told
+/// without keeping them: in 8-bit levels of luma. Nothing can be asked before the first is added.
 class StandingPixels {
  public:
     StandingPixels(int width_px, int height_px);
 
+    /// A photograph of that size.
     void add(const ColorImage& photograph);
 
     [[nodiscard]] int photographs() const { return photographs_; }
@@ -22,18 +23,18 @@ class StandingPixels {
     /// Standard deviation over the photographs.
     [[nodiscard]] double spread(int x, int y) const;
 
-    /// Length of the mean gradient, a pixel.
+    /// Length of the mean gradient, in levels a pixel.
     [[nodiscard]] double mean_gradient(int x, int y) const;
-    /// Share of the photographs that become brighter (or all darker) here in one and the same of
-    /// the directions right and down: 1 on an edge that stands still.
+    /// Largest share of the photographs that become brighter by 2 levels a pixel and more towards
+    /// the right, or all darker, or brighter downwards, or darker: 1 on an edge that stands still.
     [[nodiscard]] double same_slope_share(int x, int y) const;
 
  private:
     struct Sums {
-        float luma = 0;
-        float luma_squared = 0;
-        float gradient_x = 0;
-        float gradient_y = 0;
+        std::uint32_t luma = 0;
+        std::uint32_t luma_squared = 0;
+        std::int32_t twice_gradient_x = 0;
+        std::int32_t twice_gradient_y = 0;
         /// How many photographs rise to the right, fall, rise downwards, fall.
         std::array<std::uint16_t, 4> slopes{};
     };

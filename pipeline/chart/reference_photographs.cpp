@@ -1,5 +1,7 @@
 #include "pipeline/chart/reference_photographs.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "calib/capture/colmap_model.h"
@@ -17,6 +19,18 @@ Error nothing_to_measure(const WorkspaceLayout& workspace, const std::string& wh
     return {ErrorKind::kDegenerateCapture, "E-EVAL-NOPOSE",
             workspace.folder().string() + ": " + what,
             "hold out photographs that are registered; report.html lists them"};
+}
+
+/// Bars that were cut off at another width end at other rows.
+void require_same_shape(const Camera& lens, const Photograph& reference) {
+    const double scale = static_cast<double>(reference.width_px) / lens.width_px;
+    const double off_px = std::abs(scale * lens.height_px - reference.height_px);
+    if (off_px <= std::max(1.0, scale)) return;
+    throw Error(ErrorKind::kBadInput, "E-CHART-SHAPE",
+                reference.name + ": bars were cut off unlike at " + std::to_string(lens.width_px) +
+                    " and " + std::to_string(reference.width_px) + " pixels of width",
+                "cut them off the photographs first, or leave them in: [capture] keep_overlays = "
+                "true");
 }
 
 }  // namespace
@@ -49,6 +63,7 @@ PosedPhotographs reference_photographs(const WorkspaceLayout& workspace,
             throw nothing_to_measure(workspace, view.name + " has no working copy to compare with");
         }
         const Camera& lens = lenses[static_cast<std::size_t>(view.camera_index)];
+        require_same_shape(lens, *copy->second);
         view.camera_index = static_cast<int>(held_out.cameras.size());
         held_out.cameras.push_back(resized(lens, copy->second->width_px, copy->second->height_px));
         paths.push_back(copy->second->picture_path);

@@ -112,6 +112,7 @@ void write_chart(const BenchPosesRequest& request, const BenchPosesReport& repor
 void run_bench_poses(const BenchPosesRequest& request, const CommandContext& context) {
     const BuildConfig config = load_build_config(request.config);
     PoseTrialSetting setting{config.photographs_or_video,
+                             config.ingest,
                              config.given_lens,
                              config.poses,
                              {},

@@ -170,7 +170,7 @@ void run_doctor(const DoctorRequest& request, CommandContext& context) {
     ExaminationOptions options;
     options.video_fps = config.ingest.video_fps;
     options.keep_overlays = config.ingest.keep_overlays;
-    options.crop_bars = !is_raster_spoken_of(config);
+    options.crop_bars = config.ingest.crop_bars;
     options.mask_folder = config.poses.mask_folder;
     options.build_width_px = config.ingest.max_width_px;
     const int threads = context.threads > 0 ? context.threads : config.threads;

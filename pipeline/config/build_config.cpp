@@ -95,6 +95,13 @@ DrawingOptions read_drawing_options(const ConfigSection& render) {
     return options;
 }
 
+/// Whether something beside the photographs was made for their raster: poses, a lens, masks, depth.
+bool is_bound_to_raster(const BuildConfig& config) {
+    return !config.imported_poses.empty() || config.given_lens || !config.boards.empty() ||
+           !config.poses.mask_folder.empty() || !config.depth.mask_folder.empty() ||
+           !config.depth.import_folder.empty();
+}
+
 /// What is known when every section has been read.
 void fill_in_stage_parameters(BuildConfig& config, const ConfigSection& document) {
     const auto parameters = [&](const char* section) {
@@ -104,7 +111,8 @@ void fill_in_stage_parameters(BuildConfig& config, const ConfigSection& document
     config.stage_parameters = {
         // Where the boards lie is not what they show, either.
         {"calibrate", document.section("calibration").resolved_table({"boards", "camera"})},
-        {"ingest", capture.resolved_table({"photos", "video", "import"})},
+        {"ingest", capture.resolved_table({"photos", "video", "import"}) +
+                       (config.ingest.crop_bars ? "" : "crop_bars = false\n")},
         {"poses", config.imported_poses.empty()
                       ? parameters("poses") + lens_parameters_text(config.given_lens)
                       : "import"},
@@ -150,6 +158,7 @@ BuildConfig read_build_config(const ConfigSection& document, const std::string& 
     config.package = read_package_options(document.section("package"));
     config.drawing = read_drawing_options(document.section("render"));
     config.hold_out = read_hold_out_options(document.section("evaluate"));
+    config.ingest.crop_bars = !is_bound_to_raster(config);
     // What to do with a capture beside building it; see `lumi chart` and `lumi stress`.
     for (const char* other : {"sweep", "growth", "stress"}) document.leave_to_others(other);
     document.expect_all_keys_known();
@@ -166,12 +175,6 @@ BuildConfig load_build_config(const fs::path& path) {
         return read_build_config(ConfigSection::from_text(toml, "(defaults)"), plain->name);
     }
     return read_build_config(ConfigSection::from_file(path), path.stem().string());
-}
-
-bool is_raster_spoken_of(const BuildConfig& config) {
-    return !config.imported_poses.empty() || config.given_lens || !config.boards.empty() ||
-           !config.poses.mask_folder.empty() || !config.depth.mask_folder.empty() ||
-           !config.depth.import_folder.empty();
 }
 
 }  // namespace lumi

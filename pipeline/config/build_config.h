@@ -82,9 +82,6 @@ struct BuildConfig {
 /// and key.
 [[nodiscard]] BuildConfig load_build_config(const std::filesystem::path& path);
 
-/// Whether something beside the photographs has their raster: known poses, a lens, masks, depth.
-[[nodiscard]] bool is_raster_spoken_of(const BuildConfig& config);
-
 /// The same from an open document; `default_name` stands in for a missing `name`.
 [[nodiscard]] BuildConfig read_build_config(const ConfigSection& document,
                                             const std::string& default_name);

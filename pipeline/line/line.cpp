@@ -72,12 +72,10 @@ class Line {
 
     [[nodiscard]] Stage ingest_stage() const {
         const std::vector<ContentEntry> inputs = content_of(config_.photographs_or_video, threads_);
-        IngestOptions options = config_.ingest;
-        options.crop_bars = !is_raster_spoken_of(config_);
-        return {identity("ingest", options.crop_bars ? "" : "crop_bars = false", inputs),
-                [this, options](const fs::path& folder) {
-                    return run_ingest_stage(config_.photographs_or_video, options, folder, threads_,
-                                            progress_);
+        return {identity("ingest", "", inputs),
+                [this](const fs::path& folder) {
+                    return run_ingest_stage(config_.photographs_or_video, config_.ingest, folder,
+                                            threads_, progress_);
                 },
                 {}};
     }

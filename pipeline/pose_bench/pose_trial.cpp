@@ -53,7 +53,7 @@ std::string name_of(const PoseMeans& means) {
 }
 
 PoseTrial try_poses(const PoseTrialSetting& setting, const PoseMeans& means, Progress& progress) {
-    IngestOptions ingest_options;
+    IngestOptions ingest_options = setting.ingest;
     ingest_options.max_width_px = means.max_width_px;
     const std::vector<Photograph> photographs =
         ingest(setting.photographs, ingest_options, setting.scratch_folder / "copies",

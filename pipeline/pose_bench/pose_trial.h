@@ -40,6 +40,7 @@ struct PoseTrial {
 /// What all trials have in common.
 struct PoseTrialSetting {
     std::filesystem::path photographs;
+    IngestOptions ingest;  ///< Of any width.
     std::optional<Camera> given_lens;
     PoseOptions options;
     NamedPoses truth;  ///< Empty: not known.

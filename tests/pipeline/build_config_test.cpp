@@ -39,14 +39,16 @@ TEST(BuildConfig, NeedsNothingButPhotographs) {
     EXPECT_EQ(config.hold_out.every, 0);
 }
 
-TEST(BuildConfig, KnownPosesBoardsAndMasksSpeakOfTheRaster) {
+bool crops_bars(const std::string& toml) { return read(toml).ingest.crop_bars; }
+
+TEST(BuildConfig, BarsAreNotCutOffWhereSomethingWasMadeForTheRaster) {
     const std::string photos = "[capture]\nphotos = \"photos\"\n";
-    EXPECT_FALSE(is_raster_spoken_of(read(photos)));
-    EXPECT_TRUE(is_raster_spoken_of(read(photos + "import = \"sparse/0\"\n")));
-    EXPECT_TRUE(is_raster_spoken_of(read(photos + "[calibration]\nboards = \"b\"\n")));
-    EXPECT_TRUE(is_raster_spoken_of(read(photos + "[poses]\nmasks = \"m\"\n")));
-    EXPECT_TRUE(is_raster_spoken_of(read(photos + "[depth]\nmasks = \"m\"\n")));
-    EXPECT_TRUE(is_raster_spoken_of(read(photos + "[depth]\nimport_folder = \"d\"\n")));
+    EXPECT_TRUE(crops_bars(photos));
+    EXPECT_FALSE(crops_bars(photos + "import = \"sparse/0\"\n"));
+    EXPECT_FALSE(crops_bars(photos + "[calibration]\nboards = \"b\"\n"));
+    EXPECT_FALSE(crops_bars(photos + "[poses]\nmasks = \"m\"\n"));
+    EXPECT_FALSE(crops_bars(photos + "[depth]\nmasks = \"m\"\n"));
+    EXPECT_FALSE(crops_bars(photos + "[depth]\nimport_folder = \"d\"\n"));
 }
 
 TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {

@@ -24,9 +24,9 @@ void print_over(ColorImage& picture) {
     }
 }
 
-void write_photographs(const ScratchFolder& scratch) {
+void write_photographs(const ScratchFolder& scratch, int photographs = kPrinted) {
     std::mt19937 random(8);
-    for (int i = 0; i < kPrinted; ++i) {
+    for (int i = 0; i < photographs; ++i) {
         ColorImage picture =
             wavy_picture(kPrintedWidth, kPrintedHeight, static_cast<double>(random() % 400));
         print_over(picture);
@@ -83,23 +83,57 @@ TEST(OverlayRemoval, LeavesPhotographsAsTheyAreWhenAskedTo) {
     }
 }
 
-TEST(OverlayRemoval, LeavesPhotographsWithBarsAsTheyAreWhereTheirRasterIsSpokenOf) {
+TEST(OverlayRemoval, PaintsLabelsOverInTheWholeRasterWhereBarsHaveToStay) {
     const ScratchFolder scratch;
     write_photographs(scratch);
     IngestOptions options;
     options.crop_bars = false;
     const IngestResult result = printed_photographs(scratch, options);
-    EXPECT_TRUE(result.overlays.empty());
-    EXPECT_EQ(result.photographs.front().height_px, kPrintedHeight);
+    ASSERT_EQ(result.overlays.size(), 1U);
+    EXPECT_EQ(result.overlays[0].picture, (ImageRectangle{0, 0, kPrintedWidth, kPrintedHeight}));
+    const GrayImage mask = read_gray_png(result.overlays[0].mask_path);
+    EXPECT_EQ(mask(115, 67), 0);
+    EXPECT_EQ(mask(115, 5), 255);
+    for (const Photograph& photograph : result.photographs) {
+        const ColorImage copy = read_color_image(photograph.picture_path);
+        ASSERT_EQ(copy.height(), kPrintedHeight);
+        EXPECT_EQ(copy(80, 3), (Rgb8{0, 0, 0}));
+        EXPECT_NE(copy(115, 67), (Rgb8{255, 255, 255}));
+    }
+}
+
+TEST(OverlayRemoval, AsksEachSizeForItself) {
+    const ScratchFolder scratch;
+    write_photographs(scratch);
+    for (int i = 0; i < kFewestForOverlay - 1; ++i) {
+        ColorImage picture = wavy_picture(kPrintedWidth + 8, kPrintedHeight, 37.0 * i);
+        print_over(picture);
+        write_png(scratch / "photos" / (std::to_string(200 + i) + ".png"), picture);
+    }
+    const IngestResult result = printed_photographs(scratch, {});
+    ASSERT_EQ(result.overlays.size(), 1U);
+    for (const Photograph& photograph : result.photographs) {
+        const bool is_of_few = photograph.name >= "200.png";
+        EXPECT_EQ(photograph.height_px == kPrintedHeight, is_of_few) << photograph.name;
+        EXPECT_EQ(photograph.original_height_px, photograph.height_px);
+    }
+}
+
+/// More than are looked at first.
+TEST(OverlayRemoval, TakesALabelOutOfManyPhotographs) {
+    const ScratchFolder scratch;
+    write_photographs(scratch, 30);
+    const IngestResult result = printed_photographs(scratch, {});
+    ASSERT_EQ(result.overlays.size(), 1U);
+    EXPECT_EQ(result.overlays[0].photographs, 30);
 }
 
 TEST(OverlayRemoval, SaysWhatItDid) {
-    RemovedOverlay overlay{28, 768, 512, {0, 56, 768, 400}, 0.024, "overlay-1.png"};
-    EXPECT_EQ(
-        text_of(overlay),
-        "in all 28 photographs of 768x512 pixels the same stands still; bars were cut off: 56 "
-        "pixels above, 56 pixels below; a stamp, logo or watermark was painted over: 2.4 % of "
-        "the picture ([capture] keep_overlays = true leaves it)");
+    const RemovedOverlay overlay{28, 768, 512, {0, 56, 768, 400}, 0.024, "overlay-1.png"};
+    EXPECT_EQ(text_of(overlay),
+              "something stands still in all of 28 photographs of 768x512 pixels; bars were cut "
+              "off: 56 pixels above, 56 pixels below; a stamp, logo or watermark was painted over: "
+              "2.4 % of the picture ([capture] keep_overlays = true leaves it in)");
 }
 
 TEST(OverlayRemoval, MasksOfAnEarlierRunAreRemoved) {

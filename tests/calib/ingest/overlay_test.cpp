@@ -154,6 +154,31 @@ TEST(Overlay, BarsAtTheSidesAreNoneOfThePicture) {
     EXPECT_EQ(overlay.picture, (ImageRectangle{22, 0, kStillWidth - 44, kStillHeight}));
 }
 
+TEST(Overlay, BarsOnAllSidesAreNoneOfThePicture) {
+    const Overlay overlay = overlay_printed([](ColorImage& picture) {
+        fill(picture, {0, 0, kStillWidth, 12}, kBlack);
+        fill(picture, {0, kStillHeight - 12, kStillWidth, 12}, kBlack);
+        fill(picture, {0, 0, 16, kStillHeight}, kBlack);
+        fill(picture, {kStillWidth - 16, 0, 16, kStillHeight}, kBlack);
+    });
+    EXPECT_EQ(overlay.picture, (ImageRectangle{18, 14, kStillWidth - 36, kStillHeight - 28}));
+    EXPECT_TRUE(overlay.mask.empty());
+}
+
+TEST(Overlay, BarsThatLeaveTooFewPixelsAreNone) {
+    const Scene scene;
+    std::mt19937 random(5);
+    StandingPixels standing(kStillWidth, kStillHeight);
+    for (int i = 0; i < 24; ++i) {
+        ColorImage picture =
+            scene.photograph(static_cast<int>(random() % 200), static_cast<int>(random() % 200));
+        fill(picture, {0, 0, kStillWidth, 30}, kBlack);
+        standing.add(picture);
+    }
+    EXPECT_EQ(overlay_of(standing, 50).picture.height_px, kStillHeight - 32);
+    EXPECT_EQ(overlay_of(standing, 64).picture, kWhole);
+}
+
 TEST(Overlay, ALogoBesideABarIsFoundInWhatTheBarLeaves) {
     const Overlay overlay = overlay_printed([](ColorImage& picture) {
         fill(picture, {0, 0, kStillWidth, 10}, kBlack);
