@@ -68,9 +68,8 @@ Candidate ingest_file(const PhotographFile& file, const IngestOptions& options,
     return candidate;
 }
 
-/// As many threads as hold their pictures in 2 GiB: the file, the raster and its copies.
-int threads_within_memory(const std::vector<PhotographFile>& files, int threads) {
-    constexpr std::size_t kBudgetBytes = std::size_t{2} << 30;
+/// Of the file, the raster and its copies; of the largest photograph.
+std::size_t bytes_of_one(const std::vector<PhotographFile>& files, int threads) {
     constexpr std::size_t kBytesPerPixel = 12;
     std::vector<std::size_t> bytes(files.size(), 1);
     parallel_for(static_cast<int>(files.size()), threads, [&](int i) {
@@ -83,10 +82,7 @@ int threads_within_memory(const std::vector<PhotographFile>& files, int threads)
             // Found again, and reported, when the picture is decoded.
         }
     });
-    const std::size_t largest = bytes.empty() ? 1 : *std::max_element(bytes.begin(), bytes.end());
-    const std::size_t affordable = std::max<std::size_t>(1, kBudgetBytes / largest);
-    return static_cast<int>(
-        std::min(static_cast<std::size_t>(resolve_threads(threads)), affordable));
+    return bytes.empty() ? 1 : *std::max_element(bytes.begin(), bytes.end());
 }
 
 std::vector<Candidate> ingest_folder(const PhotographFolder& folder, const IngestOptions& options,
@@ -95,7 +91,7 @@ std::vector<Candidate> ingest_folder(const PhotographFolder& folder, const Inges
     progress.begin("ingest photographs", folder.files.size());
     std::vector<Candidate> candidates(folder.files.size());
     parallel_for(static_cast<int>(folder.files.size()),
-                 threads_within_memory(folder.files, threads), [&](int i) {
+                 threads_within_memory(bytes_of_one(folder.files, threads), threads), [&](int i) {
                      progress.throw_if_interrupted();
                      const auto index = static_cast<std::size_t>(i);
                      candidates[index] =

@@ -64,8 +64,11 @@ Overlay overlay_over(const std::vector<Photograph*>& photographs, int min_side_p
 
 /// Where nothing may be cut off, the mask lies in the whole raster.
 Overlay without_crop(const Overlay& overlay, const Photograph& photograph) {
-    Overlay whole{{0, 0, photograph.width_px, photograph.height_px}, {}, overlay.share};
+    Overlay whole{{0, 0, photograph.width_px, photograph.height_px}, {}, 0.0};
     if (overlay.mask.empty()) return whole;
+    const double kept = 1.0 * overlay.mask.width() * overlay.mask.height() /
+                        (1.0 * photograph.width_px * photograph.height_px);
+    whole.share = kept * overlay.share;
     whole.mask = GrayImage(photograph.width_px, photograph.height_px, 255);
     for (int y = 0; y < overlay.mask.height(); ++y) {
         const std::uint8_t* row = overlay.mask.row(y);
@@ -107,22 +110,23 @@ void remove_from(Photograph& photograph, const Overlay& overlay) {
     ColorImage picture = cropped(read_color_image(photograph.picture_path), overlay.picture);
     if (!overlay.mask.empty()) paint_over(overlay.mask, picture);
     write_png(photograph.picture_path, picture);
-    const double scale = static_cast<double>(photograph.original_width_px) / photograph.width_px;
+    // Exactly as before where nothing was cut off: a known lens may go by it.
+    const auto of_original = [](int original_px, int kept_px, int all_px) {
+        return static_cast<int>(std::lround(1.0 * original_px * kept_px / all_px));
+    };
+    photograph.original_width_px =
+        of_original(photograph.original_width_px, picture.width(), photograph.width_px);
+    photograph.original_height_px =
+        of_original(photograph.original_height_px, picture.height(), photograph.height_px);
     photograph.width_px = picture.width();
     photograph.height_px = picture.height();
-    photograph.original_width_px = static_cast<int>(std::lround(scale * picture.width()));
-    photograph.original_height_px = static_cast<int>(std::lround(scale * picture.height()));
 }
 
-/// As many threads as hold in 2 GiB what painting needs.
-int threads_within_memory(const Photograph& photograph, int threads) {
-    constexpr std::size_t kBudgetBytes = std::size_t{2} << 30;
+/// Of the copy, its part, the mask, and what painting takes.
+std::size_t bytes_to_paint(const Photograph& photograph) {
     constexpr std::size_t kBytesPerPixel = 24;
-    const std::size_t bytes = kBytesPerPixel * static_cast<std::size_t>(photograph.width_px) *
-                              static_cast<std::size_t>(photograph.height_px);
-    const std::size_t affordable = std::max<std::size_t>(1, kBudgetBytes / bytes);
-    return static_cast<int>(
-        std::min(static_cast<std::size_t>(resolve_threads(threads)), affordable));
+    return kBytesPerPixel * static_cast<std::size_t>(photograph.width_px) *
+           static_cast<std::size_t>(photograph.height_px);
 }
 
 RemovedOverlay remove_from_all(const std::vector<Photograph*>& photographs, const Overlay& overlay,
@@ -139,8 +143,8 @@ RemovedOverlay remove_from_all(const std::vector<Photograph*>& photographs, cons
         write_png(mask_path, overlay.mask);
     }
     progress.begin("taking out what was laid over photographs", photographs.size());
-    parallel_for(static_cast<int>(photographs.size()), threads_within_memory(before, threads),
-                 [&](int i) {
+    parallel_for(static_cast<int>(photographs.size()),
+                 threads_within_memory(bytes_to_paint(before), threads), [&](int i) {
                      progress.throw_if_interrupted();
                      remove_from(*photographs[static_cast<std::size_t>(i)], overlay);
                      progress.advance();

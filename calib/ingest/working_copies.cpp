@@ -7,6 +7,7 @@
 #include "calib/capture/image_io.h"
 #include "calib/ingest/duplicates.h"
 #include "calib/work/error.h"
+#include "calib/work/parallel_for.h"
 
 namespace lumi {
 namespace {
@@ -46,6 +47,13 @@ std::pair<int, int> working_size(const ColorImage& raster, int max_width_px) {
 }
 
 }  // namespace
+
+int threads_within_memory(std::size_t bytes_of_photograph, int threads) {
+    constexpr std::size_t kBudgetBytes = std::size_t{2} << 30;
+    const std::size_t affordable = std::max<std::size_t>(1, kBudgetBytes / bytes_of_photograph);
+    return static_cast<int>(
+        std::min(static_cast<std::size_t>(resolve_threads(threads)), affordable));
+}
 
 void clear_working_copies(const fs::path& folder) {
     std::error_code status;

@@ -22,6 +22,9 @@ struct Candidate {
 /// What the names of masks beside working copies begin with (overlay_removal.h).
 inline constexpr const char* kOverlayPrefix = "overlay-";
 
+/// As many threads, at least one, as hold a photograph each in 2 GiB.
+[[nodiscard]] int threads_within_memory(std::size_t bytes_of_photograph, int threads);
+
 /// Removes the working copies of an earlier run and makes the folder.
 void clear_working_copies(const std::filesystem::path& folder);
 

@@ -102,6 +102,27 @@ TEST(OverlayRemoval, PaintsLabelsOverInTheWholeRasterWhereBarsHaveToStay) {
     }
 }
 
+/// Known lenses are told for originals: 121 rows become 60, and 60 times two are not 121.
+TEST(OverlayRemoval, OriginalsKeepTheirSizeWhereNothingIsCutOff) {
+    const ScratchFolder scratch;
+    std::mt19937 random(8);
+    for (int i = 0; i < kPrinted; ++i) {
+        ColorImage picture = wavy_picture(242, 121, static_cast<double>(random() % 400));
+        for (int y = 60; y < 90; ++y) {
+            for (int x = 100; x < 160; ++x) picture(x, y) = {255, 255, 255};
+        }
+        write_png(scratch / "photos" / (std::to_string(100 + i) + ".png"), picture);
+    }
+    IngestOptions options;
+    options.max_width_px = 121;
+    options.min_width_px = 32;
+    const IngestResult result = printed_photographs(scratch, options);
+    ASSERT_EQ(result.overlays.size(), 1U);
+    ASSERT_NE(2 * result.photographs.front().height_px, 121);
+    EXPECT_EQ(result.photographs.front().original_width_px, 242);
+    EXPECT_EQ(result.photographs.front().original_height_px, 121);
+}
+
 TEST(OverlayRemoval, AsksEachSizeForItself) {
     const ScratchFolder scratch;
     write_photographs(scratch);
