@@ -10,6 +10,7 @@
 #include "render/lumigraph/same_eye.h"
 #include "render/subdivision/coarse_triangles.h"
 #include "render/subdivision/own_surfaces.h"
+#include "render/subdivision/seen_parts.h"
 #include "render/subdivision/thin_triangles.h"
 #include "render/subdivision/unseen_triangles.h"
 #include "render/surroundings/empty_cells.h"
@@ -120,9 +121,14 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const Searc
     }
     sampling.before_shell.reset();
     layers[0] = subdivided(polygons[0], sampling, most[0]);
-    draw_unseen(layout, eye, search, plane, sampling, layers[0]);
+    const std::vector<UnseenTriangle> partly_seen =
+        draw_unseen(layout, eye, search, plane, sampling, layers[0]);
+    BlendTriangles parts = seen_parts(
+        partly_seen, layers[0].vertices, {search, plane, sampling},
+        {subdivision_options(layout, options).min_edge_px, rest_of(most[0], layers[0].count())});
     keep_own_surfaces(search, layers[0]);
     if (thin.count() > 0) layers.insert(layers.begin() + 1, std::move(thin));
+    if (parts.count() > 0) layers.insert(layers.begin() + 1, std::move(parts));
     return layers;
 }
 

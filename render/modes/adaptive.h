@@ -10,8 +10,9 @@
 
 namespace lumi {
 
-/// The triangles of the mode `adaptive` for one eye: those of the camera mesh, then those of each
-/// of its shells, which are laid over with their opacity. `views` are the layout's. Of what
+/// The triangles of the mode `adaptive` for one eye: those of the camera mesh, and laid over them
+/// with their opacity, where there are any, parts that other views see (seen_parts.h), what is thin
+/// (thin_triangles.h), and those of each shell of the mesh. `views` are the layout's. Of what
 /// `subdivider` did before nothing but memory is used.
 [[nodiscard]] std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
                                                           const SearchedViews& views,

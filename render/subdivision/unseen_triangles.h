@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
+#include "render/subdivision/other_sights.h"
 #include "render/subdivision/subdivision.h"
 
 namespace lumi {
@@ -15,8 +17,13 @@ namespace lumi {
 /// guess can be anything, and so can what hides the triangle from a photograph.
 /// Where there is no depth at all, guesses are all there is, and better than nothing. Other
 /// triangles stay as they are. The same for any number of threads.
-void draw_unseen(const Lumigraph& lumigraph, const Eye& eye, const DepthSearch& search,
-                 const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,
-                 BlendTriangles& triangles);
+///
+/// Returns those that stay as well although some of these views see corners of them, which are then
+/// the ones to be asked for their parts (seen_parts.h).
+std::vector<UnseenTriangle> draw_unseen(const Lumigraph& lumigraph, const Eye& eye,
+                                        const DepthSearch& search,
+                                        const Eigen::Vector3d& scene_plane,
+                                        const PatchSampler::Options& sampling,
+                                        BlendTriangles& triangles);
 
 }  // namespace lumi

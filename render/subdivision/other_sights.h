@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "render/subdivision/subdivision.h"
+
+namespace lumi {
+
+/// How well a corner's photographs stand for what is there.
+enum class Standing { kNothing, kGuess, kSeen };
+
+[[nodiscard]] Standing standing_of(const BlendVertex& corner);
+
+/// The best there is: where there is no depth at all, guesses.
+[[nodiscard]] Standing best_standing(const DepthSearch& search);
+
+/// The numbers of a triangle's corners in a list of vertices.
+using TriangleCorners = std::array<std::uint32_t, 3>;
+
+/// A triangle that others than its own cameras may show better.
+struct UnseenTriangle {
+    TriangleCorners corners{};
+    std::vector<int> asked_views;  ///< One after the other.
+};
+
+/// A triangle as another view sees it.
+struct OtherSight {
+    int view;
+    std::array<BlendVertex, 3> corners;
+};
+
+/// What the views that a triangle asks see of it.
+struct OtherSights {
+    std::optional<OtherSight> whole;  ///< Of the first view that sees all of it.
+    std::vector<int> partly_seeing;   ///< Without such a view: those that see a corner.
+};
+
+/// How views are asked.
+struct AskedViews {
+    const DepthSearch& search;
+    const Eigen::Vector3d& scene_plane;
+    const PatchSampler::Options& sampling;
+};
+
+/// For each triangle, whether one of its `asked_views` sees all of it: the corners stand as well as
+/// they can there, and nothing stands before the plane through them in between. The corners are
+/// numbers of `vertices`, of which only the pixels count. The same for any number of threads.
+[[nodiscard]] std::vector<OtherSights> other_sights(const std::vector<UnseenTriangle>& triangles,
+                                                    const std::vector<BlendVertex>& vertices,
+                                                    const AskedViews& asked);
+
+/// Corners as other views see them, each of them one vertex however many triangles share it.
+class SeenCorners {
+ public:
+    /// The numbers of the three that a view sees, appended to `seen` where they are new. What no
+    /// view tells, as the face, they have from the `corners` among `vertices` that they stand for;
+    /// `seen` may be the same list.
+    TriangleCorners corners_of(const OtherSight& sight, const TriangleCorners& corners,
+                               const std::vector<BlendVertex>& vertices,
+                               std::vector<BlendVertex>& seen);
+
+ private:
+    std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
+};
+
+}  // namespace lumi
