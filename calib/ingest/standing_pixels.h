@@ -7,6 +7,9 @@
 
 namespace lumi {
 
+/// What compression leaves of one colour, in 8-bit levels of luma: no larger spread stands still.
+inline constexpr double kStillSpread = 4.0;
+
 /// How each pixel of up to 65 000 photographs of one size changes from one to the next, told
 /// without keeping them: in 8-bit levels of luma. Nothing can be asked before the first is added.
 class StandingPixels {

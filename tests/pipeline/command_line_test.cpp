@@ -7,10 +7,12 @@
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "calib/capture/image_io.h"
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"
+#include "tests/calib/test_pictures.h"
 #include "tests/truth/textured_box_scene.h"
 
 namespace lumi {
@@ -160,6 +162,36 @@ TEST(CommandLine, DoctorNamesWhatMakesACaptureHopeless) {
     EXPECT_FALSE(seen.at("findings").at(0).at("advice").get<std::string>().empty());
     EXPECT_THAT(read_whole_text(scratch / "work" / "doctor" / "match_graph.svg"),
                 HasSubstr("160.png"));
+}
+
+/// Photographs of a scene that passes by unevenly, with a bar below and a label laid over each.
+void write_with_overlays(const fs::path& folder) {
+    std::mt19937 random(8);
+    for (int i = 0; i < 12; ++i) {
+        ColorImage picture = wavy_picture(320, 240, static_cast<double>(random() % 800));
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                if (y >= 210) picture(x, y) = {0, 0, 0};
+                if (x >= 200 && x < 270 && y >= 120 && y < 150) picture(x, y) = {255, 255, 255};
+            }
+        }
+        write_png(folder / (std::to_string(100 + i) + ".png"), picture);
+    }
+}
+
+TEST(CommandLine, WhatWasLaidOverPhotographsIsSaidByDoctorAndReport) {
+    const ScratchFolder scratch;
+    write_with_overlays(scratch / "photos");
+    const auto says_it = testing::AllOf(HasSubstr("bars were cut off: 32 pixels below"),
+                                        HasSubstr("logo or watermark was painted over"));
+    EXPECT_THAT(
+        lumi("doctor " + quoted(scratch / "photos") + " --workspace " + quoted(scratch / "doctor"))
+            .out,
+        says_it);
+    const std::string workspace = " --workspace " + quoted(scratch / "work");
+    const Outcome ingested = lumi("ingest " + quoted(scratch / "photos") + workspace);
+    EXPECT_EQ(ingested.exit_code, 0) << ingested.talk;
+    EXPECT_THAT(read_whole_text(scratch / "work" / "report.html"), says_it);
 }
 
 TEST(CommandLine, DepthIsAskedForItsStabilityOrOnWorkspaces) {

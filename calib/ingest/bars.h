@@ -1,0 +1,24 @@
+#pragma once
+
+#include "calib/ingest/standing_pixels.h"
+
+namespace lumi {
+
+/// Pixels from `left` and `top` on.
+struct ImageRectangle {
+    int left = 0;
+    int top = 0;
+    int width_px = 0;
+    int height_px = 0;
+    friend bool operator==(const ImageRectangle&, const ImageRectangle&) = default;
+};
+
+/// What bars of one colour leave of photographs, told from how their pixels changed; the whole
+/// raster where there are none.
+///
+/// Bars are rows and columns along the border nearly all of whose pixels stand still, and that end
+/// within three pixels, in all photographs at the same; two more are taken with them. What is left
+/// has a quarter of each side or more, and `min_side_px`.
+[[nodiscard]] ImageRectangle picture_between_bars(const StandingPixels& standing, int min_side_px);
+
+}  // namespace lumi
