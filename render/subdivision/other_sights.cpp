@@ -2,13 +2,8 @@
 
 #include <algorithm>
 
-#include "calib/work/parallel_for.h"
-
 namespace lumi {
 namespace {
-
-/// Triangles that are neighbours mostly, whose corners one thread looks up once.
-constexpr std::size_t kTrianglesAtATime = 64;
 
 /// The whole picture, looked at through one view.
 FacePolygon picture_through(int view) {
@@ -25,29 +20,6 @@ std::uint64_t key_of(std::uint32_t corner, int view) {
 }
 
 using Sights = std::array<const BlendVertex*, 3>;
-
-/// Corners as other views see them, each looked up once.
-class CornerSights {
- public:
-    CornerSights(const AskedViews& asked, const std::vector<BlendVertex>& vertices)
-        : asked_(asked), vertices_(vertices) {}
-
-    [[nodiscard]] const BlendVertex& at(std::uint32_t corner, int view) {
-        const auto [sight, is_new] = sights_.try_emplace(key_of(corner, view));
-        if (is_new) {
-            const FacePolygon picture = picture_through(view);
-            const PatchSampler sampler(picture, asked_.search, asked_.scene_plane, asked_.sampling);
-            sight->second = blend_vertex(sampler.at(vector_of(vertices_[corner].pixel)), picture,
-                                         VertexDepth::kAffine);
-        }
-        return sight->second;
-    }
-
- private:
-    const AskedViews& asked_;
-    const std::vector<BlendVertex>& vertices_;
-    std::unordered_map<std::uint64_t, BlendVertex> sights_;
-};
 
 /// Whether the view sees the plane through the corners at the middles of the edges and of the
 /// triangle: another surface before it would be drawn on it.
@@ -66,23 +38,6 @@ bool sees_between(const Sights& corners, const DepthSearch& search, int view) {
         if (search.visibility(pixel, inverse_depth, view) <= 0) return false;
     }
     return true;
-}
-
-OtherSights sights_of(const UnseenTriangle& triangle, Standing best, const DepthSearch& search,
-                      CornerSights& sights) {
-    OtherSights result;
-    for (const int view : triangle.asked_views) {
-        Sights corners{};
-        for (std::size_t k = 0; k < 3; ++k) corners[k] = &sights.at(triangle.corners[k], view);
-        const auto seen =
-            std::count_if(corners.begin(), corners.end(),
-                          [&](const BlendVertex* corner) { return standing_of(*corner) >= best; });
-        if (seen > 0) result.partly_seeing.push_back(view);
-        if (seen < 3 || !sees_between(corners, search, view)) continue;
-        result.whole = OtherSight{view, {*corners[0], *corners[1], *corners[2]}};
-        break;
-    }
-    return result;
 }
 
 /// A corner as the view sees it.
@@ -106,18 +61,34 @@ Standing best_standing(const DepthSearch& search) {
     return search.has_depth() ? Standing::kSeen : Standing::kGuess;
 }
 
-std::vector<OtherSights> other_sights(const std::vector<UnseenTriangle>& triangles,
-                                      const std::vector<BlendVertex>& vertices,
-                                      const AskedViews& asked) {
-    const Standing best = best_standing(asked.search);
-    std::vector<OtherSights> found(triangles.size());
-    parallel_for_runs(triangles.size(), kTrianglesAtATime, 0,
-                      [&](std::size_t first, std::size_t end) {
-                          CornerSights sights(asked, vertices);
-                          for (std::size_t i = first; i < end; ++i)
-                              found[i] = sights_of(triangles[i], best, asked.search, sights);
-                      });
-    return found;
+SightSearch::SightSearch(const AskedViews& asked, const std::vector<BlendVertex>& vertices)
+    : asked_(asked), vertices_(vertices), best_(best_standing(asked.search)) {}
+
+const BlendVertex& SightSearch::corner_in(int view, std::uint32_t corner) {
+    const auto [sight, is_new] = corners_.try_emplace(key_of(corner, view));
+    if (is_new) {
+        const FacePolygon picture = picture_through(view);
+        const PatchSampler sampler(picture, asked_.search, asked_.scene_plane, asked_.sampling);
+        sight->second = blend_vertex(sampler.at(vector_of(vertices_[corner].pixel)), picture,
+                                     VertexDepth::kAffine);
+    }
+    return sight->second;
+}
+
+OtherSights SightSearch::sights_of(const UnseenTriangle& triangle) {
+    OtherSights result;
+    for (const int view : triangle.asked_views) {
+        Sights corners{};
+        for (std::size_t k = 0; k < 3; ++k) corners[k] = &corner_in(view, triangle.corners[k]);
+        const auto seen =
+            std::count_if(corners.begin(), corners.end(),
+                          [&](const BlendVertex* corner) { return standing_of(*corner) >= best_; });
+        if (seen > 0) result.partly_seeing.push_back(view);
+        if (seen < 3 || !sees_between(corners, asked_.search, view)) continue;
+        result.whole = OtherSight{view, {*corners[0], *corners[1], *corners[2]}};
+        break;
+    }
+    return result;
 }
 
 TriangleCorners SeenCorners::corners_of(const OtherSight& sight, const TriangleCorners& corners,

@@ -48,12 +48,26 @@ struct AskedViews {
     const PatchSampler::Options& sampling;
 };
 
-/// For each triangle, whether one of its `asked_views` sees all of it: the corners stand as well as
-/// they can there, and nothing stands before the plane through them in between. The corners are
-/// numbers of `vertices`, of which only the pixels count. The same for any number of threads.
-[[nodiscard]] std::vector<OtherSights> other_sights(const std::vector<UnseenTriangle>& triangles,
-                                                    const std::vector<BlendVertex>& vertices,
-                                                    const AskedViews& asked);
+/// Asks views for triangles. What a view sees at a corner is looked up once, however many triangles
+/// share it.
+class SightSearch {
+ public:
+    /// The corners of triangles are numbers of `vertices`, of which only the pixels count, and
+    /// which may become more.
+    SightSearch(const AskedViews& asked, const std::vector<BlendVertex>& vertices);
+
+    /// Whether one of its `asked_views` sees all of the triangle: the corners stand as well as they
+    /// can there, and nothing stands before the plane through them in between.
+    [[nodiscard]] OtherSights sights_of(const UnseenTriangle& triangle);
+
+ private:
+    [[nodiscard]] const BlendVertex& corner_in(int view, std::uint32_t corner);
+
+    AskedViews asked_;
+    const std::vector<BlendVertex>& vertices_;
+    Standing best_;
+    std::unordered_map<std::uint64_t, BlendVertex> corners_;
+};
 
 /// Corners as other views see them, each of them one vertex however many triangles share it.
 class SeenCorners {

@@ -6,6 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "calib/work/parallel_for.h"
+
 namespace lumi {
 namespace {
 
@@ -18,12 +20,24 @@ BlendVertex edge_middle(const BlendVertex& a, const BlendVertex& b) {
     return middle;
 }
 
-/// Triangles that are divided, with vertices of their own.
+double longest_edge_px(const TriangleCorners& corners, const std::vector<BlendVertex>& vertices) {
+    double longest = 0;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Eigen::Vector2d from = vector_of(vertices[corners[k]].pixel);
+        const Eigen::Vector2d to = vector_of(vertices[corners[(k + 1) % corners.size()]].pixel);
+        longest = std::max(longest, (to - from).norm());
+    }
+    return longest;
+}
+
+/// Neighbours mostly, which are divided by one thread.
+constexpr std::size_t kWholesAtATime = 16;
+
+/// Some triangles, divided and asked for again and again.
 class DividedTriangles {
  public:
-    DividedTriangles(const std::vector<UnseenTriangle>& wholes,
-                     const std::vector<BlendVertex>& vertices)
-        : triangles_(wholes) {
+    DividedTriangles(std::vector<UnseenTriangle> wholes, const std::vector<BlendVertex>& vertices)
+        : triangles_(std::move(wholes)) {
         std::unordered_map<std::uint32_t, std::uint32_t> numbers;
         for (UnseenTriangle& triangle : triangles_) {
             for (std::uint32_t& corner : triangle.corners) {
@@ -35,14 +49,22 @@ class DividedTriangles {
         }
     }
 
-    [[nodiscard]] const std::vector<UnseenTriangle>& triangles() const { return triangles_; }
-    [[nodiscard]] const std::vector<BlendVertex>& vertices() const { return vertices_; }
+    /// What is seen of quarters, of their quarters, and so on.
+    [[nodiscard]] std::vector<BlendTriangles> seen_by_size(const AskedViews& asked,
+                                                           double long_edge_px) {
+        std::vector<BlendTriangles> by_size;
+        SightSearch search(asked, vertices_);
+        for (quarter(long_edge_px); !triangles_.empty(); quarter(long_edge_px))
+            by_size.push_back(take_seen(search));
+        return by_size;
+    }
 
+ private:
     /// Makes four of each that is long enough, and drops the others.
-    void quarter(double min_edge_px) {
+    void quarter(double long_edge_px) {
         std::vector<UnseenTriangle> quarters;
         for (const auto& [corners, asked_views] : triangles_) {
-            if (longest_edge_px(corners) < 2 * min_edge_px) continue;
+            if (longest_edge_px(corners, vertices_) < long_edge_px) continue;
             const auto [a, b, c] = corners;
             const std::uint32_t ab = middle(a, b);
             const std::uint32_t bc = middle(b, c);
@@ -55,18 +77,23 @@ class DividedTriangles {
         triangles_ = std::move(quarters);
     }
 
-    void replace(std::vector<UnseenTriangle> triangles) { triangles_ = std::move(triangles); }
-
- private:
-    [[nodiscard]] double longest_edge_px(const TriangleCorners& corners) const {
-        double longest = 0;
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-            const Eigen::Vector2d from = vector_of(vertices_[corners[k]].pixel);
-            const Eigen::Vector2d to =
-                vector_of(vertices_[corners[(k + 1) % corners.size()]].pixel);
-            longest = std::max(longest, (to - from).norm());
+    /// Those that a view sees whole; those that are seen in part are left.
+    [[nodiscard]] BlendTriangles take_seen(SightSearch& search) {
+        BlendTriangles seen;
+        SeenCorners seen_corners;
+        std::vector<UnseenTriangle> rest;
+        for (const UnseenTriangle& triangle : triangles_) {
+            OtherSights sights = search.sights_of(triangle);
+            if (sights.whole) {
+                const TriangleCorners corners = seen_corners.corners_of(
+                    *sights.whole, triangle.corners, vertices_, seen.vertices);
+                seen.indices.insert(seen.indices.end(), corners.begin(), corners.end());
+            } else if (!sights.partly_seeing.empty()) {
+                rest.push_back({triangle.corners, std::move(sights.partly_seeing)});
+            }
         }
-        return longest;
+        triangles_ = std::move(rest);
+        return seen;
     }
 
     std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
@@ -81,32 +108,37 @@ class DividedTriangles {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
 };
 
+/// Appends what there is room for.
+void append(const BlendTriangles& more, std::size_t max_count, BlendTriangles& triangles) {
+    const auto before = static_cast<std::uint32_t>(triangles.vertices.size());
+    triangles.vertices.insert(triangles.vertices.end(), more.vertices.begin(), more.vertices.end());
+    const std::size_t room =
+        max_count == 0 ? more.count() : max_count - std::min(max_count, triangles.count());
+    for (std::size_t i = 0; i < 3 * std::min(room, more.count()); ++i)
+        triangles.indices.push_back(before + more.indices[i]);
+}
+
 }  // namespace
 
 BlendTriangles seen_parts(const std::vector<UnseenTriangle>& partly_seen,
                           const std::vector<BlendVertex>& vertices, const AskedViews& asked,
                           const SeenPartsOptions& options) {
+    std::vector<std::vector<BlendTriangles>> runs((partly_seen.size() + kWholesAtATime - 1) /
+                                                  kWholesAtATime);
+    parallel_for_runs(
+        partly_seen.size(), kWholesAtATime, 0, [&](std::size_t first, std::size_t end) {
+            const auto begin = partly_seen.begin();
+            DividedTriangles divided({begin + static_cast<std::ptrdiff_t>(first),
+                                      begin + static_cast<std::ptrdiff_t>(end)},
+                                     vertices);
+            runs[first / kWholesAtATime] = divided.seen_by_size(asked, options.long_edge_px);
+        });
+    std::size_t sizes = 0;
+    for (const std::vector<BlendTriangles>& run : runs) sizes = std::max(sizes, run.size());
     BlendTriangles parts;
-    SeenCorners seen;
-    DividedTriangles divided(partly_seen, vertices);
-    for (divided.quarter(options.min_edge_px); !divided.triangles().empty();
-         divided.quarter(options.min_edge_px)) {
-        std::vector<OtherSights> sights =
-            other_sights(divided.triangles(), divided.vertices(), asked);
-        std::vector<UnseenTriangle> rest;
-        for (std::size_t i = 0; i < sights.size(); ++i) {
-            const UnseenTriangle& part = divided.triangles()[i];
-            if (sights[i].whole) {
-                if (options.max_parts > 0 && parts.count() == options.max_parts) return parts;
-                const TriangleCorners corners = seen.corners_of(*sights[i].whole, part.corners,
-                                                                divided.vertices(), parts.vertices);
-                parts.indices.insert(parts.indices.end(), corners.begin(), corners.end());
-            } else if (!sights[i].partly_seeing.empty()) {
-                rest.push_back({part.corners, std::move(sights[i].partly_seeing)});
-            }
-        }
-        divided.replace(std::move(rest));
-    }
+    for (std::size_t size = 0; size < sizes; ++size)
+        for (const std::vector<BlendTriangles>& run : runs)
+            if (size < run.size()) append(run[size], options.max_parts, parts);
     return parts;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "calib/work/parallel_for.h"
 #include "render/view_choice/nearest_views.h"
 
 namespace lumi {
@@ -14,6 +15,8 @@ namespace {
 constexpr std::size_t kMostAsked = 6;
 /// Of a face.
 constexpr std::size_t kOwnViews = 3;
+/// Triangles that are neighbours mostly, whose corners one thread looks up once.
+constexpr std::size_t kTrianglesAtATime = 64;
 
 /// Triangles of a list, and where in it they begin.
 struct Unseen {
@@ -60,6 +63,19 @@ Unseen unseen_among(const BlendTriangles& triangles, const Lumigraph& lumigraph,
     return unseen;
 }
 
+std::vector<OtherSights> sights_of(const std::vector<UnseenTriangle>& triangles,
+                                   const std::vector<BlendVertex>& vertices,
+                                   const AskedViews& asked) {
+    std::vector<OtherSights> sights(triangles.size());
+    parallel_for_runs(triangles.size(), kTrianglesAtATime, 0,
+                      [&](std::size_t first, std::size_t end) {
+                          SightSearch search(asked, vertices);
+                          for (std::size_t i = first; i < end; ++i)
+                              sights[i] = search.sights_of(triangles[i]);
+                      });
+    return sights;
+}
+
 }  // namespace
 
 std::vector<UnseenTriangle> draw_unseen(const Lumigraph& lumigraph, const Eye& eye,
@@ -70,7 +86,7 @@ std::vector<UnseenTriangle> draw_unseen(const Lumigraph& lumigraph, const Eye& e
     const auto [unseen, first_indices] =
         unseen_among(triangles, lumigraph, eye, best_standing(search));
     std::vector<OtherSights> sights =
-        other_sights(unseen, triangles.vertices, {search, scene_plane, sampling});
+        sights_of(unseen, triangles.vertices, {search, scene_plane, sampling});
     std::vector<UnseenTriangle> partly_seen;
     SeenCorners seen;
     for (std::size_t i = 0; i < unseen.size(); ++i) {

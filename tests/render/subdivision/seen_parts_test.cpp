@@ -93,7 +93,7 @@ class SeenParts : public testing::Test {
 
 TEST_F(SeenParts, ReachTheBorderOfWhatAnotherViewShows) {
     ASSERT_FALSE(partly_seen_.empty());
-    const BlendTriangles fine = parts({.min_edge_px = 3});
+    const BlendTriangles fine = parts({.long_edge_px = 6});
     const auto [known, wrong] = known_and_wrong(drawn(fine));
     int seen = 0;
     for (const UnseenTriangle& triangle : partly_seen_) {
@@ -121,15 +121,15 @@ TEST_F(SeenParts, ReachTheBorderOfWhatAnotherViewShows) {
 
 TEST_F(SeenParts, ShowMoreTheSmallerTheyMayBe) {
     int last = 0;
-    for (const double min_edge_px : {12.0, 6.0, 3.0}) {
-        const int known = known_and_wrong(drawn(parts({.min_edge_px = min_edge_px}))).first;
-        EXPECT_GT(known, last) << min_edge_px;
+    for (const double long_edge_px : {24.0, 12.0, 6.0}) {
+        const int known = known_and_wrong(drawn(parts({.long_edge_px = long_edge_px}))).first;
+        EXPECT_GT(known, last) << long_edge_px;
         last = known;
     }
 }
 
 TEST_F(SeenParts, AreNoGuesses) {
-    const BlendTriangles all = parts({.min_edge_px = 3});
+    const BlendTriangles all = parts({.long_edge_px = 6});
     ASSERT_GT(all.count(), 0U);
     for (const std::uint32_t corner : all.indices) {
         EXPECT_GT(all.vertices[corner].confidence, 0.0F);
@@ -138,7 +138,7 @@ TEST_F(SeenParts, AreNoGuesses) {
 }
 
 TEST_F(SeenParts, AreHalvesAndHalvesOfHalves) {
-    const BlendTriangles all = parts({.min_edge_px = 5});
+    const BlendTriangles all = parts({.long_edge_px = 10});
     ASSERT_GT(all.count(), 0U);
     for (std::size_t i = 0; i < all.indices.size(); i += 3) {
         EXPECT_LE(longest_edge_px(all, i), longest_whole_px() / 2 + 1e-3);
@@ -147,9 +147,9 @@ TEST_F(SeenParts, AreHalvesAndHalvesOfHalves) {
 }
 
 TEST_F(SeenParts, KeepToTheirNumberAndTakeTheLargest) {
-    const BlendTriangles all = parts({.min_edge_px = 3});
+    const BlendTriangles all = parts({.long_edge_px = 6});
     ASSERT_GT(all.count(), 20U);
-    const BlendTriangles few = parts({.min_edge_px = 3, .max_parts = 20});
+    const BlendTriangles few = parts({.long_edge_px = 6, .max_parts = 20});
     EXPECT_EQ(few.count(), 20U);
     double shortest = longest_whole_px();
     for (std::size_t i = 0; i < few.indices.size(); i += 3)
@@ -161,7 +161,7 @@ TEST_F(SeenParts, KeepToTheirNumberAndTakeTheLargest) {
 }
 
 TEST_F(SeenParts, AreNoneOfTrianglesThatMayNotBeDivided) {
-    EXPECT_EQ(parts({.min_edge_px = longest_whole_px()}).count(), 0U);
+    EXPECT_EQ(parts({.long_edge_px = 1.001 * longest_whole_px()}).count(), 0U);
     EXPECT_EQ(seen_parts({}, triangles_.vertices, {search_, plane_, {}}, {}).count(), 0U);
 }
 
