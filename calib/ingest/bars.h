@@ -17,8 +17,9 @@ struct ImageRectangle {
 /// raster where there are none.
 ///
 /// Bars are rows and columns along the border nearly all of whose pixels stand still, and that end
-/// within three pixels, in all photographs at the same; two more are taken with them. What is left
-/// has a quarter of each side or more, and `min_side_px`.
+/// within three pixels, in all photographs at the same; two more are taken with them. Unless they
+/// leave a quarter of each side, and `min_side_px`, they are none. Few photographs tell nothing
+/// (kFewestForOverlay).
 [[nodiscard]] ImageRectangle picture_between_bars(const StandingPixels& standing, int min_side_px);
 
 }  // namespace lumi

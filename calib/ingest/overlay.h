@@ -21,15 +21,16 @@ inline constexpr int kFewestForOverlay = 8;
 
 /// Tells the overlay from how the photographs' pixels changed.
 ///
-/// Between bars (bars.h) these are edges that point the same way in nearly every photograph (what
-/// median gradients tell of watermarks, Dekel et al., On the effectiveness of visible watermarks,
-/// CVPR 2017), areas whose pixels stand still although all around them changes, and what such edges
-/// enclose if it changes by less than half of what the picture does; without pieces of less than 24
-/// pixels, and with a margin of four.
+/// Bars are looked for first (bars.h). What lies over the picture that they leave is edges that
+/// point the same way in nearly every photograph (what median gradients tell of watermarks, Dekel
+/// et al., On the effectiveness of visible watermarks, CVPR 2017), areas whose pixels stand still
+/// although all around them changes, and what such edges enclose if it changes by less than half of
+/// what the picture does; without pieces of less than 24 pixels, and with a margin of four.
 ///
-/// There is none where a fifth of the picture would be covered (the camera did not
+/// Nothing lies over it, bars or not, where a fifth of it would be covered (the camera did not
 /// move, or the background did with it), less than 0.25 % (chance), or among many edges that nearly
-/// stand still: those are far away along a straight rail, or what the camera turned about.
+/// stand still: those are far away along a straight rail, or what the camera turned about. Of fewer
+/// than kFewestForOverlay photographs nothing is told.
 [[nodiscard]] Overlay overlay_of(const StandingPixels& standing, int min_side_px = 1);
 
 }  // namespace lumi

@@ -55,6 +55,7 @@ BlendTriangles hole_triangles(const Lumigraph& lumigraph, const SearchedViews& v
             .subdivide(parts_in(holes, face_polygons(lumigraph.mesh, eye)), search, plane, sampling,
                        subdivision_options(lumigraph, options))
             .triangles;
+    // Cells are small: what is seen of them in part changed no picture.
     draw_unseen(lumigraph, eye, search, plane, sampling, triangles);
     keep_own_surfaces(search, triangles);
     return triangles;

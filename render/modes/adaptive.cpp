@@ -123,9 +123,13 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const Searc
     layers[0] = subdivided(polygons[0], sampling, most[0]);
     const std::vector<UnseenTriangle> partly_seen =
         draw_unseen(layout, eye, search, plane, sampling, layers[0]);
-    BlendTriangles parts = seen_parts(
-        partly_seen, layers[0].vertices, {search, plane, sampling},
-        {subdivision_options(layout, options).min_edge_px, rest_of(most[0], layers[0].count())});
+    // Guesses are not laid over anything, nor is what fades: what it fades over would show through.
+    BlendTriangles parts;
+    const bool has_room = most[0] == 0 || layers[0].count() < most[0];
+    if (search.has_depth() && !options.fade_beyond_capture && has_room)
+        parts = seen_parts(partly_seen, layers[0].vertices, {search, plane, sampling},
+                           {.long_edge_px = subdivision_options(layout, options).min_edge_px,
+                            .max_parts = rest_of(most[0], layers[0].count())});
     keep_own_surfaces(search, layers[0]);
     if (thin.count() > 0) layers.insert(layers.begin() + 1, std::move(thin));
     if (parts.count() > 0) layers.insert(layers.begin() + 1, std::move(parts));

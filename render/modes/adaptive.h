@@ -11,9 +11,10 @@
 namespace lumi {
 
 /// The triangles of the mode `adaptive` for one eye: those of the camera mesh, and laid over them
-/// with their opacity, where there are any, parts that other views see (seen_parts.h), what is thin
-/// (thin_triangles.h), and those of each shell of the mesh. `views` are the layout's. Of what
-/// `subdivider` did before nothing but memory is used.
+/// with their opacity, where there are any, parts that other views see (seen_parts.h; not of
+/// guesses, nor where the capture's border fades), what is thin (thin_triangles.h), and those of
+/// each shell of the mesh. `views` are the layout's. Of what `subdivider` did before nothing but
+/// memory is used.
 [[nodiscard]] std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
                                                           const SearchedViews& views,
                                                           const Eye& eye,

@@ -1,6 +1,7 @@
 #include "render/subdivision/other_sights.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace lumi {
 namespace {
@@ -19,11 +20,11 @@ std::uint64_t key_of(std::uint32_t corner, int view) {
     return (std::uint64_t{corner} << 32) | static_cast<std::uint32_t>(view);
 }
 
-using Sights = std::array<const BlendVertex*, 3>;
+using CornersInView = std::array<const BlendVertex*, 3>;
 
 /// Whether the view sees the plane through the corners at the middles of the edges and of the
 /// triangle: another surface before it would be drawn on it.
-bool sees_between(const Sights& corners, const DepthSearch& search, int view) {
+bool sees_between(const CornersInView& corners, const DepthSearch& search, int view) {
     constexpr double kThird = 1.0 / 3.0;
     for (const Eigen::Vector3d& shares :
          {Eigen::Vector3d(0.5, 0.5, 0), Eigen::Vector3d(0, 0.5, 0.5), Eigen::Vector3d(0.5, 0, 0.5),
@@ -78,7 +79,7 @@ const BlendVertex& SightSearch::corner_in(int view, std::uint32_t corner) {
 OtherSights SightSearch::sights_of(const UnseenTriangle& triangle) {
     OtherSights result;
     for (const int view : triangle.asked_views) {
-        Sights corners{};
+        CornersInView corners{};
         for (std::size_t k = 0; k < 3; ++k) corners[k] = &corner_in(view, triangle.corners[k]);
         const auto seen =
             std::count_if(corners.begin(), corners.end(),

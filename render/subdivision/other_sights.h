@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -38,7 +37,7 @@ struct OtherSight {
 /// What the views that a triangle asks see of it.
 struct OtherSights {
     std::optional<OtherSight> whole;  ///< Of the first view that sees all of it.
-    std::vector<int> partly_seeing;   ///< Without such a view: those that see a corner.
+    std::vector<int> partly_seeing;   ///< Those asked until then that see a corner.
 };
 
 /// How views are asked.
@@ -56,8 +55,9 @@ class SightSearch {
     /// which may become more.
     SightSearch(const AskedViews& asked, const std::vector<BlendVertex>& vertices);
 
-    /// Whether one of its `asked_views` sees all of the triangle: the corners stand as well as they
-    /// can there, and nothing stands before the plane through them in between.
+    /// What its `asked_views` see of the triangle, one asked after the other until one sees all of
+    /// it: the corners stand as well as they can there, and nothing stands before the plane through
+    /// them in between.
     [[nodiscard]] OtherSights sights_of(const UnseenTriangle& triangle);
 
  private:

@@ -1,6 +1,7 @@
 #include "render/subdivision/seen_parts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <map>
 #include <unordered_map>
@@ -11,12 +12,13 @@
 namespace lumi {
 namespace {
 
-/// In the middle of an edge: only where it is, and of which face, is asked for.
+/// In the middle of an edge: where it is, and what no other view tells (SeenCorners).
 BlendVertex edge_middle(const BlendVertex& a, const BlendVertex& b) {
     BlendVertex middle = a;
     for (std::size_t i = 0; i < middle.pixel.size(); ++i)
         middle.pixel[i] = 0.5F * (a.pixel[i] + b.pixel[i]);
     middle.opacity = 0.5F * (a.opacity + b.opacity);
+    middle.occluded = 0.5F * (a.occluded + b.occluded);
     return middle;
 }
 
@@ -50,13 +52,13 @@ class DividedTriangles {
     }
 
     /// What is seen of quarters, of their quarters, and so on.
-    [[nodiscard]] std::vector<BlendTriangles> seen_by_size(const AskedViews& asked,
-                                                           double long_edge_px) {
-        std::vector<BlendTriangles> by_size;
+    [[nodiscard]] std::vector<BlendTriangles> seen_by_division(const AskedViews& asked,
+                                                               double long_edge_px) {
+        std::vector<BlendTriangles> by_division;
         SightSearch search(asked, vertices_);
         for (quarter(long_edge_px); !triangles_.empty(); quarter(long_edge_px))
-            by_size.push_back(take_seen(search));
-        return by_size;
+            by_division.push_back(take_seen(search));
+        return by_division;
     }
 
  private:
@@ -69,10 +71,10 @@ class DividedTriangles {
             const std::uint32_t ab = middle(a, b);
             const std::uint32_t bc = middle(b, c);
             const std::uint32_t ca = middle(c, a);
-            for (const TriangleCorners& quarter :
+            for (const TriangleCorners& part :
                  {TriangleCorners{a, ab, ca}, TriangleCorners{ab, b, bc},
                   TriangleCorners{ca, bc, c}, TriangleCorners{ab, bc, ca}})
-                quarters.push_back({quarter, asked_views});
+                quarters.push_back({part, asked_views});
         }
         triangles_ = std::move(quarters);
     }
@@ -110,10 +112,11 @@ class DividedTriangles {
 
 /// Appends what there is room for.
 void append(const BlendTriangles& more, std::size_t max_count, BlendTriangles& triangles) {
-    const auto before = static_cast<std::uint32_t>(triangles.vertices.size());
-    triangles.vertices.insert(triangles.vertices.end(), more.vertices.begin(), more.vertices.end());
     const std::size_t room =
         max_count == 0 ? more.count() : max_count - std::min(max_count, triangles.count());
+    if (room == 0) return;
+    const auto before = static_cast<std::uint32_t>(triangles.vertices.size());
+    triangles.vertices.insert(triangles.vertices.end(), more.vertices.begin(), more.vertices.end());
     for (std::size_t i = 0; i < 3 * std::min(room, more.count()); ++i)
         triangles.indices.push_back(before + more.indices[i]);
 }
@@ -123,6 +126,7 @@ void append(const BlendTriangles& more, std::size_t max_count, BlendTriangles& t
 BlendTriangles seen_parts(const std::vector<UnseenTriangle>& partly_seen,
                           const std::vector<BlendVertex>& vertices, const AskedViews& asked,
                           const SeenPartsOptions& options) {
+    assert(options.long_edge_px > 0);
     std::vector<std::vector<BlendTriangles>> runs((partly_seen.size() + kWholesAtATime - 1) /
                                                   kWholesAtATime);
     parallel_for_runs(
@@ -131,14 +135,14 @@ BlendTriangles seen_parts(const std::vector<UnseenTriangle>& partly_seen,
             DividedTriangles divided({begin + static_cast<std::ptrdiff_t>(first),
                                       begin + static_cast<std::ptrdiff_t>(end)},
                                      vertices);
-            runs[first / kWholesAtATime] = divided.seen_by_size(asked, options.long_edge_px);
+            runs[first / kWholesAtATime] = divided.seen_by_division(asked, options.long_edge_px);
         });
-    std::size_t sizes = 0;
-    for (const std::vector<BlendTriangles>& run : runs) sizes = std::max(sizes, run.size());
+    std::size_t divisions = 0;
+    for (const std::vector<BlendTriangles>& run : runs) divisions = std::max(divisions, run.size());
     BlendTriangles parts;
-    for (std::size_t size = 0; size < sizes; ++size)
+    for (std::size_t division = 0; division < divisions; ++division)
         for (const std::vector<BlendTriangles>& run : runs)
-            if (size < run.size()) append(run[size], options.max_parts, parts);
+            if (division < run.size()) append(run[division], options.max_parts, parts);
     return parts;
 }
 

@@ -10,7 +10,7 @@ namespace lumi {
 /// How far triangles are divided that other views see in part.
 struct SeenPartsOptions {
     double long_edge_px = 12.0;  ///< Triangles with no edge as long are not divided. > 0.
-    std::size_t max_parts = 0;   ///< No more of them, the largest first; 0: any number.
+    std::size_t max_parts = 0;   ///< No more, the least divided first; 0: any number.
 };
 
 /// What other views see of triangles that no one view sees whole (draw_unseen), as at the border of

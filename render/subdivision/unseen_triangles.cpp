@@ -63,9 +63,9 @@ Unseen unseen_among(const BlendTriangles& triangles, const Lumigraph& lumigraph,
     return unseen;
 }
 
-std::vector<OtherSights> sights_of(const std::vector<UnseenTriangle>& triangles,
-                                   const std::vector<BlendVertex>& vertices,
-                                   const AskedViews& asked) {
+std::vector<OtherSights> sights_of_all(const std::vector<UnseenTriangle>& triangles,
+                                       const std::vector<BlendVertex>& vertices,
+                                       const AskedViews& asked) {
     std::vector<OtherSights> sights(triangles.size());
     parallel_for_runs(triangles.size(), kTrianglesAtATime, 0,
                       [&](std::size_t first, std::size_t end) {
@@ -86,7 +86,7 @@ std::vector<UnseenTriangle> draw_unseen(const Lumigraph& lumigraph, const Eye& e
     const auto [unseen, first_indices] =
         unseen_among(triangles, lumigraph, eye, best_standing(search));
     std::vector<OtherSights> sights =
-        sights_of(unseen, triangles.vertices, {search, scene_plane, sampling});
+        sights_of_all(unseen, triangles.vertices, {search, scene_plane, sampling});
     std::vector<UnseenTriangle> partly_seen;
     SeenCorners seen;
     for (std::size_t i = 0; i < unseen.size(); ++i) {

@@ -18,8 +18,8 @@ namespace lumi {
 /// Where there is no depth at all, guesses are all there is, and better than nothing. Other
 /// triangles stay as they are. The same for any number of threads.
 ///
-/// Returns those that stay as well although some of these views see corners of them, which are then
-/// the ones to be asked for their parts (seen_parts.h).
+/// Returns those that stay as well although some of these views see corners of them, by the numbers
+/// of `triangles.vertices`; these views are then the ones to be asked for parts (seen_parts.h).
 std::vector<UnseenTriangle> draw_unseen(const Lumigraph& lumigraph, const Eye& eye,
                                         const DepthSearch& search,
                                         const Eigen::Vector3d& scene_plane,

@@ -184,10 +184,10 @@ TEST(CommandLine, WhatWasLaidOverPhotographsIsSaidByDoctorAndReport) {
     write_with_overlays(scratch / "photos");
     const auto says_it = testing::AllOf(HasSubstr("bars were cut off: 32 pixels below"),
                                         HasSubstr("logo or watermark was painted over"));
-    EXPECT_THAT(
-        lumi("doctor " + quoted(scratch / "photos") + " --workspace " + quoted(scratch / "doctor"))
-            .out,
-        says_it);
+    const Outcome examined =
+        lumi("doctor " + quoted(scratch / "photos") + " --workspace " + quoted(scratch / "doctor"));
+    EXPECT_THAT(examined.exit_code, testing::AnyOf(4, 5)) << "shifted pictures have no depth";
+    EXPECT_THAT(examined.out, says_it);
     const std::string workspace = " --workspace " + quoted(scratch / "work");
     const Outcome ingested = lumi("ingest " + quoted(scratch / "photos") + workspace);
     EXPECT_EQ(ingested.exit_code, 0) << ingested.talk;

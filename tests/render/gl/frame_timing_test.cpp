@@ -68,15 +68,18 @@ TEST_F(FrameTimingGl, RatiosAreOfTheBlendDrawnInTheSameRun) {
     }
 }
 
-/// Faces overlap by a hundredth of a pixel, and what other views see of a triangle in part is laid
-/// over it; in the corners of this path nothing is seen.
-TEST_F(FrameTimingGl, ModesOfOnePassFillHardlyAPixelTwice) {
+/// Faces overlap by a hundredth of a pixel; in the corners of this path nothing is seen.
+TEST_F(FrameTimingGl, TheLightFieldFillsNoPixelTwice) {
     const FrameTimingReport report =
-        timed({{.mode = RenderMode::kLightField, .guess_surroundings = false},
-               {.mode = RenderMode::kAdaptive, .guess_surroundings = false}});
-    for (const ModeCost& mode : report.modes)
-        EXPECT_THAT(mode.fragments_per_pixel, Optional(AllOf(Ge(0.8), Le(1.05))))
-            << name_of(mode.options.mode);
+        timed({{.mode = RenderMode::kLightField, .guess_surroundings = false}});
+    EXPECT_THAT(report.modes.front().fragments_per_pixel, Optional(AllOf(Ge(0.8), Le(1.02))));
+}
+
+/// What other views see of a triangle in part is laid over it, beyond the photographs of its own.
+TEST_F(FrameTimingGl, AdaptiveFillsTwiceWhatOtherViewsSeeInPartAlone) {
+    const FrameTimingReport report =
+        timed({{.mode = RenderMode::kAdaptive, .guess_surroundings = false}});
+    EXPECT_THAT(report.modes.front().fragments_per_pixel, Optional(AllOf(Ge(0.8), Le(1.05))));
 }
 
 TEST_F(FrameTimingGl, ThreePassesFillThePictureThreeTimes) {

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
+#include <vector>
 
+#include "render/modes/adaptive.h"
 #include "render/reference/triangle_reference.h"
 #include "render/subdivision/adaptive_subdivision.h"
 #include "render/subdivision/unseen_triangles.h"
@@ -137,16 +140,19 @@ TEST_F(SeenParts, AreNoGuesses) {
     }
 }
 
-TEST_F(SeenParts, AreHalvesAndHalvesOfHalves) {
+TEST_F(SeenParts, AreQuartersAndQuartersOfQuarters) {
     const BlendTriangles all = parts({.long_edge_px = 10});
     ASSERT_GT(all.count(), 0U);
+    double shortest = longest_whole_px();
     for (std::size_t i = 0; i < all.indices.size(); i += 3) {
         EXPECT_LE(longest_edge_px(all, i), longest_whole_px() / 2 + 1e-3);
         EXPECT_GE(longest_edge_px(all, i), 5.0 - 1e-3);
+        shortest = std::min(shortest, longest_edge_px(all, i));
     }
+    EXPECT_LE(shortest, longest_whole_px() / 4);
 }
 
-TEST_F(SeenParts, KeepToTheirNumberAndTakeTheLargest) {
+TEST_F(SeenParts, KeepToTheirNumberAndAreTheLeastDivided) {
     const BlendTriangles all = parts({.long_edge_px = 6});
     ASSERT_GT(all.count(), 20U);
     const BlendTriangles few = parts({.long_edge_px = 6, .max_parts = 20});
@@ -163,6 +169,41 @@ TEST_F(SeenParts, KeepToTheirNumberAndTakeTheLargest) {
 TEST_F(SeenParts, AreNoneOfTrianglesThatMayNotBeDivided) {
     EXPECT_EQ(parts({.long_edge_px = 1.001 * longest_whole_px()}).count(), 0U);
     EXPECT_EQ(seen_parts({}, triangles_.vertices, {search_, plane_, {}}, {}).count(), 0U);
+}
+
+std::size_t count_of(const std::vector<BlendTriangles>& layers) {
+    std::size_t count = 0;
+    for (const BlendTriangles& layer : layers) count += layer.count();
+    return count;
+}
+
+TEST_F(SeenParts, AreLaidOverTheTrianglesOfTheMesh) {
+    const std::vector<BlendTriangles> layers = adaptive_layers(lumigraph_, views_, eye_, {});
+    ASSERT_EQ(layers.size(), 2U);
+    EXPECT_GT(layers[1].count(), 10U);
+    EXPECT_LT(layers[1].count(), layers[0].count());
+    for (const BlendVertex& corner : layers[1].vertices) {
+        EXPECT_GT(corner.confidence, 0.0F);
+        EXPECT_EQ(corner.opacity, 1.0F);
+    }
+}
+
+TEST_F(SeenParts, CountForWhatAFrameMayHave) {
+    const auto count = [&](std::size_t most) {
+        return count_of(adaptive_layers(lumigraph_, views_, eye_, {.max_triangles = most}));
+    };
+    const std::size_t all = count(0);
+    for (const std::size_t most : {all / 8, all / 4, all / 2, all - 5, all})
+        EXPECT_LE(count(most), most);
+}
+
+TEST_F(SeenParts, AreNotLaidOverWhatFades) {
+    EXPECT_EQ(adaptive_layers(lumigraph_, views_, eye_, {.fade_beyond_capture = true}).size(), 1U);
+}
+
+TEST_F(SeenParts, AreNotLaidOverGuesses) {
+    for (LumigraphView& view : lumigraph_.views) view.depth = {};
+    EXPECT_EQ(adaptive_layers(lumigraph_, searched_views(lumigraph_), eye_, {}).size(), 1U);
 }
 
 }  // namespace
