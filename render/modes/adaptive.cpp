@@ -128,7 +128,7 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const Searc
     const bool has_room = most[0] == 0 || layers[0].count() < most[0];
     if (search.has_depth() && !options.fade_beyond_capture && has_room)
         parts = seen_parts(partly_seen, layers[0].vertices, {search, plane, sampling},
-                           {.long_edge_px = subdivision_options(layout, options).min_edge_px,
+                           {.long_edge_px = 2 * subdivision_options(layout, options).min_edge_px,
                             .max_parts = rest_of(most[0], layers[0].count())});
     keep_own_surfaces(search, layers[0]);
     if (thin.count() > 0) layers.insert(layers.begin() + 1, std::move(thin));
