@@ -9,7 +9,7 @@ namespace lumi {
 
 /// How far triangles are divided that other views see in part.
 struct SeenPartsOptions {
-    double long_edge_px = 12.0;  ///< Triangles with no edge as long are not divided. > 0.
+    double long_edge_px = 24.0;  ///< Triangles with no edge as long are not divided. > 0.
     std::size_t max_parts = 0;   ///< No more, the least divided first; 0: any number.
 };
 
