@@ -51,12 +51,14 @@ Json report_json(const FrameTimingReport& report, const OcclusionShares& shares)
             {"ms", mode.cost.median_ms},
             {"p95_ms", mode.cost.p95_ms},
             {"cpu_ms", mode.cost.cpu_ms},
+            {"device_ms", optional_json(mode.device_ms)},
             {"triangles", mode.triangles},
             {"fragments_per_pixel", optional_json(mode.fragments_per_pixel)},
             {"occlusion_share", optional_json(shares[i])}};
     }
     return Json{{"base_ms", report.base.median_ms},
                 {"base_cpu_ms", report.base.cpu_ms},
+                {"base_device_ms", optional_json(report.base_device_ms)},
                 {"size", {report.width_px, report.height_px}},
                 {"frames", report.frames},
                 {"threads", report.threads},
@@ -71,6 +73,26 @@ std::string row_text(const std::string& name, const FrameCost& cost, double cpu_
            padded_left(number_text(cost.median_ms, 2), 9) +
            padded_left(number_text(cost.p95_ms, 2), 9) + padded_left(number_text(cpu_ratio, 2), 9) +
            padded_left(number_text(ratio, 2), 9);
+}
+
+/// A line for what a graphics card works, beside the CPU.
+std::string device_row_text(const std::string& name, double device_ms, double base_device_ms) {
+    return padded_right(name, 24) + padded_left(number_text(device_ms, 3), 8) +
+           padded_left(number_text(device_ms / base_device_ms, 2), 9) + "\n";
+}
+
+/// Nothing where OpenGL works on the CPU.
+std::string device_text(const FrameTimingReport& report) {
+    if (!report.base_device_ms) return {};
+    std::string text =
+        padded_right("of the graphics card", 24) + padded_left("ms", 8) + padded_left("blends", 9) +
+        "\n" +
+        device_row_text("blend of three textures", *report.base_device_ms, *report.base_device_ms);
+    for (const ModeCost& mode : report.modes)
+        if (mode.device_ms)
+            text += device_row_text(name_of(mode.options.mode), *mode.device_ms,
+                                    *report.base_device_ms);
+    return text;
 }
 
 std::string report_text(const FrameTimingReport& report, const OcclusionShares& shares) {
@@ -93,6 +115,7 @@ std::string report_text(const FrameTimingReport& report, const OcclusionShares& 
     text +=
         "blends: times the blend of three textures, by CPU time and by wall time;\n"
         "fragments: a pixel of the picture, in all passes\n";
+    text += device_text(report);
     for (std::size_t i = 0; i < shares.size(); ++i)
         if (shares[i])
             text += "occlusion correction takes " + number_text(100 * *shares[i], 1) + " % of " +

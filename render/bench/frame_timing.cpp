@@ -12,7 +12,7 @@
 #include "calib/work/stopwatch.h"
 #include "render/bench/three_texture_blend.h"
 #include "render/gl/capabilities.h"
-#include "render/gl/fragment_count.h"
+#include "render/gl/draw_queries.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/headless_context.h"
 #include "render/renderer/lumigraph_renderer.h"
@@ -21,8 +21,8 @@ namespace lumi {
 namespace {
 
 constexpr int kWarmUpRounds = 2;
-/// Frames whose fragments are counted, as counting is not to be timed.
-constexpr std::size_t kCountedFrames = 8;
+/// Frames that OpenGL is asked about, as asking is not to be timed.
+constexpr std::size_t kAskedFrames = 8;
 
 /// Wall and CPU times of one drawing, frame by frame.
 struct Times {
@@ -46,18 +46,36 @@ void time_one(const std::function<void()>& draw, bool counted, Times& times) {
     times.cpu_ms.push_back(1000 * cost.cpu_s);
 }
 
-/// Over the pixels, mean over frames spread over the path.
-std::optional<double> fragments_per_pixel(LumigraphRenderer& renderer, const std::vector<Eye>& path,
-                                          const RenderOptions& mode, const Viewport& viewport) {
-    const std::size_t frames = std::min(kCountedFrames, path.size());
+/// Spread over the path.
+std::vector<Eye> asked_frames(const std::vector<Eye>& path) {
+    const std::size_t frames = std::min(kAskedFrames, path.size());
+    std::vector<Eye> asked;
+    for (std::size_t i = 0; i < frames; ++i) asked.push_back(path[i * path.size() / frames]);
+    return asked;
+}
+
+/// Over the pixels, mean over the frames.
+std::optional<double> fragments_per_pixel(const std::vector<Eye>& frames, const Viewport& viewport,
+                                          const std::function<void(const Eye&)>& draw) {
     double sum = 0;
-    for (std::size_t i = 0; i < frames; ++i) {
-        const auto count =
-            fragment_count([&] { renderer.draw(path[i * path.size() / frames], mode, viewport); });
+    for (const Eye& eye : frames) {
+        const auto count = fragment_count([&] { draw(eye); });
         if (!count) return std::nullopt;
         sum += static_cast<double>(*count);
     }
-    return sum / static_cast<double>(frames) / viewport.width_px / viewport.height_px;
+    return sum / static_cast<double>(frames.size()) / viewport.width_px / viewport.height_px;
+}
+
+/// Median over the frames.
+std::optional<double> device_ms(const std::vector<Eye>& frames,
+                                const std::function<void(const Eye&)>& draw) {
+    std::vector<double> times_ms;
+    for (const Eye& eye : frames) {
+        const auto time_ms = device_time_ms([&] { draw(eye); });
+        if (!time_ms) return std::nullopt;
+        times_ms.push_back(*time_ms);
+    }
+    return median_of(std::move(times_ms));
 }
 
 }  // namespace
@@ -102,13 +120,17 @@ FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>
     }
 
     report.base = cost_of(base_times);
+    const std::vector<Eye> asked = asked_frames(path);
+    framebuffer.bind();
+    report.base_device_ms = device_ms(asked, [&](const Eye&) { blend.draw(viewport); });
     for (std::size_t i = 0; i < modes.size(); ++i) {
+        const auto draw = [&](const Eye& eye) { renderer.draw(eye, modes[i], viewport); };
         const FrameCost cost = cost_of(mode_times[i]);
         framebuffer.bind();
         report.modes.push_back(
-            {modes[i], cost, triangles[i], fragments_per_pixel(renderer, path, modes[i], viewport),
-             std::move(mode_times[i].cpu_ms), cost.median_ms / report.base.median_ms,
-             cost.cpu_ms / report.base.cpu_ms});
+            {modes[i], cost, device_ms(asked, draw), triangles[i],
+             fragments_per_pixel(asked, viewport, draw), std::move(mode_times[i].cpu_ms),
+             cost.median_ms / report.base.median_ms, cost.cpu_ms / report.base.cpu_ms});
     }
     return report;
 }

@@ -21,6 +21,9 @@ struct FrameCost {
 struct ModeCost {
     RenderOptions options;
     FrameCost cost;
+    /// What a graphics card works on a frame: median over some frames of the path. Nothing where
+    /// OpenGL works on the CPU, or cannot tell.
+    std::optional<double> device_ms;
     double triangles = 0.0;  ///< Mean over the frames.
     /// In all passes, over the pixels of the picture: mean over some frames of the path. Nothing
     /// where the context cannot tell.
@@ -35,9 +38,10 @@ struct FrameTimingReport {
     int width_px = 0;
     int height_px = 0;
     int frames = 0;
-    int threads = 0;                ///< That drawing and looking for depth share: all cores.
-    std::size_t texture_bytes = 0;  ///< Of photographs and depth maps.
-    FrameCost base;                 ///< The full-screen blend of three textures.
+    int threads = 0;                       ///< That drawing and looking for depth share: all cores.
+    std::size_t texture_bytes = 0;         ///< Of photographs and depth maps.
+    FrameCost base;                        ///< The full-screen blend of three textures.
+    std::optional<double> base_device_ms;  ///< As ModeCost::device_ms.
     std::vector<ModeCost> modes;
 };
 

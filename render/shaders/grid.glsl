@@ -10,5 +10,5 @@ void main() { gl_Position = clip_from_eye_pixel * vec4(in_pixel, 1.0, 0.5); }
 #ifdef LUMI_FRAGMENT
 out vec4 drawn;
 
-void main() { drawn = vec4(1.0, 0.9, 0.1, 1.0); }
+void main() { drawn = vec4(255.0, 230.0, 26.0, 255.0) / 255.0; }
 #endif

@@ -164,6 +164,13 @@ Blend blend_at(vec2 window, Depth depth) {
     blend.is_guess = depth.kind > 2.5;
     float q = blend.is_guess ? max(0.0, side_products_and_plane.w) : depth.inverse_depth;
     blend.inverse_depth = q;
+    // Taken where all neighbours come by: behind a condition derivatives are undefined.
+    vec3 along_x0 = dFdx(view_pixel0);
+    vec3 along_y0 = dFdy(view_pixel0);
+    vec3 along_x1 = dFdx(view_pixel1);
+    vec3 along_y1 = dFdy(view_pixel1);
+    vec3 along_x2 = dFdx(view_pixel2);
+    vec3 along_y2 = dFdy(view_pixel2);
     vec3 pixel0 = AT_CENTRE(view_pixel0) + q * view_parallax0.xyz;
     vec3 pixel1 = AT_CENTRE(view_pixel1) + q * view_parallax1.xyz;
     vec3 pixel2 = AT_CENTRE(view_pixel2) + q * view_parallax2.xyz;
@@ -205,13 +212,13 @@ Blend blend_at(vec2 window, Depth depth) {
     blend.place0 = place_of(
         is_unseen ? sight_of(pixel_in_layer(depth.layer, vec4(window, 1.0, q))) : sight0,
         is_unseen ? pixel_in_layer(depth.layer, vec4(per_layer_pixel, 0.0, 0.0, 0.0))
-                  : per_pixel * dFdx(view_pixel0),
+                  : per_pixel * along_x0,
         is_unseen ? pixel_in_layer(depth.layer, vec4(0.0, per_layer_pixel, 0.0, 0.0))
-                  : per_pixel * dFdy(view_pixel0),
+                  : per_pixel * along_y0,
         is_unseen ? photograph_of_layer(depth.layer) : view_parallax0.w);
-    blend.place1 = place_of(sight1, per_pixel * dFdx(view_pixel1), per_pixel * dFdy(view_pixel1),
+    blend.place1 = place_of(sight1, per_pixel * along_x1, per_pixel * along_y1,
                             view_parallax1.w);
-    blend.place2 = place_of(sight2, per_pixel * dFdx(view_pixel2), per_pixel * dFdy(view_pixel2),
+    blend.place2 = place_of(sight2, per_pixel * along_x2, per_pixel * along_y2,
                             view_parallax2.w);
     return blend;
 }

@@ -6,7 +6,8 @@
 #include "render/bench/frame_timing.h"
 #include "render/bench/occlusion_share.h"
 #include "render/bench/three_texture_blend.h"
-#include "render/gl/fragment_count.h"
+#include "render/gl/capabilities.h"
+#include "render/gl/draw_queries.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/headless_context.h"
 #include "render/paths/path_through_views.h"
@@ -37,6 +38,16 @@ TEST(FragmentCountGl, TheBlendOfThreeTexturesFillsEachPixelOnce) {
                 }),
                 Optional(2 * kWidthPx * kHeightPx));
     EXPECT_THAT(fragment_count([] {}), Optional(0));
+}
+
+TEST(DeviceTimeGl, IsThatOfAGraphicsCard) {
+    const HeadlessContext context;
+    const ThreeTextureBlend blend(card_before_wall());
+    Framebuffer framebuffer;
+    framebuffer.attach_color(kWidthPx, kHeightPx);
+    const auto time_ms = device_time_ms([&] { blend.draw({0, 0, kWidthPx, kHeightPx}); });
+    ASSERT_EQ(time_ms.has_value(), !query_capabilities().works_on_cpu);
+    EXPECT_GT(time_ms.value_or(1), 0);
 }
 
 class FrameTimingGl : public testing::Test {
