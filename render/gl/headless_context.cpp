@@ -3,6 +3,8 @@
 #include <epoxy/egl.h>
 
 #include <array>
+#include <cstdlib>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,22 +33,46 @@ std::string egl_error_text() {
     return "EGL error " + std::to_string(error);
 }
 
-EGLDisplay first_device_display() {
+/// Mesa's way to be asked for its software renderer; other drivers do not know it.
+bool is_software_wanted() {
+    const char* value = std::getenv("LIBGL_ALWAYS_SOFTWARE");
+    return value != nullptr &&
+           (std::string_view(value) == "1" || std::string_view(value) == "true");
+}
+
+bool is_graphics_card(EGLDeviceEXT device) {
+    const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+    return extensions != nullptr &&
+           std::string_view(extensions).find("EGL_MESA_device_software") == std::string_view::npos;
+}
+
+std::vector<EGLDeviceEXT> devices() {
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") ||
         !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration"))
-        return EGL_NO_DISPLAY;
-    EGLDeviceEXT device = nullptr;
+        return {};
     EGLint count = 0;
-    if (eglQueryDevicesEXT(1, &device, &count) == EGL_FALSE || count < 1) return EGL_NO_DISPLAY;
+    if (eglQueryDevicesEXT(0, nullptr, &count) == EGL_FALSE || count < 1) return {};
+    std::vector<EGLDeviceEXT> found(static_cast<std::size_t>(count));
+    if (eglQueryDevicesEXT(count, found.data(), &count) == EGL_FALSE) return {};
+    found.resize(static_cast<std::size_t>(count));
+    return found;
+}
+
+EGLDisplay display_of(EGLDeviceEXT device) {
     return eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
 }
 
+/// Graphics cards first: of an NVIDIA card Mesa's platform knows nothing.
 std::vector<Platform> platforms() {
+    const std::vector<EGLDeviceEXT> all = devices();
     std::vector<Platform> found;
+    if (!is_software_wanted())
+        for (const EGLDeviceEXT device : all)
+            if (is_graphics_card(device)) found.push_back({"graphics card", display_of(device)});
     if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
         found.push_back({"surfaceless", eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA,
                                                                  nullptr, nullptr)});
-    found.push_back({"device", first_device_display()});
+    if (!all.empty()) found.push_back({"device", display_of(all.front())});
     found.push_back({"default display", eglGetDisplay(EGL_DEFAULT_DISPLAY)});
     return found;
 }
@@ -91,13 +117,17 @@ Error no_context(const std::string& attempts) {
 
 HeadlessContext::HeadlessContext(GlApi api) {
     std::string attempts;
+    std::vector<Platform> usable;
     for (const Platform& platform : platforms()) {
         if (platform.display == EGL_NO_DISPLAY ||
             eglInitialize(platform.display, nullptr, nullptr) == EGL_FALSE) {
             attempts += std::string("; ") + platform.name + ": no display";
-            continue;
+        } else {
+            usable.push_back(platform);
         }
-        for (const GlApi wanted : apis_to_try(api)) {
+    }
+    for (const GlApi wanted : apis_to_try(api)) {
+        for (const Platform& platform : usable) {
             const EGLContext context = create_context(platform.display, wanted);
             if (context == EGL_NO_CONTEXT) {
                 attempts += std::string("; ") + platform.name + ", " + name_of(wanted) + ": " +

@@ -11,8 +11,9 @@ enum class GlApi {
     kEs,    ///< OpenGL ES 3.0.
 };
 
-/// An OpenGL context without a window or a surface: EGL on Mesa's surfaceless platform, on the
-/// first EGL device, or on the default display, whichever answers first.
+/// An OpenGL context without a window or a surface: EGL on a graphics card, on Mesa's surfaceless
+/// platform, on the first EGL device, or on the default display, whichever answers first. With
+/// LIBGL_ALWAYS_SOFTWARE=1 in the environment graphics cards are passed over, as Mesa does.
 class HeadlessContext {
  public:
     /// Makes the context and makes it current. Throws Error (E-GL-CONTEXT) that lists what was
