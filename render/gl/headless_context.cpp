@@ -66,13 +66,14 @@ EGLDisplay display_of(EGLDeviceEXT device) {
 std::vector<Platform> platforms() {
     const std::vector<EGLDeviceEXT> all = devices();
     std::vector<Platform> found;
-    if (!is_software_wanted())
-        for (const EGLDeviceEXT device : all)
-            if (is_graphics_card(device)) found.push_back({"graphics card", display_of(device)});
+    for (const EGLDeviceEXT device : all)
+        if (is_graphics_card(device) && !is_software_wanted())
+            found.push_back({"graphics card", display_of(device)});
     if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
         found.push_back({"surfaceless", eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA,
                                                                  nullptr, nullptr)});
-    if (!all.empty()) found.push_back({"device", display_of(all.front())});
+    for (const EGLDeviceEXT device : all)
+        if (!is_graphics_card(device)) found.push_back({"software", display_of(device)});
     found.push_back({"default display", eglGetDisplay(EGL_DEFAULT_DISPLAY)});
     return found;
 }

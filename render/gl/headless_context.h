@@ -12,7 +12,7 @@ enum class GlApi {
 };
 
 /// An OpenGL context without a window or a surface: EGL on a graphics card, on Mesa's surfaceless
-/// platform, on the first EGL device, or on the default display, whichever answers first. With
+/// platform, on a software device, or on the default display, whichever answers first. With
 /// LIBGL_ALWAYS_SOFTWARE=1 in the environment graphics cards are passed over, as Mesa does.
 class HeadlessContext {
  public:

@@ -11,7 +11,7 @@ constexpr std::uint32_t kNone = SplitEdge::kNone;
 
 /// Room for so many vertices, and as many edges: what grew with the eye's way would go on growing
 /// for minutes.
-constexpr std::size_t kFirstVertices = std::size_t{1} << 13;
+constexpr std::size_t kFirstVertices = std::size_t{1} << 12;
 
 /// So many times as long as those that are not split: what shorter ones miss costs more triangles
 /// than it is worth.

@@ -15,7 +15,7 @@ namespace {
 
 /// What the edges that parts share cost is hardly noticed, and there are enough parts for all
 /// cores to be busy. The same number on every machine, so that all draw the same triangles.
-constexpr std::size_t kMostParts = 8;
+constexpr std::size_t kMostParts = 16;
 constexpr std::size_t kFewestOfPart = 8;
 
 /// Triangles that are cut at outlines need not be as small as those that could but follow them.
