@@ -75,7 +75,7 @@ std::string row_text(const std::string& name, const FrameCost& cost, double cpu_
            padded_left(number_text(ratio, 2), 9);
 }
 
-/// A line for what a graphics card works, beside the CPU.
+/// A line of what frames take by the card's clock.
 std::string device_row_text(const std::string& name, double device_ms, double base_device_ms) {
     return padded_right(name, 24) + padded_left(number_text(device_ms, 3), 8) +
            padded_left(number_text(device_ms / base_device_ms, 2), 9) + "\n";
@@ -85,7 +85,7 @@ std::string device_row_text(const std::string& name, double device_ms, double ba
 std::string device_text(const FrameTimingReport& report) {
     if (!report.base_device_ms) return {};
     std::string text =
-        padded_right("of the graphics card", 24) + padded_left("ms", 8) + padded_left("blends", 9) +
+        padded_right("by the card's clock", 24) + padded_left("ms", 8) + padded_left("blends", 9) +
         "\n" +
         device_row_text("blend of three textures", *report.base_device_ms, *report.base_device_ms);
     for (const ModeCost& mode : report.modes)

@@ -21,8 +21,8 @@ struct FrameCost {
 struct ModeCost {
     RenderOptions options;
     FrameCost cost;
-    /// What a graphics card works on a frame: median over some frames of the path. Nothing where
-    /// OpenGL works on the CPU, or cannot tell.
+    /// A frame by a graphics card's own clock (draw_queries.h): median over some frames of the
+    /// path. Nothing where OpenGL works on the CPU, or cannot tell.
     std::optional<double> device_ms;
     double triangles = 0.0;  ///< Mean over the frames.
     /// In all passes, over the pixels of the picture: mean over some frames of the path. Nothing

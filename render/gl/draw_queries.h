@@ -10,9 +10,9 @@ namespace lumi {
 /// or the shader rejects are not counted. Nothing where the context cannot tell (OpenGL ES).
 [[nodiscard]] std::optional<std::uint64_t> fragment_count(const std::function<void()>& draw);
 
-/// How long a graphics card works on what `draw` asks of it, from its first command to its last, in
-/// milliseconds. Nothing where there is none, as Mesa's software renderers work on the CPU, or
-/// where the context cannot tell (OpenGL ES).
+/// Time by a graphics card's own clock from the first command of `draw` to the end of its last, in
+/// milliseconds; what it waits for the CPU in between counts. Nothing where there is no card, as
+/// Mesa's software renderers work on the CPU, or where the context cannot tell (OpenGL ES).
 [[nodiscard]] std::optional<double> device_time_ms(const std::function<void()>& draw);
 
 }  // namespace lumi

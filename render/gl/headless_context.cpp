@@ -2,6 +2,7 @@
 
 #include <epoxy/egl.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "calib/work/error.h"
+#include "render/gl/capabilities.h"
 
 namespace lumi {
 
@@ -33,11 +35,12 @@ std::string egl_error_text() {
     return "EGL error " + std::to_string(error);
 }
 
-/// Mesa's way to be asked for its software renderer; other drivers do not know it.
+/// The way in which Mesa is asked for its software renderer; other drivers do not know it.
 bool is_software_wanted() {
     const char* value = std::getenv("LIBGL_ALWAYS_SOFTWARE");
-    return value != nullptr &&
-           (std::string_view(value) == "1" || std::string_view(value) == "true");
+    if (value == nullptr) return false;
+    constexpr std::array<std::string_view, 8> kNo{"", "0", "n", "no", "f", "F", "false", "FALSE"};
+    return std::find(kNo.begin(), kNo.end(), value) == kNo.end();
 }
 
 bool is_graphics_card(EGLDeviceEXT device) {
@@ -47,9 +50,11 @@ bool is_graphics_card(EGLDeviceEXT device) {
 }
 
 std::vector<EGLDeviceEXT> devices() {
-    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") ||
-        !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration"))
-        return {};
+    const auto has = [](const char* name) { return epoxy_has_egl_extension(EGL_NO_DISPLAY, name); };
+    // The base is what the other two became of; some drivers know it by its old name alone.
+    const bool has_base = has("EGL_EXT_device_base") ||
+                          (has("EGL_EXT_device_enumeration") && has("EGL_EXT_device_query"));
+    if (!has_base || !has("EGL_EXT_platform_device")) return {};
     EGLint count = 0;
     if (eglQueryDevicesEXT(0, nullptr, &count) == EGL_FALSE || count < 1) return {};
     std::vector<EGLDeviceEXT> found(static_cast<std::size_t>(count));
@@ -118,17 +123,13 @@ Error no_context(const std::string& attempts) {
 
 HeadlessContext::HeadlessContext(GlApi api) {
     std::string attempts;
-    std::vector<Platform> usable;
     for (const Platform& platform : platforms()) {
         if (platform.display == EGL_NO_DISPLAY ||
             eglInitialize(platform.display, nullptr, nullptr) == EGL_FALSE) {
             attempts += std::string("; ") + platform.name + ": no display";
-        } else {
-            usable.push_back(platform);
+            continue;
         }
-    }
-    for (const GlApi wanted : apis_to_try(api)) {
-        for (const Platform& platform : usable) {
+        for (const GlApi wanted : apis_to_try(api)) {
             const EGLContext context = create_context(platform.display, wanted);
             if (context == EGL_NO_CONTEXT) {
                 attempts += std::string("; ") + platform.name + ", " + name_of(wanted) + ": " +
@@ -138,7 +139,9 @@ HeadlessContext::HeadlessContext(GlApi api) {
             display_ = platform.display;
             context_ = context;
             make_current();
-            return;
+            if (!is_software_wanted() || query_capabilities().works_on_cpu) return;
+            attempts += std::string("; ") + platform.name + ": a graphics card";
+            destroy();
         }
     }
     throw no_context(attempts);
@@ -146,11 +149,14 @@ HeadlessContext::HeadlessContext(GlApi api) {
 
 // The display is never terminated: EGL gives every caller the same one, so that ending it would
 // pull it from under the other contexts of the process.
-HeadlessContext::~HeadlessContext() {
+HeadlessContext::~HeadlessContext() { destroy(); }
+
+void HeadlessContext::destroy() {
     if (context_ == nullptr) return;
     if (eglGetCurrentContext() == context_)
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);
+    context_ = nullptr;
 }
 
 HeadlessContext::HeadlessContext(HeadlessContext&& other) noexcept

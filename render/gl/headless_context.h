@@ -13,7 +13,7 @@ enum class GlApi {
 
 /// An OpenGL context without a window or a surface: EGL on a graphics card, on Mesa's surfaceless
 /// platform, on a software device, or on the default display, whichever answers first. With
-/// LIBGL_ALWAYS_SOFTWARE=1 in the environment graphics cards are passed over, as Mesa does.
+/// LIBGL_ALWAYS_SOFTWARE=1 in the environment graphics cards of all makers are passed over.
 class HeadlessContext {
  public:
     /// Makes the context and makes it current. Throws Error (E-GL-CONTEXT) that lists what was
@@ -27,6 +27,8 @@ class HeadlessContext {
     void make_current() const;
 
  private:
+    void destroy();
+
     void* display_ = nullptr;  ///< EGLDisplay
     void* context_ = nullptr;  ///< EGLContext
 };

@@ -9,7 +9,7 @@
 
 namespace lumi {
 
-/// Draws frames without a window: EGL surfaceless, OpenGL 3.3 core or OpenGL ES 3.0.
+/// Draws frames without a window (HeadlessContext): OpenGL 3.3 core or OpenGL ES 3.0.
 ///
 /// One per thread. Throws Error (E-GL-CONTEXT, E-GL-LIMIT) that says what was asked and what was
 /// found.

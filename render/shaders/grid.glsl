@@ -10,5 +10,6 @@ void main() { gl_Position = clip_from_eye_pixel * vec4(in_pixel, 1.0, 0.5); }
 #ifdef LUMI_FRAGMENT
 out vec4 drawn;
 
+// Whole levels of 255, as halves are rounded either way.
 void main() { drawn = vec4(255.0, 230.0, 26.0, 255.0) / 255.0; }
 #endif

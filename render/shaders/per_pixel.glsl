@@ -164,7 +164,8 @@ Blend blend_at(vec2 window, Depth depth) {
     blend.is_guess = depth.kind > 2.5;
     float q = blend.is_guess ? max(0.0, side_products_and_plane.w) : depth.inverse_depth;
     blend.inverse_depth = q;
-    // Taken where all neighbours come by: behind a condition derivatives are undefined.
+    // Not in the choices below, behind which derivatives are undefined. Only blocks use them: smooth
+    // silhouettes are drawn in rounds that neighbours leave one by one.
     vec3 along_x0 = dFdx(view_pixel0);
     vec3 along_y0 = dFdy(view_pixel0);
     vec3 along_x1 = dFdx(view_pixel1);

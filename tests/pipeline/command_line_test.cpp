@@ -698,6 +698,7 @@ TEST(CommandLine, AutoPacksAsManyViewsAsAreEnough) {
     const Outcome bench = lumi("bench --json --frames 2 --size 40x30 --occlusion-share " +
                                quoted(workspace / "box.lumi"));
     ASSERT_EQ(bench.exit_code, 0) << bench.talk;
+    EXPECT_TRUE(Json::parse(bench.out).contains("base_device_ms"));
     const Json timed = Json::parse(bench.out).at("modes");
     EXPECT_GT(timed.at("perpixel").at("cpu_ratio").get<double>(), 0.0);
     EXPECT_TRUE(timed.at("perpixel").at("occlusion_share").is_number());

@@ -73,6 +73,7 @@ TEST_F(FrameTimingGl, RatiosAreOfTheBlendDrawnInTheSameRun) {
         EXPECT_DOUBLE_EQ(mode.ratio, mode.cost.median_ms / report.base.median_ms);
         EXPECT_DOUBLE_EQ(mode.cpu_ratio, mode.cost.cpu_ms / report.base.cpu_ms);
         EXPECT_LE(mode.cost.median_ms, mode.cost.p95_ms);
+        EXPECT_EQ(mode.device_ms.has_value(), report.base_device_ms.has_value());
         EXPECT_EQ(mode.frames_cpu_ms.size(), static_cast<std::size_t>(kFrames));
         EXPECT_DOUBLE_EQ(median_of(mode.frames_cpu_ms), mode.cost.cpu_ms);
         EXPECT_GT(mode.triangles, 0);

@@ -8,7 +8,6 @@
 
 #include "calib/work/error.h"
 #include "render/depth_mesh/view_depth_mesh.h"
-#include "render/gl/capabilities.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/headless_context.h"
 #include "render/gl/to_glm.h"
@@ -309,14 +308,12 @@ TEST(HeadlessContextGl, SeveralLiveSideBySide) {
 
 /// A fresh process, because Mesa reads its environment once.
 int exit_code_with_old_gl() {
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     setenv("MESA_GL_VERSION_OVERRIDE", "3.0", 1);
     setenv("MESA_GLES_VERSION_OVERRIDE", "2.0", 1);
     try {
         const HeadlessContext context;
-        const std::string driver = query_capabilities().description;
-        if (driver.find("Mesa") != std::string::npos) return 0;
-        std::fprintf(stderr, "%s cannot be asked to be older: no E-GL-CONTEXT", driver.c_str());
-        return static_cast<int>(ErrorKind::kResources);
+        return 0;
     } catch (const Error& error) {
         std::fprintf(stderr, "%s: %s", error.code().c_str(), error.what());
         return error.exit_code();
