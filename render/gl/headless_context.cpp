@@ -43,6 +43,7 @@ bool is_software_wanted() {
     return std::find(kNo.begin(), kNo.end(), value) == kNo.end();
 }
 
+/// What tells nothing of itself is none.
 bool is_graphics_card(EGLDeviceEXT device) {
     const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
     return extensions != nullptr &&
@@ -51,7 +52,7 @@ bool is_graphics_card(EGLDeviceEXT device) {
 
 std::vector<EGLDeviceEXT> devices() {
     const auto has = [](const char* name) { return epoxy_has_egl_extension(EGL_NO_DISPLAY, name); };
-    // The base is what the other two became of; some drivers know it by its old name alone.
+    // Older drivers name alone what was split into the other two.
     const bool has_base = has("EGL_EXT_device_base") ||
                           (has("EGL_EXT_device_enumeration") && has("EGL_EXT_device_query"));
     if (!has_base || !has("EGL_EXT_platform_device")) return {};
