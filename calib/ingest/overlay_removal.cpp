@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <opencv2/core.hpp>
-#include <opencv2/photo.hpp>
 #include <string>
 #include <tuple>
 
 #include "calib/capture/image_io.h"
+#include "calib/capture/inpainting.h"
 #include "calib/ingest/working_copies.h"
 #include "calib/work/formatted.h"
 #include "calib/work/parallel_for.h"
@@ -87,28 +86,9 @@ ColorImage cropped(const ColorImage& picture, const ImageRectangle& to) {
     return part;
 }
 
-void paint_over(const GrayImage& mask, ColorImage& picture) {
-    constexpr double kRadius_px = 4.0;
-    cv::Mat covered(mask.height(), mask.width(), CV_8U);
-    for (int y = 0; y < mask.height(); ++y) {
-        for (int x = 0; x < mask.width(); ++x) {
-            covered.at<std::uint8_t>(y, x) = mask(x, y) == 0 ? 255 : 0;
-        }
-    }
-    const cv::Mat colors(picture.height(), picture.width(), CV_8UC3, picture.pixels().data());
-    cv::Mat painted;
-    cv::inpaint(colors, covered, painted, kRadius_px, cv::INPAINT_TELEA);
-    for (int y = 0; y < mask.height(); ++y) {
-        for (int x = 0; x < mask.width(); ++x) {
-            const auto& color = painted.at<cv::Vec3b>(y, x);
-            if (mask(x, y) == 0) picture(x, y) = {color[0], color[1], color[2]};
-        }
-    }
-}
-
 void remove_from(Photograph& photograph, const Overlay& overlay) {
     ColorImage picture = cropped(read_color_image(photograph.picture_path), overlay.picture);
-    if (!overlay.mask.empty()) paint_over(overlay.mask, picture);
+    if (!overlay.mask.empty()) paint_from_rim(overlay.mask, picture);
     write_png(photograph.picture_path, picture);
     // Exactly as before where nothing was cut off: a known lens may go by it.
     const auto of_original = [](int original_px, int kept_px, int all_px) {

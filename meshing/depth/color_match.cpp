@@ -27,16 +27,18 @@ Gains gains_of(const std::vector<SharedColor>& shared) {
     return {own[0] / other[0], own[1] / other[1], own[2] / other[2]};
 }
 
-int difference(const ColorMatch& match, const Rgb8& own, const Rgb8& other) {
-    return std::max({std::abs(own.r - match.own_from_other[0][other.r]),
-                     std::abs(own.g - match.own_from_other[1][other.g]),
-                     std::abs(own.b - match.own_from_other[2][other.b])});
-}
-
 }  // namespace
 
+int largest_difference(const Rgb8& a, const Rgb8& b) {
+    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+Rgb8 ColorMatch::in_own_colors(const Rgb8& other) const {
+    return {own_from_other[0][other.r], own_from_other[1][other.g], own_from_other[2][other.b]};
+}
+
 bool ColorMatch::is_same(const Rgb8& own, const Rgb8& other) const {
-    return difference(*this, own, other) <= tolerance;
+    return largest_difference(own, in_own_colors(other)) <= tolerance;
 }
 
 std::optional<ColorMatch> color_match(const std::vector<SharedColor>& shared) {
@@ -55,7 +57,7 @@ std::optional<ColorMatch> color_match(const std::vector<SharedColor>& shared) {
     std::vector<double> differences;
     differences.reserve(shared.size());
     for (const SharedColor& color : shared) {
-        differences.push_back(difference(match, color.own, color.other));
+        differences.push_back(largest_difference(color.own, match.in_own_colors(color.other)));
     }
     match.tolerance = std::max(kLeastTolerance,
                                static_cast<int>(quantile_of(std::move(differences), kShareWithin)));

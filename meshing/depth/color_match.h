@@ -15,11 +15,17 @@ struct SharedColor {
     Rgb8 other;
 };
 
+/// Of the channel that differs most, in 8-bit levels.
+[[nodiscard]] int largest_difference(const Rgb8& a, const Rgb8& b);
+
 /// How the colours of another photograph are turned into those of a view's, and by how much those
 /// of one surface differ then.
 struct ColorMatch {
     std::array<std::array<std::uint8_t, 256>, 3> own_from_other{};
     int tolerance = 0;  ///< 8-bit levels, of the channel that differs most.
+
+    /// The colour of a surface in the other photograph, as it would be in the view's own.
+    [[nodiscard]] Rgb8 in_own_colors(const Rgb8& other) const;
 
     /// Whether both colours may be those of one surface.
     [[nodiscard]] bool is_same(const Rgb8& own, const Rgb8& other) const;

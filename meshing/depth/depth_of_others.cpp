@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 
 #include "meshing/depth/color_match.h"
 #include "meshing/depth/gap_closing.h"
 #include "meshing/depth/seen_past.h"
+#include "meshing/depth/shared_colors.h"
 #include "meshing/depth/views_around.h"
 #include "meshing/depth/warped_rows.h"
 
@@ -103,27 +103,6 @@ struct Witness {
     ColorMatch match;
 };
 
-/// The surfaces that both know, in the colours of both.
-std::vector<SharedColor> shared_colors(const DepthMap& own, const ColorImage& own_picture,
-                                       const DepthMap& other, const ColorImage& other_picture,
-                                       const InverseDepthWarp& own_from_other, float tolerance) {
-    constexpr int kStep = 8;
-    std::vector<SharedColor> shared;
-    const WarpRaster raster{own.confidence.width(), own.confidence.height(), 0, 0};
-    warp_rows(other, own_from_other, raster, kStep, [&](int y, const WarpedRow& warped) {
-        for (std::size_t i = 0; i < warped.rows.size(); i += kStep) {
-            if (warped.rows[i] < 0) continue;
-            const int column = warped.columns[i];
-            const int row = warped.rows[i];
-            if (own.confidence(column, row) == 0) continue;
-            const float apart = own.inverse_depth(column, row) - warped.inverse_depths[i];
-            if (std::abs(apart) > tolerance) continue;
-            shared.push_back({own_picture(column, row), other_picture(static_cast<int>(i), y)});
-        }
-    });
-    return shared;
-}
-
 /// Empty where the views share too little to compare colours.
 std::optional<Witness> witness(const DepthScene& scene, const std::vector<DepthMap>& maps,
                                int view_index, const ColorImage& own_picture, int other_index) {
@@ -133,9 +112,10 @@ std::optional<Witness> witness(const DepthScene& scene, const std::vector<DepthM
     const InverseDepthWarp own_from_other =
         warp_b_from_a(other.camera, other.cam_from_world, view.camera, view.cam_from_world);
     ColorImage picture = averaged(other.photograph);
-    const auto match = color_match(
-        shared_colors(maps[static_cast<std::size_t>(view_index)], own_picture, map, picture,
-                      own_from_other, static_cast<float>(1 / view.disparity_px_per_inverse_depth)));
+    constexpr int kStep = 8;
+    const auto match = color_match(shared_colors(
+        {maps[static_cast<std::size_t>(view_index)], own_picture}, {map, picture}, own_from_other,
+        static_cast<float>(1 / view.disparity_px_per_inverse_depth), kStep));
     if (!match) return std::nullopt;
     return Witness{&other, &map, own_from_other, std::move(picture), *match};
 }

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <opencv2/imgproc.hpp>
 #include <optional>
+
+#include "meshing/depth/color_match.h"
 
 namespace lumi {
 namespace {
@@ -62,10 +63,6 @@ std::array<float, 256> similarity_by_difference() {
     return similarity;
 }
 
-int color_difference(const Rgb8& a, const Rgb8& b) {
-    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
-}
-
 /// The part of the window around a pixel that lies in the picture.
 struct Window {
     int left, right, top, bottom;  ///< All inclusive.
@@ -105,7 +102,7 @@ std::optional<std::array<int, 2>> better_source(const DepthMap& map, const Color
         const float* inverse_depths = map.inverse_depth.row(row);
         for (int column = window.left; column <= window.right; ++column) {
             if (column == x && row == y) continue;
-            const int difference = color_difference(own, colors[column]);
+            const int difference = largest_difference(own, colors[column]);
             votes[inverse_depths[column] > middle ? 1 : 0] +=
                 similarity[static_cast<std::size_t>(difference)];
         }

@@ -3,19 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include "calib/capture/drawn_mask.h"
 #include "calib/work/parallel_for.h"
+#include "meshing/depth/color_match.h"
 
 namespace lumi {
 namespace {
 
 constexpr int kSimilar = 14;  // 8-bit levels: sensor noise and the falling off of a flash.
-
-int difference(const Rgb8& a, const Rgb8& b) {
-    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
-}
 
 /// Pixels of the frame along the border, a fiftieth of the picture wide.
 std::vector<Rgb8> border_pixels(const ColorImage& picture) {
@@ -50,7 +46,7 @@ Rgb8 median_color(const std::vector<Rgb8>& pixels) {
 
 double similar_share(const std::vector<Rgb8>& pixels, Rgb8 color) {
     const auto similar = std::count_if(pixels.begin(), pixels.end(), [&](const Rgb8& pixel) {
-        return difference(pixel, color) <= kSimilar;
+        return largest_difference(pixel, color) <= kSimilar;
     });
     return static_cast<double>(similar) / std::max<double>(1, static_cast<double>(pixels.size()));
 }
@@ -89,7 +85,7 @@ GrayImage mask_of_background(const ColorImage& picture, Rgb8 background) {
     std::vector<int> front;
     const auto reach = [&](int x, int y) {
         if (!mask.contains(x, y) || mask(x, y) == 0) return;
-        if (difference(picture(x, y), background) > kSimilar) return;
+        if (largest_difference(picture(x, y), background) > kSimilar) return;
         mask(x, y) = 0;
         front.push_back(y * width + x);
     };

@@ -54,6 +54,7 @@ PackageOptions read_package_options(const ConfigSection& package) {
     if (options.max_views < 0) package.refuse("max_views", "0 (no limit) or more");
     options.max_mib = package.number("max_mib", options.max_mib);
     if (!(options.max_mib >= 0)) package.refuse("max_mib", "0 (no limit) or more");
+    options.keep_transients = package.boolean("keep_transients", options.keep_transients);
     return options;
 }
 

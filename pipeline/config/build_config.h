@@ -21,11 +21,13 @@ struct HoldOutOptions {
     std::vector<std::string> names;  ///< Instead: these, as in the photographs' folder.
 };
 
-/// Which of the views in use go into the package; the others take part in depth only.
+/// What goes into the package. Views in use that do not take part in depth only.
 struct PackageOptions {
     bool fewest_views = false;  ///< As few as held-out error cannot tell from more.
     int max_views = 0;          ///< 0: no limit.
     double max_mib = 0.0;       ///< Of the finished package; 0: no limit.
+    /// What was there for one photograph alone stays in it (transients.h).
+    bool keep_transients = false;
 };
 
 /// What a package says of how it is to be drawn.

@@ -15,6 +15,7 @@
 #include "pipeline/stages/depth_files.h"
 #include "pipeline/stages/depth_range.h"
 #include "pipeline/stages/file_stems.h"
+#include "pipeline/stages/removed_transients.h"
 #include "pipeline/stages/used_views.h"
 #include "pipeline/workspace/json_file.h"
 #include "render/depth_mesh/view_depth_mesh.h"
@@ -256,6 +257,10 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
                              const fs::path& folder, int threads, Progress& progress) {
     Lumigraph lumigraph = gather_lumigraph(sources, threads, progress);
     const auto views_in_use = static_cast<int>(lumigraph.views.size());
+    Json transients = Json::array();
+    if (!sources.options.keep_transients) {
+        transients = remove_transients(lumigraph, folder, threads, progress);
+    }
     lumigraph.fade_beyond_capture = sources.drawing.fade_beyond_capture;
     ExposureGains exposures;
     if (sources.drawing.even_exposure) {
@@ -284,6 +289,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
                      {"points", sources.photographs.capture.points.size()},
                      {"near_depth", lumigraph.near_depth},
                      {"far_depth", lumigraph.far_depth},
+                     {"transients", std::move(transients)},
                      {"exposure", exposure_json(exposures)},
                      {"occlusion_effort", json_of(of_occlusion)},
                      {"depth_effort", json_of(effort)},

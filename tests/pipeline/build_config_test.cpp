@@ -90,6 +90,7 @@ TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
                             "[package]",
                             "max_views",
                             "max_mib",
+                            "keep_transients",
                             "[render]",
                             "even_exposure",
                             "fade_beyond_capture",

@@ -1,8 +1,11 @@
 #include <algorithm>
 
+#include "calib/capture/image_io.h"
 #include "pipeline/report/html.h"
 #include "pipeline/report/sections/sections.h"
+#include "pipeline/report/spread.h"
 #include "pipeline/stages/photograph_list.h"
+#include "pipeline/stages/removed_transients.h"
 
 namespace lumi {
 namespace {
@@ -58,6 +61,26 @@ std::string removed_overlays(const Json& ingest) {
     return html;
 }
 
+/// What was there for one photograph alone, and what the package shows instead.
+std::string removed_transients(const ReportSources& sources) {
+    constexpr int kPictureWidthPx = 480;
+    constexpr std::size_t kMostPictures = 6;
+    const Json pack = evidence_of(sources.stages, "pack");
+    if (pack.is_null() || !pack.contains("transients") || pack.at("transients").empty()) return {};
+    const Json& transients = pack.at("transients");
+    std::string figures;
+    for (const std::size_t i : spread(transients.size(), kMostPictures)) {
+        const auto file = sources.workspace.stage_folder("pack") / kTransientFolder /
+                          transients[i].at("picture").get<std::string>();
+        figures += html_figure(read_color_image(file), kPictureWidthPx,
+                               transients[i].at("name").get<std::string>());
+    }
+    return "<p>Something was there for one photograph alone, " + std::to_string(transients.size()) +
+           " times, and was painted over as other photographs show the scene (left: as taken; "
+           "right: as packed; <code>[package] keep_transients = true</code> leaves it in).</p>\n" +
+           html_grid(figures);
+}
+
 }  // namespace
 
 std::string photographs_section(const ReportSources& sources) {
@@ -73,6 +96,7 @@ std::string photographs_section(const ReportSources& sources) {
     append_left_out(rows, ingest.at("left_out"));
     if (!poses.is_null()) append_left_out(rows, poses.at("not_registered"));
     if (!rows.empty()) html += html_table({"left out", "code", "why"}, rows);
+    html += removed_transients(sources);
     return html_section("Photographs", html + used_photographs(sources));
 }
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "calib/work/progress.h"
+#include "meshing/surface/pictured_view.h"
+
+namespace lumi {
+
+/// A view as it would be without its transients (transients.h).
+struct ViewWithoutTransients {
+    int view = 0;
+    double share = 0.0;  ///< Of its picture that was painted over.
+    ColorImage photograph;
+    DepthMap depth;
+};
+
+/// Paints over what was there for one photograph alone: in the colours of the three nearest views
+/// that see what lies behind it (their median, in the view's own exposure), and with that depth, as
+/// one neighbour confirms it. What no such view sees is painted from its rim (Telea 2004). Views
+/// without transients are not listed.
+[[nodiscard]] std::vector<ViewWithoutTransients> without_transients(
+    const std::vector<PicturedView>& views, int threads, Progress& progress);
+
+}  // namespace lumi

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "calib/work/progress.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// Where pictures of what was painted over lie in the pack stage's folder.
+constexpr const char* kTransientFolder = "transients";
+
+/// Takes out of the Lumigraph what was there for one photograph alone (transient_removal.h), notes
+/// it, and writes each such photograph, small, before and after, into `pack_folder`/transients.
+/// Returns their names, files and shares of the picture: the stage's evidence.
+[[nodiscard]] nlohmann::ordered_json remove_transients(Lumigraph& lumigraph,
+                                                       const std::filesystem::path& pack_folder,
+                                                       int threads, Progress& progress);
+
+}  // namespace lumi

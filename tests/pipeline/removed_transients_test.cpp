@@ -1,0 +1,73 @@
+#include "pipeline/stages/removed_transients.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "calib/capture/image_io.h"
+#include "tests/calib/scratch_folder.h"
+#include "tests/pipeline/studio.h"
+
+namespace lumi {
+namespace {
+
+using testing::HasSubstr;
+
+class NotedProgress final : public Progress {
+ public:
+    void begin(const std::string&, std::size_t) override {}
+    void advance(std::size_t) override {}
+    void note(const std::string& message) override { notes += message; }
+    std::string notes;
+};
+
+/// A board from nine places, the third photograph of it through something that stood in the way.
+Lumigraph board_behind_a_visitor() {
+    Lumigraph lumigraph = before_a_board(9, 0.5).lumigraph;
+    LumigraphView& view = lumigraph.views[2];
+    const int width = view.photograph.width();
+    const int height = view.photograph.height();
+    for (int y = height * 2 / 5; y < height * 3 / 5; ++y) {
+        for (int x = width * 2 / 5; x < width * 3 / 5; ++x) view.photograph(x, y) = {255, 0, 255};
+    }
+    return lumigraph;
+}
+
+TEST(RemovedTransients, AreNotedAndShownAndLeaveThePackage) {
+    const ScratchFolder scratch;
+    const std::filesystem::path folder = scratch / "pack";
+    std::filesystem::create_directories(folder);
+    Lumigraph lumigraph = board_behind_a_visitor();
+    const std::string name = lumigraph.views[2].name;
+    NotedProgress progress;
+    const auto list = remove_transients(lumigraph, folder, 2, progress);
+    ASSERT_EQ(list.size(), 1U);
+    EXPECT_EQ(list[0].at("name"), name);
+    // A fifth of its width and height, and a rim of a pixel or two of a small picture.
+    EXPECT_NEAR(list[0].at("share").get<double>(), 0.055, 0.02);
+    EXPECT_THAT(progress.notes, HasSubstr("in 1 photographs, up to"));
+    EXPECT_THAT(progress.notes, HasSubstr("keep_transients = true leaves it in"));
+    const ColorImage& painted = lumigraph.views[2].photograph;
+    EXPECT_NE(painted(painted.width() / 2, painted.height() / 2), (Rgb8{255, 0, 255}));
+    const ColorImage both =
+        read_color_image(folder / kTransientFolder / list[0].at("picture").get<std::string>());
+    EXPECT_EQ(both(both.width() / 4, both.height() / 2), (Rgb8{255, 0, 255}));
+    EXPECT_NE(both(both.width() * 3 / 4, both.height() / 2), (Rgb8{255, 0, 255}));
+}
+
+TEST(RemovedTransients, WriteAndSayNothingWhereThereAreNone) {
+    const ScratchFolder scratch;
+    const std::filesystem::path folder = scratch / "pack";
+    std::filesystem::create_directories(folder);
+    Lumigraph lumigraph = before_a_board(9, 0.5).lumigraph;
+    const std::vector<LumigraphView> before = lumigraph.views;
+    NotedProgress progress;
+    EXPECT_TRUE(remove_transients(lumigraph, folder, 2, progress).empty());
+    EXPECT_EQ(progress.notes, "");
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        EXPECT_EQ(lumigraph.views[i].photograph, before[i].photograph);
+    }
+}
+
+}  // namespace
+}  // namespace lumi
