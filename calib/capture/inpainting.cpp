@@ -16,12 +16,7 @@ void paint_from_rim(const GrayImage& mask, ColorImage& picture) {
     const cv::Mat colors(picture.height(), picture.width(), CV_8UC3, picture.pixels().data());
     cv::Mat painted;
     cv::inpaint(colors, covered, painted, kRadius_px, cv::INPAINT_TELEA);
-    for (int y = 0; y < mask.height(); ++y) {
-        for (int x = 0; x < mask.width(); ++x) {
-            const auto& color = painted.at<cv::Vec3b>(y, x);
-            if (mask(x, y) == 0) picture(x, y) = {color[0], color[1], color[2]};
-        }
-    }
+    painted.copyTo(colors, covered);
 }
 
 }  // namespace lumi

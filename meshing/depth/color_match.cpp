@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
@@ -28,10 +27,6 @@ Gains gains_of(const std::vector<SharedColor>& shared) {
 }
 
 }  // namespace
-
-int largest_difference(const Rgb8& a, const Rgb8& b) {
-    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
-}
 
 Rgb8 ColorMatch::in_own_colors(const Rgb8& other) const {
     return {own_from_other[0][other.r], own_from_other[1][other.g], own_from_other[2][other.b]};

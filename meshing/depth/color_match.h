@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -16,7 +18,9 @@ struct SharedColor {
 };
 
 /// Of the channel that differs most, in 8-bit levels.
-[[nodiscard]] int largest_difference(const Rgb8& a, const Rgb8& b);
+[[nodiscard]] inline int largest_difference(const Rgb8& a, const Rgb8& b) {
+    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
 
 /// How the colours of another photograph are turned into those of a view's, and by how much those
 /// of one surface differ then.

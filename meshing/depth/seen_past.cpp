@@ -28,7 +28,8 @@ std::optional<PlaceInView> place_in_view(const DepthMap& known,
                                          float inverse_depth) {
     const Eigen::Vector3d there =
         view_from_own({x + 0.5, y + 0.5}, static_cast<double>(inverse_depth));
-    if (there.z() <= 0) return std::nullopt;
+    constexpr double kLeastScale = 1e-6;  // Beyond it pixels are no integers.
+    if (there.z() <= kLeastScale) return std::nullopt;
     const Eigen::Vector2i pixel = there.hnormalized().array().floor().cast<int>();
     if (!known.confidence.contains(pixel.x(), pixel.y())) return std::nullopt;
     PlaceInView place{pixel.x(), pixel.y(), 0.0};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "calib/work/median.h"
+#include "meshing/depth/seen_past.h"
 
 namespace lumi {
 namespace {
@@ -45,7 +46,7 @@ PatchColors patch_colors(GrayImage unlike, const ColorImage& picture) {
         for (int x = 0; x < picture.width(); ++x) {
             const float count = counts.at<float>(y, x) / 255.0F;
             if (count < 1.0F) continue;
-            result.is_near(x, y) = 255;
+            result.has_unlike(x, y) = 255;
             const auto& sum = sums.at<cv::Vec3f>(y, x);
             result.color(x, y) = {static_cast<std::uint8_t>(sum[0] / count),
                                   static_cast<std::uint8_t>(sum[1] / count),
@@ -58,40 +59,55 @@ PatchColors patch_colors(GrayImage unlike, const ColorImage& picture) {
 Counterparts::Counterparts(const std::vector<KnownView>& views,
                            const std::vector<PatchColors>& patches,
                            const std::vector<Witness>& witnesses, int view_index)
-    : patches_(patches),
+    : views_(views),
+      patches_(patches),
       witnesses_(witnesses),
       own_(views[static_cast<std::size_t>(view_index)]),
       own_patches_(patches[static_cast<std::size_t>(view_index)]),
-      nearest_(2 * nearest_known(own_.known)) {}
+      nearest_known_(nearest_known(own_.known)) {}
 
-bool Counterparts::has(int x, int y) const {
+bool Counterparts::has(int x, int y, double behind) const {
     constexpr double kStep_px = 2.0;
-    constexpr int kMostSteps = 400;
-    const int steps = std::clamp(
-        static_cast<int>(nearest_ * own_.disparity_px_per_inverse_depth / kStep_px), 1, kMostSteps);
+    constexpr double kMostSteps = 400.0;
+    const double disparity = own_.disparity_px_per_inverse_depth;
+    const double nearest =
+        std::max(2 * nearest_known_, 0.5 * std::max(own_.picture.width(), 1) / disparity);
+    const int steps = static_cast<int>(std::clamp(nearest * disparity / kStep_px, 1.0, kMostSteps));
+    const double before = behind + kClearlyApartPx / disparity;
     for (int step = 0; step <= steps; ++step) {
-        if (has_at(x, y, nearest_ * step / steps)) return true;
+        const double inverse_depth = nearest * step / steps;
+        const bool may_be_unseen = inverse_depth > before && inverse_depth <= nearest_known_;
+        if (has_at(x, y, inverse_depth, may_be_unseen)) return true;
     }
     return false;
 }
 
-bool Counterparts::has_at(int x, int y, double inverse_depth) const {
+bool Counterparts::has_at(int x, int y, double inverse_depth, bool may_be_unseen) const {
     constexpr std::size_t kAsked = 6;
-    int in_frame = 0;
+    const auto asked = static_cast<int>(std::min(kAsked, witnesses_.size()));
     int alike = 0;
-    for (std::size_t k = 0; k < std::min(kAsked, witnesses_.size()); ++k) {
-        const Witness& witness = witnesses_[k];
-        const Eigen::Vector3d at = witness.other_from_own({x + 0.5, y + 0.5}, inverse_depth);
-        if (at.z() <= 0) continue;
-        const Eigen::Vector2i place = at.hnormalized().array().floor().cast<int>();
-        const PatchColors& there = patches_[static_cast<std::size_t>(witness.view)];
-        if (!there.is_near.contains(place.x(), place.y())) continue;
-        ++in_frame;
-        if (there.is_near(place.x(), place.y()) == 0) continue;
-        const Rgb8& color = there.color(place.x(), place.y());
-        if (is_alike(witness.match, own_patches_.color(x, y), color)) ++alike;
+    int unlike = 0;
+    int hidden = 0;
+    for (int k = 0; k < asked; ++k) {
+        const Witness& witness = witnesses_[static_cast<std::size_t>(k)];
+        const auto other = static_cast<std::size_t>(witness.view);
+        const KnownView& view = views_[other];
+        const auto place = place_in_view(view.known, witness.other_from_own, x, y,
+                                         static_cast<float>(inverse_depth));
+        if (!place) continue;
+        const PatchColors& there = patches_[other];
+        if (there.has_unlike(place->x, place->y) != 0 &&
+            is_alike(witness.match, own_patches_.color(x, y), there.color(place->x, place->y))) {
+            ++alike;
+        } else if (place->ahead * view.disparity_px_per_inverse_depth < -kClearlyApartPx) {
+            ++hidden;
+        } else {
+            ++unlike;
+        }
     }
-    return alike >= 2 && 2 * alike >= in_frame;
+    if (!may_be_unseen) unlike += hidden;
+    if (alike >= 2 && alike >= unlike) return true;
+    return may_be_unseen && 4 * unlike <= asked;
 }
 
 }  // namespace lumi

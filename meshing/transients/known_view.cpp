@@ -28,11 +28,13 @@ DepthMap known_of(const DepthMap& depth, int width, int height) {
     return known;
 }
 
-KnownView known_view(const PicturedView& view, int max_width_px) {
+KnownView known_view(const PicturedView& view, int max_side_px) {
     const DepthMap& depth = *view.depth;
-    const int width = std::min(max_width_px, depth.confidence.width());
-    if (width == 0) return {view.camera, view.cam_from_world, {}, {}, {}, 0.0};
-    const int height = std::max(1, depth.confidence.height() * width / depth.confidence.width());
+    const int side = std::max(depth.confidence.width(), depth.confidence.height());
+    if (side == 0) return {view.camera, view.cam_from_world, {}, {}, {}, 0.0};
+    const int kept = std::min(max_side_px, side);
+    const int width = std::max(1, depth.confidence.width() * kept / side);
+    const int height = std::max(1, depth.confidence.height() * kept / side);
     return {resized(view.camera, width, height),
             view.cam_from_world,
             known_of(depth, width, height),
@@ -110,12 +112,12 @@ double disparity_of(const std::vector<KnownView>& views, const KnownView& view) 
 
 }  // namespace
 
-std::vector<KnownView> known_views(const std::vector<PicturedView>& views, int max_width_px,
+std::vector<KnownView> known_views(const std::vector<PicturedView>& views, int max_side_px,
                                    int threads) {
     std::vector<KnownView> known(views.size());
     parallel_for(static_cast<int>(views.size()), threads, [&](int i) {
         known[static_cast<std::size_t>(i)] =
-            known_view(views[static_cast<std::size_t>(i)], max_width_px);
+            known_view(views[static_cast<std::size_t>(i)], max_side_px);
     });
     parallel_for(static_cast<int>(views.size()), threads, [&](int i) {
         const auto index = static_cast<std::size_t>(i);

@@ -13,10 +13,11 @@
 
 namespace lumi {
 
-/// Confidence from which on a pixel is known: one other view confirmed it.
+/// Confidence from which on a pixel is known: one other view confirmed it, others agree upon it, or
+/// it hides something from the view (finished_depth.h).
 inline constexpr std::uint8_t kConfirmedByOne = 128;
 
-/// A view at the raster of its depth map, or a coarser one, and what it knows for certain.
+/// A view at the raster of its depth map, or a coarser one, and what it knows.
 struct KnownView {
     Camera camera;
     Rigid3 cam_from_world;
@@ -28,9 +29,9 @@ struct KnownView {
     double disparity_px_per_inverse_depth = 0.0;
 };
 
-/// In rasters of at most this width. At most twelve views are near to each.
+/// In rasters whose longer side is at most this. At most twelve views are near to each.
 [[nodiscard]] std::vector<KnownView> known_views(const std::vector<PicturedView>& views,
-                                                 int max_width_px, int threads);
+                                                 int max_side_px, int threads);
 
 /// Another view, asked about the pixels of a view.
 struct Witness {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <utility>
 
@@ -23,25 +24,87 @@ bool is_in(const GrayImage& mask, const Eigen::Vector2i& sample, const GrayImage
                                  sample.y() * mask.height() / raster.height()) != 0;
 }
 
-/// What others agree upon where a view shows transients; confidence 0 elsewhere.
-DepthMap behind_transients(const std::vector<KnownView>& known, int view_index,
-                           const GrayImage& transients) {
-    DepthMap behind =
-        with_gaps_closed(others_agree(known, witnesses_of(known, view_index), view_index).agreed);
-    GrayImage& confidence = behind.confidence;
+/// Views know nothing where they show transients.
+void forget(const GrayImage& transients, KnownView& view) {
+    GrayImage& confidence = view.known.confidence;
     for (int y = 0; y < confidence.height(); ++y) {
         for (int x = 0; x < confidence.width(); ++x) {
-            if (!is_in(transients, {x, y}, confidence)) confidence(x, y) = 0;
+            if (is_in(transients, {x, y}, confidence)) confidence(x, y) = 0;
         }
     }
-    return behind;
+}
+
+/// The views with transients and those near to them, in full; the others are empty.
+std::vector<KnownView> views_around_transients(const std::vector<PicturedView>& views,
+                                               const std::vector<KnownView>& coarse,
+                                               const std::vector<GrayImage>& transients,
+                                               int threads) {
+    const DepthMap none;
+    std::vector<PicturedView> asked = views;
+    for (PicturedView& view : asked) view.depth = &none;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (transients[i].empty()) continue;
+        asked[i].depth = views[i].depth;
+        for (const int near : coarse[i].near) {
+            asked[static_cast<std::size_t>(near)].depth =
+                views[static_cast<std::size_t>(near)].depth;
+        }
+    }
+    std::vector<KnownView> known = known_views(asked, std::numeric_limits<int>::max(), threads);
+    for (std::size_t i = 0; i < known.size(); ++i) forget(transients[i], known[i]);
+    return known;
+}
+
+/// Gives each pixel that is not known (255) the number of the nearest one that is.
+void continue_nearest(GrayImage& is_unknown, FloatImage& numbers) {
+    const cv::Mat unknown(is_unknown.height(), is_unknown.width(), CV_8U,
+                          is_unknown.pixels().data());
+    cv::Mat distances;
+    cv::Mat labels;  // Of the nearest known pixel, each with one of its own.
+    cv::distanceTransform(unknown, distances, labels, cv::DIST_L2, cv::DIST_MASK_5,
+                          cv::DIST_LABEL_PIXEL);
+    FloatImage number_of_label(numbers.width() + 1, numbers.height() + 1);
+    for (int y = 0; y < numbers.height(); ++y) {
+        for (int x = 0; x < numbers.width(); ++x) {
+            const auto label = static_cast<std::size_t>(labels.at<int>(y, x));
+            if (is_unknown(x, y) == 0) number_of_label.pixels()[label] = numbers(x, y);
+        }
+    }
+    for (int y = 0; y < numbers.height(); ++y) {
+        for (int x = 0; x < numbers.width(); ++x) {
+            const auto label = static_cast<std::size_t>(labels.at<int>(y, x));
+            if (is_unknown(x, y) != 0) numbers(x, y) = number_of_label.pixels()[label];
+        }
+    }
+}
+
+/// What others agree upon along the rays of transients, with confidence as if one neighbour had
+/// confirmed it; where they do not, the nearest of all that is known, with confidence 0. Elsewhere
+/// as it is.
+void move_back(const std::vector<KnownView>& known, int view_index, const GrayImage& transients,
+               DepthMap& depth) {
+    const DepthMap agreed =
+        with_gaps_closed(others_agree(known, witnesses_of(known, view_index), view_index).agreed);
+    GrayImage is_unknown(depth.confidence.width(), depth.confidence.height());
+    for (int y = 0; y < depth.confidence.height(); ++y) {
+        for (int x = 0; x < depth.confidence.width(); ++x) {
+            if (!is_in(transients, {x, y}, depth.confidence)) continue;
+            if (agreed.confidence(x, y) != 0) {
+                depth.inverse_depth(x, y) = agreed.inverse_depth(x, y);
+                depth.confidence(x, y) = kConfirmedByOne;
+            } else {
+                is_unknown(x, y) = 255;
+                depth.confidence(x, y) = 0;
+            }
+        }
+    }
+    continue_nearest(is_unknown, depth.inverse_depth);
 }
 
 /// Another view's photograph, asked for what lies behind a transient.
 struct Painter {
     const PicturedView* view;
     const KnownView* known;
-    const GrayImage* transients;      ///< Its own, perhaps coarser; empty without any.
     InverseDepthWarp other_from_own;  ///< At the size of the photographs.
     InverseDepthWarp known_from_own;  ///< From the photograph to the other's depth map.
     double one_pixel;                 ///< In the other's inverse depth.
@@ -49,15 +112,14 @@ struct Painter {
 };
 
 std::vector<Painter> painters_of(const std::vector<PicturedView>& views,
-                                 const std::vector<KnownView>& known,
-                                 const std::vector<GrayImage>& transients, int view_index) {
+                                 const std::vector<KnownView>& known, int view_index) {
     const PicturedView& own = views[static_cast<std::size_t>(view_index)];
     std::vector<Painter> painters;
     for (const Witness& witness : witnesses_of(known, view_index)) {
         const auto other = static_cast<std::size_t>(witness.view);
         const double disparity = known[other].disparity_px_per_inverse_depth;
         if (disparity <= 0) continue;
-        painters.push_back({&views[other], &known[other], &transients[other],
+        painters.push_back({&views[other], &known[other],
                             warp_b_from_a(own.camera, own.cam_from_world, views[other].camera,
                                           views[other].cam_from_world),
                             warp_b_from_a(own.camera, own.cam_from_world, known[other].camera,
@@ -94,7 +156,8 @@ std::optional<Rgb8> color_from(const Painter& painter, const Eigen::Vector2d& pi
     constexpr double kSameSurfacePx = 1.5;
     const Eigen::Vector3d there = painter.known_from_own(pixel, inverse_depth);
     const Eigen::Vector3d at = painter.other_from_own(pixel, inverse_depth);
-    if (there.z() <= 0 || at.z() <= 0) return std::nullopt;
+    constexpr double kLeastScale = 1e-6;  // Beyond it pixels are no integers.
+    if (there.z() <= kLeastScale || at.z() <= kLeastScale) return std::nullopt;
     const Eigen::Vector2i sample = there.hnormalized().array().floor().cast<int>();
     const DepthMap& known = painter.known->known;
     if (!known.confidence.contains(sample.x(), sample.y())) return std::nullopt;
@@ -102,7 +165,6 @@ std::optional<Rgb8> color_from(const Painter& painter, const Eigen::Vector2d& pi
     const double apart = inverse_depth / there.z() -
                          static_cast<double>(known.inverse_depth(sample.x(), sample.y()));
     if (std::abs(apart) > kSameSurfacePx * painter.one_pixel) return std::nullopt;
-    if (is_in(*painter.transients, sample, known.confidence)) return std::nullopt;
     const Rgb8 color = color_between(*painter.view->photograph, at.hnormalized());
     return painter.match.in_own_colors(color);
 }
@@ -133,46 +195,38 @@ std::optional<Rgb8> color_behind(const std::vector<Painter>& painters, const Eig
 }
 
 /// Returns the share of the picture that was painted.
-double paint(const std::vector<Painter>& painters, const DepthMap& behind, ColorImage& picture) {
-    GrayImage painted(picture.width(), picture.height(), 255);
-    std::size_t pixels = 0;
-    bool is_all_known = true;
+double paint(const std::vector<Painter>& painters, const GrayImage& transients,
+             const DepthMap& depth, ColorImage& picture) {
+    GrayImage is_known(picture.width(), picture.height(), 255);
+    std::size_t painted = 0;
+    std::size_t unknown = 0;
     for (int y = 0; y < picture.height(); ++y) {
-        const int row = y * behind.confidence.height() / picture.height();
+        const int row = y * depth.confidence.height() / picture.height();
         for (int x = 0; x < picture.width(); ++x) {
-            const int column = x * behind.confidence.width() / picture.width();
-            if (behind.confidence(column, row) == 0) continue;
-            ++pixels;
+            const int column = x * depth.confidence.width() / picture.width();
+            if (!is_in(transients, {column, row}, depth.confidence)) continue;
+            ++painted;
             const auto color = color_behind(painters, {x + 0.5, y + 0.5},
-                                            static_cast<double>(behind.inverse_depth(column, row)));
+                                            static_cast<double>(depth.inverse_depth(column, row)));
             if (color) {
                 picture(x, y) = *color;
             } else {
-                painted(x, y) = 0;
-                is_all_known = false;
+                is_known(x, y) = 0;
+                ++unknown;
             }
         }
     }
-    if (!is_all_known) paint_from_rim(painted, picture);
-    return static_cast<double>(pixels) / static_cast<double>(picture.pixels().size());
-}
-
-/// As one neighbour confirms it.
-void move_back(const DepthMap& behind, DepthMap& depth) {
-    for (std::size_t i = 0; i < behind.confidence.pixels().size(); ++i) {
-        if (behind.confidence.pixels()[i] == 0) continue;
-        depth.inverse_depth.pixels()[i] = behind.inverse_depth.pixels()[i];
-        depth.confidence.pixels()[i] = kConfirmedByOne;
-    }
+    if (unknown > 0) paint_from_rim(is_known, picture);
+    return static_cast<double>(painted) / static_cast<double>(picture.pixels().size());
 }
 
 }  // namespace
 
 std::vector<ViewWithoutTransients> without_transients(const std::vector<PicturedView>& views,
                                                       int threads, Progress& progress) {
-    constexpr int kCoarsePx = 400;
-    const std::vector<GrayImage> transients =
-        transients_of(known_views(views, kCoarsePx, threads), threads, progress);
+    constexpr int kCoarse_px = 400;
+    const std::vector<KnownView> coarse = known_views(views, kCoarse_px, threads);
+    const std::vector<GrayImage> transients = transients_of(coarse, threads, progress);
     std::vector<ViewWithoutTransients> changed;
     for (std::size_t i = 0; i < views.size(); ++i) {
         if (!transients[i].empty()) changed.push_back({static_cast<int>(i), 0.0, {}, {}});
@@ -180,17 +234,16 @@ std::vector<ViewWithoutTransients> without_transients(const std::vector<Pictured
     if (changed.empty()) return changed;
     progress.begin("painting over what moved between photographs", changed.size());
     const std::vector<KnownView> known =
-        known_views(views, std::numeric_limits<int>::max(), threads);
+        views_around_transients(views, coarse, transients, threads);
     parallel_for(static_cast<int>(changed.size()), threads, [&](int i) {
         progress.throw_if_interrupted();
         ViewWithoutTransients& clean = changed[static_cast<std::size_t>(i)];
         const auto index = static_cast<std::size_t>(clean.view);
-        const DepthMap behind = behind_transients(known, clean.view, transients[index]);
         clean.photograph = *views[index].photograph;
         clean.depth = *views[index].depth;
-        clean.share =
-            paint(painters_of(views, known, transients, clean.view), behind, clean.photograph);
-        move_back(behind, clean.depth);
+        move_back(known, clean.view, transients[index], clean.depth);
+        clean.share = paint(painters_of(views, known, clean.view), transients[index], clean.depth,
+                            clean.photograph);
         progress.advance();
     });
     return changed;

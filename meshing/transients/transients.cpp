@@ -49,20 +49,21 @@ std::vector<Patch> patches_of(GrayImage mask) {
 }
 
 /// Whether more of it has a counterpart than chance would give it.
-bool stands_still(const Patch& patch, const Counterparts& counterparts) {
+bool stands_still(const Patch& patch, const DepthMap& agreed, const Counterparts& counterparts) {
     constexpr std::size_t kSamples = 200;
-    constexpr double kMostByChance = 0.05;
+    constexpr double kMostByChance = 0.07;
     const std::size_t samples = std::min(kSamples, patch.pixels.size());
     std::size_t standing = 0;
     for (std::size_t i = 0; i < samples; ++i) {
         const auto& [x, y] = patch.pixels[i * patch.pixels.size() / samples];
-        if (counterparts.has(x, y)) ++standing;
+        if (counterparts.has(x, y, static_cast<double>(agreed.inverse_depth(x, y)))) ++standing;
     }
     return static_cast<double>(standing) > kMostByChance * static_cast<double>(samples);
 }
 
-/// Of neighbours in a patch, how many lie on two surfaces. What is known of a surface that hides
-/// itself comes from views that see through it, and alternates from pixel to pixel.
+/// Of pixels of a patch and those to their right, how many lie on two surfaces. What is known of a
+/// surface that hides itself comes from views that see through it, and alternates from pixel to
+/// pixel.
 double torn_share(const Patch& patch, const DepthMap& agreed, float thickness) {
     std::size_t pairs = 0;
     std::size_t torn = 0;
@@ -98,7 +99,7 @@ GrayImage certain_transients(const OthersAgree& others, float thickness,
     for (const Patch& patch : patches_of(without_lines(unlike))) {
         if (static_cast<double>(patch.pixels.size()) < least) continue;
         if (torn_share(patch, others.agreed, thickness) > kMostTorn) continue;
-        if (stands_still(patch, counterparts)) continue;
+        if (stands_still(patch, others.agreed, counterparts)) continue;
         if (certain.empty()) certain = GrayImage(unlike.width(), unlike.height());
         mark(patch, certain);
     }
@@ -119,12 +120,32 @@ GrayImage grown(const GrayImage& certain, const GrayImage& unlike) {
     return transients;
 }
 
+bool reaches_border(const Patch& patch, const GrayImage& mask) {
+    return std::any_of(patch.pixels.begin(), patch.pixels.end(), [&](const auto& pixel) {
+        return pixel.first == 0 || pixel.second == 0 || pixel.first == mask.width() - 1 ||
+               pixel.second == mask.height() - 1;
+    });
+}
+
+/// With what transients enclose, where that is no more than they are: nobody knows what lies
+/// behind it, or it has the same colour.
+void fill_holes(GrayImage& transients) {
+    GrayImage rest = transients;
+    for (std::uint8_t& pixel : rest.pixels()) pixel = pixel == 0 ? 255 : 0;
+    const auto kept = static_cast<std::size_t>(
+        std::count(rest.pixels().begin(), rest.pixels().end(), std::uint8_t{0}));
+    for (const Patch& patch : patches_of(rest)) {
+        if (patch.pixels.size() <= kept && !reaches_border(patch, rest)) mark(patch, transients);
+    }
+}
+
 /// Where something is in the colours of what it hides, and along its rim, too.
 GrayImage with_gaps_and_rim(GrayImage transients) {
     const int reach_px = std::max(2, transients.width() / 100);
     const int rim_px = std::max(1, transients.width() / 250);
     const cv::Mat matrix = matrix_of(transients);
     cv::morphologyEx(matrix, matrix, cv::MORPH_CLOSE, disc(reach_px));
+    fill_holes(transients);
     cv::dilate(matrix, matrix, disc(rim_px));
     return transients;
 }
@@ -143,8 +164,9 @@ std::vector<GrayImage> transients_of(const std::vector<KnownView>& views, int th
         if (!views[index].picture.empty()) {
             witnesses[index] = witnesses_of(views, i);
             others[index] = others_agree(views, witnesses[index], i);
-            colors[index] = patch_colors(from_level(OthersAgree::kUnlike, others[index].is_unlike),
-                                         views[index].picture);
+            colors[index] =
+                patch_colors(from_level(OthersAgree::kPerhapsUnlike, others[index].is_unlike),
+                             views[index].picture);
         }
         progress.advance();
     });

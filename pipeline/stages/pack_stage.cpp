@@ -56,6 +56,12 @@ std::vector<LumigraphView> gather_views(const PackSources& sources, int threads,
     return views;
 }
 
+void set_depth_range(Lumigraph& lumigraph) {
+    const DepthRange range = depth_range_of(lumigraph.views);
+    lumigraph.near_depth = range.near_depth;
+    lumigraph.far_depth = range.far_depth;
+}
+
 Lumigraph gather_lumigraph(const PackSources& sources, int threads, Progress& progress) {
     Lumigraph lumigraph;
     lumigraph.name = sources.name;
@@ -63,9 +69,7 @@ Lumigraph gather_lumigraph(const PackSources& sources, int threads, Progress& pr
     lumigraph.mesh = read_camera_mesh_ply(sources.mesh_folder / "camera_mesh.ply");
     validate(lumigraph.mesh, static_cast<int>(lumigraph.views.size()),
              (sources.mesh_folder / "camera_mesh.ply").string());
-    const DepthRange range = depth_range_of(lumigraph.views);
-    lumigraph.near_depth = range.near_depth;
-    lumigraph.far_depth = range.far_depth;
+    set_depth_range(lumigraph);
     return lumigraph;
 }
 
@@ -260,6 +264,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     Json transients = Json::array();
     if (!sources.options.keep_transients) {
         transients = remove_transients(lumigraph, folder, threads, progress);
+        set_depth_range(lumigraph);
     }
     lumigraph.fade_beyond_capture = sources.drawing.fade_beyond_capture;
     ExposureGains exposures;

@@ -57,9 +57,9 @@ Json remove_transients(Lumigraph& lumigraph, const fs::path& pack_folder, int th
     }
     progress.note(formatted(
         "pack: something was there for one photograph alone, and was painted over as others show "
-        "the scene: in %zu photographs, up to %.1f %% of one ([package] keep_transients = true "
-        "leaves it in)",
-        changed.size(), 100 * largest));
+        "the scene: in %zu of %zu photographs, up to %.1f %% of one ([package] keep_transients = "
+        "true leaves it in)",
+        changed.size(), lumigraph.views.size(), 100 * largest));
     return list;
 }
 

@@ -44,7 +44,7 @@ TEST(RemovedTransients, AreNotedAndShownAndLeaveThePackage) {
     EXPECT_EQ(list[0].at("name"), name);
     // A fifth of its width and height, and a rim of a pixel or two of a small picture.
     EXPECT_NEAR(list[0].at("share").get<double>(), 0.055, 0.02);
-    EXPECT_THAT(progress.notes, HasSubstr("in 1 photographs, up to"));
+    EXPECT_THAT(progress.notes, HasSubstr("in 1 of 9 photographs, up to"));
     EXPECT_THAT(progress.notes, HasSubstr("keep_transients = true leaves it in"));
     const ColorImage& painted = lumigraph.views[2].photograph;
     EXPECT_NE(painted(painted.width() / 2, painted.height() / 2), (Rgb8{255, 0, 255}));
