@@ -48,17 +48,17 @@ std::vector<Patch> patches_of(GrayImage mask) {
     return patches;
 }
 
-/// Whether more of it has a counterpart than chance would give it.
-bool stands_still(const Patch& patch, const DepthMap& agreed, const Counterparts& counterparts) {
+/// How much of a patch may stand still.
+double standing_share(const Patch& patch, const DepthMap& agreed,
+                      const Counterparts& counterparts) {
     constexpr std::size_t kSamples = 200;
-    constexpr double kMostByChance = 0.07;
     const std::size_t samples = std::min(kSamples, patch.pixels.size());
     std::size_t standing = 0;
     for (std::size_t i = 0; i < samples; ++i) {
         const auto& [x, y] = patch.pixels[i * patch.pixels.size() / samples];
         if (counterparts.has(x, y, static_cast<double>(agreed.inverse_depth(x, y)))) ++standing;
     }
-    return static_cast<double>(standing) > kMostByChance * static_cast<double>(samples);
+    return static_cast<double>(standing) / static_cast<double>(samples);
 }
 
 /// Of pixels of a patch and those to their right, how many lie on two surfaces. What is known of a
@@ -87,23 +87,28 @@ void mark(const Patch& patch, GrayImage& mask) {
     for (const auto& [x, y] : patch.pixels) mask(x, y) = 255;
 }
 
-/// Patches that certainly are transients. Empty without any.
+/// Patches that certainly are transients; and where there are any, those that may be parts of
+/// them. Empty without any.
 GrayImage certain_transients(const OthersAgree& others, float thickness,
                              const Counterparts& counterparts) {
     constexpr double kMostTorn = 0.1;
+    constexpr double kMostByChance = 0.07;
+    constexpr double kMostOfParts = 0.4;
+    if (others.is_unlike.empty()) return {};
     const double least =
         kLeastTransientShare * static_cast<double>(others.is_unlike.pixels().size());
-    GrayImage certain;
-    if (others.is_unlike.empty()) return certain;
+    GrayImage marked(others.is_unlike.width(), others.is_unlike.height());
+    bool is_any_certain = false;
     const GrayImage unlike = from_level(OthersAgree::kUnlike, others.is_unlike);
     for (const Patch& patch : patches_of(without_lines(unlike))) {
         if (static_cast<double>(patch.pixels.size()) < least) continue;
         if (torn_share(patch, others.agreed, thickness) > kMostTorn) continue;
-        if (stands_still(patch, others.agreed, counterparts)) continue;
-        if (certain.empty()) certain = GrayImage(unlike.width(), unlike.height());
-        mark(patch, certain);
+        const double standing = standing_share(patch, others.agreed, counterparts);
+        if (standing > kMostOfParts) continue;
+        mark(patch, marked);
+        is_any_certain = is_any_certain || standing <= kMostByChance;
     }
-    return certain;
+    return is_any_certain ? marked : GrayImage{};
 }
 
 /// With the pixels around them that may be theirs, where a third of such a patch is certain.
