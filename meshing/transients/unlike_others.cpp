@@ -13,8 +13,8 @@ namespace {
 /// What one view has along the ray of a pixel.
 struct Sight {
     float inverse_depth = 0.0F;
-    Rgb8 color;  ///< In the asking view's colours.
-    std::uint8_t asked = 0;
+    Rgb8 color;                  ///< In the asking view's colours.
+    std::uint8_t witness = 0;    ///< Its place in the order of asking.
     std::uint8_t tolerance = 0;  ///< Of colours.
 };
 
@@ -22,7 +22,7 @@ struct Sight {
 class PixelSights {
  public:
     void add(const Sight& sight) {
-        if (count_ > 0 && sights_[count_ - 1U].asked == sight.asked) {
+        if (count_ > 0 && sights_[count_ - 1U].witness == sight.witness) {
             // Of one view what is nearer hides the rest.
             if (sight.inverse_depth > sights_[count_ - 1U].inverse_depth) {
                 sights_[count_ - 1U] = sight;
@@ -154,18 +154,9 @@ bool is_seen_by_most(const std::vector<KnownView>& views, const std::vector<Witn
     return 2 * do_see > could;
 }
 
-}  // namespace
-
-OthersAgree others_agree(const std::vector<KnownView>& views, const std::vector<Witness>& witnesses,
-                         int view_index) {
-    constexpr int kLeastViews = 2;
-    constexpr int kLeastViewsToBeCertain = 3;
-    const KnownView& own = views[static_cast<std::size_t>(view_index)];
-    const int width = own.picture.width();
-    const int height = own.picture.height();
-    OthersAgree result{{FloatImage(width, height), GrayImage(width, height)},
-                       GrayImage(width, height)};
-    if (witnesses.size() < kLeastViews) return result;
+/// What the witnesses know, carried into the view.
+Image<PixelSights> gathered_sights(const std::vector<KnownView>& views,
+                                   const std::vector<Witness>& witnesses, int width, int height) {
     Image<PixelSights> sights(width, height);
     for (std::size_t k = 0; k < witnesses.size(); ++k) {
         const Witness& witness = witnesses[k];
@@ -182,6 +173,22 @@ OthersAgree others_agree(const std::vector<KnownView>& views, const std::vector<
                       }
                   });
     }
+    return sights;
+}
+
+}  // namespace
+
+OthersAgree others_agree(const std::vector<KnownView>& views, const std::vector<Witness>& witnesses,
+                         int view_index) {
+    constexpr int kLeastViews = 2;
+    constexpr int kLeastViewsToBeCertain = 3;
+    const KnownView& own = views[static_cast<std::size_t>(view_index)];
+    const int width = own.picture.width();
+    const int height = own.picture.height();
+    OthersAgree result{{FloatImage(width, height), GrayImage(width, height)},
+                       GrayImage(width, height)};
+    if (witnesses.size() < kLeastViews) return result;
+    const Image<PixelSights> sights = gathered_sights(views, witnesses, width, height);
     const auto thickness = static_cast<float>(2 / own.disparity_px_per_inverse_depth);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {

@@ -13,7 +13,7 @@ struct OthersAgree {
     DepthMap agreed;
     /// kPerhapsUnlike where these show it alike, and the view another colour; kUnlike where they
     /// are three and more, and most of those that could see it, and the colour differs by twice
-    /// their tolerance; else 0. So it is where the view knows something nearer, as two others
+    /// their tolerance; else 0. It is 0, too, where the view knows something nearer, as two others
     /// confirm, or two of them show the view's colour on another surface that they agree upon.
     GrayImage is_unlike;
 
