@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "calib/work/parallel_for.h"
@@ -15,14 +16,18 @@ namespace {
 
 /// Of a pixel that holds two surfaces. Small against any other view's, but eight bits must hold it
 /// where the border fades, too.
-constexpr double kMixedShare = 1.0 / 8;
+constexpr float kMixedShare = 1.0F / 8;
+/// Of a pixel next to such a one. It is of one surface, but between the two their colours are
+/// interpolated, and so is what they count: where that is kLeastCounting and more, a third of the
+/// colour at most is the mixed pixel's.
+constexpr float kBesideMixedShare = 0.3F;
 /// Steps of 1/255 between the colours on both sides of an edge.
 constexpr int kLeastContrast = 24;
 
 /// Finds the pixels of a photograph that hold two surfaces.
-class MixedSamples {
+class MixedPixels {
  public:
-    MixedSamples(const LumigraphView& view, double disparity_px)
+    MixedPixels(const LumigraphView& view, double disparity_px)
         : view_(view),
           lattice_(view.depth, view.camera, disparity_px),
           mixed_(view.depth.inverse_depth.width(), view.depth.inverse_depth.height()) {
@@ -35,8 +40,10 @@ class MixedSamples {
         }
     }
 
-    /// For each depth sample 1 where its pixels are mixed.
-    [[nodiscard]] const GrayImage& mixed() const { return mixed_; }
+    [[nodiscard]] bool contain(int x_px, int y_px) const {
+        return mixed_(x_px * mixed_.width() / view_.camera.width_px,
+                      y_px * mixed_.height() / view_.camera.height_px) != 0;
+    }
 
  private:
     /// The surface tears between a sample and the next. Only if the photograph shows it: where the
@@ -65,21 +72,37 @@ class MixedSamples {
     GrayImage mixed_;
 };
 
+/// What mixed pixels count, and those next to them, of what others do.
+Image<float> shares_of_pixels(const LumigraphView& view, double disparity_px) {
+    const int width = view.camera.width_px;
+    const int height = view.camera.height_px;
+    Image<float> shares(width, height, 1.0F);
+    if (view.depth.inverse_depth.empty()) return shares;
+    const MixedPixels mixed(view, disparity_px);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            if (!mixed.contain(x, y)) continue;
+            shares(x, y) = kMixedShare;
+            for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+                if (shares.contains(x + dx, y + dy))
+                    shares(x + dx, y + dy) = std::min(shares(x + dx, y + dy), kBesideMixedShare);
+        }
+    }
+    return shares;
+}
+
 }  // namespace
 
 GrayImage photograph_opacity(const LumigraphView& view, double disparity_px) {
     const int width = view.camera.width_px;
     const int height = view.camera.height_px;
-    const GrayImage mixed =
-        view.depth.inverse_depth.empty() ? GrayImage{} : MixedSamples(view, disparity_px).mixed();
+    const Image<float> shares = shares_of_pixels(view, disparity_px);
     GrayImage opacity(width, height);
     for (int y = 0; y < height; ++y) {
-        const int row = y * mixed.height() / height;
         for (int x = 0; x < width; ++x) {
             const double to_border = std::min({x, y, width - 1 - x, height - 1 - y}) + 0.5;
-            const bool is_mixed = !mixed.empty() && mixed(x * mixed.width() / width, row) != 0;
-            opacity(x, y) = static_cast<std::uint8_t>(std::lround(
-                std::max(1.0, 255 * border_fade(to_border) * (is_mixed ? kMixedShare : 1.0))));
+            opacity(x, y) = static_cast<std::uint8_t>(
+                std::lround(std::max(1.0, 255 * border_fade(to_border) * double{shares(x, y)})));
         }
     }
     return opacity;

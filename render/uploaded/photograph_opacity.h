@@ -23,8 +23,9 @@ inline constexpr double kLeastOpacity = 1.0 / 1024;
 ///
 /// A photograph fades in from its border over a few pixels, so that none begins with a jump. Pixels
 /// along a tear of the depth map hold the colours of two surfaces and belong to neither: they count
-/// little, so that they are seen only where no other photograph knows better. `disparity_px` turns
-/// inverse depth into pixels (view_geometry.h). Without depth only the border counts.
+/// little, so that they are seen only where no other photograph knows better, and those next to
+/// them, into which they are interpolated, count less. `disparity_px` turns inverse depth into
+/// pixels (view_geometry.h). Without depth only the border counts.
 [[nodiscard]] GrayImage photograph_opacity(const LumigraphView& view, double disparity_px);
 
 /// The same for all views of a Lumigraph.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "tests/render/analytic_scene.h"
 
 namespace lumi {
@@ -37,10 +39,34 @@ TEST(PhotographOpacity, FadesInFromTheBorder) {
 
 TEST(PhotographOpacity, PixelsOfTwoSurfacesCountLittle) {
     const GrayImage opacity = photograph_opacity(view_of_an_edge(), kDisparity_px);
-    EXPECT_EQ(opacity(18, 15), 255);
+    EXPECT_EQ(opacity(17, 15), 255);
     EXPECT_EQ(opacity(19, 15), 32);
     EXPECT_EQ(opacity(20, 15), 32);
-    EXPECT_EQ(opacity(21, 15), 255);
+    EXPECT_EQ(opacity(22, 15), 255);
+}
+
+// Along the line from a pure pixel to a mixed one both colour and opacity are interpolated.
+TEST(PhotographOpacity, WhatCountsIsMixedByNoMoreThanAThird) {
+    const GrayImage opacity = photograph_opacity(view_of_an_edge(), kDisparity_px);
+    for (const auto& [mixed, beside] : {std::pair{19, 18}, std::pair{20, 21}}) {
+        EXPECT_GE(opacity(beside, 15), 255 * kLeastCounting);
+        const double third = (opacity(mixed, 15) + 2.0 * opacity(beside, 15)) / 3;
+        EXPECT_LT(third, 255 * kLeastCounting);
+    }
+}
+
+TEST(PhotographOpacity, DepthCoarserThanThePhotographMixesOnePixelBesideItsSamples) {
+    LumigraphView view = view_of_an_edge();
+    view.depth = {FloatImage(20, 15, 0.1F), GrayImage(20, 15, 255)};
+    for (int y = 0; y < 15; ++y)
+        for (int x = 0; x < 10; ++x) view.depth.inverse_depth(x, y) = 0.5F;
+    const GrayImage opacity = photograph_opacity(view, kDisparity_px);
+    EXPECT_EQ(opacity(16, 15), 255);
+    EXPECT_EQ(opacity(17, 15), 77);
+    EXPECT_EQ(opacity(18, 15), 32);
+    EXPECT_EQ(opacity(21, 15), 32);
+    EXPECT_EQ(opacity(22, 15), 77);
+    EXPECT_EQ(opacity(23, 15), 255);
 }
 
 TEST(PhotographOpacity, AnEdgeThatThePhotographDoesNotShowMixesNothing) {
