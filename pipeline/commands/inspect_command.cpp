@@ -34,6 +34,7 @@ Json package_json(const Lumigraph& lumigraph) {
                 {"near_depth", lumigraph.near_depth},
                 {"far_depth", lumigraph.far_depth},
                 {"occlusion_tolerance_px", lumigraph.occlusion_tolerance_px},
+                {"noisy_depth_error_px", lumigraph.noisy_depth_error_px},
                 {"depth_views", lumigraph.depth_views},
                 {"depth_block_px", lumigraph.depth_block_px},
                 {"fills_holes", lumigraph.fills_holes},
@@ -55,20 +56,21 @@ std::string gain_text(const LumigraphView& view) {
 }
 
 std::string package_text(const Lumigraph& lumigraph) {
-    std::string text = lumigraph.name + ": " + std::to_string(lumigraph.views.size()) +
-                       " views, depth " + number_text(lumigraph.near_depth, 3) + " to " +
-                       number_text(lumigraph.far_depth, 3) + ", camera mesh " +
-                       name_of(lumigraph.mesh.construction) + " with " +
-                       std::to_string(lumigraph.mesh.vertices.size()) + " vertices and " +
-                       std::to_string(lumigraph.mesh.faces.size()) +
-                       " faces, depth compared from " + std::to_string(lumigraph.depth_views) +
-                       " views for " + text_of_depth_blocks(lumigraph.depth_block_px) +
-                       ", views blended unless they see something else by " +
-                       number_text(lumigraph.occlusion_tolerance_px, 1) + " px" +
-                       (lumigraph.fills_holes ? ", what these do not see drawn from others" : "") +
-                       (lumigraph.checks_guesses ? ", guesses checked" : "") +
-                       ", triangles within " + number_text(lumigraph.triangle_error_px, 2) + " px" +
-                       (lumigraph.draws_thin ? ", what is thinner drawn over them" : "") + "\n";
+    std::string text =
+        lumigraph.name + ": " + std::to_string(lumigraph.views.size()) + " views, depth " +
+        number_text(lumigraph.near_depth, 3) + " to " + number_text(lumigraph.far_depth, 3) +
+        ", camera mesh " + name_of(lumigraph.mesh.construction) + " with " +
+        std::to_string(lumigraph.mesh.vertices.size()) + " vertices and " +
+        std::to_string(lumigraph.mesh.faces.size()) + " faces, depth compared from " +
+        std::to_string(lumigraph.depth_views) + " views for " +
+        text_of_depth_blocks(lumigraph.depth_block_px) +
+        ", views blended unless they see something else by " +
+        number_text(lumigraph.occlusion_tolerance_px, 1) + " px" +
+        ", noisy depth followed within " + number_text(lumigraph.noisy_depth_error_px, 1) + " px" +
+        (lumigraph.fills_holes ? ", what these do not see drawn from others" : "") +
+        (lumigraph.checks_guesses ? ", guesses checked" : "") + ", triangles within " +
+        number_text(lumigraph.triangle_error_px, 2) + " px" +
+        (lumigraph.draws_thin ? ", what is thinner drawn over them" : "") + "\n";
     for (const LumigraphView& view : lumigraph.views) {
         text += view.name + "  " + std::to_string(view.camera.width_px) + "x" +
                 std::to_string(view.camera.height_px) + "  focal length " +

@@ -78,6 +78,12 @@ DrawingOptions read_drawing_options(const ConfigSection& render) {
         !(options.occlusion_tolerance_px >= kLeastOcclusionTolerance_px &&
           options.occlusion_tolerance_px <= kMostOcclusionTolerance_px))
         render.refuse("occlusion_tolerance_px", "0 (as photographs ask for), or 0.1 to 100");
+    options.noisy_depth_error_px =
+        render.number("noisy_depth_error_px", options.noisy_depth_error_px);
+    if (options.noisy_depth_error_px != 0 &&
+        !(options.noisy_depth_error_px >= kLeastNoisyDepthError_px &&
+          options.noisy_depth_error_px <= kMostNoisyDepthError_px))
+        render.refuse("noisy_depth_error_px", "0 (as photographs ask for), or 0.1 to 10");
     options.depth_views = render.integer("depth_views", options.depth_views);
     if (options.depth_views != 0 &&
         (options.depth_views < kLeastDepthViews || options.depth_views > kMaxDepthViews))

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "pipeline/stages/chosen_views.h"
+#include "render/depth_mesh/view_depth_mesh.h"
 #include "render/lumigraph/even_exposure.h"
 
 namespace lumi {
@@ -50,6 +51,9 @@ std::size_t visit_kept_back(const Lumigraph& lumigraph, const Capture& capture,
         KeptBackViews kept = keep_back(evened, kEvery, first);
         const auto pictures = to_be_drawn(std::move(kept.pictures), kMostPictures);
         Lumigraph others = lumigraph_of_views(evened, capture, kept.others, mesh_options);
+        // Fewer views may want other meshes; else each that draws them would make its own.
+        SilentProgress within_the_question;
+        make_depth_meshes(others, 0, within_the_question);
         visit(others, pictures);
         asked += pictures.size();
     }

@@ -7,6 +7,7 @@
 #include "calib/work/whole_file.h"
 #include "meshing/geometry/binary_volume.h"
 #include "pipeline/evaluate/depth_effort.h"
+#include "pipeline/evaluate/depth_mesh_effort.h"
 #include "pipeline/evaluate/occlusion_effort.h"
 #include "pipeline/evaluate/triangle_effort.h"
 #include "pipeline/evaluate/view_curve.h"
@@ -159,6 +160,10 @@ class Line {
                          config_.drawing, config_.mesh,
                          [this](const Lumigraph& lumigraph, const Capture& capture) {
                              return sufficient_views(lumigraph, capture, config_.mesh, progress_);
+                         },
+                         [this](const Lumigraph& lumigraph, const Capture& capture) {
+                             return sufficient_depth_mesh_effort(lumigraph, capture, config_.mesh,
+                                                                 progress_);
                          },
                          [this](const Lumigraph& lumigraph, const Capture& capture) {
                              return sufficient_occlusion_effort(lumigraph, capture, config_.mesh,

@@ -30,6 +30,16 @@ std::string text_of(const DepthEffort& effort) {
            (effort.checks_guesses ? "checked, which is done" : "checked, which is not done");
 }
 
+std::string text_of(const DepthMeshEffort& effort) {
+    if (effort.pictures == 0) return "";
+    return "depth is followed to " + number_text(effort.noisy_error_px, 1) +
+           " px where its samples tell noise: " + std::to_string(effort.pictures) +
+           " photographs are drawn " + number_text(effort.coarsest_lose_db, 2) + " +- " +
+           number_text(effort.standard_error_db, 2) +
+           " dB better with the finest meshes than with " + number_text(kNoisyDepthError_px, 1) +
+           " px, and " + number_text(effort.loses_db, 2) + " dB better than so";
+}
+
 std::string text_of(const OcclusionEffort& effort) {
     if (effort.pictures == 0) return "";
     return "views are blended unless they see something else by " +
@@ -65,6 +75,14 @@ Json json_of(const DepthEffort& effort) {
             {"blocks_lose_db", effort.blocks_lose_db},
             {"holes_lose_db", effort.holes_lose_db},
             {"guesses_lose_db", effort.guesses_lose_db}};
+}
+
+Json json_of(const DepthMeshEffort& effort) {
+    return {{"noisy_error_px", effort.noisy_error_px},
+            {"pictures", effort.pictures},
+            {"coarsest_lose_db", effort.coarsest_lose_db},
+            {"standard_error_db", effort.standard_error_db},
+            {"loses_db", effort.loses_db}};
 }
 
 Json json_of(const OcclusionEffort& effort) {

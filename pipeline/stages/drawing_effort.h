@@ -26,6 +26,16 @@ struct DepthEffort {
                                      ///< most views, with holes filled.
 };
 
+/// How far depth meshes may be from depth maps that tell noise (Lumigraph::noisy_depth_error_px),
+/// and why.
+struct DepthMeshEffort {
+    double noisy_error_px = kNoisyDepthError_px;
+    int pictures = 0;                ///< That were asked; 0: nobody was.
+    double coarsest_lose_db = 0.0;   ///< At them, in the mean, the coarsest beside the finest.
+    double standard_error_db = 0.0;  ///< Of that.
+    double loses_db = 0.0;           ///< What was chosen, beside the finest.
+};
+
 /// From how far on a view that sees something else is not blended
 /// (Lumigraph::occlusion_tolerance_px), and why.
 struct OcclusionEffort {
@@ -54,10 +64,12 @@ struct TriangleEffort {
 /// For the journal of a build: what was chosen, and what was measured for it. Empty where nobody
 /// was asked.
 [[nodiscard]] std::string text_of(const DepthEffort& effort);
+[[nodiscard]] std::string text_of(const DepthMeshEffort& effort);
 [[nodiscard]] std::string text_of(const OcclusionEffort& effort);
 [[nodiscard]] std::string text_of(const TriangleEffort& effort);
 
 [[nodiscard]] nlohmann::ordered_json json_of(const DepthEffort& effort);
+[[nodiscard]] nlohmann::ordered_json json_of(const DepthMeshEffort& effort);
 [[nodiscard]] nlohmann::ordered_json json_of(const OcclusionEffort& effort);
 [[nodiscard]] nlohmann::ordered_json json_of(const TriangleEffort& effort);
 

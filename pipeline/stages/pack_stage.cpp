@@ -129,6 +129,16 @@ void note(const Effort& effort, Progress& progress) {
 }
 
 /// Options come before what photographs want.
+DepthMeshEffort depth_mesh_effort(const PackSources& sources, const Lumigraph& lumigraph,
+                                  Progress& progress) {
+    if (sources.drawing.noisy_depth_error_px != 0)
+        return {.noisy_error_px = sources.drawing.noisy_depth_error_px};
+    const DepthMeshEffort effort =
+        asked(sources.sufficient_depth_mesh_effort, sources, lumigraph, progress);
+    note(effort, progress);
+    return effort;
+}
+
 OcclusionEffort occlusion_effort(const PackSources& sources, const Lumigraph& lumigraph,
                                  Progress& progress) {
     if (sources.drawing.occlusion_tolerance_px != 0)
@@ -271,6 +281,9 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     if (sources.drawing.even_exposure) {
         exposures = find_exposure_gains(lumigraph, threads, progress);
     }
+    make_depth_meshes(lumigraph, threads, progress);
+    const DepthMeshEffort of_meshes = depth_mesh_effort(sources, lumigraph, progress);
+    lumigraph.noisy_depth_error_px = of_meshes.noisy_error_px;
     ViewLimit(sources, folder, threads, progress).apply_to(lumigraph);
     make_depth_meshes(lumigraph, threads, progress);
     const OcclusionEffort of_occlusion = occlusion_effort(sources, lumigraph, progress);
@@ -296,6 +309,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
                      {"far_depth", lumigraph.far_depth},
                      {"transients", std::move(transients)},
                      {"exposure", exposure_json(exposures)},
+                     {"depth_mesh_effort", json_of(of_meshes)},
                      {"occlusion_effort", json_of(of_occlusion)},
                      {"depth_effort", json_of(effort)},
                      {"triangle_effort", json_of(of_triangles)}};

@@ -30,7 +30,10 @@ struct PackSources {
     CameraMeshOptions mesh_options;  ///< For the camera mesh over fewer views.
     /// How many views are enough; asked for when the options want the fewest.
     std::function<int(const Lumigraph& lumigraph, const Capture& capture)> sufficient_views;
-    /// How far depth is to be trusted; asked for where the drawing options do not say.
+    /// How closely noisy depth must be followed; asked for where the drawing options do not say.
+    std::function<DepthMeshEffort(const Lumigraph& lumigraph, const Capture& capture)>
+        sufficient_depth_mesh_effort;
+    /// How far depth is to be trusted; the same.
     std::function<OcclusionEffort(const Lumigraph& lumigraph, const Capture& capture)>
         sufficient_occlusion_effort;
     /// How much is enough to know depth; the same.

@@ -16,11 +16,12 @@ constexpr double kNearMargin = 100.0;
 
 std::vector<std::shared_ptr<const DepthMesh>> meshes_of(const UploadedLumigraph& uploaded) {
     const std::vector<LumigraphView>& views = uploaded.layout.views;
+    const DepthMeshOptions options = depth_mesh_options(uploaded.layout);
     std::vector<std::shared_ptr<const DepthMesh>> meshes(views.size());
     parallel_for(static_cast<int>(views.size()), 0, [&](int i) {
         const auto view = static_cast<std::size_t>(i);
-        meshes[view] =
-            depth_mesh_of(views[view], max_disparity_px(uploaded.searched_views.geometries[view]));
+        meshes[view] = depth_mesh_of(
+            views[view], max_disparity_px(uploaded.searched_views.geometries[view]), options);
     });
     return meshes;
 }

@@ -232,6 +232,15 @@ DepthMesh mesh_of(const SplitErrors& errors, const DepthLattice& lattice, float 
 
 }  // namespace
 
+double most_error_px(const DepthMeshOptions& options) {
+    return std::max((1 + options.decimated_share) * options.max_coarse_error_px,
+                    (1 + options.noisy_decimated_share) * options.max_noisy_error_px);
+}
+
+bool is_of_noise(const DepthMesh& mesh, const DepthMap& depth) {
+    return mesh.columns < depth.inverse_depth.width();
+}
+
 DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double disparity_px,
                       const DepthMeshOptions& options) {
     if (depth.inverse_depth.empty()) return {};

@@ -24,6 +24,12 @@ struct DepthMeshOptions {
     double noisy_decimated_share = 1.0;  ///< The same where samples tell noise.
 };
 
+/// The farthest that a mesh may be from its depth map, where it was seen.
+[[nodiscard]] double most_error_px(const DepthMeshOptions& options);
+
+/// Whether the samples of the depth map that a mesh was made of told noise.
+[[nodiscard]] bool is_of_noise(const DepthMesh& mesh, const DepthMap& depth);
+
 /// The coarsest right-triangulated irregular network (Evans, Kirkpatrick, Townsend 2001) that stays
 /// within the error: without cracks, and down to single samples along tears and at the edges of
 /// what was seen; then without the vertices that it keeps to the error without. The error is that

@@ -133,13 +133,14 @@ DepthMesh part_with(const ThinVertices& vertices, const DepthMesh& mesh) {
 
 }  // namespace
 
-ThinSurfaces thin_surfaces(const LumigraphView& view, double disparity_px) {
+ThinSurfaces thin_surfaces(const LumigraphView& view, double disparity_px,
+                           const DepthMeshOptions& options) {
     if (view.depth.inverse_depth.empty()) return {};
     const ThinVertices thin(view, disparity_px);
     if (thin.are_none()) return {};
     const double coarse_px = kCoarseShare * std::max(view.camera.width_px, view.camera.height_px);
-    DepthMesh part = decimated(part_with(thin, *depth_mesh_of(view, disparity_px)), disparity_px,
-                               {.max_error_px = coarse_px, .max_tear_px = coarse_px});
+    DepthMesh part = decimated(part_with(thin, *depth_mesh_of(view, disparity_px, options)),
+                               disparity_px, {.max_error_px = coarse_px, .max_tear_px = coarse_px});
     return {std::move(part.vertices), std::move(part.indices)};
 }
 

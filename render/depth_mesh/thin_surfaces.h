@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/depth_mesh/depth_triangulation.h"
 #include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
@@ -19,7 +20,9 @@ struct ThinSurfaces {
 /// it: the white top-hat of its inverse depth (Meyer, Contrast feature extraction, 1979), which is
 /// what an opening by a square takes away. With fewer triangles than depth is drawn with, as
 /// photographs are looked up in the view itself. `disparity_px` is that of a unit of inverse depth
-/// (view_geometry.h). Empty where nothing stands out, and without depth.
-[[nodiscard]] ThinSurfaces thin_surfaces(const LumigraphView& view, double disparity_px);
+/// (view_geometry.h), `options` are those of its mesh. Empty where nothing stands out, and without
+/// depth.
+[[nodiscard]] ThinSurfaces thin_surfaces(const LumigraphView& view, double disparity_px,
+                                         const DepthMeshOptions& options = {});
 
 }  // namespace lumi

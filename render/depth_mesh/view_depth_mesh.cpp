@@ -14,13 +14,21 @@ namespace {
 /// made among all of them are fine or coarse enough for the others.
 constexpr double kMostStretch = 1.5;
 
+/// Errors are stored in single precision.
+constexpr double kRounding = 1 + 1e-6;
+
 bool is_made_for(const DepthMesh& mesh, double disparity_px, const DepthMeshOptions& options) {
     return mesh.wanted_error_px == options.max_error_px &&
+           mesh.error_px <= kRounding * most_error_px(options) &&
            mesh.disparity_px <= kMostStretch * disparity_px &&
            disparity_px <= kMostStretch * mesh.disparity_px;
 }
 
 }  // namespace
+
+DepthMeshOptions depth_mesh_options(const Lumigraph& lumigraph) {
+    return {.max_noisy_error_px = lumigraph.noisy_depth_error_px};
+}
 
 std::shared_ptr<const DepthMesh> depth_mesh_of(const LumigraphView& view, double disparity_px,
                                                const DepthMeshOptions& options) {
@@ -34,14 +42,15 @@ std::shared_ptr<const DepthMesh> depth_mesh_of(const LumigraphView& view, double
 
 void make_depth_meshes(Lumigraph& lumigraph, int threads, Progress& progress) {
     const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
+    const DepthMeshOptions options = depth_mesh_options(lumigraph);
     progress.begin("simplifying depth", lumigraph.views.size());
     parallel_for(static_cast<int>(lumigraph.views.size()), threads, [&](int i) {
         progress.throw_if_interrupted();
         LumigraphView& view = lumigraph.views[static_cast<std::size_t>(i)];
         if (!view.depth.inverse_depth.empty()) {
             view.depth.inverse_depth = dequantise(quantise(view.depth.inverse_depth));
-            view.depth_mesh =
-                depth_mesh_of(view, max_disparity_px(geometries[static_cast<std::size_t>(i)]));
+            view.depth_mesh = depth_mesh_of(
+                view, max_disparity_px(geometries[static_cast<std::size_t>(i)]), options);
         }
         progress.advance();
     });

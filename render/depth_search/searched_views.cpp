@@ -2,6 +2,7 @@
 
 #include "calib/work/parallel_for.h"
 #include "render/depth_mesh/surface_tears.h"
+#include "render/depth_mesh/view_depth_mesh.h"
 
 namespace lumi {
 namespace {
@@ -25,7 +26,8 @@ SearchedViews searched_views(const Lumigraph& lumigraph) {
         const GrayImage torn = torn_squares_of(view, disparity_px);
         views.depths[index] = {view.depth, torn};
         views.outlines[index] = view_outlines(view, torn);
-        if (lumigraph.draws_thin) views.thin[index] = thin_surfaces(view, disparity_px);
+        if (lumigraph.draws_thin)
+            views.thin[index] = thin_surfaces(view, disparity_px, depth_mesh_options(lumigraph));
     });
     return views;
 }

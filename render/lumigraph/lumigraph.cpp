@@ -77,6 +77,9 @@ void validate(const Lumigraph& lumigraph, const std::string& where) {
     if (!(lumigraph.occlusion_tolerance_px >= kLeastOcclusionTolerance_px &&
           lumigraph.occlusion_tolerance_px <= kMostOcclusionTolerance_px))
         refuse_lumigraph(where, "expected an occlusion tolerance of 0.1 to 100 pixels");
+    if (!(lumigraph.noisy_depth_error_px >= kLeastNoisyDepthError_px &&
+          lumigraph.noisy_depth_error_px <= kMostNoisyDepthError_px))
+        refuse_lumigraph(where, "expected meshes of noisy depth that err by 0.1 to 10 pixels");
     if (!(lumigraph.triangle_error_px >= kLeastTriangleError_px &&
           lumigraph.triangle_error_px <= kMostTriangleError_px))
         refuse_lumigraph(where, "expected triangles that err by 0.1 to 10 pixels");
@@ -102,6 +105,7 @@ Lumigraph without_its_views(const Lumigraph& lumigraph) {
     rest.far_depth = lumigraph.far_depth;
     rest.fade_beyond_capture = lumigraph.fade_beyond_capture;
     rest.occlusion_tolerance_px = lumigraph.occlusion_tolerance_px;
+    rest.noisy_depth_error_px = lumigraph.noisy_depth_error_px;
     rest.depth_views = lumigraph.depth_views;
     rest.depth_block_px = lumigraph.depth_block_px;
     rest.fills_holes = lumigraph.fills_holes;

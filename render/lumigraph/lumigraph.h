@@ -54,6 +54,12 @@ inline constexpr double kOcclusionTolerance_px = kAgreeingDisparity_px;
 inline constexpr double kLeastOcclusionTolerance_px = 0.1;
 inline constexpr double kMostOcclusionTolerance_px = 100.0;
 
+/// Of depth meshes where depth maps tell noise: what is asked for where photographs were not asked,
+/// and what may be.
+inline constexpr double kNoisyDepthError_px = 1.6;
+inline constexpr double kLeastNoisyDepthError_px = 0.1;
+inline constexpr double kMostNoisyDepthError_px = 10.0;
+
 /// Of the triangles that `adaptive` draws: what is asked for where photographs were not asked, and
 /// what may be.
 inline constexpr double kTriangleError_px = 0.7;
@@ -73,6 +79,9 @@ struct Lumigraph {
     /// Disparity beyond which a view sees something else than the point that is drawn
     /// (occlusion.h): the more, the less its depth is to be trusted.
     double occlusion_tolerance_px = kOcclusionTolerance_px;
+    /// How far depth meshes may be from depth maps whose samples tell noise
+    /// (DepthMeshOptions::max_noisy_error_px): the less, the more triangles.
+    double noisy_depth_error_px = kNoisyDepthError_px;
     /// How many views' depths are compared at each pixel, or as many views as there are.
     int depth_views = kMaxDepthViews;
     /// Per pixel, depth is worked out for blocks of pixels in frames so fine that these are no
@@ -94,8 +103,8 @@ struct Lumigraph {
 
 /// Throws Error (E-LUMIGRAPH-INVALID, E-CAMERA-INVALID, E-MESH-INVALID) unless there is a view, the
 /// names are unique, each camera is a pinhole of its photograph's size, poses and depths are
-/// finite, exposure gains, depth views, blocks and the triangles' error within their limits and the
-/// mesh names views that exist; `where` begins the message.
+/// finite, exposure gains, depth views, blocks and the errors of triangles within their limits and
+/// the mesh names views that exist; `where` begins the message.
 void validate(const Lumigraph& lumigraph, const std::string& where);
 
 /// What holds for the Lumigraph whichever views it has: neither views nor camera mesh.

@@ -67,6 +67,7 @@ struct Manifest {
     int depth_views = kMaxDepthViews;
     double depth_block_px = kLeastDepthBlock_px;
     double occlusion_tolerance_px = kOcclusionTolerance_px;
+    double noisy_depth_error_px = kNoisyDepthError_px;
     bool fills_holes = false;
     bool checks_guesses = false;
     double triangle_error_px = kTriangleError_px;

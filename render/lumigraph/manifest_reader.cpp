@@ -177,6 +177,12 @@ Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
             manifest.occlusion_tolerance_px > kMostOcclusionTolerance_px)
             document.refuse("occlusion_tolerance_px", "0.1 to 100");
     }
+    if (document.has("noisy_depth_error_px")) {
+        manifest.noisy_depth_error_px = document.number("noisy_depth_error_px");
+        if (manifest.noisy_depth_error_px < kLeastNoisyDepthError_px ||
+            manifest.noisy_depth_error_px > kMostNoisyDepthError_px)
+            document.refuse("noisy_depth_error_px", "0.1 to 10");
+    }
     if (document.has("fills_holes")) manifest.fills_holes = document.boolean("fills_holes");
     if (document.has("checks_guesses"))
         manifest.checks_guesses = document.boolean("checks_guesses");

@@ -100,6 +100,8 @@ std::string manifest_text(const Manifest& manifest) {
         document["depth_block_px"] = manifest.depth_block_px;
     if (manifest.occlusion_tolerance_px != kOcclusionTolerance_px)
         document["occlusion_tolerance_px"] = manifest.occlusion_tolerance_px;
+    if (manifest.noisy_depth_error_px != kNoisyDepthError_px)
+        document["noisy_depth_error_px"] = manifest.noisy_depth_error_px;
     if (manifest.fills_holes) document["fills_holes"] = true;
     if (manifest.checks_guesses) document["checks_guesses"] = true;
     if (manifest.triangle_error_px != kTriangleError_px)

@@ -147,6 +147,7 @@ Lumigraph read_contents(const fs::path& folder, const PackageLimits& limits) {
     lumigraph.depth_views = manifest.depth_views;
     lumigraph.depth_block_px = manifest.depth_block_px;
     lumigraph.occlusion_tolerance_px = manifest.occlusion_tolerance_px;
+    lumigraph.noisy_depth_error_px = manifest.noisy_depth_error_px;
     lumigraph.fills_holes = manifest.fills_holes;
     lumigraph.checks_guesses = manifest.checks_guesses;
     lumigraph.triangle_error_px = manifest.triangle_error_px;

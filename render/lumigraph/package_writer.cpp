@@ -77,6 +77,7 @@ void write_contents(const fs::path& root, const Lumigraph& lumigraph, const Pack
     manifest.depth_views = lumigraph.depth_views;
     manifest.depth_block_px = lumigraph.depth_block_px;
     manifest.occlusion_tolerance_px = lumigraph.occlusion_tolerance_px;
+    manifest.noisy_depth_error_px = lumigraph.noisy_depth_error_px;
     manifest.fills_holes = lumigraph.fills_holes;
     manifest.checks_guesses = lumigraph.checks_guesses;
     manifest.triangle_error_px = lumigraph.triangle_error_px;

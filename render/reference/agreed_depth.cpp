@@ -48,7 +48,8 @@ AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeome
             if (eye_depth_of_view_.contains(index)) continue;
             const auto view_index = static_cast<std::size_t>(index);
             const LumigraphView& view = lumigraph.views[view_index];
-            const auto mesh = depth_mesh_of(view, max_disparity_px(geometries[view_index]));
+            const auto mesh = depth_mesh_of(view, max_disparity_px(geometries[view_index]),
+                                            depth_mesh_options(lumigraph));
             eye_depth_of_view_.emplace(index, rasterise(*mesh, view, depth_eye_.eye));
         }
     }

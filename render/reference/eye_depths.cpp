@@ -16,7 +16,8 @@ EyeDepths eye_depths(const Lumigraph& lumigraph, const Eye& eye, double toleranc
     std::vector<Image<EyeDepth>> layers;
     for (const int index : result.view_indices) {
         const auto view = static_cast<std::size_t>(index);
-        const auto mesh = depth_mesh_of(lumigraph.views[view], max_disparity_px(geometries[view]));
+        const auto mesh = depth_mesh_of(lumigraph.views[view], max_disparity_px(geometries[view]),
+                                        depth_mesh_options(lumigraph));
         layers.push_back(rasterise(*mesh, lumigraph.views[view], eye));
     }
     std::vector<EyeDepth> depths(layers.size());

@@ -296,11 +296,13 @@ TEST_F(Line, WhatIsAskedOfDrawingReachesThePackage) {
         const double block_px = is_yes ? 1.5 : 1.25;
         const double error_px = is_yes ? 2.5 : 1.5;
         const double tolerance_px = is_yes ? 4.5 : 2.25;
+        const double noisy_px = is_yes ? 0.5 : 0.75;
         configure("[render]\ndepth_views = " + std::to_string(depth_views) +
                   "\ndepth_block_px = " + std::to_string(block_px) + "\nfill_holes = \"" + answer +
                   "\"\ncheck_guesses = \"" + answer + "\"\ndraw_thin = \"" + answer +
                   "\"\ntriangle_error_px = " + std::to_string(error_px) +
-                  "\nocclusion_tolerance_px = " + std::to_string(tolerance_px) + "\n");
+                  "\nocclusion_tolerance_px = " + std::to_string(tolerance_px) +
+                  "\nnoisy_depth_error_px = " + std::to_string(noisy_px) + "\n");
         static_cast<void>(build());
         const Json inspected = Json::parse(lumi("inspect --json " + quoted(package())).out);
         EXPECT_EQ(inspected.at("depth_views"), depth_views);
@@ -310,6 +312,7 @@ TEST_F(Line, WhatIsAskedOfDrawingReachesThePackage) {
         EXPECT_EQ(inspected.at("draws_thin"), is_yes);
         EXPECT_EQ(inspected.at("triangle_error_px"), error_px);
         EXPECT_EQ(inspected.at("occlusion_tolerance_px"), tolerance_px);
+        EXPECT_EQ(inspected.at("noisy_depth_error_px"), noisy_px);
     }
 }
 

@@ -130,7 +130,8 @@ TEST_F(PackageReader, RefusesNumbersOutOfRange) {
     for (const Json& block : {Json(0), Json(3), Json(0.5), Json("2"), Json(nullptr)})
         expect_refused_value(bad, "/depth_block_px", block);
     for (const Json& error : {Json(0), Json(-1), Json(11), Json("1"), Json(nullptr)})
-        expect_refused_value(bad, "/triangle_error_px", error);
+        for (const char* const key : {"/triangle_error_px", "/noisy_depth_error_px"})
+            expect_refused_value(bad, key, error);
     for (const Json& tolerance : {Json(0), Json(-1), Json(101), Json("1"), Json(nullptr)})
         expect_refused_value(bad, "/occlusion_tolerance_px", tolerance);
     expect_refused_value("E-PACKAGE-VERSION", "/schema_version", 2);

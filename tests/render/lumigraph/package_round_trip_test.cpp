@@ -167,6 +167,13 @@ TEST_F(PackageRoundTrip, KeepsHowFarDepthIsTrusted) {
     EXPECT_EQ(read_package(folder_).occlusion_tolerance_px, 6);
 }
 
+TEST_F(PackageRoundTrip, KeepsHowCloselyNoisyDepthIsFollowed) {
+    EXPECT_EQ(read_.noisy_depth_error_px, kNoisyDepthError_px);
+    written_.noisy_depth_error_px = 0.4;
+    write_package(folder_, written_, tiny_extras());
+    EXPECT_EQ(read_package(folder_).noisy_depth_error_px, 0.4);
+}
+
 TEST_F(PackageRoundTrip, KeepsHowFarTrianglesMayErr) {
     EXPECT_EQ(read_.triangle_error_px, kTriangleError_px);
     written_.triangle_error_px = 1.4;

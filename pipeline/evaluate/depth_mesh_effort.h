@@ -1,0 +1,24 @@
+#pragma once
+
+#include "calib/work/progress.h"
+#include "meshing/cameras/camera_mesh_builder.h"
+#include "pipeline/stages/drawing_effort.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// How far depth meshes may be from depth maps that tell noise. Where it is noise, meshes that
+/// follow it take triangles and time for nothing; where it is a surface as rough as noise, what
+/// they leave out is missed. Photographs that are kept back (kept_back_rounds.h) say which: of the
+/// errors asked the largest that loses `perpixel` less than anyone sees beside the finest, each
+/// with the occlusion tolerance that suits it better, as the one depends on the other.
+///
+/// The views must have the depth meshes that the Lumigraph wants (make_depth_meshes). Where none is
+/// of noise, nobody is asked; nor for fewer than eight views. `capture.views` lists the Lumigraph's
+/// views in the same order. Throws Error (E-GL-...).
+[[nodiscard]] DepthMeshEffort sufficient_depth_mesh_effort(const Lumigraph& lumigraph,
+                                                           const Capture& capture,
+                                                           const CameraMeshOptions& mesh_options,
+                                                           Progress& progress);
+
+}  // namespace lumi
