@@ -1,9 +1,11 @@
 #include "pipeline/stages/chosen_views.h"
 
 #include <algorithm>
+#include <string>
 
 #include "meshing/cameras/scene_centre.h"
 #include "meshing/selection/view_worth.h"
+#include "pipeline/stages/used_views.h"
 
 namespace lumi {
 
@@ -18,6 +20,13 @@ Lumigraph lumigraph_of_views(const Lumigraph& lumigraph, const Capture& capture,
     chosen.mesh = build_camera_mesh(capture, views, mesh_options).mesh;
     renumber_views(chosen.mesh, new_index);
     return chosen;
+}
+
+Capture capture_of(const Lumigraph& lumigraph, const PosedPhotographs& photographs) {
+    std::vector<std::string> names;
+    for (const LumigraphView& view : lumigraph.views) names.push_back(view.name);
+    std::sort(names.begin(), names.end());
+    return only_views(photographs, names).capture;
 }
 
 std::vector<PicturedView> pictured_views(const Lumigraph& lumigraph) {

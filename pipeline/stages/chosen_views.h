@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "calib/capture/capture.h"
+#include "calib/capture/posed_photographs.h"
 #include "calib/work/progress.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "meshing/surface/pictured_view.h"
@@ -15,6 +16,10 @@ namespace lumi {
 [[nodiscard]] Lumigraph lumigraph_of_views(const Lumigraph& lumigraph, const Capture& capture,
                                            const std::vector<int>& views,
                                            const CameraMeshOptions& mesh_options);
+
+/// Of the Lumigraph's views, in their order: names lead back to the capture when some were left
+/// out.
+[[nodiscard]] Capture capture_of(const Lumigraph& lumigraph, const PosedPhotographs& photographs);
 
 /// What measurements on photographs need of each view of the Lumigraph, which must outlive it.
 [[nodiscard]] std::vector<PicturedView> pictured_views(const Lumigraph& lumigraph);
