@@ -24,7 +24,7 @@ class Progress {
 
     /// Asks the work to stop. Safe in a signal handler.
     void interrupt() noexcept { interrupted_.store(true, std::memory_order_relaxed); }
-    [[nodiscard]] bool interrupted() const noexcept {
+    [[nodiscard]] virtual bool interrupted() const noexcept {
         return interrupted_.load(std::memory_order_relaxed);
     }
     void throw_if_interrupted() const {
@@ -36,6 +36,19 @@ class Progress {
 
  private:
     std::atomic<bool> interrupted_{false};
+};
+
+/// Says nothing, and stops when the work that it is a part of is asked to.
+class QuietPart final : public Progress {
+ public:
+    explicit QuietPart(const Progress& whole) : whole_(whole) {}
+    void begin(const std::string&, std::size_t) override {}
+    void advance(std::size_t) override {}
+    void note(const std::string&) override {}
+    [[nodiscard]] bool interrupted() const noexcept override { return whole_.interrupted(); }
+
+ private:
+    const Progress& whole_;
 };
 
 /// Says nothing. For tests and for callers that do not care.

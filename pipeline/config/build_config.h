@@ -38,7 +38,7 @@ struct DrawingOptions {
     /// Disparity beyond which a view sees something else (Lumigraph::occlusion_tolerance_px), 0.1
     /// to 100; 0: as photographs ask for.
     double occlusion_tolerance_px = 0.0;
-    /// How far depth meshes may be from depth maps that tell noise
+    /// How closely depth meshes follow depth maps that tell noise
     /// (Lumigraph::noisy_depth_error_px), 0.1 to 10; 0: as photographs ask for.
     double noisy_depth_error_px = 0.0;
     /// How many views' depths are compared at each pixel, 3 or 4; 0: as photographs ask for.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -14,22 +15,23 @@ namespace lumi {
 namespace {
 
 /// Octaves, the coarsest first.
-constexpr std::array<double, 4> kErrors_px{kNoisyDepthError_px, 0.8, 0.4, 0.2};
+constexpr std::array<double, 4> kMeshErrors_px{kNoisyDepthError_px, 0.8, 0.4, 0.2};
 /// A wide one for noise, and the narrowest.
-constexpr std::array<double, 2> kTolerances_px{12.0, kOcclusionTolerance_px};
+const std::vector<double> kMeshTolerances_px{12.0, kOcclusionTolerance_px};
 /// A fifth of what viewers begin to see, as for blocks (depth_effort.cpp).
 constexpr double kUnseenMeshLoss_db = 0.1;
 
 /// What blocks share is asked, as for all else that photographs choose.
 const RenderOptions kMeshesAlike{.smooth_silhouettes = false};
 
-using LossesDb = std::vector<double>;
+/// Of each picture.
+using MeshLossesDb = std::vector<double>;
 
 bool tells_noise(const LumigraphView& view) {
     return view.depth_mesh && is_of_noise(*view.depth_mesh, view.depth);
 }
 
-double sum(const LossesDb& losses_db) {
+double sum_db(const MeshLossesDb& losses_db) {
     return std::accumulate(losses_db.begin(), losses_db.end(), 0.0);
 }
 
@@ -37,40 +39,62 @@ double sum(const LossesDb& losses_db) {
 class MeshQuestion {
  public:
     MeshQuestion(const Lumigraph& lumigraph, const Capture& capture,
-                 const CameraMeshOptions& mesh_options, Progress& progress)
+                 const CameraMeshOptions& mesh_options, double tolerance_px, Progress& progress)
         : lumigraph_(lumigraph),
           capture_(capture),
           mesh_options_(mesh_options),
+          tolerances_px_(tolerance_px == 0 ? kMeshTolerances_px : std::vector{tolerance_px}),
           progress_(progress) {}
 
-    /// What each picture loses by meshes of this error, with the tolerance that suits them best.
-    [[nodiscard]] LossesDb losses_db_of(double error_px) const {
-        Lumigraph meshed = lumigraph_;
-        meshed.noisy_depth_error_px = error_px;
-        make_depth_meshes(meshed, 0, progress_);
-        std::array<LossesDb, kTolerances_px.size()> losses_db;
-        visit_kept_back(meshed, capture_, mesh_options_,
+    /// What is lost by meshes of these errors, each with the tolerance that suits it better.
+    [[nodiscard]] std::map<double, MeshLossesDb> losses_by_error(
+        const std::vector<double>& errors_px) const {
+        std::map<double, std::vector<MeshLossesDb>> by_tolerance;
+        visit_kept_back(lumigraph_, capture_, mesh_options_,
                         "asking photographs how closely depth must be followed", progress_,
                         [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
-                            for (std::size_t i = 0; i < kTolerances_px.size(); ++i) {
-                                progress_.throw_if_interrupted();
-                                others.occlusion_tolerance_px = kTolerances_px[i];
-                                OffscreenRenderer renderer(others);
-                                const DrawnPictures drawn =
-                                    draw_pictures(renderer, pictures, kMeshesAlike);
-                                losses_db[i].insert(losses_db[i].end(), drawn.losses_db.begin(),
-                                                    drawn.losses_db.end());
+                            for (const double error_px : errors_px) {
+                                remake_depth_meshes(others, error_px);
+                                add_losses(others, pictures, by_tolerance[error_px]);
                             }
                         });
-        return *std::min_element(
-            losses_db.begin(), losses_db.end(),
-            [](const LossesDb& a, const LossesDb& b) { return sum(a) < sum(b); });
+        std::map<double, MeshLossesDb> best;
+        for (auto& [error_px, losses_db] : by_tolerance)
+            best[error_px] =
+                std::move(*std::min_element(losses_db.begin(), losses_db.end(),
+                                            [](const MeshLossesDb& a, const MeshLossesDb& b) {
+                                                return sum_db(a) < sum_db(b);
+                                            }));
+        return best;
     }
 
  private:
+    void remake_depth_meshes(Lumigraph& others, double error_px) const {
+        if (others.noisy_depth_error_px == error_px) return;
+        others.noisy_depth_error_px = error_px;
+        for (LumigraphView& view : others.views)
+            if (tells_noise(view)) view.depth_mesh.reset();
+        QuietPart of_the_question(progress_);
+        make_depth_meshes(others, 0, of_the_question);
+    }
+
+    /// For each tolerance.
+    void add_losses(Lumigraph& others, const std::vector<PicturedEye>& pictures,
+                    std::vector<MeshLossesDb>& losses_db) const {
+        losses_db.resize(tolerances_px_.size());
+        for (std::size_t i = 0; i < tolerances_px_.size(); ++i) {
+            progress_.throw_if_interrupted();
+            others.occlusion_tolerance_px = tolerances_px_[i];
+            OffscreenRenderer renderer(others);
+            const DrawnPictures drawn = draw_pictures(renderer, pictures, kMeshesAlike);
+            losses_db[i].insert(losses_db[i].end(), drawn.losses_db.begin(), drawn.losses_db.end());
+        }
+    }
+
     const Lumigraph& lumigraph_;
     const Capture& capture_;
     const CameraMeshOptions& mesh_options_;
+    std::vector<double> tolerances_px_;
     Progress& progress_;
 };
 
@@ -78,23 +102,26 @@ class MeshQuestion {
 
 DepthMeshEffort sufficient_depth_mesh_effort(const Lumigraph& lumigraph, const Capture& capture,
                                              const CameraMeshOptions& mesh_options,
-                                             Progress& progress) {
+                                             double tolerance_px, Progress& progress) {
     if (std::none_of(lumigraph.views.begin(), lumigraph.views.end(), tells_noise)) return {};
-    const MeshQuestion question(lumigraph, capture, mesh_options, progress);
-    const LossesDb of_coarsest = question.losses_db_of(kErrors_px.front());
-    if (of_coarsest.empty()) return {};
-    const LossesDb of_finest = question.losses_db_of(kErrors_px.back());
-    const Excess excess = excess_over(of_coarsest, of_finest);
-    DepthMeshEffort effort{.pictures = static_cast<int>(of_coarsest.size()),
-                           .coarsest_lose_db = excess.mean,
-                           .standard_error_db = excess.standard_error,
-                           .loses_db = excess.mean};
-    if (excess.mean <= excess.standard_error) return effort;
-    for (std::size_t i = 1; i < kErrors_px.size() && effort.loses_db > kUnseenMeshLoss_db; ++i) {
-        const bool is_finest = i + 1 == kErrors_px.size();
-        effort.noisy_error_px = kErrors_px[i];
-        effort.loses_db =
-            is_finest ? 0.0 : excess_over(question.losses_db_of(kErrors_px[i]), of_finest).mean;
+    const MeshQuestion question(lumigraph, capture, mesh_options, tolerance_px, progress);
+    constexpr double kCoarsest_px = kMeshErrors_px.front();
+    constexpr double kFinest_px = kMeshErrors_px.back();
+    auto losses_db = question.losses_by_error({kCoarsest_px, kFinest_px});
+    if (losses_db.empty()) return {};
+    const MeshLossesDb finest = losses_db[kFinest_px];
+    const Excess of_coarsest = excess_over(losses_db[kCoarsest_px], finest);
+    DepthMeshEffort effort{.pictures = static_cast<int>(finest.size()),
+                           .coarsest_lose_db = of_coarsest.mean,
+                           .standard_error_db = of_coarsest.standard_error,
+                           .loses_db = of_coarsest.mean};
+    if (of_coarsest.mean <= std::max(kUnseenMeshLoss_db, of_coarsest.standard_error)) return effort;
+    losses_db.merge(
+        question.losses_by_error({kMeshErrors_px.begin() + 1, kMeshErrors_px.end() - 1}));
+    for (const double error_px : kMeshErrors_px) {
+        effort.noisy_error_px = error_px;
+        effort.loses_db = excess_over(losses_db[error_px], finest).mean;
+        if (effort.loses_db <= kUnseenMeshLoss_db) break;
     }
     return effort;
 }

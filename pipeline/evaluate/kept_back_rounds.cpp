@@ -52,8 +52,8 @@ std::size_t visit_kept_back(const Lumigraph& lumigraph, const Capture& capture,
         const auto pictures = to_be_drawn(std::move(kept.pictures), kMostPictures);
         Lumigraph others = lumigraph_of_views(evened, capture, kept.others, mesh_options);
         // Fewer views may want other meshes; else each that draws them would make its own.
-        SilentProgress within_the_question;
-        make_depth_meshes(others, 0, within_the_question);
+        QuietPart of_the_question(progress);
+        make_depth_meshes(others, 0, of_the_question);
         visit(others, pictures);
         asked += pictures.size();
     }

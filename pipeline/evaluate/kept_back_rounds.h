@@ -12,7 +12,8 @@
 
 namespace lumi {
 
-/// Draws the pictures from the Lumigraph of the views that were not kept back.
+/// Draws the pictures from the Lumigraph of the views that were not kept back, which have their
+/// depth meshes (make_depth_meshes).
 using KeptBackVisitor =
     std::function<void(Lumigraph& others, const std::vector<PicturedEye>& pictures)>;
 

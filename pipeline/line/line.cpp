@@ -162,8 +162,9 @@ class Line {
                              return sufficient_views(lumigraph, capture, config_.mesh, progress_);
                          },
                          [this](const Lumigraph& lumigraph, const Capture& capture) {
-                             return sufficient_depth_mesh_effort(lumigraph, capture, config_.mesh,
-                                                                 progress_);
+                             return sufficient_depth_mesh_effort(
+                                 lumigraph, capture, config_.mesh,
+                                 config_.drawing.occlusion_tolerance_px, progress_);
                          },
                          [this](const Lumigraph& lumigraph, const Capture& capture) {
                              return sufficient_occlusion_effort(lumigraph, capture, config_.mesh,

@@ -8,7 +8,7 @@
 namespace lumi {
 namespace {
 
-/// As photographs want it; where nothing can be drawn, as much as there can be.
+/// As photographs want it; where nothing can be drawn, as by default.
 template <typename Effort>
 Effort asked(const std::function<Effort(const Lumigraph&, const Capture&)>& sufficient,
              const PackSources& sources, const Lumigraph& lumigraph, Progress& progress) {

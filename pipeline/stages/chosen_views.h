@@ -17,8 +17,8 @@ namespace lumi {
                                            const std::vector<int>& views,
                                            const CameraMeshOptions& mesh_options);
 
-/// Of the Lumigraph's views, in their order: names lead back to the capture when some were left
-/// out.
+/// Of the Lumigraph's views, which must be in the order of the photographs: names lead back to
+/// these when some were left out.
 [[nodiscard]] Capture capture_of(const Lumigraph& lumigraph, const PosedPhotographs& photographs);
 
 /// What measurements on photographs need of each view of the Lumigraph, which must outlive it.

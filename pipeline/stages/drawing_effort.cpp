@@ -32,7 +32,7 @@ std::string text_of(const DepthEffort& effort) {
 
 std::string text_of(const DepthMeshEffort& effort) {
     if (effort.pictures == 0) return "";
-    return "depth is followed to " + number_text(effort.noisy_error_px, 1) +
+    return "depth is followed to " + number_text(effort.noisy_error_px, 2) +
            " px where its samples tell noise: " + std::to_string(effort.pictures) +
            " photographs are drawn " + number_text(effort.coarsest_lose_db, 2) + " +- " +
            number_text(effort.standard_error_db, 2) +

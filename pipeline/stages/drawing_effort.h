@@ -26,7 +26,7 @@ struct DepthEffort {
                                      ///< most views, with holes filled.
 };
 
-/// How far depth meshes may be from depth maps that tell noise (Lumigraph::noisy_depth_error_px),
+/// How closely depth meshes follow depth maps that tell noise (Lumigraph::noisy_depth_error_px),
 /// and why.
 struct DepthMeshEffort {
     double noisy_error_px = kNoisyDepthError_px;

@@ -1,6 +1,5 @@
 #include "pipeline/stages/pack_stage.h"
 
-#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -104,11 +103,45 @@ PackageExtras extras_of(const PackSources& sources) {
             .points = sources.photographs.capture.points};
 }
 
+/// What photographs ask for, and the Lumigraph is drawn with.
+struct Efforts {
+    OcclusionEffort occlusion;
+    DepthEffort depth;
+    TriangleEffort triangles;
+};
+
+Efforts choose_drawing(const PackSources& sources, Lumigraph& lumigraph, Progress& progress) {
+    Efforts efforts;
+    efforts.occlusion = occlusion_effort(sources, lumigraph, progress);
+    lumigraph.occlusion_tolerance_px = efforts.occlusion.tolerance_px;
+    efforts.depth = depth_effort(sources, lumigraph, progress);
+    lumigraph.depth_views = efforts.depth.views;
+    lumigraph.depth_block_px = efforts.depth.block_px;
+    lumigraph.fills_holes = efforts.depth.fills_holes;
+    lumigraph.checks_guesses = efforts.depth.checks_guesses;
+    efforts.triangles = triangle_effort(sources, lumigraph, progress);
+    lumigraph.triangle_error_px = efforts.triangles.error_px;
+    lumigraph.draws_thin = efforts.triangles.draws_thin;
+    return efforts;
+}
+
+/// With depth meshes as fine as is asked for.
+DepthMeshEffort make_asked_depth_meshes(const PackSources& sources, Lumigraph& lumigraph,
+                                        int threads, Progress& progress) {
+    // Whether their depth tells noise, meshes say that are made as nobody asked.
+    if (sources.drawing.noisy_depth_error_px == 0) make_depth_meshes(lumigraph, threads, progress);
+    const DepthMeshEffort effort = depth_mesh_effort(sources, lumigraph, progress);
+    lumigraph.noisy_depth_error_px = effort.noisy_error_px;
+    make_depth_meshes(lumigraph, threads, progress);
+    return effort;
+}
+
 }  // namespace
 
 StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package_folder,
                              const fs::path& folder, int threads, Progress& progress) {
     Lumigraph lumigraph = gather_lumigraph(sources, threads, progress);
+    const PackageExtras extras = extras_of(sources);
     const auto views_in_use = static_cast<int>(lumigraph.views.size());
     Json transients = Json::array();
     if (!sources.options.keep_transients) {
@@ -120,25 +153,14 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     if (sources.drawing.even_exposure) {
         exposures = find_exposure_gains(lumigraph, threads, progress);
     }
-    if (sources.drawing.noisy_depth_error_px != 0)
-        lumigraph.noisy_depth_error_px = sources.drawing.noisy_depth_error_px;
-    make_depth_meshes(lumigraph, threads, progress);
-    const DepthMeshEffort of_meshes = depth_mesh_effort(sources, lumigraph, progress);
-    lumigraph.noisy_depth_error_px = of_meshes.noisy_error_px;
-    limit_views(lumigraph, sources, extras_of(sources), folder, threads, progress);
-    make_depth_meshes(lumigraph, threads, progress);
-    const OcclusionEffort of_occlusion = occlusion_effort(sources, lumigraph, progress);
-    lumigraph.occlusion_tolerance_px = of_occlusion.tolerance_px;
-    const DepthEffort effort = depth_effort(sources, lumigraph, progress);
-    lumigraph.depth_views = effort.views;
-    lumigraph.depth_block_px = effort.block_px;
-    lumigraph.fills_holes = effort.fills_holes;
-    lumigraph.checks_guesses = effort.checks_guesses;
-    const TriangleEffort of_triangles = triangle_effort(sources, lumigraph, progress);
-    lumigraph.triangle_error_px = of_triangles.error_px;
-    lumigraph.draws_thin = of_triangles.draws_thin;
+    ViewLimit limit(sources, extras, folder, threads, progress);
+    limit.keep_to_count(lumigraph);
+    const DepthMeshEffort of_meshes =
+        make_asked_depth_meshes(sources, lumigraph, threads, progress);
+    limit.keep_to_size(lumigraph);
+    const Efforts efforts = choose_drawing(sources, lumigraph, progress);
     progress.begin("writing the package", 0);
-    write_package(package_folder, lumigraph, extras_of(sources));
+    write_package(package_folder, lumigraph, extras);
     write_json_file(record_path(folder),
                     Json{{"held_out", sources.held_out}, {"poses_sha256", sources.poses_sha256}});
 
@@ -151,9 +173,9 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
                      {"transients", std::move(transients)},
                      {"exposure", exposure_json(exposures)},
                      {"depth_mesh_effort", json_of(of_meshes)},
-                     {"occlusion_effort", json_of(of_occlusion)},
-                     {"depth_effort", json_of(effort)},
-                     {"triangle_effort", json_of(of_triangles)}};
+                     {"occlusion_effort", json_of(efforts.occlusion)},
+                     {"depth_effort", json_of(efforts.depth)},
+                     {"triangle_effort", json_of(efforts.triangles)}};
     return {json_text(facts), "{}"};
 }
 

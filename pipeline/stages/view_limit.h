@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "calib/work/progress.h"
 #include "pipeline/stages/pack_stage.h"
@@ -8,10 +10,32 @@
 
 namespace lumi {
 
-/// Leaves views out of a Lumigraph, always those that are missed least, until there are as few, and
-/// the package is as small, as the options want. It is weighed in `folder`. Throws Error
-/// (E-PACK-MIB) when not even one view fits.
-void limit_views(Lumigraph& lumigraph, const PackSources& sources, const PackageExtras& extras,
-                 const std::filesystem::path& folder, int threads, Progress& progress);
+/// Leaves views out of a Lumigraph, always those that are missed least. What it is given must
+/// outlive it.
+class ViewLimit {
+ public:
+    /// Packages are weighed in `folder`.
+    ViewLimit(const PackSources& sources, const PackageExtras& extras,
+              const std::filesystem::path& folder, int threads, Progress& progress);
+
+    /// Until there are as few as the options want.
+    void keep_to_count(Lumigraph& lumigraph);
+
+    /// Until the package is as small as the options want. Views that are left have depth meshes
+    /// then. Throws Error (E-PACK-MIB) when not even one view fits.
+    void keep_to_size(Lumigraph& lumigraph);
+
+ private:
+    [[nodiscard]] int wanted_views(const Lumigraph& lumigraph) const;
+    void reduce(Lumigraph& lumigraph, int views);
+    void rank(const Lumigraph& lumigraph);
+
+    const PackSources& sources_;
+    const PackageExtras& extras_;
+    const std::filesystem::path& folder_;
+    int threads_;
+    Progress& progress_;
+    std::vector<std::string> names_by_worth_;
+};
 
 }  // namespace lumi

@@ -232,13 +232,17 @@ DepthMesh mesh_of(const SplitErrors& errors, const DepthLattice& lattice, float 
 
 }  // namespace
 
-double most_error_px(const DepthMeshOptions& options) {
-    return std::max((1 + options.decimated_share) * options.max_coarse_error_px,
-                    (1 + options.noisy_decimated_share) * options.max_noisy_error_px);
-}
-
 bool is_of_noise(const DepthMesh& mesh, const DepthMap& depth) {
     return mesh.columns < depth.inverse_depth.width();
+}
+
+double most_error_px(const DepthMeshOptions& options, bool is_of_noise) {
+    const double decimated_share = is_of_noise && options.decimated_share > 0
+                                       ? options.noisy_decimated_share
+                                       : options.decimated_share;
+    const double coarsest_px =
+        is_of_noise ? options.max_noisy_error_px : options.max_coarse_error_px;
+    return (1 + decimated_share) * std::max(options.max_error_px, coarsest_px);
 }
 
 DepthMesh triangulate(const DepthMap& depth, const Camera& camera, double disparity_px,

@@ -15,20 +15,21 @@ struct DepthMeshOptions {
     /// What is filled or stretched is a guess: the mesh follows it so many times less closely.
     double guess_error_ratio = 8.0;
     /// Where a depth map would need more than this even so, its samples tell noise: pairs of rows
-    /// and of columns are drawn as one, and the mesh follows these less closely.
+    /// and of columns are drawn as one, and the mesh follows these to another error.
     double max_triangles_per_sample = 0.25;
-    double max_noisy_error_px = 1.6;
+    double max_noisy_error_px = kNoisyDepthError_px;
     /// Vertices are left out as long as that adds no more than this share of the error
     /// (mesh_decimation.h); 0: none is.
     double decimated_share = 0.5;
     double noisy_decimated_share = 1.0;  ///< The same where samples tell noise.
 };
 
-/// The farthest that a mesh may be from its depth map, where it was seen.
-[[nodiscard]] double most_error_px(const DepthMeshOptions& options);
-
 /// Whether the samples of the depth map that a mesh was made of told noise.
 [[nodiscard]] bool is_of_noise(const DepthMesh& mesh, const DepthMap& depth);
+
+/// The farthest from its depth map that a mesh made for the options may be where it was seen, of
+/// noise or not: what they allow, and the share of it that leaving vertices out may add.
+[[nodiscard]] double most_error_px(const DepthMeshOptions& options, bool is_of_noise);
 
 /// The coarsest right-triangulated irregular network (Evans, Kirkpatrick, Townsend 2001) that stays
 /// within the error: without cracks, and down to single samples along tears and at the edges of

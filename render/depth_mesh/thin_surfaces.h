@@ -23,6 +23,6 @@ struct ThinSurfaces {
 /// (view_geometry.h), `options` are those of its mesh. Empty where nothing stands out, and without
 /// depth.
 [[nodiscard]] ThinSurfaces thin_surfaces(const LumigraphView& view, double disparity_px,
-                                         const DepthMeshOptions& options = {});
+                                         const DepthMeshOptions& options);
 
 }  // namespace lumi

@@ -14,12 +14,13 @@ namespace {
 /// made among all of them are fine or coarse enough for the others.
 constexpr double kMostStretch = 1.5;
 
-/// Errors are stored in single precision.
+/// Networks are made for errors in single precision.
 constexpr double kRounding = 1 + 1e-6;
 
-bool is_made_for(const DepthMesh& mesh, double disparity_px, const DepthMeshOptions& options) {
+bool is_made_for(const DepthMesh& mesh, const DepthMap& depth, double disparity_px,
+                 const DepthMeshOptions& options) {
     return mesh.wanted_error_px == options.max_error_px &&
-           mesh.error_px <= kRounding * most_error_px(options) &&
+           mesh.error_px <= kRounding * most_error_px(options, is_of_noise(mesh, depth)) &&
            mesh.disparity_px <= kMostStretch * disparity_px &&
            disparity_px <= kMostStretch * mesh.disparity_px;
 }
@@ -32,7 +33,7 @@ DepthMeshOptions depth_mesh_options(const Lumigraph& lumigraph) {
 
 std::shared_ptr<const DepthMesh> depth_mesh_of(const LumigraphView& view, double disparity_px,
                                                const DepthMeshOptions& options) {
-    if (view.depth_mesh && is_made_for(*view.depth_mesh, disparity_px, options))
+    if (view.depth_mesh && is_made_for(*view.depth_mesh, view.depth, disparity_px, options))
         return view.depth_mesh;
     if (view.depth.inverse_depth.empty()) return std::make_shared<const DepthMesh>();
     const DepthMesh mesh = triangulate(view.depth, view.camera, disparity_px, options);

@@ -18,7 +18,7 @@ namespace lumi {
 /// empty mesh.
 [[nodiscard]] std::shared_ptr<const DepthMesh> depth_mesh_of(const LumigraphView& view,
                                                              double disparity_px,
-                                                             const DepthMeshOptions& options = {});
+                                                             const DepthMeshOptions& options);
 
 /// Gives each view with depth the mesh that it will be drawn with, for a package to hold; rounds
 /// the depth as a package does, of which the mesh is made. Views that have theirs keep it, where it

@@ -16,6 +16,12 @@ enum class DepthKind : int {
 };
 inline constexpr int kDepthKinds = 3;
 
+/// How far depth meshes may be from depth maps whose samples tell noise
+/// (DepthMeshOptions::max_noisy_error_px) where photographs were not asked, and may be at all.
+inline constexpr double kNoisyDepthError_px = 1.6;
+inline constexpr double kLeastNoisyDepthError_px = 0.1;
+inline constexpr double kMostNoisyDepthError_px = 10.0;
+
 /// A view's depth map as triangles over its photograph.
 ///
 /// Vertices are (x, y) in pixels of the photograph and the inverse depth there, which is affine in

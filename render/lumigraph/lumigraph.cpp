@@ -79,7 +79,7 @@ void validate(const Lumigraph& lumigraph, const std::string& where) {
         refuse_lumigraph(where, "expected an occlusion tolerance of 0.1 to 100 pixels");
     if (!(lumigraph.noisy_depth_error_px >= kLeastNoisyDepthError_px &&
           lumigraph.noisy_depth_error_px <= kMostNoisyDepthError_px))
-        refuse_lumigraph(where, "expected meshes of noisy depth that err by 0.1 to 10 pixels");
+        refuse_lumigraph(where, "expected noisy depth to be followed to 0.1 to 10 pixels");
     if (!(lumigraph.triangle_error_px >= kLeastTriangleError_px &&
           lumigraph.triangle_error_px <= kMostTriangleError_px))
         refuse_lumigraph(where, "expected triangles that err by 0.1 to 10 pixels");

@@ -54,12 +54,6 @@ inline constexpr double kOcclusionTolerance_px = kAgreeingDisparity_px;
 inline constexpr double kLeastOcclusionTolerance_px = 0.1;
 inline constexpr double kMostOcclusionTolerance_px = 100.0;
 
-/// Of depth meshes where depth maps tell noise: what is asked for where photographs were not asked,
-/// and what may be.
-inline constexpr double kNoisyDepthError_px = 1.6;
-inline constexpr double kLeastNoisyDepthError_px = 0.1;
-inline constexpr double kMostNoisyDepthError_px = 10.0;
-
 /// Of the triangles that `adaptive` draws: what is asked for where photographs were not asked, and
 /// what may be.
 inline constexpr double kTriangleError_px = 0.7;
@@ -79,7 +73,7 @@ struct Lumigraph {
     /// Disparity beyond which a view sees something else than the point that is drawn
     /// (occlusion.h): the more, the less its depth is to be trusted.
     double occlusion_tolerance_px = kOcclusionTolerance_px;
-    /// How far depth meshes may be from depth maps whose samples tell noise
+    /// How closely depth meshes follow depth maps whose samples tell noise
     /// (DepthMeshOptions::max_noisy_error_px): the less, the more triangles.
     double noisy_depth_error_px = kNoisyDepthError_px;
     /// How many views' depths are compared at each pixel, or as many views as there are.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <utility>
 #include <vector>
 
 #include "calib/work/parallel_for.h"
@@ -72,20 +71,20 @@ class MixedPixels {
     GrayImage mixed_;
 };
 
-/// What mixed pixels count, and those next to them, of what others do.
-Image<float> shares_of_pixels(const LumigraphView& view, double disparity_px) {
+/// What mixed pixels count, and the eight next to each, of what others do.
+FloatImage shares_of_pixels(const LumigraphView& view, double disparity_px) {
     const int width = view.camera.width_px;
     const int height = view.camera.height_px;
-    Image<float> shares(width, height, 1.0F);
+    FloatImage shares(width, height, 1.0F);
     if (view.depth.inverse_depth.empty()) return shares;
     const MixedPixels mixed(view, disparity_px);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             if (!mixed.contain(x, y)) continue;
+            for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
+                for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
+                    shares(u, v) = std::min(shares(u, v), kBesideMixedShare);
             shares(x, y) = kMixedShare;
-            for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
-                if (shares.contains(x + dx, y + dy))
-                    shares(x + dx, y + dy) = std::min(shares(x + dx, y + dy), kBesideMixedShare);
         }
     }
     return shares;
@@ -96,7 +95,7 @@ Image<float> shares_of_pixels(const LumigraphView& view, double disparity_px) {
 GrayImage photograph_opacity(const LumigraphView& view, double disparity_px) {
     const int width = view.camera.width_px;
     const int height = view.camera.height_px;
-    const Image<float> shares = shares_of_pixels(view, disparity_px);
+    const FloatImage shares = shares_of_pixels(view, disparity_px);
     GrayImage opacity(width, height);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {

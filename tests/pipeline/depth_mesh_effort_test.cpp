@@ -111,7 +111,7 @@ RoughCapture photographed(const Relief& relief) {
 DepthMeshEffort effort_of(RoughCapture& rough) {
     SilentProgress progress;
     make_depth_meshes(rough.lumigraph, 0, progress);
-    return sufficient_depth_mesh_effort(rough.lumigraph, rough.capture, {}, progress);
+    return sufficient_depth_mesh_effort(rough.lumigraph, rough.capture, {}, 0.0, progress);
 }
 
 TEST(DepthMeshEffort, FollowsASurfaceThatIsAsRoughAsNoise) {

@@ -87,7 +87,7 @@ TEST_F(Stress, NoDepthMeshOutlivesTheDepthThatItFollows) {
     ASSERT_TRUE(whole.views[0].depth_mesh);
     const Lumigraph noisy = with_noisy_depth(whole, 20.0, 1);
     const double disparity_px = max_disparity_px(view_geometries(noisy)[0]);
-    EXPECT_NE(depth_mesh_of(noisy.views[0], disparity_px)->vertices,
+    EXPECT_NE(depth_mesh_of(noisy.views[0], disparity_px, {})->vertices,
               whole.views[0].depth_mesh->vertices);
     EXPECT_TRUE(with_other_exposure(whole, 0.5, 1).views[0].depth_mesh);
 }

@@ -17,7 +17,7 @@ std::vector<std::shared_ptr<const DepthMesh>> meshes_of(const Lumigraph& lumigra
     const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
     std::vector<std::shared_ptr<const DepthMesh>> meshes;
     for (std::size_t i = 0; i < lumigraph.views.size(); ++i)
-        meshes.push_back(depth_mesh_of(lumigraph.views[i], max_disparity_px(geometries[i])));
+        meshes.push_back(depth_mesh_of(lumigraph.views[i], max_disparity_px(geometries[i]), {}));
     return meshes;
 }
 

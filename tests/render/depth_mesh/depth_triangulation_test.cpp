@@ -383,19 +383,19 @@ TEST(ViewDepthMesh, IsTheOneThatCameWithTheViewIfItIsAsItIsWanted) {
     const LumigraphView& view = lumigraph.views[0];
     const double disparity_px = max_disparity_px(view_geometries(lumigraph)[0]);
     ASSERT_TRUE(view.depth_mesh);
-    EXPECT_EQ(depth_mesh_of(view, disparity_px), view.depth_mesh);
-    EXPECT_EQ(depth_mesh_of(view, 1.4 * disparity_px), view.depth_mesh);
-    EXPECT_EQ(depth_mesh_of(view, disparity_px / 1.4), view.depth_mesh);
+    EXPECT_EQ(depth_mesh_of(view, disparity_px, {}), view.depth_mesh);
+    EXPECT_EQ(depth_mesh_of(view, 1.4 * disparity_px, {}), view.depth_mesh);
+    EXPECT_EQ(depth_mesh_of(view, disparity_px / 1.4, {}), view.depth_mesh);
     const auto coarser = depth_mesh_of(view, disparity_px, {.max_error_px = 0.4});
     EXPECT_EQ(coarser->wanted_error_px, 0.4);
-    EXPECT_EQ(depth_mesh_of(view, 2 * disparity_px)->disparity_px, 2 * disparity_px);
+    EXPECT_EQ(depth_mesh_of(view, 2 * disparity_px, {})->disparity_px, 2 * disparity_px);
     LumigraphView without = view;
     without.depth_mesh = nullptr;
-    const auto made = depth_mesh_of(without, disparity_px);
+    const auto made = depth_mesh_of(without, disparity_px, {});
     EXPECT_EQ(made->indices, view.depth_mesh->indices);
     EXPECT_EQ(made->vertices, view.depth_mesh->vertices);
     without.depth = {};
-    EXPECT_TRUE(depth_mesh_of(without, disparity_px)->indices.empty());
+    EXPECT_TRUE(depth_mesh_of(without, disparity_px, {})->indices.empty());
 }
 
 TEST(ViewDepthMesh, IsMadeAnewWhereItIsCoarserThanWanted) {

@@ -47,7 +47,7 @@ double area_px2(const ThinSurfaces& thin) {
 
 TEST(ThinSurfaces, AreABarAndNothingOfWhatIsBehind) {
     const Box bar{100, 20, 104, 160};
-    const ThinSurfaces thin = thin_surfaces(view_of({bar}), kThinDisparity_px);
+    const ThinSurfaces thin = thin_surfaces(view_of({bar}), kThinDisparity_px, {});
     ASSERT_FALSE(thin.indices.empty());
     for (const std::uint32_t index : thin.indices) {
         const Eigen::Vector3f& vertex = thin.vertices[index];
@@ -62,32 +62,34 @@ TEST(ThinSurfaces, AreABarAndNothingOfWhatIsBehind) {
 }
 
 TEST(ThinSurfaces, AreDrawnWithFewTriangles) {
-    const ThinSurfaces thin = thin_surfaces(view_of({{100, 20, 104, 160}}), kThinDisparity_px);
+    const ThinSurfaces thin = thin_surfaces(view_of({{100, 20, 104, 160}}), kThinDisparity_px, {});
     EXPECT_LE(thin.indices.size() / 3, 20U);
 }
 
 TEST(ThinSurfaces, AreAnythingLongInAnyDirection) {
-    EXPECT_FALSE(thin_surfaces(view_of({{20, 90, 220, 93}}), kThinDisparity_px).indices.empty());
+    EXPECT_FALSE(
+        thin_surfaces(view_of({{20, 90, 220, 93}}), kThinDisparity_px, {}).indices.empty());
     std::vector<Box> steps;
     for (int i = 0; i < 100; ++i) steps.push_back({60 + i, 40 + i, 62 + i, 42 + i});
-    EXPECT_FALSE(thin_surfaces(view_of(steps), kThinDisparity_px).indices.empty());
+    EXPECT_FALSE(thin_surfaces(view_of(steps), kThinDisparity_px, {}).indices.empty());
 }
 
 TEST(ThinSurfaces, AreNoWideThingsNorSpecks) {
-    EXPECT_TRUE(thin_surfaces(view_of({}), kThinDisparity_px).indices.empty());
-    EXPECT_TRUE(thin_surfaces(view_of({{80, 40, 140, 120}}), kThinDisparity_px).indices.empty());
-    EXPECT_TRUE(thin_surfaces(view_of({{80, 40, 82, 42}}), kThinDisparity_px).indices.empty());
+    EXPECT_TRUE(thin_surfaces(view_of({}), kThinDisparity_px, {}).indices.empty());
+    EXPECT_TRUE(
+        thin_surfaces(view_of({{80, 40, 140, 120}}), kThinDisparity_px, {}).indices.empty());
+    EXPECT_TRUE(thin_surfaces(view_of({{80, 40, 82, 42}}), kThinDisparity_px, {}).indices.empty());
 }
 
 TEST(ThinSurfaces, AreNothingThatHardlyStandsOutOrThatIsGuessed) {
     const LumigraphView view = view_of({{100, 20, 104, 160}});
-    EXPECT_TRUE(thin_surfaces(view, 0.1 * kThinDisparity_px).indices.empty());
+    EXPECT_TRUE(thin_surfaces(view, 0.1 * kThinDisparity_px, {}).indices.empty());
     LumigraphView guessed = view;
     for (std::uint8_t& confidence : guessed.depth.confidence.pixels()) confidence = 0;
-    EXPECT_TRUE(thin_surfaces(guessed, kThinDisparity_px).indices.empty());
+    EXPECT_TRUE(thin_surfaces(guessed, kThinDisparity_px, {}).indices.empty());
     LumigraphView without_depth = view;
     without_depth.depth = {};
-    EXPECT_TRUE(thin_surfaces(without_depth, kThinDisparity_px).indices.empty());
+    EXPECT_TRUE(thin_surfaces(without_depth, kThinDisparity_px, {}).indices.empty());
 }
 
 }  // namespace

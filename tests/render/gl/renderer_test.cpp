@@ -186,7 +186,7 @@ TEST(LumigraphRendererGl, APackageWithItsDepthMeshesIsDrawnAsOneWithout) {
     without = read_package(scratch / "without.lumi");
     ASSERT_TRUE(with.views[0].depth_mesh);
     ASSERT_FALSE(without.views[0].depth_mesh);
-    EXPECT_EQ(depth_mesh_of(with.views[0], max_disparity_px(view_geometries(with)[0])),
+    EXPECT_EQ(depth_mesh_of(with.views[0], max_disparity_px(view_geometries(with)[0]), {}),
               with.views[0].depth_mesh);
     const Eye eye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, pinhole_camera(64, 48, 60));
     const RenderOptions options{.mode = RenderMode::kPerPixel};

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <utility>
-
 #include "tests/render/analytic_scene.h"
 
 namespace lumi {
@@ -45,17 +43,48 @@ TEST(PhotographOpacity, PixelsOfTwoSurfacesCountLittle) {
     EXPECT_EQ(opacity(22, 15), 255);
 }
 
-// Along the line from a pure pixel to a mixed one both colour and opacity are interpolated.
+/// 40 x 30 pixels, near and bright below a diagonal, far and dark above it.
+LumigraphView view_of_a_diagonal() {
+    LumigraphView view = view_of_an_edge();
+    for (int y = 0; y < 30; ++y) {
+        for (int x = 0; x < 40; ++x) {
+            const bool is_near = x < y + 5;
+            view.photograph(x, y) = is_near ? Rgb8{200, 200, 200} : Rgb8{30, 30, 30};
+            view.depth.inverse_depth(x, y) = is_near ? 0.5F : 0.1F;
+        }
+    }
+    return view;
+}
+
+// Between four pixels both colour and opacity are interpolated.
 TEST(PhotographOpacity, WhatCountsIsMixedByNoMoreThanAThird) {
-    const GrayImage opacity = photograph_opacity(view_of_an_edge(), kDisparity_px);
-    for (const auto& [mixed, beside] : {std::pair{19, 18}, std::pair{20, 21}}) {
-        EXPECT_GE(opacity(beside, 15), 255 * kLeastCounting);
-        const double third = (opacity(mixed, 15) + 2.0 * opacity(beside, 15)) / 3;
-        EXPECT_LT(third, 255 * kLeastCounting);
+    for (const LumigraphView& view : {view_of_an_edge(), view_of_a_diagonal()}) {
+        const GrayImage opacity = photograph_opacity(view, kDisparity_px);
+        const auto is_mixed = [&](int x, int y) { return opacity(x, y) == 32 ? 1.0 : 0.0; };
+        for (int y = 8; y < 21; ++y) {
+            for (int x = 8; x < 31; ++x) {
+                for (double v = 0; v <= 1; v += 0.1) {
+                    for (double u = 0; u <= 1; u += 0.1) {
+                        const auto between = [&](const auto& at) {
+                            return (1 - v) * ((1 - u) * at(x, y) + u * at(x + 1, y)) +
+                                   v * ((1 - u) * at(x, y + 1) + u * at(x + 1, y + 1));
+                        };
+                        if (between(opacity) < 255 * kLeastCounting) continue;
+                        EXPECT_LE(between(is_mixed), 1.0 / 3) << x << ' ' << y;
+                    }
+                }
+            }
+        }
     }
 }
 
-TEST(PhotographOpacity, DepthCoarserThanThePhotographMixesOnePixelBesideItsSamples) {
+TEST(PhotographOpacity, PurePixelsAreCoveredThemselvesNextToMixedOnes) {
+    const GrayImage opacity = photograph_opacity(view_of_an_edge(), kDisparity_px);
+    EXPECT_GE(opacity(18, 15), 255 * kLeastCounting);
+    EXPECT_GE(opacity(21, 15), 255 * kLeastCounting);
+}
+
+TEST(PhotographOpacity, OnePixelBesideCoarseMixedSamplesCountsLess) {
     LumigraphView view = view_of_an_edge();
     view.depth = {FloatImage(20, 15, 0.1F), GrayImage(20, 15, 255)};
     for (int y = 0; y < 15; ++y)
