@@ -65,8 +65,8 @@ std::string package_text(const Lumigraph& lumigraph) {
         std::to_string(lumigraph.depth_views) + " views for " +
         text_of_depth_blocks(lumigraph.depth_block_px) +
         ", views blended unless they see something else by " +
-        number_text(lumigraph.occlusion_tolerance_px, 1) + " px" +
-        ", noisy depth followed to " + number_text(lumigraph.noisy_depth_error_px, 2) + " px" +
+        number_text(lumigraph.occlusion_tolerance_px, 1) + " px" + ", noisy depth followed to " +
+        number_text(lumigraph.noisy_depth_error_px, 2) + " px" +
         (lumigraph.fills_holes ? ", what these do not see drawn from others" : "") +
         (lumigraph.checks_guesses ? ", guesses checked" : "") + ", triangles within " +
         number_text(lumigraph.triangle_error_px, 2) + " px" +
