@@ -147,6 +147,7 @@ TEST(BuildConfig, RefusesWhatContradictsItself) {
           "[capture]\nphotos = \"p\"\n[render]\ntriangle_error_px = 0.01\n",
           "[capture]\nphotos = \"p\"\n[render]\ntriangle_error_px = nan\n",
           "[capture]\nphotos = \"p\"\n[render]\nnoisy_depth_error_px = 0.01\n",
+          "[capture]\nphotos = \"p\"\n[render]\nnoisy_depth_error_px = 11\n",
           "[capture]\nphotos = \"p\"\n[render]\nnoisy_depth_error_px = nan\n",
           "[capture]\nphotos = \"p\"\n[render]\nocclusion_tolerance_px = -1\n",
           "[capture]\nphotos = \"p\"\n[render]\nocclusion_tolerance_px = nan\n",

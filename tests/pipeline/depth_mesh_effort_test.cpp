@@ -82,13 +82,12 @@ struct RoughCapture {
     Capture capture;
 };
 
-RoughCapture photographed(const Relief& relief) {
-    constexpr int kCount = 18;
+RoughCapture photographed(const Relief& relief, int count = 18) {
     RoughCapture result;
     Lumigraph& lumigraph = result.lumigraph;
     result.capture.cameras.push_back(pinhole_camera(kWidth_px, kHeight_px, kFocal_px));
-    for (int i = 0; i < kCount; ++i) {
-        const double radius = 0.7 * std::sqrt((i + 0.5) / kCount);
+    for (int i = 0; i < count; ++i) {
+        const double radius = 0.7 * std::sqrt((i + 0.5) / count);
         const Eigen::Vector3d place(radius * std::cos(2.4 * i), radius * std::sin(2.4 * i),
                                     kDistance);
         lumigraph.views.push_back(photograph_of(relief, place, i));
@@ -102,7 +101,7 @@ RoughCapture photographed(const Relief& relief) {
     }
     lumigraph.near_depth = kDistance - relief.highest - 0.1;
     lumigraph.far_depth = kDistance + 0.1;
-    std::vector<int> all(kCount);
+    std::vector<int> all(static_cast<std::size_t>(count));
     std::iota(all.begin(), all.end(), 0);
     lumigraph = lumigraph_of_views(lumigraph, result.capture, all, {});
     return result;
@@ -121,6 +120,13 @@ TEST(DepthMeshEffort, FollowsASurfaceThatIsAsRoughAsNoise) {
     EXPECT_GT(effort.coarsest_lose_db, 0.2);
     EXPECT_LT(effort.noisy_error_px, kNoisyDepthError_px);
     EXPECT_LE(effort.loses_db, 0.1);
+}
+
+TEST(DepthMeshEffort, AsksNobodyForFewerThanEightViews) {
+    RoughCapture rough = photographed({0.5}, 7);
+    const DepthMeshEffort effort = effort_of(rough);
+    EXPECT_EQ(effort.pictures, 0);
+    EXPECT_EQ(effort.noisy_error_px, kNoisyDepthError_px);
 }
 
 TEST(DepthMeshEffort, DoesNotFollowNoise) {

@@ -398,26 +398,44 @@ TEST(ViewDepthMesh, IsTheOneThatCameWithTheViewIfItIsAsItIsWanted) {
     EXPECT_TRUE(depth_mesh_of(without, disparity_px, {})->indices.empty());
 }
 
-TEST(ViewDepthMesh, IsMadeAnewWhereItIsCoarserThanWanted) {
+LumigraphView noisy_view() {
     LumigraphView noisy;
     noisy.camera = pinhole_camera(128, 96, 128);
     noisy.depth = depth_map(128, 96, [](double x, double y) {
         return 0.3 + 0.02 * std::sin(12.9898 * std::floor(x) + 78.233 * std::floor(y));
     });
-    noisy.depth_mesh =
-        depth_mesh_of(noisy, kDisparity_px, {.max_triangles = 100, .max_noisy_error_px = 1.6});
-    ASSERT_TRUE(is_of_noise(*noisy.depth_mesh, noisy.depth));
-    const auto finer =
-        depth_mesh_of(noisy, kDisparity_px, {.max_triangles = 100, .max_noisy_error_px = 0.4});
-    EXPECT_GT(finer->indices.size(), noisy.depth_mesh->indices.size());
-    EXPECT_LE(finer->error_px, 0.8 + 1e-6);
-    noisy.depth_mesh = finer;
-    EXPECT_EQ(
-        depth_mesh_of(noisy, kDisparity_px, {.max_triangles = 100, .max_noisy_error_px = 0.4}),
-        finer);
-    EXPECT_EQ(
-        depth_mesh_of(noisy, kDisparity_px, {.max_triangles = 100, .max_noisy_error_px = 1.6}),
-        finer);
+    return noisy;
+}
+
+TEST(ViewDepthMesh, IsMadeAnewWhereItIsCoarserThanWanted) {
+    LumigraphView view = noisy_view();
+    view.depth_mesh =
+        depth_mesh_of(view, kDisparity_px, {.max_triangles = 100, .max_noisy_error_px = 1.6});
+    ASSERT_TRUE(is_of_noise(*view.depth_mesh, view.depth));
+    for (const double error_px : {0.4, 0.1}) {
+        const DepthMeshOptions closer{.max_triangles = 100, .max_noisy_error_px = error_px};
+        const auto finer = depth_mesh_of(view, kDisparity_px, closer);
+        EXPECT_GT(finer->indices.size(), view.depth_mesh->indices.size());
+        EXPECT_LE(finer->error_px, 2 * error_px + 1e-6);
+        view.depth_mesh = finer;
+        EXPECT_EQ(depth_mesh_of(view, kDisparity_px, closer), finer);
+    }
+}
+
+TEST(ViewDepthMesh, IsKeptWhereItIsFinerThanWanted) {
+    LumigraphView view = noisy_view();
+    view.depth_mesh =
+        depth_mesh_of(view, kDisparity_px, {.max_triangles = 100, .max_noisy_error_px = 0.4});
+    EXPECT_EQ(depth_mesh_of(view, kDisparity_px, {.max_triangles = 100, .max_noisy_error_px = 1.6}),
+              view.depth_mesh);
+}
+
+TEST(ViewDepthMesh, FollowsNoiseAsCloselyAsItsLumigraphSays) {
+    Lumigraph lumigraph = card_before_wall();
+    EXPECT_EQ(depth_mesh_options(lumigraph).max_noisy_error_px, kNoisyDepthError_px);
+    lumigraph.noisy_depth_error_px = 0.3;
+    EXPECT_EQ(depth_mesh_options(lumigraph).max_noisy_error_px, 0.3);
+    EXPECT_EQ(depth_mesh_options(without_its_views(lumigraph)).max_noisy_error_px, 0.3);
 }
 
 TEST(ViewDepthMesh, IsTheSameForAnyNumberOfThreads) {
