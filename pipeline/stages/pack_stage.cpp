@@ -128,9 +128,12 @@ Efforts choose_drawing(const PackSources& sources, Lumigraph& lumigraph, Progres
 /// With depth meshes as fine as is asked for.
 DepthMeshEffort make_asked_depth_meshes(const PackSources& sources, Lumigraph& lumigraph,
                                         int threads, Progress& progress) {
-    // Whether their depth tells noise, meshes say that are made as nobody asked.
-    if (sources.drawing.noisy_depth_error_px == 0) make_depth_meshes(lumigraph, threads, progress);
+    if (sources.drawing.noisy_depth_error_px != 0)
+        lumigraph.noisy_depth_error_px = sources.drawing.noisy_depth_error_px;
+    make_depth_meshes(lumigraph, threads, progress);
+    // Whether depth tells noise, and so whether photographs are asked, the meshes say.
     const DepthMeshEffort effort = depth_mesh_effort(sources, lumigraph, progress);
+    if (effort.noisy_error_px == lumigraph.noisy_depth_error_px) return effort;
     lumigraph.noisy_depth_error_px = effort.noisy_error_px;
     make_depth_meshes(lumigraph, threads, progress);
     return effort;
