@@ -131,7 +131,7 @@ std::vector<FlickerFigures> benchmark_flicker(const Lumigraph& lumigraph,
     std::vector<FlickerFigures> all;
     for (const RenderMode mode : all_render_modes()) {
         const RenderOptions options{.mode = mode,
-                                    .fade_beyond_capture = lumigraph.fade_beyond_capture};
+                                    .fade_beyond_capture = lumigraph.drawing.fade_beyond_capture};
         all.push_back(measured(
             name_of(mode), path, truths,
             [&](const Eye& eye) { return renderer.draw(eye, options).color; }, progress));

@@ -33,14 +33,14 @@ Json package_json(const Lumigraph& lumigraph) {
     return Json{{"name", lumigraph.name},
                 {"near_depth", lumigraph.near_depth},
                 {"far_depth", lumigraph.far_depth},
-                {"occlusion_tolerance_px", lumigraph.occlusion_tolerance_px},
+                {"occlusion_tolerance_px", lumigraph.drawing.occlusion_tolerance_px},
                 {"noisy_depth_error_px", lumigraph.noisy_depth_error_px},
-                {"depth_views", lumigraph.depth_views},
-                {"depth_block_px", lumigraph.depth_block_px},
-                {"fills_holes", lumigraph.fills_holes},
-                {"checks_guesses", lumigraph.checks_guesses},
-                {"triangle_error_px", lumigraph.triangle_error_px},
-                {"draws_thin", lumigraph.draws_thin},
+                {"depth_views", lumigraph.drawing.depth_views},
+                {"depth_block_px", lumigraph.drawing.depth_block_px},
+                {"fills_holes", lumigraph.drawing.fills_holes},
+                {"checks_guesses", lumigraph.drawing.checks_guesses},
+                {"triangle_error_px", lumigraph.drawing.triangle_error_px},
+                {"draws_thin", lumigraph.drawing.draws_thin},
                 {"mesh",
                  {{"construction", name_of(lumigraph.mesh.construction)},
                   {"vertices", lumigraph.mesh.vertices.size()},
@@ -62,15 +62,15 @@ std::string package_text(const Lumigraph& lumigraph) {
         ", camera mesh " + name_of(lumigraph.mesh.construction) + " with " +
         std::to_string(lumigraph.mesh.vertices.size()) + " vertices and " +
         std::to_string(lumigraph.mesh.faces.size()) + " faces, depth compared from " +
-        std::to_string(lumigraph.depth_views) + " views for " +
-        text_of_depth_blocks(lumigraph.depth_block_px) +
+        std::to_string(lumigraph.drawing.depth_views) + " views for " +
+        text_of_depth_blocks(lumigraph.drawing.depth_block_px) +
         ", views blended unless they see something else by " +
-        number_text(lumigraph.occlusion_tolerance_px, 1) + " px" + ", noisy depth followed to " +
-        number_text(lumigraph.noisy_depth_error_px, 2) + " px" +
-        (lumigraph.fills_holes ? ", what these do not see drawn from others" : "") +
-        (lumigraph.checks_guesses ? ", guesses checked" : "") + ", triangles within " +
-        number_text(lumigraph.triangle_error_px, 2) + " px" +
-        (lumigraph.draws_thin ? ", what is thinner drawn over them" : "") + "\n";
+        number_text(lumigraph.drawing.occlusion_tolerance_px, 1) + " px" +
+        ", noisy depth followed to " + number_text(lumigraph.noisy_depth_error_px, 2) + " px" +
+        (lumigraph.drawing.fills_holes ? ", what these do not see drawn from others" : "") +
+        (lumigraph.drawing.checks_guesses ? ", guesses checked" : "") + ", triangles within " +
+        number_text(lumigraph.drawing.triangle_error_px, 2) + " px" +
+        (lumigraph.drawing.draws_thin ? ", what is thinner drawn over them" : "") + "\n";
     for (const LumigraphView& view : lumigraph.views) {
         text += view.name + "  " + std::to_string(view.camera.width_px) + "x" +
                 std::to_string(view.camera.height_px) + "  focal length " +

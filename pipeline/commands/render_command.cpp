@@ -200,7 +200,7 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
     const Lumigraph lumigraph = read_package(
         request.package, {}, request.as_taken ? Exposures::kAsTaken : Exposures::kEvened);
     keep_free_memory();
-    const bool fades = request.fade || (lumigraph.fade_beyond_capture && !request.no_fade);
+    const bool fades = request.fade || (lumigraph.drawing.fade_beyond_capture && !request.no_fade);
     const RenderOptions options{.mode = render_mode_from(request.mode),
                                 .debug_picture = debug_picture_from(request.debug),
                                 .focal_depth = request.focal_depth,

@@ -67,7 +67,7 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
     Lumigraph lumigraph = read_package(request.package, {},
                                        request.as_taken ? Exposures::kAsTaken : Exposures::kEvened);
     options.render.fade_beyond_capture =
-        request.fade || (lumigraph.fade_beyond_capture && !request.no_fade);
+        request.fade || (lumigraph.drawing.fade_beyond_capture && !request.no_fade);
     options.render.guess_surroundings = !request.black_surroundings;
     keep_free_memory();
     run_window(std::move(lumigraph), options);

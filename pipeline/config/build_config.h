@@ -35,8 +35,8 @@ struct DrawingOptions {
     /// Differences in exposure and white balance between neighbours are measured and evened out.
     bool even_exposure = true;
     bool fade_beyond_capture = false;  ///< The default of `lumi render` and `lumi view`.
-    /// Disparity beyond which a view sees something else (Lumigraph::occlusion_tolerance_px), 0.1
-    /// to 100; 0: as photographs ask for.
+    /// Disparity beyond which a view sees something else (DrawingChoices::occlusion_tolerance_px),
+    /// 0.1 to 100; 0: as photographs ask for.
     double occlusion_tolerance_px = 0.0;
     /// How closely depth meshes follow depth maps that tell noise
     /// (Lumigraph::noisy_depth_error_px), 0.1 to 10; 0: as photographs ask for.
@@ -44,18 +44,18 @@ struct DrawingOptions {
     /// How many views' depths are compared at each pixel, 3 or 4; 0: as photographs ask for.
     int depth_views = 0;
     /// How wide blocks of pixels may be that depth is worked out for, in pixels of the photographs
-    /// (Lumigraph::depth_block_px), 1 to 2; 0: as wide as photographs cannot tell.
+    /// (DrawingChoices::depth_block_px), 1 to 2; 0: as wide as photographs cannot tell.
     double depth_block_px = 0.0;
     /// Whether `perpixel` draws from other views what none that it asks for depth sees
-    /// (Lumigraph::fills_holes); empty: where photographs ask for it.
+    /// (DrawingChoices::fills_holes); empty: where photographs ask for it.
     std::optional<bool> fill_holes;
     /// Whether guesses are drawn only where nothing was seen before them
-    /// (Lumigraph::checks_guesses); empty: where photographs ask for it.
+    /// (DrawingChoices::checks_guesses); empty: where photographs ask for it.
     std::optional<bool> check_guesses;
     /// Of the triangles that `adaptive` draws; 0: as photographs ask for.
     double triangle_error_px = 0.0;
-    /// Whether it draws what is thinner over them (Lumigraph::draws_thin); empty: where photographs
-    /// ask for it.
+    /// Whether it draws what is thinner over them (DrawingChoices::draws_thin); empty: where
+    /// photographs ask for it.
     std::optional<bool> draw_thin;
 };
 

@@ -158,7 +158,7 @@ RungMeasurement measure_rung(const DepthBenchScene& scene, const DepthOptions& o
     }
     Lumigraph lumigraph = lumigraph_of(scene, std::move(result.depth_maps), threads);
     make_depth_meshes(lumigraph, threads, progress);
-    lumigraph.depth_views =
+    lumigraph.drawing.depth_views =
         sufficient_depth_effort(lumigraph, scene.used.capture, {}, progress).views;
     TileErrors tiles;
     const Evaluation evaluation = evaluate_held_out(

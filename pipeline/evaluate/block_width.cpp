@@ -61,12 +61,12 @@ double sufficient_block_px(const Lumigraph& lumigraph, const Capture& capture,
     const std::size_t asked = visit_kept_back(
         lumigraph, capture, mesh_options, "asking photographs how fine depth must be", progress,
         [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
-            others.depth_views = kLeastDepthViews;
+            others.drawing.depth_views = kLeastDepthViews;
             for (std::size_t i = 0; i < kAsked_px.size(); ++i) {
                 progress.throw_if_interrupted();
-                others.depth_block_px = kLeastDepthBlock_px;
+                others.drawing.depth_block_px = kLeastDepthBlock_px;
                 sums_db[i] += sum_of_psnr_db(others, pictures, kAsked_px[i]);
-                others.depth_block_px = kMaxDepthBlock_px;
+                others.drawing.depth_block_px = kMaxDepthBlock_px;
                 sums_db[i] -= sum_of_psnr_db(others, pictures, kAsked_px[i]);
             }
         });

@@ -19,9 +19,9 @@ struct BlockLoss {
 /// is the most there is.
 [[nodiscard]] double width_that_loses(double most_db, const std::vector<BlockLoss>& by_width);
 
-/// How wide blocks of two by two pixels may be (Lumigraph::depth_block_px) where the widest lose
-/// `widest_lose_db`, more than `most_db`: every sixth view is kept back (kept_back_rounds.h) and
-/// drawn in finer frames, in blocks and pixel by pixel, which are then reduced to its size. The
+/// How wide blocks of two by two pixels may be (DrawingChoices::depth_block_px) where the widest
+/// lose `widest_lose_db`, more than `most_db`: every sixth view is kept back (kept_back_rounds.h)
+/// and drawn in finer frames, in blocks and pixel by pixel, which are then reduced to its size. The
 /// more pixels a frame has for each of a photograph's, the less anyone sees of its blocks. Larger
 /// photographs are asked in a smaller size, so that theirs might be wider still. The narrowest for
 /// fewer than eight views, of which nobody is asked. Throws Error (E-GL-...).

@@ -40,10 +40,10 @@ using LossesDb = std::vector<double>;
 
 LossesDb losses_db_of(const Choice& choice, Lumigraph& lumigraph,
                       const std::vector<PicturedEye>& pictures) {
-    lumigraph.depth_views = choice.depth_views;
-    lumigraph.depth_block_px = choice.depth_block_px;
-    lumigraph.fills_holes = choice.fills_holes;
-    lumigraph.checks_guesses = choice.checks_guesses;
+    lumigraph.drawing.depth_views = choice.depth_views;
+    lumigraph.drawing.depth_block_px = choice.depth_block_px;
+    lumigraph.drawing.fills_holes = choice.fills_holes;
+    lumigraph.drawing.checks_guesses = choice.checks_guesses;
     OffscreenRenderer renderer(lumigraph);
     return draw_pictures(renderer, pictures, kAlike).losses_db;
 }

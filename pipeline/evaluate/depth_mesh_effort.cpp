@@ -84,7 +84,7 @@ class MeshQuestion {
         losses_db.resize(tolerances_px_.size());
         for (std::size_t i = 0; i < tolerances_px_.size(); ++i) {
             progress_.throw_if_interrupted();
-            others.occlusion_tolerance_px = tolerances_px_[i];
+            others.drawing.occlusion_tolerance_px = tolerances_px_[i];
             OffscreenRenderer renderer(others);
             const DrawnPictures drawn = draw_pictures(renderer, pictures, kMeshesAlike);
             losses_db[i].insert(losses_db[i].end(), drawn.losses_db.begin(), drawn.losses_db.end());

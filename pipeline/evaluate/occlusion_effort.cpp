@@ -34,7 +34,7 @@ OcclusionEffort sufficient_occlusion_effort(const Lumigraph& lumigraph, const Ca
         progress, [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
             for (std::size_t i = 0; i < kTolerances_px.size(); ++i) {
                 progress.throw_if_interrupted();
-                others.occlusion_tolerance_px = kTolerances_px[i];
+                others.drawing.occlusion_tolerance_px = kTolerances_px[i];
                 OffscreenRenderer renderer(others);
                 const DrawnPictures drawn = draw_pictures(renderer, pictures, kAlike);
                 losses_db[i].insert(losses_db[i].end(), drawn.losses_db.begin(),

@@ -30,14 +30,14 @@ using LossesDb = std::vector<double>;
 
 RenderOptions with_error(double error_px, const Lumigraph& others) {
     return {.mode = RenderMode::kAdaptive,
-            .triangle_error_ratio = error_px / others.triangle_error_px};
+            .triangle_error_ratio = error_px / others.drawing.triangle_error_px};
 }
 
 /// Of triangles of the usual error, with what is thin drawn over them.
 LossesDb losses_with_thin(Lumigraph& others, const std::vector<PicturedEye>& pictures) {
-    others.draws_thin = true;
+    others.drawing.draws_thin = true;
     OffscreenRenderer renderer(others);
-    others.draws_thin = false;
+    others.drawing.draws_thin = false;
     return draw_pictures(renderer, pictures, with_error(kTriangleError_px, others)).losses_db;
 }
 

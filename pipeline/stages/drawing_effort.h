@@ -8,9 +8,9 @@
 namespace lumi {
 
 /// How much `perpixel` does to know depth: how many views' depths are compared
-/// (Lumigraph::depth_views), in how wide blocks of pixels (Lumigraph::depth_block_px), whether what
-/// none of them sees is drawn from others (Lumigraph::fills_holes), whether guesses are checked
-/// (Lumigraph::checks_guesses), and why.
+/// (DrawingChoices::depth_views), in how wide blocks of pixels (DrawingChoices::depth_block_px),
+/// whether what none of them sees is drawn from others (DrawingChoices::fills_holes), whether
+/// guesses are checked (DrawingChoices::checks_guesses), and why.
 struct DepthEffort {
     int views = kMaxDepthViews;
     double block_px = kLeastDepthBlock_px;
@@ -37,7 +37,7 @@ struct DepthMeshEffort {
 };
 
 /// From how far on a view that sees something else is not blended
-/// (Lumigraph::occlusion_tolerance_px), and why.
+/// (DrawingChoices::occlusion_tolerance_px), and why.
 struct OcclusionEffort {
     double tolerance_px = kOcclusionTolerance_px;
     int pictures = 0;                ///< That were asked; 0: nobody was.
@@ -46,8 +46,8 @@ struct OcclusionEffort {
     double standard_error_db = 0.0;  ///< Of that.
 };
 
-/// How far the triangles of `adaptive` may err (Lumigraph::triangle_error_px), whether what is
-/// thinner is drawn over them (Lumigraph::draws_thin), and why.
+/// How far the triangles of `adaptive` may err (DrawingChoices::triangle_error_px), whether what is
+/// thinner is drawn over them (DrawingChoices::draws_thin), and why.
 struct TriangleEffort {
     double error_px = kTriangleError_px;
     int pictures = 0;        ///< That were asked; 0: nobody was.

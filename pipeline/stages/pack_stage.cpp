@@ -113,15 +113,15 @@ struct Efforts {
 Efforts choose_drawing(const PackSources& sources, Lumigraph& lumigraph, Progress& progress) {
     Efforts efforts;
     efforts.occlusion = occlusion_effort(sources, lumigraph, progress);
-    lumigraph.occlusion_tolerance_px = efforts.occlusion.tolerance_px;
+    lumigraph.drawing.occlusion_tolerance_px = efforts.occlusion.tolerance_px;
     efforts.depth = depth_effort(sources, lumigraph, progress);
-    lumigraph.depth_views = efforts.depth.views;
-    lumigraph.depth_block_px = efforts.depth.block_px;
-    lumigraph.fills_holes = efforts.depth.fills_holes;
-    lumigraph.checks_guesses = efforts.depth.checks_guesses;
+    lumigraph.drawing.depth_views = efforts.depth.views;
+    lumigraph.drawing.depth_block_px = efforts.depth.block_px;
+    lumigraph.drawing.fills_holes = efforts.depth.fills_holes;
+    lumigraph.drawing.checks_guesses = efforts.depth.checks_guesses;
     efforts.triangles = triangle_effort(sources, lumigraph, progress);
-    lumigraph.triangle_error_px = efforts.triangles.error_px;
-    lumigraph.draws_thin = efforts.triangles.draws_thin;
+    lumigraph.drawing.triangle_error_px = efforts.triangles.error_px;
+    lumigraph.drawing.draws_thin = efforts.triangles.draws_thin;
     return efforts;
 }
 
@@ -151,7 +151,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
         transients = remove_transients(lumigraph, folder, threads, progress);
         set_depth_range(lumigraph);
     }
-    lumigraph.fade_beyond_capture = sources.drawing.fade_beyond_capture;
+    lumigraph.drawing.fade_beyond_capture = sources.drawing.fade_beyond_capture;
     ExposureGains exposures;
     if (sources.drawing.even_exposure) {
         exposures = find_exposure_gains(lumigraph, threads, progress);

@@ -75,9 +75,9 @@ int texels(int pixels, double per_pixel) { return static_cast<int>(std::ceil(pix
 
 bool is_drawn_in_blocks(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
     if (options.supersample || options.fade_beyond_capture) return false;
-    if (lumigraph.depth_block_px >= kMaxDepthBlock_px) return true;
+    if (lumigraph.drawing.depth_block_px >= kMaxDepthBlock_px) return true;
     const std::optional<double> width_px = block_px(lumigraph, eye);
-    return width_px && *width_px <= lumigraph.depth_block_px;
+    return width_px && *width_px <= lumigraph.drawing.depth_block_px;
 }
 
 DepthEye depth_eye(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {

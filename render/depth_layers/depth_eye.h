@@ -28,7 +28,7 @@ struct DepthEye {
 
 /// Whether `perpixel` works out depth, weights and visibility once for each block of two by two
 /// pixels (pixel_blocks.h): in frames so fine that blocks are no wider than
-/// Lumigraph::depth_block_px says, at the scene's centre (median view). Not where a frame has
+/// DrawingChoices::depth_block_px says, at the scene's centre (median view). Not where a frame has
 /// several samples a pixel, nor where it fades. Texels of depth are blocks then.
 [[nodiscard]] bool is_drawn_in_blocks(const Lumigraph& lumigraph, const Eye& eye,
                                       const RenderOptions& options);

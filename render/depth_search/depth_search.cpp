@@ -51,7 +51,7 @@ double between(double from, double to, double share) { return from + share * (to
 }  // namespace
 
 DepthSearch::DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views, const Eye& eye)
-    : occlusion_tolerance_px_(lumigraph.occlusion_tolerance_px),
+    : occlusion_tolerance_px_(lumigraph.drawing.occlusion_tolerance_px),
       max_inverse_depth_(kNearMargin * inverse_depth_range(lumigraph).y()),
       least_inverse_depth_(kFarShare * inverse_depth_range(lumigraph).y()) {
     const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);

@@ -17,7 +17,7 @@ namespace lumi {
 
 /// A view that has seen something so far before a guess, in pixels of disparity, shows that in its
 /// place; what stands less before it may be noise. Of points that were seen photographs say how far
-/// that is (Lumigraph::occlusion_tolerance_px).
+/// that is (DrawingChoices::occlusion_tolerance_px).
 inline constexpr double kSurelyBefore_px = 16.0;
 
 /// How much a view counts near the border of its photograph, `distance_px` inside of it: it fades

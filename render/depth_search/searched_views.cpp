@@ -26,7 +26,7 @@ SearchedViews searched_views(const Lumigraph& lumigraph) {
         const GrayImage torn = torn_squares_of(view, disparity_px);
         views.depths[index] = {view.depth, torn};
         views.outlines[index] = view_outlines(view, torn);
-        if (lumigraph.draws_thin)
+        if (lumigraph.drawing.draws_thin)
             views.thin[index] = thin_surfaces(view, disparity_px, depth_mesh_options(lumigraph));
     });
     return views;

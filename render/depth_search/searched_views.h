@@ -15,7 +15,7 @@ struct SearchedViews {
     std::vector<ViewGeometry> geometries;
     std::vector<TiledDepth> depths;  ///< Their depth maps; empty where a view has none.
     std::vector<std::vector<OutlinePoint>> outlines;  ///< In them (view_outlines.h).
-    std::vector<ThinSurfaces> thin;  ///< Where they are drawn (Lumigraph::draws_thin).
+    std::vector<ThinSurfaces> thin;  ///< Where they are drawn (DrawingChoices::draws_thin).
 };
 
 [[nodiscard]] SearchedViews searched_views(const Lumigraph& lumigraph);

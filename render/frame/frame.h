@@ -60,7 +60,7 @@ struct RenderOptions {
     /// of black; not where the capture fades to black, and not in `paper2001` and `heigl`.
     bool guess_surroundings = true;
     /// For modes that subdivide, and what is filled where depth has holes.
-    double triangle_error_ratio = 1.0;    ///< `adaptive`: times Lumigraph::triangle_error_px.
+    double triangle_error_ratio = 1.0;    ///< `adaptive`: times DrawingChoices::triangle_error_px.
     double depth_threshold_share = 0.02;  ///< `paper2001`: of the scene's depth range.
     /// Shorter edges are not split; in `adaptive`, which cuts triangles at outlines, none that are
     /// shorter than twice this, and where it may err by more than kTriangleError_px, this grows

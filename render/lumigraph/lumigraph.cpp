@@ -65,24 +65,28 @@ void validate_view(const LumigraphView& view, const std::string& where) {
     if (view.depth_mesh) validate_depth_mesh(*view.depth_mesh, where);
 }
 
+void validate_drawing(const DrawingChoices& drawing, const std::string& where) {
+    if (drawing.depth_views < kLeastDepthViews || drawing.depth_views > kMaxDepthViews)
+        refuse_lumigraph(where, "expected 3 or 4 depth views");
+    if (!(drawing.depth_block_px >= kLeastDepthBlock_px &&
+          drawing.depth_block_px <= kMaxDepthBlock_px))
+        refuse_lumigraph(where, "expected depth blocks of 1 to 2 pixels");
+    if (!(drawing.occlusion_tolerance_px >= kLeastOcclusionTolerance_px &&
+          drawing.occlusion_tolerance_px <= kMostOcclusionTolerance_px))
+        refuse_lumigraph(where, "expected an occlusion tolerance of 0.1 to 100 pixels");
+    if (!(drawing.triangle_error_px >= kLeastTriangleError_px &&
+          drawing.triangle_error_px <= kMostTriangleError_px))
+        refuse_lumigraph(where, "expected triangles that err by 0.1 to 10 pixels");
+}
+
 }  // namespace
 
 void validate(const Lumigraph& lumigraph, const std::string& where) {
     if (lumigraph.views.empty()) refuse_lumigraph(where, "expected at least one view");
-    if (lumigraph.depth_views < kLeastDepthViews || lumigraph.depth_views > kMaxDepthViews)
-        refuse_lumigraph(where, "expected 3 or 4 depth views");
-    if (!(lumigraph.depth_block_px >= kLeastDepthBlock_px &&
-          lumigraph.depth_block_px <= kMaxDepthBlock_px))
-        refuse_lumigraph(where, "expected depth blocks of 1 to 2 pixels");
-    if (!(lumigraph.occlusion_tolerance_px >= kLeastOcclusionTolerance_px &&
-          lumigraph.occlusion_tolerance_px <= kMostOcclusionTolerance_px))
-        refuse_lumigraph(where, "expected an occlusion tolerance of 0.1 to 100 pixels");
     if (!(lumigraph.noisy_depth_error_px >= kLeastNoisyDepthError_px &&
           lumigraph.noisy_depth_error_px <= kMostNoisyDepthError_px))
         refuse_lumigraph(where, "expected noisy depth to be followed to 0.1 to 10 pixels");
-    if (!(lumigraph.triangle_error_px >= kLeastTriangleError_px &&
-          lumigraph.triangle_error_px <= kMostTriangleError_px))
-        refuse_lumigraph(where, "expected triangles that err by 0.1 to 10 pixels");
+    validate_drawing(lumigraph.drawing, where);
     std::set<std::string> names;
     for (const LumigraphView& view : lumigraph.views) {
         validate_view(view, where + ": " + printable(view.name));
@@ -103,15 +107,8 @@ Lumigraph without_its_views(const Lumigraph& lumigraph) {
     rest.name = lumigraph.name;
     rest.near_depth = lumigraph.near_depth;
     rest.far_depth = lumigraph.far_depth;
-    rest.fade_beyond_capture = lumigraph.fade_beyond_capture;
-    rest.occlusion_tolerance_px = lumigraph.occlusion_tolerance_px;
     rest.noisy_depth_error_px = lumigraph.noisy_depth_error_px;
-    rest.depth_views = lumigraph.depth_views;
-    rest.depth_block_px = lumigraph.depth_block_px;
-    rest.fills_holes = lumigraph.fills_holes;
-    rest.checks_guesses = lumigraph.checks_guesses;
-    rest.triangle_error_px = lumigraph.triangle_error_px;
-    rest.draws_thin = lumigraph.draws_thin;
+    rest.drawing = lumigraph.drawing;
     return rest;
 }
 

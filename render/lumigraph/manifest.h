@@ -63,15 +63,8 @@ struct Manifest {
     std::string name;
     double near_depth = 0.0;
     double far_depth = 0.0;
-    bool fade_beyond_capture = false;
-    int depth_views = kMaxDepthViews;
-    double depth_block_px = kLeastDepthBlock_px;
-    double occlusion_tolerance_px = kOcclusionTolerance_px;
     double noisy_depth_error_px = kNoisyDepthError_px;
-    bool fills_holes = false;
-    bool checks_guesses = false;
-    double triangle_error_px = kTriangleError_px;
-    bool draws_thin = false;
+    DrawingChoices drawing;
     std::vector<ManifestView> views;
     PackageFile camera_mesh;
     PackageFile points;

@@ -160,21 +160,22 @@ Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
         document.refuse("far_depth", "0 <= near_depth <= far_depth");
     }
     if (document.has("fade_beyond_capture")) {
-        manifest.fade_beyond_capture = document.boolean("fade_beyond_capture");
+        manifest.drawing.fade_beyond_capture = document.boolean("fade_beyond_capture");
     }
     if (document.has("depth_views")) {
-        manifest.depth_views = document.integer("depth_views", kLeastDepthViews, kMaxDepthViews);
+        manifest.drawing.depth_views =
+            document.integer("depth_views", kLeastDepthViews, kMaxDepthViews);
     }
     if (document.has("depth_block_px")) {
-        manifest.depth_block_px = document.number("depth_block_px");
-        if (manifest.depth_block_px < kLeastDepthBlock_px ||
-            manifest.depth_block_px > kMaxDepthBlock_px)
+        manifest.drawing.depth_block_px = document.number("depth_block_px");
+        if (manifest.drawing.depth_block_px < kLeastDepthBlock_px ||
+            manifest.drawing.depth_block_px > kMaxDepthBlock_px)
             document.refuse("depth_block_px", "a number from 1 to 2");
     }
     if (document.has("occlusion_tolerance_px")) {
-        manifest.occlusion_tolerance_px = document.number("occlusion_tolerance_px");
-        if (manifest.occlusion_tolerance_px < kLeastOcclusionTolerance_px ||
-            manifest.occlusion_tolerance_px > kMostOcclusionTolerance_px)
+        manifest.drawing.occlusion_tolerance_px = document.number("occlusion_tolerance_px");
+        if (manifest.drawing.occlusion_tolerance_px < kLeastOcclusionTolerance_px ||
+            manifest.drawing.occlusion_tolerance_px > kMostOcclusionTolerance_px)
             document.refuse("occlusion_tolerance_px", "0.1 to 100");
     }
     if (document.has("noisy_depth_error_px")) {
@@ -183,16 +184,16 @@ Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
             manifest.noisy_depth_error_px > kMostNoisyDepthError_px)
             document.refuse("noisy_depth_error_px", "0.1 to 10");
     }
-    if (document.has("fills_holes")) manifest.fills_holes = document.boolean("fills_holes");
+    if (document.has("fills_holes")) manifest.drawing.fills_holes = document.boolean("fills_holes");
     if (document.has("checks_guesses"))
-        manifest.checks_guesses = document.boolean("checks_guesses");
+        manifest.drawing.checks_guesses = document.boolean("checks_guesses");
     if (document.has("triangle_error_px")) {
-        manifest.triangle_error_px = document.number("triangle_error_px");
-        if (manifest.triangle_error_px < kLeastTriangleError_px ||
-            manifest.triangle_error_px > kMostTriangleError_px)
+        manifest.drawing.triangle_error_px = document.number("triangle_error_px");
+        if (manifest.drawing.triangle_error_px < kLeastTriangleError_px ||
+            manifest.drawing.triangle_error_px > kMostTriangleError_px)
             document.refuse("triangle_error_px", "0.1 to 10");
     }
-    if (document.has("draws_thin")) manifest.draws_thin = document.boolean("draws_thin");
+    if (document.has("draws_thin")) manifest.drawing.draws_thin = document.boolean("draws_thin");
     for (const StrictJsonObject& view : document.objects("views", limits.max_views)) {
         manifest.views.push_back(view_of(view));
     }

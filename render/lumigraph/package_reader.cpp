@@ -143,15 +143,8 @@ Lumigraph read_contents(const fs::path& folder, const PackageLimits& limits) {
     lumigraph.name = manifest.name;
     lumigraph.near_depth = manifest.near_depth;
     lumigraph.far_depth = manifest.far_depth;
-    lumigraph.fade_beyond_capture = manifest.fade_beyond_capture;
-    lumigraph.depth_views = manifest.depth_views;
-    lumigraph.depth_block_px = manifest.depth_block_px;
-    lumigraph.occlusion_tolerance_px = manifest.occlusion_tolerance_px;
     lumigraph.noisy_depth_error_px = manifest.noisy_depth_error_px;
-    lumigraph.fills_holes = manifest.fills_holes;
-    lumigraph.checks_guesses = manifest.checks_guesses;
-    lumigraph.triangle_error_px = manifest.triangle_error_px;
-    lumigraph.draws_thin = manifest.draws_thin;
+    lumigraph.drawing = manifest.drawing;
     lumigraph.mesh = parse_camera_mesh_ply(package.read(manifest.camera_mesh),
                                            package.path_of(manifest.camera_mesh));
     // Not part of the Lumigraph, but a package with a damaged file is a damaged package.

@@ -73,15 +73,8 @@ void write_contents(const fs::path& root, const Lumigraph& lumigraph, const Pack
     manifest.name = lumigraph.name;
     manifest.near_depth = lumigraph.near_depth;
     manifest.far_depth = lumigraph.far_depth;
-    manifest.fade_beyond_capture = lumigraph.fade_beyond_capture;
-    manifest.depth_views = lumigraph.depth_views;
-    manifest.depth_block_px = lumigraph.depth_block_px;
-    manifest.occlusion_tolerance_px = lumigraph.occlusion_tolerance_px;
     manifest.noisy_depth_error_px = lumigraph.noisy_depth_error_px;
-    manifest.fills_holes = lumigraph.fills_holes;
-    manifest.checks_guesses = lumigraph.checks_guesses;
-    manifest.triangle_error_px = lumigraph.triangle_error_px;
-    manifest.draws_thin = lumigraph.draws_thin;
+    manifest.drawing = lumigraph.drawing;
     manifest.evidence_json = extras.evidence_json;
     manifest.views.resize(lumigraph.views.size());
     parallel_for(static_cast<int>(lumigraph.views.size()), 0, [&](int i) {

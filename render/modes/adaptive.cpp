@@ -107,7 +107,7 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const Searc
             .triangles;
     };
     BlendTriangles thin;
-    if (layout.draws_thin && !options.fade_beyond_capture)
+    if (layout.drawing.draws_thin && !options.fade_beyond_capture)
         thin = thin_triangles(layout, views, eye, search, half_of(options.max_triangles));
     std::vector<std::size_t> most =
         most_of_layers(polygons, rest_of(options.max_triangles, thin.count()));

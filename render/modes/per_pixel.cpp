@@ -48,8 +48,8 @@ RenderOptions drawable(RenderOptions options, const Camera& camera, int max_text
 PerPixel::PerPixel(const UploadedLumigraph& uploaded, DepthLayers::DrawnBy depth_drawn_by)
     : uploaded_(uploaded),
       surroundings_(uploaded),
-      layer_count_(
-          std::min(uploaded.layout.depth_views, static_cast<int>(uploaded.layout.views.size()))),
+      layer_count_(std::min(uploaded.layout.drawing.depth_views,
+                            static_cast<int>(uploaded.layout.views.size()))),
       depth_(uploaded, layer_count_, depth_drawn_by),
       faces_(uploaded),
       blend_(uploaded, kLeastConfidence),
@@ -69,7 +69,7 @@ PerPixel::Programs PerPixel::programs(const std::vector<std::string>& definition
         std::vector<std::string> all = layer_definitions();
         all.insert(all.end(), definitions.begin(), definitions.end());
         all.push_back("UNASKED_VIEWS " + std::to_string(unasked_views));
-        if (uploaded_.layout.checks_guesses) all.emplace_back("CHECKS_GUESSES");
+        if (uploaded_.layout.drawing.checks_guesses) all.emplace_back("CHECKS_GUESSES");
         return program_of(std::move(all));
     };
     return {of_faces(0), of_faces(1), of_faces(2), of_faces(3)};
@@ -85,7 +85,7 @@ DrawStatistics PerPixel::draw(const Eye& eye, const RenderOptions& wanted,
     {
         const FramebufferBindingKeeper keeper;
         depth_.draw(asked.depth_eye.eye, asked.sets);
-        if (uploaded_.layout.fills_holes && !options.fade_beyond_capture)
+        if (uploaded_.layout.drawing.fills_holes && !options.fade_beyond_capture)
             asked.holes = found_holes(asked.depth_eye, eye.camera);
     }
     glViewport(viewport.x_px, viewport.y_px, viewport.width_px, viewport.height_px);
@@ -98,7 +98,7 @@ PictureCells PerPixel::open_cells(const std::vector<FacePolygon>& polygons, cons
                                   const RenderOptions& options) const {
     PictureCells cells(eye.camera);
     if (!are_surroundings_drawn(options)) return cells;
-    if (uploaded_.layout.checks_guesses) {
+    if (uploaded_.layout.drawing.checks_guesses) {
         cells.mark_all();
         return cells;
     }
@@ -173,9 +173,10 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
     program.set("max_inverse_depth", static_cast<float>(depth_.max_inverse_depth()));
     program.set("near_inverse_depth",
                 static_cast<float>(inverse_depth_range(uploaded_.layout).y()));
-    program.set("check_per_px", static_cast<float>(options.correct_occlusion
-                                                       ? 1 / uploaded_.layout.occlusion_tolerance_px
-                                                       : 0.0));
+    program.set("check_per_px",
+                static_cast<float>(options.correct_occlusion
+                                       ? 1 / uploaded_.layout.drawing.occlusion_tolerance_px
+                                       : 0.0));
     const double agreeing =
         agreeing_inverse_depth(uploaded_.layout, uploaded_.searched_views.geometries, asked.sets,
                                centre_in_world(eye.cam_from_world), kAgreeingDisparity_px);

@@ -27,11 +27,11 @@ namespace lumi {
 /// over that. The cost does not depend on the scene.
 ///
 /// Where photographs cannot tell the difference, all but the colours is worked out for blocks of
-/// two by two pixels (Lumigraph::depth_block_px), at less than two thirds of the cost. Where they
-/// can, and depth is sampled finely enough, silhouettes are smooth.
+/// two by two pixels (DrawingChoices::depth_block_px), at less than two thirds of the cost. Where
+/// they can, and depth is sampled finely enough, silhouettes are smooth.
 ///
-/// Where photographs can tell (Lumigraph::fills_holes), what none of the views that were asked for
-/// depth sees is drawn from others (hole_triangles.h).
+/// Where photographs can tell (DrawingChoices::fills_holes), what none of the views that were asked
+/// for depth sees is drawn from others (hole_triangles.h).
 class PerPixel : public DrawingMode {
  public:
     explicit PerPixel(const UploadedLumigraph& uploaded,

@@ -38,9 +38,10 @@ std::optional<std::vector<EyeDepth>> mean_of_one_surface(
 AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
                          const Eye& eye, const RenderOptions& options)
     : depth_eye_(depth_eye(lumigraph, eye, options)) {
-    const std::vector<DepthViewSet> sets = depth_view_sets(lumigraph, eye, lumigraph.depth_views);
+    const std::vector<DepthViewSet> sets =
+        depth_view_sets(lumigraph, eye, lumigraph.drawing.depth_views);
     strip_ends_ = strip_ends(sets, depth_eye_.eye.camera.width_px);
-    layer_views_ = depth_layer_views(sets, lumigraph.depth_views);
+    layer_views_ = depth_layer_views(sets, lumigraph.drawing.depth_views);
     agreeing_inverse_depth_ = agreeing_inverse_depth(
         lumigraph, geometries, sets, centre_in_world(eye.cam_from_world), kAgreeingDisparity_px);
     for (const DepthViewSet& set : sets) {

@@ -9,7 +9,7 @@ namespace lumi {
 EyeDepths eye_depths(const Lumigraph& lumigraph, const Eye& eye, double tolerance_px) {
     const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
     EyeDepths result{Image<ConsensusDepth>(eye.camera.width_px, eye.camera.height_px),
-                     choose_depth_views(lumigraph, eye, lumigraph.depth_views)};
+                     choose_depth_views(lumigraph, eye, lumigraph.drawing.depth_views)};
     const double agreeing =
         agreeing_inverse_depth(lumigraph, geometries, result.view_indices,
                                centre_in_world(eye.cam_from_world), tolerance_px);

@@ -61,11 +61,11 @@ double PointInViews::visibility(int view_index, const RayPoint& point,
         std::abs(at.inverse_depth - *seen) *
         disparity_px_per_inverse_depth(geometries_[static_cast<std::size_t>(view_index)],
                                        eye_in_world_);
-    return visibility_of(difference_px, lumigraph_.occlusion_tolerance_px);
+    return visibility_of(difference_px, lumigraph_.drawing.occlusion_tolerance_px);
 }
 
 bool PointInViews::is_guess_hidden(int view_index, const RayPoint& point) const {
-    if (!lumigraph_.checks_guesses || view(view_index).depth.inverse_depth.empty() ||
+    if (!lumigraph_.drawing.checks_guesses || view(view_index).depth.inverse_depth.empty() ||
         !is_inside(view_index, point))
         return false;
     const Sight at = *sight(view_index, point);

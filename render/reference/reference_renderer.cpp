@@ -118,7 +118,7 @@ ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
     if (options.mode != RenderMode::kPerPixel || !has_depth(lumigraph)) return;
     depth_.emplace(lumigraph, views_.geometries(), eye, options);
     is_in_blocks_ = is_drawn_in_blocks(lumigraph, eye, options);
-    if (lumigraph.fills_holes && !options.fade_beyond_capture)
+    if (lumigraph.drawing.fills_holes && !options.fade_beyond_capture)
         filled_ = filled_holes(lumigraph, *depth_, eye, options);
 }
 

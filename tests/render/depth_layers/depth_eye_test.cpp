@@ -68,13 +68,13 @@ TEST(DepthEye, HasSeveralTexelsAPixelWhereDepthTellsSilhouettesThatFinely) {
     with_close_ups.lumigraph.mesh.shells.emplace_back();
     EXPECT_FALSE(is_smooth(with_close_ups));
     ViewAndEye in_blocks = view_and_eye(64, 64);
-    in_blocks.lumigraph.depth_block_px = kMaxDepthBlock_px;
+    in_blocks.lumigraph.drawing.depth_block_px = kMaxDepthBlock_px;
     EXPECT_FALSE(is_smooth(in_blocks));
 }
 
 bool is_in_blocks(double allowed_block_px, int eye_width_px, const RenderOptions& options = {}) {
     ViewAndEye scene = view_and_eye(64, eye_width_px);  // Its photograph is 64 pixels wide.
-    scene.lumigraph.depth_block_px = allowed_block_px;
+    scene.lumigraph.drawing.depth_block_px = allowed_block_px;
     return is_drawn_in_blocks(scene.lumigraph, scene.eye, options);
 }
 

@@ -80,7 +80,7 @@ TEST(PerPixelGl, DrawsTheSameWithDepthByOpenGlAndByTheCores) {
     Lumigraph lumigraph = card_before_wall();
     const Eye eye = eye_at({0.3, 0.2, 0.2}, {0, 0, 4}, pinhole_camera(61, 45, 55));
     for (const double block_px : {kLeastDepthBlock_px, kMaxDepthBlock_px}) {
-        lumigraph.depth_block_px = block_px;
+        lumigraph.drawing.depth_block_px = block_px;
         const UploadedLumigraph uploaded(lumigraph);
         PerPixel by_open_gl(uploaded, DepthLayers::DrawnBy::kOpenGl);
         PerPixel by_cores(uploaded, DepthLayers::DrawnBy::kCores);

@@ -26,7 +26,7 @@ class Holes : public testing::Test {
         for (const auto& [x, y] : {std::pair(1.3, -0.3), std::pair(1.5, 0.3), std::pair(1.8, 0.0)})
             cameras.push_back(eye_at({x, y, 0.2}, {0, 0, 5}, narrow));
         Lumigraph lumigraph = photographed(AnalyticScene::kCardBeforeWall, cameras);
-        lumigraph.depth_views = kLeastDepthViews;
+        lumigraph.drawing.depth_views = kLeastDepthViews;
         return lumigraph;
     }
 
@@ -51,7 +51,7 @@ class Holes : public testing::Test {
 TEST_F(Holes, AreFilledFromViewsThatWereNotAskedForDepth) {
     const ColorImage ideal = ideal_photograph(AnalyticScene::kCardBeforeWall, eye_);
     const Frame before = OffscreenRenderer(lumigraph_).draw(eye_, {});
-    lumigraph_.fills_holes = true;
+    lumigraph_.drawing.fills_holes = true;
     const Frame after = OffscreenRenderer(lumigraph_).draw(eye_, {});
     const long more = covered(after) - covered(before);
     EXPECT_GT(more, 500);
@@ -62,9 +62,9 @@ TEST_F(Holes, AreFilledFromViewsThatWereNotAskedForDepth) {
 }
 
 TEST_F(Holes, AreFilledAlikeByTheReference) {
-    lumigraph_.fills_holes = true;
+    lumigraph_.drawing.fills_holes = true;
     for (const double block_px : {kLeastDepthBlock_px, kMaxDepthBlock_px}) {
-        lumigraph_.depth_block_px = block_px;
+        lumigraph_.drawing.depth_block_px = block_px;
         for (const GlApi api : {GlApi::kAny, GlApi::kEs}) {
             const Frame drawn = OffscreenRenderer(lumigraph_, api).draw(eye_, {});
             const Frame expected = draw_reference(lumigraph_, eye_, {});
@@ -79,7 +79,7 @@ TEST_F(Holes, AreFilledAlikeByTheReference) {
 
 TEST_F(Holes, AreAllThatChanges) {
     const Frame before = OffscreenRenderer(lumigraph_).draw(eye_, {});
-    lumigraph_.fills_holes = true;
+    lumigraph_.drawing.fills_holes = true;
     const Frame after = OffscreenRenderer(lumigraph_).draw(eye_, {});
     for (std::size_t i = 0; i < before.coverage.pixels().size(); ++i) {
         if (before.coverage.pixels()[i] != 255) continue;
@@ -90,7 +90,7 @@ TEST_F(Holes, AreAllThatChanges) {
 TEST_F(Holes, AreMarkedInThePictureOfWeights) {
     const RenderOptions weights{.debug_picture = DebugPicture::kWeights};
     const Frame before = OffscreenRenderer(lumigraph_).draw(eye_, weights);
-    lumigraph_.fills_holes = true;
+    lumigraph_.drawing.fills_holes = true;
     const Frame after = OffscreenRenderer(lumigraph_).draw(eye_, weights);
     int filled = 0;
     for (std::size_t i = 0; i < before.coverage.pixels().size(); ++i) {
@@ -104,7 +104,7 @@ TEST_F(Holes, AreMarkedInThePictureOfWeights) {
 TEST_F(Holes, FadeLikeTheRestBeyondTheCapture) {
     const RenderOptions fading{.fade_beyond_capture = true};
     const Frame before = OffscreenRenderer(lumigraph_).draw(eye_, fading);
-    lumigraph_.fills_holes = true;
+    lumigraph_.drawing.fills_holes = true;
     EXPECT_EQ(OffscreenRenderer(lumigraph_).draw(eye_, fading).color, before.color);
 }
 

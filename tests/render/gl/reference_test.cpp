@@ -107,11 +107,11 @@ TEST(GlAgainstReference, PerPixelWithGuessesChecked) {
     Lumigraph lumigraph = ball_in_sky();
     const Eye far_outside = eyes_around_ball(lumigraph).front().eye;
     const ColorImage unchecked = draw_reference(lumigraph, far_outside, {}).color;
-    lumigraph.checks_guesses = true;
+    lumigraph.drawing.checks_guesses = true;
     EXPECT_NE(draw_reference(lumigraph, far_outside, {}).color.pixels(), unchecked.pixels());
     expect_gl_equals_reference(lumigraph, eyes_around_ball(lumigraph),
                                {.mode = RenderMode::kPerPixel}, GlApi::kAny);
-    lumigraph.depth_block_px = kMaxDepthBlock_px;
+    lumigraph.drawing.depth_block_px = kMaxDepthBlock_px;
     expect_gl_equals_reference(lumigraph, eyes_around_ball(lumigraph),
                                {.mode = RenderMode::kPerPixel}, GlApi::kAny);
 }
@@ -120,7 +120,7 @@ TEST(GlAgainstReference, PerPixelWhereDepthIsTrustedLess) {
     Lumigraph lumigraph = ball_in_sky();
     const Eye far_outside = eyes_around_ball(lumigraph).front().eye;
     const ColorImage trusted = draw_reference(lumigraph, far_outside, {}).color;
-    lumigraph.occlusion_tolerance_px = kMostOcclusionTolerance_px;
+    lumigraph.drawing.occlusion_tolerance_px = kMostOcclusionTolerance_px;
     EXPECT_NE(draw_reference(lumigraph, far_outside, {}).color.pixels(), trusted.pixels());
     expect_gl_equals_reference(lumigraph, eyes_around_ball(lumigraph),
                                {.mode = RenderMode::kPerPixel}, GlApi::kAny);
@@ -134,7 +134,7 @@ TEST(GlAgainstReference, MipLevelsFromFarAway) {
         {"far away", eye_at({0.2, 0.1, -12}, {0, 0, 4}, pinhole_camera(80, 60, 150))}};
     for (const RenderMode mode : {RenderMode::kPerPixel, RenderMode::kLightField})
         expect_gl_equals_reference(lumigraph, eyes, {.mode = mode}, GlApi::kAny);
-    lumigraph.depth_block_px = kMaxDepthBlock_px;
+    lumigraph.drawing.depth_block_px = kMaxDepthBlock_px;
     expect_gl_equals_reference(lumigraph, eyes, {.mode = RenderMode::kPerPixel}, GlApi::kAny);
 }
 
@@ -147,7 +147,7 @@ TEST(GlAgainstReference, PerPixelWithoutOcclusionCorrection) {
 
 TEST(GlAgainstReference, PerPixelWithTheFewestDepthViews) {
     Lumigraph lumigraph = card_before_wall();
-    lumigraph.depth_views = kLeastDepthViews;
+    lumigraph.drawing.depth_views = kLeastDepthViews;
     expect_gl_equals_reference(lumigraph, eyes_before_wall(lumigraph),
                                {.mode = RenderMode::kPerPixel}, GlApi::kAny);
 }
@@ -160,18 +160,18 @@ std::vector<NamedEye> with_camera(std::vector<NamedEye> eyes, const Camera& came
 
 TEST(GlAgainstReference, PerPixelInBlocks) {
     Lumigraph wall = card_before_wall();
-    wall.depth_block_px = kMaxDepthBlock_px;
+    wall.drawing.depth_block_px = kMaxDepthBlock_px;
     const RenderOptions per_pixel{.mode = RenderMode::kPerPixel};
     expect_gl_equals_reference(wall, eyes_before_wall(wall), per_pixel, GlApi::kAny);
     expect_gl_equals_reference(wall, eyes_before_wall(wall), per_pixel, GlApi::kEs);
     Lumigraph ball = ball_in_sky();
-    ball.depth_block_px = kMaxDepthBlock_px;
+    ball.drawing.depth_block_px = kMaxDepthBlock_px;
     expect_gl_equals_reference(ball, eyes_around_ball(ball), per_pixel, GlApi::kAny);
 }
 
 TEST(GlAgainstReference, PerPixelInBlocksThatReachBeyondAnOddFrame) {
     Lumigraph wall = card_before_wall();
-    wall.depth_block_px = kMaxDepthBlock_px;
+    wall.drawing.depth_block_px = kMaxDepthBlock_px;
     const Camera odd = pinhole_camera(79, 59, 70);
     expect_gl_equals_reference(wall, with_camera(eyes_before_wall(wall), odd),
                                {.mode = RenderMode::kPerPixel}, GlApi::kAny);
@@ -181,7 +181,7 @@ TEST(GlAgainstReference, PerPixelInBlocksOfFourPixelsEachHasItsOwnColour) {
     Lumigraph wall = card_before_wall();
     const Eye eye = eyes_before_wall(wall).front().eye;
     const ColorImage alone = OffscreenRenderer(wall).draw(eye, {}).color;
-    wall.depth_block_px = kMaxDepthBlock_px;
+    wall.drawing.depth_block_px = kMaxDepthBlock_px;
     const ColorImage together = OffscreenRenderer(wall).draw(eye, {}).color;
     const FrameDifference difference = difference_between(alone, together);
     EXPECT_GT(difference.mean, 0.0);
@@ -206,7 +206,7 @@ TEST(GlAgainstReference, AWhiteSceneIsWhiteUpToTheBordersOfPhotographs) {
         eyes.push_back({"from far away", eye_at({0.1, 0.05, -distance}, {0, 0, 4}, kEyeCamera)});
     eyes.push_back({"past the end of the mesh", eye_at({200, 0.1, -100}, {0, 0, 4}, kEyeCamera)});
     for (const double block_px : {kLeastDepthBlock_px, kMaxDepthBlock_px}) {
-        wall.depth_block_px = block_px;
+        wall.drawing.depth_block_px = block_px;
         OffscreenRenderer renderer(wall);
         for (const RenderMode mode :
              {RenderMode::kPerPixel, RenderMode::kLightField, RenderMode::kAdaptive})
@@ -222,7 +222,7 @@ TEST(GlAgainstReference, PerPixelOfSeveralSamplesIsNeverDrawnInBlocks) {
     const Eye eye = eyes_before_wall(wall).front().eye;
     const RenderOptions supersampled{.supersample = true};
     const ColorImage alone = OffscreenRenderer(wall).draw(eye, supersampled).color;
-    wall.depth_block_px = kMaxDepthBlock_px;
+    wall.drawing.depth_block_px = kMaxDepthBlock_px;
     EXPECT_EQ(OffscreenRenderer(wall).draw(eye, supersampled).color, alone);
 }
 
@@ -243,7 +243,7 @@ TEST(GlAgainstReference, PerPixelWithCloseUpsInAShell) {
 
 TEST(GlAgainstReference, PerPixelInBlocksUnderAShell) {
     Lumigraph lumigraph = card_with_close_ups();
-    lumigraph.depth_block_px = kMaxDepthBlock_px;
+    lumigraph.drawing.depth_block_px = kMaxDepthBlock_px;
     expect_gl_equals_reference(lumigraph, eyes_near_card(), {.mode = RenderMode::kPerPixel},
                                GlApi::kAny);
 }

@@ -146,7 +146,7 @@ std::array<int, 2> guesses_of(const Lumigraph& lumigraph) {
 TEST(LumigraphRendererGl, CheckedGuessesShowNothingThatStandsBeforeThem) {
     Lumigraph lumigraph = red_ball();
     const auto [guesses, red_guesses] = guesses_of(lumigraph);
-    lumigraph.checks_guesses = true;
+    lumigraph.drawing.checks_guesses = true;
     const auto [checked, red_checked] = guesses_of(lumigraph);
     EXPECT_GT(red_guesses, 500);
     EXPECT_LT(red_checked, red_guesses / 2) << guesses << ' ' << checked;

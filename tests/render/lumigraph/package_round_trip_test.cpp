@@ -126,45 +126,45 @@ TEST_F(PackageRoundTrip, KeepsConfigurationAndEvidence) {
 }
 
 TEST_F(PackageRoundTrip, KeepsHowManyViewsAreAskedForDepth) {
-    EXPECT_EQ(read_.depth_views, kMaxDepthViews);
-    written_.depth_views = kLeastDepthViews;
+    EXPECT_EQ(read_.drawing.depth_views, kMaxDepthViews);
+    written_.drawing.depth_views = kLeastDepthViews;
     write_package(folder_, written_, tiny_extras());
-    EXPECT_EQ(read_package(folder_).depth_views, kLeastDepthViews);
+    EXPECT_EQ(read_package(folder_).drawing.depth_views, kLeastDepthViews);
 }
 
 TEST_F(PackageRoundTrip, KeepsForHowManyPixelsDepthIsWorkedOutAtOnce) {
-    EXPECT_EQ(read_.depth_block_px, kLeastDepthBlock_px);
-    written_.depth_block_px = 1.46;
+    EXPECT_EQ(read_.drawing.depth_block_px, kLeastDepthBlock_px);
+    written_.drawing.depth_block_px = 1.46;
     write_package(folder_, written_, tiny_extras());
-    EXPECT_EQ(read_package(folder_).depth_block_px, 1.46);
+    EXPECT_EQ(read_package(folder_).drawing.depth_block_px, 1.46);
 }
 
 TEST_F(PackageRoundTrip, KeepsWhetherHolesAreFilled) {
-    EXPECT_FALSE(read_.fills_holes);
-    written_.fills_holes = true;
+    EXPECT_FALSE(read_.drawing.fills_holes);
+    written_.drawing.fills_holes = true;
     write_package(folder_, written_, tiny_extras());
-    EXPECT_TRUE(read_package(folder_).fills_holes);
+    EXPECT_TRUE(read_package(folder_).drawing.fills_holes);
 }
 
 TEST_F(PackageRoundTrip, KeepsWhetherGuessesAreChecked) {
-    EXPECT_FALSE(read_.checks_guesses);
-    written_.checks_guesses = true;
+    EXPECT_FALSE(read_.drawing.checks_guesses);
+    written_.drawing.checks_guesses = true;
     write_package(folder_, written_, tiny_extras());
-    EXPECT_TRUE(read_package(folder_).checks_guesses);
+    EXPECT_TRUE(read_package(folder_).drawing.checks_guesses);
 }
 
 TEST_F(PackageRoundTrip, KeepsWhetherThinThingsAreDrawn) {
-    EXPECT_FALSE(read_.draws_thin);
-    written_.draws_thin = true;
+    EXPECT_FALSE(read_.drawing.draws_thin);
+    written_.drawing.draws_thin = true;
     write_package(folder_, written_, tiny_extras());
-    EXPECT_TRUE(read_package(folder_).draws_thin);
+    EXPECT_TRUE(read_package(folder_).drawing.draws_thin);
 }
 
 TEST_F(PackageRoundTrip, KeepsHowFarDepthIsTrusted) {
-    EXPECT_EQ(read_.occlusion_tolerance_px, kOcclusionTolerance_px);
-    written_.occlusion_tolerance_px = 6;
+    EXPECT_EQ(read_.drawing.occlusion_tolerance_px, kOcclusionTolerance_px);
+    written_.drawing.occlusion_tolerance_px = 6;
     write_package(folder_, written_, tiny_extras());
-    EXPECT_EQ(read_package(folder_).occlusion_tolerance_px, 6);
+    EXPECT_EQ(read_package(folder_).drawing.occlusion_tolerance_px, 6);
 }
 
 TEST_F(PackageRoundTrip, KeepsHowCloselyNoisyDepthIsFollowed) {
@@ -175,22 +175,22 @@ TEST_F(PackageRoundTrip, KeepsHowCloselyNoisyDepthIsFollowed) {
 }
 
 TEST_F(PackageRoundTrip, KeepsHowFarTrianglesMayErr) {
-    EXPECT_EQ(read_.triangle_error_px, kTriangleError_px);
-    written_.triangle_error_px = 1.4;
+    EXPECT_EQ(read_.drawing.triangle_error_px, kTriangleError_px);
+    written_.drawing.triangle_error_px = 1.4;
     write_package(folder_, written_, tiny_extras());
-    EXPECT_EQ(read_package(folder_).triangle_error_px, 1.4);
+    EXPECT_EQ(read_package(folder_).drawing.triangle_error_px, 1.4);
 }
 
 TEST_F(PackageRoundTrip, KeepsExposureGainsToTheBitAndEvensThemOutUnlessToldOtherwise) {
     written_.views[1].exposure_gain = {0.5, 1.0 / 3.0, 2.0};
-    written_.fade_beyond_capture = true;
+    written_.drawing.fade_beyond_capture = true;
     write_package(folder_, written_, tiny_extras());
     const Lumigraph as_taken = read_package(folder_, {}, Exposures::kAsTaken);
     EXPECT_EQ(as_taken.views[1].exposure_gain, written_.views[1].exposure_gain);
     EXPECT_EQ(as_taken.views[1].photograph, written_.views[1].photograph);
     EXPECT_EQ(as_taken.views[0].exposure_gain, kNoExposureGain);
-    EXPECT_TRUE(as_taken.fade_beyond_capture);
-    EXPECT_FALSE(read_.fade_beyond_capture);
+    EXPECT_TRUE(as_taken.drawing.fade_beyond_capture);
+    EXPECT_FALSE(read_.drawing.fade_beyond_capture);
 
     even_exposures(written_);
     const Lumigraph evened = read_package(folder_);

@@ -201,7 +201,7 @@ TEST_F(HiddenPhotographs, ShowNothingThinBetweenCorners) {
     int left_out = 0;
     for (const bool draws_thin : {true, false}) {
         Lumigraph bar = photographed(AnalyticScene::kBarBeforeWall, cameras_);
-        bar.draws_thin = draws_thin;
+        bar.drawing.draws_thin = draws_thin;
         const SearchedViews views = searched_views(bar);
         const DepthSearch search(bar, views, eye_);
         const Eigen::Vector3d plane = scene_plane_inverse_depth(bar, eye_);

@@ -25,7 +25,7 @@ const Eye kEye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, pinhole_camera(128, 96, 1
 
 /// With a tolerance that does not reach from the card to the wall.
 Lumigraph told_apart(Lumigraph scene) {
-    scene.occlusion_tolerance_px = 0.9;
+    scene.drawing.occlusion_tolerance_px = 0.9;
     return scene;
 }
 

@@ -25,7 +25,7 @@ class ThinTriangles : public testing::Test {
     static Lumigraph lumigraph_of(AnalyticScene scene) {
         Lumigraph lumigraph = photographed(scene, {before_bar(0.4, 0.3), before_bar(-0.4, 0.3),
                                                    before_bar(-0.4, -0.3), before_bar(0.4, -0.3)});
-        lumigraph.draws_thin = true;
+        lumigraph.drawing.draws_thin = true;
         return lumigraph;
     }
 
@@ -108,7 +108,7 @@ TEST_F(ThinTriangles, AreDrawnWhereALumigraphSaysSoAlone) {
     const std::vector<BlendTriangles> with = adaptive_layers(scene_, views_, eye, {});
     ASSERT_EQ(with.size(), 2U);
     EXPECT_GT(with[1].count(), 0U);
-    scene_.draws_thin = false;
+    scene_.drawing.draws_thin = false;
     const std::vector<BlendTriangles> without =
         adaptive_layers(scene_, searched_views(scene_), eye, {});
     ASSERT_EQ(without.size(), 1U);

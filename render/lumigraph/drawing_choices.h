@@ -1,0 +1,60 @@
+#pragma once
+
+namespace lumi {
+
+/// Two views whose depths agree outvote a third; with four, one may also not know.
+inline constexpr int kLeastDepthViews = 3;
+inline constexpr int kMaxDepthViews = 4;
+
+/// Depth may be worked out for blocks of so many by so many pixels: a GL draws four pixels at once,
+/// and no more.
+inline constexpr int kDepthBlockSide_px = 2;
+/// How wide such blocks may be, in pixels of the photographs. The narrowest: nobody can tell.
+inline constexpr double kLeastDepthBlock_px = 1.0;
+inline constexpr double kMaxDepthBlock_px = kDepthBlockSide_px;
+
+/// Disparity by which depths of one surface may differ.
+inline constexpr double kAgreeingDisparity_px = 1.5;
+
+/// Of a view that sees something else than a point: what is asked for where photographs were not
+/// asked, and what may be.
+inline constexpr double kOcclusionTolerance_px = kAgreeingDisparity_px;
+inline constexpr double kLeastOcclusionTolerance_px = 0.1;
+inline constexpr double kMostOcclusionTolerance_px = 100.0;
+
+/// Of the triangles that `adaptive` draws: what is asked for where photographs were not asked, and
+/// what may be.
+inline constexpr double kTriangleError_px = 0.7;
+inline constexpr double kLeastTriangleError_px = 0.1;
+inline constexpr double kMostTriangleError_px = 10.0;
+
+/// How a Lumigraph is drawn where nobody says otherwise: mostly what its own photographs chose
+/// when the package was made.
+struct DrawingChoices {
+    /// Whether the border of the capture fades (RenderOptions::fade_beyond_capture).
+    bool fade_beyond_capture = false;
+    /// Disparity beyond which a view sees something else than the point that is drawn
+    /// (occlusion.h): the more, the less its depth is to be trusted.
+    double occlusion_tolerance_px = kOcclusionTolerance_px;
+    /// How many views' depths are compared at each pixel, or as many views as there are.
+    int depth_views = kMaxDepthViews;
+    /// Per pixel, depth is worked out for blocks of pixels in frames so fine that these are no
+    /// wider than that, in pixels of the photographs; for kMaxDepthBlock_px in any frame.
+    double depth_block_px = kLeastDepthBlock_px;
+    /// Whether, per pixel, what none of these views sees is drawn from others
+    /// (render/holes/hole_triangles.h): worth its time where much is hidden from them.
+    bool fills_holes = false;
+    /// Whether, per pixel, what is drawn on the scene plane where no depth is known is only what no
+    /// view's depth has something before (kSurelyBefore_px), seen or filled: worth its time where
+    /// subjects stand alone.
+    bool checks_guesses = false;
+    /// How far from the right place `adaptive` may look up photographs before it splits triangles.
+    double triangle_error_px = kTriangleError_px;
+    /// Whether it draws what is thinner than its triangles over them (thin_triangles.h): worth its
+    /// time where there are bars, cables or leaves.
+    bool draws_thin = false;
+
+    bool operator==(const DrawingChoices&) const = default;
+};
+
+}  // namespace lumi
