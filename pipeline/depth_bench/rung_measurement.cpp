@@ -158,8 +158,8 @@ RungMeasurement measure_rung(const DepthBenchScene& scene, const DepthOptions& o
     }
     Lumigraph lumigraph = lumigraph_of(scene, std::move(result.depth_maps), threads);
     make_depth_meshes(lumigraph, threads, progress);
-    lumigraph.drawing.depth_views =
-        sufficient_depth_effort(lumigraph, scene.used.capture, {}, progress).views;
+    KeptBackPhotographs kept_back(lumigraph, scene.used.capture, {}, progress);
+    lumigraph.drawing.depth_views = sufficient_depth_effort(kept_back, lumigraph.drawing).views;
     TileErrors tiles;
     const Evaluation evaluation = evaluate_held_out(
         lumigraph, scene.held_out,

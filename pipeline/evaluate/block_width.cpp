@@ -6,7 +6,6 @@
 
 #include "calib/capture/image_io.h"
 #include "pipeline/evaluate/image_metrics.h"
-#include "pipeline/evaluate/kept_back_rounds.h"
 
 namespace lumi {
 namespace {
@@ -26,16 +25,15 @@ Eye finer_eye(const PicturedEye& picture, double block_px) {
 }
 
 /// In frames as fine as that, summed over the pictures.
-double sum_of_psnr_db(const Lumigraph& lumigraph, const std::vector<PicturedEye>& pictures,
+double sum_of_psnr_db(KeptBackPhotographs& photographs, const DrawingChoices& drawing,
                       double block_px) {
-    OffscreenRenderer renderer(lumigraph);
     double sum_db = 0;
-    for (const PicturedEye& picture : pictures) {
+    photographs.visit(drawing, [&](OffscreenRenderer& others, const PicturedEye& kept_back) {
         const ColorImage frame =
-            renderer.draw(finer_eye(picture, block_px), {.smooth_silhouettes = false}).color;
-        sum_db += psnr_db(picture.photograph,
-                          resized(frame, picture.photograph.width(), picture.photograph.height()));
-    }
+            others.draw(finer_eye(kept_back, block_px), {.smooth_silhouettes = false}).color;
+        const ColorImage& photograph = kept_back.photograph;
+        sum_db += psnr_db(photograph, resized(frame, photograph.width(), photograph.height()));
+    });
     return sum_db;
 }
 
@@ -54,26 +52,21 @@ double width_that_loses(double most_db, const std::vector<BlockLoss>& by_width) 
     return narrower.width_px;
 }
 
-double sufficient_block_px(const Lumigraph& lumigraph, const Capture& capture,
-                           const CameraMeshOptions& mesh_options, double widest_lose_db,
-                           double most_db, Progress& progress) {
+double sufficient_block_px(KeptBackPhotographs& photographs, DrawingChoices drawing,
+                           double widest_lose_db, double most_db) {
+    if (photographs.count() == 0) return kLeastDepthBlock_px;
+    photographs.ask("asking photographs how fine depth must be");
+    DrawingChoices in_blocks = drawing;
+    in_blocks.depth_views = drawing.depth_views = kLeastDepthViews;
+    in_blocks.depth_block_px = kMaxDepthBlock_px;
+    drawing.depth_block_px = kLeastDepthBlock_px;
     std::array<double, kAsked_px.size()> sums_db{};
-    const std::size_t asked = visit_kept_back(
-        lumigraph, capture, mesh_options, "asking photographs how fine depth must be", progress,
-        [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
-            others.drawing.depth_views = kLeastDepthViews;
-            for (std::size_t i = 0; i < kAsked_px.size(); ++i) {
-                progress.throw_if_interrupted();
-                others.drawing.depth_block_px = kLeastDepthBlock_px;
-                sums_db[i] += sum_of_psnr_db(others, pictures, kAsked_px[i]);
-                others.drawing.depth_block_px = kMaxDepthBlock_px;
-                sums_db[i] -= sum_of_psnr_db(others, pictures, kAsked_px[i]);
-            }
-        });
-    if (asked == 0) return kLeastDepthBlock_px;
+    for (std::size_t i = 0; i < kAsked_px.size(); ++i)
+        sums_db[i] = sum_of_psnr_db(photographs, drawing, kAsked_px[i]) -
+                     sum_of_psnr_db(photographs, in_blocks, kAsked_px[i]);
     std::vector<BlockLoss> by_width;
     for (std::size_t i = 0; i < kAsked_px.size(); ++i)
-        by_width.push_back({kAsked_px[i], sums_db[i] / static_cast<double>(asked)});
+        by_width.push_back({kAsked_px[i], sums_db[i] / static_cast<double>(photographs.count())});
     by_width.push_back({kMaxDepthBlock_px, widest_lose_db});
     return kStep_px * std::floor(width_that_loses(most_db, by_width) / kStep_px);
 }

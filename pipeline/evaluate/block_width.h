@@ -2,9 +2,8 @@
 
 #include <vector>
 
-#include "calib/work/progress.h"
-#include "meshing/cameras/camera_mesh_builder.h"
-#include "render/lumigraph/lumigraph.h"
+#include "pipeline/evaluate/kept_back_photographs.h"
+#include "render/lumigraph/drawing_choices.h"
 
 namespace lumi {
 
@@ -20,13 +19,12 @@ struct BlockLoss {
 [[nodiscard]] double width_that_loses(double most_db, const std::vector<BlockLoss>& by_width);
 
 /// How wide blocks of two by two pixels may be (DrawingChoices::depth_block_px) where the widest
-/// lose `widest_lose_db`, more than `most_db`: every sixth view is kept back (kept_back_rounds.h)
-/// and drawn in finer frames, in blocks and pixel by pixel, which are then reduced to its size. The
-/// more pixels a frame has for each of a photograph's, the less anyone sees of its blocks. Larger
-/// photographs are asked in a smaller size, so that theirs might be wider still. The narrowest for
-/// fewer than eight views, of which nobody is asked. Throws Error (E-GL-...).
-[[nodiscard]] double sufficient_block_px(const Lumigraph& lumigraph, const Capture& capture,
-                                         const CameraMeshOptions& mesh_options,
-                                         double widest_lose_db, double most_db, Progress& progress);
+/// lose `widest_lose_db`, more than `most_db`: photographs that are kept back are drawn in finer
+/// frames, in blocks and pixel by pixel, which are then reduced to their size. The more pixels a
+/// frame has for each of a photograph's, the less anyone sees of its blocks. Larger photographs are
+/// asked in a smaller size, so that theirs might be wider still. The narrowest for fewer than eight
+/// views, of which nobody is asked. Throws Error (E-GL-...).
+[[nodiscard]] double sufficient_block_px(KeptBackPhotographs& photographs, DrawingChoices drawing,
+                                         double widest_lose_db, double most_db);
 
 }  // namespace lumi

@@ -5,7 +5,6 @@
 
 #include "meshing/selection/one_standard_error.h"
 #include "pipeline/evaluate/block_width.h"
-#include "pipeline/evaluate/kept_back_rounds.h"
 
 namespace lumi {
 namespace {
@@ -38,34 +37,24 @@ constexpr std::array kChoices{kMostViews,       kFewestViews,       kInBlocks,
 
 using LossesDb = std::vector<double>;
 
-LossesDb losses_db_of(const Choice& choice, Lumigraph& lumigraph,
-                      const std::vector<PicturedEye>& pictures) {
-    lumigraph.drawing.depth_views = choice.depth_views;
-    lumigraph.drawing.depth_block_px = choice.depth_block_px;
-    lumigraph.drawing.fills_holes = choice.fills_holes;
-    lumigraph.drawing.checks_guesses = choice.checks_guesses;
-    OffscreenRenderer renderer(lumigraph);
-    return draw_pictures(renderer, pictures, kAlike).losses_db;
-}
-
-void append(const LossesDb& more, LossesDb& losses_db) {
-    losses_db.insert(losses_db.end(), more.begin(), more.end());
+LossesDb losses_db_of(const Choice& choice, DrawingChoices drawing,
+                      KeptBackPhotographs& photographs) {
+    drawing.depth_views = choice.depth_views;
+    drawing.depth_block_px = choice.depth_block_px;
+    drawing.fills_holes = choice.fills_holes;
+    drawing.checks_guesses = choice.checks_guesses;
+    return photographs.draw(drawing, kAlike).losses_db;
 }
 
 }  // namespace
 
-DepthEffort sufficient_depth_effort(const Lumigraph& lumigraph, const Capture& capture,
-                                    const CameraMeshOptions& mesh_options, Progress& progress) {
+DepthEffort sufficient_depth_effort(KeptBackPhotographs& photographs,
+                                    const DrawingChoices& drawing) {
+    if (photographs.count() == 0) return {};
+    photographs.ask("asking photographs how well depth must be known");
     std::array<LossesDb, kChoices.size()> losses_db;
-    const std::size_t asked = visit_kept_back(
-        lumigraph, capture, mesh_options, "asking photographs how well depth must be known",
-        progress, [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
-            for (std::size_t choice = 0; choice < kChoices.size(); ++choice) {
-                progress.throw_if_interrupted();
-                append(losses_db_of(kChoices[choice], others, pictures), losses_db[choice]);
-            }
-        });
-    if (asked == 0) return {};
+    for (std::size_t choice = 0; choice < kChoices.size(); ++choice)
+        losses_db[choice] = losses_db_of(kChoices[choice], drawing, photographs);
     const auto& [most_views, fewest_views, in_blocks, most_filled, fewest_filled, most_checked] =
         losses_db;
     const Excess of_fewest = excess_over(fewest_views, most_views);
@@ -75,17 +64,17 @@ DepthEffort sufficient_depth_effort(const Lumigraph& lumigraph, const Capture& c
     const LossesDb& unfilled = has_few ? fewest_views : most_views;
     const Excess of_holes = excess_over(unfilled, filled);
     const Excess of_guesses = excess_over(most_filled, most_checked);
-    const double block_px = of_blocks.mean <= kUnseenLoss_db
-                                ? kMaxDepthBlock_px
-                                : sufficient_block_px(lumigraph, capture, mesh_options,
-                                                      of_blocks.mean, kUnseenLoss_db, progress);
+    const double block_px =
+        of_blocks.mean <= kUnseenLoss_db
+            ? kMaxDepthBlock_px
+            : sufficient_block_px(photographs, drawing, of_blocks.mean, kUnseenLoss_db);
     return {
         .views = has_few ? kLeastDepthViews : kMaxDepthViews,
         .block_px = block_px,
         .fills_holes = simplest_as_good({filled, unfilled}) == 0 && of_holes.mean > kUnseenLoss_db,
         .checks_guesses =
             simplest_as_good({most_checked, most_filled}) == 0 && of_guesses.mean > kUnseenLoss_db,
-        .pictures = static_cast<int>(asked),
+        .pictures = static_cast<int>(photographs.count()),
         .fewer_views_lose_db = of_fewest.mean,
         .standard_error_db = of_fewest.standard_error,
         .blocks_lose_db = of_blocks.mean,

@@ -82,11 +82,14 @@ class MeshQuestion {
     void add_losses(Lumigraph& others, const std::vector<PicturedEye>& pictures,
                     std::vector<MeshLossesDb>& losses_db) const {
         losses_db.resize(tolerances_px_.size());
+        OffscreenRenderer renderer(others);
         for (std::size_t i = 0; i < tolerances_px_.size(); ++i) {
             progress_.throw_if_interrupted();
             others.drawing.occlusion_tolerance_px = tolerances_px_[i];
-            OffscreenRenderer renderer(others);
-            const DrawnPictures drawn = draw_pictures(renderer, pictures, kMeshesAlike);
+            renderer.choose(others.drawing);
+            DrawnPictures drawn;
+            for (const PicturedEye& picture : pictures)
+                draw_picture(renderer, picture, kMeshesAlike, drawn);
             losses_db[i].insert(losses_db[i].end(), drawn.losses_db.begin(), drawn.losses_db.end());
         }
     }

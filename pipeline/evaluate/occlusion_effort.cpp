@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "meshing/selection/one_standard_error.h"
-#include "pipeline/evaluate/kept_back_rounds.h"
 
 namespace lumi {
 namespace {
@@ -25,27 +24,19 @@ std::size_t beside(std::size_t chosen) {
 
 }  // namespace
 
-OcclusionEffort sufficient_occlusion_effort(const Lumigraph& lumigraph, const Capture& capture,
-                                            const CameraMeshOptions& mesh_options,
-                                            Progress& progress) {
-    std::vector<std::vector<double>> losses_db(kTolerances_px.size());
-    const std::size_t asked = visit_kept_back(
-        lumigraph, capture, mesh_options, "asking photographs how far depth is to be trusted",
-        progress, [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
-            for (std::size_t i = 0; i < kTolerances_px.size(); ++i) {
-                progress.throw_if_interrupted();
-                others.drawing.occlusion_tolerance_px = kTolerances_px[i];
-                OffscreenRenderer renderer(others);
-                const DrawnPictures drawn = draw_pictures(renderer, pictures, kAlike);
-                losses_db[i].insert(losses_db[i].end(), drawn.losses_db.begin(),
-                                    drawn.losses_db.end());
-            }
-        });
-    if (asked == 0) return {};
+OcclusionEffort sufficient_occlusion_effort(KeptBackPhotographs& photographs,
+                                            DrawingChoices drawing) {
+    if (photographs.count() == 0) return {};
+    photographs.ask("asking photographs how far depth is to be trusted");
+    std::vector<std::vector<double>> losses_db;
+    for (const double tolerance_px : kTolerances_px) {
+        drawing.occlusion_tolerance_px = tolerance_px;
+        losses_db.push_back(photographs.draw(drawing, kAlike).losses_db);
+    }
     const std::size_t chosen = simplest_as_good(losses_db);
     const Excess gain = excess_over(losses_db[beside(chosen)], losses_db[chosen]);
     return {.tolerance_px = kTolerances_px[chosen],
-            .pictures = static_cast<int>(asked),
+            .pictures = static_cast<int>(photographs.count()),
             .beside_px = kTolerances_px[beside(chosen)],
             .gains_db = gain.mean,
             .standard_error_db = gain.standard_error};

@@ -1,22 +1,19 @@
 #pragma once
 
-#include "calib/work/progress.h"
-#include "meshing/cameras/camera_mesh_builder.h"
+#include "pipeline/evaluate/kept_back_photographs.h"
 #include "pipeline/stages/drawing_effort.h"
-#include "render/lumigraph/lumigraph.h"
+#include "render/lumigraph/drawing_choices.h"
 
 namespace lumi {
 
 /// From how far on, in pixels of disparity, a view is not to be blended any more because it sees
 /// something else. Where depth is noisy a narrow tolerance takes views away at random, and what is
 /// left changes from pixel to pixel; where it is right a wide one blends what hides a point with
-/// it. Photographs that are kept back (kept_back_rounds.h) say how much that loses `perpixel`: of
-/// the tolerances asked the least that they cannot tell from the best (the one-standard-error
-/// rule). None costs more time than another. For fewer than eight views nobody is asked.
-/// `capture.views` lists the Lumigraph's views in the same order. Throws Error (E-GL-...).
-[[nodiscard]] OcclusionEffort sufficient_occlusion_effort(const Lumigraph& lumigraph,
-                                                          const Capture& capture,
-                                                          const CameraMeshOptions& mesh_options,
-                                                          Progress& progress);
+/// it. Photographs that are kept back (kept_back_photographs.h) say how much that loses `perpixel`:
+/// of the tolerances asked the least that they cannot tell from the best (the one-standard-error
+/// rule). None costs more time than another. All else is drawn as `drawing` says. For fewer than
+/// eight views nobody is asked. Throws Error (E-GL-...).
+[[nodiscard]] OcclusionEffort sufficient_occlusion_effort(KeptBackPhotographs& photographs,
+                                                          DrawingChoices drawing);
 
 }  // namespace lumi

@@ -32,27 +32,20 @@ PicturedEye no_larger_than(PicturedEye picture, int max_px) {
             resized(picture.photograph, width_px, height_px)};
 }
 
-DrawnPictures draw_pictures(OffscreenRenderer& renderer, const std::vector<PicturedEye>& pictures,
-                            const RenderOptions& options) {
-    DrawnPictures drawn;
-    std::vector<double> frame_ms;
-    for (const PicturedEye& picture : pictures) {
-        const Stopwatch stopwatch;
-        const Frame frame = renderer.draw(picture.eye, options);
-        frame_ms.push_back(1000.0 * stopwatch.elapsed().wall_s);
-        drawn.losses_db.push_back(-psnr_db(picture.photograph, frame.color));
-        drawn.mean_triangles +=
-            static_cast<double>(frame.statistics.triangles) / static_cast<double>(pictures.size());
-    }
-    const auto middle = frame_ms.begin() + static_cast<std::ptrdiff_t>(frame_ms.size() / 2);
-    std::nth_element(frame_ms.begin(), middle, frame_ms.end());
-    drawn.median_ms = *middle;
-    return drawn;
+void draw_picture(OffscreenRenderer& renderer, const PicturedEye& picture,
+                  const RenderOptions& options, DrawnPictures& drawn) {
+    const Stopwatch stopwatch;
+    const Frame frame = renderer.draw(picture.eye, options);
+    drawn.frame_ms.push_back(1000.0 * stopwatch.elapsed().wall_s);
+    drawn.losses_db.push_back(-psnr_db(picture.photograph, frame.color));
+    drawn.triangles.push_back(static_cast<double>(frame.statistics.triangles));
 }
 
 DrawnPictures draw_pictures(const Lumigraph& lumigraph, const std::vector<PicturedEye>& pictures) {
     OffscreenRenderer renderer(lumigraph);
-    return draw_pictures(renderer, pictures, {});
+    DrawnPictures drawn;
+    for (const PicturedEye& picture : pictures) draw_picture(renderer, picture, {}, drawn);
+    return drawn;
 }
 
 }  // namespace lumi

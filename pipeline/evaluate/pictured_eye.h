@@ -25,19 +25,18 @@ struct KeptBackViews {
 /// The picture in a size of at most so many pixels across.
 [[nodiscard]] PicturedEye no_larger_than(PicturedEye picture, int max_px);
 
-/// How close a Lumigraph comes to photographs, and how fast.
+/// How close a Lumigraph comes to photographs, and how fast: of each.
 struct DrawnPictures {
-    std::vector<double> losses_db;  ///< Minus the PSNR of each, full frame.
-    double median_ms = 0.0;         ///< Of a frame.
-    double mean_triangles = 0.0;    ///< The same.
+    std::vector<double> losses_db;  ///< Minus the PSNR, full frame.
+    std::vector<double> frame_ms;
+    std::vector<double> triangles;
 };
 
-/// Draws each. There must be one.
-[[nodiscard]] DrawnPictures draw_pictures(OffscreenRenderer& renderer,
-                                          const std::vector<PicturedEye>& pictures,
-                                          const RenderOptions& options);
+/// Draws one more.
+void draw_picture(OffscreenRenderer& renderer, const PicturedEye& picture,
+                  const RenderOptions& options, DrawnPictures& drawn);
 
-/// Draws each per pixel. There must be one. Throws Error (E-GL-...).
+/// Draws each per pixel. Throws Error (E-GL-...).
 [[nodiscard]] DrawnPictures draw_pictures(const Lumigraph& lumigraph,
                                           const std::vector<PicturedEye>& pictures);
 

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "meshing/selection/one_standard_error.h"
-#include "pipeline/evaluate/kept_back_rounds.h"
 
 namespace lumi {
 namespace {
@@ -20,25 +21,22 @@ constexpr double kMostLoss_db = 0.2;
 /// A fifth of it, as for holes (depth_effort.cpp): it costs up to a tenth of a frame.
 constexpr double kLeastThinGain_db = 0.1;
 
-/// Of one error, over all pictures.
-struct Outcome {
-    double loss_db = 0.0;
-    double triangles = 0.0;
-};
-
 using LossesDb = std::vector<double>;
 
-RenderOptions with_error(double error_px, const Lumigraph& others) {
+/// Of triangles of this error.
+RenderOptions with_error(double error_px, const DrawingChoices& drawing) {
     return {.mode = RenderMode::kAdaptive,
-            .triangle_error_ratio = error_px / others.drawing.triangle_error_px};
+            .triangle_error_ratio = error_px / drawing.triangle_error_px};
 }
 
 /// Of triangles of the usual error, with what is thin drawn over them.
-LossesDb losses_with_thin(Lumigraph& others, const std::vector<PicturedEye>& pictures) {
-    others.drawing.draws_thin = true;
-    OffscreenRenderer renderer(others);
-    others.drawing.draws_thin = false;
-    return draw_pictures(renderer, pictures, with_error(kTriangleError_px, others)).losses_db;
+LossesDb losses_with_thin(KeptBackPhotographs& photographs, DrawingChoices drawing) {
+    drawing.draws_thin = true;
+    return photographs.draw(drawing, with_error(kTriangleError_px, drawing)).losses_db;
+}
+
+double mean_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 void conclude_of_thin(const LossesDb& with, const LossesDb& without, TriangleEffort& effort) {
@@ -50,42 +48,28 @@ void conclude_of_thin(const LossesDb& with, const LossesDb& without, TriangleEff
 
 }  // namespace
 
-TriangleEffort sufficient_triangle_effort(const Lumigraph& lumigraph, const Capture& capture,
-                                          const CameraMeshOptions& mesh_options,
-                                          Progress& progress) {
-    std::array<Outcome, kErrors_px.size()> sums;
-    LossesDb with_thin;
+TriangleEffort sufficient_triangle_effort(KeptBackPhotographs& photographs,
+                                          DrawingChoices drawing) {
+    if (photographs.count() == 0) return {};
+    photographs.ask("asking photographs how fine triangles must be");
+    const LossesDb with_thin = losses_with_thin(photographs, drawing);
+    drawing.draws_thin = false;
     LossesDb without_thin;
-    const std::size_t asked = visit_kept_back(
-        lumigraph, capture, mesh_options, "asking photographs how fine triangles must be", progress,
-        [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
-            const LossesDb more = losses_with_thin(others, pictures);
-            with_thin.insert(with_thin.end(), more.begin(), more.end());
-            OffscreenRenderer renderer(others);
-            for (std::size_t i = 0; i < kErrors_px.size(); ++i) {
-                progress.throw_if_interrupted();
-                const DrawnPictures drawn =
-                    draw_pictures(renderer, pictures, with_error(kErrors_px[i], others));
-                for (const double loss_db : drawn.losses_db) {
-                    sums[i].loss_db += loss_db;
-                    if (kErrors_px[i] == kTriangleError_px) without_thin.push_back(loss_db);
-                }
-                sums[i].triangles += drawn.mean_triangles * static_cast<double>(pictures.size());
-            }
-        });
-    if (asked == 0) return {};
-    const auto count = static_cast<double>(asked);
-    const double least_db =
-        std::min_element(sums.begin(), sums.end(),
-                         [](const Outcome& a, const Outcome& b) { return a.loss_db < b.loss_db; })
-            ->loss_db /
-        count;
+    std::array<double, kErrors_px.size()> losses_db{};
+    std::array<double, kErrors_px.size()> triangles{};
+    for (std::size_t i = 0; i < kErrors_px.size(); ++i) {
+        DrawnPictures drawn = photographs.draw(drawing, with_error(kErrors_px[i], drawing));
+        losses_db[i] = mean_of(drawn.losses_db);
+        triangles[i] = mean_of(drawn.triangles);
+        if (kErrors_px[i] == kTriangleError_px) without_thin = std::move(drawn.losses_db);
+    }
+    const double least_db = *std::min_element(losses_db.begin(), losses_db.end());
     std::size_t chosen = kErrors_px.size() - 1;
-    while (sums[chosen].loss_db / count > least_db + kMostLoss_db) --chosen;
+    while (losses_db[chosen] > least_db + kMostLoss_db) --chosen;
     TriangleEffort effort{.error_px = kErrors_px[chosen],
-                          .pictures = static_cast<int>(asked),
-                          .loses_db = sums[chosen].loss_db / count - least_db,
-                          .triangles = sums[chosen].triangles / count};
+                          .pictures = static_cast<int>(photographs.count()),
+                          .loses_db = losses_db[chosen] - least_db,
+                          .triangles = triangles[chosen]};
     conclude_of_thin(with_thin, without_thin, effort);
     return effort;
 }

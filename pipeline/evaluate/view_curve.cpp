@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "calib/capture/image_io.h"
+#include "calib/work/median.h"
 #include "calib/work/stopwatch.h"
 #include "pipeline/evaluate/pictured_eye.h"
 #include "pipeline/stages/chosen_views.h"
@@ -34,7 +35,7 @@ class ChoiceJudge {
     [[nodiscard]] std::vector<double> losses_of(const std::vector<int>& views) {
         DrawnPictures drawn = draw_pictures(
             lumigraph_of_views(lumigraph_, capture_, views, mesh_options_), pictures_);
-        last_ms_ = drawn.median_ms;
+        last_ms_ = median_of(std::move(drawn.frame_ms));
         return std::move(drawn.losses_db);
     }
     [[nodiscard]] double last_ms() const { return last_ms_; }

@@ -6,10 +6,7 @@
 
 #include "calib/work/whole_file.h"
 #include "meshing/geometry/binary_volume.h"
-#include "pipeline/evaluate/depth_effort.h"
-#include "pipeline/evaluate/depth_mesh_effort.h"
-#include "pipeline/evaluate/occlusion_effort.h"
-#include "pipeline/evaluate/triangle_effort.h"
+#include "pipeline/evaluate/asked_efforts.h"
 #include "pipeline/evaluate/view_curve.h"
 #include "pipeline/line/code_version.h"
 #include "pipeline/line/external_tools.h"
@@ -162,21 +159,12 @@ class Line {
                              return sufficient_views(lumigraph, capture, config_.mesh, progress_);
                          },
                          [this](const Lumigraph& lumigraph, const Capture& capture) {
-                             return sufficient_depth_mesh_effort(
-                                 lumigraph, capture, config_.mesh,
-                                 config_.drawing.occlusion_tolerance_px, progress_);
+                             return asked_depth_mesh_effort(lumigraph, capture, config_.mesh,
+                                                            config_.drawing, progress_);
                          },
                          [this](const Lumigraph& lumigraph, const Capture& capture) {
-                             return sufficient_occlusion_effort(lumigraph, capture, config_.mesh,
-                                                                progress_);
-                         },
-                         [this](const Lumigraph& lumigraph, const Capture& capture) {
-                             return sufficient_depth_effort(lumigraph, capture, config_.mesh,
-                                                            progress_);
-                         },
-                         [this](const Lumigraph& lumigraph, const Capture& capture) {
-                             return sufficient_triangle_effort(lumigraph, capture, config_.mesh,
-                                                               progress_);
+                             return asked_drawing_efforts(lumigraph, capture, config_.mesh,
+                                                          config_.drawing, progress_);
                          }},
                         workspace_.package_folder(), folder, threads_, progress_);
                 },

@@ -9,6 +9,28 @@ namespace lumi {
 
 using Json = nlohmann::ordered_json;
 
+void choose(const OcclusionEffort& effort, DrawingChoices& drawing) {
+    drawing.occlusion_tolerance_px = effort.tolerance_px;
+}
+
+void choose(const DepthEffort& effort, DrawingChoices& drawing) {
+    drawing.depth_views = effort.views;
+    drawing.depth_block_px = effort.block_px;
+    drawing.fills_holes = effort.fills_holes;
+    drawing.checks_guesses = effort.checks_guesses;
+}
+
+void choose(const TriangleEffort& effort, DrawingChoices& drawing) {
+    drawing.triangle_error_px = effort.error_px;
+    drawing.draws_thin = effort.draws_thin;
+}
+
+void choose(const DrawingEfforts& efforts, DrawingChoices& drawing) {
+    choose(efforts.occlusion, drawing);
+    choose(efforts.depth, drawing);
+    choose(efforts.triangles, drawing);
+}
+
 std::string text_of_depth_blocks(double block_px) {
     if (block_px >= kMaxDepthBlock_px) return "each block of 2 by 2 pixels";
     return "each pixel, or block of 2 by 2 in frames " +

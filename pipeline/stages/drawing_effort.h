@@ -58,6 +58,19 @@ struct TriangleEffort {
     double thin_standard_error_db = 0.0;  ///< Of that.
 };
 
+/// All that photographs choose of how they are drawn, in this order.
+struct DrawingEfforts {
+    OcclusionEffort occlusion;
+    DepthEffort depth;
+    TriangleEffort triangles;
+};
+
+/// Draws as was chosen.
+void choose(const OcclusionEffort& effort, DrawingChoices& drawing);
+void choose(const DepthEffort& effort, DrawingChoices& drawing);
+void choose(const TriangleEffort& effort, DrawingChoices& drawing);
+void choose(const DrawingEfforts& efforts, DrawingChoices& drawing);
+
 /// Where depth is worked out, for people: "each block of 2 by 2 pixels".
 [[nodiscard]] std::string text_of_depth_blocks(double block_px);
 

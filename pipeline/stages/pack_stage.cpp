@@ -7,7 +7,6 @@
 #include "calib/work/parallel_for.h"
 #include "meshing/exposure/exposure_gains.h"
 #include "meshing/surface/mesh_io.h"
-#include "pipeline/stages/asked_efforts.h"
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/stages/depth_files.h"
 #include "pipeline/stages/depth_range.h"
@@ -103,28 +102,6 @@ PackageExtras extras_of(const PackSources& sources) {
             .points = sources.photographs.capture.points};
 }
 
-/// What photographs ask for, and the Lumigraph is drawn with.
-struct Efforts {
-    OcclusionEffort occlusion;
-    DepthEffort depth;
-    TriangleEffort triangles;
-};
-
-Efforts choose_drawing(const PackSources& sources, Lumigraph& lumigraph, Progress& progress) {
-    Efforts efforts;
-    efforts.occlusion = occlusion_effort(sources, lumigraph, progress);
-    lumigraph.drawing.occlusion_tolerance_px = efforts.occlusion.tolerance_px;
-    efforts.depth = depth_effort(sources, lumigraph, progress);
-    lumigraph.drawing.depth_views = efforts.depth.views;
-    lumigraph.drawing.depth_block_px = efforts.depth.block_px;
-    lumigraph.drawing.fills_holes = efforts.depth.fills_holes;
-    lumigraph.drawing.checks_guesses = efforts.depth.checks_guesses;
-    efforts.triangles = triangle_effort(sources, lumigraph, progress);
-    lumigraph.drawing.triangle_error_px = efforts.triangles.error_px;
-    lumigraph.drawing.draws_thin = efforts.triangles.draws_thin;
-    return efforts;
-}
-
 /// With depth meshes as fine as is asked for.
 DepthMeshEffort make_asked_depth_meshes(const PackSources& sources, Lumigraph& lumigraph,
                                         int threads, Progress& progress) {
@@ -132,7 +109,8 @@ DepthMeshEffort make_asked_depth_meshes(const PackSources& sources, Lumigraph& l
         lumigraph.noisy_depth_error_px = sources.drawing.noisy_depth_error_px;
     make_depth_meshes(lumigraph, threads, progress);
     // Whether depth tells noise, and so whether photographs are asked, the meshes say.
-    const DepthMeshEffort effort = depth_mesh_effort(sources, lumigraph, progress);
+    const DepthMeshEffort effort =
+        sources.depth_mesh_effort(lumigraph, capture_of(lumigraph, sources.photographs));
     if (effort.noisy_error_px == lumigraph.noisy_depth_error_px) return effort;
     lumigraph.noisy_depth_error_px = effort.noisy_error_px;
     make_depth_meshes(lumigraph, threads, progress);
@@ -161,7 +139,9 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     const DepthMeshEffort of_meshes =
         make_asked_depth_meshes(sources, lumigraph, threads, progress);
     limit.keep_to_size(lumigraph);
-    const Efforts efforts = choose_drawing(sources, lumigraph, progress);
+    const DrawingEfforts efforts =
+        sources.drawing_efforts(lumigraph, capture_of(lumigraph, sources.photographs));
+    choose(efforts, lumigraph.drawing);
     progress.begin("writing the package", 0);
     write_package(package_folder, lumigraph, extras);
     write_json_file(record_path(folder),

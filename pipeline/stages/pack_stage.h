@@ -30,18 +30,12 @@ struct PackSources {
     CameraMeshOptions mesh_options;  ///< For the camera mesh over fewer views.
     /// How many views are enough; asked for when the options want the fewest.
     std::function<int(const Lumigraph& lumigraph, const Capture& capture)> sufficient_views;
-    /// How closely noisy depth must be followed; asked for where the drawing options do not say.
+    /// How closely depth meshes follow noisy depth: they are made with what the Lumigraph says.
     std::function<DepthMeshEffort(const Lumigraph& lumigraph, const Capture& capture)>
-        sufficient_depth_mesh_effort;
-    /// How far depth is to be trusted; the same.
-    std::function<OcclusionEffort(const Lumigraph& lumigraph, const Capture& capture)>
-        sufficient_occlusion_effort;
-    /// How much is enough to know depth; the same.
-    std::function<DepthEffort(const Lumigraph& lumigraph, const Capture& capture)>
-        sufficient_depth_effort;
-    /// How fine triangles must be; the same.
-    std::function<TriangleEffort(const Lumigraph& lumigraph, const Capture& capture)>
-        sufficient_triangle_effort;
+        depth_mesh_effort;
+    /// How it is drawn.
+    std::function<DrawingEfforts(const Lumigraph& lumigraph, const Capture& capture)>
+        drawing_efforts;
 };
 
 /// Everything -> the package at `package_folder`, and pack.json (PackRecord) in `folder`. Where

@@ -15,9 +15,10 @@ GrayImage torn_squares_of(const LumigraphView& view, double disparity_px) {
 }  // namespace
 
 SearchedViews searched_views(const Lumigraph& lumigraph) {
-    SearchedViews views{view_geometries(lumigraph), std::vector<TiledDepth>(lumigraph.views.size()),
+    SearchedViews views{view_geometries(lumigraph),
+                        std::vector<TiledDepth>(lumigraph.views.size()),
                         std::vector<std::vector<OutlinePoint>>(lumigraph.views.size()),
-                        std::vector<ThinSurfaces>(lumigraph.views.size())};
+                        {}};
     parallel_for(static_cast<int>(lumigraph.views.size()), 0, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         const LumigraphView& view = lumigraph.views[index];
@@ -26,10 +27,21 @@ SearchedViews searched_views(const Lumigraph& lumigraph) {
         const GrayImage torn = torn_squares_of(view, disparity_px);
         views.depths[index] = {view.depth, torn};
         views.outlines[index] = view_outlines(view, torn);
-        if (lumigraph.drawing.draws_thin)
-            views.thin[index] = thin_surfaces(view, disparity_px, depth_mesh_options(lumigraph));
     });
+    views.thin = drawn_thin_surfaces(lumigraph, views.geometries);
     return views;
+}
+
+std::vector<ThinSurfaces> drawn_thin_surfaces(const Lumigraph& lumigraph,
+                                              const std::vector<ViewGeometry>& geometries) {
+    std::vector<ThinSurfaces> thin(lumigraph.views.size());
+    if (!lumigraph.drawing.draws_thin) return thin;
+    parallel_for(static_cast<int>(thin.size()), 0, [&](int i) {
+        const auto index = static_cast<std::size_t>(i);
+        thin[index] = thin_surfaces(lumigraph.views[index], max_disparity_px(geometries[index]),
+                                    depth_mesh_options(lumigraph));
+    });
+    return thin;
 }
 
 }  // namespace lumi

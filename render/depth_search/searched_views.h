@@ -15,9 +15,14 @@ struct SearchedViews {
     std::vector<ViewGeometry> geometries;
     std::vector<TiledDepth> depths;  ///< Their depth maps; empty where a view has none.
     std::vector<std::vector<OutlinePoint>> outlines;  ///< In them (view_outlines.h).
-    std::vector<ThinSurfaces> thin;  ///< Where they are drawn (DrawingChoices::draws_thin).
+    /// Empty where they are not drawn (DrawingChoices::draws_thin).
+    std::vector<ThinSurfaces> thin;
 };
 
 [[nodiscard]] SearchedViews searched_views(const Lumigraph& lumigraph);
+
+/// What is thin in each view, where the Lumigraph now draws it. Needs no photographs.
+[[nodiscard]] std::vector<ThinSurfaces> drawn_thin_surfaces(
+    const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries);
 
 }  // namespace lumi

@@ -90,6 +90,12 @@ DrawStatistics LumigraphRenderer::draw(const Eye& eye, const RenderOptions& opti
     return statistics;
 }
 
+void LumigraphRenderer::choose(const DrawingChoices& drawing) {
+    if (drawing == implementation_->uploaded.layout.drawing) return;
+    implementation_->modes.clear();  // Each is made for its choices.
+    implementation_->uploaded.choose(drawing);
+}
+
 std::size_t LumigraphRenderer::texture_bytes() const {
     return implementation_->uploaded.photographs.bytes() +
            implementation_->uploaded.depth_maps.bytes();

@@ -32,6 +32,10 @@ class LumigraphRenderer {
     /// test are off afterwards, no program and no vertex array are bound.
     DrawStatistics draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport);
 
+    /// Frames are drawn with these from now on, instead of the Lumigraph's own; as if it had come
+    /// with them. Nothing is uploaded anew.
+    void choose(const DrawingChoices& drawing);
+
     /// Of the photographs and depth maps in textures, at their finest level.
     [[nodiscard]] std::size_t texture_bytes() const;
 

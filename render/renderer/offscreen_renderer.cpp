@@ -19,6 +19,11 @@ OffscreenRenderer::OffscreenRenderer(const Lumigraph& lumigraph, GlApi api)
     : implementation_(std::make_unique<Implementation>(lumigraph, api)) {}
 OffscreenRenderer::~OffscreenRenderer() = default;
 
+void OffscreenRenderer::choose(const DrawingChoices& drawing) {
+    implementation_->context.make_current();
+    implementation_->renderer.choose(drawing);
+}
+
 Frame OffscreenRenderer::draw(const Eye& eye, const RenderOptions& options) {
     Implementation& gl = *implementation_;
     gl.context.make_current();

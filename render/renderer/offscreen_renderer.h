@@ -20,6 +20,8 @@ class OffscreenRenderer {
     OffscreenRenderer(const OffscreenRenderer&) = delete;
     OffscreenRenderer& operator=(const OffscreenRenderer&) = delete;
 
+    /// LumigraphRenderer::choose.
+    void choose(const DrawingChoices& drawing);
     [[nodiscard]] Frame draw(const Eye& eye, const RenderOptions& options);
     /// GL_RENDERER and GL_VERSION, for reports.
     [[nodiscard]] std::string gl_description() const;

@@ -104,4 +104,9 @@ UploadedLumigraph::UploadedLumigraph(const Lumigraph& lumigraph)
                                     view.depth.inverse_depth.height());
 }
 
+void UploadedLumigraph::choose(const DrawingChoices& drawing) {
+    layout.drawing = drawing;
+    searched_views.thin = drawn_thin_surfaces(layout, searched_views.geometries);
+}
+
 }  // namespace lumi

@@ -28,6 +28,9 @@ struct UploadedLumigraph {
     /// Sizes of the depth maps, (0, 0) without.
     std::vector<Eigen::Vector2i> depth_sizes_px;
 
+    /// Draws with these instead of the choices that it came with.
+    void choose(const DrawingChoices& drawing);
+
     [[nodiscard]] bool has_depth() const { return depth_maps.layers() > 0; }
 };
 

@@ -14,7 +14,9 @@ namespace {
 DepthEffort effort_in(Studio& studio) {
     studio.find_points();
     SilentProgress progress;
-    return sufficient_depth_effort(with_camera_mesh(studio), studio.capture, {}, progress);
+    const Lumigraph lumigraph = with_camera_mesh(studio);
+    KeptBackPhotographs photographs(lumigraph, studio.capture, {}, progress);
+    return sufficient_depth_effort(photographs, lumigraph.drawing);
 }
 
 TEST(DepthEffort, IsTheLeastWhereEachViewSeesEverything) {

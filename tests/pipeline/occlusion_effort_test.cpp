@@ -12,7 +12,9 @@ namespace {
 
 OcclusionEffort effort_for(const Studio& studio) {
     SilentProgress progress;
-    return sufficient_occlusion_effort(with_camera_mesh(studio), studio.capture, {}, progress);
+    const Lumigraph lumigraph = with_camera_mesh(studio);
+    KeptBackPhotographs photographs(lumigraph, studio.capture, {}, progress);
+    return sufficient_occlusion_effort(photographs, lumigraph.drawing);
 }
 
 /// By up to this share, another in each square of a few samples.

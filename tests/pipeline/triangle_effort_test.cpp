@@ -13,7 +13,9 @@ namespace {
 
 TriangleEffort effort_of(const Studio& studio) {
     SilentProgress progress;
-    return sufficient_triangle_effort(with_camera_mesh(studio), studio.capture, {}, progress);
+    const Lumigraph lumigraph = with_camera_mesh(studio);
+    KeptBackPhotographs photographs(lumigraph, studio.capture, {}, progress);
+    return sufficient_triangle_effort(photographs, lumigraph.drawing);
 }
 
 TEST(TriangleEffort, IsTheLeastWherePicturesShowTheSameEverywhere) {

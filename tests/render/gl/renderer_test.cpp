@@ -196,6 +196,54 @@ TEST(LumigraphRendererGl, APackageWithItsDepthMeshesIsDrawnAsOneWithout) {
     EXPECT_EQ(drawn.coverage, expected.coverage);
 }
 
+/// Each choice from how a Lumigraph comes, and back.
+std::vector<DrawingChoices> choices_around(const DrawingChoices& as_made) {
+    std::vector<DrawingChoices> all;
+    const auto add = [&](const auto& change) {
+        DrawingChoices changed = as_made;
+        change(changed);
+        all.push_back(changed);
+    };
+    add([](DrawingChoices& drawing) { drawing.occlusion_tolerance_px = 12; });
+    add([](DrawingChoices& drawing) { drawing.depth_views = kLeastDepthViews; });
+    add([](DrawingChoices& drawing) { drawing.depth_block_px = kMaxDepthBlock_px; });
+    add([](DrawingChoices& drawing) { drawing.fills_holes = true; });
+    add([](DrawingChoices& drawing) { drawing.checks_guesses = true; });
+    add([](DrawingChoices& drawing) { drawing.triangle_error_px = 4; });
+    add([](DrawingChoices& drawing) { drawing.draws_thin = true; });
+    all.push_back(as_made);
+    return all;
+}
+
+/// Before which something is thin.
+Lumigraph bar_before_wall() {
+    std::vector<Eye> cameras;
+    for (const double x : {-0.4, 0.0, 0.4})
+        for (const double y : {-0.3, 0.3})
+            cameras.push_back(eye_at({x, y, 0}, {x, y, 4}, pinhole_camera(256, 192, 200)));
+    return photographed(AnalyticScene::kBarBeforeWall, cameras);
+}
+
+TEST(LumigraphRendererGl, WhatIsChosenLaterIsDrawnAsIfItHadComeSo) {
+    for (Lumigraph lumigraph : {card_before_wall(), bar_before_wall()}) {
+        OffscreenRenderer chosen(lumigraph);
+        const Camera& camera = lumigraph.views.front().camera;
+        const Eye eye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, camera);
+        for (const DrawingChoices& drawing : choices_around(lumigraph.drawing)) {
+            lumigraph.drawing = drawing;
+            OffscreenRenderer made(lumigraph);
+            chosen.choose(drawing);
+            for (const RenderMode mode : {RenderMode::kPerPixel, RenderMode::kAdaptive}) {
+                const Frame expected = made.draw(eye, {.mode = mode});
+                const Frame drawn = chosen.draw(eye, {.mode = mode});
+                EXPECT_EQ(drawn.color, expected.color) << name_of(mode);
+                EXPECT_EQ(drawn.coverage, expected.coverage) << name_of(mode);
+                EXPECT_EQ(drawn.statistics.triangles, expected.statistics.triangles);
+            }
+        }
+    }
+}
+
 TEST(LumigraphRendererGl, DepthTakesTheGhostsAway) {
     const Lumigraph lumigraph = card_before_wall();
     OffscreenRenderer renderer(lumigraph);
