@@ -45,6 +45,12 @@ Lumigraph lumigraph_of(const DepthBenchScene& scene, std::vector<DepthMap> depth
     return lumigraph;
 }
 
+int sufficient_depth_views(const Lumigraph& lumigraph, const DepthBenchScene& scene,
+                           Progress& progress) {
+    KeptBackPhotographs kept_back(lumigraph, scene.used.capture, {}, progress);
+    return sufficient_depth_effort(kept_back, lumigraph.drawing).views;
+}
+
 /// Mean squared errors of tiles, over what was drawn.
 class TileErrors {
  public:
@@ -158,8 +164,7 @@ RungMeasurement measure_rung(const DepthBenchScene& scene, const DepthOptions& o
     }
     Lumigraph lumigraph = lumigraph_of(scene, std::move(result.depth_maps), threads);
     make_depth_meshes(lumigraph, threads, progress);
-    KeptBackPhotographs kept_back(lumigraph, scene.used.capture, {}, progress);
-    lumigraph.drawing.depth_views = sufficient_depth_effort(kept_back, lumigraph.drawing).views;
+    lumigraph.drawing.depth_views = sufficient_depth_views(lumigraph, scene, progress);
     TileErrors tiles;
     const Evaluation evaluation = evaluate_held_out(
         lumigraph, scene.held_out,

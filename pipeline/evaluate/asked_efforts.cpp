@@ -12,18 +12,29 @@
 namespace lumi {
 namespace {
 
-/// What photographs say; where nothing can be drawn, what holds by default.
-template <typename Ask>
-auto asked(Progress& progress, const Ask& ask) -> decltype(ask()) {
-    try {
-        return ask();
-    } catch (const Error& error) {
-        if (!error.code().starts_with("E-GL-")) throw;
-        progress.note(std::string("nothing can be drawn here to see how much is enough: ") +
-                      error.what());
-        return {};
+/// What photographs say, as long as anything can be drawn here; then what holds by default.
+class Asking {
+ public:
+    explicit Asking(Progress& progress) : progress_(progress) {}
+
+    template <typename Ask>
+    auto operator()(const Ask& ask) -> decltype(ask()) {
+        if (!can_draw_) return {};
+        try {
+            return ask();
+        } catch (const Error& error) {
+            if (!error.code().starts_with("E-GL-")) throw;
+            can_draw_ = false;
+            progress_.note(std::string("nothing can be drawn here to see how much is enough: ") +
+                           error.what());
+            return {};
+        }
     }
-}
+
+ private:
+    Progress& progress_;
+    bool can_draw_ = true;
+};
 
 /// What is done, and what photographs say to it.
 template <typename Effort>
@@ -37,22 +48,20 @@ class DrawingQuestions {
  public:
     DrawingQuestions(KeptBackPhotographs& photographs, const DrawingOptions& wanted,
                      Progress& progress)
-        : photographs_(photographs), wanted_(wanted), progress_(progress) {}
+        : photographs_(photographs), wanted_(wanted), progress_(progress), asked_(progress) {}
 
-    [[nodiscard]] OcclusionEffort occlusion(const DrawingChoices& drawing) const {
+    [[nodiscard]] OcclusionEffort occlusion(const DrawingChoices& drawing) {
         if (wanted_.occlusion_tolerance_px != 0)
             return {.tolerance_px = wanted_.occlusion_tolerance_px};
-        return noted(
-            asked(progress_, [&] { return sufficient_occlusion_effort(photographs_, drawing); }),
-            progress_);
+        return noted(asked_([&] { return sufficient_occlusion_effort(photographs_, drawing); }),
+                     progress_);
     }
 
-    [[nodiscard]] DepthEffort depth(const DrawingChoices& drawing) const {
+    [[nodiscard]] DepthEffort depth(const DrawingChoices& drawing) {
         DepthEffort effort;
         if (wanted_.depth_views == 0 || wanted_.depth_block_px == 0 || !wanted_.fill_holes ||
             !wanted_.check_guesses)
-            effort =
-                asked(progress_, [&] { return sufficient_depth_effort(photographs_, drawing); });
+            effort = asked_([&] { return sufficient_depth_effort(photographs_, drawing); });
         if (wanted_.depth_views != 0) effort.views = wanted_.depth_views;
         if (wanted_.depth_block_px != 0) effort.block_px = wanted_.depth_block_px;
         effort.fills_holes = wanted_.fill_holes.value_or(effort.fills_holes);
@@ -60,11 +69,10 @@ class DrawingQuestions {
         return noted(effort, progress_);
     }
 
-    [[nodiscard]] TriangleEffort triangles(const DrawingChoices& drawing) const {
+    [[nodiscard]] TriangleEffort triangles(const DrawingChoices& drawing) {
         TriangleEffort effort;
         if (wanted_.triangle_error_px == 0 || !wanted_.draw_thin)
-            effort =
-                asked(progress_, [&] { return sufficient_triangle_effort(photographs_, drawing); });
+            effort = asked_([&] { return sufficient_triangle_effort(photographs_, drawing); });
         if (wanted_.triangle_error_px != 0) {
             effort.error_px = wanted_.triangle_error_px;
             effort.loses_db = effort.triangles = 0;  // Were those of another.
@@ -77,6 +85,7 @@ class DrawingQuestions {
     KeptBackPhotographs& photographs_;
     const DrawingOptions& wanted_;
     Progress& progress_;
+    Asking asked_;
 };
 
 }  // namespace
@@ -85,12 +94,11 @@ DepthMeshEffort asked_depth_mesh_effort(const Lumigraph& lumigraph, const Captur
                                         const CameraMeshOptions& mesh_options,
                                         const DrawingOptions& wanted, Progress& progress) {
     if (wanted.noisy_depth_error_px != 0) return {.noisy_error_px = wanted.noisy_depth_error_px};
-    return noted(asked(progress,
-                       [&] {
-                           return sufficient_depth_mesh_effort(lumigraph, capture, mesh_options,
-                                                               wanted.occlusion_tolerance_px,
-                                                               progress);
-                       }),
+    Asking asked(progress);
+    return noted(asked([&] {
+                     return sufficient_depth_mesh_effort(lumigraph, capture, mesh_options,
+                                                         wanted.occlusion_tolerance_px, progress);
+                 }),
                  progress);
 }
 
@@ -98,7 +106,7 @@ DrawingEfforts asked_drawing_efforts(const Lumigraph& lumigraph, const Capture& 
                                      const CameraMeshOptions& mesh_options,
                                      const DrawingOptions& wanted, Progress& progress) {
     KeptBackPhotographs photographs(lumigraph, capture, mesh_options, progress);
-    const DrawingQuestions questions(photographs, wanted, progress);
+    DrawingQuestions questions(photographs, wanted, progress);
     DrawingChoices drawing = lumigraph.drawing;
     DrawingEfforts efforts;
     efforts.occlusion = questions.occlusion(drawing);

@@ -11,7 +11,8 @@ namespace lumi {
 
 /// How closely a package's depth meshes are to follow noisy depth: as `wanted` says, where it does;
 /// else as photographs want it, which is noted; where nothing can be drawn here to ask them, as by
-/// default. `capture.views` lists the Lumigraph's views in the same order.
+/// default. `capture.views` lists the Lumigraph's views in the same order. Throws Error
+/// (E-INTERRUPTED).
 [[nodiscard]] DepthMeshEffort asked_depth_mesh_effort(const Lumigraph& lumigraph,
                                                       const Capture& capture,
                                                       const CameraMeshOptions& mesh_options,

@@ -54,8 +54,8 @@ double width_that_loses(double most_db, const std::vector<BlockLoss>& by_width) 
 
 double sufficient_block_px(KeptBackPhotographs& photographs, DrawingChoices drawing,
                            double widest_lose_db, double most_db) {
-    if (photographs.count() == 0) return kLeastDepthBlock_px;
-    photographs.ask("asking photographs how fine depth must be");
+    const std::size_t asked = photographs.ask("asking photographs how fine depth must be");
+    if (asked == 0) return kLeastDepthBlock_px;
     DrawingChoices in_blocks = drawing;
     in_blocks.depth_views = drawing.depth_views = kLeastDepthViews;
     in_blocks.depth_block_px = kMaxDepthBlock_px;
@@ -66,7 +66,7 @@ double sufficient_block_px(KeptBackPhotographs& photographs, DrawingChoices draw
                      sum_of_psnr_db(photographs, in_blocks, kAsked_px[i]);
     std::vector<BlockLoss> by_width;
     for (std::size_t i = 0; i < kAsked_px.size(); ++i)
-        by_width.push_back({kAsked_px[i], sums_db[i] / static_cast<double>(photographs.count())});
+        by_width.push_back({kAsked_px[i], sums_db[i] / static_cast<double>(asked)});
     by_width.push_back({kMaxDepthBlock_px, widest_lose_db});
     return kStep_px * std::floor(width_that_loses(most_db, by_width) / kStep_px);
 }

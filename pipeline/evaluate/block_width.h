@@ -13,17 +13,17 @@ struct BlockLoss {
     double loses_db = 0.0;
 };
 
-/// The width at which the most that may be lost is lost. `by_width` goes from narrow to wide;
-/// between two widths the loss changes linearly, blocks of one pixel lose nothing, and the widest
-/// is the most there is.
+/// The width at which `most_db` is lost. `by_width` goes from narrow to wide; between two widths
+/// the loss changes linearly, blocks of one pixel lose nothing, and the widest is the most there
+/// is.
 [[nodiscard]] double width_that_loses(double most_db, const std::vector<BlockLoss>& by_width);
 
 /// How wide blocks of two by two pixels may be (DrawingChoices::depth_block_px) where the widest
 /// lose `widest_lose_db`, more than `most_db`: photographs that are kept back are drawn in finer
 /// frames, in blocks and pixel by pixel, which are then reduced to their size. The more pixels a
-/// frame has for each of a photograph's, the less anyone sees of its blocks. Larger photographs are
-/// asked in a smaller size, so that theirs might be wider still. The narrowest for fewer than eight
-/// views, of which nobody is asked. Throws Error (E-GL-...).
+/// frame has for each of a photograph's, the less anyone sees of its blocks. Large photographs are
+/// asked in a smaller size, so that their blocks might be wider still. The narrowest for fewer than
+/// eight views, of which nobody is asked. Throws Error (E-GL-...).
 [[nodiscard]] double sufficient_block_px(KeptBackPhotographs& photographs, DrawingChoices drawing,
                                          double widest_lose_db, double most_db);
 

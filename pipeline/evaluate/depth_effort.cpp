@@ -50,8 +50,8 @@ LossesDb losses_db_of(const Choice& choice, DrawingChoices drawing,
 
 DepthEffort sufficient_depth_effort(KeptBackPhotographs& photographs,
                                     const DrawingChoices& drawing) {
-    if (photographs.count() == 0) return {};
-    photographs.ask("asking photographs how well depth must be known");
+    const std::size_t asked = photographs.ask("asking photographs how well depth must be known");
+    if (asked == 0) return {};
     std::array<LossesDb, kChoices.size()> losses_db;
     for (std::size_t choice = 0; choice < kChoices.size(); ++choice)
         losses_db[choice] = losses_db_of(kChoices[choice], drawing, photographs);
@@ -74,7 +74,7 @@ DepthEffort sufficient_depth_effort(KeptBackPhotographs& photographs,
         .fills_holes = simplest_as_good({filled, unfilled}) == 0 && of_holes.mean > kUnseenLoss_db,
         .checks_guesses =
             simplest_as_good({most_checked, most_filled}) == 0 && of_guesses.mean > kUnseenLoss_db,
-        .pictures = static_cast<int>(photographs.count()),
+        .pictures = static_cast<int>(asked),
         .fewer_views_lose_db = of_fewest.mean,
         .standard_error_db = of_fewest.standard_error,
         .blocks_lose_db = of_blocks.mean,

@@ -79,17 +79,16 @@ class MeshQuestion {
     }
 
     /// For each tolerance.
-    void add_losses(Lumigraph& others, const std::vector<PicturedEye>& pictures,
+    void add_losses(const Lumigraph& others, const std::vector<PicturedEye>& pictures,
                     std::vector<MeshLossesDb>& losses_db) const {
         losses_db.resize(tolerances_px_.size());
         OffscreenRenderer renderer(others);
+        DrawingChoices drawing = others.drawing;
         for (std::size_t i = 0; i < tolerances_px_.size(); ++i) {
             progress_.throw_if_interrupted();
-            others.drawing.occlusion_tolerance_px = tolerances_px_[i];
-            renderer.choose(others.drawing);
-            DrawnPictures drawn;
-            for (const PicturedEye& picture : pictures)
-                draw_picture(renderer, picture, kMeshesAlike, drawn);
+            drawing.occlusion_tolerance_px = tolerances_px_[i];
+            renderer.choose(drawing);
+            const DrawnPictures drawn = draw_pictures(renderer, pictures, kMeshesAlike);
             losses_db[i].insert(losses_db[i].end(), drawn.losses_db.begin(), drawn.losses_db.end());
         }
     }

@@ -9,10 +9,11 @@ namespace lumi {
 
 /// How far depth meshes may be from depth maps that tell noise. Where it is noise, meshes that
 /// follow it take triangles and time for nothing; where it is a surface as rough as noise, what
-/// they leave out is missed. Photographs that are kept back (kept_back_rounds.h) say which: of the
-/// errors asked the largest that loses `perpixel` less than anyone sees beside the finest, or than
-/// one standard error. With the occlusion tolerance `tolerance_px`; 0: each with one of 1.5 and 12
-/// px, which suits it better, as the one depends on the other.
+/// they leave out is missed. Photographs that are kept back (kept_back_rounds.h) say which: the
+/// coarsest, where beside the finest it loses `perpixel` less than anyone sees or than one standard
+/// error; else the largest that loses less than anyone sees. With the occlusion tolerance
+/// `tolerance_px`; 0: each error with 1.5 or 12 px, whichever suits it better, as the one depends
+/// on the other.
 ///
 /// The views must have the depth meshes that the Lumigraph wants (make_depth_meshes). Where none is
 /// of noise, nobody is asked; nor for fewer than eight views. `capture.views` lists the Lumigraph's

@@ -10,7 +10,7 @@ namespace lumi {
 /// (heat maps) for the first mode and NAME.MODE.png for the others. The folder appears whole or not
 /// at all.
 ///
-/// Throws Error: E-EVAL-... (held_out.h), E-PACKAGE-..., E-GL-...
+/// Throws Error: E-EVAL-... (held_out_photographs.h), E-PACKAGE-..., E-GL-...
 Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOptions& options,
                               int threads, Progress& progress);
 

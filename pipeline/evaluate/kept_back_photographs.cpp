@@ -17,24 +17,26 @@ KeptBackPhotographs::KeptBackPhotographs(const Lumigraph& lumigraph, const Captu
 
 KeptBackPhotographs::~KeptBackPhotographs() = default;
 
-void KeptBackPhotographs::ask(const std::string& question) { progress_.begin(question, 0); }
-
 std::vector<KeptBackPhotographs::Round>& KeptBackPhotographs::rounds() {
-    if (is_kept_back_) return rounds_;
+    if (rounds_) return *rounds_;
     std::vector<Round> rounds;
     visit_kept_back(lumigraph_, capture_, mesh_options_, "keeping photographs back", progress_,
                     [&](Lumigraph& others, const std::vector<PicturedEye>& pictures) {
                         rounds.push_back({std::make_unique<OffscreenRenderer>(others), pictures});
                     });
-    rounds_ = std::move(rounds);
-    is_kept_back_ = true;
-    return rounds_;
+    return rounds_.emplace(std::move(rounds));
 }
 
 std::size_t KeptBackPhotographs::count() {
     std::size_t count = 0;
     for (const Round& round : rounds()) count += round.pictures.size();
     return count;
+}
+
+std::size_t KeptBackPhotographs::ask(const std::string& question) {
+    const std::size_t asked = count();
+    if (asked > 0) progress_.begin(question, 0);
+    return asked;
 }
 
 void KeptBackPhotographs::visit(

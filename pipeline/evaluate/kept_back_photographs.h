@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,9 @@
 namespace lumi {
 
 /// Photographs of a Lumigraph that were kept back (visit_kept_back), and the others, which they are
-/// drawn from in different ways: uploaded once, when the first is drawn, for all that is asked of
-/// them.
+/// drawn from in different ways: uploaded once, when they are first asked, for all questions. Then
+/// each round's others lie in memory, up to 70 views in all where a Lumigraph has 8 to 47; of more
+/// views there is one round.
 class KeptBackPhotographs {
  public:
     /// The arguments are those of visit_kept_back; Lumigraph, capture and progress must outlive it.
@@ -25,12 +27,12 @@ class KeptBackPhotographs {
     KeptBackPhotographs(const KeptBackPhotographs&) = delete;
     KeptBackPhotographs& operator=(const KeptBackPhotographs&) = delete;
 
-    /// Begins a question; progress says what it is.
-    void ask(const std::string& question);
-
     /// How many photographs there are; 0 for fewer than eight views, of which nobody is asked.
     /// Throws Error (E-GL-...), as all below.
     [[nodiscard]] std::size_t count();
+    /// Begins a question, which is what progress says from now on, where there is anyone to ask:
+    /// as many as it returns.
+    std::size_t ask(const std::string& question);
     /// Each of them, and what draws the others as these choices say. Throws what `visit` throws.
     void visit(
         const DrawingChoices& drawing,
@@ -46,8 +48,7 @@ class KeptBackPhotographs {
     const Capture& capture_;
     CameraMeshOptions mesh_options_;
     Progress& progress_;
-    bool is_kept_back_ = false;
-    std::vector<Round> rounds_;
+    std::optional<std::vector<Round>> rounds_;
 };
 
 }  // namespace lumi

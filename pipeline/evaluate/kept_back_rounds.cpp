@@ -39,21 +39,20 @@ std::vector<PicturedEye> to_be_drawn(std::vector<PicturedEye> pictures, std::siz
 }  // namespace
 
 std::size_t visit_kept_back(const Lumigraph& lumigraph, const Capture& capture,
-                            const CameraMeshOptions& mesh_options, const std::string& question,
+                            const CameraMeshOptions& mesh_options, const std::string& step,
                             Progress& progress, const KeptBackVisitor& visit) {
     if (lumigraph.views.size() < kLeastViews) return 0;
-    progress.begin(question, 0);
-    Lumigraph evened = lumigraph;
-    even_exposures(evened);
+    progress.begin(step, 0);
     std::size_t asked = 0;
     for (const int first : kRounds) {
         if (asked >= kEnoughPictures) break;
-        KeptBackViews kept = keep_back(evened, kEvery, first);
+        KeptBackViews kept = keep_back(lumigraph, kEvery, first);
         const auto pictures = to_be_drawn(std::move(kept.pictures), kMostPictures);
-        Lumigraph others = lumigraph_of_views(evened, capture, kept.others, mesh_options);
+        Lumigraph others = lumigraph_of_views(lumigraph, capture, kept.others, mesh_options);
+        even_exposures(others);
         // Fewer views may want other meshes; else each that draws them would make its own.
-        QuietPart of_the_question(progress);
-        make_depth_meshes(others, 0, of_the_question);
+        QuietPart of_the_step(progress);
+        make_depth_meshes(others, 0, of_the_step);
         visit(others, pictures);
         asked += pictures.size();
     }

@@ -26,8 +26,8 @@ std::size_t beside(std::size_t chosen) {
 
 OcclusionEffort sufficient_occlusion_effort(KeptBackPhotographs& photographs,
                                             DrawingChoices drawing) {
-    if (photographs.count() == 0) return {};
-    photographs.ask("asking photographs how far depth is to be trusted");
+    const std::size_t asked = photographs.ask("asking photographs how far depth is to be trusted");
+    if (asked == 0) return {};
     std::vector<std::vector<double>> losses_db;
     for (const double tolerance_px : kTolerances_px) {
         drawing.occlusion_tolerance_px = tolerance_px;
@@ -36,7 +36,7 @@ OcclusionEffort sufficient_occlusion_effort(KeptBackPhotographs& photographs,
     const std::size_t chosen = simplest_as_good(losses_db);
     const Excess gain = excess_over(losses_db[beside(chosen)], losses_db[chosen]);
     return {.tolerance_px = kTolerances_px[chosen],
-            .pictures = static_cast<int>(photographs.count()),
+            .pictures = static_cast<int>(asked),
             .beside_px = kTolerances_px[beside(chosen)],
             .gains_db = gain.mean,
             .standard_error_db = gain.standard_error};

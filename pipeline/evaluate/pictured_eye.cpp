@@ -6,6 +6,7 @@
 #include "calib/capture/image_io.h"
 #include "calib/work/stopwatch.h"
 #include "pipeline/evaluate/image_metrics.h"
+#include "render/lumigraph/even_exposure.h"
 
 namespace lumi {
 
@@ -14,7 +15,7 @@ KeptBackViews keep_back(const Lumigraph& lumigraph, int every, int first) {
     for (int i = 0; i < static_cast<int>(lumigraph.views.size()); ++i) {
         const LumigraphView& view = lumigraph.views[static_cast<std::size_t>(i)];
         if (i % every == first) {
-            kept.pictures.push_back({{view.camera, view.cam_from_world}, view.photograph});
+            kept.pictures.push_back({{view.camera, view.cam_from_world}, evened_photograph(view)});
         } else {
             kept.others.push_back(i);
         }
@@ -41,11 +42,16 @@ void draw_picture(OffscreenRenderer& renderer, const PicturedEye& picture,
     drawn.triangles.push_back(static_cast<double>(frame.statistics.triangles));
 }
 
+DrawnPictures draw_pictures(OffscreenRenderer& renderer, const std::vector<PicturedEye>& pictures,
+                            const RenderOptions& options) {
+    DrawnPictures drawn;
+    for (const PicturedEye& picture : pictures) draw_picture(renderer, picture, options, drawn);
+    return drawn;
+}
+
 DrawnPictures draw_pictures(const Lumigraph& lumigraph, const std::vector<PicturedEye>& pictures) {
     OffscreenRenderer renderer(lumigraph);
-    DrawnPictures drawn;
-    for (const PicturedEye& picture : pictures) draw_picture(renderer, picture, {}, drawn);
-    return drawn;
+    return draw_pictures(renderer, pictures, {});
 }
 
 }  // namespace lumi

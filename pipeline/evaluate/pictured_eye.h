@@ -19,22 +19,28 @@ struct KeptBackViews {
     std::vector<int> others;  ///< Indices of the views, ascending.
 };
 
-/// Keeps back every so many views, of which the first is `first`.
+/// Keeps back every so many views, of which the first is `first`; their photographs are in the
+/// exposure of those around them (even_exposure.h).
 [[nodiscard]] KeptBackViews keep_back(const Lumigraph& lumigraph, int every, int first);
 
 /// The picture in a size of at most so many pixels across.
 [[nodiscard]] PicturedEye no_larger_than(PicturedEye picture, int max_px);
 
-/// How close a Lumigraph comes to photographs, and how fast: of each.
+/// How close a Lumigraph comes to photographs, and how fast: for each of them.
 struct DrawnPictures {
     std::vector<double> losses_db;  ///< Minus the PSNR, full frame.
-    std::vector<double> frame_ms;
-    std::vector<double> triangles;
+    std::vector<double> frame_ms;   ///< Wall time.
+    std::vector<double> triangles;  ///< That the frame took.
 };
 
-/// Draws one more.
+/// Draws one more, and adds what it measured to `drawn`.
 void draw_picture(OffscreenRenderer& renderer, const PicturedEye& picture,
                   const RenderOptions& options, DrawnPictures& drawn);
+
+/// Draws each.
+[[nodiscard]] DrawnPictures draw_pictures(OffscreenRenderer& renderer,
+                                          const std::vector<PicturedEye>& pictures,
+                                          const RenderOptions& options);
 
 /// Draws each per pixel. Throws Error (E-GL-...).
 [[nodiscard]] DrawnPictures draw_pictures(const Lumigraph& lumigraph,

@@ -50,8 +50,8 @@ void conclude_of_thin(const LossesDb& with, const LossesDb& without, TriangleEff
 
 TriangleEffort sufficient_triangle_effort(KeptBackPhotographs& photographs,
                                           DrawingChoices drawing) {
-    if (photographs.count() == 0) return {};
-    photographs.ask("asking photographs how fine triangles must be");
+    const std::size_t asked = photographs.ask("asking photographs how fine triangles must be");
+    if (asked == 0) return {};
     const LossesDb with_thin = losses_with_thin(photographs, drawing);
     drawing.draws_thin = false;
     LossesDb without_thin;
@@ -67,7 +67,7 @@ TriangleEffort sufficient_triangle_effort(KeptBackPhotographs& photographs,
     std::size_t chosen = kErrors_px.size() - 1;
     while (losses_db[chosen] > least_db + kMostLoss_db) --chosen;
     TriangleEffort effort{.error_px = kErrors_px[chosen],
-                          .pictures = static_cast<int>(photographs.count()),
+                          .pictures = static_cast<int>(asked),
                           .loses_db = losses_db[chosen] - least_db,
                           .triangles = triangles[chosen]};
     conclude_of_thin(with_thin, without_thin, effort);

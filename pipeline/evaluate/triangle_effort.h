@@ -7,10 +7,10 @@
 namespace lumi {
 
 /// How far the triangles of `adaptive` may err before photographs that are kept back can tell
-/// (kept_back_photographs.h): the largest error asked with which they are drawn as well as with any
-/// other, but for what nobody sees; and whether what is thinner is to be drawn over them: where
-/// that gains more than one standard error, and than what nobody sees. All else is drawn as
-/// `drawing` says. For fewer than eight views nobody is asked. Throws Error (E-GL-...).
+/// (kept_back_photographs.h): the largest error asked that loses nothing that anyone sees beside
+/// the best; and whether what is thinner is to be drawn over them: where that gains more than one
+/// standard error, and enough to be seen. All else is drawn as `drawing` says. For fewer than eight
+/// views nobody is asked. Throws Error (E-GL-...).
 [[nodiscard]] TriangleEffort sufficient_triangle_effort(KeptBackPhotographs& photographs,
                                                         DrawingChoices drawing);
 

@@ -34,16 +34,16 @@ struct ViewCurve {
 struct ViewCurveOptions {
     int least_views = 4;
     /// Numbers of views to try besides all; empty: each time a quarter less, and then between the
-    /// fewest that lose at most 0.3 dB and the next until they are known to a twentieth.
+    /// fewest that lose at most 0.3 dB and the next fewer, until they are known to a twentieth.
     std::vector<int> sizes;
     int random_choices = 0;  ///< Drawn at each size, to compare with.
     std::uint64_t seed = 1;
     CameraMeshOptions mesh;
 };
 
-/// Draws the held-out photographs from ever fewer views, those that are missed most (view_worth.h),
-/// depth as it is.
-/// `capture.views` lists the Lumigraph's views in the same order.
+/// Draws the held-out photographs from ever fewer views, keeping those that would be missed most
+/// (view_worth.h), and depth as it is. `capture.views` lists the Lumigraph's views in the same
+/// order.
 [[nodiscard]] ViewCurve measure_view_curve(const Lumigraph& lumigraph, const Capture& capture,
                                            const PosedPhotographs& held_out,
                                            const ViewCurveOptions& options, Progress& progress);

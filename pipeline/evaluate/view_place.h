@@ -13,8 +13,8 @@ enum class ViewPlace {
 };
 
 /// Judged by a grid of rays over the eye's picture: a ray is interior when the face it crosses has
-/// three different cameras (two where cameras stand in a row). Without faces all are, where the eye
-/// is no farther from the nearest camera than any camera is from its own nearest.
+/// three different cameras (two where cameras stand in a row). Without faces all are where the eye
+/// is no farther from a camera than the loneliest camera is from its next.
 [[nodiscard]] ViewPlace place_of_view(const CameraMesh& mesh, const Camera& camera,
                                       const Rigid3& cam_from_world);
 

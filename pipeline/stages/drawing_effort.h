@@ -65,7 +65,7 @@ struct DrawingEfforts {
     TriangleEffort triangles;
 };
 
-/// Draws as was chosen.
+/// Takes over into `drawing` what was chosen.
 void choose(const OcclusionEffort& effort, DrawingChoices& drawing);
 void choose(const DepthEffort& effort, DrawingChoices& drawing);
 void choose(const TriangleEffort& effort, DrawingChoices& drawing);

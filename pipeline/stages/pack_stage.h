@@ -30,10 +30,11 @@ struct PackSources {
     CameraMeshOptions mesh_options;  ///< For the camera mesh over fewer views.
     /// How many views are enough; asked for when the options want the fewest.
     std::function<int(const Lumigraph& lumigraph, const Capture& capture)> sufficient_views;
-    /// How closely depth meshes follow noisy depth: they are made with what the Lumigraph says.
+    /// How closely depth meshes follow noisy depth, once they were made as the Lumigraph says; to
+    /// be set, and asked whatever `drawing` says, which it knows.
     std::function<DepthMeshEffort(const Lumigraph& lumigraph, const Capture& capture)>
         depth_mesh_effort;
-    /// How it is drawn.
+    /// All else about how the Lumigraph is drawn; the same.
     std::function<DrawingEfforts(const Lumigraph& lumigraph, const Capture& capture)>
         drawing_efforts;
 };

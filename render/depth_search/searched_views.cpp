@@ -15,10 +15,9 @@ GrayImage torn_squares_of(const LumigraphView& view, double disparity_px) {
 }  // namespace
 
 SearchedViews searched_views(const Lumigraph& lumigraph) {
-    SearchedViews views{view_geometries(lumigraph),
-                        std::vector<TiledDepth>(lumigraph.views.size()),
+    SearchedViews views{view_geometries(lumigraph), std::vector<TiledDepth>(lumigraph.views.size()),
                         std::vector<std::vector<OutlinePoint>>(lumigraph.views.size()),
-                        {}};
+                        std::vector<ThinSurfaces>(lumigraph.views.size())};
     parallel_for(static_cast<int>(lumigraph.views.size()), 0, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         const LumigraphView& view = lumigraph.views[index];
@@ -28,14 +27,13 @@ SearchedViews searched_views(const Lumigraph& lumigraph) {
         views.depths[index] = {view.depth, torn};
         views.outlines[index] = view_outlines(view, torn);
     });
-    views.thin = drawn_thin_surfaces(lumigraph, views.geometries);
+    if (lumigraph.drawing.draws_thin) views.thin = thin_surfaces_of(lumigraph, views.geometries);
     return views;
 }
 
-std::vector<ThinSurfaces> drawn_thin_surfaces(const Lumigraph& lumigraph,
-                                              const std::vector<ViewGeometry>& geometries) {
+std::vector<ThinSurfaces> thin_surfaces_of(const Lumigraph& lumigraph,
+                                           const std::vector<ViewGeometry>& geometries) {
     std::vector<ThinSurfaces> thin(lumigraph.views.size());
-    if (!lumigraph.drawing.draws_thin) return thin;
     parallel_for(static_cast<int>(thin.size()), 0, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         thin[index] = thin_surfaces(lumigraph.views[index], max_disparity_px(geometries[index]),

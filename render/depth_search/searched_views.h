@@ -21,8 +21,8 @@ struct SearchedViews {
 
 [[nodiscard]] SearchedViews searched_views(const Lumigraph& lumigraph);
 
-/// What is thin in each view, where the Lumigraph now draws it. Needs no photographs.
-[[nodiscard]] std::vector<ThinSurfaces> drawn_thin_surfaces(
+/// What is thin in each view, whether it is drawn or not. Needs no photographs.
+[[nodiscard]] std::vector<ThinSurfaces> thin_surfaces_of(
     const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries);
 
 }  // namespace lumi

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <string>
 #include <vector>
 
+#include "calib/work/error.h"
 #include "render/gl/framebuffer.h"
 
 namespace lumi {
@@ -43,6 +45,16 @@ unsigned new_texture() {
     return name;
 }
 
+/// After textures were asked for.
+void require_memory(int width_px, int height_px, int layers) {
+    if (glGetError() != GL_OUT_OF_MEMORY) return;
+    throw Error(ErrorKind::kResources, "E-GL-LIMIT",
+                "the GL driver has no memory for " + std::to_string(layers) + " pictures of " +
+                    std::to_string(width_px) + "x" + std::to_string(height_px),
+                "make the package with a smaller [capture] max_width_px or with [package] "
+                "max_views, or use another GL driver");
+}
+
 void clear_rectangle(int x, int y, int width_px, int height_px) {
     constexpr std::array<GLfloat, 4> kNothing{};
     glScissor(x, y, width_px, height_px);
@@ -71,6 +83,7 @@ TextureArray::TextureArray(TexelFormat format, TexelFilter filter, int width_px,
     const GlFormat gl = gl_format(format);
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(gl.internal), width_px, height_px,
                  layers, 0, gl.external, gl.type, nullptr);
+    require_memory(width_px, height_px, layers);
 }
 
 void TextureArray::upload(int layer, const ColorImage& image) {

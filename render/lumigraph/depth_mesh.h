@@ -17,7 +17,8 @@ enum class DepthKind : int {
 inline constexpr int kDepthKinds = 3;
 
 /// How far depth meshes may be from depth maps whose samples tell noise
-/// (DepthMeshOptions::max_noisy_error_px) where photographs were not asked, and may be at all.
+/// (DepthMeshOptions::max_noisy_error_px): the default where photographs were not asked, and its
+/// bounds.
 inline constexpr double kNoisyDepthError_px = 1.6;
 inline constexpr double kLeastNoisyDepthError_px = 0.1;
 inline constexpr double kMostNoisyDepthError_px = 10.0;
@@ -34,13 +35,12 @@ struct DepthMesh {
     /// Triangles of kind k are indices[kind_begin[k]] up to indices[kind_begin[k + 1]].
     std::array<std::size_t, kDepthKinds + 1> kind_begin{};
 
-    /// How it was made: of so many columns and rows of samples, ...
-    int columns = 0;
-    int rows = 0;
-    /// ... to follow the depth map to so many pixels, where that does not take too many triangles;
+    int columns = 0;  ///< Of the samples that it was made of.
+    int rows = 0;     ///< The same.
+    /// How closely it was to follow the depth map; missed where that takes too many triangles.
     double wanted_error_px = 0.0;
-    double error_px = 0.0;      ///< and to so many it does, where the view saw it,
-    double disparity_px = 0.0;  ///< a unit of inverse depth being so many (view_geometry.h).
+    double error_px = 0.0;      ///< How closely it does, where the view saw the scene.
+    double disparity_px = 0.0;  ///< Of a unit of inverse depth (view_geometry.h).
 };
 
 }  // namespace lumi

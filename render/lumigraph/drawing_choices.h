@@ -16,14 +16,14 @@ inline constexpr double kMaxDepthBlock_px = kDepthBlockSide_px;
 /// Disparity by which depths of one surface may differ.
 inline constexpr double kAgreeingDisparity_px = 1.5;
 
-/// Of a view that sees something else than a point: what is asked for where photographs were not
-/// asked, and what may be.
+/// Of DrawingChoices::occlusion_tolerance_px: the default where photographs were not asked, and its
+/// bounds.
 inline constexpr double kOcclusionTolerance_px = kAgreeingDisparity_px;
 inline constexpr double kLeastOcclusionTolerance_px = 0.1;
 inline constexpr double kMostOcclusionTolerance_px = 100.0;
 
-/// Of the triangles that `adaptive` draws: what is asked for where photographs were not asked, and
-/// what may be.
+/// Of DrawingChoices::triangle_error_px: the default where photographs were not asked, and its
+/// bounds.
 inline constexpr double kTriangleError_px = 0.7;
 inline constexpr double kLeastTriangleError_px = 0.1;
 inline constexpr double kMostTriangleError_px = 10.0;
@@ -38,14 +38,14 @@ struct DrawingChoices {
     double occlusion_tolerance_px = kOcclusionTolerance_px;
     /// How many views' depths are compared at each pixel, or as many views as there are.
     int depth_views = kMaxDepthViews;
-    /// Per pixel, depth is worked out for blocks of pixels in frames so fine that these are no
-    /// wider than that, in pixels of the photographs; for kMaxDepthBlock_px in any frame.
+    /// Per pixel, depth is worked out for blocks of pixels if the frame is so fine that a block is
+    /// no wider than this in pixels of the photographs; at kMaxDepthBlock_px in any frame.
     double depth_block_px = kLeastDepthBlock_px;
     /// Whether, per pixel, what none of these views sees is drawn from others
     /// (render/holes/hole_triangles.h): worth its time where much is hidden from them.
     bool fills_holes = false;
-    /// Whether, per pixel, what is drawn on the scene plane where no depth is known is only what no
-    /// view's depth has something before (kSurelyBefore_px), seen or filled: worth its time where
+    /// Whether, per pixel, a guess on the scene plane, where no depth is known, leaves out views
+    /// whose depth, seen or filled, has something kSurelyBefore_px before it: worth its time where
     /// subjects stand alone.
     bool checks_guesses = false;
     /// How far from the right place `adaptive` may look up photographs before it splits triangles.

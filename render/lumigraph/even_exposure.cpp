@@ -30,22 +30,24 @@ ByteTable evened_bytes(double gain) {
     return table;
 }
 
-void even_exposure(LumigraphView& view) {
+}  // namespace
+
+ColorImage evened_photograph(const LumigraphView& view) {
+    ColorImage photograph = view.photograph;
+    if (view.exposure_gain == kNoExposureGain) return photograph;
     const ByteTable red = evened_bytes(view.exposure_gain[0]);
     const ByteTable green = evened_bytes(view.exposure_gain[1]);
     const ByteTable blue = evened_bytes(view.exposure_gain[2]);
-    for (Rgb8& pixel : view.photograph.pixels()) {
-        pixel = {red[pixel.r], green[pixel.g], blue[pixel.b]};
-    }
-    view.exposure_gain = kNoExposureGain;
+    for (Rgb8& pixel : photograph.pixels()) pixel = {red[pixel.r], green[pixel.g], blue[pixel.b]};
+    return photograph;
 }
-
-}  // namespace
 
 void even_exposures(Lumigraph& lumigraph) {
     parallel_for(static_cast<int>(lumigraph.views.size()), 0, [&](int i) {
         LumigraphView& view = lumigraph.views[static_cast<std::size_t>(i)];
-        if (view.exposure_gain != kNoExposureGain) even_exposure(view);
+        if (view.exposure_gain == kNoExposureGain) return;
+        view.photograph = evened_photograph(view);
+        view.exposure_gain = kNoExposureGain;
     });
 }
 

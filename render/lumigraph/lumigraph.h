@@ -28,10 +28,10 @@ struct LumigraphView {
     int exif_orientation = 1;  ///< For display only; 1 to 8.
     ColorImage photograph;
     DepthMap depth;  ///< Empty images when the package has no depth.
-    /// Times this the photograph's light is in the exposure of those around it.
+    /// The photograph's light times this is in the exposure of those around it.
     ExposureGain exposure_gain = kNoExposureGain;
-    /// Made of `depth` when the package was; null where it is made when it is drawn
-    /// (render/depth_mesh/view_depth_mesh.h). Who changes `depth` resets it.
+    /// Made of `depth` with the package; null: made when it is first drawn
+    /// (render/depth_mesh/view_depth_mesh.h). Whoever changes `depth` must reset it.
     std::shared_ptr<const DepthMesh> depth_mesh{};
 };
 

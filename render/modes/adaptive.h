@@ -10,11 +10,11 @@
 
 namespace lumi {
 
-/// The triangles of the mode `adaptive` for one eye: those of the camera mesh, and laid over them
-/// with their opacity, where there are any, parts that other views see (seen_parts.h; not of
-/// guesses, nor where the capture's border fades), what is thin (thin_triangles.h), and those of
-/// each shell of the mesh. `views` are the layout's. Of what `subdivider` did before nothing but
-/// memory is used.
+/// The triangles of the mode `adaptive` for one eye: layers, each to be laid over those before it
+/// with its opacity: those of the camera mesh; where there are any, parts that other views see
+/// (seen_parts.h; not of guesses) and what is thin (thin_triangles.h), neither where the capture's
+/// border fades; those of each shell of the mesh. `views` are the layout's. `subdivider` lends
+/// nothing but its memory.
 [[nodiscard]] std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
                                                           const SearchedViews& views,
                                                           const Eye& eye,

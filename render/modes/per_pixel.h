@@ -27,8 +27,8 @@ namespace lumi {
 /// over that. The cost does not depend on the scene.
 ///
 /// Where photographs cannot tell the difference, all but the colours is worked out for blocks of
-/// two by two pixels (DrawingChoices::depth_block_px), at less than two thirds of the cost. Where
-/// they can, and depth is sampled finely enough, silhouettes are smooth.
+/// two by two pixels (DrawingChoices::depth_block_px), at two thirds of the cost, about. Where they
+/// can, and depth is sampled finely enough, silhouettes are smooth.
 ///
 /// Where photographs can tell (DrawingChoices::fills_holes), what none of the views that were asked
 /// for depth sees is drawn from others (hole_triangles.h).
@@ -49,12 +49,12 @@ class PerPixel : public DrawingMode {
     /// What fragments stand for: the pixels of a viewport, or blocks of them (pixel_blocks.h).
     struct Fragments {
         Viewport viewport;
-        int rows_below_px = 0;  ///< The picture: what the lowest fragments reach beyond it.
+        int rows_below_px = 0;  ///< Of the lowest fragments, beyond the picture.
         int side_px = 1;
     };
 
-    /// One for each number of a face's views that are not asked for depth: those that are say what
-    /// they see, the others' depth maps are looked up.
+    /// Indexed by how many of a face's views are not asked for depth, 0 to 3: their depth maps are
+    /// looked up, what the others see their layers tell.
     using Programs = std::array<PictureProgram, 4>;
     /// How many layers of depth there are, and how they lie in the texture.
     [[nodiscard]] std::vector<std::string> layer_definitions() const;
@@ -67,7 +67,7 @@ class PerPixel : public DrawingMode {
     /// The cells of the picture that surroundings are drawn in, beneath the faces.
     [[nodiscard]] PictureCells open_cells(const std::vector<FacePolygon>& polygons, const Eye& eye,
                                           const RenderOptions& options) const;
-    /// What no view that was asked for depth sees: where, once that was drawn, and then, from
+    /// What no view that was asked for depth sees: found once depth was drawn, then drawn from
     /// others.
     [[nodiscard]] PictureCells found_holes(const DepthEye& depth_eye, const Camera& camera);
     std::size_t fill_holes(const Eye& eye, const RenderOptions& options, const AskedDepth& asked);

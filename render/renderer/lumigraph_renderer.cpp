@@ -92,8 +92,8 @@ DrawStatistics LumigraphRenderer::draw(const Eye& eye, const RenderOptions& opti
 
 void LumigraphRenderer::choose(const DrawingChoices& drawing) {
     if (drawing == implementation_->uploaded.layout.drawing) return;
-    implementation_->modes.clear();  // Each is made for its choices.
     implementation_->uploaded.choose(drawing);
+    implementation_->modes.clear();  // Each was made for other choices.
 }
 
 std::size_t LumigraphRenderer::texture_bytes() const {

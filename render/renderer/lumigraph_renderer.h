@@ -32,8 +32,9 @@ class LumigraphRenderer {
     /// test are off afterwards, no program and no vertex array are bound.
     DrawStatistics draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport);
 
-    /// Frames are drawn with these from now on, instead of the Lumigraph's own; as if it had come
-    /// with them. Nothing is uploaded anew.
+    /// Draws from now on as if the Lumigraph had come with these choices, which must be within
+    /// their limits. Photographs and depth maps stay uploaded; what a mode makes of the choices is
+    /// made anew by the next frame. Where this throws, nothing has changed.
     void choose(const DrawingChoices& drawing);
 
     /// Of the photographs and depth maps in textures, at their finest level.

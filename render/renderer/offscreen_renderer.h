@@ -11,8 +11,8 @@ namespace lumi {
 
 /// Draws frames without a window (HeadlessContext): OpenGL 3.3 core or OpenGL ES 3.0.
 ///
-/// One per thread. Throws Error (E-GL-CONTEXT, E-GL-LIMIT) that says what was asked and what was
-/// found.
+/// For one thread, in which several may live: each call makes its own context current. Throws Error
+/// (E-GL-CONTEXT, E-GL-LIMIT) that says what was asked and what was found.
 class OffscreenRenderer {
  public:
     explicit OffscreenRenderer(const Lumigraph& lumigraph, GlApi api = GlApi::kAny);
@@ -20,7 +20,7 @@ class OffscreenRenderer {
     OffscreenRenderer(const OffscreenRenderer&) = delete;
     OffscreenRenderer& operator=(const OffscreenRenderer&) = delete;
 
-    /// LumigraphRenderer::choose.
+    /// LumigraphRenderer::choose. Throws Error (E-GL-CONTEXT).
     void choose(const DrawingChoices& drawing);
     [[nodiscard]] Frame draw(const Eye& eye, const RenderOptions& options);
     /// GL_RENDERER and GL_VERSION, for reports.

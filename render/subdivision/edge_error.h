@@ -18,9 +18,10 @@ struct EdgeErrorCounts {
     double guess_ratio = 4.0;
 };
 
-/// How far photographs are looked up from where they should be, in the middle of an edge that is
-/// not split, each counting as its weight; or twice the error of a weight or of the opacity; or a
-/// step of depth's worth, where the photographs lose the scene along the edge. Less at a guess.
+/// Of an edge that is not split, in its middle, the largest of these: how far photographs are
+/// looked up from where they should be, each counting as its weight; 2 * weight_error_px times the
+/// error of a weight or of the opacity; up to kStepError_px where the photographs lose the scene
+/// along the edge. At a guess, divided by guess_ratio.
 [[nodiscard]] double edge_error_px(const BlendVertex& a, const BlendVertex& b,
                                    const BlendVertex& middle, const EdgeErrorCounts& counts = {});
 
@@ -28,9 +29,9 @@ struct EdgeErrorCounts {
 [[nodiscard]] double edge_looseness(const BlendVertex& a, const BlendVertex& b,
                                     const BlendVertex& middle, const EdgeErrorCounts& counts = {});
 
-/// By how much errors are relaxed when an edge is split no more whose error and length are so many
-/// times those that are allowed. Relaxed errors leave edges longer, by the root; where errors are
-/// large they are shorter, so that not all edges of one length are given up at once.
+/// The relaxation at which an edge is no longer split whose error and length are so many times
+/// those that are allowed. Relaxing lets edges be longer, by its root; edges of large error stay
+/// shorter, so that not all edges of one length are given up at once.
 [[nodiscard]] double greatest_relaxation(double error, double length);
 
 }  // namespace lumi

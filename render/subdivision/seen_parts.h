@@ -14,10 +14,10 @@ struct SeenPartsOptions {
 };
 
 /// What other views see of triangles that no one view sees whole (draw_unseen), as at the border of
-/// their photographs or beside an outline: of the four quarters of each, those that one of the
-/// views sees whole that see a corner of it; of the others that are seen in part, their quarters;
-/// and so on. To be drawn over the triangles, which border on others and stay as they are.
-/// `vertices` are those that the triangles' corners are numbers of. The same for any number of
+/// their photographs or beside an outline. Each is quartered: of its quarters those are drawn that
+/// one of the views sees whole that see a corner of it; quarters that are seen in part are
+/// quartered again, and so on. To be drawn over the triangles, which border on others and stay as
+/// they are. The triangles' corners are indices into `vertices`. The same for any number of
 /// threads.
 [[nodiscard]] BlendTriangles seen_parts(const std::vector<UnseenTriangle>& partly_seen,
                                         const std::vector<BlendVertex>& vertices,

@@ -8,7 +8,7 @@
 
 namespace lumi {
 
-/// Draws what a face's cameras do not see from others.
+/// Draws from other views what a face's cameras do not see.
 ///
 /// A triangle with a corner that none of its cameras sees, because something hides it or because it
 /// lies beyond their photographs, is looked up in the nearest of the other views (nearest_views.h),
@@ -18,8 +18,9 @@ namespace lumi {
 /// Where there is no depth at all, guesses are all there is, and better than nothing. Other
 /// triangles stay as they are. The same for any number of threads.
 ///
-/// Returns those that stay as well although some of these views see corners of them, by the numbers
-/// of `triangles.vertices`; these views are then the ones to be asked for parts (seen_parts.h).
+/// Returns the triangles that stay as they are although some of these views see corners of them, as
+/// indices into `triangles.vertices`; these views are then the ones to be asked for parts
+/// (seen_parts.h).
 std::vector<UnseenTriangle> draw_unseen(const Lumigraph& lumigraph, const Eye& eye,
                                         const DepthSearch& search,
                                         const Eigen::Vector3d& scene_plane,

@@ -10,9 +10,9 @@ namespace lumi {
 /// eye has several samples across a pixel, a photograph is looked up for the whole pixel.
 ///
 /// Mostly it is a whole number, and one level is looked up instead of two: the finest up to 2
-/// texels a pixel, the next from 3 to 4, the third from 6 to 8. Measured on held-out photographs in
-/// smaller frames that costs 0.2 dB at most against two levels wherever more than 1.5 texels of the
-/// finest fall on a pixel, which take twice as long to look up.
+/// texels a pixel, the next from 3 to 4, the third from 6 to 8. In smaller frames that costs
+/// held-out photographs 0.2 dB at most beside two levels, which take longer to look up, wherever
+/// more than 1.5 texels of the finest fall on a pixel.
 [[nodiscard]] double photograph_lod(const Lumigraph& lumigraph, const Eye& eye,
                                     double samples_across_pixel = 1.0);
 

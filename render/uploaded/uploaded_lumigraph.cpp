@@ -105,8 +105,11 @@ UploadedLumigraph::UploadedLumigraph(const Lumigraph& lumigraph)
 }
 
 void UploadedLumigraph::choose(const DrawingChoices& drawing) {
+    if (drawing.draws_thin != layout.drawing.draws_thin)
+        searched_views.thin = drawing.draws_thin
+                                  ? thin_surfaces_of(layout, searched_views.geometries)
+                                  : std::vector<ThinSurfaces>(layout.views.size());
     layout.drawing = drawing;
-    searched_views.thin = drawn_thin_surfaces(layout, searched_views.geometries);
 }
 
 }  // namespace lumi

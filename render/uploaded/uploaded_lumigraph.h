@@ -28,7 +28,8 @@ struct UploadedLumigraph {
     /// Sizes of the depth maps, (0, 0) without.
     std::vector<Eigen::Vector2i> depth_sizes_px;
 
-    /// Draws with these instead of the choices that it came with.
+    /// Takes these instead of the choices that it came with. Where this throws, nothing has
+    /// changed.
     void choose(const DrawingChoices& drawing);
 
     [[nodiscard]] bool has_depth() const { return depth_maps.layers() > 0; }

@@ -61,6 +61,16 @@ TEST_F(Holes, AreFilledFromViewsThatWereNotAskedForDepth) {
               0.8 * difference_between(before.color, ideal).mean);
 }
 
+TEST_F(Holes, AreFilledWhereThatIsChosenLater) {
+    OffscreenRenderer renderer(lumigraph_);
+    const Frame before = renderer.draw(eye_, {});
+    lumigraph_.drawing.fills_holes = true;
+    renderer.choose(lumigraph_.drawing);
+    const Frame after = renderer.draw(eye_, {});
+    EXPECT_EQ(after.color, OffscreenRenderer(lumigraph_).draw(eye_, {}).color);
+    EXPECT_NE(after.color.pixels(), before.color.pixels());
+}
+
 TEST_F(Holes, AreFilledAlikeByTheReference) {
     lumigraph_.drawing.fills_holes = true;
     for (const double block_px : {kLeastDepthBlock_px, kMaxDepthBlock_px}) {

@@ -196,7 +196,7 @@ TEST(LumigraphRendererGl, APackageWithItsDepthMeshesIsDrawnAsOneWithout) {
     EXPECT_EQ(drawn.coverage, expected.coverage);
 }
 
-/// Each choice from how a Lumigraph comes, and back.
+/// Each choice from how a Lumigraph comes, and back; but for holes, which holes_test.cpp has.
 std::vector<DrawingChoices> choices_around(const DrawingChoices& as_made) {
     std::vector<DrawingChoices> all;
     const auto add = [&](const auto& change) {
@@ -207,12 +207,18 @@ std::vector<DrawingChoices> choices_around(const DrawingChoices& as_made) {
     add([](DrawingChoices& drawing) { drawing.occlusion_tolerance_px = 12; });
     add([](DrawingChoices& drawing) { drawing.depth_views = kLeastDepthViews; });
     add([](DrawingChoices& drawing) { drawing.depth_block_px = kMaxDepthBlock_px; });
-    add([](DrawingChoices& drawing) { drawing.fills_holes = true; });
     add([](DrawingChoices& drawing) { drawing.checks_guesses = true; });
     add([](DrawingChoices& drawing) { drawing.triangle_error_px = 4; });
     add([](DrawingChoices& drawing) { drawing.draws_thin = true; });
     all.push_back(as_made);
     return all;
+}
+
+/// A little to the side of a camera and much nearer to what it looks at, as wide.
+Eye beside(const LumigraphView& view) {
+    Eye eye = eye_of(view);
+    eye.cam_from_world.translation += Eigen::Vector3d(0.21, 0.13, -0.4);
+    return eye;
 }
 
 /// Before which something is thin.
@@ -225,23 +231,29 @@ Lumigraph bar_before_wall() {
 }
 
 TEST(LumigraphRendererGl, WhatIsChosenLaterIsDrawnAsIfItHadComeSo) {
-    for (Lumigraph lumigraph : {card_before_wall(), bar_before_wall()}) {
+    const std::vector<DrawingChoices> choices = choices_around({});
+    std::vector<bool> is_visible(choices.size(), false);
+    for (Lumigraph lumigraph : {card_before_wall(), bar_before_wall(), ball_in_sky()}) {
         OffscreenRenderer chosen(lumigraph);
-        const Camera& camera = lumigraph.views.front().camera;
-        const Eye eye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, camera);
-        for (const DrawingChoices& drawing : choices_around(lumigraph.drawing)) {
-            lumigraph.drawing = drawing;
+        OffscreenRenderer as_made(lumigraph);
+        const Eye eye = beside(lumigraph.views.front());
+        for (std::size_t i = 0; i < choices.size(); ++i) {
+            lumigraph.drawing = choices[i];
             OffscreenRenderer made(lumigraph);
-            chosen.choose(drawing);
+            chosen.choose(choices[i]);
             for (const RenderMode mode : {RenderMode::kPerPixel, RenderMode::kAdaptive}) {
                 const Frame expected = made.draw(eye, {.mode = mode});
                 const Frame drawn = chosen.draw(eye, {.mode = mode});
                 EXPECT_EQ(drawn.color, expected.color) << name_of(mode);
                 EXPECT_EQ(drawn.coverage, expected.coverage) << name_of(mode);
                 EXPECT_EQ(drawn.statistics.triangles, expected.statistics.triangles);
+                if (!(as_made.draw(eye, {.mode = mode}).color == drawn.color)) is_visible[i] = true;
             }
         }
     }
+    std::vector<bool> all_but_the_last(choices.size(), true);
+    all_but_the_last.back() = false;
+    EXPECT_EQ(is_visible, all_but_the_last);
 }
 
 TEST(LumigraphRendererGl, DepthTakesTheGhostsAway) {
@@ -340,6 +352,22 @@ TEST(LumigraphRendererGl, RefusesAnEyeWithALens) {
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), "E-EYE-LENS");
     }
+}
+
+TEST(TextureArrayGl, RefusesWhatTheDriverHasNoMemoryFor) {
+    const HeadlessContext context;
+    const Capabilities capabilities = query_capabilities();
+    const int size_px = capabilities.max_texture_size_px;
+    try {
+        // Hundreds of gibibytes.
+        const TextureArray array(TexelFormat::kFourFloats, TexelFilter::kNearest, size_px, size_px,
+                                 capabilities.max_array_layers);
+        FAIL() << "expected E-GL-LIMIT";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-GL-LIMIT");
+    }
+    const TextureArray small(TexelFormat::kFourFloats, TexelFilter::kNearest, 8, 8, 1);
+    EXPECT_EQ(small.layers(), 1);
 }
 
 TEST(HeadlessContextGl, SeveralLiveSideBySide) {
