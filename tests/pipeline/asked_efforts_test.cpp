@@ -2,25 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-#include <vector>
-
 #include "calib/work/error.h"
-#include "calib/work/progress.h"
 #include "pipeline/evaluate/depth_effort.h"
+#include "tests/calib/noted_progress.h"
 #include "tests/pipeline/studio.h"
 
 namespace lumi {
 namespace {
-
-/// Remembers what is noted.
-class JournalOfEfforts final : public Progress {
- public:
-    void begin(const std::string&, std::size_t) override {}
-    void advance(std::size_t) override {}
-    void note(const std::string& message) override { notes.push_back(message); }
-    std::vector<std::string> notes;
-};
 
 DrawingOptions all_given() {
     DrawingOptions wanted;
@@ -39,7 +27,7 @@ TEST(AskedEfforts, AreThoseThatWereGivenWithoutAskingAnyone) {
     Studio studio = before_a_board(18, 0.1);
     studio.find_points();
     const Lumigraph lumigraph = with_camera_mesh(studio);
-    JournalOfEfforts progress;
+    NotedProgress progress;
     const DepthMeshEffort of_meshes =
         asked_depth_mesh_effort(lumigraph, studio.capture, {}, all_given(), progress);
     const DrawingEfforts efforts =
@@ -62,7 +50,7 @@ TEST(AskedEfforts, AreAskedWithWhatWasChosenBefore) {
     Studio studio = from_all_around(kBodiesInTheWay, 20);
     studio.find_points();
     const Lumigraph lumigraph = with_camera_mesh(studio);
-    JournalOfEfforts progress;
+    NotedProgress progress;
     DrawingOptions wanted = all_given();
     wanted.occlusion_tolerance_px = 60;
     wanted.check_guesses.reset();
@@ -84,7 +72,7 @@ TEST(AskedEfforts, StopOnRequest) {
     Studio studio = before_a_board(18, 0.1);
     studio.find_points();
     const Lumigraph lumigraph = with_camera_mesh(studio);
-    JournalOfEfforts progress;
+    NotedProgress progress;
     progress.interrupt();
     EXPECT_THROW((void)asked_drawing_efforts(lumigraph, studio.capture, {}, {}, progress), Error);
     EXPECT_TRUE(progress.notes.empty());

@@ -4,21 +4,16 @@
 #include <gtest/gtest.h>
 
 #include "calib/capture/image_io.h"
+#include "tests/calib/noted_progress.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/pipeline/studio.h"
 
 namespace lumi {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
-
-class NotedProgress final : public Progress {
- public:
-    void begin(const std::string&, std::size_t) override {}
-    void advance(std::size_t) override {}
-    void note(const std::string& message) override { notes += message; }
-    std::string notes;
-};
+using testing::IsEmpty;
 
 /// A board from nine places, the third photograph of it through something that stood in the way.
 Lumigraph board_behind_a_visitor() {
@@ -44,8 +39,8 @@ TEST(RemovedTransients, AreNotedAndShownAndLeaveThePackage) {
     EXPECT_EQ(list[0].at("name"), name);
     // A fifth of its width and height, and a rim of a pixel or two of a small picture.
     EXPECT_NEAR(list[0].at("share").get<double>(), 0.055, 0.02);
-    EXPECT_THAT(progress.notes, HasSubstr("in 1 of 9 photographs, up to"));
-    EXPECT_THAT(progress.notes, HasSubstr("keep_transients = true leaves it in"));
+    EXPECT_THAT(progress.notes, Contains(HasSubstr("in 1 of 9 photographs, up to")));
+    EXPECT_THAT(progress.notes, Contains(HasSubstr("keep_transients = true leaves it in")));
     const ColorImage& painted = lumigraph.views[2].photograph;
     EXPECT_NE(painted(painted.width() / 2, painted.height() / 2), (Rgb8{255, 0, 255}));
     const ColorImage both =
@@ -62,7 +57,7 @@ TEST(RemovedTransients, WriteAndSayNothingWhereThereAreNone) {
     const std::vector<LumigraphView> before = lumigraph.views;
     NotedProgress progress;
     EXPECT_TRUE(remove_transients(lumigraph, folder, 2, progress).empty());
-    EXPECT_EQ(progress.notes, "");
+    EXPECT_THAT(progress.notes, IsEmpty());
     EXPECT_TRUE(std::filesystem::is_empty(folder));
     for (std::size_t i = 0; i < before.size(); ++i) {
         EXPECT_EQ(lumigraph.views[i].photograph, before[i].photograph);

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "tests/calib/noted_progress.h"
+
 namespace lumi {
 namespace {
 
@@ -95,15 +97,6 @@ class ModelThatMayRefine final : public DepthModel {
 
     bool refines_;
     int unfinished_;
-};
-
-/// What was noted on the way.
-class NotedProgress final : public Progress {
- public:
-    void begin(const std::string&, std::size_t) override {}
-    void advance(std::size_t) override {}
-    void note(const std::string& message) override { notes.push_back(message); }
-    std::vector<std::string> notes;
 };
 
 struct Found {
