@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "meshing/selection/one_standard_error.h"
@@ -48,7 +50,7 @@ class MeshQuestion {
 
     /// What is lost by meshes of these errors, each with the tolerance that suits it better.
     [[nodiscard]] std::map<double, MeshLossesDb> losses_by_error(
-        const std::vector<double>& errors_px) const {
+        const std::vector<double>& errors_px) {
         std::map<double, std::vector<MeshLossesDb>> by_tolerance;
         visit_kept_back(lumigraph_, capture_, mesh_options_,
                         "asking photographs how closely depth must be followed", progress_,
@@ -69,13 +71,16 @@ class MeshQuestion {
     }
 
  private:
-    void remake_depth_meshes(Lumigraph& others, double error_px) const {
+    /// Those of rounds before are used again where they are fine enough among these views.
+    void remake_depth_meshes(Lumigraph& others, double error_px) {
         if (others.noisy_depth_error_px == error_px) return;
         others.noisy_depth_error_px = error_px;
+        std::map<std::string, std::shared_ptr<const DepthMesh>>& made = made_by_error_[error_px];
         for (LumigraphView& view : others.views)
-            if (tells_noise(view)) view.depth_mesh.reset();
+            if (tells_noise(view)) view.depth_mesh = made[view.name];
         QuietPart of_the_question(progress_);
         make_depth_meshes(others, 0, of_the_question);
+        for (const LumigraphView& view : others.views) made[view.name] = view.depth_mesh;
     }
 
     /// For each tolerance.
@@ -98,6 +103,8 @@ class MeshQuestion {
     const CameraMeshOptions& mesh_options_;
     std::vector<double> tolerances_px_;
     Progress& progress_;
+    /// Of views by their names.
+    std::map<double, std::map<std::string, std::shared_ptr<const DepthMesh>>> made_by_error_;
 };
 
 }  // namespace
@@ -106,7 +113,7 @@ DepthMeshEffort sufficient_depth_mesh_effort(const Lumigraph& lumigraph, const C
                                              const CameraMeshOptions& mesh_options,
                                              double tolerance_px, Progress& progress) {
     if (std::none_of(lumigraph.views.begin(), lumigraph.views.end(), tells_noise)) return {};
-    const MeshQuestion question(lumigraph, capture, mesh_options, tolerance_px, progress);
+    MeshQuestion question(lumigraph, capture, mesh_options, tolerance_px, progress);
     constexpr double kCoarsest_px = kMeshErrors_px.front();
     constexpr double kFinest_px = kMeshErrors_px.back();
     auto losses_db = question.losses_by_error({kCoarsest_px, kFinest_px});
