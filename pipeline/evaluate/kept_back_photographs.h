@@ -16,7 +16,7 @@ namespace lumi {
 
 /// Photographs of a Lumigraph that were kept back (visit_kept_back), and the others, which they are
 /// drawn from in different ways: uploaded once, when they are first asked, for all questions. Then
-/// each round's others lie in memory, up to 70 views in all where a Lumigraph has 8 to 47; of more
+/// each round's others lie in memory, up to 70 views in all where a Lumigraph has 8 to 42; of more
 /// views there is one round.
 class KeptBackPhotographs {
  public:

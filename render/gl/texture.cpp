@@ -45,14 +45,20 @@ unsigned new_texture() {
     return name;
 }
 
-/// After textures were asked for.
-void require_memory(int width_px, int height_px, int layers) {
-    if (glGetError() != GL_OUT_OF_MEMORY) return;
+/// Whether memory is among what GL complains of; it forgets that then.
+bool is_out_of_memory() {
+    bool is_out = false;
+    for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError())
+        is_out = is_out || error == GL_OUT_OF_MEMORY;
+    return is_out;
+}
+
+[[noreturn]] void refuse_memory(int width_px, int height_px, int layers) {
     throw Error(ErrorKind::kResources, "E-GL-LIMIT",
-                "the GL driver has no memory for " + std::to_string(layers) + " pictures of " +
+                "the GL driver has no memory for " + std::to_string(layers) + " layers of " +
                     std::to_string(width_px) + "x" + std::to_string(height_px),
-                "make the package with a smaller [capture] max_width_px or with [package] "
-                "max_views, or use another GL driver");
+                "draw smaller frames, make the package with a smaller [capture] max_width_px or "
+                "with [package] max_views, or use another GL driver");
 }
 
 void clear_rectangle(int x, int y, int width_px, int height_px) {
@@ -83,7 +89,7 @@ TextureArray::TextureArray(TexelFormat format, TexelFilter filter, int width_px,
     const GlFormat gl = gl_format(format);
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(gl.internal), width_px, height_px,
                  layers, 0, gl.external, gl.type, nullptr);
-    require_memory(width_px, height_px, layers);
+    if (is_out_of_memory()) refuse_memory(width_px, height_px, layers);
 }
 
 void TextureArray::upload(int layer, const ColorImage& image) {

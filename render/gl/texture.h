@@ -24,7 +24,7 @@ enum class TexelFilter { kNearest, kLinear };
 class TextureArray {
  public:
     TextureArray() = default;
-    /// Throws Error (E-GL-LIMIT) where the driver has no memory for it.
+    /// Throws Error (E-GL-LIMIT) where the driver has no memory for it. Takes pending GL errors.
     TextureArray(TexelFormat format, TexelFilter filter, int width_px, int height_px, int layers);
 
     /// Row 0 of the image is row 0 of the layer. The image must fit.

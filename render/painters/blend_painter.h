@@ -18,7 +18,7 @@ enum class Behind {
     kNothing,       ///< What no photograph shows stays as it was.
     kSurroundings,  ///< What no photograph shows gets the surroundings of the vertices.
     kPicture,       ///< The picture shows through as far as the vertices are not opaque.
-    kGuesses,       ///< Replace the picture where it is a guess and they are not.
+    kGuesses,       ///< The triangles replace the picture where it is a guess and they are not.
 };
 
 /// Draws triangles that blend three photographs each (shaders/blend.glsl), in one pass.
