@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "calib/work/mean.h"
 #include "calib/work/median.h"
 
 namespace lumi {
@@ -133,12 +134,6 @@ ModelTrial trial_of(ExposureModel model, int view_count, const std::vector<Expos
                                second.row(i).unaryExpr(clipped).squaredNorm());
     }
     return trial;
-}
-
-double mean_of(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double value : values) sum += value;
-    return sum / static_cast<double>(values.size());
 }
 
 /// Whether a model's errors exceed the best one's by no more than a standard error. A view is part

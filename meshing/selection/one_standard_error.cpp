@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
+
+#include "calib/work/mean.h"
 
 namespace lumi {
-namespace {
-
-double mean_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) /
-           std::max(1.0, static_cast<double>(values.size()));
-}
-
-}  // namespace
-
 Excess excess_over(const std::vector<double>& losses, const std::vector<double>& least) {
     assert(losses.size() == least.size());
     std::vector<double> excesses;

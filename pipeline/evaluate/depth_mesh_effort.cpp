@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <vector>
 
+#include "calib/work/mean.h"
 #include "meshing/selection/one_standard_error.h"
 #include "pipeline/evaluate/kept_back_rounds.h"
 #include "render/depth_mesh/view_depth_mesh.h"
@@ -31,10 +31,6 @@ using MeshLossesDb = std::vector<double>;
 
 bool tells_noise(const LumigraphView& view) {
     return view.depth_mesh && is_of_noise(*view.depth_mesh, view.depth);
-}
-
-double sum_db(const MeshLossesDb& losses_db) {
-    return std::accumulate(losses_db.begin(), losses_db.end(), 0.0);
 }
 
 /// Asks the photographs.
@@ -65,7 +61,7 @@ class MeshQuestion {
             best[error_px] =
                 std::move(*std::min_element(losses_db.begin(), losses_db.end(),
                                             [](const MeshLossesDb& a, const MeshLossesDb& b) {
-                                                return sum_db(a) < sum_db(b);
+                                                return mean_of(a) < mean_of(b);
                                             }));
         return best;
     }

@@ -2,9 +2,9 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "calib/work/error.h"
+#include "calib/work/mean.h"
 #include "pipeline/evaluate/view_score.h"
 
 namespace lumi {
@@ -27,10 +27,6 @@ ViewsOfMode views_by_mode(const Json& evaluation) {
     return modes;
 }
 
-double mean(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 MetricComparison compare_metric(const ScoreMetric& metric, const std::vector<std::string>& names,
                                 const std::map<std::string, Json>& views_a,
                                 const std::map<std::string, Json>& views_b) {
@@ -47,9 +43,9 @@ MetricComparison compare_metric(const ScoreMetric& metric, const std::vector<std
     }
     MetricComparison comparison{metric.name, {}, {}, {}, {}, metric.higher_is_better};
     if (a.empty()) return comparison;
-    comparison.mean_a = mean(a);
-    comparison.mean_b = mean(b);
-    comparison.mean_difference = mean(differences);
+    comparison.mean_a = mean_of(a);
+    comparison.mean_b = mean_of(b);
+    comparison.mean_difference = mean_of(differences);
     comparison.interval = bootstrap_interval(differences);
     return comparison;
 }

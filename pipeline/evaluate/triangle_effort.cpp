@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "calib/work/mean.h"
 #include "meshing/selection/one_standard_error.h"
 
 namespace lumi {
@@ -33,10 +33,6 @@ RenderOptions with_error(double error_px, const DrawingChoices& drawing) {
 LossesDb losses_with_thin(KeptBackPhotographs& photographs, DrawingChoices drawing) {
     drawing.draws_thin = true;
     return photographs.draw(drawing, with_error(kTriangleError_px, drawing)).losses_db;
-}
-
-double mean_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 void conclude_of_thin(const LossesDb& with, const LossesDb& without, TriangleEffort& effort) {

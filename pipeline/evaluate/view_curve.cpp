@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "calib/capture/image_io.h"
+#include "calib/work/mean.h"
 #include "calib/work/median.h"
 #include "calib/work/stopwatch.h"
 #include "pipeline/evaluate/pictured_eye.h"
@@ -64,16 +65,12 @@ std::vector<int> random_views(std::size_t count, std::size_t wanted, HashedRando
     return views;
 }
 
-double mean_psnr_db(const std::vector<double>& losses) {
-    return -std::accumulate(losses.begin(), losses.end(), 0.0) / static_cast<double>(losses.size());
-}
-
 void draw_random_choices(ViewCurvePoint& point, std::size_t all_views,
                          const ViewCurveOptions& options, ChoiceJudge& judge) {
     HashedRandom random(options.seed, static_cast<std::uint64_t>(point.views));
     double squares = 0;
     for (int i = 0; i < options.random_choices; ++i) {
-        const double psnr = mean_psnr_db(judge.losses_of(
+        const double psnr = -mean_of(judge.losses_of(
             random_views(all_views, static_cast<std::size_t>(point.views), random)));
         point.random_psnr_db += psnr / options.random_choices;
         squares += psnr * psnr / options.random_choices;
@@ -134,7 +131,7 @@ ViewCurve measure_view_curve(const Lumigraph& lumigraph, const Capture& capture,
     const auto measure = [&](const std::vector<int>& views) {
         progress.throw_if_interrupted();
         std::vector<double> losses = judge.losses_of(views);
-        curve.points.push_back({static_cast<int>(views.size()), mean_psnr_db(losses),
+        curve.points.push_back({static_cast<int>(views.size()), -mean_of(losses),
                                 texture_mib(lumigraph, views), judge.last_ms(), 0.0, 0.0});
         if (views.size() < all_views) {
             draw_random_choices(curve.points.back(), all_views, options, judge);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
+
+#include "calib/work/mean.h"
 
 namespace lumi {
 
@@ -36,7 +37,7 @@ std::vector<double> values_of(const ScoreMetric& metric, const std::vector<ViewS
 std::optional<double> mean_of(const ScoreMetric& metric, const std::vector<ViewScore>& views) {
     const std::vector<double> values = values_of(metric, views);
     if (values.empty()) return std::nullopt;
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    return mean_of(values);
 }
 
 std::optional<Interval> interval_of(const ScoreMetric& metric,
