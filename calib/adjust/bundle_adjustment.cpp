@@ -13,6 +13,7 @@
 
 #include "calib/adjust/bundle_problem.h"
 #include "calib/work/error.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
@@ -169,11 +170,8 @@ double cauchy_scale_px(const Capture& capture) {
         }
     }
     constexpr double kLeast_px = 0.05;
-    if (errors_px.empty()) return kLeast_px;
-    const auto middle = errors_px.begin() + static_cast<std::ptrdiff_t>(errors_px.size() / 2);
-    std::nth_element(errors_px.begin(), middle, errors_px.end());
     // Of two Gaussian coordinates: the median of Rayleigh's distribution.
-    const double sigma_px = *middle / std::sqrt(2 * std::numbers::ln2);
+    const double sigma_px = median_of(std::move(errors_px)) / std::sqrt(2 * std::numbers::ln2);
     return std::max(kLeast_px, 2.385 * sigma_px);
 }
 

@@ -22,8 +22,9 @@ struct HeldOutViewsOptions {
 /// of no help in another photograph. Every group of views is left out of one fit; each of its views
 /// is then placed by the lens and the points that the other views agree on (resection), and its
 /// distances to them are the prediction error. The six unknowns of that pose are the same in
-/// every model. `fitted` is where the fits start; its observations are taken as they are. Throws
-/// Error as fit_bundle does.
+/// every model. A view that sees nothing of what two others agree on has an unusable entry.
+/// `fitted` is where the fits start; its observations are taken as they are. Throws Error as
+/// fit_bundle does.
 [[nodiscard]] std::vector<HeldOutFold> predict_held_out_views(
     const Capture& fitted, int camera_index, const BundleAdjustmentOptions& adjustment,
     const HeldOutViewsOptions& options, int threads, Progress& progress);

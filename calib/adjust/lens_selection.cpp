@@ -143,6 +143,11 @@ void predict(std::vector<FittedForm>& fitted, int camera_index,
             form.trial.not_predicted = "cannot be fitted without some of the views";
             continue;
         }
+        if (!any_usable(form.trial.folds)) {
+            form.trial.folds.clear();
+            form.trial.not_predicted = "no view sees what two others see";
+            continue;
+        }
         if (best == nullptr) best = &form.trial.folds;
     }
 }

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <opencv2/core.hpp>
 
 #include "calib/boards/board_detection.h"
 #include "calib/capture/gray.h"
 #include "calib/capture/image_io.h"
 #include "calib/ingest/photograph_folder.h"
+#include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 
 namespace lumi {
@@ -52,6 +54,10 @@ BoardAnswer answer_for(const PhotographFile& file, BoardKind kind, const BoardRe
     } catch (const Error& error) {
         if (error.kind() == ErrorKind::kInterrupted) throw;
         return {std::nullopt, {file.name, error.code(), error.what()}};
+    } catch (const cv::Exception& exception) {
+        // Such as a window that is larger than the picture.
+        return {std::nullopt,
+                {file.name, "E-BOARD-FAILED", "OpenCV cannot look at it: " + exception.err}};
     }
 }
 
@@ -117,9 +123,7 @@ bool is_hexagonal(BoardKind kind) { return kind == BoardKind::kHexagonalCircles;
 double median_size(const std::vector<BoardDetection>& detections) {
     std::vector<double> sizes;
     for (const BoardDetection& detection : detections) sizes.push_back(detection.size_per_pitch);
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    return *middle;
+    return median_of(std::move(sizes));
 }
 
 [[noreturn]] void refuse_without_board(const BoardPhotographs& found) {

@@ -7,6 +7,7 @@
 
 #include "calib/boards/saddle_points.h"
 #include "calib/opencv/opencv_picture.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
@@ -116,10 +117,7 @@ double median_step_px(const ScaledPattern& found) {
         const auto local = predict(found.lattice, found.points_px, cell, true);
         if (local) steps_px.push_back(smaller_step_px(*local));
     }
-    if (steps_px.empty()) return 0.0;
-    const auto middle = steps_px.begin() + static_cast<std::ptrdiff_t>(steps_px.size() / 2);
-    std::nth_element(steps_px.begin(), middle, steps_px.end());
-    return *middle;
+    return median_of(std::move(steps_px));
 }
 
 /// The scale that shows the most of the board; finer and coarser ones only where they may help.

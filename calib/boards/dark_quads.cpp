@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "calib/boards/point_grid.h"
+#include "calib/boards/shrunk_picture.h"
 #include "calib/opencv/opencv_picture.h"
 
 namespace lumi {
@@ -137,11 +138,8 @@ std::vector<Corners> without_repetitions(const std::vector<Corners>& quads) {
 }  // namespace
 
 std::vector<DarkQuad> detect_dark_quads(const GrayImage& picture) {
-    constexpr double kLongSide_px = 1600;
-    const double scale = std::min(1.0, kLongSide_px / std::max(picture.width(), picture.height()));
     const cv::Mat whole = opencv_view(picture);
-    cv::Mat small = whole;
-    if (scale < 1) cv::resize(whole, small, {}, scale, scale, cv::INTER_AREA);
+    const cv::Mat small = shrunk_picture(picture);
     GrayImage small_picture(small.cols, small.rows);
     small.copyTo(opencv_view(small_picture));
 
@@ -164,7 +162,7 @@ std::vector<DarkQuad> detect_dark_quads(const GrayImage& picture) {
     for (Corners corners : without_repetitions(quads)) {
         corners = refined(small, corners, 0.15);
         for (Eigen::Vector2d& corner : corners) corner = corner.cwiseProduct(size_ratio);
-        if (scale < 1) corners = refined(whole, corners, 0.12);
+        if (small.size() != whole.size()) corners = refined(whole, corners, 0.12);
         DarkQuad quad;
         quad.corners_px = corners;
         quad.centre_px = diagonal_crossing(corners);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "calib/boards/point_grid.h"
+#include "calib/boards/shrunk_picture.h"
 #include "calib/opencv/opencv_picture.h"
 
 namespace lumi {
@@ -141,11 +142,7 @@ std::vector<DiscImage> without_repetitions(const std::vector<DiscImage>& discs) 
 }  // namespace
 
 std::vector<DiscImage> detect_discs(const GrayImage& picture) {
-    constexpr double kLongSide_px = 1600;
-    const double scale = std::min(1.0, kLongSide_px / std::max(picture.width(), picture.height()));
-    const cv::Mat whole = opencv_view(picture);
-    cv::Mat small = whole;
-    if (scale < 1) cv::resize(whole, small, {}, scale, scale, cv::INTER_AREA);
+    const cv::Mat small = shrunk_picture(picture);
     const Eigen::Vector2d size_ratio(static_cast<double>(picture.width()) / small.cols,
                                      static_cast<double>(picture.height()) / small.rows);
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "calib/work/median.h"
+
 namespace lumi {
 namespace {
 
@@ -64,9 +66,7 @@ Eigen::Matrix2d median_of(const std::vector<Eigen::Matrix2d>& matrices) {
     for (Eigen::Index entry = 0; entry < 4; ++entry) {
         std::transform(matrices.begin(), matrices.end(), values.begin(),
                        [&](const Eigen::Matrix2d& matrix) { return matrix(entry); });
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::nth_element(values.begin(), middle, values.end());
-        result(entry) = *middle;
+        result(entry) = median_of(values);
     }
     return result;
 }

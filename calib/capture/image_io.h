@@ -14,11 +14,14 @@ namespace lumi {
 [[nodiscard]] ColorImage read_color_image(const std::filesystem::path& path,
                                           std::size_t max_pixels = std::size_t{1} << 28);
 
-/// Width and height from the header alone; the same errors.
 struct ImageSize {
     int width_px = 0;
     int height_px = 0;
 };
+
+/// Width and height from the header; nothing is decoded, but the file is read whole, and a PNG
+/// refused whose end is missing or whose checksums are wrong. The same errors, except
+/// E-IMAGE-TOOBIG.
 [[nodiscard]] ImageSize read_image_size(const std::filesystem::path& path);
 
 /// Lossless 8-bit PNG, the same bytes for the same pixels; written whole or not at all.

@@ -48,10 +48,10 @@ struct ColmapPhotograph {
 /// Empty when the name is not one that `colmap_image_name` gives.
 [[nodiscard]] std::optional<int> photograph_index_of(const std::string& colmap_image_name);
 
-/// Fills the empty database that COLMAP's `database_creator` made. Camera ids are index + 1, image
-/// ids are index + 1. Throws Error
-/// (E-COLMAP-DATABASE).
 enum class KeypointsIn { kDatabase, kNothing };  ///< kNothing: COLMAP shall find its own.
+
+/// Fills the empty database that COLMAP's `database_creator` made. Camera ids are index + 1, image
+/// ids are index + 1. Throws Error (E-COLMAP-DATABASE).
 void fill_colmap_database(const std::filesystem::path& database,
                           const std::vector<ColmapCamera>& cameras,
                           const std::vector<ColmapPhotograph>& photographs,

@@ -8,17 +8,10 @@
 #include <vector>
 
 #include "calib/capture/gray.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
-
-double quantile(std::vector<float> values, double share) {
-    if (values.empty()) return 0.0;
-    const auto nth = values.begin() +
-                     static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), nth, values.end());
-    return static_cast<double>(*nth);
-}
 
 /// Of the quieter third of blocks: there is little but noise.
 double noise_sigma_of(const cv::Mat& gray) {
@@ -43,11 +36,11 @@ double noise_sigma_of(const cv::Mat& gray) {
             brightness /= kBlock * kBlock;
             // Where the sensor is at its end, noise is cut off.
             if (brightness < 8 || brightness > 247) continue;
-            of_blocks.push_back(
-                static_cast<float>(quantile(values, 0.5) * kSigmaPerMedian / kGain));
+            const auto median = static_cast<double>(quantile_of(std::move(values), 0.5));
+            of_blocks.push_back(static_cast<float>(median * kSigmaPerMedian / kGain));
         }
     }
-    return quantile(std::move(of_blocks), kQuiet);
+    return static_cast<double>(quantile_of(std::move(of_blocks), kQuiet));
 }
 
 double linear_of(double level) {

@@ -13,7 +13,7 @@ namespace {
 // OpenCV 4.6 doubles the picture with pixel centres aligned, but halves the coordinates as if
 // corners were: a feature is reported a quarter of a pixel too far to the right and below
 // (opencv#23123). OpenCV's (0, 0) is our (0.5, 0.5).
-constexpr float kOurPixelFromOpenCv = 0.5F - 0.25F;
+constexpr float kOurPixelFromSift = 0.5F - 0.25F;
 
 Descriptor root_sift(const float* sift) {
     const float sum = std::accumulate(sift, sift + kDescriptorSize, 0.0F);
@@ -38,7 +38,7 @@ struct DescribedPoints {
 
 bool is_hidden(const cv::KeyPoint& point, const GrayImage& mask) {
     const auto at = [](float pixel, int size) {
-        return std::clamp(static_cast<int>(pixel + kOurPixelFromOpenCv), 0, size - 1);
+        return std::clamp(static_cast<int>(pixel + kOurPixelFromSift), 0, size - 1);
     };
     return mask(at(point.pt.x, mask.width()), at(point.pt.y, mask.height())) == 0;
 }
@@ -84,7 +84,7 @@ Features detect_sift(const GrayImage& image, const SiftOptions& options, const G
     for (const int index : order) {
         const cv::KeyPoint& point = points[static_cast<std::size_t>(index)];
         result.keypoints.push_back(
-            {{point.pt.x + kOurPixelFromOpenCv, point.pt.y + kOurPixelFromOpenCv},
+            {{point.pt.x + kOurPixelFromSift, point.pt.y + kOurPixelFromSift},
              0.5F * point.size,
              point.angle * std::numbers::pi_v<float> / 180.0F});
         result.descriptors.push_back(root_sift(descriptors.ptr<float>(index)));

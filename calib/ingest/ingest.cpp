@@ -57,14 +57,8 @@ Candidate ingest_file(const PhotographFile& file, const IngestOptions& options,
     } catch (const Error& error) {
         return left_out(left_out_because_of(error, file));
     }
-    if (std::min(raster.width(), raster.height()) < options.min_width_px) {
-        return left_out({file.name, "E-INGEST-TINY",
-                         std::to_string(raster.width()) + "x" + std::to_string(raster.height()) +
-                             " pixels; the shorter side needs at least " +
-                             std::to_string(options.min_width_px)});
-    }
     Candidate candidate = make_working_copy(raster, file.name, options, copies_folder, number);
-    add_exif(file, candidate.photograph);
+    if (!candidate.left_out) add_exif(file, candidate.photograph);
     return candidate;
 }
 

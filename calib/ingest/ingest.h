@@ -15,7 +15,7 @@ namespace lumi {
 /// What is accepted as a photograph, and how large the working copies are.
 struct IngestOptions {
     int max_width_px = 1600;  ///< Longer sides are scaled down to this. 0: as they are.
-    int min_width_px = 64;    ///< Shorter sides below this are "tiny". > 0.
+    int min_width_px = 64;    ///< Shorter sides of copies below this are "tiny". > 0.
     int min_photographs = 2;  ///< Fewer than this left over: E-INGEST-TOOFEW.
     double video_fps = 2.0;   ///< Frames taken from each second of a video. > 0.
     /// Whether what was laid over all photographs (overlay.h) is left in them.

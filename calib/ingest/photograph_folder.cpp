@@ -36,24 +36,6 @@ std::string lower_extension(const fs::path& path) {
     return extension;
 }
 
-/// Reports and manifests are UTF-8; a name in another encoding could not stand in them.
-bool is_utf8(std::string_view text) {
-    std::size_t i = 0;
-    while (i < text.size()) {
-        const auto lead = static_cast<unsigned char>(text[i++]);
-        const std::size_t following = lead < 0x80                   ? 0
-                                      : lead >= 0xc2 && lead < 0xe0 ? 1
-                                      : lead >= 0xe0 && lead < 0xf0 ? 2
-                                      : lead >= 0xf0 && lead < 0xf5 ? 3
-                                                                    : text.size();
-        if (following > text.size() - i) return false;
-        for (const std::size_t end = i + following; i < end; ++i) {
-            if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) return false;
-        }
-    }
-    return true;
-}
-
 std::vector<std::uint8_t> first_bytes(const fs::path& path) {
     constexpr std::size_t kMagicBytes = 16;
     std::vector<std::uint8_t> bytes(kMagicBytes);
@@ -61,6 +43,13 @@ std::vector<std::uint8_t> first_bytes(const fs::path& path) {
     stream.read(reinterpret_cast<char*>(bytes.data()), kMagicBytes);
     bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
     return bytes;
+}
+
+/// A package, or a workspace.
+bool is_made_by_lumi(const fs::path& folder) {
+    std::error_code ignored;
+    return folder.extension() == ".lumi" || (fs::exists(folder / "stages.json", ignored) &&
+                                             fs::exists(folder / "config.toml", ignored));
 }
 
 class FolderWalk {
@@ -92,6 +81,8 @@ class FolderWalk {
             std::error_code ignored;
             if (!entry->is_directory(ignored)) {
                 classify(entry->path(), prefix + file_name);
+            } else if (is_made_by_lumi(entry->path())) {
+                leave_out(prefix + file_name, "E-INGEST-OWN", "made by lumi: no photographs");
             } else if (!entry->is_symlink(ignored) &&
                        !(prefix.empty() && file_name == working_branch_)) {
                 walk(entry->path(), prefix + file_name + "/");
@@ -117,7 +108,7 @@ class FolderWalk {
         const std::vector<std::uint8_t> bytes = first_bytes(path);
         const auto format = image_format_of(bytes);
         if (format && !is_utf8(name)) {
-            leave_out(printable(name), "E-INGEST-NAME", "its name is not UTF-8: rename the file");
+            leave_out(name, "E-INGEST-NAME", "its name is not UTF-8: rename the file");
         } else if (format) {
             found_.files.push_back({name, path, *format});
         } else if (claims_to_be_read) {
@@ -129,8 +120,9 @@ class FolderWalk {
         }
     }
 
+    /// Reports, which are UTF-8, name every file, whatever its name.
     void leave_out(const std::string& name, const std::string& code, const std::string& reason) {
-        found_.left_out.push_back({name, code, reason});
+        found_.left_out.push_back({printable(name), code, reason});
     }
 
     PhotographFolder found_;

@@ -36,6 +36,10 @@ bool is_of_working_copies(const std::string& file_name) {
                 "check that you may write there");
 }
 
+std::string size_text(int width_px, int height_px) {
+    return std::to_string(width_px) + "x" + std::to_string(height_px);
+}
+
 std::pair<int, int> working_size(const ColorImage& raster, int max_width_px) {
     const int longer = std::max(raster.width(), raster.height());
     if (max_width_px == 0 || longer <= max_width_px) return {raster.width(), raster.height()};
@@ -74,6 +78,16 @@ Candidate make_working_copy(const ColorImage& raster, const std::string& name,
                             std::size_t number) {
     Candidate candidate;
     const auto [width_px, height_px] = working_size(raster, options.max_width_px);
+    const bool as_it_is = width_px == raster.width() && height_px == raster.height();
+    // Never scaled up: a tiny original has a tiny copy.
+    if (std::min(width_px, height_px) < options.min_width_px) {
+        const std::string size = size_text(raster.width(), raster.height()) + " pixels" +
+                                 (as_it_is ? "" : ", scaled to " + size_text(width_px, height_px));
+        candidate.left_out = LeftOut{
+            name, "E-INGEST-TINY",
+            size + "; the shorter side needs at least " + std::to_string(options.min_width_px)};
+        return candidate;
+    }
     Photograph& photograph = candidate.photograph;
     photograph.name = name;
     photograph.picture_path = copy_path(folder, number);
@@ -82,7 +96,6 @@ Candidate make_working_copy(const ColorImage& raster, const std::string& name,
     photograph.original_width_px = raster.width();
     photograph.original_height_px = raster.height();
     candidate.pixels_sha256 = pixels_sha256(raster);
-    const bool as_it_is = width_px == raster.width() && height_px == raster.height();
     const ColorImage scaled = as_it_is ? ColorImage() : resized(raster, width_px, height_px);
     const ColorImage& copy = as_it_is ? raster : scaled;
     candidate.thumbnail = thumbnail_of(copy);

@@ -28,7 +28,8 @@ inline constexpr const char* kOverlayPrefix = "overlay-";
 /// Removes the working copies of an earlier run and makes the folder.
 void clear_working_copies(const std::filesystem::path& folder);
 
-/// Scales `raster` down as the options ask and writes it as copy `number` (from 1).
+/// Scales `raster` down as the options ask and writes it as copy `number` (from 1). One whose
+/// shorter side is tiny, as it is or scaled down, is left out (E-INGEST-TINY).
 [[nodiscard]] Candidate make_working_copy(const ColorImage& raster, const std::string& name,
                                           const IngestOptions& options,
                                           const std::filesystem::path& folder, std::size_t number);

@@ -4,9 +4,9 @@
 #include <fstream>
 
 #include "calib/capture/colmap_model.h"
-#include "calib/capture/strecha_camera.h"
 #include "calib/known_poses/middlebury_par.h"
 #include "calib/known_poses/poses_bounds.h"
+#include "calib/known_poses/strecha_camera.h"
 #include "calib/known_poses/transforms_json.h"
 #include "calib/work/error.h"
 
@@ -38,7 +38,7 @@ KnownPoses read_colmap(const fs::path& folder) {
     KnownPoses known;
     known.format = "COLMAP model";
     for (const Camera& camera : capture.cameras) {
-        known.lenses.push_back({camera, true, std::nullopt});
+        known.lenses.push_back({camera, std::nullopt});
     }
     known.views = std::move(capture.views);
     known.points = std::move(capture.points);
@@ -52,7 +52,7 @@ KnownPoses read_strecha_folder(const std::vector<fs::path>& files) {
         if (file.extension() != kStrechaEnding) continue;
         const StrechaCamera camera = read_strecha_camera(file);
         known.views.push_back({file.stem().string(),
-                               index_of_lens(known.lenses, {camera.camera, true, std::nullopt}),
+                               index_of_lens(known.lenses, {camera.camera, std::nullopt}),
                                camera.cam_from_world});
     }
     return known;

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "calib/capture/capture.h"
+#include "calib/known_poses/stated_lens.h"
 
 namespace lumi {
 
 /// A lens as a file of poses states it.
 struct KnownLens {
-    Camera camera;               ///< Its size is 0x0 when `size_is_stated` is false.
-    bool size_is_stated = true;  ///< False: the lens is for photographs of the size they have.
-    /// Stands instead of the camera's parameters when the file tells neither size nor pixels.
-    std::optional<double> angle_of_view_x_rad;
+    Camera camera;
+    /// Stands instead of `camera` where the file states no size: for any that photographs have.
+    std::optional<StatedLens> of_any_size;
 
     friend bool operator==(const KnownLens&, const KnownLens&) = default;
 };
@@ -30,7 +30,8 @@ struct KnownPoses {
 
 /// Reads a COLMAP model folder, `transforms.json`, `poses_bounds.npy`, a Middlebury `*_par.txt` or
 /// a folder of Strecha `.camera` files; a folder that holds exactly one of the single files will do
-/// too. The format is told by content. Throws Error: E-IMPORT-FORMAT, or that of the format.
+/// too. A folder's format is told by the names of its files, that of a file by how it begins.
+/// Throws Error: E-IMPORT-FORMAT, or that of the format.
 [[nodiscard]] KnownPoses read_known_poses(const std::filesystem::path& path);
 
 /// Adds the lens unless it stands there already; its index.

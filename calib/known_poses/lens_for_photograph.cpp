@@ -81,12 +81,12 @@ void refuse_other_pictures(const KnownPoses& known, const std::vector<Photograph
         if (!photograph_of_view[i]) continue;
         const Photograph& photograph = photographs[*photograph_of_view[i]];
         const auto lens = static_cast<std::size_t>(known.views[i].camera_index);
-        const Camera& camera = known.lenses[lens].camera;
-        if (known.lenses[lens].size_is_stated) {
-            by_stated_size[{camera.width_px, camera.height_px}].push_back(&photograph);
-        } else {
+        if (known.lenses[lens].of_any_size) {
             refuse_principal_point_outside(known.lenses[lens], photograph, path);
+            continue;
         }
+        const Camera& camera = known.lenses[lens].camera;
+        by_stated_size[{camera.width_px, camera.height_px}].push_back(&photograph);
     }
     for (const auto& [stated, of_size] : by_stated_size) {
         refuse_several_sizes(stated, of_size, path);
@@ -96,20 +96,13 @@ void refuse_other_pictures(const KnownPoses& known, const std::vector<Photograph
 
 Camera lens_for_original(const KnownLens& lens, const Photograph& photograph) {
     const Size size = size_on_disk(photograph);
-    if (lens.angle_of_view_x_rad) {
-        return pinhole_camera(size.width_px, size.height_px,
-                              0.5 * size.width_px / std::tan(0.5 * *lens.angle_of_view_x_rad));
-    }
-    Camera camera = lens.camera;
-    if (lens.size_is_stated) return resized(camera, size.width_px, size.height_px);
-    camera.width_px = size.width_px;
-    camera.height_px = size.height_px;
-    return camera;
+    if (lens.of_any_size) return lens_for_size(*lens.of_any_size, size.width_px, size.height_px);
+    return resized(lens.camera, size.width_px, size.height_px);
 }
 
 Camera lens_for_working_copy(const KnownLens& lens, const Photograph& photograph) {
     // In one step where the file states a size: a lens of that very size is kept to the bit.
-    if (lens.size_is_stated) {
+    if (!lens.of_any_size) {
         return resized(lens.camera, photograph.width_px, photograph.height_px);
     }
     return resized(lens_for_original(lens, photograph), photograph.width_px, photograph.height_px);

@@ -17,7 +17,7 @@ KnownLens lens_of(double height, double width, double focal_length_px, const std
     if (!sensible) refuse_poses(where, "its size or focal length is not positive");
     return {pinhole_camera(static_cast<int>(std::lround(width)),
                            static_cast<int>(std::lround(height)), focal_length_px),
-            true, std::nullopt};
+            std::nullopt};
 }
 
 }  // namespace

@@ -94,65 +94,50 @@ bool is_fisheye(const LensFields& fields) {
     return false;
 }
 
-/// Chooses the simplest of COLMAP's models that holds the distortion.
-void add_distortion(const LensFields& fields, Camera& camera) {
-    const auto k = [&](const char* key) { return fields.number(key).value_or(0.0); };
-    std::vector<double> distortion;
-    if (is_fisheye(fields)) {
-        camera.model = LensModel::kOpenCvFisheye;
-        distortion = {k("k1"), k("k2"), k("k3"), k("k4")};
-    } else {
-        if (k("k4") != 0) refuse_lens(fields.where(), "a lens with k4 is not known to lumi");
-        if (k("k3") != 0) {
-            camera.model = LensModel::kFullOpenCv;
-            distortion = {k("k1"), k("k2"), k("p1"), k("p2"), k("k3"), 0, 0, 0};
-        } else if (k("k1") != 0 || k("k2") != 0 || k("p1") != 0 || k("p2") != 0) {
-            camera.model = LensModel::kOpenCv;
-            distortion = {k("k1"), k("k2"), k("p1"), k("p2")};
+std::array<double, 5> distortion_of(const LensFields& fields, bool is_fisheye) {
+    const auto of = [&](const char* key) { return fields.number(key).value_or(0.0); };
+    if (is_fisheye) {
+        if (of("p1") != 0 || of("p2") != 0) {
+            refuse_lens(fields.where(), "a fisheye lens with p1 or p2 is not known to lumi");
         }
+        return {of("k1"), of("k2"), of("k3"), of("k4")};
     }
-    camera.parameters.insert(camera.parameters.end(), distortion.begin(), distortion.end());
+    if (of("k4") != 0) refuse_lens(fields.where(), "a lens with k4 is not known to lumi");
+    return {of("k1"), of("k2"), of("p1"), of("p2"), of("k3")};
 }
 
-double focal_length_from_angle(double angle_rad, double side_px, const std::string& where) {
-    if (!(angle_rad > 0) || !(angle_rad < 3.14)) refuse_json(where, "expected an angle of view");
-    return 0.5 * side_px / std::tan(0.5 * angle_rad);
+std::optional<double> angle_of_view(const LensFields& fields, const char* key) {
+    const auto angle_rad = fields.number(key);
+    if (angle_rad && (!(*angle_rad > 0) || !(*angle_rad < 3.14))) {
+        refuse_json(fields.where() + "." + key, "expected an angle of view");
+    }
+    return angle_rad;
 }
 
 KnownLens lens_of(const LensFields& fields) {
-    KnownLens lens;
-    Camera& camera = lens.camera;
-    camera.width_px = fields.side("w");
-    camera.height_px = fields.side("h");
-    lens.size_is_stated = camera.width_px > 0 && camera.height_px > 0;
-    const auto angle_x = fields.number("camera_angle_x");
-    const auto angle_y = fields.number("camera_angle_y");
-    std::optional<double> focal_x = fields.number("fl_x");
-    std::optional<double> focal_y = fields.number("fl_y");
-    if (!lens.size_is_stated && !focal_x && angle_x) {
-        static_cast<void>(focal_length_from_angle(*angle_x, 1.0, fields.where()));
-        lens.camera = {};
-        lens.angle_of_view_x_rad = angle_x;
-        return lens;
+    const int width_px = fields.side("w");
+    const int height_px = fields.side("h");
+    if ((width_px > 0) != (height_px > 0)) {
+        refuse_json(fields.where(), "expected both w and h, or neither");
     }
-    if (!focal_x && angle_x) {
-        focal_x = focal_length_from_angle(*angle_x, camera.width_px, fields.where());
+    StatedLens lens;
+    lens.focal_x_px = fields.number("fl_x");
+    lens.focal_y_px = fields.number("fl_y");
+    if (!lens.focal_x_px) lens.angle_of_view_x_rad = angle_of_view(fields, "camera_angle_x");
+    if (!lens.focal_y_px) lens.angle_of_view_y_rad = angle_of_view(fields, "camera_angle_y");
+    lens.centre_x_px = fields.number("cx");
+    lens.centre_y_px = fields.number("cy");
+    lens.is_fisheye = is_fisheye(fields);
+    lens.distortion = distortion_of(fields, lens.is_fisheye);
+    const bool is_in_pixels = lens.focal_x_px || lens.focal_y_px;
+    if (!is_in_pixels && !lens.angle_of_view_x_rad && !lens.angle_of_view_y_rad) {
+        refuse_json(fields.where(), "no fl_x and no camera_angle_x");
     }
-    if (!focal_y && angle_y && lens.size_is_stated) {
-        focal_y = focal_length_from_angle(*angle_y, camera.height_px, fields.where());
-    }
-    if (!focal_x) focal_x = focal_y;
-    if (!focal_x) refuse_json(fields.where(), "no fl_x and no camera_angle_x");
-    const auto centre_x = fields.number("cx");
-    const auto centre_y = fields.number("cy");
-    if (!lens.size_is_stated && (!centre_x || !centre_y)) {
+    if (width_px > 0) return {lens_for_size(lens, width_px, height_px), std::nullopt};
+    if (is_in_pixels && (!lens.centre_x_px || !lens.centre_y_px)) {
         refuse_json(fields.where(), "neither w and h nor cx and cy");
     }
-    camera.parameters = {*focal_x, focal_y.value_or(*focal_x),
-                         centre_x.value_or(0.5 * camera.width_px),
-                         centre_y.value_or(0.5 * camera.height_px)};
-    add_distortion(fields, camera);
-    return lens;
+    return {{}, lens};
 }
 
 Rigid3 pose_of(const Json& frame, const std::string& where) {

@@ -8,9 +8,9 @@ namespace lumi {
 
 /// `transforms.json` of nerfstudio and instant-ngp: world-from-camera matrices with OpenGL axes
 /// (+y up, looking along -z), the lens for the whole file or for each frame, in pixels or as
-/// `camera_angle_x`. Nesting deeper than 32 is refused before it can exhaust the stack. Throws
-/// Error: E-IMPORT-JSON, E-IMPORT-LENS, E-IMPORT-POSES. Reference:
-/// docs.nerf.studio/quickstart/data_conventions.html.
+/// `camera_angle_x` and `camera_angle_y`, with its distortion. Nesting deeper than 32 is refused
+/// before it can exhaust the stack. Throws Error: E-IMPORT-JSON, E-IMPORT-LENS, E-IMPORT-POSES.
+/// Reference: docs.nerf.studio/quickstart/data_conventions.html.
 [[nodiscard]] KnownPoses read_transforms_json(const std::filesystem::path& path);
 
 }  // namespace lumi

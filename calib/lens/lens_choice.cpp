@@ -21,24 +21,14 @@ double mean_square_px2(const std::vector<HeldOutFold>& folds) {
     return sum / std::max(1.0, residuals_of(folds));
 }
 
-/// Of the mean of `values_px2` (sums over each fold), from how folds differ.
-double standard_error_px2(const std::vector<double>& values_px2,
-                          const std::vector<HeldOutFold>& folds) {
-    const double count = static_cast<double>(folds.size());
-    if (folds.size() < 2) return 0.0;
-    const double total = residuals_of(folds);
-    double sum = 0;
-    for (const double value : values_px2) sum += value;
-    const double mean = sum / total;
-    double squares = 0;
-    for (std::size_t fold = 0; fold < folds.size(); ++fold) {
-        const double deviation = values_px2[fold] - mean * folds[fold].residuals;
-        squares += deviation * deviation;
-    }
-    return std::sqrt(count / (count - 1) * squares) / total;
-}
+/// By how much one fold is predicted worse than in another trial.
+struct FoldDifference {
+    double squared_error_px2 = 0.0;
+    int residuals = 0;
+};
 
-/// By how much the mean square of one list lies above that of the other, and one standard error.
+/// By how much the mean square of one list lies above that of the other, and one standard error,
+/// from how folds differ.
 struct Excess {
     double mean_px2 = 0.0;
     double sigma_px2 = 0.0;
@@ -46,13 +36,26 @@ struct Excess {
 
 Excess excess_of(const std::vector<HeldOutFold>& folds, const std::vector<HeldOutFold>& best) {
     assert(folds.size() == best.size());
-    std::vector<double> differences_px2;
+    std::vector<FoldDifference> differences;
     double sum = 0;
+    double total = 0;
     for (std::size_t fold = 0; fold < folds.size(); ++fold) {
-        differences_px2.push_back(folds[fold].squared_error_px2 - best[fold].squared_error_px2);
-        sum += differences_px2.back();
+        if (!folds[fold].is_usable() || !best[fold].is_usable()) continue;
+        differences.push_back(
+            {folds[fold].squared_error_px2 - best[fold].squared_error_px2, folds[fold].residuals});
+        sum += differences.back().squared_error_px2;
+        total += differences.back().residuals;
     }
-    return {sum / std::max(1.0, residuals_of(folds)), standard_error_px2(differences_px2, folds)};
+    if (differences.empty()) return {};
+    const double mean_px2 = sum / total;
+    if (differences.size() < 2) return {mean_px2, 0.0};
+    double squares = 0;
+    for (const FoldDifference& difference : differences) {
+        const double deviation = difference.squared_error_px2 - mean_px2 * difference.residuals;
+        squares += deviation * deviation;
+    }
+    const double count = static_cast<double>(differences.size());
+    return {mean_px2, std::sqrt(count / (count - 1) * squares) / total};
 }
 
 void measure(LensTrial& trial) {
@@ -63,6 +66,7 @@ void measure(LensTrial& trial) {
     trial.rms_px = std::sqrt(mean_square);
     trial.bic = n * std::log(std::max(mean_square, kLeastMeanSquare_px2)) +
                 free_parameters(trial.form) * std::log(n);
+    if (!any_usable(trial.folds)) trial.folds.clear();
     trial.held_out_rms_px = std::sqrt(mean_square_px2(trial.folds));
 }
 
@@ -113,6 +117,11 @@ std::size_t sound_choice(const LensChoice& choice) {
 }
 
 }  // namespace
+
+bool any_usable(const std::vector<HeldOutFold>& folds) {
+    return std::any_of(folds.begin(), folds.end(),
+                       [](const HeldOutFold& fold) { return fold.is_usable(); });
+}
 
 LensChoice choose_lens(std::vector<LensTrial> trials) {
     assert(!trials.empty());

@@ -13,22 +13,27 @@ namespace lumi {
 struct HeldOutFold {
     double squared_error_px2 = 0.0;  ///< Sum over the residuals.
     int residuals = 0;               ///< Two for each point.
+
+    /// False: nothing of the group could be predicted, and it says nothing of the lens.
+    [[nodiscard]] bool is_usable() const { return residuals > 0; }
 };
+[[nodiscard]] bool any_usable(const std::vector<HeldOutFold>& folds);
 
 /// One form of a lens, tried: what a fit to everything gave, and what fits to parts predicted.
 struct LensTrial {
     LensForm form;
-    Camera lens;                     ///< Fitted to everything.
-    std::vector<double> sigma;       ///< Standard deviation of each parameter; 0 where it is held.
-    double residual_sum_px2 = 0.0;   ///< Of that fit: the sum of squares.
-    int residuals = 0;               ///< Of that fit: two for each point.
-    std::vector<HeldOutFold> folds;  ///< The same groups in every trial; empty: not predicted.
-    std::string not_predicted;       ///< Why `folds` is empty.
+    Camera lens;                    ///< Fitted to everything.
+    std::vector<double> sigma;      ///< Standard deviation of each parameter; 0 where it is held.
+    double residual_sum_px2 = 0.0;  ///< Of that fit: the sum of squares.
+    int residuals = 0;              ///< Of that fit: two for each point.
+    /// The same groups in every trial; empty: not predicted. Unusable ones are skipped.
+    std::vector<HeldOutFold> folds;
+    std::string not_predicted;  ///< Why `folds` is empty.
     /// What speaks against the lens in those parts of the picture where nothing was seen
     /// (lens_fault); empty: nothing.
     std::string fault_beyond_seen;
 
-    // Set by choose_lens:
+    // Set by choose_lens, which also empties `folds` of which none is usable:
     double rms_px = 0.0;            ///< Root mean square of a residual (one coordinate), fitted.
     double held_out_rms_px = 0.0;   ///< The same of what was predicted; 0 without folds.
     double excess_px2 = 0.0;        ///< Mean square that is predicted worse than by the best.

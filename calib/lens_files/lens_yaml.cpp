@@ -53,15 +53,19 @@ class YamlReader {
         }
         return static_cast<int>(value);
     }
-    [[nodiscard]] std::vector<double> numbers() const {
+    [[nodiscard]] std::vector<YamlReader> elements() const {
         if (!node_.IsSequence()) refuse(where_, "expected a list of numbers");
         constexpr std::size_t kLongest = 64;
         if (node_.size() > kLongest) refuse(where_, "the list is too long");
-        std::vector<double> values;
+        std::vector<YamlReader> result;
         for (std::size_t index = 0; index < node_.size(); ++index) {
-            values.push_back(
-                YamlReader(node_[index], where_ + "[" + std::to_string(index) + "]").number());
+            result.push_back({node_[index], where_ + "[" + std::to_string(index) + "]"});
         }
+        return result;
+    }
+    [[nodiscard]] std::vector<double> numbers() const {
+        std::vector<double> values;
+        for (const YamlReader& element : elements()) values.push_back(element.number());
         return values;
     }
     /// A matrix as OpenCV and ROS write it: rows, cols, data.
@@ -117,11 +121,11 @@ Camera lens_of_kalibr(const YamlReader& document, const std::string& where) {
         camera.contradict("camera_model \"" + model + "\" is not known here: pinhole is expected");
     }
     const std::vector<double> intrinsics = camera.at("intrinsics").numbers();
-    const std::vector<double> resolution = camera.at("resolution").numbers();
+    const std::vector<YamlReader> resolution = camera.at("resolution").elements();
     if (intrinsics.size() != 4) camera.contradict("expected four intrinsics");
     if (resolution.size() != 2) camera.contradict("expected a width and a height as resolution");
-    const int width_px = static_cast<int>(resolution[0]);
-    const int height_px = static_cast<int>(resolution[1]);
+    const int width_px = resolution[0].whole_number();
+    const int height_px = resolution[1].whole_number();
     const Eigen::Vector2d focal_px(intrinsics[0], intrinsics[1]);
     const Eigen::Vector2d centre_px =
         Eigen::Vector2d(intrinsics[2], intrinsics[3]) + kFirstPixelCentre;
@@ -130,7 +134,13 @@ Camera lens_of_kalibr(const YamlReader& document, const std::string& where) {
     const std::vector<double> coefficients = camera.has("distortion_coeffs")
                                                  ? camera.at("distortion_coeffs").numbers()
                                                  : std::vector<double>{};
-    if (distortion == "none") return simplest_lens(width_px, height_px, focal_px, centre_px, {});
+    if (distortion == "none") {
+        if (std::any_of(coefficients.begin(), coefficients.end(),
+                        [](double k) { return k != 0; })) {
+            camera.contradict("distortion_coeffs without a distortion_model");
+        }
+        return simplest_lens(width_px, height_px, focal_px, centre_px, {});
+    }
     if (coefficients.size() != 4) camera.contradict("expected four distortion_coeffs");
     if (distortion == "equidistant") {
         return fisheye_lens(width_px, height_px, focal_px, centre_px, coefficients);

@@ -157,6 +157,22 @@ std::vector<std::size_t> tracks_of(const GrowingModel& model, int photograph) {
     return tracks;
 }
 
+SeenPoints seen_points(const GrowingModel& model, int photograph) {
+    SeenPoints seen;
+    const auto position = static_cast<std::size_t>(photograph);
+    const std::vector<int>& tracks = model.track_of_feature[position];
+    for (std::size_t feature = 0; feature < tracks.size(); ++feature) {
+        if (tracks[feature] < 0) continue;
+        const auto track = static_cast<std::size_t>(tracks[feature]);
+        if (model.has_point[track] == 0) continue;
+        seen.tracks.push_back(track);
+        seen.points_in_world.push_back(model.points_in_world[track]);
+        seen.pixels.push_back(model.pixels[position][feature]);
+        seen.rays.push_back(model.rays[position][feature]);
+    }
+    return seen;
+}
+
 Capture capture_of(const GrowingModel& model, const std::vector<std::string>& names) {
     Capture capture;
     std::vector<int> new_camera(model.cameras.size(), -1);

@@ -60,6 +60,15 @@ void judge_points(GrowingModel& model, const TriangulationOptions& options);
 /// Tracks that a photograph shows, ascending by feature.
 [[nodiscard]] std::vector<std::size_t> tracks_of(const GrowingModel& model, int photograph);
 
+/// What one photograph sees of the model's points.
+struct SeenPoints {
+    std::vector<std::size_t> tracks;
+    std::vector<Eigen::Vector3d> points_in_world;
+    std::vector<Eigen::Vector2d> pixels;
+    std::vector<Eigen::Vector2d> rays;
+};
+[[nodiscard]] SeenPoints seen_points(const GrowingModel& model, int photograph);
+
 /// The placed photographs and the points that at least two of them see; `names` has one name per
 /// photograph. Lenses without a placed photograph are left out.
 [[nodiscard]] Capture capture_of(const GrowingModel& model, const std::vector<std::string>& names);

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "calib/mapping/before_placement.h"
 #include "calib/mapping/model_adjustment.h"
 #include "calib/mapping/resection.h"
 #include "calib/mapping/two_view_start.h"
@@ -12,36 +13,9 @@
 namespace lumi {
 namespace {
 
-/// What one photograph sees of the model's points.
-struct SeenPoints {
-    std::vector<std::size_t> tracks;
-    std::vector<Eigen::Vector3d> points_in_world;
-    std::vector<Eigen::Vector2d> pixels;
-    std::vector<Eigen::Vector2d> rays;
-};
-
-SeenPoints seen_points(const GrowingModel& model, int photograph) {
-    SeenPoints seen;
-    const auto position = static_cast<std::size_t>(photograph);
-    const std::vector<int>& tracks = model.track_of_feature[position];
-    for (std::size_t feature = 0; feature < tracks.size(); ++feature) {
-        if (tracks[feature] < 0) continue;
-        const auto track = static_cast<std::size_t>(tracks[feature]);
-        if (model.has_point[track] == 0) continue;
-        seen.tracks.push_back(track);
-        seen.points_in_world.push_back(model.points_in_world[track]);
-        seen.pixels.push_back(model.pixels[position][feature]);
-        seen.rays.push_back(model.rays[position][feature]);
-    }
-    return seen;
-}
-
 Camera with_focal_length_scaled(Camera camera, double factor) {
-    const bool one_focal_length = camera.model == LensModel::kSimplePinhole ||
-                                  camera.model == LensModel::kSimpleRadial ||
-                                  camera.model == LensModel::kRadial;
     camera.parameters[0] *= factor;
-    if (!one_focal_length) camera.parameters[1] *= factor;
+    if (!has_one_focal_length(camera.model)) camera.parameters[1] *= factor;
     return camera;
 }
 
@@ -135,6 +109,7 @@ class Growth {
         const SeenPoints seen = seen_points(model_, photograph);
         const auto placement = placement_of(photograph, seen);
         if (!placement) return false;
+        const BeforePlacement before(model_, photograph);
         const auto position = static_cast<std::size_t>(photograph);
         const auto camera = static_cast<std::size_t>(model_.camera_of_photograph[position]);
         if (!(model_.cameras[camera] == placement->lens)) {
@@ -150,7 +125,7 @@ class Growth {
         adjust_around(model_, photograph, adjustment, progress_);
         triangulate_tracks(model_, tracks, triangulation_);
         if (inliers_of(photograph) >= options_.min_inliers) return true;
-        remove(photograph);
+        before.restore(model_);
         return false;
     }
 

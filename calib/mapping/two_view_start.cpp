@@ -8,6 +8,7 @@
 #include <opencv2/core/eigen.hpp>
 
 #include "calib/poses/rotation_check.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
@@ -43,13 +44,14 @@ double promise_of(const GrowingModel& model, const VerifiedPair& pair) {
         const Eigen::Vector3d& seen = directions.second[index];
         angles_rad.push_back(std::atan2(turned.cross(seen).norm(), turned.dot(seen)));
     }
-    const auto middle = angles_rad.begin() + static_cast<std::ptrdiff_t>(angles_rad.size() / 2);
-    std::nth_element(angles_rad.begin(), middle, angles_rad.end());
-    if (*middle * focal_length_px(model.camera_of(pair.first)).mean() < kNoParallax_px) return 0;
+    const double parallax_rad = median_of(std::move(angles_rad));
+    const double focal_px = focal_length_px(model.camera_of(pair.first)).mean();
+    if (parallax_rad * focal_px < kNoParallax_px) return 0;
     const bool is_general = pair.configuration == PairConfiguration::kCalibrated ||
                             pair.configuration == PairConfiguration::kUncalibrated;
     return static_cast<double>(pair.inliers.size()) *
-           std::min(*middle / kPlentyOfParallax_rad, 1.0) * (is_general ? 1.0 : kPlanarPenalty);
+           std::min(parallax_rad / kPlentyOfParallax_rad, 1.0) *
+           (is_general ? 1.0 : kPlanarPenalty);
 }
 
 std::vector<Candidate> most_promising(const GrowingModel& model,

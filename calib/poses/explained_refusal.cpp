@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "calib/capture/image_io.h"
+#include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 
 namespace lumi {
@@ -85,10 +86,9 @@ void refuse_contradiction(const MappingJob& job, const MatchedPhotographs& match
             refuse_capture(finding.reason, finding.what);
         }
     }
-    std::vector<double> shares = matched.inlier_shares;
-    std::sort(shares.begin(), shares.end());
-    if (!shares.empty() && shares[shares.size() / 2] < kMinInlierShare) {
-        const int percent = static_cast<int>(std::lround(100 * shares[shares.size() / 2]));
+    const double usual_share = median_of(matched.inlier_shares, 1.0);
+    if (usual_share < kMinInlierShare) {
+        const int percent = static_cast<int>(std::lround(100 * usual_share));
         refuse_capture(CaptureReason::kClutter,
                        what + ", and only " + std::to_string(percent) +
                            " % of what looks alike in two photographs stands still between them");

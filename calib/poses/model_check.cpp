@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "calib/doctor/capture_reason.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
@@ -24,13 +25,6 @@ std::string number(double value) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.3g", value);
     return text.data();
-}
-
-template <class Value>
-Value median_of(std::vector<Value> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 double largest_angle_rad(const std::vector<Eigen::Vector3d>& centres, const ScenePoint& point) {
@@ -57,7 +51,7 @@ std::vector<Eigen::Vector3d> central_points(const Capture& capture) {
         for (const ScenePoint& point : capture.points) {
             coordinates.push_back(point.position_in_world[axis]);
         }
-        middle[axis] = median_of(coordinates);
+        middle[axis] = median_of(std::move(coordinates));
     }
     std::vector<Eigen::Vector3d> points;
     for (const ScenePoint& point : capture.points) points.push_back(point.position_in_world);
@@ -111,7 +105,7 @@ double median_triangulation_angle_deg(const Capture& capture) {
     for (const ScenePoint& point : capture.points) {
         angles.push_back(largest_angle_rad(centres, point));
     }
-    return angles.empty() ? 0.0 : median_of(angles) * 180.0 / std::numbers::pi;
+    return median_of(std::move(angles)) * 180.0 / std::numbers::pi;
 }
 
 double relative_thickness(const Capture& capture) {

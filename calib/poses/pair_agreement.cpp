@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "calib/doctor/pair_geometry.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
@@ -108,10 +109,7 @@ PairAgreement compare_with_pairs(const Capture& capture, const std::vector<Photo
         const auto turn = turn_deg(pair, capture, *first, *second, features);
         if (turn) turns_deg.push_back(*turn);
     }
-    if (!turns_deg.empty()) {
-        std::sort(turns_deg.begin(), turns_deg.end());
-        agreement.contradicted_turn_deg = turns_deg[turns_deg.size() / 2];
-    }
+    agreement.contradicted_turn_deg = median_of(std::move(turns_deg));
     if (matches > 0) {
         agreement.agreeing_share = static_cast<double>(agreeing) / static_cast<double>(matches);
         agreement.contradicted_share =

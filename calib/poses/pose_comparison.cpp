@@ -1,12 +1,11 @@
 #include "calib/poses/pose_comparison.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <numbers>
 #include <numeric>
 
 #include "calib/capture/colmap_model.h"
-#include "calib/capture/strecha_camera.h"
+#include "calib/known_poses/strecha_camera.h"
 #include "calib/work/error.h"
 
 namespace lumi {
@@ -19,8 +18,7 @@ std::string stem_of(const std::string& name) { return std::filesystem::path(name
 
 struct MatchedPose {
     std::string name;
-    Rigid3 a_cam_from_world;
-    Rigid3 b_cam_from_world;
+    PosePair pose;
 };
 
 std::vector<MatchedPose> matched(const NamedPoses& a, const NamedPoses& b) {
@@ -30,40 +28,23 @@ std::vector<MatchedPose> matched(const NamedPoses& a, const NamedPoses& b) {
     for (const auto& [name, pose] : a) {
         const auto same_name = b.find(name);
         if (same_name != b.end()) {
-            matches.push_back({name, pose, same_name->second});
+            matches.push_back({name, {pose, same_name->second}});
         } else if (const auto same_stem = b_by_stem.find(stem_of(name));
                    same_stem != b_by_stem.end()) {
-            matches.push_back({name, pose, *same_stem->second});
+            matches.push_back({name, {pose, *same_stem->second}});
         }
     }
     return matches;
 }
 
-Similarity3 fit_centres(const std::vector<MatchedPose>& matches) {
-    Eigen::Matrix3Xd a_centres(3, matches.size());
-    Eigen::Matrix3Xd b_centres(3, matches.size());
-    for (std::size_t i = 0; i < matches.size(); ++i) {
-        const auto column = static_cast<Eigen::Index>(i);
-        a_centres.col(column) = centre_in_world(matches[i].a_cam_from_world);
-        b_centres.col(column) = centre_in_world(matches[i].b_cam_from_world);
-    }
-    const Eigen::Matrix4d transform = Eigen::umeyama(a_centres, b_centres, true);
-    Similarity3 similarity;
-    const Eigen::Matrix3d scaled_rotation = transform.topLeftCorner<3, 3>();
-    similarity.scale = std::cbrt(scaled_rotation.determinant());
-    similarity.rotation = Eigen::Quaterniond(Eigen::Matrix3d(scaled_rotation / similarity.scale));
-    similarity.translation = transform.topRightCorner<3, 1>();
-    return similarity;
-}
-
 PoseDifference difference(const MatchedPose& match, const Similarity3& b_from_a) {
     const Eigen::Vector3d centre =
-        b_from_a.scale * (b_from_a.rotation * centre_in_world(match.a_cam_from_world)) +
+        b_from_a.scale * (b_from_a.rotation * centre_in_world(match.pose.cam_from_a)) +
         b_from_a.translation;
     const Eigen::Quaterniond cam_from_b =
-        match.a_cam_from_world.rotation * b_from_a.rotation.conjugate();
-    return {match.name, (centre - centre_in_world(match.b_cam_from_world)).norm(),
-            cam_from_b.angularDistance(match.b_cam_from_world.rotation) * 180.0 / std::numbers::pi};
+        match.pose.cam_from_a.rotation * b_from_a.rotation.conjugate();
+    return {match.name, (centre - centre_in_world(match.pose.cam_from_b)).norm(),
+            cam_from_b.angularDistance(match.pose.cam_from_b.rotation) * 180.0 / std::numbers::pi};
 }
 
 double median(std::vector<double> values) {
@@ -97,7 +78,9 @@ PoseComparison compare_poses(const NamedPoses& a, const NamedPoses& b) {
                     "compare two reconstructions of the same photographs");
     }
     PoseComparison comparison;
-    comparison.b_from_a = fit_centres(matches);
+    std::vector<PosePair> pairs;
+    for (const MatchedPose& match : matches) pairs.push_back(match.pose);
+    comparison.b_from_a = fit_centres(pairs);
     std::vector<double> positions;
     std::vector<double> rotations;
     for (const MatchedPose& match : matches) {

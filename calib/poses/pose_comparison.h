@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "calib/capture/rigid3.h"
+#include "calib/poses/similarity_fit.h"
 
 namespace lumi {
 
@@ -14,13 +15,6 @@ using NamedPoses = std::map<std::string, Rigid3>;
 
 /// Reads a COLMAP model folder, or a folder of Strecha `NAME.camera` files. Throws Error.
 [[nodiscard]] NamedPoses read_named_poses(const std::filesystem::path& folder);
-
-/// `b = scale * (rotation * a) + translation`.
-struct Similarity3 {
-    double scale = 1.0;
-    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-    Eigen::Vector3d translation = Eigen::Vector3d::Zero();
-};
 
 struct PoseDifference {
     std::string name;
@@ -38,10 +32,9 @@ struct PoseComparison {
     double max_rotation_deg = 0.0;
 };
 
-/// How far poses A are from poses B after the similarity that fits A's centres onto B's in the
-/// least squares sense (Umeyama 1991). Views are matched by name, and by stem where names differ
-/// only in their endings or folders. Throws Error (E-COMPARE-FEW) when fewer than three views
-/// match.
+/// How far poses A are from poses B after the similarity that fits A's centres onto B's
+/// (fit_centres). Views are matched by name, and by stem where names differ only in their endings
+/// or folders. Throws Error (E-COMPARE-FEW) when fewer than three views match.
 [[nodiscard]] PoseComparison compare_poses(const NamedPoses& a, const NamedPoses& b);
 
 }  // namespace lumi

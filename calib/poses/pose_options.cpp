@@ -1,3 +1,4 @@
+#include <optional>
 #include <utility>
 
 #include "calib/poses/pose_stage.h"
@@ -6,33 +7,42 @@
 namespace lumi {
 namespace {
 
-[[noreturn]] void refuse(const std::string& option, const std::string& expected) {
-    throw Error(ErrorKind::kUsage, "E-CONFIG-VALUE", "[poses] " + option + ": expected " + expected,
-                "correct this key, or remove it to use the default");
+struct PoseFault {
+    std::string option;
+    std::string expected;
+};
+
+std::optional<PoseFault> first_fault(const PoseOptions& options) {
+    if (options.lens_model != "auto" && !lens_model_named(options.lens_model)) {
+        return PoseFault{"lens_model",
+                         "auto, SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV, "
+                         "OPENCV_FISHEYE or FULL_OPENCV"};
+    }
+    if (options.max_features <= 0) return PoseFault{"max_features", "more than 0"};
+    if (!(options.max_reprojection_error_px > 0)) {
+        return PoseFault{"max_reprojection_error_px", "more than 0"};
+    }
+    if (options.min_track_length < 2) return PoseFault{"min_track_length", "at least 2"};
+    if (!(options.min_registered_share > 0 && options.min_registered_share <= 1)) {
+        return PoseFault{"min_registered_share", "more than 0 and at most 1"};
+    }
+    if (!(options.time_limit_s > 0)) return PoseFault{"time_limit_s", "more than 0"};
+    for (const auto& [option, value] :
+         {std::pair("front_end", options.front_end), std::pair("mapper", options.mapper)}) {
+        if (value != "lumi" && value != "colmap") return PoseFault{option, R"("lumi" or "colmap")"};
+    }
+    if (options.colmap.empty()) return PoseFault{"colmap", "the name of a program"};
+    return std::nullopt;
 }
 
 }  // namespace
 
 void validate(const PoseOptions& options) {
-    if (options.lens_model != "auto" && !lens_model_named(options.lens_model)) {
-        refuse("lens_model",
-               "auto, SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV, OPENCV_FISHEYE or "
-               "FULL_OPENCV");
+    if (const auto fault = first_fault(options)) {
+        throw Error(ErrorKind::kUsage, "E-CONFIG-VALUE",
+                    "[poses] " + fault->option + ": expected " + fault->expected,
+                    "correct this key, or remove it to use the default");
     }
-    if (options.max_features <= 0) refuse("max_features", "more than 0");
-    if (!(options.max_reprojection_error_px > 0)) {
-        refuse("max_reprojection_error_px", "more than 0");
-    }
-    if (options.min_track_length < 2) refuse("min_track_length", "at least 2");
-    if (!(options.min_registered_share > 0 && options.min_registered_share <= 1)) {
-        refuse("min_registered_share", "more than 0 and at most 1");
-    }
-    if (!(options.time_limit_s > 0)) refuse("time_limit_s", "more than 0");
-    for (const auto& [option, value] :
-         {std::pair("front_end", options.front_end), std::pair("mapper", options.mapper)}) {
-        if (value != "lumi" && value != "colmap") refuse(option, "\"lumi\" or \"colmap\"");
-    }
-    if (options.colmap.empty()) refuse("colmap", "the name of a program");
 }
 
 PoseOptions read_pose_options(const ConfigSection& section) {
@@ -51,7 +61,7 @@ PoseOptions read_pose_options(const ConfigSection& section) {
     options.mapper = section.text("mapper", options.mapper);
     options.colmap = section.text("colmap", options.colmap);
     options.mask_folder = section.path("masks");
-    validate(options);
+    if (const auto fault = first_fault(options)) section.refuse(fault->option, fault->expected);
     return options;
 }
 

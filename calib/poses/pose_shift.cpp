@@ -1,33 +1,14 @@
 #include "calib/poses/pose_shift.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
 
+#include "calib/poses/similarity_fit.h"
+
 namespace lumi {
-namespace {
-
-struct PosePair {
-    Rigid3 pose;
-    Rigid3 other;
-};
-
-/// From the world of the poses to that of the others.
-Eigen::Quaterniond mean_rotation(const std::vector<PosePair>& pairs) {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for (const PosePair& pair : pairs) {
-        sum += (pair.other.rotation.conjugate() * pair.pose.rotation).toRotationMatrix();
-    }
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Eigen::Matrix3d proper = Eigen::Matrix3d::Identity();
-    proper(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-    return Eigen::Quaterniond(svd.matrixU() * proper * svd.matrixV().transpose());
-}
-
-}  // namespace
 
 PoseShift pose_shift(const NamedPoses& poses, const NamedPoses& others) {
     std::vector<PosePair> pairs;
@@ -39,36 +20,25 @@ PoseShift pose_shift(const NamedPoses& poses, const NamedPoses& others) {
     result.placed = static_cast<int>(pairs.size());
     if (pairs.empty()) return result;
 
+    const Similarity3 fit = fit_with_rotation(pairs, mean_rotation(pairs));
     const double count = static_cast<double>(pairs.size());
-    const Eigen::Quaterniond rotation = mean_rotation(pairs);
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    Eigen::Vector3d other_middle = Eigen::Vector3d::Zero();
-    for (const PosePair& pair : pairs) {
-        middle += rotation * centre_in_world(pair.pose) / count;
-        other_middle += centre_in_world(pair.other) / count;
-    }
-    double product = 0;
+    for (const PosePair& pair : pairs) middle += centre_in_world(pair.cam_from_b) / count;
     double square = 0;
-    double spread = 0;
     for (const PosePair& pair : pairs) {
-        const Eigen::Vector3d offset = rotation * centre_in_world(pair.pose) - middle;
-        const Eigen::Vector3d other_offset = centre_in_world(pair.other) - other_middle;
-        product += offset.dot(other_offset);
-        square += offset.squaredNorm();
-        spread += other_offset.squaredNorm() / count;
+        square += (centre_in_world(pair.cam_from_b) - middle).squaredNorm() / count;
     }
-    spread = std::sqrt(spread);
-    const double scale = square > 0 ? product / square : 0.0;
+    const double spread = std::sqrt(square);
     for (const PosePair& pair : pairs) {
         const Eigen::Vector3d centre =
-            scale * (rotation * centre_in_world(pair.pose) - middle) + other_middle;
-        const double error = (centre - centre_in_world(pair.other)).norm();
+            fit.scale * (fit.rotation * centre_in_world(pair.cam_from_a)) + fit.translation;
+        const double error = (centre - centre_in_world(pair.cam_from_b)).norm();
         const double share = spread > 0 ? error / spread : std::numeric_limits<double>::infinity();
         result.position_share = std::max(result.position_share, share);
-        const Eigen::Quaterniond turned = pair.pose.rotation * rotation.conjugate();
+        const Eigen::Quaterniond turned = pair.cam_from_a.rotation * fit.rotation.conjugate();
         result.rotation_deg =
             std::max(result.rotation_deg,
-                     turned.angularDistance(pair.other.rotation) * 180.0 / std::numbers::pi);
+                     turned.angularDistance(pair.cam_from_b.rotation) * 180.0 / std::numbers::pi);
     }
     return result;
 }

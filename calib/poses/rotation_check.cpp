@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "calib/work/median.h"
+
 namespace lumi {
 namespace {
 
@@ -135,10 +137,7 @@ RotationFit fit_rotation(const DirectionPairs& directions, double tolerance_rad)
         fit.second_from_first = least_squares_rotation(directions, is_used);
         const std::vector<double> angles = angles_rad(directions, fit.second_from_first);
         // While the fit is still pulled by outliers, the better half leads.
-        std::vector<double> sorted = angles;
-        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(count / 2);
-        std::nth_element(sorted.begin(), middle, sorted.end());
-        const double limit = std::max(tolerance_rad, *middle);
+        const double limit = std::max(tolerance_rad, median_of(angles));
         const std::vector<char> was_used = is_used;
         std::size_t inliers = 0;
         for (std::size_t index = 0; index < count; ++index) {

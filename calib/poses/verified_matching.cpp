@@ -1,10 +1,9 @@
-#include <algorithm>
-
 #include "calib/doctor/inlier_shares.h"
 #include "calib/poses/mapping.h"
 #include "calib/poses/pair_verification.h"
 #include "calib/poses/photograph_matching.h"
 #include "calib/work/error.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
@@ -14,11 +13,10 @@ namespace {
     for (const ColmapPhotograph& photograph : photographs) {
         counts.push_back(photograph.keypoints_px.size());
     }
-    std::sort(counts.begin(), counts.end());
     throw Error(ErrorKind::kDegenerateCapture, "E-POSES-NOPAIR",
                 "no two of the " + std::to_string(photographs.size()) +
                     " photographs show the same things (" +
-                    std::to_string(counts[counts.size() / 2]) +
+                    std::to_string(median_of(std::move(counts))) +
                     " features in the middle photograph)",
                 "take sharp photographs that overlap by two thirds with the next one; surfaces "
                 "without any texture need something with a pattern in view");

@@ -41,7 +41,7 @@ struct ChildResult {
 ///
 /// The whole group is killed at a limit, on interruption and on any exception; the program also
 /// dies with this process. Throws Error: E-CHILD-MISSING (no such program), E-CHILD-START,
-/// E-INTERRUPTED, E-FILE-WRITE (the log).
+/// E-CHILD-LOST (somebody else waited for it), E-INTERRUPTED, E-FILE-WRITE (the log).
 [[nodiscard]] ChildResult run_child(const ChildCommand& command, const Progress& progress);
 
 /// The command as a user would type it, for messages and reports.

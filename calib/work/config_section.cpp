@@ -9,9 +9,15 @@
 #include <sstream>
 
 #include "calib/work/error.h"
+#include "calib/work/toml_tree.h"
 #include "calib/work/whole_file.h"
 
 namespace lumi {
+namespace {
+
+enum class PathSpelling { kAsGiven, kAbsolute };
+
+}  // namespace
 
 struct ConfigSection::Document {
     toml::table root;
@@ -25,17 +31,23 @@ struct ConfigSection::Table {
     std::string path;                   ///< Dotted, "" for the document itself.
     const toml::table* toml = nullptr;  ///< nullptr when the file does not have it.
     toml::table answers;
+    std::map<std::string, std::string> absolute_paths;  ///< Of those answers that are paths.
     std::set<std::string> asked;
     std::map<std::string, std::shared_ptr<Table>> tables;
     std::map<std::string, std::vector<std::shared_ptr<Table>>> table_arrays;
 
     /// Every answer given, here and below.
-    [[nodiscard]] toml::table resolved() const {
+    [[nodiscard]] toml::table resolved(PathSpelling spelling) const {
         toml::table result = answers;
-        for (const auto& [key, child] : tables) result.insert_or_assign(key, child->resolved());
+        if (spelling == PathSpelling::kAbsolute) {
+            for (const auto& [key, absolute] : absolute_paths)
+                result.insert_or_assign(key, absolute);
+        }
+        for (const auto& [key, child] : tables)
+            result.insert_or_assign(key, child->resolved(spelling));
         for (const auto& [key, children] : table_arrays) {
             toml::array array;
-            for (const auto& child : children) array.push_back(child->resolved());
+            for (const auto& child : children) array.push_back(child->resolved(spelling));
             result.insert_or_assign(key, std::move(array));
         }
         return result;
@@ -49,9 +61,12 @@ std::string joined(const std::string& path, const std::string& key) {
 }
 
 std::string place(const std::string& name, const toml::node* node) {
-    if (node == nullptr) return name;
+    return node == nullptr ? name : place_in_toml(*node, name);
+}
+
+std::string text_of(const toml::table& table) {
     std::ostringstream text;
-    text << name << ":" << node->source().begin.line;
+    text << table << "\n";
     return text.str();
 }
 
@@ -84,38 +99,26 @@ std::string suggestion_for(const std::string& key, const std::set<std::string>& 
     return "known here: " + list;
 }
 
-toml::table parse(std::string_view text, const std::string& name) {
-    try {
-        return toml::parse(text, name);
-    } catch (const toml::parse_error& error) {
-        std::ostringstream where;
-        where << name << ":" << error.source().begin.line << ":" << error.source().begin.column
-              << ": " << error.description();
-        throw Error(ErrorKind::kUsage, "E-CONFIG-SYNTAX", where.str(),
-                    "mend the TOML syntax there");
-    }
-}
-
 }  // namespace
 
 ConfigSection::ConfigSection(std::shared_ptr<Document> document, std::shared_ptr<Table> table)
     : document_(std::move(document)), table_(std::move(table)) {}
 
 ConfigSection ConfigSection::from_text(std::string_view toml, std::string name) {
-    auto document = std::make_shared<Document>();
-    document->root = parse(toml, name);
-    document->name = std::move(name);
-    document->folder = std::filesystem::current_path();
-    document->top = std::make_shared<Table>();
-    document->top->toml = &document->root;
-    return {document, document->top};
+    return from_text(toml, std::move(name), std::filesystem::current_path());
 }
 
 ConfigSection ConfigSection::from_text(std::string_view toml, std::string name,
-                                       const std::filesystem::path& folder) {
-    ConfigSection section = from_text(toml, std::move(name));
-    section.document_->folder = std::filesystem::absolute(folder);
-    return section;
+                                       const std::filesystem::path& folder,
+                                       const std::vector<ConfigChange>& changes) {
+    auto document = std::make_shared<Document>();
+    document->root = parsed_toml(toml, name);
+    for (const ConfigChange& change : changes) change_toml(document->root, change, name);
+    document->name = std::move(name);
+    document->folder = std::filesystem::absolute(folder);
+    document->top = std::make_shared<Table>();
+    document->top->toml = &document->root;
+    return {document, document->top};
 }
 
 ConfigSection ConfigSection::from_file(const std::filesystem::path& path) {
@@ -254,7 +257,9 @@ std::vector<double> ConfigSection::numbers(const std::string& key,
 std::filesystem::path ConfigSection::path(const std::string& key) const {
     const std::string value = text(key, "");
     if (value.empty()) return {};
-    return (document_->folder / value).lexically_normal();
+    std::filesystem::path path = (document_->folder / value).lexically_normal();
+    table_->absolute_paths[key] = path.string();
+    return path;
 }
 
 void ConfigSection::expect_all_keys_known() const {
@@ -278,17 +283,17 @@ void ConfigSection::expect_all_keys_known() const {
 }
 
 std::string ConfigSection::resolved() const {
-    std::ostringstream text;
-    text << document_->top->resolved() << "\n";
-    return text.str();
+    return text_of(document_->top->resolved(PathSpelling::kAsGiven));
+}
+
+std::string ConfigSection::resolved_for_any_folder() const {
+    return text_of(document_->top->resolved(PathSpelling::kAbsolute));
 }
 
 std::string ConfigSection::resolved_table(const std::vector<std::string>& without) const {
-    toml::table table = table_->resolved();
+    toml::table table = table_->resolved(PathSpelling::kAsGiven);
     for (const std::string& key : without) table.erase(key);
-    std::ostringstream text;
-    text << table << "\n";
-    return text.str();
+    return text_of(table);
 }
 
 }  // namespace lumi

@@ -8,22 +8,31 @@
 
 namespace lumi {
 
+/// One setting of a configuration and what it is to be, as it would stand in the file: 768,
+/// "sweep".
+struct ConfigChange {
+    std::string setting;  ///< Dotted: "depth.model".
+    std::string literal;
+};
+
 /// One table of a TOML file, read strictly.
 ///
 /// Each stage reads its own section with defaults at hand; what nobody asked for is an error with a
 /// suggestion. The section remembers every answer it gave, so that the resolved configuration can
 /// be written out with its defaults filled in. Copies share one document.
 ///
-/// All getters throw Error (kUsage, E-CONFIG-TYPE) with file, line and key when the value has
+/// All getters throw Error (kUsage, E-CONFIG-VALUE) with file, line and key when the value has
 /// another type.
 class ConfigSection {
  public:
     /// Throws Error (E-CONFIG-SYNTAX) with line and column, or E-FILE-READ.
     [[nodiscard]] static ConfigSection from_file(const std::filesystem::path& path);
     [[nodiscard]] static ConfigSection from_text(std::string_view toml, std::string name);
-    /// Paths in it are relative to `folder`.
+    /// Paths in it are relative to `folder`. Errors name what was changed as such, and the lines of
+    /// all else.
     [[nodiscard]] static ConfigSection from_text(std::string_view toml, std::string name,
-                                                 const std::filesystem::path& folder);
+                                                 const std::filesystem::path& folder,
+                                                 const std::vector<ConfigChange>& changes = {});
 
     [[nodiscard]] bool has(const std::string& key) const;
     /// The table below `key`; an empty one when it is absent.
@@ -54,6 +63,8 @@ class ConfigSection {
 
     /// The document as asked: every key that was read, with the value that was answered, as TOML.
     [[nodiscard]] std::string resolved() const;
+    /// The same with every path absolute, so that it says the same in any folder.
+    [[nodiscard]] std::string resolved_for_any_folder() const;
     /// This table alone, without the named keys: what identifies the parameters of one stage.
     [[nodiscard]] std::string resolved_table(const std::vector<std::string>& without = {}) const;
 

@@ -37,6 +37,16 @@ bool is_control(std::string_view character) {
 
 }  // namespace
 
+bool is_utf8(std::string_view text) {
+    std::size_t index = 0;
+    while (index < text.size()) {
+        const std::size_t length = character_length(text, index);
+        if (length == 0) return false;
+        index += length;
+    }
+    return true;
+}
+
 std::string printable(std::string_view text) {
     constexpr char kDigits[] = "0123456789abcdef";
     std::string result;

@@ -60,7 +60,7 @@ struct ChildSetup {
     sigset_t none;
     ::sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
-    for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGHUP}) ::signal(signal, SIG_DFL);
+    for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGHUP, SIGCHLD}) ::signal(signal, SIG_DFL);
     const int nothing = ::open("/dev/null", O_RDONLY);
     if (nothing >= 0 && ::dup2(nothing, STDIN_FILENO) >= 0 &&
         ::dup2(setup.output, STDOUT_FILENO) >= 0 && ::dup2(setup.output, STDERR_FILENO) >= 0) {
@@ -69,6 +69,18 @@ struct ChildSetup {
     const int reason = errno;
     [[maybe_unused]] const ssize_t written = ::write(setup.error_pipe, &reason, sizeof reason);
     ::_exit(127);
+}
+
+/// Whoever started this process may have ignored SIGCHLD, which outlives exec: the kernel then
+/// forgets children as they end. A handler stays as it is.
+void let_ended_children_wait() {
+    struct sigaction action {};
+    if (::sigaction(SIGCHLD, nullptr, &action) != 0) return;
+    const bool is_ignored = (action.sa_flags & SA_SIGINFO) == 0 && action.sa_handler == SIG_IGN;
+    if (!is_ignored && (action.sa_flags & SA_NOCLDWAIT) == 0) return;
+    if (is_ignored) action.sa_handler = SIG_DFL;
+    action.sa_flags &= ~SA_NOCLDWAIT;
+    ::sigaction(SIGCHLD, &action, nullptr);
 }
 
 [[noreturn]] void refuse_start(const std::string& program, int reason) {
@@ -90,6 +102,7 @@ ProcessGroup ProcessGroup::start(const std::string& program, std::vector<std::st
     FileDescriptor write_end(ends[1]);
     const ChildSetup setup{program.c_str(),   argument_pointers.data(), environment_pointers.data(),
                            output_descriptor, write_end.get(),          ::getpid()};
+    let_ended_children_wait();
     const pid_t child = ::fork();
     if (child < 0) refuse_start(program, errno);
     if (child == 0) become(setup);
@@ -104,17 +117,19 @@ ProcessGroup ProcessGroup::start(const std::string& program, std::vector<std::st
         ::waitpid(child, nullptr, 0);
         refuse_start(program, reason);
     }
-    return ProcessGroup(child);
+    return {program, child};
 }
 
 bool ProcessGroup::ended() {
     // Looked at without reaping: as long as the leader is not reaped its id is not reused.
     siginfo_t information{};
     if (::waitid(P_PID, static_cast<id_t>(leader_), &information, WEXITED | WNOHANG | WNOWAIT) !=
-            0 ||
-        information.si_pid == 0) {
-        return false;
+        0) {
+        throw Error(ErrorKind::kExternalProgram, "E-CHILD-LOST",
+                    program_ + ": how it ended is not known: " + std::strerror(errno),
+                    "let nothing else in this process wait for its children, and run it again");
     }
+    if (information.si_pid == 0) return false;
     kill_and_reap();
     return true;
 }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lumi {
@@ -30,7 +31,8 @@ class FileDescriptor {
 class ProcessGroup {
  public:
     /// Starts `program` (a path) as the leader of a group of its own, without a display and with
-    /// nothing on standard input. Throws Error (E-CHILD-START).
+    /// nothing on standard input. Where this process ignores SIGCHLD it does so no longer: the end
+    /// of a child would be lost. Throws Error (E-CHILD-START).
     [[nodiscard]] static ProcessGroup start(const std::string& program,
                                             std::vector<std::string> arguments,
                                             int output_descriptor);
@@ -40,7 +42,8 @@ class ProcessGroup {
     ProcessGroup(const ProcessGroup&) = delete;
     ProcessGroup& operator=(const ProcessGroup&) = delete;
 
-    /// True when the leader has ended; what it left behind in its group is killed.
+    /// True when the leader has ended; what it left behind in its group is killed. Throws Error
+    /// (E-CHILD-LOST) when somebody else has waited for it.
     [[nodiscard]] bool ended();
     void kill_and_reap();
 
@@ -49,7 +52,9 @@ class ProcessGroup {
     [[nodiscard]] double cpu_s() const;
 
  private:
-    explicit ProcessGroup(pid_t leader) : leader_(leader) {}
+    ProcessGroup(std::string program, pid_t leader)
+        : program_(std::move(program)), leader_(leader) {}
+    std::string program_;
     pid_t leader_;
     bool reaped_ = false;
     int status_ = 0;

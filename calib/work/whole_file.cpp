@@ -21,11 +21,21 @@ namespace fs = std::filesystem;
                 "check that the file exists and that you may read it");
 }
 
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// Hidden, and unlike any name that somebody gives to a copy.
+std::string sibling_prefix(const fs::path& target) {
+    return "." + target.filename().string() + ".new-";
+}
+
 /// A temporary file beside its target that vanishes unless it is renamed into place.
 class TemporarySibling {
  public:
     explicit TemporarySibling(const fs::path& target)
-        : target_(target), pattern_(target.string() + ".XXXXXX") {
+        : target_(target),
+          pattern_((target.parent_path() / (sibling_prefix(target) + "XXXXXX")).string()) {
         descriptor_ = ::mkostemp(pattern_.data(), O_CLOEXEC);
         if (descriptor_ < 0) refuse_write(target_, errno);
         ::fchmod(descriptor_, 0644);
@@ -72,6 +82,17 @@ void refuse_write(const fs::path& path, int error_number) {
                      : "check that the folder exists and that you may write there");
 }
 
+void remove_unfinished_siblings(const fs::path& path) {
+    std::vector<fs::path> unfinished;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(path), ignored)) {
+        const bool is_file = entry.symlink_status(ignored).type() == fs::file_type::regular;
+        if (is_file && entry.path().filename().string().starts_with(sibling_prefix(path)))
+            unfinished.push_back(entry.path());
+    }
+    for (const fs::path& sibling : unfinished) fs::remove(sibling, ignored);
+}
+
 void flush_folder(const fs::path& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) return;
@@ -105,7 +126,7 @@ std::string read_whole_text(const fs::path& path, std::size_t max_bytes) {
 }
 
 void write_whole_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    const fs::path folder = folder_of(path);
     std::error_code status;
     fs::create_directories(folder, status);
     if (status) refuse_write(path, status.value());
@@ -114,6 +135,17 @@ void write_whole_file(const fs::path& path, std::span<const std::uint8_t> bytes)
     temporary.write(bytes);
     temporary.rename_into_place();
     flush_folder(folder);
+}
+
+void put_whole_file(const fs::path& made, const fs::path& path) {
+    const int descriptor = ::open(made.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) refuse_write(path, errno);
+    const int flushed = ::fsync(descriptor);
+    const int reason = errno;
+    ::close(descriptor);
+    if (flushed != 0) refuse_write(path, reason);
+    if (::rename(made.c_str(), path.c_str()) != 0) refuse_write(path, errno);
+    flush_folder(folder_of(path));
 }
 
 void write_whole_text(const fs::path& path, std::string_view text) {

@@ -18,11 +18,19 @@ using Bytes = std::vector<std::uint8_t>;
 [[nodiscard]] std::string read_whole_text(const std::filesystem::path& path,
                                           std::size_t max_bytes = std::size_t{1} << 30);
 
-/// Writes a file whole or not at all: a temporary sibling, fsync, rename, fsync of the folder.
-/// Missing parent folders are made. Throws Error (E-FILE-WRITE; kind kResources when the disk is
-/// full) and leaves what was there before untouched.
+/// Writes a file whole or not at all: a hidden temporary sibling, fsync, rename, fsync of the
+/// folder. Missing parent folders are made. Throws Error (E-FILE-WRITE; kind kResources when the
+/// disk is full) and leaves what was there before untouched.
 void write_whole_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_whole_text(const std::filesystem::path& path, std::string_view text);
+
+/// Puts a file that another program made on the same file system in its place: flushed and renamed.
+/// Throws Error (E-FILE-WRITE) and leaves what was there before untouched.
+void put_whole_file(const std::filesystem::path& made, const std::filesystem::path& path);
+
+/// Removes temporary siblings that a killed run left beside the file. To be called by who knows
+/// that no other run writes it.
+void remove_unfinished_siblings(const std::filesystem::path& path);
 
 /// Flushes a folder's list of names to the disk, where the file system can.
 void flush_folder(const std::filesystem::path& folder);

@@ -11,6 +11,8 @@
 #include <string>
 #include <system_error>
 
+#include "calib/work/error.h"
+#include "calib/work/printable.h"
 #include "calib/work/whole_file.h"
 
 namespace lumi {
@@ -78,6 +80,22 @@ void clean_up_after_killed_runs(const fs::path& unsettled_target) {
     const std::string prefix = staging_prefix(target);
     for (const fs::directory_entry& entry : fs::directory_iterator(target.parent_path(), ignored)) {
         if (entry.path().filename().string().starts_with(prefix)) remove_if_abandoned(entry.path());
+    }
+}
+
+void expect_only_files_of_ours(const fs::path& folder,
+                               const std::function<bool(const std::string&)>& is_written_there) {
+    const auto refuse = [](const fs::path& path, const std::string& reason) {
+        throw Error(ErrorKind::kUsage, "E-OUT-EXISTS", printable(path.string()) + ": " + reason,
+                    "name a folder that is new or empty, or remove what is there first");
+    };
+    std::error_code status;
+    if (!fs::exists(fs::symlink_status(folder, status))) return;
+    if (!fs::is_directory(folder, status)) refuse(folder, "is there already and is not a folder");
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        const bool is_file = entry.symlink_status().type() == fs::file_type::regular;
+        if (!is_file || !is_written_there(entry.path().filename().string()))
+            refuse(entry.path(), "would be lost, as the folder is written anew");
     }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 
 namespace lumi {
 
@@ -34,6 +36,12 @@ class WholeFolder {
 /// Removes what killed runs left beside `target`; the next WholeFolder does so, too. Folders of
 /// runs that are still alive are left alone.
 void clean_up_after_killed_runs(const std::filesystem::path& target);
+
+/// For folders that a user names: what stands there is replaced as a whole, and a mistyped path
+/// must not cost a folder of photographs. Throws Error (E-OUT-EXISTS) unless `folder` is missing,
+/// or a folder that holds only files whose names `is_written_there` knows.
+void expect_only_files_of_ours(const std::filesystem::path& folder,
+                               const std::function<bool(const std::string&)>& is_written_there);
 
 /// Exchange for file systems that have no atomic one: the old folder steps aside under a name from
 /// which the next WholeFolder brings it back should the process die between the two renames.

@@ -71,6 +71,14 @@ TEST(HeldOutViews, GrossErrorsCountTheLimit) {
     EXPECT_LT(std::abs(after - before), 0.3 * before + 9.0);
 }
 
+TEST(HeldOutViews, AreUnusableWhereNoTwoOthersSeeTheSame) {
+    Capture capture = noisy_scene();
+    for (ScenePoint& point : capture.points) point.track.resize(2);
+    SilentProgress progress;
+    EXPECT_FALSE(any_usable(predict_held_out_views(capture, 0, {}, {}, 1, progress)));
+    EXPECT_FALSE(any_usable(fitted_views(capture, 0, {})));
+}
+
 TEST(HeldOutViews, CountTheSameResidualsForEveryLens) {
     Capture capture = noisy_scene();
     SilentProgress progress;

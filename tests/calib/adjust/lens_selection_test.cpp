@@ -100,6 +100,15 @@ TEST(LensSelection, KeepsAGivenLensThatIsRightAndRefinesOneThatIsNot) {
         << lens_choice_table(*wrong);
 }
 
+TEST(LensSelection, GoesByBicWhereNoViewCanBePredicted) {
+    Capture capture = scene_with({1000, 800, LensModel::kSimplePinhole, {700, 500, 400}});
+    for (ScenePoint& point : capture.points) point.track.resize(2);
+    const LensChoice choice = choice_for(capture);
+    EXPECT_EQ(choice.chosen, choice.least_bic) << lens_choice_table(choice);
+    EXPECT_NE(lens_choice_table(choice).find("no view sees what two others see"),
+              std::string::npos);
+}
+
 TEST(LensSelection, TellsNothingOfAFewViews) {
     SyntheticCaptureOptions scene;
     scene.views = 4;

@@ -125,6 +125,16 @@ TEST(Chessboard, WhatIsNoBoardIsRejectedWithAReason) {
     EXPECT_FALSE(chessboard_in(GrayImage(4, 4, 128)).board);
 }
 
+TEST(BoardDetection, ThinPicturesHoldNoBoard) {
+    for (const BoardKind kind :
+         {BoardKind::kChessboard, BoardKind::kSquareGrid, BoardKind::kCircles}) {
+        EXPECT_EQ(detect_board(GrayImage(1, 5000, 90), "p", kind, {}).left_out.code,
+                  "E-BOARD-NOTFOUND");
+        EXPECT_EQ(detect_board(GrayImage(5000, 2, 90), "p", kind, {}).left_out.code,
+                  "E-BOARD-NOTFOUND");
+    }
+}
+
 TEST(Chessboard, ALargerPatternThanSaidIsAnotherBoard) {
     const GrayImage picture =
         photograph_of(printed_chessboard(9, 6), kLens, pose_of(9, 6, 10, 20, 12));
@@ -233,6 +243,24 @@ TEST(BoardPhotographs, TheKindOfBoardIsFound) {
     EXPECT_EQ(found.kind, BoardKind::kCircles);
     EXPECT_EQ(found.columns, 7);
     EXPECT_EQ(found.rows, 5);
+}
+
+TEST(BoardPhotographs, OneThatOpenCvCannotLookAtIsLeftOut) {
+    const ScratchFolder folder;
+    // Narrower than the window in which corners are refined.
+    GrayImage picture(8, 14, 220);
+    for (int y = 2; y < 12; ++y) {
+        for (int x = 1; x < 7; ++x) picture(x, y) = 20;
+    }
+    write_png(folder / "tiny.png", picture);
+    SilentProgress progress;
+    try {
+        (void)find_boards(folder.path(), {.kind = BoardKind::kSquareGrid}, 1, progress);
+        ADD_FAILURE() << "expected an error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-BOARDS-NOTFOUND");
+        EXPECT_THAT(error.what(), HasSubstr("tiny.png: OpenCV cannot look at it"));
+    }
 }
 
 std::string code_of_refusal(const std::filesystem::path& folder) {

@@ -77,9 +77,19 @@ TEST(Ingest, NamesFilesWhoseNamesNoReportCouldHold) {
     write_png(scratch / "photos/1.png", wavy_picture(100, 80));
     write_png(scratch / "photos/2.png", wavy_picture(100, 80, 11));
     write_png(scratch / "photos/latin1 \xfc.png", wavy_picture(100, 80, 22));
+    write_png(scratch / "photos/overlong \xe0\x80\xae.png", wavy_picture(100, 80, 33));
+    write_png(scratch / "photos/caf\xe9/3.png", wavy_picture(100, 80, 44));
+    write_whole_text(scratch / "photos/empty \xe9.jpg", "");
+    write_whole_text(scratch / "photos/phone \xe9.heic", "....ftypheic");
     const IngestResult result = ingested(scratch);
     EXPECT_THAT(names(result), ElementsAre("1.png", "2.png"));
-    EXPECT_EQ(codes(result).at("latin1 \\xfc.png"), "E-INGEST-NAME");
+    const std::map<std::string, std::string> expected{
+        {"latin1 \\xfc.png", "E-INGEST-NAME"},
+        {"overlong \\xe0\\x80\\xae.png", "E-INGEST-NAME"},
+        {"caf\\xe9/3.png", "E-INGEST-NAME"},
+        {"empty \\xe9.jpg", "E-INGEST-UNREADABLE"},
+        {"phone \\xe9.heic", "E-INGEST-FORMAT"}};
+    EXPECT_EQ(codes(result), expected);
 }
 
 TEST(Ingest, FollowsLinksToFilesAndNamesThoseThatLeadNowhere) {
@@ -144,16 +154,6 @@ TEST(Ingest, NamesEveryTruncatedPhotograph) {
     for (const LeftOut& left_out : result.left_out) {
         EXPECT_EQ(left_out.code, "E-INGEST-TRUNCATED") << left_out.name;
     }
-}
-
-TEST(Ingest, LeavesOutTinyPictures) {
-    const ScratchFolder scratch;
-    write_png(scratch / "photos/1.png", wavy_picture(100, 64));
-    write_png(scratch / "photos/2.png", wavy_picture(100, 64, 11));
-    write_png(scratch / "photos/icon.png", wavy_picture(100, 63, 22));
-    const IngestResult result = ingested(scratch, {.min_width_px = 64});
-    EXPECT_THAT(names(result), ElementsAre("1.png", "2.png"));
-    EXPECT_EQ(codes(result).at("icon.png"), "E-INGEST-TINY");
 }
 
 TEST(Ingest, LeavesOutTheSamePictureUnderAnotherName) {

@@ -15,15 +15,13 @@ namespace lumi {
 namespace {
 
 /// Two seconds at 10 frames a second; every frame is blurred but numbers 4 and 13.
-void write_video(const std::filesystem::path& path) {
-    constexpr int kWidth = 320;
-    constexpr int kHeight = 240;
+void write_video(const std::filesystem::path& path, int width = 320, int height = 240) {
     cv::VideoWriter writer(path.string(), cv::CAP_OPENCV_MJPEG,
-                           cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10.0, {kWidth, kHeight});
+                           cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10.0, {width, height});
     ASSERT_TRUE(writer.isOpened());
     for (int number = 1; number <= 20; ++number) {
-        ColorImage picture = wavy_picture(kWidth, kHeight, 3.0 * number);
-        cv::Mat frame(kHeight, kWidth, CV_8UC3, picture.row(0));
+        ColorImage picture = wavy_picture(width, height, 3.0 * number);
+        cv::Mat frame(height, width, CV_8UC3, picture.row(0));
         cv::cvtColor(frame, frame, cv::COLOR_RGB2BGR);
         if (number != 4 && number != 13) cv::GaussianBlur(frame, frame, {}, 3.0);
         writer.write(frame);
@@ -49,6 +47,23 @@ TEST(Video, GivesTheSharpestFrameOfEachInterval) {
         difference += std::abs(copy.pixels()[i].g - written.pixels()[i].g);
     }
     EXPECT_LT(difference / static_cast<double>(copy.pixels().size()), 3.0);
+}
+
+TEST(Video, LeavesOutTinyFrames) {
+    const ScratchFolder scratch;
+    write_video(scratch / "stamp.avi", 64, 48);
+    SilentProgress progress;
+    const auto ingested_with = [&](const IngestOptions& options) {
+        return ingest(scratch / "stamp.avi", options, scratch / "copies", 1, progress);
+    };
+    try {
+        static_cast<void>(ingested_with({.video_fps = 1.0}));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-INGEST-TOOFEW");
+        EXPECT_THAT(error.what(), testing::HasSubstr("frame-000004.png: 64x48 pixels"));
+    }
+    EXPECT_EQ(ingested_with({.min_width_px = 48, .video_fps = 1.0}).photographs.size(), 2U);
 }
 
 TEST(Video, RefusesAFileThatIsNone) {

@@ -84,6 +84,32 @@ TEST(ImportPoses, StrechaIsForItsStatedSizeAndRotatesWorldFromCamera) {
     expect_lens(result.capture.cameras.at(0), true_camera(), 1e-12);
 }
 
+TEST(ImportPoses, StrechaIsRefusedUnlessItHoldsACalibrationAndARotation) {
+    const ScratchFolder scratch;
+    const Capture capture = truth(1);
+    const std::string calibration = "1000 0 642.5\n0 1020 476\n0 0 1\n";
+    const std::string rotation = "1 0 0\n0 1 0\n0 0 1\n";
+    const auto code = [&](const std::string& k, const std::string& axes,
+                          const std::string& distortion = "0 0 0\n") {
+        write_whole_text(scratch / "cameras/view 000.jpg.camera",
+                         k + distortion + axes + "1 2 3\n1280 960\n");
+        return refusal(photographs_of(capture), scratch / "cameras").code();
+    };
+    EXPECT_EQ(code(calibration, rotation), "none");
+    for (const std::string axes : {"-1 0 0\n0 1 0\n0 0 1\n", "1 0 0\n0 0 1\n0 1 0\n",
+                                   "2 0 0\n0 2 0\n0 0 2\n", "1 1 0\n0 1 0\n0 0 1\n"}) {
+        EXPECT_EQ(code(calibration, axes), "E-IMPORT-POSES") << axes;
+    }
+    for (const std::string k :
+         {"1000 9 642.5\n0 1020 476\n0 0 1\n", "1000 0 642.5\n7 1020 476\n0 0 1\n",
+          "1000 0 642.5\n0 1020 476\n0 0 2\n", "1000 0 642.5\n0 1020 476\n0 1 1\n",
+          "-1000 0 642.5\n0 1020 476\n0 0 1\n"}) {
+        EXPECT_EQ(code(k, rotation), "E-IMPORT-POSES") << k;
+    }
+    EXPECT_EQ(code(calibration, rotation, "0.1 0 0\n"), "E-IMPORT-STRECHA");
+    EXPECT_EQ(code(calibration, "one 0 0\n"), "E-IMPORT-STRECHA");
+}
+
 TEST(ImportPoses, NamesWhatHasNoPoseAndWhatHasNoPhotograph) {
     const ScratchFolder scratch;
     const Capture capture = truth(4);

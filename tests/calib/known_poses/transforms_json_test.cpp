@@ -77,6 +77,43 @@ TEST(TransformsJson, KeepsTheDistortionOfEachModel) {
     EXPECT_THROW(static_cast<void>(lens(R"(, "camera_model": "EQUIRECTANGULAR")")), Error);
 }
 
+TEST(TransformsJson, WithAnAngleOfViewKeepsTheRestOfTheLens) {
+    const ScratchFolder scratch;
+    const Capture capture = truth();
+    const auto lens = [&](const std::string& more) {
+        scratch.put_text("t.json", transforms_json(capture, R"("camera_angle_x": 1)" + more));
+        return import_poses(photographs_of(capture), scratch / "t.json").capture.cameras.at(0);
+    };
+    const double focal_px = 0.5 * kWidth / std::tan(0.5);
+    const Camera bent = lens(R"(, "cx": 300, "cy": 250, "k1": 0.1, "p2": 0.02)");
+    EXPECT_EQ(bent.model, LensModel::kOpenCv);
+    EXPECT_THAT(bent.parameters, ElementsAre(focal_px, focal_px, 300, 250, 0.1, 0, 0, 0.02));
+    const Camera fisheye = lens(R"(, "camera_model": "OPENCV_FISHEYE", "k1": 0.1)");
+    EXPECT_EQ(fisheye.model, LensModel::kOpenCvFisheye);
+    EXPECT_EQ(principal_point_px(fisheye), Eigen::Vector2d(0.5 * kWidth, 0.5 * kHeight));
+    const Camera two_angles = lens(R"(, "camera_angle_y": 0.9)");
+    EXPECT_EQ(focal_length_px(two_angles),
+              Eigen::Vector2d(focal_px, 0.5 * kHeight / std::tan(0.45)));
+    const auto code = [&](const std::string& more) {
+        scratch.put_text("t.json", transforms_json(capture, R"("camera_angle_x": 1)" + more));
+        return refusal(photographs_of(capture), scratch / "t.json").code();
+    };
+    EXPECT_EQ(code(R"(, "camera_model": "EQUIRECTANGULAR")"), "E-IMPORT-LENS");
+    EXPECT_EQ(code(R"(, "k4": 0.1)"), "E-IMPORT-LENS");
+    EXPECT_EQ(code(R"(, "is_fisheye": true, "p1": 0.1)"), "E-IMPORT-LENS");
+    EXPECT_EQ(code(R"(, "cx": 700, "cy": 250)"), "E-IMPORT-SIZE");
+}
+
+TEST(TransformsJson, RefusesHalfASize) {
+    const ScratchFolder scratch;
+    const Capture capture = truth(1);
+    for (const std::string size : {R"("w": 640)", R"("h": 480)"}) {
+        scratch.put_text("t.json",
+                         transforms_json(capture, size + R"(, "fl_x": 500, "cx": 320, "cy": 240)"));
+        EXPECT_EQ(refusal(photographs_of(capture), scratch / "t.json").code(), "E-IMPORT-JSON");
+    }
+}
+
 TEST(TransformsJson, MayGiveALensForEachFrame) {
     const ScratchFolder scratch;
     const Capture capture = truth(2);

@@ -91,6 +91,33 @@ TEST(LensChoice, BicDecidesWhereNothingWasHeldOut) {
     EXPECT_EQ(choice.choice().form, kMiddle);
 }
 
+TEST(LensChoice, BicDecidesWhereNoFoldIsUsable) {
+    const std::vector<HeldOutFold> unusable(3);
+    const LensChoice choice =
+        choose_lens({trial_of(kSimple, 300, unusable), trial_of(kMiddle, 100, unusable),
+                     trial_of(kRich, 99.9, unusable)});
+    EXPECT_EQ(choice.choice().form, kMiddle);
+    for (const LensTrial& trial : choice.trials) {
+        EXPECT_TRUE(trial.folds.empty());
+        EXPECT_EQ(trial.excess_sigma_px2, 0.0);
+    }
+    EXPECT_FALSE(predicts_worse_surely(unusable, unusable));
+}
+
+TEST(LensChoice, UnusableFoldsAreSkipped) {
+    std::vector<HeldOutFold> simple = folds_of({0.2, 0.4, 0.3});
+    std::vector<HeldOutFold> middle = folds_of({0.1, 0.1, 0.1});
+    const LensChoice whole =
+        choose_lens({trial_of(kSimple, 110, simple), trial_of(kMiddle, 100, middle)});
+    simple.insert(simple.begin() + 1, 4, HeldOutFold{});
+    middle.insert(middle.begin() + 1, 4, HeldOutFold{});
+    const LensChoice choice =
+        choose_lens({trial_of(kSimple, 110, simple), trial_of(kMiddle, 100, middle)});
+    EXPECT_EQ(choice.choice().form, whole.choice().form);
+    EXPECT_EQ(choice.trials[0].excess_px2, whole.trials[0].excess_px2);
+    EXPECT_EQ(choice.trials[0].excess_sigma_px2, whole.trials[0].excess_sigma_px2);
+}
+
 TEST(LensChoice, AFormWithoutFoldsIsNotChosenBesideOthers) {
     LensTrial without = trial_of(kSimple, 50, {});
     without.not_predicted = "not tried";

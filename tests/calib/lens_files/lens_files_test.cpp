@@ -184,6 +184,19 @@ TEST(LensFiles, WhatContradictsItselfIsRefused) {
     EXPECT_EQ(code_of(folder, "a.yaml", "cam0: {camera_model: omni}\n"), "E-LENS-FILE");
     EXPECT_EQ(code_of(folder, "a.yaml", "cam0: {camera_model: pinhole}\ncam1: {}\n"),
               "E-LENS-FILE");
+    const auto kalibr = [&](const std::string& resolution, const std::string& distortion) {
+        return code_of(folder, "a.yaml",
+                       "cam0: {camera_model: pinhole, intrinsics: [5, 5, 3, 2], resolution: [" +
+                           resolution + "]" + distortion + "}\n");
+    };
+    EXPECT_EQ(kalibr("6, 4", ""), "");
+    EXPECT_EQ(kalibr("6, 4", ", distortion_model: none, distortion_coeffs: [0, 0, 0, 0]"), "");
+    for (const std::string resolution : {"6.7, 4", "6, 1e12", "6, .inf", "6", "6, 4, 3"}) {
+        EXPECT_EQ(kalibr(resolution, ""), "E-LENS-FILE") << resolution;
+    }
+    EXPECT_EQ(kalibr("6, 4", ", distortion_coeffs: [0.1, 0, 0, 0]"), "E-LENS-FILE");
+    EXPECT_EQ(kalibr("6, 4", ", distortion_model: none, distortion_coeffs: [0, 0, 0, 0.1]"),
+              "E-LENS-FILE");
     EXPECT_EQ(code_of(folder, "cameras.txt", "# nothing\n"), "E-LENS-FILE");
     EXPECT_EQ(code_of(folder, "cameras.txt", "1 PINHOLE 6 4 5 5 3\n"), "E-CAMERA-INVALID");
     EXPECT_EQ(code_of(folder, "cameras.txt", "1 THIN_PRISM 6 4 5 5 3 2\n"), "E-LENS-FILE");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "calib/mapping/before_placement.h"
+#include "calib/mapping/model_adjustment.h"
 #include "calib/mapping/two_view_start.h"
 #include "tests/calib/mapping/matched_scene.h"
 
@@ -116,6 +118,98 @@ TEST(IncrementalMapper, TriesOtherFocalLengthsForAnotherCamera) {
     const GrowingModel model = mapped(scene, options);
     EXPECT_EQ(model.placed(), 10);
     EXPECT_NEAR(model.cameras[1].parameters[0], 1400, 10);
+}
+
+/// A model of all photographs but the last as they truly are, with what these see.
+GrowingModel without_the_last(const MatchedScene& scene) {
+    GrowingModel model = unplaced_model(scene.cameras, scene.photographs, scene.pairs);
+    for (std::size_t view = 0; view + 1 < scene.truth.views.size(); ++view) {
+        model.is_placed[view] = 1;
+        model.cam_from_world[view] = scene.truth.views[view].cam_from_world;
+    }
+    triangulate_all_tracks(model, {});
+    return model;
+}
+
+/// The last photograph is of a camera of its own, of which a guess is told, and noisier than a
+/// model of exact sightings lets in.
+MatchedScene scene_with_a_noisy_last_photograph() {
+    Capture truth = synthetic_capture(pinhole_camera(1000, 800, 900), arc(8));
+    truth.cameras.push_back(pinhole_camera(1000, 800, 1400));
+    double offset_px = 1.5;
+    for (ScenePoint& point : truth.points) {
+        for (Observation& seen : point.track) {
+            if (seen.view_index != 7) continue;
+            const View& view = truth.views[7];
+            seen.pixel =
+                project(truth.cameras[1], view.cam_from_world * point.position_in_world).value();
+            seen.pixel += Eigen::Vector2d(offset_px, -0.7 * offset_px);
+            offset_px = -offset_px;
+        }
+    }
+    truth.views[7].camera_index = 1;
+    MatchedScene scene = matched_scene(std::move(truth));
+    scene.cameras[1].camera = pinhole_camera(1000, 800, 900);
+    return scene;
+}
+
+TEST(IncrementalMapper, LeavesTheGuessOfALensWhosePhotographCannotBePlaced) {
+    const MatchedScene scene = scene_with_a_noisy_last_photograph();
+    IncrementalMappingOptions options;
+    options.focal_length_is_guessed = {0, 1};
+    options.refine_lenses = false;
+    options.max_error_px = 0.02;
+    GrowingModel model = without_the_last(scene);
+    SilentProgress progress;
+    grow_model(
+        model, options, [](int) {}, progress);
+    ASSERT_EQ(model.placed(), 7);
+    EXPECT_EQ(model.cameras[1], scene.cameras[1].camera);
+    const GrowingModel unplaced = unplaced_model(scene.cameras, scene.photographs, scene.pairs);
+    EXPECT_TRUE(model.rays[7] == unplaced.rays[7]);
+    // With looser limits it is placed, under another focal length.
+    options.max_error_px = 4;
+    model = without_the_last(scene);
+    grow_model(
+        model, options, [](int) {}, progress);
+    EXPECT_EQ(model.placed(), 8);
+    EXPECT_NE(model.cameras[1], scene.cameras[1].camera);
+}
+
+/// Of the first so many photographs, to the bit.
+bool have_same_poses(const GrowingModel& a, const GrowingModel& b, std::size_t photographs) {
+    for (std::size_t index = 0; index < photographs; ++index) {
+        if (a.cam_from_world[index].translation != b.cam_from_world[index].translation ||
+            a.cam_from_world[index].rotation.coeffs() !=
+                b.cam_from_world[index].rotation.coeffs()) {
+            return false;
+        }
+    }
+    return true;
+}
+
+TEST(BeforePlacement, RestoresAllThatAPlacementChanged) {
+    const MatchedScene scene = scene_with_a_noisy_last_photograph();
+    const GrowingModel model = without_the_last(scene);
+    GrowingModel changed = model;
+    const BeforePlacement before(changed, 7);
+    changed.cameras[1] = scene.truth.cameras[1];
+    update_rays(changed);
+    changed.is_placed[7] = 1;
+    changed.cam_from_world[7] = scene.truth.views[7].cam_from_world;
+    triangulate_tracks(changed, tracks_of(changed, 7), {});
+    SilentProgress progress;
+    adjust_around(changed, 7, {}, progress);
+    ASSERT_FALSE(have_same_poses(changed, model, 7));
+    ASSERT_FALSE(changed.points_in_world == model.points_in_world);
+    before.restore(changed);
+    EXPECT_EQ(changed.cameras, model.cameras);
+    EXPECT_TRUE(changed.rays == model.rays);
+    EXPECT_EQ(changed.is_placed, model.is_placed);
+    EXPECT_TRUE(changed.is_inlier == model.is_inlier);
+    EXPECT_TRUE(changed.has_point == model.has_point);
+    EXPECT_TRUE(changed.points_in_world == model.points_in_world);
+    EXPECT_TRUE(have_same_poses(changed, model, 8));
 }
 
 TEST(IncrementalMapper, KeepsTheLargerOfTwoPartsThatNothingConnects) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "calib/capture/colmap_model.h"
@@ -66,6 +67,71 @@ TEST(PoseComparison, RotationErrorIsTheAngleByWhichACameraWasTurned) {
     EXPECT_NEAR(comparison.max_rotation_deg, kAngleDeg, 1e-5);
     EXPECT_LT(comparison.median_rotation_deg, 1e-5);
     EXPECT_LT(comparison.max_position, 1e-10);
+}
+
+/// Cameras that stand `across_share` of their line's length beside it, this way and that.
+NamedPoses on_a_line(double across_share) {
+    NamedPoses poses;
+    for (int i = 0; i < 6; ++i) {
+        const double across = i % 2 == 0 ? across_share : -across_share;
+        poses[std::to_string(i) + ".jpg"] =
+            looking_at({0.2 * i, across, 0.3 * across}, {0.1 * i, 0.4, 3});
+    }
+    return poses;
+}
+
+NamedPoses at_one_place() {
+    NamedPoses poses;
+    for (int i = 0; i < 5; ++i) {
+        poses[std::to_string(i) + ".jpg"] = looking_at({1, 2, 3}, {1 + 0.5 * i, 2.2, 8});
+    }
+    return poses;
+}
+
+TEST(PoseComparison, FindsTheTurnAboutALineOfCentres) {
+    const Similarity3 expected = some_similarity();
+    const PoseComparison comparison =
+        compare_poses(on_a_line(0), in_another_world(on_a_line(0), expected));
+    EXPECT_LT(comparison.max_rotation_deg, 1e-5);
+    EXPECT_LT(comparison.max_position, 1e-10);
+    EXPECT_NEAR(comparison.b_from_a.scale, expected.scale, 1e-12);
+    EXPECT_LT(comparison.b_from_a.rotation.angularDistance(expected.rotation), 1e-7);
+}
+
+TEST(PoseComparison, ErrorsBesideALineOfCentresDoNotTurnIt) {
+    // On either side of the line by as much as an estimate errs, but on the other side.
+    const PoseComparison comparison = compare_poses(on_a_line(1e-3), on_a_line(-1e-3));
+    EXPECT_LT(comparison.max_rotation_deg, 0.2);
+    EXPECT_LT(comparison.max_position, 3e-3);
+}
+
+TEST(PoseComparison, PositionsFitBestWhereTheCentresTellTheRotation) {
+    NamedPoses twisted = truth();
+    for (auto& [name, pose] : twisted) {
+        const Eigen::Vector3d centre = centre_in_world(pose);
+        pose.rotation = Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitZ()) * pose.rotation;
+        pose.translation = -(pose.rotation * centre);
+    }
+    const PoseComparison comparison = compare_poses(twisted, truth());
+    EXPECT_LT(comparison.max_position, 1e-10);
+    EXPECT_NEAR(comparison.median_rotation_deg, 0.1 * 180 / std::numbers::pi, 1e-5);
+}
+
+TEST(PoseComparison, CentresAtOnePlaceStillShowHowCamerasAreTurned) {
+    NamedPoses turned = at_one_place();
+    Rigid3& pose = turned.at("2.jpg");
+    const Eigen::Vector3d centre = centre_in_world(pose);
+    pose.rotation = Eigen::AngleAxisd(0.02, Eigen::Vector3d::UnitX()) * pose.rotation;
+    pose.translation = -(pose.rotation * centre);
+    const PoseComparison comparison =
+        compare_poses(in_another_world(turned, some_similarity()), at_one_place());
+    EXPECT_EQ(comparison.b_from_a.scale, 1.0);
+    EXPECT_LT(comparison.max_position, 1e-10);
+    // A fifth of it turns the mean.
+    EXPECT_NEAR(comparison.max_rotation_deg, 0.8 * 0.02 * 180 / std::numbers::pi, 1e-3);
+    const PoseComparison with_others = compare_poses(at_one_place(), on_a_line(0.1));
+    EXPECT_TRUE(std::isfinite(with_others.max_position));
+    EXPECT_TRUE(std::isfinite(with_others.max_rotation_deg));
 }
 
 TEST(PoseComparison, PositionErrorIsInTheUnitsOfB) {

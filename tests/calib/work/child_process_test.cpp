@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/wait.h>
 
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -128,6 +130,42 @@ TEST_F(ChildProcess, InterruptionKillsTheGroup) {
     }
     user.join();
     EXPECT_TRUE(is_gone(std::stoi(log())));
+}
+
+TEST_F(ChildProcess, EndsWhereTheSignalOfEndedChildrenIsIgnored) {
+    const auto before = ::signal(SIGCHLD, SIG_IGN);
+    ChildCommand command = shell("grep SigIgn /proc/self/status; exit 3");
+    command.time_limit_s = 10;
+    const ChildResult result = run_child(command, progress_);
+    ::signal(SIGCHLD, before);
+    EXPECT_EQ(result.end, ChildEnd::kExited);
+    EXPECT_EQ(result.exit_status, 3);
+    const std::uint64_t ignored = std::stoull(log().substr(log().find_last_of(" \t")), nullptr, 16);
+    EXPECT_EQ(ignored >> (SIGCHLD - 1) & 1, 0U);
+}
+
+TEST_F(ChildProcess, AHandlerOfEndedChildrenStays) {
+    const auto handler = +[](int) {};
+    const auto before = ::signal(SIGCHLD, handler);
+    static_cast<void>(run_child(shell("exit 0"), progress_));
+    EXPECT_EQ(::signal(SIGCHLD, before), handler);
+}
+
+TEST_F(ChildProcess, IsLostWhenSomebodyElseWaitsForIt) {
+    ChildCommand command = shell("echo $$; exec sleep 60");
+    command.on_output = [](std::string_view text) {
+        if (text.empty()) return;
+        const pid_t child = std::stoi(std::string(text));
+        ::kill(child, SIGKILL);
+        EXPECT_EQ(::waitpid(child, nullptr, 0), child);
+    };
+    try {
+        static_cast<void>(run_child(command, progress_));
+        ADD_FAILURE() << "expected an error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-CHILD-LOST");
+        EXPECT_THAT(error.what(), testing::HasSubstr("/bin/sh"));
+    }
 }
 
 TEST_F(ChildProcess, MissingProgramIsNamedWithAdvice) {

@@ -12,6 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 template <class Work>
 Error error_of(const Work& work) {
@@ -102,6 +103,35 @@ TEST(ConfigSection, PathsAreRelativeToTheFile) {
     EXPECT_EQ(file.path("photos"), scratch / "photos");
     EXPECT_EQ(file.path("absolute"), "/data");
     EXPECT_THAT(file.path("absent").string(), IsEmpty());
+}
+
+TEST(ConfigSection, ResolvedForAnyFolderEveryPathIsAbsolute) {
+    const auto file = ConfigSection::from_text(
+        "photos = \"photos\"\nprogram = \"bin/x\"\n[[box]]\nmask = \"../m\"\n", "c.toml", "/a/b");
+    static_cast<void>(file.path("photos"));
+    static_cast<void>(file.path("absent"));
+    static_cast<void>(file.text("program", ""));
+    static_cast<void>(file.sections("box").at(0).path("mask"));
+    const auto moved =
+        ConfigSection::from_text(file.resolved_for_any_folder(), "moved", "/elsewhere");
+    EXPECT_EQ(moved.text("photos", ""), "/a/b/photos");
+    EXPECT_EQ(moved.text("absent", "x"), "");
+    EXPECT_EQ(moved.text("program", ""), "bin/x");
+    EXPECT_EQ(moved.sections("box").at(0).text("mask", ""), "/a/m");
+    EXPECT_THAT(file.resolved(), HasSubstr("photos = 'photos'"));
+}
+
+TEST(ConfigSection, AChangeKeepsTheLinesOfAllElse) {
+    const auto file = ConfigSection::from_text("[a]\n\nx = 1\n[b]\ny = 2\n", "c.toml", "/",
+                                               {{"a.z.w", "3"}, {"b.y", "true"}});
+    EXPECT_EQ(file.section("a").section("z").integer("w", 0), 3);
+    const auto said = [&](const std::string& section, const std::string& key) {
+        return std::string(
+            error_of([&] { file.section(section).refuse(key, "something else"); }).what());
+    };
+    EXPECT_THAT(said("a", "x"), StartsWith("c.toml:3: `a.x`"));
+    EXPECT_THAT(said("b", "y"), StartsWith("c.toml with b.y = true: `b.y`"));
+    EXPECT_THAT(said("b", "absent"), StartsWith("c.toml: `b.absent`"));
 }
 
 TEST(ConfigSection, ListsTablesOfAnArrayInOrder) {

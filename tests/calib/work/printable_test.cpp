@@ -19,6 +19,16 @@ TEST(Printable, EscapesControlCharacters) {
     EXPECT_EQ(printable("\xc2\xa0"), "\xc2\xa0") << "the first character behind C1";
 }
 
+TEST(Printable, KnowsUtf8) {
+    for (const char* text : {"", "caf\xc3\xa9.jpg", "\x1b[2J", "\xf0\x9f\x93\xb7"}) {
+        EXPECT_TRUE(is_utf8(text)) << text;
+    }
+    for (const char* text :
+         {"caf\xe9.jpg", "\xc0\xae", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2"}) {
+        EXPECT_FALSE(is_utf8(text)) << printable(text);
+    }
+}
+
 TEST(Printable, EscapesWhatIsNotUtf8) {
     EXPECT_EQ(printable("\xe9"), "\\xe9");
     EXPECT_EQ(printable("\xc0\xae"), "\\xc0\\xae") << "overlong";

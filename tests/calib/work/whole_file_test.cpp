@@ -53,6 +53,27 @@ TEST(WholeFile, ReadsBackWhatItWroteAndLeavesNothingElse) {
     EXPECT_EQ(files_in(scratch / "a/b"), 1U);
 }
 
+TEST(WholeFile, RemovesWhatKilledRunsLeftBesideAFileAndNothingElse) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "config.toml", "whole");
+    write_whole_text(scratch / ".config.toml.new-a1B2c3", "half");
+    write_whole_text(scratch / "config.toml.backup", "the user's own");
+    write_whole_text(scratch / ".other.toml.new-a1B2c3", "another file's");
+    remove_unfinished_siblings(scratch / "config.toml");
+    EXPECT_EQ(files_in(scratch.path()), 3U);
+    EXPECT_FALSE(std::filesystem::exists(scratch / ".config.toml.new-a1B2c3"));
+}
+
+TEST(WholeFile, PutsWhatAnotherProgramMadeInPlace) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "video.mp4", "old");
+    write_whole_text(scratch / "made/video.mp4", "new");
+    put_whole_file(scratch / "made/video.mp4", scratch / "video.mp4");
+    EXPECT_EQ(read_whole_text(scratch / "video.mp4"), "new");
+    EXPECT_THROW(put_whole_file(scratch / "made/video.mp4", scratch / "video.mp4"), Error);
+    EXPECT_EQ(read_whole_text(scratch / "video.mp4"), "new");
+}
+
 TEST(WholeFile, WhatWasThereSurvivesAWriteThatFails) {
     const ScratchFolder scratch;
     write_whole_text(scratch / "file.txt", "what was there");

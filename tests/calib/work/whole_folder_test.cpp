@@ -57,6 +57,28 @@ TEST(WholeFolder, CleansUpAfterKilledRunsOfTheSameTargetOnly) {
     EXPECT_TRUE(fs::exists(scratch / ".other.new-abcdef"));
 }
 
+TEST(WholeFolder, OnlyFoldersOfOurOwnFilesAreReplaced) {
+    const ScratchFolder scratch;
+    const auto is_frame = [](const std::string& name) { return name.starts_with("frame-"); };
+    EXPECT_NO_THROW(expect_only_files_of_ours(scratch / "missing", is_frame));
+    fs::create_directory(scratch / "empty");
+    EXPECT_NO_THROW(expect_only_files_of_ours(scratch / "empty", is_frame));
+    write_whole_text(scratch / "frames/frame-1.png", "ours");
+    EXPECT_NO_THROW(expect_only_files_of_ours(scratch / "frames", is_frame));
+
+    write_whole_text(scratch / "photos/IMG_1.jpg", "the user's own");
+    write_whole_text(scratch / "nested/frame-1/IMG_1.jpg", "the user's own");
+    write_whole_text(scratch / "file", "the user's own");
+    for (const char* name : {"photos", "nested", "file"}) {
+        try {
+            expect_only_files_of_ours(scratch / name, is_frame);
+            FAIL() << name;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-OUT-EXISTS");
+        }
+    }
+}
+
 TEST(WholeFolder, ReplacesInTwoStepsWhereThereIsNoExchange) {
     const ScratchFolder scratch;
     write_whole_text(scratch / "result/a.txt", "old");

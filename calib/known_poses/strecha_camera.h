@@ -14,7 +14,8 @@ struct StrechaCamera {
 };
 
 /// Reads K (three rows), a distortion line, the rotation world-from-camera (three rows), the centre
-/// in world units, and the picture size. Throws Error (E-IMPORT-STRECHA).
+/// in world units, and the picture size. Throws Error: E-IMPORT-STRECHA (not
+/// such a file), E-IMPORT-POSES (K or the rotation is none), E-CAMERA-INVALID.
 [[nodiscard]] StrechaCamera read_strecha_camera(const std::filesystem::path& path);
 
 }  // namespace lumi

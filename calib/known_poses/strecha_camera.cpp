@@ -1,28 +1,13 @@
-#include "calib/capture/strecha_camera.h"
+#include "calib/known_poses/strecha_camera.h"
 
-#include <Eigen/Geometry>
-#include <cmath>
 #include <sstream>
 
+#include "calib/known_poses/calibration_matrix.h"
+#include "calib/known_poses/camera_axes.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 
 namespace lumi {
-namespace {
-
-/// COLMAP's pixels are half a pixel further than those of files that count from pixel centres.
-constexpr double kHalfPixel = 0.5;
-constexpr double kRotationTolerance = 1e-3;
-
-Eigen::Matrix3d next_matrix(std::istream& stream) {
-    Eigen::Matrix3d matrix;
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) stream >> matrix(row, column);
-    }
-    return matrix;
-}
-
-}  // namespace
 
 StrechaCamera read_strecha_camera(const std::filesystem::path& path) {
     std::istringstream stream(read_whole_text(path, std::size_t{1} << 16));
@@ -42,19 +27,12 @@ StrechaCamera read_strecha_camera(const std::filesystem::path& path) {
     };
     if (!stream) refuse("ends early, or holds something that is not a number");
     if (!distortion.isZero()) refuse("has lens distortion, which this format does not define");
-    if (!(world_from_cam.transpose() * world_from_cam).isIdentity(kRotationTolerance)) {
-        refuse("its rotation is not orthonormal");
-    }
 
     StrechaCamera result;
-    result.camera = {width_px,
-                     height_px,
-                     LensModel::kPinhole,
-                     {calibration(0, 0), calibration(1, 1), calibration(0, 2) + kHalfPixel,
-                      calibration(1, 2) + kHalfPixel}};
+    result.camera = {width_px, height_px, LensModel::kPinhole,
+                     pinhole_parameters(calibration, path.string())};
     validate(result.camera, path.string());
-    result.cam_from_world.rotation = Eigen::Quaterniond(world_from_cam).normalized().conjugate();
-    result.cam_from_world.translation = -(result.cam_from_world.rotation * centre);
+    result.cam_from_world = pose_from_axes(world_from_cam, centre, path.string());
     return result;
 }
 

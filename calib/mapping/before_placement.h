@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "calib/mapping/growing_model.h"
+
+namespace lumi {
+
+/// What placing a photograph may change of a model, as it was: the photograph's lens, the poses
+/// (adjust_around moves neighbours), and the tracks that it shows.
+class BeforePlacement {
+ public:
+    BeforePlacement(const GrowingModel& model, int photograph);
+
+    /// The model as it was, when nothing else has changed since.
+    void restore(GrowingModel& model) const;
+
+ private:
+    struct TrackBefore {
+        std::size_t track = 0;
+        std::vector<char> is_inlier;
+        char has_point = 0;
+        Eigen::Vector3d point_in_world = Eigen::Vector3d::Zero();
+    };
+
+    std::size_t photograph_;
+    Camera lens_;
+    std::vector<Rigid3> cam_from_world_;
+    std::vector<TrackBefore> tracks_;
+    char is_placed_;
+};
+
+}  // namespace lumi

@@ -1,0 +1,24 @@
+#include "calib/work/error_of_exception.h"
+
+#include <filesystem>
+#include <new>
+
+namespace lumi {
+
+std::optional<Error> error_of_exception(const std::exception& exception) {
+    if (const auto* error = dynamic_cast<const Error*>(&exception)) return *error;
+    if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) {
+        return Error(ErrorKind::kResources, "E-MEMORY", "memory ran out",
+                     "set a smaller max_width_px under [capture], or fewer --threads");
+    }
+    if (const auto* failure = dynamic_cast<const std::filesystem::filesystem_error*>(&exception)) {
+        const bool is_full = failure->code() == std::errc::no_space_on_device;
+        return Error(is_full ? ErrorKind::kResources : ErrorKind::kBadInput, "E-FILE-SYSTEM",
+                     failure->what(),
+                     is_full ? "free some disk space and run the same command again"
+                             : "check that the path exists and that you may use it");
+    }
+    return std::nullopt;
+}
+
+}  // namespace lumi
