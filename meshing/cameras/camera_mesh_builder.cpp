@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "calib/work/error.h"
+#include "calib/work/median.h"
 #include "meshing/cameras/arrangement.h"
 #include "meshing/cameras/camera_star.h"
 #include "meshing/cameras/close_ups.h"
@@ -83,7 +84,7 @@ double reach_within(const std::vector<Eigen::Vector3d>& scene, const Eigen::Vect
     if (scene.empty()) return 0.0;
     std::vector<double> distances;
     for (const Eigen::Vector3d& point : scene) distances.push_back((point - centre).norm());
-    return 0.5 * percentile(std::move(distances), 0.5);
+    return 0.5 * quantile_of(std::move(distances), 0.5);
 }
 
 /// How the kernel of the mesh and the scene lie to each other.

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "calib/capture/degrees.h"
+#include "calib/work/median.h"
 #include "meshing/cameras/border.h"
 #include "meshing/cameras/camera_star.h"
-#include "meshing/cameras/kernel.h"
 #include "meshing/cameras/repair.h"
 
 namespace lumi {
@@ -74,7 +74,7 @@ double usual_count(const Capture& capture, const std::vector<OpticalAxis>& axes,
     for (std::size_t i = 0; i < axes.size(); i += step) {
         counts.push_back(count_of(in_photograph(capture, axes[i].view_index, scene)));
     }
-    return percentile(std::move(counts), 0.5);
+    return quantile_of(std::move(counts), 0.5);
 }
 
 std::vector<CloseUp> close_ups_among(const Capture& capture, const std::vector<OpticalAxis>& axes,
@@ -84,7 +84,7 @@ std::vector<CloseUp> close_ups_among(const Capture& capture, const std::vector<O
         if (axis.depth > 0) footprints.push_back(footprint_of(capture, axis));
     }
     if (footprints.empty()) return {};
-    const double usual = percentile(std::move(footprints), 0.5);
+    const double usual = quantile_of(std::move(footprints), 0.5);
     std::vector<CloseUp> close_ups;
     for (std::size_t i = 0; i < axes.size(); ++i) {
         const double footprint = footprint_of(capture, axes[i]);

@@ -2,8 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cassert>
-#include <cmath>
 #include <limits>
 
 namespace lumi {
@@ -58,14 +56,6 @@ double face_clearance(const FacePlane& plane,
         reach = std::max(reach, plane.outward_normal.dot(point));
     }
     return plane.distance - reach;
-}
-
-double percentile(std::vector<double> values, double share) {
-    assert(!values.empty());
-    const auto rank =
-        static_cast<std::ptrdiff_t>(std::floor(share * static_cast<double>(values.size() - 1)));
-    std::nth_element(values.begin(), values.begin() + rank, values.end());
-    return values[static_cast<std::size_t>(rank)];
 }
 
 }  // namespace lumi

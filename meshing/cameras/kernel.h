@@ -44,7 +44,4 @@ struct FacePlane {
 [[nodiscard]] double face_clearance(const FacePlane& plane,
                                     const std::vector<Eigen::Vector3d>& points_from_centre);
 
-/// The value that the given share of `values` does not exceed; `values` must not be empty.
-[[nodiscard]] double percentile(std::vector<double> values, double share);
-
 }  // namespace lumi

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "calib/capture/degrees.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
@@ -39,9 +40,7 @@ void begin_behind_widest_gap(Chain& chain) {
     std::rotate(chain.cameras.begin(), chain.cameras.begin() + widest, chain.cameras.end());
     std::rotate(chain.azimuths_rad.begin(), chain.azimuths_rad.begin() + widest,
                 chain.azimuths_rad.end());
-    std::nth_element(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(count / 2),
-                     gaps.end());
-    chain.usual_gap_rad = gaps[count / 2];
+    chain.usual_gap_rad = median_of(std::move(gaps));
 }
 
 Chain chain_by_azimuth(const CameraStar& star, const Eigen::Vector3d& normal) {
@@ -71,6 +70,16 @@ Chain chain_by_azimuth(const CameraStar& star, const Eigen::Vector3d& normal) {
         } else if (off_usual(camera) < off_usual(chain.cameras.back())) {
             chain.cameras.back() = camera;
         }
+    }
+    // The last may stand where the first does, a whole turn further.
+    const double over_the_end_rad =
+        chain.azimuths_rad.front() + kFullTurn - chain.azimuths_rad.back();
+    if (over_the_end_rad <= kSameAzimuth_rad) {
+        if (off_usual(chain.cameras.back()) < off_usual(chain.cameras.front())) {
+            chain.cameras.front() = chain.cameras.back();
+        }
+        chain.cameras.pop_back();
+        chain.azimuths_rad.pop_back();
     }
     begin_behind_widest_gap(chain);
     return chain;

@@ -3,13 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <set>
 
 #include "calib/work/formatted.h"
+#include "calib/work/median.h"
 #include "calib/work/svg_escaped.h"
-#include "meshing/cameras/kernel.h"
 
 namespace lumi {
 namespace {
@@ -102,8 +101,8 @@ void fit(Panel& panel, const Drawing& drawing) {
     }
     for (int axis = 0; axis < 2 && !drawing.points.empty(); ++axis) {
         const auto& values = point_extent[static_cast<std::size_t>(axis)];
-        least[axis] = std::min(least[axis], percentile(values, 0.03));
-        most[axis] = std::max(most[axis], percentile(values, 0.97));
+        least[axis] = std::min(least[axis], quantile_of(values, 0.03));
+        most[axis] = std::max(most[axis], quantile_of(values, 0.97));
     }
     const Eigen::Vector2d extent = (most - least).cwiseMax(2 * drawing.camera_size) * 1.15;
     panel.middle = (least + most) / 2;
@@ -251,7 +250,7 @@ double usual_camera_distance(const Drawing& drawing) {
                              drawing.mesh.scene_centre_in_world)
                                 .norm());
     }
-    return percentile(std::move(distances), 0.5);
+    return quantile_of(std::move(distances), 0.5);
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
 #include "meshing/cameras/scene_hull.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
+#include "calib/work/median.h"
 #include "meshing/cameras/convex_hull.h"
-#include "meshing/cameras/kernel.h"
 
 namespace lumi {
 namespace {
@@ -19,7 +18,7 @@ Eigen::Vector3d median_of(const std::vector<Eigen::Vector3d>& points) {
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> values;
         for (const Eigen::Vector3d& point : points) values.push_back(point[axis]);
-        median[axis] = percentile(std::move(values), 0.5);
+        median[axis] = quantile_of(std::move(values), 0.5);
     }
     return median;
 }
@@ -32,8 +31,8 @@ std::vector<Eigen::Vector3d> scene_hull(const std::vector<Eigen::Vector3d>& poin
     const Eigen::Vector3d middle = median_of(points);
     std::vector<double> distances;
     for (const Eigen::Vector3d& point : points) distances.push_back((point - middle).norm());
-    const double limit =
-        std::min(percentile(distances, kept_share), kOutlier * percentile(distances, kUsualShare));
+    const double limit = std::min(quantile_of(distances, kept_share),
+                                  kOutlier * quantile_of(distances, kUsualShare));
     std::vector<Eigen::Vector3d> kept;
     std::copy_if(points.begin(), points.end(), std::back_inserter(kept),
                  [&](const Eigen::Vector3d& point) { return (point - middle).norm() <= limit; });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "calib/work/formatted.h"
 #include "meshing/depth/held_out_photograph.h"
 #include "meshing/depth/held_out_points.h"
 #include "meshing/depth/photograph_loss.h"
@@ -10,10 +11,7 @@
 namespace lumi {
 namespace {
 
-std::string with_two_digits(double value) {
-    const std::string text = std::to_string(value);
-    return text.substr(0, text.find('.') + 3);
-}
+std::string with_two_digits(double value) { return formatted("%.2f", value); }
 
 /// Photographs kept back, and what the rungs make of them as far as anybody asked.
 class Race {

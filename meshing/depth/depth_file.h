@@ -13,8 +13,8 @@ namespace lumi {
 /// (.png), and COLMAP's dense maps (.geometric.bin, .photometric.bin).
 [[nodiscard]] const std::vector<std::string>& depth_file_endings();
 
-/// Depth along the optical axis in world units; not positive or NaN where unknown. A PNG holds
-/// multiples of `png_unit`, 0 where unknown.
+/// Depth along the optical axis in world units, as the file has it: 0 or NaN where it is unknown. A
+/// PNG holds multiples of `png_unit`. No negative depth is refused here, but by imported_depth.h.
 ///
 /// Throws Error: E-DEPTH-FORMAT (not what its name says, or its header promises more than the file
 /// holds), E-IMAGE-FORMAT, E-IMAGE-TRUNCATED, E-FILE-READ.

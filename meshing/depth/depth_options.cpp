@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "calib/work/error.h"
 #include "meshing/depth/depth_model.h"
@@ -8,11 +9,10 @@
 namespace lumi {
 namespace {
 
-void require(bool holds, const std::string& what) {
-    if (holds) return;
-    throw Error(ErrorKind::kUsage, "E-DEPTH-OPTION", "depth: " + what,
-                "correct the [depth] section of the configuration");
-}
+struct DepthFault {
+    std::string option;
+    std::string expected;
+};
 
 std::string listed(const std::vector<std::string>& names) {
     std::string text;
@@ -20,31 +20,40 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-}  // namespace
-
-void validate(const DepthOptions& options) {
+std::optional<DepthFault> first_fault(const DepthOptions& options) {
     std::vector<std::string> names = depth_model_names();
     names.insert(names.begin(), "auto");
-    require(std::find(names.begin(), names.end(), options.model) != names.end(),
-            "model: expected one of " + listed(names) + ", found \"" + options.model + "\"");
-    require(options.max_width_px >= 16 && options.max_width_px <= 16384,
-            "max_width_px: expected 16 to 16384, found " + std::to_string(options.max_width_px));
-    require(options.max_neighbours >= 1 && options.max_neighbours <= 32,
-            "max_neighbours: expected 1 to 32, found " + std::to_string(options.max_neighbours));
-    require(options.max_memory_mib >= 256, "max_memory_mib: expected at least 256, found " +
-                                               std::to_string(options.max_memory_mib));
-    require(std::isfinite(options.import_png_unit) && options.import_png_unit > 0,
-            "import_png_unit: expected a positive length, found " +
-                std::to_string(options.import_png_unit));
-    require(options.background == "auto" || options.background == "keep",
-            "background: expected \"auto\" or \"keep\", found \"" + options.background + "\"");
+    if (std::find(names.begin(), names.end(), options.model) == names.end())
+        return DepthFault{"model", "one of " + listed(names)};
+    if (options.max_width_px < 16 || options.max_width_px > 16384)
+        return DepthFault{"max_width_px", "16 to 16384"};
+    if (options.max_neighbours < 1 || options.max_neighbours > 32)
+        return DepthFault{"max_neighbours", "1 to 32"};
+    if (options.max_memory_mib < 256) return DepthFault{"max_memory_mib", "at least 256"};
+    if (!std::isfinite(options.import_png_unit) || options.import_png_unit <= 0)
+        return DepthFault{"import_png_unit", "a positive length"};
+    if (options.background != "auto" && options.background != "keep")
+        return DepthFault{"background", R"("auto" or "keep")"};
     const int imports = static_cast<int>(!options.import_folder.empty()) +
                         static_cast<int>(!options.import_mesh.empty()) +
                         static_cast<int>(!options.import_volume.empty());
-    require(imports <= 1, "import_folder, import_mesh, import_volume: expected one, found " +
-                              std::to_string(imports));
-    require(std::isfinite(options.import_volume_threshold),
-            "import_volume_threshold: expected a finite number");
+    if (imports > 1) {
+        return DepthFault{options.import_volume.empty() ? "import_mesh" : "import_volume",
+                          "one of import_folder, import_mesh and import_volume"};
+    }
+    if (!std::isfinite(options.import_volume_threshold))
+        return DepthFault{"import_volume_threshold", "a finite number"};
+    return std::nullopt;
+}
+
+}  // namespace
+
+void validate(const DepthOptions& options) {
+    if (const auto fault = first_fault(options)) {
+        throw Error(ErrorKind::kUsage, "E-DEPTH-OPTION",
+                    "[depth] " + fault->option + ": expected " + fault->expected,
+                    "correct this key, or remove it to use the default");
+    }
 }
 
 DepthOptions read_depth_options(const ConfigSection& section) {
@@ -61,7 +70,7 @@ DepthOptions read_depth_options(const ConfigSection& section) {
         section.number("import_volume_threshold", options.import_volume_threshold);
     options.mask_folder = section.path("masks");
     options.background = section.text("background", options.background);
-    validate(options);
+    if (const auto fault = first_fault(options)) section.refuse(fault->option, fault->expected);
     return options;
 }
 

@@ -4,18 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
 
 constexpr std::size_t kMinPoints = 12;
-
-double value_at_share(std::vector<double>& values, double share) {
-    const auto nth = values.begin() +
-                     static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), nth, values.end());
-    return *nth;
-}
 
 /// Of every scene point inside the picture, whether or not this view's track found it.
 std::vector<double> inverse_depths_inside(const DepthScene& scene, const DepthView& view) {
@@ -46,12 +42,12 @@ double typical_baseline(const DepthScene& scene) {
         }
         if (std::isfinite(distance)) nearest.push_back(distance);
     }
-    return nearest.empty() ? 0.0 : value_at_share(nearest, 0.5);
+    return quantile_of(std::move(nearest), 0.5);
 }
 
 InverseDepthRange widened(std::vector<double> inverse_depths) {
     constexpr double kTail = 0.01;
-    return {0.0, 1.5 * value_at_share(inverse_depths, 1 - kTail)};
+    return {0.0, 1.5 * quantile_of(std::move(inverse_depths), 1 - kTail)};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "calib/capture/image_io.h"
 #include "calib/work/error.h"
+#include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/depth/depth_range.h"
 #include "meshing/depth/inverse_depth_warp.h"
@@ -79,8 +80,7 @@ double fastest_disparity(const DepthScene& scene, const DepthView& view) {
             disparities.push_back(disparity_per_inverse_depth(
                 warp, pixel, comparable_inverse_depth(warp, pixel, middle)));
         }
-        std::sort(disparities.begin(), disparities.end());
-        fastest = std::max(fastest, disparities[disparities.size() / 2]);
+        fastest = std::max(fastest, median_of(std::move(disparities)));
     }
     return fastest;
 }

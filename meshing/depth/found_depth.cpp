@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "calib/work/formatted.h"
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "calib/work/process_memory.h"
@@ -57,10 +58,7 @@ double sparse_residual_px(const DepthMap& map, const DepthView& view) {
     return median_of(std::move(residuals));
 }
 
-std::string with_one_digit(double value) {
-    const std::string text = std::to_string(value);
-    return text.substr(0, text.find('.') + 2);
-}
+std::string with_one_digit(double value) { return formatted("%.1f", value); }
 
 /// Views that agree with each other may all be wrong, where poses or lens are: the scene points are
 /// a second opinion on what was found by comparing photographs.

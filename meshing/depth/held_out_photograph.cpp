@@ -67,7 +67,7 @@ std::vector<int> photographs_to_keep_back(const DepthScene& scene) {
         return one_sidedness(scene, a) < one_sidedness(scene, b);
     });
     candidates.resize((candidates.size() + 1) / 2);
-    return views_far_apart(scene, std::move(candidates), scene.views.size() < kManyViews ? 3 : 4);
+    return views_far_apart(scene, candidates, scene.views.size() < kManyViews ? 3 : 4);
 }
 
 HeldOutPhotograph::HeldOutPhotograph(const DepthScene& scene, const std::vector<GrayImage>& masks,

@@ -1,9 +1,9 @@
 #include "meshing/depth/held_out_points.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/depth/depth_model.h"
 #include "meshing/depth/views_far_apart.h"
@@ -11,7 +11,7 @@
 namespace lumi {
 namespace {
 
-constexpr std::size_t kMaxHeldOutViews = 4;
+constexpr int kMaxHeldOutViews = 4;
 constexpr std::size_t kFolds = 4;
 
 std::vector<int> sampled_views(const DepthScene& scene) {
@@ -22,7 +22,7 @@ std::vector<int> sampled_views(const DepthScene& scene) {
             candidates.push_back(static_cast<int>(i));
         }
     }
-    return views_far_apart(scene, std::move(candidates), kMaxHeldOutViews);
+    return views_far_apart(scene, candidates, kMaxHeldOutViews);
 }
 
 /// Takes a part of the view's points from it.
@@ -89,9 +89,8 @@ std::optional<double> held_out_points_p95_px(const DepthScene& scene, const std:
         residuals.insert(residuals.end(), some.begin(), some.end());
     }
     if (residuals.empty()) return std::nullopt;
-    const auto p95 = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() * 95 / 100);
-    std::nth_element(residuals.begin(), p95, residuals.end());
-    return *p95;
+    const std::size_t p95 = residuals.size() * 95 / 100;
+    return value_of_rank(std::move(residuals), p95);
 }
 
 }  // namespace lumi

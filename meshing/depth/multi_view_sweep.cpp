@@ -64,10 +64,13 @@ SweepView at_level(const GrayView& full, int level) {
     return {resized(view.camera, width, height), view.cam_from_world, std::move(small)};
 }
 
-/// Planes `spacing_px` of disparity apart over the view's range.
+/// Planes `spacing_px` of disparity apart over the view's range, or farther: integers count them.
 SweepPlanes planes_over(const DepthView& view, double level_scale, double spacing_px) {
-    const double step = spacing_px / (view.disparity_px_per_inverse_depth * level_scale);
-    const int needed = static_cast<int>(std::ceil((view.range.near - view.range.far) / step)) + 1;
+    constexpr double kMostPlanes = 1 << 24;
+    const double span = view.range.near - view.range.far;
+    const double step = std::max(spacing_px / (view.disparity_px_per_inverse_depth * level_scale),
+                                 span / kMostPlanes);
+    const int needed = static_cast<int>(std::ceil(span / step)) + 1;
     const int units = std::max(1, (needed + kCountUnit - 1) / kCountUnit);
     return {view.range.far, step, units * kCountUnit};
 }

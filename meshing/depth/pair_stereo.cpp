@@ -135,7 +135,8 @@ struct DisparityRange {
     int count = 0;
 };
 
-/// The disparities of the view's range, over its whole picture.
+/// The disparities of the view's range, over its whole picture, as far as pictures of this size can
+/// show them.
 DisparityRange disparities_of(const DepthView& view, const RectifiedPair& pair) {
     const PixelRectification rectified(pair);
     double low = std::numeric_limits<double>::infinity();
@@ -153,8 +154,9 @@ DisparityRange disparities_of(const DepthView& view, const RectifiedPair& pair) 
         }
     }
     if (!(low <= high)) return {};
-    const int first = static_cast<int>(std::floor(low)) - 1;
-    const int needed = static_cast<int>(std::ceil(high)) + 2 - first;
+    const double most = pair.is_vertical ? pair.size.height : pair.size.width;
+    const int first = static_cast<int>(std::floor(std::clamp(low, -most, most))) - 1;
+    const int needed = static_cast<int>(std::ceil(std::clamp(high, -most, most))) + 2 - first;
     return {first, (needed + 15) / 16 * 16};
 }
 

@@ -8,6 +8,7 @@
 #include "calib/work/median.h"
 #include "meshing/depth/cross_view_check.h"
 #include "meshing/depth/inverse_depth_warp.h"
+#include "meshing/depth/pixel_in_picture.h"
 #include "meshing/depth/window_match.h"
 
 namespace lumi {
@@ -188,14 +189,12 @@ class Refinement {
         const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
         const Eigen::Vector3d there =
             witness.there(pixel, static_cast<double>(plane.inverse_depth));
-        if (there.z() <= 0) return kMaxPx;
-        const Eigen::Vector2d pixel_there = there.hnormalized();
-        const int column = static_cast<int>(std::floor(pixel_there.x()));
-        const int row = static_cast<int>(std::floor(pixel_there.y()));
-        if (!witness.map->confidence.contains(column, row)) return kMaxPx;
-        if (witness.map->confidence(column, row) == 0) return kMaxPx;
+        const GrayImage& confidence = witness.map->confidence;
+        const auto found = pixel_in_picture(there, confidence.width(), confidence.height());
+        if (!found || confidence(found->x(), found->y()) == 0) return kMaxPx;
         const Eigen::Vector3d back =
-            witness.back(pixel_there, static_cast<double>(witness.map->inverse_depth(column, row)));
+            witness.back(there.hnormalized(),
+                         static_cast<double>(witness.map->inverse_depth(found->x(), found->y())));
         if (back.z() <= 0) return kMaxPx;
         const auto apart = static_cast<float>((back.hnormalized() - pixel).norm());
         return std::clamp(apart - kExpectedPx, 0.0F, kMaxPx);

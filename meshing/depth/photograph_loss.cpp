@@ -6,6 +6,7 @@
 
 #include "calib/capture/gray.h"
 #include "meshing/depth/inverse_depth_warp.h"
+#include "meshing/selection/one_standard_error.h"
 
 namespace lumi {
 namespace {
@@ -201,19 +202,16 @@ bool is_clearly_closer(const std::vector<double>& next, const std::vector<double
                        double standard_errors) {
     constexpr double kLeastGain_db = 0.1;
     constexpr double kRounding = 1.0;  // Of squared grey levels: less is no error.
-    std::vector<double> gains_db;
+    std::vector<double> next_db;
+    std::vector<double> current_db;
     for (std::size_t i = 0; i < std::min(next.size(), current.size()); ++i) {
         if (next[i] < 0 || current[i] < 0) continue;
-        gains_db.push_back(10 * std::log10((current[i] + kRounding) / (next[i] + kRounding)));
+        next_db.push_back(10 * std::log10(next[i] + kRounding));
+        current_db.push_back(10 * std::log10(current[i] + kRounding));
     }
-    if (gains_db.size() < kMinTiles) return false;
-    const auto count = static_cast<double>(gains_db.size());
-    double mean = 0;
-    for (const double gain : gains_db) mean += gain / count;
-    double squares = 0;
-    for (const double gain : gains_db) squares += (gain - mean) * (gain - mean);
-    return mean > standard_errors * std::sqrt(squares / (count * (count - 1))) &&
-           mean > kLeastGain_db;
+    if (next_db.size() < kMinTiles) return false;
+    const Excess gain = excess_over(current_db, next_db);
+    return gain.mean > std::max(standard_errors * gain.standard_error, kLeastGain_db);
 }
 
 double rms_of(const std::vector<double>& tiles) {

@@ -8,6 +8,7 @@
 
 #include "calib/capture/image_io.h"
 #include "meshing/depth/inverse_depth_warp.h"
+#include "meshing/depth/pixel_in_picture.h"
 
 namespace lumi {
 namespace {
@@ -46,17 +47,18 @@ std::optional<double> difference_in(const Witness& witness, const Eigen::Vector2
                                     const Rgb8& color, double inverse_depth) {
     constexpr double kOtherColor = 40;
     const Eigen::Vector3d there = witness.there(pixel, inverse_depth);
-    if (there.z() <= 0) return std::nullopt;
-    const Eigen::Vector2i found = there.hnormalized().array().floor().cast<int>();
-    if (!witness.map->confidence.contains(found.x(), found.y())) return std::nullopt;
-    if (witness.map->confidence(found.x(), found.y()) != 0) {
-        const double nearer = inverse_depth / there.z() -
-                              static_cast<double>(witness.map->inverse_depth(found.x(), found.y()));
+    const GrayImage& confidence = witness.map->confidence;
+    const auto found = pixel_in_picture(there, confidence.width(), confidence.height());
+    if (!found) return std::nullopt;
+    if (confidence(found->x(), found->y()) != 0) {
+        const double nearer =
+            inverse_depth / there.z() -
+            static_cast<double>(witness.map->inverse_depth(found->x(), found->y()));
         if (nearer < -witness.tolerance) return std::nullopt;
         if (nearer > witness.tolerance) return kOtherColor;
     }
-    const int x = std::min(found.x() / kCell, witness.picture.width() - 1);
-    const int y = std::min(found.y() / kCell, witness.picture.height() - 1);
+    const int x = std::min(found->x() / kCell, witness.picture.width() - 1);
+    const int y = std::min(found->y() / kCell, witness.picture.height() - 1);
     return std::min(kOtherColor, color_difference(color, witness.picture(x, y)));
 }
 

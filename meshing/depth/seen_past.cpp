@@ -1,5 +1,6 @@
 #include "meshing/depth/seen_past.h"
 
+#include "meshing/depth/pixel_in_picture.h"
 #include "meshing/depth/views_around.h"
 
 namespace lumi {
@@ -28,11 +29,9 @@ std::optional<PlaceInView> place_in_view(const DepthMap& known,
                                          float inverse_depth) {
     const Eigen::Vector3d there =
         view_from_own({x + 0.5, y + 0.5}, static_cast<double>(inverse_depth));
-    constexpr double kLeastScale = 1e-6;  // Beyond it pixels are no integers.
-    if (there.z() <= kLeastScale) return std::nullopt;
-    const Eigen::Vector2i pixel = there.hnormalized().array().floor().cast<int>();
-    if (!known.confidence.contains(pixel.x(), pixel.y())) return std::nullopt;
-    PlaceInView place{pixel.x(), pixel.y(), 0.0};
+    const auto pixel = pixel_in_picture(there, known.confidence.width(), known.confidence.height());
+    if (!pixel) return std::nullopt;
+    PlaceInView place{pixel->x(), pixel->y(), 0.0};
     if (known.confidence(place.x, place.y) != 0) {
         place.ahead = static_cast<double>(inverse_depth) / there.z() -
                       static_cast<double>(known.inverse_depth(place.x, place.y));

@@ -7,8 +7,8 @@
 namespace lumi {
 
 /// At most `count` of the candidates: the first, and then always the one whose camera stands
-/// farthest from those before (Gonzalez 1985).
-[[nodiscard]] std::vector<int> views_far_apart(const DepthScene& scene, std::vector<int> candidates,
-                                               std::size_t count);
+/// farthest from those before (farthest_first.h).
+[[nodiscard]] std::vector<int> views_far_apart(const DepthScene& scene,
+                                               const std::vector<int>& candidates, int count);
 
 }  // namespace lumi

@@ -9,6 +9,7 @@
 
 #include "calib/work/mean.h"
 #include "calib/work/median.h"
+#include "meshing/selection/one_standard_error.h"
 
 namespace lumi {
 namespace {
@@ -139,15 +140,9 @@ ModelTrial trial_of(ExposureModel model, int view_count, const std::vector<Expos
 /// Whether a model's errors exceed the best one's by no more than a standard error. A view is part
 /// of many pairs, which are not independent: there are as many observations as views.
 bool is_as_good(const ModelTrial& trial, const ModelTrial& best, int view_count) {
-    std::vector<double> excesses;
-    for (std::size_t i = 0; i < trial.errors.size(); ++i) {
-        excesses.push_back(trial.errors[i] - best.errors[i]);
-    }
-    const double mean = mean_of(excesses);
-    double squares = 0;
-    for (const double excess : excesses) squares += (excess - mean) * (excess - mean);
-    const double variance = squares / static_cast<double>(excesses.size());
-    return mean <= std::sqrt(variance / view_count);
+    const Excess excess = excess_over(trial.errors, best.errors);
+    const auto pairs = static_cast<double>(trial.errors.size());
+    return excess.mean <= excess.standard_error * std::sqrt((pairs - 1) / view_count);
 }
 
 ModelTrial chosen_trial(int view_count, const std::vector<ExposureRatio>& ratios) {

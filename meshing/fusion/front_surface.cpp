@@ -4,7 +4,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace lumi {
@@ -47,8 +46,7 @@ std::vector<std::array<std::uint32_t, 3>> front_surface(const std::vector<Surfac
     std::vector<Kernel::Point_3> places;
     places.reserve(points.size());
     for (const SurfacePoint& point : points) {
-        const Eigen::Vector3d place = point.position.cast<double>();
-        places.emplace_back(place.x(), place.y(), place.z());
+        places.emplace_back(point.position.x(), point.position.y(), point.position.z());
     }
     std::vector<std::array<std::size_t, 3>> found;
     CGAL::advancing_front_surface_reconstruction(places.begin(), places.end(),
@@ -60,11 +58,10 @@ std::vector<std::array<std::uint32_t, 3>> front_surface(const std::vector<Surfac
         std::transform(corners.begin(), corners.end(), face.begin(),
                        [](std::size_t corner) { return static_cast<std::uint32_t>(corner); });
         const auto& [a, b, c] = face;
-        const Eigen::Vector3f outwards = (points[b].position - points[a].position)
+        const Eigen::Vector3d outwards = (points[b].position - points[a].position)
                                              .cross(points[c].position - points[a].position);
-        if (outwards.dot(points[a].normal + points[b].normal + points[c].normal) < 0) {
-            std::swap(face[1], face[2]);
-        }
+        const Eigen::Vector3f normal = points[a].normal + points[b].normal + points[c].normal;
+        if (outwards.dot(normal.cast<double>()) < 0) std::swap(face[1], face[2]);
         faces.push_back(face);
     }
     return faces;

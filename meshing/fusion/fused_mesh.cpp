@@ -17,10 +17,10 @@ void require(bool holds, const std::string& what) {
     throw Error(ErrorKind::kUsage, "E-FUSE-OPTION", what, "correct the option");
 }
 
-[[noreturn]] void refuse_few(std::size_t points, std::size_t faces) {
+[[noreturn]] void refuse_few(std::size_t points) {
     throw Error(ErrorKind::kDegenerateCapture, "E-FUSE-FEW",
-                "the views agree on " + std::to_string(points) + " points and " +
-                    std::to_string(faces) + " triangles: too few for a mesh of the scene",
+                "the views agree on " + std::to_string(points) +
+                    " points, through which no surface goes: too few for a mesh of the scene",
                 "find depth with model = \"sweep\" or one above it from overlapping photographs");
 }
 
@@ -100,11 +100,11 @@ FusedMesh fused_mesh(const std::vector<PicturedView>& views, const SurfacePointO
     validate(options);
     constexpr std::size_t kFewestPoints = 100;
     const SurfacePoints found = surface_points(views, options, threads, progress);
-    if (found.points.size() < kFewestPoints) refuse_few(found.points.size(), 0);
+    if (found.points.size() < kFewestPoints) refuse_few(found.points.size());
     progress.begin("surface through " + std::to_string(found.points.size()) + " points", 0);
     Faces faces = front_surface(found.points);
     remove_scraps(found.points.size(), faces);
-    if (faces.empty()) refuse_few(found.points.size(), 0);
+    if (faces.empty()) refuse_few(found.points.size());
     return {mesh_of(found.points, faces), found.confident_pixels, found.agreeing_pixels,
             found.spacing_px};
 }

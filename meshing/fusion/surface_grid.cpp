@@ -45,28 +45,29 @@ void SurfaceGrid::add(const SurfaceSample& sample) {
     cell.position += sample.weight * sample.position;
     cell.normal += weight * sample.normal.cast<float>();
     cell.color += weight * Eigen::Vector3f(sample.color.r, sample.color.g, sample.color.b);
-    cell.weight += weight;
+    cell.weight += sample.weight;
     cell.size = static_cast<float>(size);
     ++cell.samples;
 }
 
 std::vector<SurfacePoint> SurfaceGrid::points() const {
     constexpr int kMinSamples = 2;
-    constexpr float kMinUnanimity = 0.5F;
+    constexpr double kMinUnanimity = 0.5;
     std::vector<std::pair<Key, const Cell*>> ordered;
     for (const auto& [key, cell] : cells_) {
-        if (cell.samples >= kMinSamples && cell.normal.norm() >= kMinUnanimity * cell.weight) {
+        const auto agreeing_weight = static_cast<double>(cell.normal.norm());
+        if (cell.samples >= kMinSamples && agreeing_weight >= kMinUnanimity * cell.weight) {
             ordered.emplace_back(key, &cell);
         }
     }
     std::sort(ordered.begin(), ordered.end());
     std::vector<SurfacePoint> points;
     for (const auto& [key, cell] : ordered) {
-        const Eigen::Vector3f color = cell->color / cell->weight;
+        const Eigen::Vector3f color = cell->color / static_cast<float>(cell->weight);
         const auto level = [&](int channel) {
             return static_cast<std::uint8_t>(std::clamp(color[channel] + 0.5F, 0.0F, 255.0F));
         };
-        points.push_back({(cell->position / static_cast<double>(cell->weight)).cast<float>(),
+        points.push_back({cell->position / cell->weight,
                           cell->normal.normalized(),
                           {level(0), level(1), level(2)},
                           cell->size});

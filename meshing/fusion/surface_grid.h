@@ -47,7 +47,7 @@ class SurfaceGrid {
         Eigen::Vector3d position = Eigen::Vector3d::Zero();
         Eigen::Vector3f normal = Eigen::Vector3f::Zero();
         Eigen::Vector3f color = Eigen::Vector3f::Zero();
-        float weight = 0.0F;
+        double weight = 0.0;
         float size = 0.0F;  ///< World units.
         int samples = 0;
     };

@@ -1,13 +1,13 @@
 #include "meshing/fusion/surface_points.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <optional>
 #include <utility>
 
 #include "calib/work/parallel_for.h"
 #include "meshing/depth/inverse_depth_warp.h"
+#include "meshing/depth/pixel_in_picture.h"
 #include "meshing/fusion/surface_grid.h"
 
 namespace lumi {
@@ -75,14 +75,11 @@ struct Answer {
 
 Answer answer_of(const Neighbour& neighbour, const Eigen::Vector2d& pixel, double inverse_depth) {
     const Eigen::Vector3d there = neighbour.there(pixel, inverse_depth);
-    if (there.z() <= 0) return {};
-    const Eigen::Vector2d place = there.hnormalized();
     const GrayImage& confidence = neighbour.depth->confidence;
-    const auto x = static_cast<int>(std::clamp(std::floor(place.x()), -1.0, 1e6));
-    const auto y = static_cast<int>(std::clamp(std::floor(place.y()), -1.0, 1e6));
-    if (!confidence.contains(x, y) || confidence(x, y) == 0) return {};
-    const auto found = static_cast<double>(neighbour.depth->inverse_depth(x, y));
-    const Eigen::Vector3d back = neighbour.back(place, found);
+    const auto place = pixel_in_picture(there, confidence.width(), confidence.height());
+    if (!place || confidence(place->x(), place->y()) == 0) return {};
+    const auto found = static_cast<double>(neighbour.depth->inverse_depth(place->x(), place->y()));
+    const Eigen::Vector3d back = neighbour.back(there.hnormalized(), found);
     constexpr double kTolerancePx = 1.0;
     if (back.z() > 0 && (back.hnormalized() - pixel).norm() <= kTolerancePx) {
         return {Vote::kAgrees, found / back.z()};

@@ -12,7 +12,7 @@ namespace lumi {
 
 /// A point of the scene's surface, in the world of the poses.
 struct SurfacePoint {
-    Eigen::Vector3f position;
+    Eigen::Vector3d position;
     Eigen::Vector3f normal;  ///< Of length 1, towards the cameras.
     Rgb8 color;
     float spacing = 0.0F;  ///< To the next points, about; world units.

@@ -68,8 +68,8 @@ DepthMap mesh_depth(const DepthView& view, const TriangleMesh& mesh) {
                  GrayImage(view.camera.width_px, view.camera.height_px)};
     std::vector<Eigen::Vector3d> in_cam;
     double farthest = 0;
-    for (const Eigen::Vector3f& vertex : mesh.vertices) {
-        in_cam.push_back(view.cam_from_world * vertex.cast<double>());
+    for (const Eigen::Vector3d& vertex : mesh.vertices) {
+        in_cam.push_back(view.cam_from_world * vertex);
         farthest = std::max(farthest, in_cam.back().z());
     }
     const double near = 1e-6 * farthest;

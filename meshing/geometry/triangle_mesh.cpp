@@ -1,9 +1,10 @@
 #include "meshing/geometry/triangle_mesh.h"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
-#include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -80,9 +81,9 @@ TriangleMesh parse_obj(std::string_view text, const fs::path& path) {
         Words words(lines.next());
         const std::string_view kind = words.next();
         if (kind == "v") {
-            Eigen::Vector3f vertex;
+            Eigen::Vector3d vertex;
             for (int axis = 0; axis < 3; ++axis) {
-                const auto value = parsed<float>(words.next());
+                const auto value = parsed<double>(words.next());
                 if (!value) refuse(path, "line " + lines.number() + ": expected three numbers");
                 vertex[axis] = *value;
             }
@@ -213,13 +214,13 @@ void read_element(const PlyElement& element, PlyBody& body, const fs::path& path
     constexpr double kMaxCorners = 1 << 16;
     std::vector<std::uint32_t> polygon;
     for (std::uint64_t i = 0; i < element.count; ++i) {
-        Eigen::Vector3f vertex = Eigen::Vector3f::Zero();
+        Eigen::Vector3d vertex = Eigen::Vector3d::Zero();
         for (const PlyProperty& property : element.properties) {
             if (property.count_type.empty()) {
                 const double value = body.next(property.type);
-                if (property.name == "x") vertex.x() = static_cast<float>(value);
-                if (property.name == "y") vertex.y() = static_cast<float>(value);
-                if (property.name == "z") vertex.z() = static_cast<float>(value);
+                if (property.name == "x") vertex.x() = value;
+                if (property.name == "y") vertex.y() = value;
+                if (property.name == "z") vertex.z() = value;
                 continue;
             }
             const double count = body.next(property.count_type);
@@ -250,8 +251,12 @@ TriangleMesh parse_ply(std::string_view text, const fs::path& path) {
 }
 
 void check(const TriangleMesh& mesh, const fs::path& path) {
-    for (const Eigen::Vector3f& vertex : mesh.vertices) {
-        if (!vertex.allFinite()) refuse(path, "a vertex that is not finite");
+    // Products of a few such places are finite as well.
+    constexpr double kFarthest = std::numeric_limits<float>::max();
+    for (const Eigen::Vector3d& vertex : mesh.vertices) {
+        if (!(vertex.array().abs() <= kFarthest).all()) {
+            refuse(path, "a vertex that is not finite, or farther away than 3e38");
+        }
     }
     for (const auto& face : mesh.faces) {
         for (const std::uint32_t index : face) {
@@ -276,33 +281,6 @@ TriangleMesh read_triangle_mesh(const fs::path& path) {
     TriangleMesh mesh = is_ply ? parse_ply(text, path) : parse_obj(text, path);
     check(mesh, path);
     return mesh;
-}
-
-void write_triangle_mesh_ply(const fs::path& path, const TriangleMesh& mesh) {
-    const bool has_normals = mesh.normals.size() == mesh.vertices.size();
-    const bool has_colors = mesh.colors.size() == mesh.vertices.size();
-    std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " +
-                         std::to_string(mesh.vertices.size()) +
-                         "\nproperty float x\nproperty float y\nproperty float z\n";
-    if (has_normals) header += "property float nx\nproperty float ny\nproperty float nz\n";
-    if (has_colors) header += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-    header += "element face " + std::to_string(mesh.faces.size()) +
-              "\nproperty list uchar uint vertex_indices\nend_header\n";
-    Bytes bytes(header.begin(), header.end());
-    const auto append = [&](const void* data, std::size_t size) {
-        const auto* begin = static_cast<const std::uint8_t*>(data);
-        bytes.insert(bytes.end(), begin, begin + size);
-    };
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        append(mesh.vertices[i].data(), 3 * sizeof(float));
-        if (has_normals) append(mesh.normals[i].data(), 3 * sizeof(float));
-        if (has_colors) append(&mesh.colors[i], sizeof(Rgb8));
-    }
-    for (const auto& face : mesh.faces) {
-        bytes.push_back(3);
-        append(face.data(), 3 * sizeof(std::uint32_t));
-    }
-    write_whole_file(path, bytes);
 }
 
 }  // namespace lumi

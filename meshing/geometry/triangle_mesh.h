@@ -12,7 +12,7 @@ namespace lumi {
 
 /// Scene geometry as triangles, in the world of the poses.
 struct TriangleMesh {
-    std::vector<Eigen::Vector3f> vertices;
+    std::vector<Eigen::Vector3d> vertices;
     std::vector<std::array<std::uint32_t, 3>> faces;  ///< Indices into `vertices`.
     std::vector<Eigen::Vector3f> normals = {};        ///< One a vertex, or none.
     std::vector<Rgb8> colors = {};                    ///< sRGB, one a vertex, or none.
@@ -23,9 +23,5 @@ struct TriangleMesh {
 /// (E-GEOMETRY-READ) naming what was expected when a count, an index or a number is out of range,
 /// and E-GEOMETRY-EMPTY without a triangle.
 [[nodiscard]] TriangleMesh read_triangle_mesh(const std::filesystem::path& path);
-
-/// Binary little-endian PLY: x y z, nx ny nz and red green blue where there are any, and
-/// vertex_indices. Written whole or not at all.
-void write_triangle_mesh_ply(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 }  // namespace lumi

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "meshing/cameras/kernel.h"
+#include "calib/work/median.h"
 #include "meshing/cameras/spherical_triangulation.h"
 
 namespace lumi {
@@ -51,7 +51,7 @@ double usual_spacing(const CameraStar& star) {
         }
         spacings.push_back(nearest);
     }
-    return spacings.size() < 2 ? 0.0 : percentile(std::move(spacings), 0.5);
+    return spacings.size() < 2 ? 0.0 : quantile_of(std::move(spacings), 0.5);
 }
 
 Hole hole_at(const CameraStar& star, const Eigen::Vector3d& direction,
@@ -138,7 +138,7 @@ DepthUncertainty depth_uncertainty(const Capture& capture, const std::vector<int
     }
     DepthUncertainty uncertainty;
     if (focal_lengths.empty()) return uncertainty;
-    uncertainty.focal_length_px = percentile(std::move(focal_lengths), 0.5);
+    uncertainty.focal_length_px = quantile_of(std::move(focal_lengths), 0.5);
     std::vector<double> deviations;
     for (const ScenePoint& point : capture.points) {
         const double baseline = baseline_of(capture, point);
@@ -147,7 +147,7 @@ DepthUncertainty depth_uncertainty(const Capture& capture, const std::vector<int
         deviations.push_back(error_px / (uncertainty.focal_length_px * baseline));
     }
     if (!deviations.empty()) {
-        uncertainty.inverse_depth = percentile(std::move(deviations), 0.5);
+        uncertainty.inverse_depth = quantile_of(std::move(deviations), 0.5);
     } else if (const double spacing = usual_spacing(star); spacing > 0) {
         uncertainty.inverse_depth =
             kUsualMatchingError_px / (uncertainty.focal_length_px * spacing);

@@ -9,6 +9,7 @@
 
 #include "calib/work/median.h"
 #include "meshing/selection/enclosing_views.h"
+#include "meshing/selection/farthest_first.h"
 #include "meshing/selection/thumbnail_prediction.h"
 
 namespace lumi {
@@ -223,21 +224,12 @@ std::vector<int> views_by_worth(const std::vector<PicturedView>& views,
 std::vector<int> views_far_apart(const std::vector<OpticalAxis>& axes,
                                  const Eigen::Vector3d& centre) {
     if (axes.empty()) return {};
-    std::vector<int> order{static_cast<int>(middle_of(axes, centre))};
-    std::vector<double> to_nearest(axes.size(), std::numeric_limits<double>::infinity());
-    while (order.size() < axes.size()) {
-        const auto last = static_cast<std::size_t>(order.back());
-        to_nearest[last] = -1.0;
-        std::size_t farthest = last;
-        for (std::size_t i = 0; i < axes.size(); ++i) {
-            if (to_nearest[i] < 0) continue;
-            to_nearest[i] =
-                std::min(to_nearest[i], viewpoint_distance(axes[i], axes[last], centre));
-            if (to_nearest[i] > to_nearest[farthest]) farthest = i;
-        }
-        order.push_back(static_cast<int>(farthest));
-    }
-    return order;
+    const auto count = static_cast<int>(axes.size());
+    return farthest_first(count, static_cast<int>(middle_of(axes, centre)), count,
+                          [&](int a, int b) {
+                              return viewpoint_distance(axes[static_cast<std::size_t>(a)],
+                                                        axes[static_cast<std::size_t>(b)], centre);
+                          });
 }
 
 }  // namespace lumi

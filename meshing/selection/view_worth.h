@@ -30,7 +30,7 @@ namespace lumi {
                                               const Eigen::Vector3d& centre,
                                               const Progress& progress);
 
-/// All views, each the farthest from those before it (Gonzalez 1985), the middle one first: near
+/// All views, each the farthest from those before it (farthest_first.h), the middle one first: near
 /// duplicates come last.
 [[nodiscard]] std::vector<int> views_far_apart(const std::vector<OpticalAxis>& axes,
                                                const Eigen::Vector3d& centre);

@@ -6,6 +6,7 @@
 #include "calib/capture/image_io.h"
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
+#include "meshing/depth/pixel_in_picture.h"
 #include "meshing/depth/shared_colors.h"
 
 namespace lumi {
@@ -68,10 +69,8 @@ double shared_sight(const KnownView& view, const KnownView& other) {
     int seen = 0;
     for_known_places(view, [&](const Eigen::Vector2d& pixel, double inverse_depth) {
         ++known;
-        const Eigen::Vector3d at = warp(pixel, inverse_depth);
-        if (at.z() <= 0) return;
-        const Eigen::Vector2i place = at.hnormalized().array().floor().cast<int>();
-        if (other.picture.contains(place.x(), place.y())) ++seen;
+        const ColorImage& picture = other.picture;
+        if (pixel_in_picture(warp(pixel, inverse_depth), picture.width(), picture.height())) ++seen;
     });
     return known == 0 ? 0.0 : static_cast<double>(seen) / known;
 }

@@ -11,6 +11,7 @@
 #include "calib/capture/inpainting.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/depth/gap_closing.h"
+#include "meshing/depth/pixel_in_picture.h"
 #include "meshing/transients/known_view.h"
 #include "meshing/transients/transients.h"
 #include "meshing/transients/unlike_others.h"
@@ -156,14 +157,12 @@ std::optional<Rgb8> color_from(const Painter& painter, const Eigen::Vector2d& pi
     constexpr double kSameSurfacePx = 1.5;
     const Eigen::Vector3d there = painter.known_from_own(pixel, inverse_depth);
     const Eigen::Vector3d at = painter.other_from_own(pixel, inverse_depth);
-    constexpr double kLeastScale = 1e-6;  // Beyond it pixels are no integers.
-    if (there.z() <= kLeastScale || at.z() <= kLeastScale) return std::nullopt;
-    const Eigen::Vector2i sample = there.hnormalized().array().floor().cast<int>();
     const DepthMap& known = painter.known->known;
-    if (!known.confidence.contains(sample.x(), sample.y())) return std::nullopt;
-    if (known.confidence(sample.x(), sample.y()) == 0) return std::nullopt;
+    const auto sample =
+        pixel_in_picture(there, known.confidence.width(), known.confidence.height());
+    if (!sample || known.confidence(sample->x(), sample->y()) == 0) return std::nullopt;
     const double apart = inverse_depth / there.z() -
-                         static_cast<double>(known.inverse_depth(sample.x(), sample.y()));
+                         static_cast<double>(known.inverse_depth(sample->x(), sample->y()));
     if (std::abs(apart) > kSameSurfacePx * painter.one_pixel) return std::nullopt;
     const Rgb8 color = color_between(*painter.view->photograph, at.hnormalized());
     return painter.match.in_own_colors(color);

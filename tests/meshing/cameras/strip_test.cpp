@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <numbers>
+#include <utility>
 
 #include "calib/capture/degrees.h"
 #include "meshing/cameras/camera_mesh_builder.h"
+#include "meshing/cameras/line_strip.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
 
 namespace lumi {
@@ -103,6 +106,35 @@ TEST(Strip, IsEnteredOnceByRaysThroughTheScene) {
             EXPECT_EQ(entering_faces(built.mesh, point, -to_eye), 1) << row.name;
         }
         EXPECT_GT(tried, 500);
+    }
+}
+
+TEST(Strip, HoldsOneOfTwoCamerasAboveEachOtherWhereAzimuthsBeginAgain) {
+    const Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d behind = -normal.unitOrthogonal();
+    const Eigen::Vector3d beside = normal.cross(behind);
+    std::vector<OpticalAxis> axes;
+    const auto add = [&](const Eigen::Vector3d& centre) {
+        axes.push_back({static_cast<int>(axes.size()), centre, -centre.normalized(), 4.0});
+    };
+    for (int i = 1; i < 8; ++i) {
+        const double azimuth = i * std::numbers::pi / 4;
+        add(4 * (std::cos(azimuth) * behind + std::sin(azimuth) * beside));
+    }
+    // To either side of where atan2 jumps, and the second nearer to where the others stand.
+    add(4.5 * behind + 1e-9 * beside + 0.5 * normal);
+    add(4 * behind - 1e-9 * beside);
+    for (const bool is_swapped : {false, true}) {
+        if (is_swapped) std::swap(axes[7], axes[8]);
+        const LineStrip strip =
+            build_line_strip(camera_star(axes, Eigen::Vector3d::Zero()), normal, 10);
+        EXPECT_TRUE(strip.closed_ring);
+        EXPECT_EQ(strip.hidden_cameras, 1);
+        ASSERT_EQ(strip.mesh.vertices.size(), 16U);
+        EXPECT_EQ(strip.mesh.faces.size(), 16U);
+        for (const CameraMesh::Vertex& vertex : strip.mesh.vertices) {
+            EXPECT_NE(vertex.view_index, 7) << "of two the one at the usual distance is kept";
+        }
     }
 }
 

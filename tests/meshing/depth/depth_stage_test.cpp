@@ -8,6 +8,8 @@
 
 #include "calib/capture/image_io.h"
 #include "calib/work/error.h"
+#include "calib/work/formatted.h"
+#include "calib/work/median.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
@@ -60,8 +62,16 @@ TEST(DepthStage, WarnsWhereTheScenePointsContradictWhatAllViewsAgreeOn) {
     PosedPhotographs photographs = written(known, folder.path());
     add_points(known, {0, 1, 2, 3, 4}, photographs.capture);
     for (ScenePoint& point : photographs.capture.points) point.position_in_world.z() *= 1.1;
-    EXPECT_THAT(depth_of(photographs, {0, 1, 2, 3, 4}).warning,
-                testing::StartsWith("depth is doubtful"));
+    const DepthResult result = depth_of(photographs, {0, 1, 2, 3, 4});
+    EXPECT_THAT(result.warning, testing::StartsWith("depth is doubtful"));
+    std::vector<double> residuals_px;
+    for (const DepthEvidence& evidence : result.evidence) {
+        residuals_px.push_back(evidence.sparse_residual_px);
+    }
+    const double residual_px = median_of(std::move(residuals_px));
+    EXPECT_THAT(result.warning,
+                testing::HasSubstr(formatted(" than %.1f px of disparity", residual_px)))
+        << residual_px << ": rounded, not cut";
 }
 
 TEST(DepthStage, ConfidentPixelsAreRightAndEveryPixelHasADepth) {

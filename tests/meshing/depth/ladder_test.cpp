@@ -1,6 +1,8 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "meshing/depth/depth_choice.h"
 #include "meshing/depth/depth_model.h"
@@ -258,6 +260,18 @@ TEST(DepthChoice, SparsePointsForASmoothScene) {
                                               cross_of_centres(0.12), {0.1, 1.2});
     add_points(known, 8);
     EXPECT_EQ(chosen(known), "sparse");
+}
+
+TEST(DepthChoice, RoundsTheFigureThatItGives) {
+    KnownDepthScene known = slanted_wall({0, 0, 1});
+    for (DepthView& view : known.scene.views) {
+        double error = 0.298 / view.disparity_px_per_inverse_depth;
+        for (SparsePoint& point : view.points) point.inverse_depth += std::exchange(error, -error);
+    }
+    SilentProgress progress;
+    EXPECT_THAT(
+        choose_depth_model(known.scene, no_masks(known), "sweep", 2, progress).explanation,
+        testing::StartsWith("plane: 95 % of the points kept back lie within 0.60 px of it"));
 }
 
 TEST(HeldOutPoints, LieOnTheSweepOfATangledSceneAndNotOnTheTrianglesBetweenPoints) {

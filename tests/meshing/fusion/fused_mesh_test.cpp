@@ -52,8 +52,7 @@ class WallAndBoard : public testing::Test {
         return fused_mesh(views(), {}, threads, progress);
     }
     /// World units from the nearest of the two surfaces.
-    [[nodiscard]] static double error_of(const Eigen::Vector3f& vertex) {
-        const Eigen::Vector3d p = vertex.cast<double>();
+    [[nodiscard]] static double error_of(const Eigen::Vector3d& p) {
         const Eigen::Vector3d normal = Eigen::Vector3d(0.4, 0, 1).normalized();
         const double to_wall = std::abs(normal.dot(p - Eigen::Vector3d(0, 0, 3)));
         const bool is_before_board = std::abs(p.x()) < 0.31 && std::abs(p.y()) < 0.21;
@@ -77,6 +76,13 @@ class WallAndBoard : public testing::Test {
             }
         }
         return static_cast<double>(matching) / static_cast<double>(all);
+    }
+
+    void move_cameras_by(const Eigen::Vector3d& shift_in_world) {
+        for (DepthView& view : known_.scene.views) {
+            Rigid3& pose = view.cam_from_world;
+            pose.translation -= pose.rotation * shift_in_world;
+        }
     }
 
     KnownDepthScene known_;
@@ -104,15 +110,31 @@ TEST_F(WallAndBoard, WhereViewsDifferTheMeshLiesBetweenThem) {
     EXPECT_GE(matching_share(fused.mesh), 0.9);
 }
 
+TEST_F(WallAndBoard, TheMeshIsTheSameFarFromTheOrigin) {
+    see(0.3);
+    const FusedMesh home = fuse();
+    // As far as national grids put their places, in whole cells of any size.
+    const Eigen::Vector3d shift_in_world(1 << 19, 5 << 20, 1 << 8);
+    move_cameras_by(shift_in_world);
+    FusedMesh far = fuse();
+    const auto vertices = static_cast<double>(home.mesh.vertices.size());
+    EXPECT_NEAR(static_cast<double>(far.mesh.vertices.size()), vertices, 1e-3 * vertices);
+    EXPECT_GE(matching_share(far.mesh), 0.9);
+    for (Eigen::Vector3d& vertex : far.mesh.vertices) vertex -= shift_in_world;
+    EXPECT_NEAR(share_within(far.mesh, 0.02), share_within(home.mesh, 0.02), 1e-3);
+}
+
 TEST_F(WallAndBoard, TheSamePointsForAnyNumberOfThreads) {
     see(0.3);
     SilentProgress progress;
     const auto points_with = [&](int threads) {
-        std::vector<float> numbers;
+        std::vector<double> numbers;
         for (const SurfacePoint& p : surface_points(views(), {}, threads, progress).points) {
-            numbers.insert(numbers.end(),
-                           {p.position.x(), p.position.y(), p.position.z(), p.normal.x(),
-                            p.normal.y(), p.normal.z(), p.spacing, static_cast<float>(p.color.g)});
+            for (const float number : {p.normal.x(), p.normal.y(), p.normal.z(), p.spacing}) {
+                numbers.push_back(static_cast<double>(number));
+            }
+            numbers.insert(numbers.end(), {p.position.x(), p.position.y(), p.position.z(),
+                                           static_cast<double>(p.color.g)});
         }
         return numbers;
     };

@@ -1,5 +1,6 @@
 #include "meshing/geometry/triangle_mesh.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "meshing/geometry/mesh_depth.h"
+#include "meshing/geometry/triangle_mesh_writing.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
@@ -26,7 +28,7 @@ std::string code_of_reading(const std::filesystem::path& path) {
 TEST(TriangleMesh, PlyKeepsEveryBit) {
     const ScratchFolder folder;
     TriangleMesh mesh;
-    mesh.vertices = {{0, 0, 1}, {1.25F, 0, 2}, {0, 1e-7F, 3}, {4, 5, 6}};
+    mesh.vertices = {{0, 0, 1}, {1.25, 0, 2}, {0, double{1e-7F}, 3}, {4, 5, 6}};
     mesh.faces = {{0, 1, 2}, {2, 1, 3}};
     write_triangle_mesh_ply(folder.path() / "m.ply", mesh);
     const TriangleMesh read = read_triangle_mesh(folder.path() / "m.ply");
@@ -37,6 +39,22 @@ TEST(TriangleMesh, PlyKeepsEveryBit) {
     write_triangle_mesh_ply(folder.path() / "n.ply", mesh);
     EXPECT_EQ(read_triangle_mesh(folder.path() / "n.ply").vertices, mesh.vertices);
     EXPECT_EQ(read_triangle_mesh(folder.path() / "n.ply").faces, mesh.faces);
+}
+
+TEST(TriangleMesh, APlyFileHoldsDoublesOnlyWhereFloatsWouldChangeTheTriangles) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "m.ply";
+    const Eigen::Vector3d far_away(500000, 5400000, 300);
+    TriangleMesh mesh;
+    mesh.vertices = {{0.1, 0.2, 1}, {0.11, 0.2, 1}, {0.1, 0.21, 1.001}};
+    mesh.faces = {{0, 1, 2}};
+    write_triangle_mesh_ply(path, mesh);
+    EXPECT_THAT(read_whole_text(path), testing::HasSubstr("property float x\n"));
+    EXPECT_LT((read_triangle_mesh(path).vertices[2] - mesh.vertices[2]).norm(), 1e-7);
+    for (Eigen::Vector3d& vertex : mesh.vertices) vertex += far_away;
+    write_triangle_mesh_ply(path, mesh);
+    EXPECT_THAT(read_whole_text(path), testing::HasSubstr("property double x\n"));
+    EXPECT_EQ(read_triangle_mesh(path).vertices, mesh.vertices);
 }
 
 TEST(TriangleMesh, ReadsBinaryPlyOfEitherByteOrderWithPolygonsAndMore) {
@@ -68,7 +86,7 @@ TEST(TriangleMesh, ReadsBinaryPlyOfEitherByteOrderWithPolygonsAndMore) {
         write_whole_file(folder.path() / "m.ply", bytes);
         const TriangleMesh mesh = read_triangle_mesh(folder.path() / "m.ply");
         ASSERT_EQ(mesh.vertices.size(), 5U);
-        EXPECT_EQ(mesh.vertices[4], Eigen::Vector3f(2, -4, 4e-3F));
+        EXPECT_EQ(mesh.vertices[4], Eigen::Vector3d(2, -4, 4e-3));
         EXPECT_EQ(mesh.faces, (std::vector<std::array<std::uint32_t, 3>>{
                                   {0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {4, 2, 0}}));
         bytes.resize(bytes.size() - 10);
@@ -81,8 +99,9 @@ TEST(TriangleMesh, RefusesWhatAnObjFileCannotMean) {
     const ScratchFolder folder;
     const auto path = folder.path() / "m.obj";
     const std::string vertices = "v 0 0 1\nv 1 0 1\nv 0 1 1\n";
-    for (const char* wrong : {"f 1 2 0\n", "f 1 2 -4\n", "f 1 2 4\n", "f 1 2 x\n",
-                              "v 1 nan 1\nf 1 2 3\n", "v 1 1\nf 1 2 3\n", "v 1 1 inf\nf 1 2 3\n"}) {
+    for (const char* wrong :
+         {"f 1 2 0\n", "f 1 2 -4\n", "f 1 2 4\n", "f 1 2 x\n", "v 1 nan 1\nf 1 2 3\n",
+          "v 1 1\nf 1 2 3\n", "v 1 1 inf\nf 1 2 3\n", "v 1 1 1e39\nf 1 2 3\n"}) {
         write_whole_text(path, vertices + wrong);
         EXPECT_EQ(code_of_reading(path), "E-GEOMETRY-READ") << wrong;
     }
@@ -136,9 +155,8 @@ TEST(MeshDepth, EqualsTheRayCastOfTheSamePlanes) {
          {{0, 0, 1.8}, {0, 0, 1}, board, noise_texture(0.1, 8)}},
         {{0, 0, 0}, {0.1, 0.05, 0}}, {});
     TriangleMesh mesh;
-    mesh.vertices = {{-9, -9, 12},        {-9, 9, 12},          {9, -9, -6},
-                     {9, 9, -6},          {-0.3F, -0.2F, 1.8F}, {0.3F, -0.2F, 1.8F},
-                     {-0.3F, 0.2F, 1.8F}, {0.3F, 0.2F, 1.8F}};
+    mesh.vertices = {{-9, -9, 12},      {-9, 9, 12},      {9, -9, -6},      {9, 9, -6},
+                     {-0.3, -0.2, 1.8}, {0.3, -0.2, 1.8}, {-0.3, 0.2, 1.8}, {0.3, 0.2, 1.8}};
     mesh.faces = {{0, 1, 2}, {2, 1, 3}, {4, 6, 5}, {5, 6, 7}};
     for (std::size_t i = 0; i < 2; ++i) {
         const DepthMap map = mesh_depth(known.scene.views[i], mesh);
@@ -155,11 +173,30 @@ TEST(MeshDepth, EqualsTheRayCastOfTheSamePlanes) {
     }
 }
 
+TEST(MeshDepth, IsTheSameFarFromTheOriginByWayOfAFile) {
+    const ScratchFolder folder;
+    // Up to the last of these decimals an OBJ file of a surveyed world tells places.
+    write_whole_text(folder.path() / "home.obj",
+                     "v -0.512 -0.301 2.125\nv 0.498 -0.287 1.875\nv 0.013 0.442 3.001\nf 1 2 3\n");
+    write_whole_text(folder.path() / "far.obj",
+                     "v 499999.488 5399999.699 302.125\nv 500000.498 5399999.713 301.875\n"
+                     "v 500000.013 5400000.442 303.001\nf 1 2 3\n");
+    DepthView view;
+    view.camera = small_camera();
+    const DepthMap home = mesh_depth(view, read_triangle_mesh(folder.path() / "home.obj"));
+    view.cam_from_world.translation = -Eigen::Vector3d(500000, 5400000, 300);
+    const DepthMap far = mesh_depth(view, read_triangle_mesh(folder.path() / "far.obj"));
+    EXPECT_EQ(far.confidence, home.confidence);
+    for (std::size_t i = 0; i < home.inverse_depth.pixels().size(); ++i) {
+        ASSERT_NEAR(far.inverse_depth.pixels()[i], home.inverse_depth.pixels()[i], 1e-6F);
+    }
+}
+
 TEST(MeshDepth, BesideTheMeshNothingIsKnown) {
     DepthView view;
     view.camera = small_camera();
     TriangleMesh mesh;
-    mesh.vertices = {{0, 0, 2}, {0.1F, 0, 2}, {0, 0.1F, 2}};
+    mesh.vertices = {{0, 0, 2}, {0.1, 0, 2}, {0, 0.1, 2}};
     mesh.faces = {{0, 1, 2}};
     const DepthMap map = mesh_depth(view, mesh);
     EXPECT_EQ(map.confidence(2, 2), 0);
