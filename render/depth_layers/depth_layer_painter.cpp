@@ -7,6 +7,17 @@
 #include "render/transfer/pixel_transfer.h"
 
 namespace lumi {
+namespace {
+
+/// OpenGL before 4.1 and OpenGL ES have one of the two each.
+void set_depth_range(double near_depth, double far_depth) {
+    if (epoxy_is_desktop_gl())
+        glDepthRange(near_depth, far_depth);
+    else
+        glDepthRangef(static_cast<float>(near_depth), static_cast<float>(far_depth));
+}
+
+}  // namespace
 
 DepthLayerPainter::DepthLayerPainter(const std::vector<LumigraphView>& views,
                                      const std::vector<std::shared_ptr<const DepthMesh>>& meshes,
@@ -24,11 +35,11 @@ DepthLayerPainter::DepthLayerPainter(const std::vector<LumigraphView>& views,
 }
 
 void DepthLayerPainter::clear(const TextureArray& layers) {
-    glClearDepthf(1.0F);
+    constexpr GLfloat kNothing = 1.0F;
     glDepthMask(GL_TRUE);
     for (int layer = 0; layer < layers.layers(); ++layer) {
         framebuffer_.attach_depth_layer(layers, layer);
-        glClear(GL_DEPTH_BUFFER_BIT);
+        glClearBufferfv(GL_DEPTH, 0, &kNothing);
     }
 }
 
@@ -51,12 +62,11 @@ void DepthLayerPainter::draw(const Eye& eye, const std::vector<DepthLayerDraw>& 
         glScissor(draw.strip_begin_px, 0, draw.strip_end_px - draw.strip_begin_px,
                   eye.camera.height_px);
         const double range_begin = kDepthKindStep * draw.kind;
-        glDepthRangef(static_cast<float>(range_begin),
-                      static_cast<float>(range_begin + kDepthKindWidth));
+        set_depth_range(range_begin, range_begin + kDepthKindWidth);
         aim_at_view(eye, draw.view_index);
         meshes_[static_cast<std::size_t>(draw.view_index)].draw(draw.first_index, draw.index_count);
     }
-    glDepthRangef(0.0F, 1.0F);
+    set_depth_range(0.0, 1.0);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);

@@ -5,9 +5,8 @@
 namespace lumi {
 namespace {
 
-// As in shaders/face.glsl and the modes.
+/// Over so many pixels a photograph fades in from its border.
 constexpr double kFeather_px = 8.0;
-constexpr double kLeastVisible = 1e-4;
 
 }  // namespace
 
@@ -19,7 +18,7 @@ std::optional<std::array<double, 3>> redistributed(const std::array<double, 3>& 
         result[i] = weights[i] * visibility[i];
         sum += result[i];
     }
-    if (sum < kLeastVisible) return std::nullopt;
+    if (sum < kLeastWeight) return std::nullopt;
     for (double& weight : result) weight /= sum;
     return result;
 }

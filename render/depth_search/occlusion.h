@@ -5,6 +5,9 @@
 
 namespace lumi {
 
+/// Where visible weights sum to less, no view sees the point. As in shaders/photographs.glsl.
+inline constexpr double kLeastWeight = 1e-4;
+
 /// The paper's occlusion correction (section 4): weights times visibility, scaled to sum 1. A view
 /// that sees nothing of the point gets 0, the others keep their ratio: (x, y, z) without z becomes
 /// (x + zx/(x+y), y + zy/(x+y), 0); one that is left alone gets 1. Empty when none sees the point.

@@ -3,17 +3,13 @@
 #include <algorithm>
 
 #include "render/faces/strip_ends.h"
-#include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
 
 std::vector<int> blend_strip_ends(const std::vector<EyeBlend>& blends, int width_px) {
     std::vector<double> shares;
     for (const EyeBlend& blend : blends) shares.push_back(blend.share);
-    const int blocks = (width_px + kDepthBlockSide_px - 1) / kDepthBlockSide_px;
-    std::vector<int> ends = strip_ends(shares, blocks);
-    for (int& end : ends) end = std::min(kDepthBlockSide_px * end, width_px);
-    return ends;
+    return strip_ends(shares, width_px);
 }
 
 std::size_t strip_at(const std::vector<int>& strip_ends, double pixel_x) {

@@ -75,7 +75,8 @@ struct RenderOptions {
 
 /// What drawing a frame took.
 struct DrawStatistics {
-    std::size_t triangles = 0;  ///< Drawn with photographs on them, in all passes.
+    /// With photographs on them. Each counts once, also where several passes draw it.
+    std::size_t triangles = 0;
 };
 
 /// What was drawn.

@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <string>
+#include <utility>
 
 #include "calib/work/error.h"
 
@@ -63,11 +64,21 @@ void Framebuffer::attach_color_layers(const TextureArray& color) {
 
 void Framebuffer::attach_color(int width_px, int height_px) {
     bind();
-    color_ = ObjectName<delete_renderbuffer>(new_renderbuffer());
-    glBindRenderbuffer(GL_RENDERBUFFER, color_.get());
+    ObjectName<delete_renderbuffer> color(new_renderbuffer());
+    glBindRenderbuffer(GL_RENDERBUFFER, color.get());
     glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width_px, height_px);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.get());
-    require_complete();
+    attach_renderbuffer(color.get());
+    try {
+        require_complete();
+    } catch (const Error&) {
+        attach_renderbuffer(color_.get());
+        throw;
+    }
+    color_ = std::move(color);
+}
+
+void Framebuffer::attach_renderbuffer(unsigned name) const {
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, name);
 }
 
 std::vector<unsigned char> Framebuffer::read_rgba_bottom_up(int width_px, int height_px) const {

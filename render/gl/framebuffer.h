@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vector>
+
 #include "render/gl/object_name.h"
 #include "render/gl/texture.h"
 
@@ -21,7 +22,8 @@ class Framebuffer {
     /// Draws go to all layers at once, at most four: output k of a fragment to layer k. Binds the
     /// framebuffer.
     void attach_color_layers(const TextureArray& color);
-    /// Draws go to an own RGBA8 raster of this size. Binds the framebuffer.
+    /// Draws go to an own RGBA8 raster of this size, which is new. Binds the framebuffer. Where it
+    /// throws, draws go on to the raster that they went to.
     void attach_color(int width_px, int height_px);
     void bind() const;
 
@@ -32,6 +34,7 @@ class Framebuffer {
                         int window_height_px) const;
 
  private:
+    void attach_renderbuffer(unsigned name) const;
     void require_complete() const;  ///< Throws Error (E-GL-LIMIT).
 
     ObjectName<delete_framebuffer> name_;

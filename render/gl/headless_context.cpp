@@ -169,9 +169,12 @@ HeadlessContext& HeadlessContext::operator=(HeadlessContext&& other) noexcept {
     return *this;
 }
 
+bool HeadlessContext::try_make_current() const noexcept {
+    return eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_FALSE;
+}
+
 void HeadlessContext::make_current() const {
-    if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
-        throw no_context("; making the context current: " + egl_error_text());
+    if (!try_make_current()) throw no_context("; making the context current: " + egl_error_text());
 }
 
 }  // namespace lumi

@@ -25,6 +25,8 @@ class HeadlessContext {
 
     /// Makes this the calling thread's context. Throws Error (E-GL-CONTEXT).
     void make_current() const;
+    /// The same; false where EGL does not.
+    [[nodiscard]] bool try_make_current() const noexcept;
 
  private:
     void destroy();

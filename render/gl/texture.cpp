@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "calib/work/error.h"
+#include "render/gl/capabilities.h"
 #include "render/gl/framebuffer.h"
 
 namespace lumi {
@@ -45,20 +46,37 @@ unsigned new_texture() {
     return name;
 }
 
-/// Whether memory is among what GL complains of; it forgets that then.
-bool is_out_of_memory() {
-    bool is_out = false;
-    for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError())
-        is_out = is_out || error == GL_OUT_OF_MEMORY;
-    return is_out;
+/// The first that GL has complained of since this was last asked; it forgets all of that.
+GLenum take_gl_error() {
+    const GLenum first = glGetError();
+    for (GLenum next = first; next != GL_NO_ERROR;) next = glGetError();
+    return first;
 }
 
-[[noreturn]] void refuse_memory(int width_px, int height_px, int layers) {
+[[noreturn]] void refuse(const TextureArray& array, const std::string& reason) {
     throw Error(ErrorKind::kResources, "E-GL-LIMIT",
-                "the GL driver has no memory for " + std::to_string(layers) + " layers of " +
-                    std::to_string(width_px) + "x" + std::to_string(height_px),
+                "no texture of " + std::to_string(array.layers()) + " layers of " +
+                    std::to_string(array.width_px()) + "x" + std::to_string(array.height_px()) +
+                    ": " + reason,
                 "draw smaller frames, make the package with a smaller [capture] max_width_px or "
                 "with [package] max_views, or use another GL driver");
+}
+
+void require_within_limits(const TextureArray& array) {
+    const Capabilities capabilities = query_capabilities();
+    if (std::max(array.width_px(), array.height_px()) > capabilities.max_texture_size_px ||
+        array.layers() > capabilities.max_array_layers)
+        refuse(array, capabilities.description + " holds " +
+                          std::to_string(capabilities.max_array_layers) + " layers of " +
+                          std::to_string(capabilities.max_texture_size_px) + " pixels a side");
+}
+
+void require_no_error(const TextureArray& array) {
+    const GLenum error = take_gl_error();
+    if (error == GL_NO_ERROR) return;
+    refuse(array, error == GL_OUT_OF_MEMORY
+                      ? "the GL driver has no memory for it"
+                      : "the GL driver refuses it (error " + std::to_string(error) + ")");
 }
 
 void clear_rectangle(int x, int y, int width_px, int height_px) {
@@ -79,6 +97,8 @@ TextureArray::TextureArray(TexelFormat format, TexelFilter filter, int width_px,
       layers_(layers),
       format_(format),
       filter_(filter) {
+    require_within_limits(*this);
+    take_gl_error();
     glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());
     const GLint mode = gl_filter(filter);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, mode);
@@ -89,7 +109,7 @@ TextureArray::TextureArray(TexelFormat format, TexelFilter filter, int width_px,
     const GlFormat gl = gl_format(format);
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(gl.internal), width_px, height_px,
                  layers, 0, gl.external, gl.type, nullptr);
-    if (is_out_of_memory()) refuse_memory(width_px, height_px, layers);
+    require_no_error(*this);
 }
 
 void TextureArray::upload(int layer, const ColorImage& image) {
@@ -144,16 +164,24 @@ void TextureArray::bind(unsigned unit) const {
 }
 
 void TextureArray::bind_mip_levels(unsigned unit) const {
+    assert(has_mip_levels_);
     bind(unit);
-    if (!has_mip_levels_) make_mip_levels();
-    has_mip_levels_ = true;
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
 }
 
-void TextureArray::make_mip_levels() const {
+void TextureArray::make_mip_levels() {
+    if (has_mip_levels_) return;
     constexpr GLint kAllLevels = 1000;
+    take_gl_error();
+    glBindTexture(GL_TEXTURE_2D_ARRAY, name_.get());
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, kAllLevels);
     glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
+    require_no_error(*this);
+    clear_borders_of_mip_levels();
+    has_mip_levels_ = true;
+}
+
+void TextureArray::clear_borders_of_mip_levels() const {
     const FramebufferBindingKeeper keeper;
     Framebuffer framebuffer;
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);

@@ -24,7 +24,8 @@ enum class TexelFilter { kNearest, kLinear };
 class TextureArray {
  public:
     TextureArray() = default;
-    /// Throws Error (E-GL-LIMIT) where the driver has no memory for it. Takes pending GL errors.
+    /// Throws Error (E-GL-LIMIT) where this GL holds no such array, or has no memory for it. Takes
+    /// pending GL errors.
     TextureArray(TexelFormat format, TexelFilter filter, int width_px, int height_px, int layers);
 
     /// Row 0 of the image is row 0 of the layer. The image must fit.
@@ -35,9 +36,15 @@ class TextureArray {
     /// All texels of all layers, of the format kFourFloats.
     void upload(const std::vector<float>& texels);
     void bind(unsigned unit) const;
-    /// With all mip levels, which are made when they are first asked for: for colours that are
-    /// looked up at a level (textureLod) and are not changed any more. Along the borders of each
-    /// level alpha is 0, so that beyond a layer it is 0, too, where coarse levels have no gutter.
+    /// Unless they are there: for colours that are looked up at a level (textureLod) and are not
+    /// changed any more. Along the borders of each level alpha is 0, so that beyond a layer it is
+    /// 0, too, where coarse levels have no gutter.
+    ///
+    /// Not amid a drawing: it draws itself. All colours are written to and the scissor test is off
+    /// afterwards. Throws Error (E-GL-LIMIT) where the driver has no memory for them. Takes pending
+    /// GL errors.
+    void make_mip_levels();
+    /// With all mip levels, which must have been made.
     void bind_mip_levels(unsigned unit) const;
 
     [[nodiscard]] unsigned name() const { return name_.get(); }
@@ -48,7 +55,7 @@ class TextureArray {
     [[nodiscard]] std::size_t bytes() const;
 
  private:
-    void make_mip_levels() const;
+    void clear_borders_of_mip_levels() const;
 
     ObjectName<delete_texture> name_;
     int width_px_ = 0;
@@ -56,7 +63,7 @@ class TextureArray {
     int layers_ = 0;
     TexelFormat format_ = TexelFormat::kColor;
     TexelFilter filter_ = TexelFilter::kNearest;
-    mutable bool has_mip_levels_ = false;
+    bool has_mip_levels_ = false;
 };
 
 }  // namespace lumi

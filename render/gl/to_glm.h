@@ -7,8 +7,8 @@
 
 namespace lumi {
 
-/// The only file where Eigen's types become GLM's, and the only one that flips an axis: pixels
-/// count downwards from the top, GL's clip and window coordinates upwards.
+/// The only file where Eigen's types become GLM's. Pixels count downwards from the top, GL's clip
+/// and window coordinates upwards.
 
 [[nodiscard]] inline glm::mat4 to_glm(const Eigen::Matrix4d& matrix) {
     glm::mat4 result;

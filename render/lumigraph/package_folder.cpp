@@ -13,6 +13,8 @@
 
 #include "calib/work/content_hash.h"
 #include "calib/work/error.h"
+#include "calib/work/printable.h"
+#include "render/lumigraph/manifest.h"
 
 namespace lumi {
 namespace {
@@ -116,8 +118,22 @@ bool is_safe_package_path(std::string_view path) {
     }
 }
 
+/// The folder around a package is easily named for it.
+const fs::path& not_around_package(const fs::path& folder) {
+    std::error_code status;
+    if (fs::exists(folder / kManifestName, status)) return folder;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, status)) {
+        if (entry.path().extension() != ".lumi" || !entry.is_directory(status)) continue;
+        throw Error(ErrorKind::kBadInput, "E-PACKAGE-MISSING",
+                    folder.string() + ": is no package, but a folder that holds one",
+                    "did you mean " + printable(entry.path().string()) + "?");
+    }
+    return folder;
+}
+
 PackageFolder::PackageFolder(const fs::path& folder)
-    : folder_(folder), descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    : folder_(not_around_package(folder)),
+      descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (descriptor_ < 0) {
         throw Error(ErrorKind::kBadInput, "E-PACKAGE-MISSING",
                     folder.string() + ": expected the folder of a package: " + std::strerror(errno),

@@ -164,7 +164,7 @@ DrawStatistics Adaptive::draw(const Eye& eye, const RenderOptions& options, cons
     const bool has_surroundings = are_surroundings_drawn(options);
     if (has_surroundings) draw_surroundings(eye);
     DrawStatistics statistics;
-    Behind behind = options.fade_beyond_capture ? Behind::kPicture
+    Behind behind = options.fade_beyond_capture ? Behind::kBlack
                     : has_surroundings          ? Behind::kSurroundings
                                                 : Behind::kNothing;
     for (const BlendTriangles& layer : layers_) {

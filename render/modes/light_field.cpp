@@ -67,7 +67,7 @@ std::size_t LightField::draw_fading(const CameraMesh& mesh, const Eye& eye,
 }
 
 Eigen::Vector3d LightField::plane_of(const Eye& eye, const RenderOptions& options) const {
-    return options.focal_depth > 0 ? Eigen::Vector3d(0, 0, 1 / options.focal_depth)
+    return options.focal_depth > 0 ? focal_plane_inverse_depth(options.focal_depth)
                                    : scene_plane_inverse_depth(uploaded_.layout, eye);
 }
 

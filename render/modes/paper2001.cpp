@@ -17,16 +17,12 @@ Paper2001::Paper2001(const UploadedLumigraph& uploaded)
 DrawStatistics Paper2001::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
     const Lumigraph& layout = uploaded_.layout;
     const DepthSearch search(layout, uploaded_.searched_views, eye);
-    const PaperSubdivisionOptions subdivision{
-        .depth_threshold_share = options.depth_threshold_share,
-        .min_size_px = options.min_triangle_px,
-        .max_size_px = options.max_triangle_px};
     const BlendTriangles triangles = paper_subdivision(
         face_polygons(layout.mesh, eye), search, scene_plane_inverse_depth(layout, eye),
-        inverse_depth_range(layout), options.correct_occlusion, subdivision);
+        inverse_depth_range(layout), options.correct_occlusion, paper_subdivision_options(options));
     draw_passes(triangles, eye, options);
     if (options.debug_picture == DebugPicture::kGrid) grid_.draw(triangles, eye);
-    return {3 * triangles.count()};
+    return {triangles.count()};
 }
 
 void Paper2001::draw_passes(const BlendTriangles& triangles, const Eye& eye,

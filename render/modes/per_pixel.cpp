@@ -31,6 +31,9 @@ PictureProgram program_of(std::vector<std::string> definitions) {
             std::move(definitions)};
 }
 
+// Strips of depth end where pixels of several texels do (strip_ends.h).
+static_assert(kSmoothTexelsPerPixel == kDepthBlockSide_px);
+
 /// The first of the fragments whose centre lies in this column of texels or beyond it.
 int first_fragment(int column, double texels_per_fragment) {
     return static_cast<int>(std::ceil(column / texels_per_fragment - 0.5));
@@ -210,6 +213,7 @@ std::size_t PerPixel::draw_strips(const std::vector<FacePolygon>& polygons, cons
         if (end <= begin) continue;
         glScissor(viewport.x_px + begin, viewport.y_px, end - begin, viewport.height_px);
         faces_.upload(asked_first(polygons, views[set]), eye, plane);
+        // All strips draw the same ones, which count once.
         triangles = draw_faces(eye, options, fragments, asked, fade, views[set]);
         begin = end;
     }

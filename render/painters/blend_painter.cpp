@@ -36,7 +36,7 @@ BlendPainter::BlendPainter(const UploadedLumigraph& uploaded, float least_confid
       programs_(blend_programs({})),
       discarding_(blend_programs({"DISCARDS"})),
       filling_(blend_programs({"FILLS"})),
-      see_through_(blend_programs({"FADES"})),
+      fading_(blend_programs({"FADES"})),
       known_alone_(blend_programs({"KNOWN_ALONE"})),
       triangles_(blend_vertex_attributes()) {}
 
@@ -47,15 +47,17 @@ void BlendPainter::draw(const BlendTriangles& triangles, const Eye& eye,
     const std::vector<BlendVertex>& vertices = sorted.triangles.vertices;
     triangles_.upload(vertices.data(), vertices.size() * sizeof(BlendVertex),
                       sorted.triangles.indices);
-    if (behind == Behind::kPicture) glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    const bool fades = behind == Behind::kBlack || behind == Behind::kPicture;
+    if (fades) glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     if (behind == Behind::kGuesses) glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_DST_ALPHA);
-    if (behind == Behind::kPicture || behind == Behind::kGuesses) glEnable(GL_BLEND);
+    if (fades || behind == Behind::kGuesses) glEnable(GL_BLEND);
     std::size_t first = 0;
     for (const LookupRun& run : sorted.runs) {
         const Program& program = program_for(run, behind).use(uploaded_, eye, options);
         program.set("layer_size",
                     glm::vec2(uploaded_.photographs.width_px(), uploaded_.photographs.height_px()));
         program.set("least_confidence", least_confidence_);
+        if (fades) program.set("is_laid_over", behind == Behind::kPicture ? 1.0F : 0.0F);
         triangles_.draw(first, run.index_count);
         first += run.index_count;
     }
@@ -64,7 +66,7 @@ void BlendPainter::draw(const BlendTriangles& triangles, const Eye& eye,
 }
 
 PictureProgram& BlendPainter::program_for(const LookupRun& run, Behind behind) {
-    if (behind == Behind::kPicture) return see_through_[run.lookups - 1];
+    if (behind == Behind::kBlack || behind == Behind::kPicture) return fading_[run.lookups - 1];
     if (behind == Behind::kGuesses) return known_alone_[run.lookups - 1];
     if (!run.may_show_none) return programs_[run.lookups - 1];
     return (behind == Behind::kSurroundings ? filling_ : discarding_)[run.lookups - 1];

@@ -17,7 +17,8 @@ namespace lumi {
 enum class Behind {
     kNothing,       ///< What no photograph shows stays as it was.
     kSurroundings,  ///< What no photograph shows gets the surroundings of the vertices.
-    kPicture,       ///< The picture shows through as far as the vertices are not opaque.
+    kBlack,         ///< The triangles fade into it as far as the vertices are not opaque.
+    kPicture,       ///< The same into the picture. What they cover counts as covered, guess or not.
     kGuesses,       ///< The triangles replace the picture where it is a guess and they are not.
 };
 
@@ -39,7 +40,7 @@ class BlendPainter {
     std::array<PictureProgram, 3> programs_;
     std::array<PictureProgram, 3> discarding_;  ///< Where photographs may end.
     std::array<PictureProgram, 3> filling_;     ///< There, too, where there are surroundings.
-    std::array<PictureProgram, 3> see_through_;
+    std::array<PictureProgram, 3> fading_;
     std::array<PictureProgram, 3> known_alone_;  ///< Over guesses.
     VertexBuffer triangles_;
     GridPainter grid_;

@@ -4,7 +4,6 @@
 
 #include "render/gl/to_glm.h"
 #include "render/shaders/shader_sources.h"
-#include "render/uploaded/photograph_lod.h"
 
 namespace lumi {
 
@@ -18,8 +17,7 @@ const Program& PictureProgram::use(const UploadedLumigraph& uploaded, const Eye&
                                    const RenderOptions& options) {
     const bool is_debug = options.debug_picture != DebugPicture::kNone &&
                           options.debug_picture != DebugPicture::kGrid;
-    // Of four samples a pixel each looks photographs up for the whole of it.
-    const double lod = photograph_lod(uploaded.layout, eye, options.supersample ? 2.0 : 1.0);
+    const double lod = uploaded.lod_of(eye, options);
     std::optional<Program>& program =
         versions_[options.supersample ? 1 : 0][is_debug ? 1 : 0][lod > 0 ? 1 : 0];
     if (!program) {

@@ -22,7 +22,7 @@ class PictureProgram {
 
     /// Puts the version that `options` ask for in use and sets what all programs share: the
     /// photographs on unit 0 and their mip level, clip_from_eye_pixel, and how debug pictures are
-    /// shaded.
+    /// shaded. The photographs must be prepared for the frame (UploadedLumigraph::prepare).
     const Program& use(const UploadedLumigraph& uploaded, const Eye& eye,
                        const RenderOptions& options);
 

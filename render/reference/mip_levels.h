@@ -8,7 +8,7 @@ namespace lumi {
 
 /// The mip levels of a picture of four bytes a texel, as glGenerateMipmap makes them: each level
 /// has half as many rows and columns, rounded down, read between the texels of the one before. Of
-/// all but the finest alpha is 0 along the borders (TextureArray::bind_mip_levels).
+/// all but the finest alpha is 0 along the borders (TextureArray::make_mip_levels).
 class MipLevels {
  public:
     MipLevels(std::vector<unsigned char> rgba, int width_px, int height_px);

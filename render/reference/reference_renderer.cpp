@@ -11,10 +11,10 @@
 #include "meshing/surface/camera_mesh.h"
 #include "render/depth_layers/depth_eye.h"
 #include "render/depth_search/occlusion.h"
-#include "render/faces/blend_strips.h"
 #include "render/faces/shell_opacity.h"
 #include "render/reference/agreed_depth.h"
 #include "render/reference/debug_color.h"
+#include "render/reference/pixel_weights.h"
 #include "render/reference/point_in_views.h"
 #include "render/reference/reference_holes.h"
 #include "render/surroundings/surroundings.h"
@@ -41,13 +41,12 @@ struct DrawnPixel {
 /// The frame in the making, and what does not change from pixel to pixel.
 class ReferenceFrame {
  public:
-    ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options);
+    ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options,
+                   const std::optional<std::vector<FacePolygon>>& polygons);
     [[nodiscard]] DrawnPixel color_at(int x, int y) const;
 
  private:
     [[nodiscard]] Eigen::Vector3d direction_in_world(const Eigen::Vector2d& pixel) const;
-    [[nodiscard]] std::optional<RayWeights> weights_along(const Eigen::Vector3d& direction,
-                                                          const Eigen::Vector2d& pixel) const;
     /// One, or one for each sample of a silhouette that is drawn smoothly.
     [[nodiscard]] std::vector<KnownPoint> points_at(const Eigen::Vector2d& pixel) const;
     /// The mean of all that is drawn for a pixel.
@@ -80,8 +79,7 @@ class ReferenceFrame {
     Eigen::Vector3d eye_in_world_;
     Eigen::Vector3d plane_;
     PointInViews views_;
-    std::vector<EyeBlend> blends_;  ///< None where the camera mesh has faces.
-    std::vector<int> strip_ends_;   ///< Of these.
+    PixelWeights weights_;
     bool is_in_blocks_ = false;
     std::optional<AgreedDepth> depth_;  ///< None where the scene plane is drawn.
     ColorImage surroundings_;           ///< Empty where they are not drawn.
@@ -101,20 +99,19 @@ bool has_depth(const Lumigraph& lumigraph) {
 }
 
 ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
-                               const RenderOptions& options)
+                               const RenderOptions& options,
+                               const std::optional<std::vector<FacePolygon>>& polygons)
     : lumigraph_(lumigraph),
       eye_(eye),
       options_(options),
       eye_in_world_(centre_in_world(eye.cam_from_world)),
-      plane_(scene_plane_inverse_depth(lumigraph, eye)),
+      plane_(options.focal_depth > 0 && options.mode != RenderMode::kPerPixel
+                 ? focal_plane_inverse_depth(options.focal_depth)
+                 : scene_plane_inverse_depth(lumigraph, eye)),
       views_(lumigraph, eye, options),
+      weights_(lumigraph.mesh, eye, polygons),
       surroundings_(are_surroundings_drawn(options) ? surroundings_picture(lumigraph, eye)
                                                     : ColorImage{}) {
-    if (lumigraph.mesh.faces.empty()) {
-        blends_ =
-            blends_of_eye(lumigraph.mesh, eye_in_world_, optical_axis_in_world(eye.cam_from_world));
-        strip_ends_ = blend_strip_ends(blends_, eye.camera.width_px);
-    }
     if (options.mode != RenderMode::kPerPixel || !has_depth(lumigraph)) return;
     depth_.emplace(lumigraph, views_.geometries(), eye, options);
     is_in_blocks_ = is_drawn_in_blocks(lumigraph, eye, options);
@@ -187,16 +184,10 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const std::vector<KnownPoint>&
     return DrawnPixel{sum.color / count, sum.coverage >= 0.5 * count ? 1.0 : 0.0};
 }
 
-std::optional<RayWeights> ReferenceFrame::weights_along(const Eigen::Vector3d& direction,
-                                                        const Eigen::Vector2d& pixel) const {
-    if (blends_.empty()) return weights_of_ray(lumigraph_.mesh, eye_in_world_, direction);
-    return blends_[strip_at(strip_ends_, pixel.x())].weights;
-}
-
 std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
                                                   const Eigen::Vector2d& pixel) const {
     const ConsensusDepth& depth = shared.depth;
-    std::optional<RayWeights> ray = weights_along(shared.point.direction_in_world, pixel);
+    std::optional<RayWeights> ray = weights_.at(pixel, shared.point.direction_in_world);
     if (!ray) return std::nullopt;
     const bool has_depth = depth.support > 0;
     const std::array<double, 3> seen = visibilities(*ray, shared);
@@ -274,6 +265,8 @@ DrawnPixel ReferenceFrame::color_at(int x, int y) const {
                 pixel)
             .value_or(behind(x, y));
     fill(drawn, x, y);
+    // What the paper of heigl says has none.
+    if (options_.mode == RenderMode::kHeigl) return drawn;
     for (const CameraMesh& shell : lumigraph_.mesh.shells) lay_over(drawn, shell, known.front());
     return drawn;
 }
@@ -303,8 +296,9 @@ Eigen::Vector3d ReferenceFrame::debug_color_of(const RayWeights& ray, bool unsee
 
 }  // namespace
 
-Frame draw_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
-    const ReferenceFrame reference(lumigraph, eye, options);
+Frame draw_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options,
+                     const std::optional<std::vector<FacePolygon>>& polygons) {
+    const ReferenceFrame reference(lumigraph, eye, options, polygons);
     Frame frame{ColorImage(eye.camera.width_px, eye.camera.height_px),
                 GrayImage(eye.camera.width_px, eye.camera.height_px),
                 {}};

@@ -1,12 +1,19 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
+#include "render/faces/face_polygons.h"
 #include "render/frame/frame.h"
 #include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
 
-/// The method in plain code: what the GL modes are tested against. Slow and clear. Modes: all.
+/// Rays blended pixel by pixel in plain code: what `perpixel` and `lightfield` are tested against.
+/// Slow and clear. Other modes than `perpixel` come out as rays on one plane; with `polygons`,
+/// which do not overlap, from the views that these name, instead of those of the camera mesh.
 [[nodiscard]] Frame draw_reference(const Lumigraph& lumigraph, const Eye& eye,
-                                   const RenderOptions& options);
+                                   const RenderOptions& options,
+                                   const std::optional<std::vector<FacePolygon>>& polygons = {});
 
 }  // namespace lumi

@@ -8,14 +8,13 @@
 #include <vector>
 
 #include "calib/capture/nearest_byte.h"
+#include "render/depth_search/occlusion.h"
 #include "render/reference/sampling.h"
 #include "render/uploaded/photograph_opacity.h"
 
 namespace lumi {
 namespace {
 
-/// As in shaders/photographs.glsl.
-constexpr double kLeastWeight = 1e-4;
 /// A pixel whose middle lies on an edge belongs to the triangle on its right, or else above: to
 /// one of them, as in OpenGL, and the same one.
 const Eigen::Vector3d kOffEdges_px(1e-4, -1e-5, 0);

@@ -82,6 +82,7 @@ LumigraphRenderer& LumigraphRenderer::operator=(LumigraphRenderer&& other) noexc
 DrawStatistics LumigraphRenderer::draw(const Eye& eye, const RenderOptions& options,
                                        const Viewport& viewport) {
     const Eye fitted_eye = fitted(eye, viewport);
+    implementation_->uploaded.prepare(fitted_eye, options);
     clear(viewport);
     const DrawStatistics statistics =
         implementation_->mode(options.mode).draw(fitted_eye, options, viewport);

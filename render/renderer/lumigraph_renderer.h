@@ -25,8 +25,8 @@ class LumigraphRenderer {
 
     /// Fills the viewport: alpha is the frame's coverage (frame.h). Colours are encoded sRGB, as in
     /// the photographs, and are blended as such.
-    /// An eye of another size than the viewport is resized to it. Throws Error (E-EYE-LENS) when
-    /// the eye's camera is not a pinhole.
+    /// An eye of another size than the viewport is resized to it. Throws Error: E-EYE-LENS
+    /// (the eye's camera is not a pinhole), E-GL-LIMIT (what the frame takes does not fit this GL).
     ///
     /// Leaves the framebuffer binding as it was; blending, depth test, face culling and scissor
     /// test are off afterwards, no program and no vertex array are bound.

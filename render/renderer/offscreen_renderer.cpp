@@ -7,12 +7,24 @@
 namespace lumi {
 
 struct OffscreenRenderer::Implementation {
-    Implementation(const Lumigraph& lumigraph, GlApi api) : context(api), renderer(lumigraph) {}
-    ~Implementation() { context.make_current(); }
+    /// What is made of GL objects.
+    struct Drawing {
+        explicit Drawing(const Lumigraph& lumigraph) : renderer(lumigraph) {}
+
+        LumigraphRenderer renderer;
+        FrameTarget target;
+    };
+
+    Implementation(const Lumigraph& lumigraph, GlApi api)
+        : context(api), drawing(std::make_unique<Drawing>(lumigraph)) {}
+    /// Where the context cannot be made current, its objects are left to it: another's would be
+    /// deleted.
+    ~Implementation() {
+        if (!context.try_make_current()) (void)drawing.release();
+    }
 
     HeadlessContext context;
-    LumigraphRenderer renderer;
-    FrameTarget target;
+    std::unique_ptr<Drawing> drawing;
 };
 
 OffscreenRenderer::OffscreenRenderer(const Lumigraph& lumigraph, GlApi api)
@@ -21,14 +33,14 @@ OffscreenRenderer::~OffscreenRenderer() = default;
 
 void OffscreenRenderer::choose(const DrawingChoices& drawing) {
     implementation_->context.make_current();
-    implementation_->renderer.choose(drawing);
+    implementation_->drawing->renderer.choose(drawing);
 }
 
 Frame OffscreenRenderer::draw(const Eye& eye, const RenderOptions& options) {
-    Implementation& gl = *implementation_;
-    gl.context.make_current();
-    const DrawStatistics statistics = gl.target.draw(gl.renderer, eye, options);
-    Frame frame = gl.target.read();
+    implementation_->context.make_current();
+    auto& [renderer, target] = *implementation_->drawing;
+    const DrawStatistics statistics = target.draw(renderer, eye, options);
+    Frame frame = target.read();
     frame.statistics = statistics;
     return frame;
 }

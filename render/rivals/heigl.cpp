@@ -8,20 +8,48 @@
 
 namespace lumi {
 
+namespace {
+
+/// Of the distance to what is nearest: so close to a camera the eye is there.
+constexpr double kAtCamera = 1e-6;
+
+/// The corners of the eye's picture.
+std::vector<Eigen::Vector2d> corners_of_picture(const Eye& eye) {
+    const double width = eye.camera.width_px;
+    const double height = eye.camera.height_px;
+    return {{0, 0}, {width, 0}, {width, height}, {0, height}};
+}
+
+/// All of the picture from one view.
+FacePolygon picture_of(int view, const Eye& eye) {
+    FacePolygon polygon;
+    polygon.face_index = 0;
+    polygon.view_indices = {view, view, view};
+    polygon.side_lines = {Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(),
+                          Eigen::Vector3d::Zero()};
+    polygon.corners_px = corners_of_picture(eye);
+    return polygon;
+}
+
+}  // namespace
+
 std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& eye) {
     const Eigen::Matrix3d pixel_from_eye = pinhole_matrix(eye.camera);
+    const Eigen::Vector3d eye_axis_in_world = optical_axis_in_world(eye.cam_from_world);
+    const double scene_distance = 1 / inverse_depth_range(lumigraph).y();
     std::vector<Eigen::Vector2d> pixels;
     std::vector<int> view_of_point;
     for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
-        const Eigen::Vector3d in_eye =
-            eye.cam_from_world * centre_in_world(lumigraph.views[i].cam_from_world);
+        const Rigid3& cam_from_world = lumigraph.views[i].cam_from_world;
+        if (optical_axis_in_world(cam_from_world).dot(eye_axis_in_world) <= 0) continue;
+        const Eigen::Vector3d in_eye = eye.cam_from_world * centre_in_world(cam_from_world);
+        if (in_eye.norm() < kAtCamera * scene_distance)
+            return {picture_of(static_cast<int>(i), eye)};
         // Centres before the eye and behind it: what counts is the line through both.
-        if (std::abs(in_eye.z()) < 1e-9 * in_eye.norm() || in_eye.norm() == 0) continue;
+        if (std::abs(in_eye.z()) < 1e-9 * in_eye.norm()) continue;
         pixels.emplace_back((pixel_from_eye * in_eye).hnormalized());
         view_of_point.push_back(static_cast<int>(i));
     }
-    const double width = eye.camera.width_px;
-    const double height = eye.camera.height_px;
     std::vector<FacePolygon> polygons;
     for (const auto& triangle : planar_delaunay(pixels)) {
         Eigen::Matrix3d corners;
@@ -33,7 +61,7 @@ std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& e
             polygon.view_indices[i] = view_of_point[point];
         }
         const Eigen::Matrix3d weights_from_pixel = corners.inverse();
-        polygon.corners_px = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+        polygon.corners_px = corners_of_picture(eye);
         for (std::size_t i = 0; i < 3; ++i) {
             polygon.side_lines[i] = weights_from_pixel.row(static_cast<Eigen::Index>(i));
             polygon.corners_px = clipped(polygon.corners_px, polygon.side_lines[i]);

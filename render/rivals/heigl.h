@@ -8,10 +8,13 @@ namespace lumi {
 /// each pixel: the optical centres are projected into the eye's picture and triangulated there
 /// anew for each frame; within a triangle the views of its corners are blended with barycentric
 /// weights. What lies outside of all triangles is not drawn. The same ray seen from another place
-/// may be blended from other views, which the paper's static mesh avoids.
+/// may be blended from other views, which the paper's static mesh avoids. Views that face the other
+/// way are left out. Where the eye is at a camera, which has no place in the picture, all of it is
+/// that camera's.
 [[nodiscard]] std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& eye);
 
-/// The light field on the scene plane with these polygons in the place of the camera mesh.
+/// The light field on the scene plane, or on a focal surface, with these polygons in the place of
+/// the camera mesh.
 class Heigl : public DrawingMode {
  public:
     explicit Heigl(const UploadedLumigraph& uploaded);

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "calib/work/median.h"
+
 namespace lumi {
 namespace {
 
@@ -78,9 +80,7 @@ double scene_radius(const Lumigraph& source) {
         radii.push_back(0.5 * view.camera.height_px *
                         (view.cam_from_world * source.mesh.scene_centre_in_world).norm() /
                         focal_length_px(view.camera).mean());
-    std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2),
-                     radii.end());
-    return radii[radii.size() / 2];
+    return median_of(std::move(radii));
 }
 
 }  // namespace

@@ -49,6 +49,9 @@ void main() {
 #ifdef LUMI_FRAGMENT
 out vec4 drawn;
 uniform float least_confidence;  // what is less sure is a guess: drawn, but not counted as covered
+#ifdef FADES
+uniform float is_laid_over;  // 1 where a picture is behind, 0 where nothing is
+#endif
 
 void main() {
     vec3 weights = vec3(on_layer2_and_weights.zw, weight2_and_depth.x);
@@ -97,6 +100,8 @@ void main() {
                  is_known);
 #endif
 #ifdef FADES
+    // What is laid over a picture hides it by its alpha, a guess too.
+    drawn.a = mix(drawn.a, is_seen, is_laid_over);
     drawn *= opacity;
 #endif
 #ifdef FILLS

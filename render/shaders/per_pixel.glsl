@@ -12,8 +12,8 @@
 // SMOOTH: a pixel has four samples of depth. Where they are of several surfaces, it is the mean of
 // what is drawn of each.
 //
-// Written for software rendering: no arrays, no branches, one division a view, and no loop but that
-// over the samples of a silhouette.
+// Written for software rendering, where pixels pay for both sides of a branch: what differs between
+// them is chosen, divisions are few, and there is no loop but that over the samples of a silhouette.
 
 #ifdef LUMI_FRAGMENT
 uniform sampler2DArray depth_maps;
@@ -36,8 +36,15 @@ const int kAskedViews = 3 - UNASKED_VIEWS;
 
 #ifdef BLOCKS
 const float kFragment_px = 2.0;
+// How what is affine in the picture moves from fragment to fragment.
+#define ALONG_X(v) dFdx(v)
+#define ALONG_Y(v) dFdy(v)
 #else
 const float kFragment_px = 1.0;
+// Not asked for. Smooth silhouettes are drawn in rounds that neighbours leave one by one, where
+// derivatives are undefined.
+#define ALONG_X(v) vec3(0.0)
+#define ALONG_Y(v) vec3(0.0)
 #endif
 
 // A view at a point: xy its pixel, z the inverse of its homogeneous coordinate.
@@ -67,29 +74,34 @@ vec4 color_of(Place place, vec2 from_centre_px) {
     return photograph_at_pixel(place.pixel, place.photograph);
 }
 
-// The inverse depth in the view of what it sees there. `size` is that of the photograph, and samples
-// of the depth map for each of its pixels.
+// The sample of the view's depth map, of what lies outside the nearest. `size` is that of the
+// photograph, and samples of the depth map for each of its pixels.
+float sample_at(vec3 sight, vec4 size, float photograph) {
+    vec2 texel = max(min(sight.xy * size.zw, size.xy * size.zw - 0.5), 0.0);
+    return texelFetch(depth_maps, ivec3(ivec2(texel), int(photograph)), 0).r;
+}
+
+// The inverse depth in the view of what it sees there.
 float seen_by(bool is_asked, float photograph, vec3 sight, vec4 size, Depth depth) {
     if (is_asked) return dot(layer_of_photograph(photograph), depth.of_layers) * sight.z;
-    // What lies outside has no sample, and no say.
-    return texelFetch(depth_maps, ivec3(ivec2(sight.xy * size.zw), int(photograph)), 0).r;
+    return sample_at(sight, size, photograph);
 }
 
 // 1 when the view sees the point, 0 when it sees something else; in between a ramp.
-float visibility(bool is_asked, vec3 sight, float is_before, vec4 size, float photograph,
+float visibility(bool is_asked, vec3 sight, bool is_before, vec4 size, float photograph,
                  Depth depth, float inverse_depth, float disparity_px, float check) {
     vec2 to_border = min(sight.xy, size.xy - sight.xy);
-    float inside = step(0.0, min(to_border.x, to_border.y)) * is_before;
+    bool is_inside = is_before && min(to_border.x, to_border.y) >= 0.0;
     float seen = seen_by(is_asked, photograph, sight, size, depth);
     float difference_px = abs(inverse_depth * sight.z - seen) * disparity_px;
-    return inside * clamp(2.0 - check * difference_px, 0.0, 1.0);
+    return is_inside ? clamp(2.0 - check * difference_px, 0.0, 1.0) : 0.0;
 }
 
 #ifdef CHECKS_GUESSES
 // 1 unless the view has something before a point that is a guess.
 float is_free_before(vec3 sight, vec4 size, float photograph, float inverse_depth,
                      float disparity_px) {
-    float seen = texelFetch(depth_maps, ivec3(ivec2(sight.xy * size.zw), int(photograph)), 0).r;
+    float seen = sample_at(sight, size, photograph);
     return step((seen - inverse_depth * sight.z) * disparity_px, kSurelyBefore_px);
 }
 #endif
@@ -164,21 +176,20 @@ Blend blend_at(vec2 window, Depth depth) {
     blend.is_guess = depth.kind > 2.5;
     float q = blend.is_guess ? max(0.0, side_products_and_plane.w) : depth.inverse_depth;
     blend.inverse_depth = q;
-    // Not in the choices below, behind which derivatives are undefined. Only blocks use them: smooth
-    // silhouettes are drawn in rounds that neighbours leave one by one.
-    vec3 along_x0 = dFdx(view_pixel0);
-    vec3 along_y0 = dFdy(view_pixel0);
-    vec3 along_x1 = dFdx(view_pixel1);
-    vec3 along_y1 = dFdy(view_pixel1);
-    vec3 along_x2 = dFdx(view_pixel2);
-    vec3 along_y2 = dFdy(view_pixel2);
+    // Not in the choices below, behind which derivatives are undefined.
+    vec3 along_x0 = ALONG_X(view_pixel0);
+    vec3 along_y0 = ALONG_Y(view_pixel0);
+    vec3 along_x1 = ALONG_X(view_pixel1);
+    vec3 along_y1 = ALONG_Y(view_pixel1);
+    vec3 along_x2 = ALONG_X(view_pixel2);
+    vec3 along_y2 = ALONG_Y(view_pixel2);
     vec3 pixel0 = AT_CENTRE(view_pixel0) + q * view_parallax0.xyz;
     vec3 pixel1 = AT_CENTRE(view_pixel1) + q * view_parallax1.xyz;
     vec3 pixel2 = AT_CENTRE(view_pixel2) + q * view_parallax2.xyz;
     vec3 sight0 = sight_of(pixel0);
     vec3 sight1 = sight_of(pixel1);
     vec3 sight2 = sight_of(pixel2);
-    vec3 is_before = vec3(greaterThan(vec3(pixel0.z, pixel1.z, pixel2.z), vec3(0.0)));
+    bvec3 is_before = greaterThan(vec3(pixel0.z, pixel1.z, pixel2.z), vec3(0.0));
     float check = blend.is_guess ? 0.0 : check_per_px;
     vec3 weights = blending_weights();
 #ifdef FADES
@@ -203,7 +214,7 @@ Blend blend_at(vec2 window, Depth depth) {
 #endif
     blend.weights = weights;
     blend.sum = weights.x + weights.y + weights.z;
-    blend.is_unseen = blend.sum < 1e-4;
+    blend.is_unseen = blend.sum < kLeastWeight;
     bool is_unseen = blend.is_unseen;
     // What is stretched over a tear is steep: the next pixel of the block is much farther, and shows
     // nearly the same, not what is beside it at this depth.

@@ -4,7 +4,7 @@
 const float kGutter_px = 1.0;
 
 #ifdef LUMI_FRAGMENT
-// A pixel that all views together count less for is empty.
+// A pixel that all views together count less for is empty. As in occlusion.h.
 const float kLeastWeight = 1e-4;
 
 uniform sampler2DArray photographs;

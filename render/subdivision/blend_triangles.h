@@ -30,7 +30,7 @@ struct BlendVertex {
     std::array<float, 3> depth_ratios{};  ///< Depth in each view over depth in the eye.
     float opacity = 1.0F;                 ///< What is behind shows through the rest.
     /// What lies there where no photograph shows anything (triangle_surroundings.h): red, green,
-    /// blue, 0 to 255; below 0 what is behind shows.
+    /// blue, 0 to 255; below 0 where it was not asked for.
     std::array<float, 3> surroundings{-1.0F, -1.0F, -1.0F};
 };
 

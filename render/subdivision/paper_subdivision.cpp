@@ -155,6 +155,12 @@ class PaperPatch {
 
 }  // namespace
 
+PaperSubdivisionOptions paper_subdivision_options(const RenderOptions& options) {
+    return {.depth_threshold_share = options.depth_threshold_share,
+            .min_size_px = options.min_triangle_px,
+            .max_size_px = options.max_triangle_px};
+}
+
 BlendTriangles paper_subdivision(const std::vector<FacePolygon>& polygons,
                                  const DepthSearch& search, const Eigen::Vector3d& scene_plane,
                                  const Eigen::Vector2d& inverse_depth_range, bool correct_occlusion,

@@ -11,6 +11,9 @@ struct PaperSubdivisionOptions {
     double max_size_px = 80.0;  ///< Longer ones are, in any case.
 };
 
+/// What a frame asks for.
+[[nodiscard]] PaperSubdivisionOptions paper_subdivision_options(const RenderOptions& options);
+
 /// The paper's adaptive depth correction (section 4), to the letter: a triangle of a camera patch
 /// is split in four while the depths at its corners and its centre differ, or some of these four
 /// rays miss the scene, between a largest and a smallest size; triangles whose rays all miss are

@@ -7,6 +7,10 @@
 namespace lumi {
 namespace {
 
+/// Of the scene's depth: cameras so close together, as on one tripod, tell each other nothing of
+/// depth.
+constexpr double kSamePlace = 1e-3;
+
 /// The depth at which disparities are halfway between those of the near and the far end.
 double middle_depth(const Lumigraph& lumigraph) { return 2 / inverse_depth_range(lumigraph).sum(); }
 
@@ -29,10 +33,13 @@ std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph) {
     const auto neighbours = neighbouring_views(lumigraph.mesh, geometries.size());
     for (std::size_t i = 0; i < geometries.size(); ++i) {
         std::vector<double> distances;
-        for (const int neighbour : neighbours[i])
-            distances.push_back((geometries[static_cast<std::size_t>(neighbour)].centre_in_world -
-                                 geometries[i].centre_in_world)
-                                    .norm());
+        for (const int neighbour : neighbours[i]) {
+            const double distance =
+                (geometries[static_cast<std::size_t>(neighbour)].centre_in_world -
+                 geometries[i].centre_in_world)
+                    .norm();
+            if (distance > kSamePlace * middle_depth(lumigraph)) distances.push_back(distance);
+        }
         geometries[i].baseline =
             distances.empty() ? 0.1 * middle_depth(lumigraph) : median_of(std::move(distances));
     }

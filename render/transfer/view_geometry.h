@@ -15,8 +15,8 @@ namespace lumi {
 struct ViewGeometry {
     Eigen::Vector3d centre_in_world = Eigen::Vector3d::Zero();
     double focal_px = 0.0;
-    /// Median distance to the views it shares a face with; a tenth of the scene's depth without
-    /// any.
+    /// Median distance to the views it shares a face with, but for those at the same place; a tenth
+    /// of the scene's depth without any.
     double baseline = 0.0;
 };
 

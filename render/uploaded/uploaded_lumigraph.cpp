@@ -6,6 +6,7 @@
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 #include "render/surroundings/surroundings.h"
+#include "render/uploaded/photograph_lod.h"
 #include "render/uploaded/photograph_opacity.h"
 
 namespace lumi {
@@ -83,9 +84,11 @@ TextureArray upload_depth_maps(const std::vector<LumigraphView>& views) {
     if (width == 0) return {};
     TextureArray array(TexelFormat::kFloat, TexelFilter::kNearest, width, height,
                        static_cast<int>(views.size()));
-    for (std::size_t i = 0; i < views.size(); ++i)
-        if (!views[i].depth.inverse_depth.empty())
-            array.upload(static_cast<int>(i), views[i].depth.inverse_depth);
+    const FloatImage nothing_near(1, 1, 0.0F);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const FloatImage& inverse_depth = views[i].depth.inverse_depth;
+        array.upload(static_cast<int>(i), inverse_depth.empty() ? nothing_near : inverse_depth);
+    }
     return array;
 }
 
@@ -110,6 +113,15 @@ void UploadedLumigraph::choose(const DrawingChoices& drawing) {
                                   ? thin_surfaces_of(layout, searched_views.geometries)
                                   : std::vector<ThinSurfaces>(layout.views.size());
     layout.drawing = drawing;
+}
+
+double UploadedLumigraph::lod_of(const Eye& eye, const RenderOptions& options) const {
+    // Of four samples a pixel each looks photographs up for the whole of it.
+    return photograph_lod(layout, eye, options.supersample ? 2.0 : 1.0);
+}
+
+void UploadedLumigraph::prepare(const Eye& eye, const RenderOptions& options) {
+    if (lod_of(eye, options) > 0) photographs.make_mip_levels();
 }
 
 }  // namespace lumi

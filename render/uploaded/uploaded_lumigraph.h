@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "render/depth_search/searched_views.h"
+#include "render/frame/frame.h"
 #include "render/gl/capabilities.h"
 #include "render/gl/texture.h"
 #include "render/lumigraph/lumigraph.h"
@@ -31,6 +32,12 @@ struct UploadedLumigraph {
     /// Takes these instead of the choices that it came with. Where this throws, nothing has
     /// changed.
     void choose(const DrawingChoices& drawing);
+
+    /// The mip level at which a frame looks photographs up (photograph_lod.h).
+    [[nodiscard]] double lod_of(const Eye& eye, const RenderOptions& options) const;
+    /// Makes what a frame takes that others do not, before it is drawn: leaves GL's state as
+    /// TextureArray::make_mip_levels does. Throws Error (E-GL-LIMIT).
+    void prepare(const Eye& eye, const RenderOptions& options);
 
     [[nodiscard]] bool has_depth() const { return depth_maps.layers() > 0; }
 };

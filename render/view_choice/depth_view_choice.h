@@ -43,8 +43,8 @@ inline constexpr int kMaxDepthViewSets = 8;
                                             double tolerance_px);
 
 /// Each set is asked in a strip of the eye's picture, from the left to the right, as wide as its
-/// share: where the strips end, in columns of a picture of this width. Strips move with the eye, so
-/// that it is a line that passes when one view is exchanged for another.
+/// share: where the strips end, in columns of a picture of this width (faces/strip_ends.h). Strips
+/// move with the eye, so that it is a line that passes when one view is exchanged for another.
 [[nodiscard]] std::vector<int> strip_ends(const std::vector<DepthViewSet>& sets, int width_px);
 
 }  // namespace lumi

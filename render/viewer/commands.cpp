@@ -5,21 +5,28 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
-#include "render/viewer/photograph_eye.h"
+#include "render/paths/photograph_eye.h"
 
 namespace lumi {
 namespace {
 
 constexpr std::array kBindings{
-    KeyBinding{GLFW_KEY_1, false, Command::kLightField, "1", "light field: the scene is a plane"},
-    KeyBinding{GLFW_KEY_2, false, Command::kPerPixel, "2", "depth and visibility at each pixel"},
+    KeyBinding{GLFW_KEY_1, false, Command::kLightField, "1", "lightfield: the scene is a plane"},
+    KeyBinding{GLFW_KEY_2, false, Command::kPerPixel, "2", "perpixel: depth at each pixel"},
+    KeyBinding{GLFW_KEY_3, false, Command::kAdaptive, "3", "adaptive: triangles by their error"},
+    KeyBinding{GLFW_KEY_4, false, Command::kPaper2001, "4", "paper2001: the paper to the letter"},
+    KeyBinding{GLFW_KEY_5, false, Command::kHeigl, "5", "heigl: views triangulated anew"},
     KeyBinding{GLFW_KEY_M, false, Command::kNextMode, "M", "next mode"},
     KeyBinding{GLFW_KEY_B, false, Command::kShowWeights, "B", "show the blending weights"},
     KeyBinding{GLFW_KEY_T, false, Command::kShowFaces, "T", "show the faces (triangles)"},
     KeyBinding{GLFW_KEY_Z, false, Command::kShowDepth, "Z", "show depth"},
     KeyBinding{GLFW_KEY_D, true, Command::kShowDepth, "Ctrl+D", "show depth"},
     KeyBinding{GLFW_KEY_C, false, Command::kShowConfidence, "C", "show the depth's confidence"},
+    KeyBinding{GLFW_KEY_X, false, Command::kShowOcclusion, "X", "show what occlusion takes"},
+    KeyBinding{GLFW_KEY_G, false, Command::kShowGrid, "G", "show the grid of triangles"},
+    KeyBinding{GLFW_KEY_N, false, Command::kNextPicture, "N", "show the next of these"},
     KeyBinding{GLFW_KEY_O, false, Command::kOcclusion, "O", "occlusion correction on or off"},
     KeyBinding{GLFW_KEY_LEFT_BRACKET, false, Command::kPreviousPhotograph, "[",
                "stand at the previous photograph"},
@@ -34,8 +41,8 @@ constexpr std::array kBindings{
     KeyBinding{GLFW_KEY_F, false, Command::kFrameAll, "F", "frame the whole scene"},
     KeyBinding{GLFW_KEY_F12, false, Command::kScreenshot, "F12", "screenshot: PNG and pose"},
     KeyBinding{GLFW_KEY_S, true, Command::kScreenshot, "Ctrl+S", "screenshot: PNG and pose"},
-    KeyBinding{GLFW_KEY_R, false, Command::kRecordPath, "R",
-               "record the eye's path, and write it on the second press"},
+    KeyBinding{GLFW_KEY_R, false, Command::kRecordPath, "R", "record the path; again: write it"},
+    KeyBinding{GLFW_KEY_P, false, Command::kReplayPath, "P", "replay the path that was recorded"},
     KeyBinding{GLFW_KEY_H, false, Command::kHelp, "H", "this help"},
     KeyBinding{GLFW_KEY_F1, false, Command::kHelp, "F1", "this help"},
     KeyBinding{GLFW_KEY_TAB, false, Command::kPanel, "Tab", "panel on or off"},
@@ -48,8 +55,11 @@ void toggle(DebugPicture picture, RenderOptions& render) {
     render.debug_picture = render.debug_picture == picture ? DebugPicture::kNone : picture;
 }
 
-RenderMode next(RenderMode mode) {
-    return mode == RenderMode::kLightField ? RenderMode::kPerPixel : RenderMode::kLightField;
+/// Of all in their order, the first after the last.
+template <class Value>
+Value next_of(const std::vector<Value>& all, Value value) {
+    const auto found = std::find(all.begin(), all.end(), value);
+    return found == all.end() || found + 1 == all.end() ? all.front() : *(found + 1);
 }
 
 }  // namespace
@@ -69,6 +79,18 @@ ViewerState first_state(const Lumigraph& lumigraph, const RenderOptions& render)
     state.navigation.up_in_world = up_in_world(lumigraph);
     go_to_photograph(0, lumigraph, state);
     return state;
+}
+
+ViewerState state_after_opening(const Lumigraph& lumigraph, const ViewerState& state) {
+    ViewerState after = first_state(lumigraph, state.render);
+    after.shows_panel = state.shows_panel;
+    after.shows_help = state.shows_help;
+    after.waits_for_vsync = state.waits_for_vsync;
+    after.frames_per_second = state.frames_per_second;
+    after.planned = state.planned;
+    after.package = state.package;
+    after.exposures = state.exposures;
+    return after;
 }
 
 void go_to_photograph(int view_index, const Lumigraph& lumigraph, ViewerState& state) {
@@ -102,8 +124,17 @@ void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
         case Command::kPerPixel:
             render.mode = RenderMode::kPerPixel;
             break;
+        case Command::kAdaptive:
+            render.mode = RenderMode::kAdaptive;
+            break;
+        case Command::kPaper2001:
+            render.mode = RenderMode::kPaper2001;
+            break;
+        case Command::kHeigl:
+            render.mode = RenderMode::kHeigl;
+            break;
         case Command::kNextMode:
-            render.mode = next(render.mode);
+            render.mode = next_of(all_render_modes(), render.mode);
             break;
         case Command::kShowWeights:
             toggle(DebugPicture::kWeights, render);
@@ -116,6 +147,15 @@ void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
             break;
         case Command::kShowConfidence:
             toggle(DebugPicture::kConfidence, render);
+            break;
+        case Command::kShowOcclusion:
+            toggle(DebugPicture::kOcclusion, render);
+            break;
+        case Command::kShowGrid:
+            toggle(DebugPicture::kGrid, render);
+            break;
+        case Command::kNextPicture:
+            render.debug_picture = next_of(all_debug_pictures(), render.debug_picture);
             break;
         case Command::kOcclusion:
             render.correct_occlusion = !render.correct_occlusion;
@@ -137,6 +177,9 @@ void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
             break;
         case Command::kRecordPath:
             state.records_path = !state.records_path;
+            break;
+        case Command::kReplayPath:
+            state.replays_path = !state.replays_path && state.has_path;
             break;
         case Command::kHelp:
             state.shows_help = !state.shows_help;

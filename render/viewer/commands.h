@@ -8,6 +8,7 @@
 
 #include "render/frame/frame.h"
 #include "render/lumigraph/lumigraph.h"
+#include "render/lumigraph/package.h"
 #include "render/viewer/controls.h"
 
 namespace lumi {
@@ -16,11 +17,17 @@ namespace lumi {
 enum class Command {
     kLightField,
     kPerPixel,
+    kAdaptive,
+    kPaper2001,
+    kHeigl,
     kNextMode,
     kShowWeights,
     kShowFaces,
     kShowDepth,
     kShowConfidence,
+    kShowOcclusion,
+    kShowGrid,
+    kNextPicture,
     kOcclusion,
     kPreviousPhotograph,
     kNextPhotograph,
@@ -28,6 +35,7 @@ enum class Command {
     kFrameAll,
     kScreenshot,
     kRecordPath,
+    kReplayPath,
     kHelp,
     kPanel,
     kVsync,
@@ -51,7 +59,8 @@ struct PlannedView {
     std::string words;
 };
 
-/// A photograph that the Lumigraph was made without, and the eye that took it.
+/// A photograph that the Lumigraph was made without, and the eye that took it, both upright
+/// (photograph_eye.h).
 struct HeldOutView {
     std::string name;
     Eye eye;
@@ -64,8 +73,8 @@ struct ViewerState {
     std::vector<PlannedView> planned;  ///< The most helpful first; may be empty.
     int planned_index = -1;            ///< The one that was last stood at, -1: none yet.
     RenderOptions render;
-    /// What `adaptive` keeps while the eye moves, with fewer triangles; 0: as many as its error
-    /// asks for.
+    /// Kept while the eye moves by coarser frames and, by `adaptive`, with fewer triangles; 0: by
+    /// coarser frames alone, as many as MovingResolution keeps by itself.
     double frames_per_second = 0.0;
     int view_index = 0;             ///< The photograph that was last stood at.
     int compared_index = -1;        ///< The held-out photograph that is compared with; -1: none.
@@ -76,13 +85,21 @@ struct ViewerState {
     bool waits_for_vsync = true;
     bool wants_screenshot = false;
     bool records_path = false;
+    bool has_path = false;      ///< There is one to replay.
+    bool replays_path = false;  ///< Until its end, or until the eye is moved otherwise.
     bool wants_to_close = false;
+    std::filesystem::path package;  ///< Where it was read; empty: it cannot be read again.
+    Exposures exposures = Exposures::kEvened;            ///< Read again where they are changed.
     std::vector<std::filesystem::path> recent_packages;  ///< That can be opened; may be empty.
     std::filesystem::path package_to_open;               ///< Empty: the one that is shown stays.
 };
 
 /// At the first photograph.
 [[nodiscard]] ViewerState first_state(const Lumigraph& lumigraph, const RenderOptions& render);
+
+/// At the first photograph of a Lumigraph that was opened in place of another: what was chosen of
+/// pictures and panels stays, and what the state tells of the package.
+[[nodiscard]] ViewerState state_after_opening(const Lumigraph& lumigraph, const ViewerState& state);
 
 /// Carries out a command. A debug picture that is shown already is put away.
 void apply(Command command, const Lumigraph& lumigraph, ViewerState& state);

@@ -3,8 +3,8 @@
 #include <epoxy/gl.h>
 
 #include "render/lumigraph/same_eye.h"
+#include "render/paths/photograph_eye.h"
 #include "render/viewer/difference_picture.h"
-#include "render/viewer/photograph_eye.h"
 
 namespace lumi {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/viewer/photograph_eye.h"
+#include "render/paths/photograph_eye.h"
 
 namespace lumi {
 namespace {

@@ -6,16 +6,19 @@ namespace lumi {
 /// drawing is slow; at rest frames are whole.
 class MovingResolution {
  public:
+    /// How many frames a second are kept; 0 or less: kFramesPerSecond.
+    explicit MovingResolution(double frames_per_second = 0.0);
+
     /// What a frame cost that was drawn at `scale` (its share of the window's width).
     void measured(double scale, double frame_ms);
-    /// The scale for the next frame while the eye moves: 1, or a coarser one that keeps
-    /// kTargetFrame_ms.
+    /// The scale for the next frame while the eye moves: 1, or a coarser one that is quick enough.
     [[nodiscard]] double scale_while_moving() const;
 
-    static constexpr double kTargetFrame_ms = 33.0;
+    static constexpr double kFramesPerSecond = 30.0;
     static constexpr double kCoarsest = 0.25;
 
  private:
+    double target_ms_;
     double whole_frame_ms_ = 0.0;  ///< Estimated, for scale 1.
 };
 

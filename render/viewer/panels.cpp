@@ -4,113 +4,19 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cstdint>
+#include <cstdio>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "calib/work/printable.h"
+#include "render/viewer/main_panel.h"
 
 namespace lumi {
 namespace {
-
-void show_modes(RenderOptions& render) {
-    for (const RenderMode mode : all_render_modes()) {
-        if (ImGui::RadioButton(name_of(mode).c_str(), render.mode == mode)) render.mode = mode;
-    }
-    ImGui::Separator();
-    for (const DebugPicture picture : all_debug_pictures()) {
-        const std::string label =
-            picture == DebugPicture::kNone ? "picture" : "show " + name_of(picture);
-        if (ImGui::RadioButton(label.c_str(), render.debug_picture == picture)) {
-            render.debug_picture = picture;
-        }
-    }
-    ImGui::Separator();
-    ImGui::Checkbox("occlusion correction", &render.correct_occlusion);
-    ImGui::Checkbox("fade beyond the capture", &render.fade_beyond_capture);
-    ImGui::Checkbox("guess what lies around it", &render.guess_surroundings);
-}
-
-/// Frames a second that `adaptive` keeps while the eye moves.
-void show_budget(ViewerState& state) {
-    if (state.render.mode != RenderMode::kAdaptive) return;
-    constexpr float kMost = 120.0F;
-    auto wanted = static_cast<float>(state.frames_per_second);
-    ImGui::SetNextItemWidth(120);
-    if (ImGui::SliderFloat("moving", &wanted, 0.0F, kMost, wanted > 0 ? "%.0f frames/s" : "any"))
-        state.frames_per_second = static_cast<double>(wanted);
-}
-
-void show_photographs(const Lumigraph& lumigraph, ViewerState& state) {
-    const auto index = static_cast<std::size_t>(state.view_index);
-    if (!ImGui::BeginCombo("##photograph", printable(lumigraph.views[index].name).c_str())) return;
-    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable(printable(lumigraph.views[i].name).c_str(), i == index)) {
-            go_to_photograph(static_cast<int>(i), lumigraph, state);
-        }
-        ImGui::PopID();
-    }
-    ImGui::EndCombo();
-}
-
-/// Packages that were opened before.
-void show_recent(ViewerState& state) {
-    if (state.recent_packages.empty()) return;
-    if (!ImGui::BeginCombo("##recent", "open again")) return;
-    for (std::size_t i = 0; i < state.recent_packages.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable(printable(state.recent_packages[i].string()).c_str()))
-            state.package_to_open = state.recent_packages[i];
-        ImGui::PopID();
-    }
-    ImGui::EndCombo();
-}
-
-/// One button for each planned photograph, and the way to the one that is stood at.
-void show_plan(const Lumigraph& lumigraph, ViewerState& state) {
-    if (state.planned.empty()) return;
-    ImGui::Separator();
-    ImGui::TextUnformatted("photograph next");
-    for (int i = 0; i < static_cast<int>(state.planned.size()); ++i) {
-        if (i > 0) ImGui::SameLine();
-        if (ImGui::Button(std::to_string(i + 1).c_str())) go_to_planned(i, lumigraph, state);
-    }
-    if (state.planned_index < 0) return;
-    ImGui::PushTextWrapPos(240);
-    ImGui::TextUnformatted(
-        printable(state.planned[static_cast<std::size_t>(state.planned_index)].words).c_str());
-    ImGui::PopTextWrapPos();
-}
-
-/// One button for each held-out photograph, and what is shown of it.
-void show_comparison(const Lumigraph& lumigraph, const std::vector<HeldOutView>& held_out,
-                     bool is_compared, ViewerState& state) {
-    if (held_out.empty()) return;
-    ImGui::Separator();
-    const char* const label =
-        is_compared ? held_out[static_cast<std::size_t>(state.compared_index)].name.c_str()
-                    : "compare with a photograph";
-    if (ImGui::BeginCombo("##held out", printable(label).c_str())) {
-        for (int i = 0; i < static_cast<int>(held_out.size()); ++i) {
-            ImGui::PushID(i);
-            if (ImGui::Selectable(printable(held_out[static_cast<std::size_t>(i)].name).c_str(),
-                                  is_compared && i == state.compared_index)) {
-                go_to_held_out(i, held_out, lumigraph, state);
-            }
-            ImGui::PopID();
-        }
-        ImGui::EndCombo();
-    }
-    if (!is_compared) return;
-    ImGui::Checkbox("difference, four times", &state.shows_difference);
-    if (state.shows_difference) return;
-    auto share = static_cast<float>(state.compared_share);
-    ImGui::SetNextItemWidth(120);
-    if (ImGui::SliderFloat("photograph", &share, 0.0F, 1.0F, "%.2f"))
-        state.compared_share = static_cast<double>(share);
-}
 
 /// Behind the panels; the photograph ends in a line.
 void show_overlay(const PictureOverlay& overlay) {
@@ -130,65 +36,71 @@ void show_overlay(const PictureOverlay& overlay) {
                       IM_COL32_WHITE);
 }
 
-void show_statistics(const Lumigraph& lumigraph, const FrameStatistics& statistics) {
-    ImGui::Text("%.1f ms a frame", statistics.frame_ms);
-    const std::vector<float>& recent = statistics.recent_frames_ms;
-    if (!recent.empty()) {
-        ImGui::PlotLines("##frames", recent.data(), static_cast<int>(recent.size()), 0, nullptr,
-                         0.0F, *std::max_element(recent.begin(), recent.end()), {240, 36});
-    }
-    ImGui::Text("%zu triangles", statistics.triangles);
-    ImGui::Text("%d x %d pixels", statistics.width_px, statistics.height_px);
-    ImGui::Text("%zu photographs, %zu faces", lumigraph.views.size(), lumigraph.mesh.faces.size());
-    ImGui::TextWrapped("%s", statistics.gl_description.c_str());
-    if (!statistics.message.empty()) {
-        ImGui::Separator();
-        ImGui::TextWrapped("%s", printable(statistics.message).c_str());
-    }
-}
-
-void show_panel(const Lumigraph& lumigraph, const std::vector<HeldOutView>& held_out,
-                bool is_compared, const FrameStatistics& statistics, ViewerState& state) {
-    ImGui::SetNextWindowPos({10, 10}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({260, 0}, ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("lumi", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
-        show_modes(state.render);
-        show_budget(state);
-        ImGui::Separator();
-        show_photographs(lumigraph, state);
-        show_plan(lumigraph, state);
-        show_comparison(lumigraph, held_out, is_compared, state);
-        show_recent(state);
-        ImGui::Separator();
-        show_statistics(lumigraph, statistics);
-        ImGui::Separator();
-        ImGui::TextUnformatted("H: keys and mouse");
+/// At the bottom over the whole width; how high it is.
+float show_status(const std::string& text) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0, window.y}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowSizeConstraints({window.x, 0}, {window.x, FLT_MAX});
+    constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                                        ImGuiWindowFlags_NoFocusOnAppearing |
+                                        ImGuiWindowFlags_AlwaysAutoResize;
+    float height = 0;
+    if (ImGui::Begin("status", nullptr, kPlain)) {
+        ImGui::TextWrapped("%s", printable(text).c_str());
+        height = ImGui::GetWindowHeight();
     }
     ImGui::End();
+    return height;
 }
 
-void show_help(bool& open) {
-    constexpr std::array<std::array<const char*, 2>, 8> kMouse{{
+std::string status_text(const FrameStatistics& statistics) {
+    std::array<char, 128> figures{};
+    std::snprintf(figures.data(), figures.size(),
+                  "H: keys and mouse | %.1f ms, %zu triangles, %d x %d pixels", statistics.frame_ms,
+                  statistics.triangles, statistics.width_px, statistics.height_px);
+    return figures.data() + (statistics.message.empty() ? "" : " | " + statistics.message);
+}
+
+/// What to press, and what it does: of the mouse, and of all keys, those of a command together.
+std::vector<std::array<std::string, 2>> help_rows() {
+    std::vector<std::array<std::string, 2>> rows{
         {"left drag", "turn about what is in the middle"},
-        {"right drag", "move sideways (also middle, Shift+left)"},
+        {"right drag", "move sideways (middle, Shift+left)"},
         {"Ctrl+left drag", "look around"},
         {"wheel", "closer, further"},
-        {"W A S D", "fly forwards, left, backwards, right"},
+        {"W A S D", "fly forwards, left, back, right"},
         {"Q E", "fly down, up"},
         {"Shift", "fly fast"},
         {"drop a package", "open it"},
-    }};
-    ImGui::SetNextWindowPos({290, 10}, ImGuiCond_FirstUseEver);
+    };
+    std::optional<Command> last;
+    for (const KeyBinding& binding : key_bindings()) {
+        if (std::exchange(last, binding.command) == binding.command) {
+            rows.back()[0] += std::string(", ") + binding.shown;
+        } else {
+            rows.push_back({binding.shown, binding.help});
+        }
+    }
+    return rows;
+}
+
+/// In two columns, to fit into the window.
+void show_help(bool& open) {
+    static const std::vector<std::array<std::string, 2>> rows = help_rows();
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Appearing, {0.5F, 0.5F});
     if (ImGui::Begin("keys and mouse", &open, ImGuiWindowFlags_AlwaysAutoResize) &&
-        ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-        const auto row = [](const char* what, const char* does) {
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(what);
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(does);
-        };
-        for (const auto& [what, does] : kMouse) row(what, does);
-        for (const KeyBinding& binding : key_bindings()) row(binding.shown, binding.help);
+        ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingFixedFit)) {
+        const std::size_t half = (rows.size() + 1) / 2;
+        for (std::size_t i = 0; i < half; ++i) {
+            ImGui::TableNextRow();
+            for (const std::size_t row : {i, i + half}) {
+                for (std::size_t part = 0; row < rows.size() && part < 2; ++part) {
+                    ImGui::TableNextColumn();
+                    ImGui::TextUnformatted(rows[row][part].c_str());
+                }
+            }
+        }
         ImGui::EndTable();
     }
     ImGui::End();
@@ -217,7 +129,16 @@ void Panels::draw(const Lumigraph& lumigraph, const std::vector<HeldOutView>& he
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
     if (overlay) show_overlay(*overlay);
-    if (state.shows_panel) show_panel(lumigraph, held_out, overlay.has_value(), statistics, state);
+    constexpr double kMessageAlone_s = 4.0;
+    if (std::exchange(message_, statistics.message) != statistics.message)
+        message_began_s_ = ImGui::GetTime();
+    const bool is_news = !message_.empty() && ImGui::GetTime() < message_began_s_ + kMessageAlone_s;
+    if (state.shows_panel) {
+        const float status_height = show_status(status_text(statistics));
+        show_main_panel(lumigraph, held_out, overlay.has_value(), statistics, status_height, state);
+    } else if (is_news) {
+        show_status(message_);
+    }
     if (state.shows_help) show_help(state.shows_help);
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

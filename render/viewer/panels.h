@@ -1,29 +1,18 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "render/viewer/commands.h"
 #include "render/viewer/comparison.h"
+#include "render/viewer/frame_statistics.h"
 #include "render/viewer/glfw_window.h"
 
 namespace lumi {
 
-/// What the panel tells of the last frame.
-struct FrameStatistics {
-    double frame_ms = 0.0;
-    int width_px = 0;
-    int height_px = 0;
-    std::size_t triangles = 0;
-    std::vector<float> recent_frames_ms;  ///< The oldest first.
-    std::string gl_description;
-    std::string message;  ///< The last thing that happened, or failed.
-};
-
-/// Dear ImGui over the picture: the panel with modes and figures, and the list of keys. Needs the
-/// window's context.
+/// Dear ImGui over the picture: the panel with modes and figures, a line with the last message at
+/// the bottom, and the list of keys. Needs the window's context.
 class Panels {
  public:
     explicit Panels(const GlfwWindow& window);
@@ -39,6 +28,10 @@ class Panels {
     [[nodiscard]] bool takes_mouse() const;
     /// Whether a text is being typed into a panel.
     [[nodiscard]] bool takes_keys() const;
+
+ private:
+    std::string message_;           ///< That was shown last.
+    double message_began_s_ = 0.0;  ///< By ImGui's clock.
 };
 
 }  // namespace lumi

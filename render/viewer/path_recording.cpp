@@ -7,13 +7,28 @@
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "render/lumigraph/same_eye.h"
+#include "render/paths/photograph_eye.h"
 #include "render/viewer/eye_json.h"
 
 namespace lumi {
 
-void write_path_file(const std::filesystem::path& path, std::span<const Eye> eyes) {
+namespace {
+
+std::string length_of(const std::vector<TimedEye>& path) {
+    char text[64];
+    std::snprintf(text, sizeof(text), "%zu eyes, %.1f s", path.size(), path.back().time_s);
+    return text;
+}
+
+}  // namespace
+
+void write_path_file(const std::filesystem::path& path, std::span<const TimedEye> eyes) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Eye& eye : eyes) list.push_back(eye_json(eye));
+    for (const TimedEye& timed : eyes) {
+        nlohmann::ordered_json eye{{"time_s", timed.time_s}};
+        eye.update(eye_json(timed.eye));
+        list.push_back(std::move(eye));
+    }
     write_whole_text(path, nlohmann::ordered_json{{"eyes", std::move(list)}}.dump(1) + "\n");
 }
 
@@ -25,20 +40,34 @@ std::filesystem::path next_path_file(const std::filesystem::path& folder) {
     }
 }
 
-std::string PathRecording::append(const Eye& eye) {
-    const bool has_size = eyes_.empty() || (eyes_.front().camera.width_px == eye.camera.width_px &&
-                                            eyes_.front().camera.height_px == eye.camera.height_px);
-    if (has_size && (eyes_.empty() || !is_same_eye(eyes_.back(), eye))) eyes_.push_back(eye);
-    return "recording: " + std::to_string(eyes_.size()) + " eyes";
+std::string PathRecording::append(const Eye& eye, int width_px, int height_px, double clock_s) {
+    if (!std::exchange(is_recording_, true)) {
+        path_ = {{0.0, fitted_to(eye, width_px, height_px)}};
+        began_at_s_ = clock_s;
+    }
+    const Camera& first = path_.front().eye.camera;
+    const TimedEye now{clock_s - began_at_s_, fitted_to(eye, first.width_px, first.height_px)};
+    // A rest has a beginning and an end, between which the eye must not creep.
+    const std::size_t count = path_.size();
+    const bool rests = is_same_eye(path_.back().eye, now.eye);
+    if (rests && count > 1 && is_same_eye(path_[count - 2].eye, now.eye)) {
+        path_.back() = now;
+    } else if (now.time_s > path_.back().time_s) {
+        path_.push_back(now);
+    }
+    std::string words = "recording: " + length_of(path_);
+    if (width_px != first.width_px || height_px != first.height_px)
+        words += ", in the size of its beginning: " + std::to_string(first.width_px) + " x " +
+                 std::to_string(first.height_px);
+    return words;
 }
 
 std::string PathRecording::end(const std::filesystem::path& folder) {
-    if (eyes_.empty()) return {};
-    const std::vector<Eye> eyes = std::exchange(eyes_, {});
-    const std::filesystem::path path = next_path_file(folder);
+    if (!std::exchange(is_recording_, false)) return {};
     try {
-        write_path_file(path, eyes);
-        return "wrote " + path.filename().string();
+        const std::filesystem::path path = next_path_file(folder);
+        write_path_file(path, path_);
+        return "wrote " + path.filename().string() + ": " + length_of(path_);
     } catch (const Error& error) {
         return error.what();
     }

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "render/lumigraph/lumigraph.h"
+#include "render/paths/timed_path.h"
 
 namespace lumi {
 
-/// Writes a path of eyes as `lumi render --path` reads it: {"eyes": [{"camera", "cam_from_world"},
-/// ...]}, whole or not at all. Throws Error (E-FILE-WRITE).
-void write_path_file(const std::filesystem::path& path, std::span<const Eye> eyes);
+/// Writes a path of eyes as `lumi render --path` reads it: {"eyes": [{"time_s", "camera",
+/// "cam_from_world"}, ...]}, whole or not at all. Throws Error (E-FILE-WRITE).
+void write_path_file(const std::filesystem::path& path, std::span<const TimedEye> eyes);
 
 /// lumi-path-0001.json, or the first number that is free in the folder.
 [[nodiscard]] std::filesystem::path next_path_file(const std::filesystem::path& folder);
@@ -19,15 +19,20 @@ void write_path_file(const std::filesystem::path& path, std::span<const Eye> eye
 /// The eyes of a window while its path is recorded.
 class PathRecording {
  public:
-    /// Appends an eye that differs from the last, unless its size does: a path has one. Returns
-    /// what people are told.
-    std::string append(const Eye& eye);
-    /// Writes what was recorded into the folder, and forgets it. Returns what people are told:
-    /// nothing where nothing was recorded.
+    /// The eye as a window of this size shows it; all eyes get the size of the window in which the
+    /// recording began. While the eye rests only the end of the rest is added. Times are those of a
+    /// steady clock and grow. Returns what people are told.
+    std::string append(const Eye& eye, int width_px, int height_px, double clock_s);
+    /// Writes what was recorded into the folder. Returns what people are told: nothing where
+    /// nothing was recorded.
     std::string end(const std::filesystem::path& folder);
+    /// The path that was recorded last, whole once it has ended; empty before the first.
+    [[nodiscard]] const std::vector<TimedEye>& path() const { return path_; }
 
  private:
-    std::vector<Eye> eyes_;
+    std::vector<TimedEye> path_;
+    bool is_recording_ = false;
+    double began_at_s_ = 0.0;  ///< By the clock.
 };
 
 }  // namespace lumi

@@ -1,17 +1,13 @@
 #include "render/viewer/scene_bounds.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
+
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
-
-/// A value at a share of the sorted values; 0.5 is the median.
-double quantile(std::vector<double> values, double share) {
-    const auto index = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + index, values.end());
-    return values[static_cast<std::size_t>(index)];
-}
 
 Eigen::Vector3d point_at(const LumigraphView& view, int x, int y) {
     const FloatImage& inverse_depth = view.depth.inverse_depth;
@@ -46,7 +42,7 @@ SceneBounds bounds_without_depth(const Lumigraph& lumigraph) {
     for (const LumigraphView& view : lumigraph.views) {
         distances.push_back((centre_in_world(view.cam_from_world) - centre).norm());
     }
-    const double distance = quantile(std::move(distances), 0.5);
+    const double distance = quantile_of(std::move(distances), 0.5);
     return {centre, distance > 0 ? 0.5 * distance : 1.0};
 }
 
@@ -59,13 +55,13 @@ SceneBounds bounds_of(const Lumigraph& lumigraph) {
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> coordinates;
         for (const Eigen::Vector3d& point : points) coordinates.push_back(point[axis]);
-        bounds.centre_in_world[axis] = quantile(std::move(coordinates), 0.5);
+        bounds.centre_in_world[axis] = quantile_of(std::move(coordinates), 0.5);
     }
     std::vector<double> distances;
     for (const Eigen::Vector3d& point : points) {
         distances.push_back((point - bounds.centre_in_world).norm());
     }
-    bounds.radius = quantile(std::move(distances), 0.9);
+    bounds.radius = quantile_of(std::move(distances), 0.9);
     return bounds.radius > 0 ? bounds : bounds_without_depth(lumigraph);
 }
 

@@ -3,138 +3,116 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <chrono>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "calib/work/error.h"
 #include "calib/work/process_memory.h"
+#include "calib/work/stopwatch.h"
 #include "render/gl/capabilities.h"
-#include "render/lumigraph/package.h"
-#include "render/lumigraph/same_eye.h"
-#include "render/renderer/frame_target.h"
-#include "render/subdivision/triangle_budget.h"
+#include "render/paths/photograph_eye.h"
+#include "render/viewer/comparison.h"
 #include "render/viewer/glfw_window.h"
-#include "render/viewer/moving_resolution.h"
+#include "render/viewer/panels.h"
 #include "render/viewer/path_recording.h"
-#include "render/viewer/photograph_eye.h"
 #include "render/viewer/recent_packages.h"
 #include "render/viewer/screenshot.h"
+#include "render/viewer/window_picture.h"
+#include "render/viewer/window_size.h"
 
 namespace lumi {
 
-/// All that a drawn frame depends on.
-struct DrawnFrame {
-    Eye eye;
-    RenderOptions options;
-    double scale = 0.0;
-};
-
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// How long the eye must rest before the whole picture is drawn.
 constexpr double kRestBeforeWhole_s = 0.15;
 constexpr double kIdleWait_s = 0.1;
 
-bool same(const DrawnFrame& a, const DrawnFrame& b) {
-    return is_same_eye(a.eye, b.eye) && a.scale == b.scale && a.options.mode == b.options.mode &&
-           a.options.debug_picture == b.options.debug_picture &&
-           a.options.correct_occlusion == b.options.correct_occlusion &&
-           a.options.fade_beyond_capture == b.options.fade_beyond_capture &&
-           a.options.guess_surroundings == b.options.guess_surroundings &&
-           a.options.smooth_silhouettes == b.options.smooth_silhouettes &&
-           a.options.triangle_error_ratio == b.options.triangle_error_ratio;
-}
-
-ViewerState beginning(const Lumigraph& lumigraph, const WindowOptions& options) {
-    ViewerState state = first_state(lumigraph, options.render);
-    if (!options.view_name.empty()) {
-        go_to_photograph(index_of_view(lumigraph, options.view_name), lumigraph, state);
-    }
+ViewerState beginning(const OpenedPackage& opened, const WindowOptions& options) {
+    ViewerState state = first_state(opened.lumigraph, options.render);
+    state.render.fade_beyond_capture = opened.fade_beyond_capture;
+    const std::string& name = options.view_name;
+    if (!name.empty())
+        go_to_photograph(index_of_view(opened.lumigraph, name), opened.lumigraph, state);
     state.frames_per_second = options.frames_per_second;
-    state.planned = options.planned;
-    go_to_planned(options.planned_index, lumigraph, state);
+    state.package = options.package;
+    state.exposures = options.exposures;
+    state.planned = opened.planned;
+    go_to_planned(options.planned_index, opened.lumigraph, state);
     return state;
 }
 
-/// A window's size that keeps the picture's shape and fits on an ordinary screen.
-Eigen::Vector2i window_size(const WindowOptions& options, const Camera& camera) {
-    if (options.width_px > 0 && options.height_px > 0) {
-        return {options.width_px, options.height_px};
-    }
-    const Eigen::Vector2d picture(camera.width_px, camera.height_px);
-    if (!options.screenshot_path.empty()) return picture.cast<int>();
-    constexpr double kMaxWidth_px = 1600;
-    constexpr double kMaxHeight_px = 900;
-    const double scale = std::min({1.0, kMaxWidth_px / picture.x(), kMaxHeight_px / picture.y()});
-    return (scale * picture).array().round().matrix().cast<int>().cwiseMax(1);
-}
-
-void remember_frame_time(FrameStatistics& statistics) {
-    constexpr std::size_t kRemembered = 120;
-    std::vector<float>& recent = statistics.recent_frames_ms;
-    if (recent.size() == kRemembered) recent.erase(recent.begin());
-    recent.push_back(static_cast<float>(statistics.frame_ms));
+Eigen::Vector2i first_size_px(const WindowOptions& options, const Camera& camera) {
+    if (options.width_px > 0 && options.height_px > 0) return {options.width_px, options.height_px};
+    if (!options.screenshot_path.empty()) return {camera.width_px, camera.height_px};
+    return window_size_px(camera);
 }
 
 std::string title_of(const Lumigraph& lumigraph) { return "lumi - " + lumigraph.name; }
 
+/// Also where its manifest is named.
+std::filesystem::path folder_of_package(const std::filesystem::path& package) {
+    return package.filename() == "lumigraph.json" ? package.parent_path() : package;
+}
+
 }  // namespace
 
 struct ViewerWindow::Implementation {
-    Implementation(Lumigraph shown, const WindowOptions& options)
-        : lumigraph(std::move(shown)),
-          state(beginning(lumigraph, options)),
-          size_px(window_size(options, state.navigation.eye.camera)),
+    Implementation(OpenedPackage opened, const WindowOptions& options)
+        : state(beginning(opened, options)),
+          lumigraph(std::move(opened.lumigraph)),
+          size_px(first_size_px(options, state.navigation.eye.camera)),
           window(size_px.x(), size_px.y(), title_of(lumigraph), options.screenshot_path.empty()),
           panels(window),
-          renderer(lumigraph),
-          comparison(options.held_out),
+          picture(lumigraph),
+          comparison(std::move(opened.held_out)),
+          load(options.load),
+          shown_exposures(options.exposures),
           recent_file(options.recent_file) {
         statistics.gl_description = query_capabilities().description;
-        remember(options.package);
+        statistics.message = opened.message;
+        remember(state.package);
     }
 
     void take_in(WindowInput input);
-    void draw(double scale, const RenderOptions& options);
     void draw_where_needed();
     void give_back_at_rest();
     void record_path();
+    void replay_path();
+    bool show_read(const std::filesystem::path& package);
+    void show_wished_exposures();
+    void take_wished_screenshot();
+    void write_screenshot_to(const std::filesystem::path& path);
     void remember(const std::filesystem::path& package);
     void present();
+    [[nodiscard]] double now_s() const { return clock.elapsed().wall_s; }
     [[nodiscard]] bool is_moving() const;
 
-    Lumigraph lumigraph;
     ViewerState state;
+    Lumigraph lumigraph;
     Eigen::Vector2i size_px;  ///< Of the picture, which a minimised window does not shrink.
     GlfwWindow window;
     Panels panels;
-    LumigraphRenderer renderer;
-    FrameTarget target;
+    WindowPicture picture;
     Comparison comparison;
+    PackageLoader load;
+    Exposures shown_exposures;
     std::filesystem::path recent_file;
-    std::optional<DrawnFrame> drawn;
-    MovingResolution resolution;
-    TriangleBudget budget;
-    double budget_frames_per_second = 0.0;  ///< That the budget was made for.
     FrameStatistics statistics;
-    Clock::time_point last_motion = Clock::now() - std::chrono::hours(1);
-    Clock::time_point last_step = Clock::now();
+    Stopwatch clock;
+    double last_motion_s = -std::numeric_limits<double>::infinity();
+    double last_step_s = 0.0;
     bool is_memory_given_back = false;  ///< Since the eye last moved.
     bool steers = false;                ///< A drag that began on the picture goes on.
     bool holds_button = false;
     PathRecording recording;
+    std::optional<double> replay_began_s;
 };
 
 void ViewerWindow::Implementation::take_in(WindowInput input) {
-    const double seconds = seconds_since(last_step);
-    last_step = Clock::now();
+    const double seconds = now_s() - last_step_s;
+    last_step_s += seconds;
     const bool pressed = input.left_button || input.middle_button || input.right_button;
     if (pressed && !holds_button) steers = !panels.takes_mouse();
     holds_button = pressed;
@@ -146,45 +124,20 @@ void ViewerWindow::Implementation::take_in(WindowInput input) {
     }
     for (const Command command : input.commands) apply(command, lumigraph, state);
     if (steer(input, seconds, size_px.x(), size_px.y(), state.navigation)) {
-        last_motion = Clock::now();
+        last_motion_s = now_s();
+        state.replays_path = false;
     }
 }
 
 bool ViewerWindow::Implementation::is_moving() const {
-    return seconds_since(last_motion) < kRestBeforeWhole_s;
+    return now_s() - last_motion_s < kRestBeforeWhole_s;
 }
 
-void ViewerWindow::Implementation::draw(double scale, const RenderOptions& options) {
-    const Eigen::Vector2i size =
-        (scale * size_px.cast<double>()).array().round().matrix().cast<int>().cwiseMax(1);
-    const DrawnFrame wanted{fitted_to(state.navigation.eye, size.x(), size.y()), options, scale};
-    if (drawn && same(*drawn, wanted)) return;
-    const Clock::time_point start = Clock::now();
-    statistics.triangles = target.draw(renderer, wanted.eye, wanted.options).triangles;
-    glFinish();
-    statistics.frame_ms = 1000 * seconds_since(start);
-    remember_frame_time(statistics);
-    statistics.width_px = size.x();
-    statistics.height_px = size.y();
-    resolution.measured(scale, statistics.frame_ms);
-    drawn = wanted;
-}
-
-/// While the eye moves, coarser where that keeps it smooth; at rest everything.
 void ViewerWindow::Implementation::draw_where_needed() {
     const Eigen::Vector2i now_px = window.framebuffer_size_px();
     if (now_px.minCoeff() > 0) size_px = now_px;
-    if (!is_moving()) return draw(1.0, state.render);
-    RenderOptions moving = state.render;
-    moving.smooth_silhouettes = false;
-    const bool is_limited = state.frames_per_second > 0 && moving.mode == RenderMode::kAdaptive;
-    if (!is_limited) return draw(resolution.scale_while_moving(), moving);
-    if (budget_frames_per_second != state.frames_per_second) {
-        budget = TriangleBudget(state.frames_per_second);
-        budget_frames_per_second = state.frames_per_second;
-    }
-    draw(resolution.scale_while_moving(), budget.within(moving));
-    budget.measured(statistics.triangles, statistics.frame_ms);
+    if (is_moving()) return picture.draw_moving(state, size_px, statistics);
+    picture.draw_whole(state, size_px, statistics);
 }
 
 /// Frames of a moving eye take memory and free it again, each as much as it happens to need; a
@@ -197,9 +150,42 @@ void ViewerWindow::Implementation::give_back_at_rest() {
 void ViewerWindow::Implementation::record_path() {
     const std::string message =
         state.records_path
-            ? recording.append(fitted_to(state.navigation.eye, size_px.x(), size_px.y()))
+            ? recording.append(state.navigation.eye, size_px.x(), size_px.y(), now_s())
             : recording.end(std::filesystem::current_path());
     if (!message.empty()) statistics.message = message;
+    state.has_path = !state.records_path && !recording.path().empty();
+}
+
+void ViewerWindow::Implementation::replay_path() {
+    state.replays_path = state.replays_path && state.has_path && !state.records_path;
+    if (!state.replays_path) return replay_began_s.reset();
+    last_motion_s = now_s();
+    if (!replay_began_s) replay_began_s = last_motion_s;
+    const double time_s = last_motion_s - *replay_began_s;
+    state.navigation.eye = eye_at_time(recording.path(), time_s);
+    if (time_s < recording.path().back().time_s) return;
+    state.replays_path = false;
+    replay_began_s.reset();
+}
+
+/// Whether it could be read; else what is shown stays, with a message.
+bool ViewerWindow::Implementation::show_read(const std::filesystem::path& package) {
+    try {
+        OpenedPackage opened = load(package, state.exposures);
+        picture.change_to(opened.lumigraph);
+        lumigraph = std::move(opened.lumigraph);
+        comparison = Comparison(std::move(opened.held_out));
+        state.planned = std::move(opened.planned);
+        state.render.fade_beyond_capture = opened.fade_beyond_capture;
+        statistics.message = "opened " + lumigraph.name;
+        if (!opened.message.empty()) statistics.message += ": " + opened.message;
+    } catch (const Error& error) {
+        statistics.message = std::string(error.what()) + " - " + error.advice();
+        return false;
+    }
+    state.package = package;
+    shown_exposures = state.exposures;
+    return true;
 }
 
 /// Without a list, or for what is not a package's folder, does nothing.
@@ -213,88 +199,98 @@ void ViewerWindow::Implementation::remember(const std::filesystem::path& package
     state.recent_packages = read_recent_packages(recent_file);
 }
 
+void ViewerWindow::Implementation::show_wished_exposures() {
+    if (state.exposures == shown_exposures) return;
+    const bool fades = state.render.fade_beyond_capture;
+    if (!show_read(state.package)) state.exposures = shown_exposures;
+    state.render.fade_beyond_capture = fades;
+    // The file may have changed.
+    state.view_index = std::min(state.view_index, static_cast<int>(lumigraph.views.size()) - 1);
+    state.planned_index = std::min(state.planned_index, static_cast<int>(state.planned.size()) - 1);
+}
+
+void ViewerWindow::Implementation::write_screenshot_to(const std::filesystem::path& path) {
+    picture.draw_whole(state, size_px, statistics);
+    write_screenshot(path, picture.target().read(), picture.drawn()->eye, picture.drawn()->options,
+                     lumigraph.name);
+}
+
+void ViewerWindow::Implementation::take_wished_screenshot() {
+    if (!std::exchange(state.wants_screenshot, false)) return;
+    const auto path = next_screenshot_path(std::filesystem::current_path());
+    try {
+        write_screenshot_to(path);
+        statistics.message = "wrote " + path.filename().string();
+    } catch (const Error& error) {
+        statistics.message = error.what();
+    }
+}
+
 void ViewerWindow::Implementation::present() {
-    const auto overlay = comparison.over_frame(state, size_px.x(), size_px.y(), renderer);
-    target.show_in_window(size_px.x(), size_px.y());
+    const auto overlay = comparison.over_frame(state, size_px.x(), size_px.y(), picture.renderer());
+    picture.target().show_in_window(size_px.x(), size_px.y());
     glViewport(0, 0, size_px.x(), size_px.y());
     panels.draw(lumigraph, comparison.views(), overlay, statistics, state);
     window.show_frame();
 }
 
-ViewerWindow::ViewerWindow(Lumigraph lumigraph, const WindowOptions& options)
-    : implementation_(std::make_unique<Implementation>(std::move(lumigraph), options)) {}
+ViewerWindow::ViewerWindow(OpenedPackage opened, const WindowOptions& options)
+    : implementation_(std::make_unique<Implementation>(std::move(opened), options)) {}
 
 ViewerWindow::~ViewerWindow() = default;
 
 bool ViewerWindow::step(const WindowInput* in_place_of_user) {
     Implementation& viewer = *implementation_;
-    const bool is_awaited = in_place_of_user || viewer.is_moving() || !viewer.drawn;
+    const bool is_awaited = in_place_of_user || viewer.is_moving() || viewer.state.replays_path ||
+                            !viewer.picture.drawn();
     WindowInput input = viewer.window.poll(is_awaited ? 0.0 : kIdleWait_s);
     if (in_place_of_user) input = *in_place_of_user;
-    if (viewer.window.should_close()) return false;
     for (const std::filesystem::path& path : input.dropped) open_package(path);
     if (const auto chosen = std::exchange(viewer.state.package_to_open, {}); !chosen.empty())
         open_package(chosen);
+    viewer.show_wished_exposures();
     viewer.take_in(input);
+    viewer.replay_path();
     viewer.window.wait_for_vsync(viewer.state.waits_for_vsync);
-    if (viewer.state.wants_screenshot) {
-        viewer.state.wants_screenshot = false;
-        const auto path = next_screenshot_path(std::filesystem::current_path());
-        try {
-            write_screenshot_to(path);
-            viewer.statistics.message = "wrote " + path.filename().string();
-        } catch (const Error& error) {
-            viewer.statistics.message = error.what();
-        }
-    }
+    viewer.take_wished_screenshot();
     viewer.draw_where_needed();
     viewer.give_back_at_rest();
+    // A path is not lost with its window.
+    const bool closes = viewer.state.wants_to_close || viewer.window.should_close();
+    if (closes) viewer.state.records_path = false;
     viewer.record_path();
     viewer.present();
-    return !viewer.state.wants_to_close;
+    return !closes;
 }
 
 void ViewerWindow::write_screenshot_to(const std::filesystem::path& path) {
-    Implementation& viewer = *implementation_;
-    viewer.draw(1.0, viewer.state.render);
-    write_screenshot(path, viewer.target.read(), viewer.drawn->eye, viewer.drawn->options,
-                     viewer.lumigraph.name);
+    implementation_->write_screenshot_to(path);
 }
 
 void ViewerWindow::open_package(const std::filesystem::path& folder) {
     Implementation& viewer = *implementation_;
-    const bool is_manifest = folder.filename() == "lumigraph.json";
-    const std::filesystem::path package = is_manifest ? folder.parent_path() : folder;
-    try {
-        Lumigraph lumigraph = read_package(package);
-        viewer.renderer = LumigraphRenderer(lumigraph);
-        viewer.lumigraph = std::move(lumigraph);
-    } catch (const Error& error) {
-        viewer.statistics.message = std::string(error.what()) + " - " + error.advice();
-        return;
-    }
-    const ViewerState old = viewer.state;
-    viewer.state = first_state(viewer.lumigraph, old.render);
-    viewer.state.shows_panel = old.shows_panel;
-    viewer.state.shows_help = old.shows_help;
-    viewer.state.waits_for_vsync = old.waits_for_vsync;
-    viewer.state.frames_per_second = old.frames_per_second;
-    viewer.comparison = Comparison({});
-    viewer.drawn.reset();
-    viewer.statistics.message = "opened " + viewer.lumigraph.name;
-    viewer.remember(package);
+    if (!viewer.show_read(folder_of_package(folder))) return;
+    viewer.state = state_after_opening(viewer.lumigraph, viewer.state);
+    // A path belongs to its scene.
+    viewer.record_path();
+    viewer.recording = PathRecording();
+    viewer.remember(viewer.state.package);
     viewer.window.set_title(title_of(viewer.lumigraph));
 }
 
 ViewerState& ViewerWindow::state() { return implementation_->state; }
 const FrameStatistics& ViewerWindow::statistics() const { return implementation_->statistics; }
+const std::vector<HeldOutView>& ViewerWindow::held_out() const {
+    return implementation_->comparison.views();
+}
 
-void run_window(Lumigraph lumigraph, const WindowOptions& options) {
-    ViewerWindow window(std::move(lumigraph), options);
+void run_window(OpenedPackage opened, const WindowOptions& options) {
+    ViewerWindow window(std::move(opened), options);
     if (!options.screenshot_path.empty())
         return window.write_screenshot_to(options.screenshot_path);
-    const auto is_interrupted = [&] { return options.progress && options.progress->interrupted(); };
-    while (!is_interrupted() && window.step()) {
+    while (window.step()) {
+        if (options.progress && options.progress->interrupted())
+            window.state().wants_to_close = true;
     }
 }
 

@@ -7,9 +7,9 @@
 
 #include "calib/work/progress.h"
 #include "render/frame/frame.h"
-#include "render/lumigraph/lumigraph.h"
 #include "render/viewer/commands.h"
-#include "render/viewer/panels.h"
+#include "render/viewer/frame_statistics.h"
+#include "render/viewer/opened_package.h"
 
 namespace lumi {
 
@@ -17,16 +17,18 @@ struct WindowInput;
 
 /// How the window begins, and whether it stays.
 struct WindowOptions {
-    int width_px = 0;  ///< 0: the size of the photograph it begins at.
+    int width_px = 0;  ///< 0: by the photograph it begins at (window_size.h).
     int height_px = 0;
-    std::string view_name;  ///< The photograph it begins at; empty: the first.
-    RenderOptions render;
-    double frames_per_second = 0.0;     ///< As in ViewerState.
-    std::vector<PlannedView> planned;   ///< Offered in the panel.
-    std::vector<HeldOutView> held_out;  ///< To be compared with; offered in the panel.
-    int planned_index = -1;             ///< The one it begins at; -1: at the photograph.
+    std::string view_name;           ///< The photograph it begins at; empty: the first.
+    RenderOptions render;            ///< But for fading, which OpenedPackage says.
+    double frames_per_second = 0.0;  ///< As in ViewerState.
+    int planned_index = -1;          ///< The plan's one it begins at; -1: at the photograph.
+    /// Reads what is opened besides, and again.
+    PackageLoader load = opened_alone;
+    /// How the photographs were read.
+    Exposures exposures = Exposures::kEvened;
     /// Where the Lumigraph was read, and the list that packages which are opened are kept in
-    /// (recent_packages.h); empty: they are not kept.
+    /// (recent_packages.h); empty: it cannot be read again, and they are not kept.
     std::filesystem::path package;
     std::filesystem::path recent_file;
     const Progress* progress = nullptr;  ///< Where it is interrupted, the window is closed.
@@ -35,13 +37,13 @@ struct WindowOptions {
     std::filesystem::path screenshot_path;
 };
 
-/// A window onto a Lumigraph. Draws with the same LumigraphRenderer as files are drawn with;
+/// A window onto a package. Draws with the same LumigraphRenderer as files are drawn with;
 /// coarser while the eye moves where the machine is slow, whole at rest.
 ///
 /// Throws Error: E-GL-CONTEXT (no display, or no OpenGL 3.3), E-GL-LIMIT, E-VIEW-NAME.
 class ViewerWindow {
  public:
-    ViewerWindow(Lumigraph lumigraph, const WindowOptions& options);
+    ViewerWindow(OpenedPackage opened, const WindowOptions& options);
     ~ViewerWindow();
     ViewerWindow(const ViewerWindow&) = delete;
     ViewerWindow& operator=(const ViewerWindow&) = delete;
@@ -57,14 +59,16 @@ class ViewerWindow {
 
     [[nodiscard]] ViewerState& state();
     [[nodiscard]] const FrameStatistics& statistics() const;
+    /// What the package that is shown can be compared with.
+    [[nodiscard]] const std::vector<HeldOutView>& held_out() const;
 
  private:
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
 };
 
-/// Shows the Lumigraph until the user closes the window; or, with a screenshot path, writes one
+/// Shows the package until the user closes the window; or, with a screenshot path, writes one
 /// frame and returns. Throws what ViewerWindow throws, and E-FILE-WRITE.
-void run_window(Lumigraph lumigraph, const WindowOptions& options);
+void run_window(OpenedPackage opened, const WindowOptions& options);
 
 }  // namespace lumi

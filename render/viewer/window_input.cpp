@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/viewer/photograph_eye.h"
+#include "render/paths/photograph_eye.h"
 
 namespace lumi {
 namespace {

@@ -94,6 +94,16 @@ TEST(StripEnds, LieWhereSharesEnd) {
     EXPECT_EQ(strip_ends({{{0}, 1.0}}, 5), (std::vector<int>{5}));
 }
 
+/// Where silhouettes are smooth a pixel has two texels in a row.
+TEST(StripEnds, LieBetweenPixelsOfTwoTexels) {
+    for (int i = 0; i <= 100; ++i) {
+        const double share = i / 100.0;
+        const std::vector<int> ends = strip_ends({{{0}, share}, {{1}, 1 - share}}, 50);
+        EXPECT_EQ(ends.front() % 2, 0) << share;
+        EXPECT_NEAR(ends.front(), 50 * share, 1) << share;
+    }
+}
+
 TEST(DepthLayerViews, KeepAViewOfSeveralSetsInOneLayer) {
     EXPECT_EQ(depth_layer_views({{{7, 2, 5}, 0.5}, {{2, 7, 6}, 0.5}}, 3),
               (DepthLayerViews{{7, 2, 5}, {7, 2, 6}}));

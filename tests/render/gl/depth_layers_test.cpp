@@ -3,6 +3,8 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "render/gl/framebuffer.h"
 #include "render/gl/headless_context.h"
 #include "render/modes/per_pixel.h"
@@ -56,6 +58,23 @@ TEST(DepthLayersGl, AreTheSameByOpenGlAndByTheCores) {
     expect_same(card_before_wall(), eye_at({0.3, 0.2, 0.2}, {0, 0, 4}, camera));
     expect_same(card_before_wall(), eye_at({0.4, 0.3, 2.6}, {0, 0, 4}, camera));
     expect_same(ball_in_sky(), eye_at({0.3, 0.2, 2.2}, {0, 0, 0.2}, camera));
+}
+
+/// A fresh process, because Mesa reads its environment once.
+[[noreturn]] void draw_with_open_gl_3_3_alone() {
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    setenv("MESA_GL_VERSION_OVERRIDE", "3.3", 1);
+    setenv("MESA_EXTENSION_OVERRIDE", "-GL_ARB_ES2_compatibility", 1);
+    const HeadlessContext context(GlApi::kCore);
+    const UploadedLumigraph uploaded(card_before_wall());
+    DepthLayers layers(uploaded, kLayers, DepthLayers::DrawnBy::kOpenGl);
+    layers.draw(eye_at({0.3, 0.2, 0.2}, {0, 0, 4}, pinhole_camera(97, 71, 80)), {{{0, 1, 2}, 1.0}});
+    std::exit(glGetError() == GL_NO_ERROR ? 0 : 1);
+}
+
+TEST(DepthLayersGlDeathTest, NeedNoMoreThanOpenGl33) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    EXPECT_EXIT(draw_with_open_gl_3_3_alone(), testing::ExitedWithCode(0), "");
 }
 
 /// The frame of a mode, as the program sees it.

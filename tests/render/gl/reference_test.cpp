@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 
+#include "calib/work/error.h"
+
 #include "render/reference/reference_renderer.h"
+#include "render/renderer/mode_reference.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "tests/render/analytic_scene.h"
 #include "tests/render/frame_difference.h"
@@ -71,6 +75,55 @@ TEST(GlAgainstReference, LightFieldBeforeAWall) {
     const Lumigraph lumigraph = card_before_wall();
     expect_gl_equals_reference(lumigraph, eyes_before_wall(lumigraph),
                                {.mode = RenderMode::kLightField}, GlApi::kAny);
+}
+
+TEST(GlAgainstReference, ViewsTriangulatedForEachFrame) {
+    const Lumigraph lumigraph = card_before_wall();
+    const RenderOptions heigl{.mode = RenderMode::kHeigl};
+    OffscreenRenderer renderer(lumigraph);
+    const Eye at_camera{lumigraph.views[0].camera, lumigraph.views[0].cam_from_world};
+    for (const Eye& eye : {eyes_before_wall(lumigraph)[0].eye, at_camera}) {
+        const Frame drawn = renderer.draw(eye, heigl);
+        const FrameDifference difference =
+            difference_between(drawn.color, draw_mode_reference(lumigraph, eye, heigl).color);
+        EXPECT_LE(difference.mean, 1.0);
+        EXPECT_LE(difference.share_beyond_two, 0.02);
+        EXPECT_GT(mean_of(drawn.color), 20);
+    }
+    EXPECT_LE(
+        difference_between(renderer.draw(at_camera, heigl).color, lumigraph.views[0].photograph)
+            .mean,
+        1.0);
+}
+
+TEST(GlAgainstReference, WhatLiesOnTheFocalSurfaceIsSharp) {
+    const Lumigraph lumigraph = card_before_wall();
+    OffscreenRenderer renderer(lumigraph);
+    // Beside the card the wall at z = 6 is all that is seen.
+    const Eye eye = eye_at({0.21, 0.13, 0}, {0.21, 0.13, 4}, pinhole_camera(80, 60, 70));
+    const ColorImage truth = ideal_photograph(AnalyticScene::kCardBeforeWall, eye);
+    const auto error_at = [&](double focal_depth) {
+        const RenderOptions options{.mode = RenderMode::kLightField, .focal_depth = focal_depth};
+        const ColorImage drawn = renderer.draw(eye, options).color;
+        EXPECT_LE(
+            difference_between(drawn, draw_mode_reference(lumigraph, eye, options).color).mean,
+            1.0);
+        double error = 0;
+        for (int y = 0; y < truth.height(); ++y)
+            for (int x = 0; x < 12; ++x) error += std::abs(drawn(x, y).g - truth(x, y).g);
+        return error;
+    };
+    EXPECT_LT(error_at(6), 0.5 * error_at(4));
+    EXPECT_LT(error_at(6), 0.5 * error_at(12));
+}
+
+TEST(GlAgainstReference, WhatPlainCodeDoesNotDrawIsRefused) {
+    const Lumigraph lumigraph = card_before_wall();
+    const Eye eye = eyes_before_wall(lumigraph).front().eye;
+    for (const RenderOptions& options :
+         {RenderOptions{.supersample = true}, RenderOptions{.debug_picture = DebugPicture::kGrid},
+          RenderOptions{.mode = RenderMode::kAdaptive, .debug_picture = DebugPicture::kDepth}})
+        EXPECT_THROW(static_cast<void>(draw_mode_reference(lumigraph, eye, options)), Error);
 }
 
 TEST(GlAgainstReference, LightFieldWithoutASurface) {

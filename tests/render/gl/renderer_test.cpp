@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <future>
+#include <memory>
+#include <thread>
 
 #include "calib/work/error.h"
 #include "render/depth_mesh/view_depth_mesh.h"
@@ -354,22 +357,6 @@ TEST(LumigraphRendererGl, RefusesAnEyeWithALens) {
     }
 }
 
-TEST(TextureArrayGl, RefusesWhatTheDriverHasNoMemoryFor) {
-    const HeadlessContext context;
-    const Capabilities capabilities = query_capabilities();
-    const int size_px = capabilities.max_texture_size_px;
-    try {
-        // Hundreds of gibibytes.
-        const TextureArray array(TexelFormat::kFourFloats, TexelFilter::kNearest, size_px, size_px,
-                                 capabilities.max_array_layers);
-        FAIL() << "expected E-GL-LIMIT";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), "E-GL-LIMIT");
-    }
-    const TextureArray small(TexelFormat::kFourFloats, TexelFilter::kNearest, 8, 8, 1);
-    EXPECT_EQ(small.layers(), 1);
-}
-
 TEST(HeadlessContextGl, SeveralLiveSideBySide) {
     const Lumigraph lumigraph = card_before_wall();
     const Eye eye = eye_at({0.2, 0.1, 0}, {0, 0, 4}, pinhole_camera(64, 48, 60));
@@ -380,6 +367,22 @@ TEST(HeadlessContextGl, SeveralLiveSideBySide) {
         EXPECT_EQ(second.draw(eye, {}).color, before.color);
     }
     EXPECT_EQ(first.draw(eye, {}).color, before.color);
+}
+
+TEST(OffscreenRendererGl, GoesWhereItsContextIsNotToBeHad) {
+    std::promise<std::unique_ptr<OffscreenRenderer>> made;
+    std::promise<void> gone;
+    // Its context stays this thread's.
+    std::thread owner([&] {
+        made.set_value(std::make_unique<OffscreenRenderer>(card_before_wall()));
+        gone.get_future().wait();
+    });
+    std::unique_ptr<OffscreenRenderer> renderer = made.get_future().get();
+    const Eye eye = eye_at({0.2, 0.1, 0}, {0, 0, 4}, pinhole_camera(64, 48, 60));
+    EXPECT_THROW((void)renderer->draw(eye, {}), Error);
+    renderer.reset();
+    gone.set_value();
+    owner.join();
 }
 
 /// A fresh process, because Mesa reads its environment once.

@@ -5,6 +5,7 @@
 
 #include "render/modes/adaptive.h"
 #include "render/reference/triangle_reference.h"
+#include "render/renderer/mode_reference.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "render/subdivision/paper_subdivision.h"
 #include "render/subdivision/triangle_budget.h"
@@ -24,45 +25,16 @@ void expect_equal(const Frame& drawn, const Frame& expected, const std::string& 
     EXPECT_GT(drawn.statistics.triangles, 0U) << what;
 }
 
-/// The layers of the mode in plain code, each over those before.
-Frame adaptive_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
-    std::vector<BlendTriangles> layers =
-        adaptive_layers(lumigraph, searched_views(lumigraph), eye, options);
-    if (are_surroundings_drawn(options))
-        set_surroundings(lumigraph, small_photographs(lumigraph), eye, layers.front());
-    BlendTriangles all;
-    for (const BlendTriangles& layer : layers) {
-        const auto first = static_cast<std::uint32_t>(all.vertices.size());
-        all.vertices.insert(all.vertices.end(), layer.vertices.begin(), layer.vertices.end());
-        for (const std::uint32_t index : layer.indices) all.indices.push_back(first + index);
-    }
-    return draw_reference(
-        all, lumigraph, eye.camera, PlaceInterpolation::kLinear,
-        are_surroundings_drawn(options) ? surroundings_picture(lumigraph, eye) : ColorImage{});
-}
-
 void expect_gl_equals_reference(GlApi api) {
-    const RenderOptions defaults;
     for (const Lumigraph& lumigraph : {card_before_wall(), ball_in_sky()}) {
         const Camera camera = pinhole_camera(160, 120, 140);
         const bool is_ball = lumigraph.mesh.scene_centre_in_world.norm() < 1;
         const Eye eye = is_ball ? eye_at({0.5, 0.6, -2}, {0, 0, 0}, camera)
                                 : eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, camera);
-        const SearchedViews views = searched_views(lumigraph);
-        const DepthSearch search(lumigraph, views, eye);
-        const auto polygons = face_polygons(lumigraph.mesh, eye);
-        const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
         OffscreenRenderer renderer(lumigraph, api);
-        expect_equal(renderer.draw(eye, {.mode = RenderMode::kAdaptive}),
-                     adaptive_reference(lumigraph, eye, defaults), "adaptive");
-        const auto paper =
-            paper_subdivision(polygons, search, plane, inverse_depth_range(lumigraph), true,
-                              {.depth_threshold_share = defaults.depth_threshold_share,
-                               .min_size_px = defaults.min_triangle_px,
-                               .max_size_px = defaults.max_triangle_px});
-        expect_equal(renderer.draw(eye, {.mode = RenderMode::kPaper2001}),
-                     draw_reference(paper, lumigraph, eye.camera, PlaceInterpolation::kProjective),
-                     "paper2001");
+        for (const RenderMode mode : {RenderMode::kAdaptive, RenderMode::kPaper2001})
+            expect_equal(renderer.draw(eye, {.mode = mode}),
+                         draw_mode_reference(lumigraph, eye, {.mode = mode}), name_of(mode));
     }
 }
 
@@ -75,7 +47,8 @@ TEST(SubdivisionGl, AdaptiveWithoutASurfaceEqualsTheReference) {
           Eigen::Vector3d(1.2, 0.3, 0.2)}) {
         const Eye eye = eye_at(place, {0, 0, 4}, camera);
         const Frame drawn = renderer.draw(eye, {.mode = RenderMode::kAdaptive});
-        expect_equal(drawn, adaptive_reference(lumigraph, eye, {}), "without a surface");
+        expect_equal(drawn, draw_mode_reference(lumigraph, eye, {.mode = RenderMode::kAdaptive}),
+                     "without a surface");
         const auto& coverage = drawn.coverage.pixels();
         EXPECT_GT(std::count(coverage.begin(), coverage.end(), 255), 1000);
     }
@@ -95,7 +68,7 @@ TEST(SubdivisionGl, AdaptiveLaysShellsOverTheMesh) {
           Eigen::Vector3d(0.5, 0.1, 2.0), Eigen::Vector3d(0.2, 0.1, 0)}) {
         const Eye eye = eye_at(place, {0, 0, 3}, kShellEyeCamera);
         const Frame drawn = renderer.draw(eye, options);
-        expect_equal(drawn, adaptive_reference(lumigraph, eye, options), "with a shell");
+        expect_equal(drawn, draw_mode_reference(lumigraph, eye, options), "with a shell");
         const ColorImage truth = ideal_photograph(AnalyticScene::kPrintedCard, eye);
         const double error = difference_between(drawn.color, truth).mean;
         const double plain_error =
@@ -134,7 +107,7 @@ TEST(SubdivisionGl, AdaptiveFadesBeyondTheCapture) {
          {Eigen::Vector3d(0.21, 0.13, 0.02), Eigen::Vector3d(2.4, 0.3, 0.2)}) {
         const Eye eye = eye_at(place, {0, 0, 4}, kShellEyeCamera);
         const Frame drawn = renderer.draw(eye, fading);
-        expect_equal(drawn, adaptive_reference(lumigraph, eye, fading), "fading");
+        expect_equal(drawn, draw_mode_reference(lumigraph, eye, fading), "fading");
         const Frame plain =
             renderer.draw(eye, {.mode = RenderMode::kAdaptive, .guess_surroundings = false});
         EXPECT_LT(difference_between(drawn.color, faded(plain.color, lumigraph.mesh, eye)).mean,

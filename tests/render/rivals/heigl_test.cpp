@@ -87,5 +87,19 @@ TEST(Heigl, GivesACameraAllTheWeightWhereItStands) {
     EXPECT_NEAR(weights_of_views(heigl_polygons(lumigraph, eye), {32, 24})[0], 1, 1e-6);
 }
 
+TEST(Heigl, LeavesOutViewsThatFaceTheOtherWay) {
+    const Lumigraph lumigraph = ball_in_sky();
+    const Eye eye = eye_at({0.5, 0.6, -4}, {0, 0, 0}, pinhole_camera(64, 48, 60));
+    const Eigen::Vector3d axis = optical_axis_in_world(eye.cam_from_world);
+    const std::vector<FacePolygon> polygons = heigl_polygons(lumigraph, eye);
+    ASSERT_FALSE(polygons.empty());
+    for (const FacePolygon& polygon : polygons)
+        for (const int view : polygon.view_indices)
+            EXPECT_GT(optical_axis_in_world(
+                          lumigraph.views[static_cast<std::size_t>(view)].cam_from_world)
+                          .dot(axis),
+                      0);
+}
+
 }  // namespace
 }  // namespace lumi

@@ -92,6 +92,22 @@ TEST(ViewGeometry, TakesTheMedianDistanceToNeighbours) {
     EXPECT_NEAR(disparity_px_per_inverse_depth(geometries[1], {1, 0, 0}), 0, 1e-12);
 }
 
+TEST(ViewGeometry, TakesNoBaselineFromCamerasAtOnePlace) {
+    Lumigraph lumigraph;
+    lumigraph.near_depth = 1;
+    lumigraph.far_depth = 3;
+    for (const double x : {0.0, 1e-9, 2e-9, 0.5}) {
+        const Eye eye = eye_at({x, 0, 0}, {x, 0, 1}, pinhole_camera(8, 8, 10));
+        lumigraph.views.push_back({"", eye.camera, eye.cam_from_world, 1, {}, {}});
+        const auto index = static_cast<int>(lumigraph.mesh.vertices.size());
+        lumigraph.mesh.vertices.push_back({centre_in_world(eye.cam_from_world), index});
+    }
+    lumigraph.mesh.faces = {{0, 1, 2}, {1, 3, 2}};
+    const auto geometries = view_geometries(lumigraph);
+    EXPECT_NEAR(geometries[0].baseline, 0.15, 1e-12);  // 0.1 of the middle depth, 1.5.
+    EXPECT_NEAR(geometries[1].baseline, 0.5, 1e-6);    // That of the only one elsewhere.
+}
+
 TEST(DepthViewChoice, PutsTheViewThatStandsThereFirst) {
     const Lumigraph lumigraph = ball_in_sky();
     for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "render/viewer/photograph_eye.h"
+#include "render/paths/photograph_eye.h"
 #include "tests/render/lumigraph/tiny_package.h"
 
 namespace lumi {

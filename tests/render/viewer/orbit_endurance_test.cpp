@@ -45,7 +45,7 @@ class Orbited : public testing::Test {
 };
 
 TEST_F(Orbited, WindowTurnsAboutOnePhotographAfterTheOtherWithoutAnyGlError) {
-    ViewerWindow window(orbited_box(), small());
+    ViewerWindow window({orbited_box()}, small());
     SilentProgress progress;
     const OrbitReport report = orbit_window(window, 9, short_orbit(), progress);
     EXPECT_EQ(window.state().view_index, 3);
@@ -61,7 +61,7 @@ TEST_F(Orbited, WindowTurnsAboutOnePhotographAfterTheOtherWithoutAnyGlError) {
 }
 
 TEST_F(Orbited, WindowFollowsDragsThatAreShorterThanAFrame) {
-    ViewerWindow window(orbited_box(), small());
+    ViewerWindow window({orbited_box()}, small());
     SilentProgress progress;
     OrbitOptions options = short_orbit();
     options.seconds = kShortestTurn_s;
@@ -70,7 +70,7 @@ TEST_F(Orbited, WindowFollowsDragsThatAreShorterThanAFrame) {
 }
 
 TEST_F(Orbited, WindowCountsGlErrors) {
-    ViewerWindow window(orbited_box(), small());
+    ViewerWindow window({orbited_box()}, small());
     SilentProgress progress;
     ASSERT_TRUE(window.step());
     glEnable(GL_INVALID_ENUM);
@@ -78,14 +78,14 @@ TEST_F(Orbited, WindowCountsGlErrors) {
 }
 
 TEST_F(Orbited, WindowStopsWhenItIsInterrupted) {
-    ViewerWindow window(orbited_box(), small());
+    ViewerWindow window({orbited_box()}, small());
     SilentProgress progress;
     progress.interrupt();
     EXPECT_THROW((void)orbit_window(window, 9, short_orbit(), progress), Error);
 }
 
 TEST_F(Orbited, WindowThatIsClosedIsNoMeasurement) {
-    ViewerWindow window(orbited_box(), small());
+    ViewerWindow window({orbited_box()}, small());
     window.state().wants_to_close = true;
     SilentProgress progress;
     try {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"
@@ -10,49 +11,68 @@
 namespace lumi {
 namespace {
 
-Eye eye_from(double x, int width_px = 64) {
-    Eye eye{{width_px, 48, LensModel::kPinhole, {60, 60, 0.5 * width_px, 24}}, {}};
+Eye eye_from(double x) {
+    Eye eye{{64, 48, LensModel::kPinhole, {60, 60, 32, 24}}, {}};
     eye.cam_from_world.translation = {-x, 0, 0};
     return eye;
 }
 
-std::size_t eyes_in(const std::filesystem::path& file) {
-    return nlohmann::json::parse(read_whole_text(file)).at("eyes").size();
+/// As a window of 64 x 48 shows it.
+std::string append_to(PathRecording& recording, double x, double clock_s) {
+    return recording.append(eye_from(x), 64, 48, clock_s);
 }
 
-TEST(PathRecording, WritesEachEyeThatDiffersFromTheOneBefore) {
-    const ScratchFolder scratch;
-    PathRecording recording;
-    for (const double x : {0.0, 0.0, 0.1, 0.0}) recording.append(eye_from(x));
-    EXPECT_EQ(recording.end(scratch.path()), "wrote lumi-path-0001.json");
-    EXPECT_EQ(eyes_in(scratch / "lumi-path-0001.json"), 3U);
+std::vector<double> times_in(const std::filesystem::path& file) {
+    std::vector<double> times_s;
+    const nlohmann::json json = nlohmann::json::parse(read_whole_text(file));
+    for (const nlohmann::json& eye : json.at("eyes")) times_s.push_back(eye.at("time_s"));
+    return times_s;
 }
 
-TEST(PathRecording, LeavesOutEyesOfAnotherSizeThanTheFirst) {
+TEST(PathRecording, WritesEachEyeWithItsTimeAndOfARestTheBeginningAndTheEnd) {
     const ScratchFolder scratch;
     PathRecording recording;
-    recording.append(eye_from(0.0));
-    EXPECT_EQ(recording.append(eye_from(0.1, 80)), "recording: 1 eyes");
-    recording.append(eye_from(0.2));
-    recording.end(scratch.path());
-    EXPECT_EQ(eyes_in(scratch / "lumi-path-0001.json"), 2U);
+    double clock_s = 100.0;
+    for (const double x : {0.0, 0.0, 0.0, 0.0, 0.1, 0.0}) append_to(recording, x, clock_s += 0.5);
+    EXPECT_EQ(recording.end(scratch.path()), "wrote lumi-path-0001.json: 4 eyes, 2.5 s");
+    EXPECT_EQ(times_in(scratch / "lumi-path-0001.json"), (std::vector{0.0, 1.5, 2.0, 2.5}));
+}
+
+TEST(PathRecording, DoesNotLetTheEyeCreepWhereItRested) {
+    PathRecording recording;
+    for (int i = 0; i <= 10; ++i) append_to(recording, 0.0, i);
+    append_to(recording, 1.0, 11.0);
+    const Eye rested = eye_at_time(recording.path(), 7.3);
+    EXPECT_LT(centre_in_world(rested.cam_from_world).norm(), 1e-12);
+}
+
+TEST(PathRecording, GoesOnInTheSizeOfItsBeginningWhenTheWindowIsResized) {
+    PathRecording recording;
+    EXPECT_EQ(append_to(recording, 0.0, 0.0), "recording: 1 eyes, 0.0 s");
+    EXPECT_EQ(recording.append(eye_from(0.1), 80, 90, 0.5),
+              "recording: 2 eyes, 0.5 s, in the size of its beginning: 64 x 48");
+    append_to(recording, 0.2, 1.0);
+    ASSERT_EQ(recording.path().size(), 3U);
+    for (const TimedEye& timed : recording.path()) EXPECT_EQ(timed.eye.camera, eye_from(0).camera);
 }
 
 TEST(PathRecording, BeginsAnewOnceItHasEnded) {
     const ScratchFolder scratch;
     PathRecording recording;
     EXPECT_EQ(recording.end(scratch.path()), "");
-    recording.append(eye_from(0.0));
+    append_to(recording, 0.0, 7.0);
     recording.end(scratch.path());
     EXPECT_EQ(recording.end(scratch.path()), "");
-    recording.append(eye_from(0.1, 80));
-    EXPECT_EQ(recording.end(scratch.path()), "wrote lumi-path-0002.json");
+    EXPECT_EQ(recording.path().size(), 1U) << "to be replayed";
+    recording.append(eye_from(0.1), 80, 48, 9.0);
+    EXPECT_EQ(recording.end(scratch.path()), "wrote lumi-path-0002.json: 1 eyes, 0.0 s");
+    EXPECT_EQ(recording.path().front().eye.camera.width_px, 80);
 }
 
 TEST(PathRecording, SaysWhatCannotBeWritten) {
     const ScratchFolder scratch;
     PathRecording recording;
-    recording.append(eye_from(0.0));
+    append_to(recording, 0.0, 0.0);
     write_whole_text(scratch / "a file", "");
     EXPECT_NE(recording.end(scratch / "a file").find("a file"), std::string::npos);
 }

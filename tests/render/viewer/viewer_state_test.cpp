@@ -10,10 +10,11 @@
 #include "calib/work/whole_file.h"
 #include "render/viewer/commands.h"
 #include "render/viewer/moving_resolution.h"
-#include "render/viewer/photograph_eye.h"
+#include "render/paths/photograph_eye.h"
 #include "render/viewer/recent_packages.h"
 #include "render/viewer/screenshot.h"
 #include "render/viewer/window_input.h"
+#include "render/viewer/window_size.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/render/lumigraph/tiny_package.h"
 
@@ -128,18 +129,68 @@ TEST_F(ViewerStateTest, ADebugPictureIsPutAwayByItsOwnKeyAndReplacedByAnother) {
 
 TEST_F(ViewerStateTest, TogglesComeBack) {
     const RenderOptions before = state_.render;
-    for (const Command command : {Command::kNextMode, Command::kOcclusion, Command::kHelp,
-                                  Command::kPanel, Command::kVsync}) {
+    for (const Command command :
+         {Command::kOcclusion, Command::kHelp, Command::kPanel, Command::kVsync}) {
         apply_command(command);
         apply_command(command);
     }
-    EXPECT_EQ(state_.render.mode, before.mode);
     EXPECT_EQ(state_.render.correct_occlusion, before.correct_occlusion);
     EXPECT_FALSE(state_.shows_help);
     EXPECT_TRUE(state_.shows_panel);
     EXPECT_TRUE(state_.waits_for_vsync);
-    apply_command(Command::kLightField);
-    EXPECT_EQ(state_.render.mode, RenderMode::kLightField);
+}
+
+TEST_F(ViewerStateTest, NextModeComesToAllModesInTheirOrder) {
+    const std::vector<RenderMode> all = all_render_modes();
+    state_.render.mode = all.front();
+    for (std::size_t i = 1; i <= all.size(); ++i) {
+        apply_command(Command::kNextMode);
+        EXPECT_EQ(state_.render.mode, all[i % all.size()]);
+    }
+}
+
+TEST_F(ViewerStateTest, NextPictureComesToAllDebugPicturesInTheirOrder) {
+    const std::vector<DebugPicture> all = all_debug_pictures();
+    state_.render.debug_picture = all.front();
+    for (std::size_t i = 1; i <= all.size(); ++i) {
+        apply_command(Command::kNextPicture);
+        EXPECT_EQ(state_.render.debug_picture, all[i % all.size()]);
+    }
+}
+
+TEST_F(ViewerStateTest, EveryModeAndEveryDebugPictureHasAKeyOfItsOwn) {
+    std::set<RenderMode> modes;
+    std::set<DebugPicture> pictures;
+    for (const KeyBinding& binding : key_bindings()) {
+        if (binding.command == Command::kNextMode || binding.command == Command::kNextPicture)
+            continue;
+        state_.render = {};
+        apply_command(binding.command);
+        modes.insert(state_.render.mode);
+        pictures.insert(state_.render.debug_picture);
+    }
+    EXPECT_EQ(modes.size(), all_render_modes().size());
+    EXPECT_EQ(pictures.size(), all_debug_pictures().size());
+}
+
+TEST_F(ViewerStateTest, APathIsReplayedWhereThereIsOne) {
+    apply_command(Command::kReplayPath);
+    EXPECT_FALSE(state_.replays_path);
+    state_.has_path = true;
+    apply_command(Command::kReplayPath);
+    EXPECT_TRUE(state_.replays_path);
+    apply_command(Command::kReplayPath);
+    EXPECT_FALSE(state_.replays_path);
+}
+
+TEST(WindowSize, IsThatOfThePictureWhereItHoldsThePanelAndFitsOnAScreen) {
+    const auto size = [](int width_px, int height_px) {
+        return window_size_px(pinhole_camera(width_px, height_px, 500));
+    };
+    EXPECT_EQ(size(1200, 800), Eigen::Vector2i(1200, 800));
+    EXPECT_EQ(size(768, 512), Eigen::Vector2i(960, 640));
+    EXPECT_EQ(size(600, 800), Eigen::Vector2i(960, 800));
+    EXPECT_EQ(size(6000, 4000), Eigen::Vector2i(1350, 900));
 }
 
 TEST_F(ViewerStateTest, NothingPressedMovesNothing) {
@@ -195,6 +246,14 @@ TEST(MovingResolution, KeepsTheTargetWhereDrawingIsSlow) {
         scale = resolution.scale_while_moving();
     }
     EXPECT_EQ(scale, 0.5) << "120 ms, a quarter of it is 30";
+}
+
+TEST(MovingResolution, IsCoarserWhereMoreFramesASecondAreWanted) {
+    MovingResolution sixty(60.0);
+    MovingResolution by_itself;
+    for (MovingResolution* resolution : {&sixty, &by_itself}) resolution->measured(1.0, 25.0);
+    EXPECT_EQ(by_itself.scale_while_moving(), 1.0);
+    EXPECT_EQ(sixty.scale_while_moving(), 0.5);
 }
 
 TEST(MovingResolution, GoesNoCoarserThanItsLimitAndRecovers) {

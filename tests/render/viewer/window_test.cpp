@@ -10,13 +10,12 @@
 #include "calib/capture/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
-#include "render/lumigraph/package.h"
 #include "render/renderer/frame_target.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "render/viewer/comparison.h"
 #include "render/viewer/difference_picture.h"
 #include "render/viewer/glfw_window.h"
-#include "render/viewer/photograph_eye.h"
+#include "render/paths/photograph_eye.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/render/viewer/xvfb_display.h"
 #include "tests/truth/textured_box_scene.h"
@@ -52,7 +51,7 @@ class Window : public testing::Test {
                                   const Eye& eye) {
         const ScratchFolder scratch;
         options.screenshot_path = scratch / "window.png";
-        run_window(lumigraph, options);
+        run_window({lumigraph}, options);
         const Frame headless = OffscreenRenderer(lumigraph).draw(eye, options.render);
         write_png(scratch / "headless.png", headless.color);
         EXPECT_EQ(read_whole_file(scratch / "window.png"),
@@ -66,7 +65,8 @@ std::unique_ptr<XvfbDisplay> Window::display;
 
 TEST_F(Window, ScreenshotEqualsTheHeadlessFrameByteForByte) {
     const LumigraphView& view = box().views[4];
-    for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kPerPixel}) {
+    for (const RenderMode mode : all_render_modes()) {
+        SCOPED_TRACE(name_of(mode));
         WindowOptions options;
         options.view_name = view.name;
         options.render.mode = mode;
@@ -90,7 +90,7 @@ TEST_F(Window, ShowsAPhotographTakenOnItsSideUpright) {
     WindowOptions options;
     options.view_name = lumigraph.views[4].name;
     options.screenshot_path = scratch / "window.png";
-    run_window(lumigraph, options);
+    run_window({lumigraph}, options);
 
     const ColorImage turned = read_color_image(scratch / "window.png");
     const ColorImage& raw = lumigraph.views[4].photograph;
@@ -110,7 +110,7 @@ TEST_F(Window, ScreenshotComesWithItsPose) {
     const ScratchFolder scratch;
     WindowOptions options;
     options.screenshot_path = scratch / "shot.png";
-    run_window(box(), options);
+    run_window({box()}, options);
     const auto pose = nlohmann::json::parse(read_whole_text(scratch / "shot.json"));
     EXPECT_EQ(pose["camera"]["parameters"], box().views[0].camera.parameters);
 }
@@ -141,7 +141,7 @@ TEST_F(Window, CopiesTheFrameToTheWindowPixelByPixel) {
 }
 
 TEST_F(Window, StepsAtRestAndMovingWithoutAnyGlError) {
-    ViewerWindow window(box(), small_window());
+    ViewerWindow window({box()}, small_window());
     for (const Command command :
          {Command::kHelp, Command::kShowWeights, Command::kShowDepth, Command::kShowConfidence,
           Command::kShowFaces, Command::kShowFaces, Command::kLightField, Command::kNextPhotograph,
@@ -158,51 +158,18 @@ TEST_F(Window, StepsAtRestAndMovingWithoutAnyGlError) {
     EXPECT_FALSE(window.step());
 }
 
-TEST_F(Window, OpensAnotherPackageAndKeepsTheOldOneWhenItCannot) {
-    const ScratchFolder scratch;
-    Lumigraph other = box();
-    other.name = "other\x1b";
-    other.views.resize(5);
-    other.mesh = {};
-    other.mesh.vertices = {{centre_in_world(other.views[2].cam_from_world), 2}};
-    write_package(scratch / "other.lumi", other, {});
-
-    WindowOptions options = small_window();
-    options.recent_file = scratch / "recent";
-    ViewerWindow window(box(), options);
-    EXPECT_TRUE(window.state().recent_packages.empty());
-    window.open_package(scratch / "nothing.lumi");
-    EXPECT_NE(window.statistics().message.find("nothing.lumi"), std::string::npos);
-    EXPECT_TRUE(window.step());
-    window.write_screenshot_to(scratch / "old.png");
-    window.open_package(scratch / "other.lumi/lumigraph.json");
-    EXPECT_TRUE(window.step());
-    window.write_screenshot_to(scratch / "new.png");
-    EXPECT_EQ(window.state().recent_packages.size(), 1U);
-    window.state().package_to_open = window.state().recent_packages[0];
-    EXPECT_TRUE(window.step());
-    EXPECT_NE(window.statistics().message.find("opened other"), std::string::npos);
-    EXPECT_TRUE(window.state().package_to_open.empty());
-
-    const auto name_in = [&](const char* file) {
-        return nlohmann::json::parse(read_whole_text(scratch / file))["lumigraph"];
-    };
-    EXPECT_EQ(name_in("old.json"), box().name);
-    EXPECT_EQ(name_in("new.json"), "other\\x1b");
-}
-
 TEST_F(Window, ClosesWhenItIsInterrupted) {
     SilentProgress progress;
     progress.interrupt();
     WindowOptions options = small_window();
     options.progress = &progress;
-    run_window(box(), options);  // Comes back.
+    run_window({box()}, options);  // Comes back.
 }
 
 TEST_F(Window, RefusesAPhotographThatIsNotThere) {
     WindowOptions options;
     options.view_name = "no such photograph";
-    EXPECT_THROW(run_window(box(), options), Error);
+    EXPECT_THROW(run_window({box()}, options), Error);
 }
 
 std::vector<Rgb8> texels(unsigned texture, const ColorImage& like) {
@@ -217,16 +184,16 @@ TEST_F(Window, ComparesWithAHeldOutPhotographAndShowsItsDifference) {
     const LumigraphView& view = box().views[4];
     const Eye eye{view.camera, view.cam_from_world};
     const ColorImage drawn = OffscreenRenderer(box()).draw(eye, {}).color;
-    WindowOptions options = small_window();
-    options.held_out = {{view.name, eye, view.photograph}, {"as drawn", eye, drawn}};
-    ViewerWindow window(box(), options);
+    const std::vector<HeldOutView> held_out{{view.name, eye, view.photograph},
+                                            {"as drawn", eye, drawn}};
+    ViewerWindow window({.lumigraph = box(), .held_out = held_out}, small_window());
     ASSERT_TRUE(window.step());
     LumigraphRenderer renderer(box());
-    Comparison comparison(options.held_out);
+    Comparison comparison(held_out);
     ViewerState& state = window.state();
     EXPECT_FALSE(comparison.over_frame(state, 320, 240, renderer).has_value());
 
-    go_to_held_out(0, options.held_out, box(), state);
+    go_to_held_out(0, held_out, box(), state);
     const auto photograph = comparison.over_frame(state, 320, 240, renderer);
     ASSERT_TRUE(photograph.has_value());
     EXPECT_EQ(texels(photograph->texture, view.photograph), view.photograph.pixels());
@@ -237,7 +204,7 @@ TEST_F(Window, ComparesWithAHeldOutPhotographAndShowsItsDifference) {
     EXPECT_EQ(texels(difference->texture, drawn),
               difference_picture(drawn, view.photograph).pixels());
 
-    go_to_held_out(1, options.held_out, box(), state);
+    go_to_held_out(1, held_out, box(), state);
     const auto nothing = comparison.over_frame(state, 320, 240, renderer);
     ASSERT_TRUE(nothing.has_value());
     for (const Rgb8& texel : texels(nothing->texture, drawn)) ASSERT_EQ(texel, Rgb8{});
@@ -274,7 +241,7 @@ TEST(WindowWithoutADisplay, SaysToDrawToFilesInstead) {
     ::unsetenv("DISPLAY");
     ::unsetenv("WAYLAND_DISPLAY");
     try {
-        run_window(box(), {});
+        run_window({box()}, {});
         FAIL() << "a window without a display";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), "E-GL-CONTEXT");

@@ -1,4 +1,4 @@
-#include "render/viewer/photograph_eye.h"
+#include "render/paths/photograph_eye.h"
 
 #include <gtest/gtest.h>
 
@@ -83,6 +83,29 @@ TEST(FittedTo, ShowsTheWholePictureCentredAsLargeAsFits) {
     const Eye tall = fitted_to(eye, 1280, 1160);  // Twice the size, 100 pixels above and below.
     EXPECT_LT((pixel_of(tall, top_left) - Eigen::Vector2d(0, 100)).norm(), 1e-9);
     EXPECT_LT((pixel_of(tall, bottom_right) - Eigen::Vector2d(1280, 1060)).norm(), 1e-9);
+}
+
+TEST(TurnedUpright, APictureIsTurnedAsItsEyeIs) {
+    const Eye eye{pinhole_camera(6, 4, 5.0), {}};
+    ColorImage picture(6, 4);
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 6; ++x)
+            picture(x, y) = {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 0};
+    for (int orientation = 1; orientation <= 8; ++orientation) {
+        const Eye upright = turned_upright(eye, orientation);
+        const ColorImage turned = turned_upright(picture, orientation);
+        ASSERT_EQ(turned.width(), upright.camera.width_px);
+        ASSERT_EQ(turned.height(), upright.camera.height_px);
+        for (int y = 0; y < turned.height(); ++y)
+            for (int x = 0; x < turned.width(); ++x) {
+                const Eigen::Vector3d direction = upright.cam_from_world.rotation.conjugate() *
+                                                  unproject(upright.camera, {x + 0.5, y + 0.5});
+                const auto pixel = project(eye.camera, eye.cam_from_world.rotation * direction);
+                ASSERT_TRUE(pixel.has_value());
+                EXPECT_NEAR(pixel->x(), turned(x, y).r + 0.5, 1e-9) << orientation;
+                EXPECT_NEAR(pixel->y(), turned(x, y).g + 0.5, 1e-9) << orientation;
+            }
+    }
 }
 
 TEST(IndexOfView, FindsANameOrAStemThatIsTheOnlyOne) {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "calib/capture/image.h"
 #include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
@@ -11,6 +12,9 @@ namespace lumi {
 /// orientation (1 to 8) says is upright. Mirrored orientations are turned and not mirrored: a view
 /// of the world has no left and right to swap.
 [[nodiscard]] Eye turned_upright(const Eye& eye, int exif_orientation);
+
+/// The picture turned alike.
+[[nodiscard]] ColorImage turned_upright(const ColorImage& picture, int exif_orientation);
 
 /// The eye that stood where the photograph was taken, its picture upright.
 [[nodiscard]] Eye eye_at(const LumigraphView& view);

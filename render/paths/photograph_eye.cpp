@@ -1,4 +1,4 @@
-#include "render/viewer/photograph_eye.h"
+#include "render/paths/photograph_eye.h"
 
 #include <algorithm>
 #include <array>
@@ -34,14 +34,28 @@ Eye turned_clockwise(const Eye& eye) {
     return result;
 }
 
+ColorImage turned_clockwise(const ColorImage& picture) {
+    ColorImage turned(picture.height(), picture.width());
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            turned(picture.height() - 1 - y, x) = picture(x, y);
+    return turned;
+}
+
+template <class Turned>
+Turned turned_clockwise(Turned turned, int turns) {
+    for (int turn = 0; turn < turns; ++turn) turned = turned_clockwise(turned);
+    return turned;
+}
+
 }  // namespace
 
 Eye turned_upright(const Eye& eye, int exif_orientation) {
-    Eye result = eye;
-    for (int turn = 0; turn < quarter_turns(exif_orientation); ++turn) {
-        result = turned_clockwise(result);
-    }
-    return result;
+    return turned_clockwise(eye, quarter_turns(exif_orientation));
+}
+
+ColorImage turned_upright(const ColorImage& picture, int exif_orientation) {
+    return turned_clockwise(picture, quarter_turns(exif_orientation));
 }
 
 Eye eye_at(const LumigraphView& view) {

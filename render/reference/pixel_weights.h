@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "render/faces/blend_strips.h"
+#include "render/faces/face_polygons.h"
+
+namespace lumi {
+
+/// Which views the rays of one eye are blended from, pixel by pixel: by the camera mesh; where it
+/// has no faces by the strips of the eye's blends; or by polygons that take their place.
+class PixelWeights {
+ public:
+    /// Keeps references to the mesh and the polygons.
+    PixelWeights(const CameraMesh& mesh, const Eye& eye,
+                 const std::optional<std::vector<FacePolygon>>& polygons);
+
+    /// Empty where no view is blended. `direction_in_world` is that of the ray, which may be that
+    /// of a block's middle.
+    [[nodiscard]] std::optional<RayWeights> at(const Eigen::Vector2d& pixel,
+                                               const Eigen::Vector3d& direction_in_world) const;
+
+ private:
+    const CameraMesh& mesh_;
+    const std::optional<std::vector<FacePolygon>>& polygons_;
+    Eigen::Vector3d eye_in_world_;
+    std::vector<EyeBlend> blends_;  ///< None where the camera mesh has faces.
+    std::vector<int> strip_ends_;   ///< Of these.
+};
+
+}  // namespace lumi

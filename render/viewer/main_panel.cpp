@@ -1,0 +1,199 @@
+#include "render/viewer/main_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <string>
+
+#include "calib/work/printable.h"
+#include "render/bench/occlusion_share.h"
+#include "render/viewer/moving_resolution.h"
+
+namespace lumi {
+namespace {
+
+constexpr float kPanelWidth = 250;
+constexpr float kPanelMargin = 10;
+constexpr float kSliderWidth = 120;
+
+bool is_of_a_paper(RenderMode mode) {
+    return mode == RenderMode::kPaper2001 || mode == RenderMode::kHeigl;
+}
+
+/// Two in a row.
+void show_modes(RenderOptions& render) {
+    const std::vector<RenderMode> all = all_render_modes();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i % 2 == 1) ImGui::SameLine(kPanelWidth / 2);
+        if (ImGui::RadioButton(name_of(all[i]).c_str(), render.mode == all[i]))
+            render.mode = all[i];
+    }
+}
+
+/// Greyed where it changes nothing, which `where_not` says to a cursor over it.
+void checkbox(const char* label, bool has_effect, const std::string& where_not, bool& value) {
+    ImGui::BeginDisabled(!has_effect);
+    ImGui::Checkbox(label, &value);
+    ImGui::EndDisabled();
+    if (!has_effect && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("without effect %s", where_not.c_str());
+}
+
+std::string words_for(DebugPicture picture) {
+    return picture == DebugPicture::kNone ? "the picture" : "show " + name_of(picture);
+}
+
+void show_picture(ViewerState& state) {
+    RenderOptions& render = state.render;
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (ImGui::BeginCombo("##picture", words_for(render.debug_picture).c_str())) {
+        for (const DebugPicture picture : all_debug_pictures()) {
+            if (ImGui::Selectable(words_for(picture).c_str(), render.debug_picture == picture))
+                render.debug_picture = picture;
+        }
+        ImGui::EndCombo();
+    }
+    const std::string in_mode = "in " + name_of(render.mode);
+    checkbox("occlusion correction", corrects_occlusion(render.mode), in_mode,
+             render.correct_occlusion);
+    checkbox("fade beyond the capture", !is_of_a_paper(render.mode), in_mode,
+             render.fade_beyond_capture);
+    checkbox("guess what lies around it",
+             !is_of_a_paper(render.mode) && !render.fade_beyond_capture,
+             is_of_a_paper(render.mode) ? in_mode : "where the capture fades",
+             render.guess_surroundings);
+    bool evens = state.exposures == Exposures::kEvened;
+    checkbox("even out exposures", !state.package.empty(), "without a package to read again",
+             evens);
+    state.exposures = evens ? Exposures::kEvened : Exposures::kAsTaken;
+}
+
+void show_photographs(const Lumigraph& lumigraph, ViewerState& state) {
+    const auto index = static_cast<std::size_t>(state.view_index);
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (!ImGui::BeginCombo("##photograph", printable(lumigraph.views[index].name).c_str())) return;
+    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Selectable(printable(lumigraph.views[i].name).c_str(), i == index)) {
+            go_to_photograph(static_cast<int>(i), lumigraph, state);
+        }
+        ImGui::PopID();
+    }
+    ImGui::EndCombo();
+}
+
+/// Packages that were opened before.
+void show_recent(ViewerState& state) {
+    if (state.recent_packages.empty()) return;
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (!ImGui::BeginCombo("##recent", "open again")) return;
+    for (std::size_t i = 0; i < state.recent_packages.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Selectable(printable(state.recent_packages[i].string()).c_str()))
+            state.package_to_open = state.recent_packages[i];
+        ImGui::PopID();
+    }
+    ImGui::EndCombo();
+}
+
+/// One button for each planned photograph, and the way to the one that is stood at.
+void show_plan(const Lumigraph& lumigraph, ViewerState& state) {
+    if (state.planned.empty()) return;
+    ImGui::TextUnformatted("photograph next");
+    for (int i = 0; i < static_cast<int>(state.planned.size()); ++i) {
+        ImGui::SameLine();
+        if (ImGui::Button(std::to_string(i + 1).c_str())) go_to_planned(i, lumigraph, state);
+    }
+    if (state.planned_index < 0) return;
+    ImGui::PushTextWrapPos();
+    ImGui::TextUnformatted(
+        printable(state.planned[static_cast<std::size_t>(state.planned_index)].words).c_str());
+    ImGui::PopTextWrapPos();
+}
+
+/// One button for each held-out photograph, and what is shown of it.
+void show_comparison(const Lumigraph& lumigraph, const std::vector<HeldOutView>& held_out,
+                     bool is_compared, ViewerState& state) {
+    if (held_out.empty()) return;
+    const char* const label =
+        is_compared ? held_out[static_cast<std::size_t>(state.compared_index)].name.c_str()
+                    : "compare with a photograph";
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (ImGui::BeginCombo("##held out", printable(label).c_str())) {
+        for (int i = 0; i < static_cast<int>(held_out.size()); ++i) {
+            ImGui::PushID(i);
+            if (ImGui::Selectable(printable(held_out[static_cast<std::size_t>(i)].name).c_str(),
+                                  is_compared && i == state.compared_index)) {
+                go_to_held_out(i, held_out, lumigraph, state);
+            }
+            ImGui::PopID();
+        }
+        ImGui::EndCombo();
+    }
+    if (!is_compared) return;
+    ImGui::Checkbox("difference, four times", &state.shows_difference);
+    if (state.shows_difference) return;
+    auto share = static_cast<float>(state.compared_share);
+    ImGui::SetNextItemWidth(kSliderWidth);
+    if (ImGui::SliderFloat("photograph", &share, 0.0F, 1.0F, "%.2f"))
+        state.compared_share = static_cast<double>(share);
+}
+
+/// The eye's path, and how smoothly frames follow it.
+void show_movement(ViewerState& state) {
+    if (ImGui::Button(state.records_path ? "write path" : "record path"))
+        state.records_path = !state.records_path;
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!state.has_path);
+    if (ImGui::Button(state.replays_path ? "stop" : "replay path"))
+        state.replays_path = !state.replays_path;
+    ImGui::EndDisabled();
+    constexpr float kMost = 120.0F;
+    auto wanted = static_cast<float>(state.frames_per_second);
+    ImGui::SetNextItemWidth(kSliderWidth);
+    if (ImGui::SliderFloat("frames/s", &wanted, 0.0F, kMost, wanted > 0 ? "%.0f" : "default"))
+        state.frames_per_second = static_cast<double>(wanted);
+    const bool drops_triangles =
+        state.render.mode == RenderMode::kAdaptive && state.frames_per_second > 0;
+    const double kept =
+        state.frames_per_second > 0 ? state.frames_per_second : MovingResolution::kFramesPerSecond;
+    ImGui::TextDisabled("%.0f by coarser frames%s", kept,
+                        drops_triangles ? ", fewer triangles" : "");
+}
+
+void show_figures(const Lumigraph& lumigraph, const FrameStatistics& statistics) {
+    const std::vector<float>& recent = statistics.recent_frames_ms;
+    if (!recent.empty()) {
+        ImGui::PlotLines("##frames", recent.data(), static_cast<int>(recent.size()), 0, nullptr,
+                         0.0F, *std::max_element(recent.begin(), recent.end()), {-FLT_MIN, 36});
+    }
+    ImGui::Text("%zu photographs, %zu faces", lumigraph.views.size(), lumigraph.mesh.faces.size());
+    ImGui::TextWrapped("%s", statistics.gl_description.c_str());
+}
+
+}  // namespace
+
+void show_main_panel(const Lumigraph& lumigraph, const std::vector<HeldOutView>& held_out,
+                     bool is_compared, const FrameStatistics& statistics, float status_height,
+                     ViewerState& state) {
+    const float room = ImGui::GetIO().DisplaySize.y - 2 * kPanelMargin - status_height;
+    ImGui::SetNextWindowPos({kPanelMargin, kPanelMargin}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSizeConstraints({kPanelWidth, 0}, {kPanelWidth, std::max(room, 100.0F)});
+    if (ImGui::Begin("lumi", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+        constexpr ImGuiTreeNodeFlags kOpen = ImGuiTreeNodeFlags_DefaultOpen;
+        if (ImGui::CollapsingHeader("mode", kOpen)) show_modes(state.render);
+        if (ImGui::CollapsingHeader("picture", kOpen)) show_picture(state);
+        if (ImGui::CollapsingHeader("photographs", kOpen)) {
+            show_photographs(lumigraph, state);
+            show_plan(lumigraph, state);
+            show_comparison(lumigraph, held_out, is_compared, state);
+            show_recent(state);
+        }
+        if (ImGui::CollapsingHeader("movement", kOpen)) show_movement(state);
+        if (ImGui::CollapsingHeader("figures")) show_figures(lumigraph, statistics);
+    }
+    ImGui::End();
+}
+
+}  // namespace lumi

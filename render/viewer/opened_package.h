@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "render/lumigraph/package.h"
+#include "render/viewer/commands.h"
+
+namespace lumi {
+
+/// A package and what the window offers beside it.
+struct OpenedPackage {
+    Lumigraph lumigraph;
+    bool fade_beyond_capture = false;     ///< Whether it is drawn so to begin with.
+    std::vector<PlannedView> planned{};   ///< Offered in the panel.
+    std::vector<HeldOutView> held_out{};  ///< To be compared with; offered in the panel.
+    std::string message{};                ///< What people are told of it; may be empty.
+};
+
+/// Reads the first and every further package of a window. Throws Error.
+using PackageLoader = std::function<OpenedPackage(const std::filesystem::path&, Exposures)>;
+
+/// A package alone, to be drawn as it was built to be. Throws what read_package throws.
+[[nodiscard]] OpenedPackage opened_alone(const std::filesystem::path& package, Exposures exposures);
+
+}  // namespace lumi

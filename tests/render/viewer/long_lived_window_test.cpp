@@ -1,0 +1,171 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "render/lumigraph/package.h"
+#include "render/lumigraph/same_eye.h"
+#include "render/viewer/window.h"
+#include "tests/calib/scratch_folder.h"
+#include "tests/render/viewer/xvfb_display.h"
+#include "tests/truth/textured_box_scene.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Lumigraph& shown_box() {
+    static const Lumigraph lumigraph = [] {
+        const SyntheticCapture scene = textured_box_scene();
+        return exact_lumigraph(scene, textured_box_camera_mesh(scene.capture));
+    }();
+    return lumigraph;
+}
+
+WindowOptions window_of_320x240() {
+    WindowOptions options;
+    options.width_px = 320;
+    options.height_px = 240;
+    return options;
+}
+
+/// A window to which things happen after it was opened, and a folder that it writes to.
+class LongLivedWindow : public testing::Test {
+ protected:
+    static void SetUpTestSuite() { display = std::make_unique<XvfbDisplay>(); }
+    static void TearDownTestSuite() { display.reset(); }
+    void SetUp() override {
+        if (!display->is_running()) GTEST_SKIP() << "no Xvfb here: install the package xvfb";
+        fs::current_path(scratch_.path());
+    }
+    void TearDown() override { fs::current_path(before_); }
+
+    static inline std::unique_ptr<XvfbDisplay> display;
+    const fs::path before_ = fs::current_path();
+    ScratchFolder scratch_;
+};
+
+TEST_F(LongLivedWindow, OpensAnotherPackageAndKeepsTheOldOneWhenItCannot) {
+    const ScratchFolder scratch;
+    Lumigraph other = shown_box();
+    other.name = "other\x1b";
+    other.views.resize(5);
+    other.mesh = {};
+    other.mesh.vertices = {{centre_in_world(other.views[2].cam_from_world), 2}};
+    write_package(scratch / "other.lumi", other, {});
+
+    WindowOptions options = window_of_320x240();
+    options.recent_file = scratch / "recent";
+    ViewerWindow window({shown_box()}, options);
+    EXPECT_TRUE(window.state().recent_packages.empty());
+    window.open_package(scratch / "nothing.lumi");
+    EXPECT_NE(window.statistics().message.find("nothing.lumi"), std::string::npos);
+    EXPECT_TRUE(window.step());
+    window.write_screenshot_to(scratch / "old.png");
+    window.open_package(scratch / "other.lumi/lumigraph.json");
+    EXPECT_TRUE(window.step());
+    window.write_screenshot_to(scratch / "new.png");
+    EXPECT_EQ(window.state().recent_packages.size(), 1U);
+    window.state().package_to_open = window.state().recent_packages[0];
+    EXPECT_TRUE(window.step());
+    EXPECT_NE(window.statistics().message.find("opened other"), std::string::npos);
+    EXPECT_TRUE(window.state().package_to_open.empty());
+
+    const auto name_in = [&](const char* file) {
+        return nlohmann::json::parse(read_whole_text(scratch / file))["lumigraph"];
+    };
+    EXPECT_EQ(name_in("old.json"), shown_box().name);
+    EXPECT_EQ(name_in("new.json"), "other\\x1b");
+}
+
+TEST_F(LongLivedWindow, OpensFurtherPackagesAsTheFirstWithWhatLiesBesideThem) {
+    std::vector<std::pair<fs::path, Exposures>> read;
+    WindowOptions options = window_of_320x240();
+    options.render.mode = RenderMode::kLightField;
+    options.exposures = Exposures::kAsTaken;
+    options.load = [&](const fs::path& package, Exposures exposures) {
+        read.emplace_back(package, exposures);
+        const LumigraphView& view = shown_box().views[4];
+        return OpenedPackage{.lumigraph = shown_box(),
+                             .fade_beyond_capture = true,
+                             .planned = {{Rigid3{}, "go left"}},
+                             .held_out = {{view.name, {view.camera, {}}, view.photograph}},
+                             .message = "it rains"};
+    };
+    ViewerWindow window({shown_box()}, options);
+    EXPECT_FALSE(window.state().render.fade_beyond_capture);
+    window.open_package("other.lumi");
+    EXPECT_EQ(read,
+              (std::vector<std::pair<fs::path, Exposures>>{{"other.lumi", Exposures::kAsTaken}}));
+    EXPECT_TRUE(window.state().render.fade_beyond_capture);
+    EXPECT_EQ(window.state().render.mode, RenderMode::kLightField);
+    EXPECT_EQ(window.state().planned.size(), 1U);
+    EXPECT_EQ(window.held_out().size(), 1U);
+    EXPECT_NE(window.statistics().message.find("it rains"), std::string::npos);
+    EXPECT_TRUE(window.step());
+}
+
+TEST_F(LongLivedWindow, ReadsThePackageAgainWhereOtherExposuresAreWished) {
+    std::vector<Exposures> read;
+    WindowOptions options = window_of_320x240();
+    options.package = "some.lumi";
+    options.load = [&](const fs::path& package, Exposures exposures) -> OpenedPackage {
+        EXPECT_EQ(package, "some.lumi");
+        read.push_back(exposures);
+        if (read.size() > 1) throw Error(ErrorKind::kBadInput, "E-GONE", "it is gone", "look");
+        return {shown_box()};
+    };
+    ViewerWindow window({shown_box(), true}, options);
+    ASSERT_TRUE(window.step());
+    window.state().navigation = orbit(window.state().navigation, {5, 3});
+    const Eye eye = window.state().navigation.eye;
+    window.state().exposures = Exposures::kAsTaken;
+    for (int i = 0; i < 2; ++i) ASSERT_TRUE(window.step());
+    EXPECT_EQ(read, std::vector{Exposures::kAsTaken});
+    EXPECT_TRUE(is_same_eye(window.state().navigation.eye, eye));
+    EXPECT_TRUE(window.state().render.fade_beyond_capture) << "as it was";
+
+    window.state().exposures = Exposures::kEvened;
+    for (int i = 0; i < 2; ++i) ASSERT_TRUE(window.step());
+    EXPECT_EQ(read.size(), 2U);
+    EXPECT_EQ(window.state().exposures, Exposures::kAsTaken);
+    EXPECT_NE(window.statistics().message.find("it is gone"), std::string::npos);
+}
+
+TEST_F(LongLivedWindow, RecordsThePathAndReplaysItToItsEnd) {
+    ViewerWindow window({shown_box()}, window_of_320x240());
+    ViewerState& state = window.state();
+    state.records_path = true;
+    ASSERT_TRUE(window.step());
+    const Eigen::Vector3d begun_at = centre_in_world(state.navigation.eye.cam_from_world);
+    state.navigation = orbit(state.navigation, {60, 20});
+    ASSERT_TRUE(window.step());
+    const Eigen::Vector3d ended_at = centre_in_world(state.navigation.eye.cam_from_world);
+    state.records_path = false;
+    ASSERT_TRUE(window.step());
+    EXPECT_TRUE(fs::exists("lumi-path-0001.json"));
+    EXPECT_TRUE(state.has_path);
+
+    state.navigation = frame_all(state.navigation, bounds_of(shown_box()));
+    state.replays_path = true;
+    ASSERT_TRUE(window.step());
+    EXPECT_LT((centre_in_world(state.navigation.eye.cam_from_world) - begun_at).norm(), 1e-9);
+    while (state.replays_path) ASSERT_TRUE(window.step());
+    EXPECT_LT((centre_in_world(state.navigation.eye.cam_from_world) - ended_at).norm(), 1e-9);
+}
+
+TEST_F(LongLivedWindow, WritesThePathThatIsRecordedWhenItIsClosed) {
+    ViewerWindow window({shown_box()}, window_of_320x240());
+    window.state().records_path = true;
+    ASSERT_TRUE(window.step());
+    window.state().wants_to_close = true;
+    EXPECT_FALSE(window.step());
+    EXPECT_TRUE(fs::exists("lumi-path-0001.json"));
+}
+
+}  // namespace
+}  // namespace lumi
