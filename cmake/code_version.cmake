@@ -1,5 +1,5 @@
 # Writes OUTPUT, which defines lumi::code_version_of, from the contents of the libraries in
-# CALIB, MESHING, LUMIGRAPH, STAGES and EVALUATE (lists of files). Run as: cmake -DOUTPUT=... -P this file
+# CALIB, MESHING, STAGES and EVALUATE (lists of files). Run as: cmake -DOUTPUT=... -P this file
 
 function(hash_of result)
   set(text "")
@@ -13,8 +13,7 @@ endfunction()
 
 hash_of(calib ${CALIB} ${STAGES})
 hash_of(meshing ${MESHING} ${STAGES})
-# Packing chooses views, compares exposures, and draws to see how many views to ask for depth.
-hash_of(pack ${MESHING} ${LUMIGRAPH} ${STAGES} ${EVALUATE})
+# Packing draws and judges, too: photographs are asked how a package is drawn.
 hash_of(evaluate ${EVALUATE})
 
 file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [[
@@ -25,8 +24,7 @@ namespace lumi {
 std::string code_version_of(const std::string& stage) {
     if (stage == "ingest" || stage == "calibrate" || stage == "poses") return "@calib@";
     if (stage == "mesh" || stage == "depth") return "@meshing@";
-    if (stage == "evaluate") return "@evaluate@";
-    return "@pack@";
+    return "@evaluate@";
 }
 
 }  // namespace lumi

@@ -11,7 +11,6 @@
 #include "calib/capture/rigid3.h"
 #include "calib/work/stopwatch.h"
 #include "calib/work/whole_file.h"
-#include "calib/work/whole_folder.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "meshing/cameras/kernel.h"
 #include "meshing/cameras/mesh_picture.h"
@@ -226,16 +225,13 @@ std::vector<ArrangementGrowth> time_arrangements(int most_cameras, std::uint64_t
 
 void draw_arrangements(const std::filesystem::path& folder, std::uint64_t seed) {
     constexpr int kCameras = 40;
-    WholeFolder whole(folder);
     for (const ArrangedCapture& arranged : arranged_captures(kCameras, seed)) {
         const std::vector<int> views = all_views(arranged.capture);
         const CameraMesh mesh = build_camera_mesh(arranged.capture, views, {}).mesh;
         std::string name = arranged.name;
         std::replace(name.begin(), name.end(), ' ', '-');
-        write_whole_text(whole.staging() / (name + ".svg"),
-                         camera_mesh_svg(arranged.capture, views, mesh));
+        write_whole_text(folder / (name + ".svg"), camera_mesh_svg(arranged.capture, views, mesh));
     }
-    whole.put_in_place();
 }
 
 }  // namespace lumi

@@ -9,6 +9,7 @@
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/plot.h"
 #include "pipeline/report/optional_json.h"
+#include "pipeline/workspace/json_file.h"
 
 namespace lumi {
 namespace {
@@ -87,7 +88,7 @@ void write_flicker_files(const std::filesystem::path& folder,
         std::replace(name.begin(), name.end(), ' ', '-');
         write_png(folder / ("jump-" + name + ".png"), side_by_side(figures.jump));
     }
-    write_whole_text(folder / "flicker.json", flicker_json(all).dump(1) + "\n");
+    write_json_file(folder / "flicker.json", flicker_json(all));
 }
 
 }  // namespace lumi

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "calib/work/median.h"
 #include "calib/work/stopwatch.h"
 #include "pipeline/bench/picture_change.h"
 #include "pipeline/bench/rival_scenes.h"
@@ -95,13 +96,39 @@ RivalFigures measured(const std::string& method, const std::string& settings, st
     return figures;
 }
 
+/// Plain code, on one core.
+RivalFigures measured_and_timed(const std::string& method, std::size_t pictures,
+                                const RivalCapture& capture, const Draw& draw) {
+    std::vector<double> cpu_ms;
+    std::vector<double> wall_ms;
+    RivalFigures figures = measured(method, "plain code", pictures, capture, [&](const Eye& eye) {
+        const Stopwatch stopwatch;
+        Frame frame = draw(eye);
+        const Cost cost = stopwatch.elapsed();
+        cpu_ms.push_back(1000 * cost.cpu_s);
+        wall_ms.push_back(1000 * cost.wall_s);
+        return frame;
+    });
+    figures.cpu_ms = median_of(std::move(cpu_ms));
+    figures.wall_ms = median_of(std::move(wall_ms));
+    return figures;
+}
+
 struct NamedOptions {
     std::string settings;
     RenderOptions options;
 };
 
+/// Errors give way until there are so many, which alone they would not ask for.
+RenderOptions as_many_triangles(std::size_t count) {
+    return {.mode = RenderMode::kAdaptive,
+            .triangle_error_ratio = 0.02,
+            .min_triangle_px = 0.5,
+            .max_triangles = count};
+}
+
 /// With one sample a pixel, as all methods that they are compared with.
-std::vector<NamedOptions> settings_of_free_form() {
+std::vector<NamedOptions> settings_of_free_form(const std::vector<std::size_t>& paper_triangles) {
     std::vector<NamedOptions> all{
         {"", {.mode = RenderMode::kLightField}},
         {"", {.mode = RenderMode::kHeigl}},
@@ -111,6 +138,8 @@ std::vector<NamedOptions> settings_of_free_form() {
     for (const std::size_t triangles : {std::size_t{500}, std::size_t{1000}, std::size_t{5000}})
         all.push_back({"<= " + std::to_string(triangles),
                        {.mode = RenderMode::kAdaptive, .max_triangles = triangles}});
+    for (const std::size_t triangles : paper_triangles)
+        all.push_back({"as the paper: " + std::to_string(triangles), as_many_triangles(triangles)});
     all.push_back(
         {"no occlusion correction", {.mode = RenderMode::kAdaptive, .correct_occlusion = false}});
     for (const double min_px : {24.0, 12.0, 6.0})
@@ -160,8 +189,8 @@ RivalScene measured_scene(const std::string& name, const RivalBenchmarkOptions& 
     scene.name = capture.name;
     scene.paper = capture.paper;
     scene.photographs = static_cast<int>(lumigraph.views.size());
-    append_modes("", lumigraph, settings_of_free_form(), capture, options.frames, progress,
-                 scene.rivals);
+    append_modes("", lumigraph, settings_of_free_form(capture.paper_triangles), capture,
+                 options.frames, progress, scene.rivals);
     const std::vector<Eye> path = timed_path(capture, kOftener * options.frames);
     scene.per_pixel_occlusion_share = occlusion_share(
         lumigraph, path, {.mode = RenderMode::kPerPixel, .smooth_silhouettes = false}, progress);
@@ -193,8 +222,7 @@ RivalScene measured_scene(const std::string& name, const RivalBenchmarkOptions& 
     }
     const auto append_plain = [&](const std::string& method, const Draw& draw) {
         progress.throw_if_interrupted();
-        scene.rivals.push_back(
-            measured(method, "plain code", lumigraph.views.size(), capture, draw));
+        scene.rivals.push_back(measured_and_timed(method, lumigraph.views.size(), capture, draw));
     };
     append_plain("unstructured lumigraph",
                  [&](const Eye& eye) { return draw_unstructured_lumigraph(lumigraph, eye); });

@@ -21,11 +21,12 @@ struct RivalFigures {
     std::string settings;
     int pictures = 0;  ///< That are drawn from: photographs, or those they were resampled to.
     double triangles = 0.0;
-    std::optional<double> cpu_ms;   ///< Median CPU time of a frame; empty: plain code, not timed.
+    std::optional<double> cpu_ms;   ///< Median CPU time of a frame.
     std::optional<double> wall_ms;  ///< The same by the clock: what frames a second are counted by.
-    std::optional<double> cpu_ratio;  ///< To a full-screen blend of three textures.
-    double psnr_db = 0.0;             ///< Mean over held-out photographs, all pixels.
-    double psnr_covered_db = 0.0;     ///< Over what the method covers.
+    /// To a full-screen blend of three textures; empty for plain code, on one core.
+    std::optional<double> cpu_ratio;
+    double psnr_db = 0.0;          ///< Mean over held-out photographs, all pixels.
+    double psnr_covered_db = 0.0;  ///< Over what the method covers.
     double coverage = 0.0;
     /// Share of pixels that show another surface: off by more than a fifth of the range, and not
     /// within two pixels of a silhouette.

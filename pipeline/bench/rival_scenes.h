@@ -21,6 +21,7 @@ struct TrueFrame {
 struct RivalCapture {
     std::string name;
     std::string paper;
+    std::vector<std::size_t> paper_triangles;  ///< At which the paper reports frames a second.
     bool is_all_around = false;
     Lumigraph lumigraph;
     std::vector<TrueFrame> held_out;

@@ -16,7 +16,17 @@ std::vector<std::string> depth_model_literals() {
     return literals;
 }
 
-/// The longest side of any photograph; 0 where that cannot be told (a video, no photographs).
+/// Of the copies that the configuration asks for; photographs are never enlarged.
+int full_size_px(const BuildConfig& config) {
+    const int asked_px = config.ingest.max_width_px;
+    const int there_px = longest_side_px(config.photographs_or_video);
+    if (asked_px > 0 && there_px > 0) return std::min(asked_px, there_px);
+    if (asked_px > 0 || there_px > 0) return std::max(asked_px, there_px);
+    return IngestOptions{}.max_width_px;
+}
+
+}  // namespace
+
 int longest_side_px(const std::filesystem::path& photographs_or_video) {
     std::error_code status;
     if (!std::filesystem::is_directory(photographs_or_video, status)) return 0;
@@ -31,17 +41,6 @@ int longest_side_px(const std::filesystem::path& photographs_or_video) {
     }
     return longest_px;
 }
-
-/// Of the copies that the configuration asks for; photographs are never enlarged.
-int full_size_px(const BuildConfig& config) {
-    const int asked_px = config.ingest.max_width_px;
-    const int there_px = longest_side_px(config.photographs_or_video);
-    if (asked_px > 0 && there_px > 0) return std::min(asked_px, there_px);
-    if (asked_px > 0 || there_px > 0) return std::max(asked_px, there_px);
-    return IngestOptions{}.max_width_px;
-}
-
-}  // namespace
 
 ConfigList with_all_spelled_out(ConfigList list) {
     const bool is_all = list.words() == std::vector<std::string>{"all"};

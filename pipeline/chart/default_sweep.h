@@ -1,10 +1,14 @@
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "pipeline/config/config_variant.h"
 
 namespace lumi {
+
+/// The longest side of any photograph; 0 where that cannot be told (a video, no photographs).
+[[nodiscard]] int longest_side_px(const std::filesystem::path& photographs_or_video);
 
 /// The values of a list, where ["all"] under depth.model stands for every depth model of this
 /// version.

@@ -1,9 +1,9 @@
 #include "pipeline/chart/growth.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "calib/work/child_process.h"
 #include "calib/work/error.h"
@@ -18,16 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Settings that name a file beside the configuration, which is written to another folder here.
-constexpr std::array<std::pair<const char*, const char*>, 7> kPathsElsewhere{
-    {{"capture", "import"},
-     {"calibration", "camera"},
-     {"calibration", "boards"},
-     {"depth", "import_folder"},
-     {"depth", "import_mesh"},
-     {"depth", "import_volume"},
-     {"depth", "masks"}}};
-
 std::vector<int> read_counts(const ConfigSection& section, const std::string& key) {
     std::vector<int> counts;
     for (const double number : section.numbers(key, {})) {
@@ -37,15 +27,6 @@ std::vector<int> read_counts(const ConfigSection& section, const std::string& ke
         counts.push_back(static_cast<int>(number));
     }
     return counts;
-}
-
-std::string quoted(const fs::path& path) {
-    std::string text = "\"";
-    for (const char c : path.string()) {
-        if (c == '"' || c == '\\') text += '\\';
-        text += c;
-    }
-    return text + '"';
 }
 
 /// The files of a folder of photographs in order of name, sub-folders aside.
@@ -59,7 +40,7 @@ std::vector<fs::path> photographs_in(const fs::path& folder) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder)) {
         const bool is_hidden = entry.path().filename().string().starts_with('.');
-        if (entry.is_regular_file() && !is_hidden) files.push_back(entry.path());
+        if (entry.is_regular_file(status) && !is_hidden) files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
     return files;
@@ -90,18 +71,21 @@ class GrowthRun {
         for (const int count : plan.photographs) {
             const std::string name = std::to_string(count) + " photographs";
             attempt(name, result, [&] {
+                const std::string photos = literal_of_text(first_photographs(count).string());
                 append(result.by_photographs, sample("photographs-" + std::to_string(count),
-                                                     first_photographs(count), {}));
+                                                     {{"capture.photos", photos}}));
             });
         }
         for (const int width_px : plan.widths_px) {
             const std::string name = "photographs of " + std::to_string(width_px) + " pixels";
             attempt(name, result, [&] {
                 append(result.by_size,
-                       sample("width-" + std::to_string(width_px), config_.photographs_or_video,
+                       sample("width-" + std::to_string(width_px),
                               {{"capture.max_width_px", std::to_string(width_px)}}));
             });
         }
+        const bool is_empty = result.by_photographs.empty() && result.by_size.empty();
+        if (is_empty && first_error_) throw *first_error_;
         return result;
     }
 
@@ -121,6 +105,7 @@ class GrowthRun {
             }
             result.failures.push_back(name + ": " + error.code() + ": " + error.what());
             progress_.note(result.failures.back());
+            first_error_ = first_error_.value_or(error);
         }
     }
 
@@ -136,15 +121,11 @@ class GrowthRun {
         return folder;
     }
 
-    std::vector<GrowthSample> sample(const std::string& name, const fs::path& photographs,
-                                     std::vector<ConfigChange> changes) {
-        changes.push_back({"capture.photos", quoted(fs::absolute(photographs))});
-        for (const auto& [section, key] : kPathsElsewhere) {
-            const fs::path path = document_.options_of(section).path(key);
-            if (!path.empty()) changes.push_back({std::string(section) + '.' + key, quoted(path)});
-        }
+    /// Of the configuration with changes, which is written to another folder than its own.
+    std::vector<GrowthSample> sample(const std::string& name,
+                                     const std::vector<ConfigChange>& changes) {
         const fs::path config_path = folder_ / (name + ".toml");
-        write_whole_text(config_path, document_.text_with(changes));
+        write_whole_text(config_path, document_.build_config_with(changes).movable_toml);
         const WorkspaceLayout workspace(folder_ / name, config_.name);
         std::vector<GrowthSample> samples;
         for (const std::string& stage : stages_of_line()) {
@@ -198,6 +179,7 @@ class GrowthRun {
     fs::path folder_;
     int threads_;
     Progress& progress_;
+    std::optional<Error> first_error_;
 };
 
 }  // namespace

@@ -42,8 +42,9 @@ struct GrowthResult {
 
 /// Builds the capture with fewer photographs and with smaller ones, each stage by `program` (lumi
 /// itself) in a process of its own, so that its memory is its own. What was measured before in
-/// `folder` is kept. A size that cannot be built is noted and the others go on. Throws Error
-/// (E-CHILD-..., E-INTERRUPTED, E-GROWTH-PHOTOS when the photographs are no folder).
+/// `folder` is kept. A size that cannot be built is noted and the others go on; when none can be,
+/// the first failure is thrown: E-GROWTH-STAGE, E-GROWTH-PHOTOS when the photographs are no folder.
+/// Throws Error (E-CHILD-..., E-INTERRUPTED).
 [[nodiscard]] GrowthResult measure_growth(const ConfigDocument& document, const GrowthPlan& plan,
                                           const std::filesystem::path& program,
                                           const std::filesystem::path& folder, int threads,

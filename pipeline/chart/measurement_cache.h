@@ -18,11 +18,13 @@ struct Measurement {
     bool is_cached = false;
 };
 
-/// Evaluations by what decides them: the package, the photographs they are compared with, the mode
-/// and the code that draws and judges.
+/// Evaluations by what decides them: the package, the photographs they are compared with, the mode,
+/// the OpenGL that draws, whose milliseconds no other's are compared with, and the code that draws
+/// and judges.
 class MeasurementCache {
  public:
-    explicit MeasurementCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    MeasurementCache(std::filesystem::path folder, std::string gl_description)
+        : folder_(std::move(folder)), gl_description_(std::move(gl_description)) {}
 
     /// Empty when it was not measured before, or when the file is damaged.
     [[nodiscard]] std::optional<Measurement> find(const std::string& what, RenderMode mode) const;
@@ -33,6 +35,7 @@ class MeasurementCache {
     [[nodiscard]] std::filesystem::path path_of(const std::string& what, RenderMode mode) const;
 
     std::filesystem::path folder_;
+    std::string gl_description_;
 };
 
 }  // namespace lumi

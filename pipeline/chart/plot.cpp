@@ -1,65 +1,28 @@
 #include "pipeline/chart/plot.h"
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 
-#include "calib/work/child_process.h"
 #include "calib/work/error.h"
-#include "calib/work/whole_file.h"
+#include "pipeline/chart/gnuplot.h"
 #include "pipeline/chart/label_choice.h"
 
 namespace lumi {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Colours that colour-blind eyes tell apart (Okabe and Ito, 2008), grey apart.
 constexpr std::array<const char*, 7> kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                              "#e69f00", "#56b4e9", "#000000"};
 constexpr std::array<int, 7> kPointTypes{7, 5, 9, 13, 11, 6, 4};
 constexpr const char* kGrey = "#b0b0b0";
-constexpr double kTimeLimitS = 60.0;
-
-/// A folder of this process alone, gone with this object.
-class ScratchDirectory {
- public:
-    ScratchDirectory() {
-        std::string pattern = (fs::temp_directory_path() / "lumi-plot-XXXXXX").string();
-        if (::mkdtemp(pattern.data()) == nullptr) refuse_write(pattern, errno);
-        path_ = pattern;
-    }
-    ~ScratchDirectory() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    ScratchDirectory(const ScratchDirectory&) = delete;
-    ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-
-    [[nodiscard]] fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-    fs::path path_;
-};
 
 /// A number as gnuplot reads it, whatever the locale.
 std::string number(double value) {
     std::array<char, 32> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
     return {text.data(), end};
-}
-
-/// A text in gnuplot's double quotes; its markup is switched off.
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c == '\n' ? ' ' : c;
-    }
-    return result + '"';
 }
 
 bool is_drawable(const Plot& plot, const PlotMark& mark) {
@@ -76,13 +39,10 @@ class PlotScript {
 
     [[nodiscard]] bool is_empty() const { return drawn_.empty(); }
 
-    [[nodiscard]] std::string text(const fs::path& target) const {
+    [[nodiscard]] std::string text() const {
         std::string script =
-            "set encoding utf8\n"
-            "set terminal svg size 680,520 font 'sans-serif,15' background rgb 'white' noenhanced\n"
-            "set output " +
-            quoted(target.string()) + "\n" + "set title " + quoted(plot_.title) + "\nset xlabel " +
-            quoted(plot_.x_label) + "\nset ylabel " + quoted(plot_.y_label) +
+            "set title " + gnuplot_quoted(plot_.title) + "\nset xlabel " +
+            gnuplot_quoted(plot_.x_label) + "\nset ylabel " + gnuplot_quoted(plot_.y_label) +
             "\nset rmargin 12\nset grid lc rgb '#e4e4e4' lt 1 lw 1\nset border 3 lc rgb '#808080'\n"
             "set tics nomirror\nset key outside top center horizontal maxrows 3\n"
             "set bars small\n";
@@ -154,7 +114,7 @@ class PlotScript {
         std::string script;
         for (std::size_t i = 0; i < labelled_.size(); ++i) {
             if (!is_readable[i]) continue;
-            script += "set label " + quoted(labelled_[i]->label) + " at " +
+            script += "set label " + gnuplot_quoted(labelled_[i]->label) + " at " +
                       number(labelled_[i]->x) + "," + number(labelled_[i]->y) +
                       " front offset 0.7,0.5 font ',12' tc rgb '#404040'\n";
         }
@@ -193,7 +153,7 @@ class PlotScript {
         }
         data_ += "EOD\n";
         drawn_ += (drawn_.empty() ? "" : ", \\\n     ") + block + " " + how +
-                  (name.empty() ? " notitle" : " title " + quoted(name));
+                  (name.empty() ? " notitle" : " title " + gnuplot_quoted(name));
     }
 
     const Plot& plot_;
@@ -216,27 +176,9 @@ std::string plot_svg(const Plot& plot, const Progress& progress) {
                     plot.title + ": there is nothing to draw",
                     "measure at least one setting that can be built");
     }
-    const ScratchDirectory scratch;
-    write_whole_text(scratch / "plot.gp", script.text(scratch / "plot.svg"));
-    ChildCommand command;
-    command.arguments = {"gnuplot", (scratch / "plot.gp").string()};
-    command.log_path = scratch / "log";
-    command.time_limit_s = kTimeLimitS;
-    command.missing_advice = "install gnuplot (Debian: gnuplot-nox)";
-    const ChildResult result = run_child(command, progress);
-    std::error_code status;
-    const std::string svg = fs::is_regular_file(scratch / "plot.svg", status)
-                                ? read_whole_text(scratch / "plot.svg")
-                                : "";
-    // gnuplot's exit status says nothing about a picture that was cut short.
-    if (result.end != ChildEnd::kExited || result.exit_status != 0 ||
-        svg.find("</svg>") == std::string::npos) {
-        throw Error(ErrorKind::kExternalProgram, "E-CHART-GNUPLOT",
-                    "gnuplot made no picture of \"" + plot.title + "\": " +
-                        description_of(result, command) + ": " + read_whole_text(scratch / "log"),
-                    "check that gnuplot runs and that the disk is not full");
-    }
-    return svg;
+    return gnuplot_svg(
+        {plot.title, "size 680,520 font 'sans-serif,15' background rgb 'white'", script.text()},
+        progress);
 }
 
 }  // namespace lumi

@@ -50,8 +50,8 @@ struct Plot {
 };
 
 /// Draws a plot as SVG with gnuplot. Series without marks, and marks that are not finite or that a
-/// logarithm does not know, are left out. Throws Error: E-CHART-GNUPLOT (it is missing or made no
-/// picture), E-CHART-EMPTY (nothing is left to draw).
+/// logarithm does not know, are left out. Throws what gnuplot_svg throws, and Error (E-CHART-EMPTY:
+/// nothing is left to draw).
 [[nodiscard]] std::string plot_svg(const Plot& plot, const Progress& progress);
 
 }  // namespace lumi

@@ -14,6 +14,8 @@
 #include "pipeline/stages/photograph_list.h"
 #include "pipeline/workspace/folder_lock.h"
 #include "pipeline/workspace/stage_store.h"
+#include "render/gl/capabilities.h"
+#include "render/gl/headless_context.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {
@@ -25,6 +27,12 @@ WorkspaceLayout variant_layout(const Variant& variant, const fs::path& folder, i
     std::string name = sha256_hex(variant.config.resolved_toml).substr(0, 16);
     if (repeat > 0) name += "-repeat-" + std::to_string(repeat);
     return {folder / "variants" / name, variant.config.name};
+}
+
+/// What will draw.
+std::string opengl_at_hand() {
+    const HeadlessContext context;
+    return query_capabilities().description;
 }
 
 /// One run over a sweep.
@@ -228,7 +236,7 @@ class SweepRun {
     Progress& progress_;
     const IsEnough& is_enough_;
     ChartResult result_;
-    MeasurementCache cache_{folder_ / "measurements"};
+    MeasurementCache cache_{folder_ / "measurements", opengl_at_hand()};
     std::vector<Photograph> reference_copies_;
     std::optional<Error> first_error_;
 };

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "calib/work/whole_file.h"
-#include "calib/work/whole_folder.h"
 #include "pipeline/chart/plot.h"
 
 namespace lumi {
@@ -49,17 +48,14 @@ Plot cost_plot(const ViewCurve& curve, const char* title, const char* label,
 
 void draw_view_curve(const std::filesystem::path& folder, const ViewCurve& curve,
                      const Progress& progress) {
-    WholeFolder whole(folder);
-    write_whole_text(whole.staging() / "loss.svg", plot_svg(loss_plot(curve), progress));
-    write_whole_text(whole.staging() / "mib.svg",
+    write_whole_text(folder / "loss.svg", plot_svg(loss_plot(curve), progress));
+    write_whole_text(folder / "mib.svg",
                      plot_svg(cost_plot(curve, "What views take in a GL's memory", "MiB",
                                         &ViewCurvePoint::texture_mib),
                               progress));
-    write_whole_text(
-        whole.staging() / "ms.svg",
-        plot_svg(cost_plot(curve, "What views cost in time", "ms a frame", &ViewCurvePoint::ms),
-                 progress));
-    whole.put_in_place();
+    write_whole_text(folder / "ms.svg", plot_svg(cost_plot(curve, "What views cost in time",
+                                                           "ms a frame", &ViewCurvePoint::ms),
+                                                 progress));
 }
 
 }  // namespace lumi

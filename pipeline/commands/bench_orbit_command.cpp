@@ -96,7 +96,7 @@ void run_bench_orbit(const BenchOrbitRequest& request, const CommandContext& con
     Lumigraph lumigraph = read_package(request.package);
     keep_free_memory();
     const std::size_t photographs = lumigraph.views.size();
-    ViewerWindow window(std::move(lumigraph), window_options);
+    ViewerWindow window({std::move(lumigraph)}, window_options);
     const OrbitReport report = orbit_window(window, photographs, options, *context.progress);
     if (context.json) {
         context.print_result(report_json(report, options));

@@ -8,6 +8,7 @@
 #include "pipeline/pose_bench/pose_chart.h"
 #include "pipeline/pose_bench/pose_trial.h"
 #include "pipeline/report/number_text.h"
+#include "pipeline/workspace/json_file.h"
 
 namespace lumi {
 namespace {
@@ -101,12 +102,11 @@ std::string report_text(const BenchPosesReport& report, bool with_colmap) {
 }
 
 void write_chart(const BenchPosesRequest& request, const BenchPosesReport& report,
-                 const std::string& title, const fs::path& scratch, const Progress& progress) {
+                 const std::string& title, const Progress& progress) {
     const fs::path& folder = request.chart_folder;
     write_whole_text(folder / "poses.csv", trials_csv(report.trials));
-    write_whole_text(folder / "poses.json",
-                     report_json(report, request.with_colmap).dump(2) + "\n");
-    draw_pose_chart(report.trials, title, folder / "poses.svg", scratch, progress);
+    write_json_file(folder / "poses.json", report_json(report, request.with_colmap));
+    draw_pose_chart(report.trials, title, folder / "poses.svg", progress);
 }
 
 void run_bench_poses(const BenchPosesRequest& request, const CommandContext& context) {
@@ -138,7 +138,7 @@ void run_bench_poses(const BenchPosesRequest& request, const CommandContext& con
         // After each, so that whoever stops a long run has a chart of what was measured.
         if (!request.chart_folder.empty() && done > beside) {
             write_chart(request, report, "From photographs to poses: " + config.name,
-                        request.scratch_folder, *context.progress);
+                        *context.progress);
         }
     }
     if (context.json) {

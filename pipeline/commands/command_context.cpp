@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "pipeline/commands/text_progress.h"
 #include "pipeline/workspace/json_file.h"
@@ -15,8 +14,12 @@ void CommandContext::print_result(const std::string& text) const {
     std::cout << text << std::flush;
 }
 
-void CommandContext::print_result(const nlohmann::ordered_json& json_result) const {
-    print_result(json_text(json_result));
+void CommandContext::print_result(const nlohmann::ordered_json& result) const {
+    if (json) {
+        *object = result;
+    } else {
+        print_result(json_text(result));
+    }
 }
 
 void CommandContext::say(const std::string& text) const {

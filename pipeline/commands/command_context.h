@@ -2,7 +2,7 @@
 
 #include <functional>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "calib/work/progress.h"
@@ -19,9 +19,13 @@ struct CommandContext {
     std::unique_ptr<Progress> progress;  ///< Present while `chosen` runs.
     std::function<void()> clear_bar;     ///< Clears the terminal's line for other words.
     int exit_code = 0;  ///< Of a command that did its work; an Error brings its own.
+    /// The one object of --json, null until the command has a result. It is printed when the
+    /// command has ended, together with what ended it.
+    std::unique_ptr<nlohmann::ordered_json> object = std::make_unique<nlohmann::ordered_json>();
 
     void print_result(const std::string& text) const;
-    void print_result(const nlohmann::ordered_json& json_result) const;
+    /// With --json, leaves the result in `object`.
+    void print_result(const nlohmann::ordered_json& result) const;
     void say(const std::string& text) const;
 };
 

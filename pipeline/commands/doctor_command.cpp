@@ -7,6 +7,7 @@
 #include "calib/ingest/overlay_removal.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
+#include "calib/work/printable.h"
 #include "calib/work/process_memory.h"
 #include "calib/work/whole_file.h"
 #include "meshing/depth/depth_memory.h"
@@ -16,6 +17,7 @@
 #include "pipeline/report/number_text.h"
 #include "pipeline/stages/left_out_json.h"
 #include "pipeline/stages/overlays_json.h"
+#include "pipeline/workspace/json_file.h"
 
 namespace lumi {
 namespace {
@@ -117,7 +119,7 @@ Json examination_json(const Examination& seen, double depth_mib, const fs::path&
                 {"loop_conflict_share", seen.evidence.loops.conflict_share()},
                 {"median_angle_deg", median_angle_deg(seen.evidence)},
                 {"groups", groups_of(match_graph_of(seen.evidence))},
-                {"match_graph", picture.string()},
+                {"match_graph", printable(picture.string())},
                 {"expected_build",
                  {{"cpu_s", seen.build.cpu_s},
                   {"peak_mib", std::max(seen.build.peak_mib, depth_mib)},
@@ -130,7 +132,7 @@ std::string concerned_text(const Finding& finding) {
     constexpr std::size_t kMaxNamed = 6;
     std::string text;
     for (std::size_t i = 0; i < std::min(kMaxNamed, finding.photographs.size()); ++i) {
-        text += (i == 0 ? "     " : ", ") + finding.photographs[i];
+        text += (i == 0 ? "     " : ", ") + printable(finding.photographs[i]);
     }
     if (finding.photographs.size() > kMaxNamed) {
         text += " and " + std::to_string(finding.photographs.size() - kMaxNamed) + " more";
@@ -147,7 +149,8 @@ std::string examination_text(const Examination& seen, double depth_mib, const fs
     }
     for (const RemovedOverlay& overlay : seen.overlays) text += text_of(overlay) + "\n";
     for (const LeftOut& left_out : seen.left_out) {
-        text += "left out " + left_out.name + " (" + left_out.code + "): " + left_out.reason + "\n";
+        text += "left out " + printable(left_out.name) + " (" + left_out.code +
+                "): " + left_out.reason + "\n";
     }
     const CaptureEvidence& evidence = seen.evidence;
     text += std::to_string(evidence.photographs.size()) + " photographs, " +
@@ -181,7 +184,7 @@ void run_doctor(const DoctorRequest& request, CommandContext& context) {
     write_whole_text(picture, match_graph_svg(seen.evidence));
     const double depth = depth_mib(seen, config.depth, threads);
     const Json json = examination_json(seen, depth, picture);
-    write_whole_text(folder / "doctor.json", json.dump(2) + "\n");
+    write_json_file(folder / "doctor.json", json);
     if (context.json) {
         context.print_result(json);
     } else {

@@ -1,62 +1,75 @@
 #include "pipeline/commands/error_report.h"
 
-#include <filesystem>
 #include <iostream>
-#include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
 
-#include "calib/work/error.h"
+#include "calib/work/error_of_exception.h"
 #include "calib/work/printable.h"
 
 namespace lumi {
 namespace {
 
-void print(const Error& error, const CommandContext& context) {
-    if (context.clear_bar) context.clear_bar();
-    std::cerr << "error " << error.code() << ": " << printable(error.what()) << "\n  -> "
-              << printable(error.advice()) << std::endl;
-    if (!context.json) return;
-    const nlohmann::ordered_json object{{"error",
-                                         {{"code", error.code()},
-                                          {"what", error.what()},
-                                          {"advice", error.advice()},
-                                          {"exit_code", error.exit_code()}}}};
-    std::cout << object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
-              << std::endl;
+using Json = nlohmann::ordered_json;
+
+constexpr int kBugExitCode = 1;
+
+/// What ended a command.
+struct CommandFailure {
+    std::string code;
+    std::string what;
+    std::string advice;
+    int exit_code = kBugExitCode;
+};
+
+CommandFailure failure_of(const Error& error) {
+    return {error.code(), error.what(), error.advice(), error.exit_code()};
 }
 
-Error as_error(const std::filesystem::filesystem_error& error) {
-    const bool is_full = error.code() == std::errc::no_space_on_device;
-    return {is_full ? ErrorKind::kResources : ErrorKind::kBadInput, "E-FILE-SYSTEM", error.what(),
-            is_full ? "free some disk space and run the same command again"
-                    : "check that the path exists and that you may use it"};
+/// Nothing where `work` came to its end.
+std::optional<CommandFailure> failure_after(const std::function<void()>& work) {
+    try {
+        work();
+        return std::nullopt;
+    } catch (const std::exception& exception) {
+        if (const std::optional<Error> error = error_of_exception(exception)) {
+            return failure_of(*error);
+        }
+        return CommandFailure{
+            "E-INTERNAL", exception.what(),
+            "this is a bug of lumi: please report it with the command and its output"};
+    }
+}
+
+void tell(const CommandFailure& failure, const CommandContext& context) {
+    if (context.clear_bar) context.clear_bar();
+    std::cerr << "error " << failure.code << ": " << printable(failure.what) << "\n  -> "
+              << printable(failure.advice) << std::endl;
+}
+
+Json json_of(const CommandFailure& failure) {
+    return {{"code", failure.code},
+            {"what", failure.what},
+            {"advice", failure.advice},
+            {"exit_code", failure.exit_code}};
+}
+
+/// A path may hold bytes that are not UTF-8: work that is done must not fail over its telling.
+std::string object_text(const Json& object) {
+    return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
 
 int run_and_report_errors(const std::function<void()>& work, const CommandContext& context) {
-    try {
-        work();
-        return 0;
-    } catch (const Error& error) {
-        print(error, context);
-        return error.exit_code();
-    } catch (const std::bad_alloc&) {
-        const Error error(ErrorKind::kResources, "E-MEMORY", "memory ran out",
-                          "set a smaller max_width_px under [capture], or fewer --threads");
-        print(error, context);
-        return error.exit_code();
-    } catch (const std::filesystem::filesystem_error& failure) {
-        const Error error = as_error(failure);
-        print(error, context);
-        return error.exit_code();
-    } catch (const std::exception& failure) {
-        std::cerr
-            << "error E-INTERNAL: " << printable(failure.what())
-            << "\n  -> this is a bug of lumi: please report it with the command and its output"
-            << std::endl;
-        return 1;
+    const std::optional<CommandFailure> failure = failure_after(work);
+    if (failure) tell(*failure, context);
+    if (context.json) {
+        Json object = context.object->is_null() ? Json::object() : *context.object;
+        if (failure) object["error"] = json_of(*failure);
+        context.print_result(object_text(object));
     }
+    return failure ? failure->exit_code : 0;
 }
 
 }  // namespace lumi

@@ -2,11 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/printable.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/config/config_variant.h"
 #include "pipeline/evaluate/evaluate_workspace.h"
 #include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/line/code_version.h"
 #include "pipeline/line/line.h"
 #include "pipeline/protocol/leave_one_out.h"
 #include "pipeline/report/number_text.h"
@@ -33,10 +35,10 @@ std::string score_line(const std::string& mode, const ViewScore& score) {
             ? "  subject " + number_text(*score.psnr_subject_db, 2) + " dB at " +
                   number_text(100.0 * score.subject_coverage.value_or(0.0), 2) + " %"
             : std::string();
-    return mode + "  " + score.name + "  PSNR " + number_text(score.psnr_db, 2) + " dB  covered " +
-           covered + " dB" + subject + "  SSIM " + number_text(score.ssim, 4) + "  FLIP " +
-           number_text(score.flip, 4) + "  coverage " + number_text(100.0 * score.coverage, 2) +
-           " %  " + number_text(score.ms, 1) + " ms\n";
+    return mode + "  " + printable(score.name) + "  PSNR " + number_text(score.psnr_db, 2) +
+           " dB  covered " + covered + " dB" + subject + "  SSIM " + number_text(score.ssim, 4) +
+           "  FLIP " + number_text(score.flip, 4) + "  coverage " +
+           number_text(100.0 * score.coverage, 2) + " %  " + number_text(score.ms, 1) + " ms\n";
 }
 
 std::string interval_text(const std::vector<ViewScore>& views) {
@@ -109,8 +111,8 @@ void run_evaluate(const EvaluateRequest& request, const CommandContext& context)
     options.modes = modes_of(request);
     options.exposures = request.as_taken ? Exposures::kAsTaken : Exposures::kEvened;
     const Workspace workspace(find_workspace(request.workspace));
-    const Evaluation evaluation =
-        evaluate_workspace(workspace, options, context.threads, *context.progress);
+    const Evaluation evaluation = evaluate_workspace(
+        workspace, options, code_version_of("evaluate"), context.threads, *context.progress);
     write_workspace_report(workspace);
     if (context.json) {
         context.print_result(evaluation_json(evaluation));

@@ -10,6 +10,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kLongestPath_s = 24 * 3600;
+
 Rigid3 pose_from(const Json& json, const std::filesystem::path& path) {
     const auto wxyz = json.at("rotation_wxyz").get<std::array<double, 4>>();
     const auto xyz = json.at("translation").get<std::array<double, 3>>();
@@ -39,6 +41,17 @@ Eye eye_from(const Json& json, const std::filesystem::path& path) {
     return {camera_from(json.at("camera"), path), pose_from(json.at("cam_from_world"), path)};
 }
 
+/// The last eye follows those before it.
+void check_next(const std::vector<TimedEye>& eyes, const std::filesystem::path& path) {
+    const TimedEye& last = eyes.back();
+    if (last.eye.camera.width_px != eyes.front().eye.camera.width_px ||
+        last.eye.camera.height_px != eyes.front().eye.camera.height_px)
+        refuse_json(path, "eyes: all must have the size of the first");
+    const double before_s = eyes.size() > 1 ? eyes[eyes.size() - 2].time_s : 0.0;
+    if (!(last.time_s >= before_s && last.time_s <= kLongestPath_s))
+        refuse_json(path, "time_s: expected seconds that grow from 0, a day at most");
+}
+
 }  // namespace
 
 Eye read_eye_file(const std::filesystem::path& path) {
@@ -50,17 +63,24 @@ Eye read_eye_file(const std::filesystem::path& path) {
     }
 }
 
-std::vector<Eye> read_path_file(const std::filesystem::path& path) {
+std::vector<TimedEye> read_path_file(const std::filesystem::path& path,
+                                     double eyes_per_second_without_times) {
     const Json json = read_json_file(path);
     try {
-        std::vector<Eye> eyes;
-        for (const Json& eye : json.at("eyes")) eyes.push_back(eye_from(eye, path));
+        const Json& eyes = json.at("eyes");
         if (eyes.empty()) refuse_json(path, "eyes: a path needs one at least");
-        for (const Eye& eye : eyes)
-            if (eye.camera.width_px != eyes.front().camera.width_px ||
-                eye.camera.height_px != eyes.front().camera.height_px)
-                refuse_json(path, "eyes: all must have the size of the first");
-        return eyes;
+        const bool has_times = eyes.front().contains("time_s");
+        std::vector<TimedEye> timed;
+        for (const Json& eye : eyes) {
+            if (eye.contains("time_s") != has_times)
+                refuse_json(path, "time_s: all eyes must have one, or none");
+            const double time_s =
+                has_times ? eye.at("time_s").get<double>()
+                          : static_cast<double>(timed.size()) / eyes_per_second_without_times;
+            timed.push_back({time_s, eye_from(eye, path)});
+            check_next(timed, path);
+        }
+        return timed;
     } catch (const Json::exception& error) {
         refuse_json(path, error.what());
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/lumigraph/lumigraph.h"
+#include "render/paths/timed_path.h"
 
 namespace lumi {
 
@@ -17,8 +18,10 @@ namespace lumi {
 /// E-CAMERA-INVALID) naming the file.
 [[nodiscard]] Eye read_eye_file(const std::filesystem::path& path);
 
-/// A path of eyes of one size, as the window records: {"eyes": [ ... ]}, each as above. Throws
-/// Error (E-JSON-READ, E-CAMERA-INVALID) naming the file.
-[[nodiscard]] std::vector<Eye> read_path_file(const std::filesystem::path& path);
+/// A path of eyes of one size, as the window records: {"eyes": [ ... ]}, each as above with its
+/// "time_s" since the first. Where no eye has a time, as in files of early versions, so many pass a
+/// second. Throws Error (E-JSON-READ, E-CAMERA-INVALID) naming the file.
+[[nodiscard]] std::vector<TimedEye> read_path_file(const std::filesystem::path& path,
+                                                   double eyes_per_second_without_times);
 
 }  // namespace lumi

@@ -3,12 +3,18 @@
 #include "pipeline/commands/eye_file.h"
 #include "pipeline/commands/frame_size.h"
 #include "render/paths/path_through_views.h"
-#include "render/viewer/photograph_eye.h"
+#include "render/paths/photograph_eye.h"
 
 namespace lumi {
 namespace {
 
-constexpr FrameSize kSizeOfViewsPath{1280, 720};
+std::vector<Eye> recorded_eyes(const std::string& file, std::optional<double> frames_per_second) {
+    const std::vector<TimedEye> path = read_path_file(file, frames_per_second.value_or(1.0));
+    if (frames_per_second) return eyes_at_even_times(path, *frames_per_second);
+    std::vector<Eye> eyes;
+    for (const TimedEye& timed : path) eyes.push_back(timed.eye);
+    return eyes;
+}
 
 }  // namespace
 
@@ -19,13 +25,15 @@ Eye eye_of_size(const Eye& eye, const std::string& size) {
 }
 
 std::vector<Eye> eye_path(const std::string& path, int frames, const std::string& size,
-                          const Lumigraph& lumigraph) {
+                          const Lumigraph& lumigraph, std::optional<double> frames_per_second) {
     if (path != kViewsPath) {
-        std::vector<Eye> eyes = read_path_file(path);
+        std::vector<Eye> eyes = recorded_eyes(path, frames_per_second);
         for (Eye& eye : eyes) eye = eye_of_size(eye, size);
         return eyes;
     }
-    const FrameSize frame = size.empty() ? kSizeOfViewsPath : frame_size_from(size);
+    const Camera first = eye_at(lumigraph.views.front()).camera;
+    const FrameSize frame =
+        size.empty() ? FrameSize{first.width_px, first.height_px} : frame_size_from(size);
     return path_through_views(lumigraph, frames, frame.width_px, frame.height_px);
 }
 

@@ -4,6 +4,7 @@
 
 #include "calib/work/stopwatch.h"
 #include "meshing/fusion/fused_mesh.h"
+#include "meshing/geometry/triangle_mesh_writing.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/report/number_text.h"
 #include "pipeline/stages/chosen_views.h"
@@ -22,6 +23,11 @@ struct FuseRequest {
 };
 
 void run_fuse(const FuseRequest& request, const CommandContext& context) {
+    if (request.out.extension() != ".ply") {
+        throw Error(ErrorKind::kUsage, "E-FUSE-OUT",
+                    request.out.string() + ": meshes are written as PLY files",
+                    "let --out end in .ply");
+    }
     validate(request.options);
     const Lumigraph lumigraph = read_package(request.package);
     const Stopwatch stopwatch;

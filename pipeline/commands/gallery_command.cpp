@@ -1,5 +1,7 @@
 #include <CLI/CLI.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include "pipeline/commands/commands.h"
 #include "pipeline/gallery/gallery.h"
 
@@ -16,7 +18,12 @@ void add_gallery_command(CLI::App& app, CommandContext& context) {
     command.callback([workspace, out, &context] {
         context.chosen = [workspace, out, &context] {
             write_gallery(find_workspace(*workspace), *out, *context.progress);
-            context.print_result((*out / "gallery.md").string() + "\n");
+            const std::string page = (*out / "gallery.md").string();
+            if (context.json) {
+                context.print_result(nlohmann::ordered_json{{"page", page}});
+            } else {
+                context.print_result(page + "\n");
+            }
         };
     });
 }

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "calib/work/error.h"
 #include "calib/work/process_memory.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/error_report.h"
@@ -10,10 +11,8 @@
 
 namespace {
 
-constexpr int kUsageExitCode = 2;
-
 void add_global_options(CLI::App& app, lumi::CommandContext& context) {
-    app.add_flag("--json", context.json, "Results as one JSON object on stdout");
+    app.add_flag("--json", context.json, "Results, and errors, as one JSON object on stdout");
     app.add_flag("-q,--quiet", context.quiet, "No talk but errors");
     app.add_flag("-v,--verbose", context.verbosity, "More talk");
     app.add_option("--threads", context.threads, "0: all cores")->check(CLI::Range(0, 4096));
@@ -54,6 +53,11 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_synth_command(app, context);
 }
 
+[[noreturn]] void refuse_line(const std::string& reason) {
+    throw lumi::Error(lumi::ErrorKind::kUsage, "E-USAGE", reason,
+                      "see `lumi --help`, or --help behind the name of a command");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -71,8 +75,10 @@ int main(int argc, char** argv) {
     add_commands(app, context);
     try {
         app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : kUsageExitCode;
+    } catch (const CLI::ParseError& wrong) {
+        if (wrong.get_exit_code() == 0) return app.exit(wrong);  // Help, or the version.
+        context.json = app.count("--json") > 0;  // A line that is wrong sets no flag.
+        return lumi::run_and_report_errors([&] { refuse_line(wrong.what()); }, context);
     }
     const auto run_chosen = [&] {
         lumi::start_progress(context);

@@ -1,9 +1,7 @@
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "calib/work/error.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/regression/version_figures.h"
 #include "pipeline/report/number_text.h"
@@ -36,13 +34,28 @@ Json moves_json(const std::vector<FigureMove>& moves) {
     return list;
 }
 
-std::string moves_text(const std::vector<FigureMove>& moves, std::size_t compared) {
-    std::string text = std::to_string(compared) + " figures compared, " +
-                       std::to_string(moves.size()) + " moved beyond noise\n";
-    for (const FigureMove& move : moves) {
+Json regression_json(const VersionFigures& now, const FigureComparison& comparison) {
+    Json json = version_figures_json(now);
+    json["compared"] = comparison.compared;
+    json["moves"] = moves_json(comparison.moves);
+    json["only_in_baseline"] = comparison.only_before;
+    json["only_now"] = comparison.only_now;
+    return json;
+}
+
+std::string regression_text(const FigureComparison& comparison) {
+    std::string text = std::to_string(comparison.compared) + " figures compared, " +
+                       std::to_string(comparison.moves.size()) + " moved beyond noise\n";
+    for (const FigureMove& move : comparison.moves) {
         text += padded_right(move.name, 40) + padded_left(number_text(move.before, 4), 10) + " ->" +
                 padded_left(number_text(move.now, 4), 10) + "  (noise " +
                 number_text(move.noise, 4) + ")  " + (move.is_better ? "better" : "worse") + "\n";
+    }
+    for (const std::string& name : comparison.only_before) {
+        text += padded_right(name, 40) + "  only in the baseline\n";
+    }
+    for (const std::string& name : comparison.only_now) {
+        text += padded_right(name, 40) + "  not in the baseline\n";
     }
     return text;
 }
@@ -50,20 +63,13 @@ std::string moves_text(const std::vector<FigureMove>& moves, std::size_t compare
 void compare(const RegressionRequest& request, const VersionFigures& now,
              const CommandContext& context) {
     const VersionFigures before = read_version_figures(request.baseline);
-    const std::vector<FigureMove> moves = moves_between(before, now);
+    const FigureComparison comparison = compare_figures(before, now);
     if (context.json) {
-        Json json = version_figures_json(now);
-        json["moves"] = moves_json(moves);
-        context.print_result(json);
+        context.print_result(regression_json(now, comparison));
     } else {
-        context.print_result(moves_text(moves, now.size()));
+        context.print_result(regression_text(comparison));
     }
-    const auto worse = std::count_if(moves.begin(), moves.end(),
-                                     [](const FigureMove& move) { return !move.is_better; });
-    if (worse == 0) return;
-    throw Error(ErrorKind::kPartialResult, "E-REGRESSION-WORSE",
-                std::to_string(worse) + " figures are worse than in " + request.baseline.string(),
-                "find out what changed, or write a new baseline with --write");
+    refuse_regression(comparison, request.baseline);
 }
 
 void run_regression(const RegressionRequest& request, const CommandContext& context) {

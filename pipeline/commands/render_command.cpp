@@ -11,17 +11,19 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/eye_file.h"
 #include "pipeline/commands/eye_path.h"
+#include "pipeline/commands/frame_files.h"
 #include "pipeline/commands/render_mode_argument.h"
+#include "pipeline/commands/stereo_pair.h"
 #include "pipeline/commands/video_file.h"
 #include "pipeline/evaluate/held_out_beside.h"
 #include "pipeline/evaluate/image_metrics.h"
 #include "pipeline/report/number_text.h"
 #include "pipeline/stages/file_stems.h"
 #include "render/lumigraph/package.h"
-#include "render/reference/reference_renderer.h"
+#include "render/paths/photograph_eye.h"
+#include "render/renderer/mode_reference.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "render/viewer/difference_picture.h"
-#include "render/viewer/photograph_eye.h"
 
 namespace lumi {
 namespace {
@@ -58,10 +60,11 @@ struct Job {
     Eye eye;
     fs::path out;
     ColorImage photograph{};
+    bool is_drawn_from_it = false;  ///< The photograph is in the package.
 };
 
 Job job_at(const LumigraphView& view, const fs::path& out) {
-    return {{view.camera, view.cam_from_world}, out, view.photograph};
+    return {eye_at(view), out, turned_upright(view.photograph, view.exif_orientation), true};
 }
 
 /// A photograph of the package, or one that was held out from it.
@@ -91,31 +94,6 @@ std::vector<Job> jobs_of(const RenderRequest& request, const Lumigraph& lumigrap
     return jobs;
 }
 
-using Draw = std::function<Frame(const Eye&)>;
-
-/// The eye moved along its own x axis.
-Eye moved_right(const Eye& eye, double distance) {
-    Eye moved = eye;
-    moved.cam_from_world.translation.x() -= distance;
-    return moved;
-}
-
-ColorImage side_by_side(const ColorImage& left, const ColorImage& right) {
-    ColorImage both(left.width() + right.width(), left.height());
-    for (int y = 0; y < left.height(); ++y) {
-        std::copy_n(left.row(y), left.width(), both.row(y));
-        std::copy_n(right.row(y), right.width(), both.row(y) + left.width());
-    }
-    return both;
-}
-
-/// One picture, or the left and the right eye's beside each other.
-ColorImage picture_of(const Eye& eye, double stereo_baseline, const Draw& draw) {
-    if (stereo_baseline <= 0) return draw(eye).color;
-    return side_by_side(draw(moved_right(eye, -0.5 * stereo_baseline)).color,
-                        draw(moved_right(eye, 0.5 * stereo_baseline)).color);
-}
-
 /// Draws how far the frame is from the photograph.
 Json draw_difference(const Job& job, const Draw& draw) {
     const Stopwatch stopwatch;
@@ -126,6 +104,7 @@ Json draw_difference(const Job& job, const Draw& draw) {
                 {"ms", ms},
                 {"psnr_db", psnr_db(frame.color, job.photograph)},
                 {"psnr_covered_db", nullptr},
+                {"is_held_out", !job.is_drawn_from_it},
                 {"coverage", covered_share(frame.coverage)}};
     if (const auto covered = psnr_db(frame.color, job.photograph, frame.coverage))
         result["psnr_covered_db"] = *covered;
@@ -141,6 +120,8 @@ std::string frame_text(const Json& frame) {
             text += ", " + number_text(frame.at("psnr_covered_db").get<double>(), 2) +
                     " dB where it is covered (" +
                     number_text(100 * frame.at("coverage").get<double>(), 1) + " %)";
+        if (!frame.at("is_held_out").get<bool>())
+            text += "; it is drawn from this photograph: hold it out to measure";
     }
     return text + "\n";
 }
@@ -157,8 +138,9 @@ Json draw_to_file(const Job& job, const RenderRequest& request, const Draw& draw
 /// Draws a path into a folder of numbered frames or into a video; either whole or not at all.
 Json draw_path(const RenderRequest& request, const Lumigraph& lumigraph, const Draw& draw,
                const CommandContext& context) {
-    const std::vector<Eye> path = eye_path(request.path, request.frames, request.size, lumigraph);
-    const bool is_video = request.out.extension() == ".mp4";
+    const std::vector<Eye> path =
+        eye_path(request.path, request.frames, request.size, lumigraph, request.video_fps);
+    const bool is_video = names_video(request.out);
     WholeFolder folder(is_video ? fs::path(request.out.string() + ".frames") : request.out);
     Json frames = Json::array();
     context.progress->begin("drawing", path.size());
@@ -196,7 +178,19 @@ Json draw_jobs(const RenderRequest& request, const Lumigraph& lumigraph, const D
     return frames;
 }
 
+void check_focal_depth(const RenderRequest& request) {
+    const RenderMode mode = render_mode_from(request.mode);
+    if (request.focal_depth == 0 || mode == RenderMode::kLightField || mode == RenderMode::kHeigl)
+        return;
+    throw Error(ErrorKind::kUsage, "E-RENDER-FOCAL",
+                request.mode + " knows how far the scene is, and needs no --focal-depth",
+                "leave it out, or use --mode lightfield");
+}
+
 void run_render(const RenderRequest& request, const CommandContext& context) {
+    check_focal_depth(request);
+    if (!request.path.empty()) check_path_out(request.out);
+    if (request.path.empty() && !request.all_views) check_picture_out(request.out);
     const Lumigraph lumigraph = read_package(
         request.package, {}, request.as_taken ? Exposures::kAsTaken : Exposures::kEvened);
     keep_free_memory();
@@ -208,15 +202,11 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
                                 .smooth_silhouettes = !request.jagged,
                                 .fade_beyond_capture = fades,
                                 .guess_surroundings = !request.black_surroundings};
-    if (request.reference && options.debug_picture == DebugPicture::kGrid) {
-        throw Error(ErrorKind::kUsage, "E-RENDER-GRID",
-                    "the reference draws pixel by pixel: there is no grid to show",
-                    "leave out --reference, or use another --debug");
-    }
     std::unique_ptr<OffscreenRenderer> renderer;
     if (!request.reference) renderer = std::make_unique<OffscreenRenderer>(lumigraph);
     const Draw draw = [&](const Eye& eye) {
-        return renderer ? renderer->draw(eye, options) : draw_reference(lumigraph, eye, options);
+        return renderer ? renderer->draw(eye, options)
+                        : draw_mode_reference(lumigraph, eye, options);
     };
 
     Json frames = request.path.empty() ? draw_jobs(request, lumigraph, draw, context)
@@ -254,7 +244,9 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     command.add_option("--frames", request->frames, "Of the path `views`")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();
-    command.add_option("--video-fps", request->video_fps, "Frames a second of a video")
+    command
+        .add_option("--video-fps", request->video_fps,
+                    "Frames a second of a video, and along a recorded path")
         ->check(CLI::Range(1.0, 240.0))
         ->capture_default_str();
     CLI::Option* stereo =

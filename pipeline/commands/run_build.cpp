@@ -2,7 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/config_section.h"
 #include "calib/work/error.h"
+#include "calib/work/printable.h"
+#include "pipeline/config/plain_capture.h"
 #include "pipeline/line/line.h"
 #include "pipeline/line/stages_file.h"
 #include "pipeline/report/number_text.h"
@@ -11,6 +14,8 @@
 
 namespace lumi {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string seconds_table(const std::vector<FinishedStage>& stages) {
     std::string table = "stage      state        seconds      CPU s   peak MiB\n";
@@ -32,8 +37,29 @@ std::string evidence_text(const std::vector<FinishedStage>& stages) {
     return text;
 }
 
+/// Folders of one name, each given without a configuration, would take each other's place.
+void expect_no_other_capture(const WorkspaceLayout& layout, const BuildConfig& config) {
+    std::error_code status;
+    if (!fs::exists(layout.config_path(), status)) return;
+    ConfigSection capture = ConfigSection::from_file(layout.config_path()).section("capture");
+    for (const char* source : {"photos", "video"}) {
+        const fs::path before = capture.text(source, "");
+        if (before.empty() || !fs::exists(before, status) ||
+            fs::equivalent(before, config.photographs_or_video, status))
+            continue;
+        throw Error(
+            ErrorKind::kUsage, "E-WORKSPACE-OTHER",
+            layout.folder().string() + ": holds what was made of " + printable(before.string()),
+            "name another folder with --workspace");
+    }
+}
+
 Workspace open_workspace(const BuildRequest& request, const BuildConfig& config) {
-    if (request.workspace.empty()) return Workspace(workspace_of(config));
+    if (request.workspace.empty()) {
+        const WorkspaceLayout layout = workspace_of(config);
+        if (plain_capture(request.config)) expect_no_other_capture(layout, config);
+        return Workspace(layout);
+    }
     return Workspace(WorkspaceLayout(request.workspace, config.name));
 }
 

@@ -33,6 +33,11 @@ void run_target(const BuildRequest& request, const std::string& wish,
     Sweep sweep = read_sweep(request.config);
     put_cheapest_first(sweep);
     const BuildConfig config = ConfigDocument::open(request.config).build_config_with({});
+    if (config.hold_out.every == 0 && config.hold_out.names.empty()) {
+        throw Error(ErrorKind::kUsage, "E-EVAL-NOHOLDOUT",
+                    request.config.string() + ": no photograph is held out to measure with",
+                    "set hold_out_every = 8 under [evaluate] in the configuration");
+    }
     const WorkspaceLayout layout = request.workspace.empty()
                                        ? workspace_of(config)
                                        : WorkspaceLayout(request.workspace, config.name);

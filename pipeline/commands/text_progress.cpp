@@ -4,6 +4,8 @@
 #include <cmath>
 #include <ostream>
 
+#include "calib/work/printable.h"
+
 namespace lumi {
 namespace {
 
@@ -48,7 +50,7 @@ void BarProgress::advance(std::size_t units) {
 void BarProgress::note(const std::string& message) {
     const std::scoped_lock lock(mutex_);
     erase();
-    out_ << message << '\n';
+    out_ << printable(message) << '\n';
     if (done_ < total_) draw();
 }
 
@@ -76,7 +78,7 @@ void LineProgress::begin(const std::string& step, std::size_t total) {
 
 void LineProgress::note(const std::string& message) {
     const std::scoped_lock lock(mutex_);
-    out_ << message << std::endl;
+    out_ << printable(message) << std::endl;
 }
 
 }  // namespace lumi

@@ -12,7 +12,8 @@ namespace lumi {
 /// "7 of 40, about 12 s left". Empty when the length of the step is unknown (`total` 0).
 [[nodiscard]] std::string progress_text(std::size_t done, std::size_t total, double elapsed_s);
 
-/// A bar that is redrawn in place, for terminals.
+/// A bar that is redrawn in place, for terminals; notes are made printable, as a name within one
+/// may be anything.
 class BarProgress final : public Progress {
  public:
     explicit BarProgress(std::ostream& out) : out_(out) {}
@@ -40,7 +41,7 @@ class BarProgress final : public Progress {
     Clock::time_point drawn_;
 };
 
-/// One line a step and a note, for logs.
+/// One line a step and a note, for logs; notes are made printable.
 class LineProgress final : public Progress {
  public:
     explicit LineProgress(std::ostream& out) : out_(out) {}

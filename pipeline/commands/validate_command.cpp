@@ -20,11 +20,8 @@ void run_validate(const std::filesystem::path& package, const CommandContext& co
         } else {
             context.print_result("valid: " + std::to_string(lumigraph.views.size()) + " views\n");
         }
-    } catch (const Error& error) {
-        if (context.json) {
-            context.print_result(
-                Json{{"valid", false}, {"code", error.code()}, {"what", error.what()}});
-        }
+    } catch (const Error&) {
+        if (context.json) context.print_result(Json{{"valid", false}});
         throw;
     }
 }

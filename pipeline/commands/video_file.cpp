@@ -1,6 +1,5 @@
 #include "pipeline/commands/video_file.h"
 
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +15,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kAdvice =
     "install ffmpeg, or let --out name a folder: frames become PNG files";
+/// Nothing ends later, but what hangs.
+constexpr double kStartLimit_s = 600;
+constexpr double kFrameLimit_s = 10;
 constexpr const char* kConstantQuality = "18";  // Visually lossless for most pictures.
 
 [[noreturn]] void refuse(const fs::path& video, const std::string& reason) {
@@ -23,11 +25,19 @@ constexpr const char* kConstantQuality = "18";  // Visually lossless for most pi
                 kAdvice);
 }
 
+/// ffmpeg reads its pattern in all of a path.
+std::string as_pattern(const fs::path& folder) {
+    std::string pattern;
+    for (const char c : folder.string()) pattern += c == '%' ? "%%" : std::string(1, c);
+    return pattern;
+}
+
 /// What the program printed. Throws Error (E-VIDEO-WRITE) when it did not end well.
-std::string output_of(std::vector<std::string> arguments, const fs::path& log,
+std::string output_of(std::vector<std::string> arguments, std::size_t frames, const fs::path& log,
                       const fs::path& video, const Progress& progress) {
     ChildCommand command;
     command.arguments = std::move(arguments);
+    command.time_limit_s = kStartLimit_s + kFrameLimit_s * static_cast<double>(frames);
     command.log_path = log;
     command.missing_advice = kAdvice;
     const ChildResult result = run_child(command, progress);
@@ -39,12 +49,6 @@ std::string output_of(std::vector<std::string> arguments, const fs::path& log,
 }
 
 }  // namespace
-
-std::string sequence_frame_name(std::size_t index) {
-    char name[32];
-    std::snprintf(name, sizeof(name), "frame-%06zu.png", index + 1);
-    return name;
-}
 
 void write_video(const fs::path& frames_folder, std::size_t count, double frames_per_second,
                  const fs::path& video, const Progress& progress) {
@@ -60,7 +64,7 @@ void write_video(const fs::path& frames_folder, std::size_t count, double frames
                "-start_number",
                "1",
                "-i",
-               (frames_folder / "frame-%06d.png").string(),
+               as_pattern(frames_folder) + "/frame-%06d.png",
                "-vf",
                "pad=ceil(iw/2)*2:ceil(ih/2)*2",
                "-c:v",
@@ -72,16 +76,16 @@ void write_video(const fs::path& frames_folder, std::size_t count, double frames
                "-movflags",
                "+faststart",
                made.string()},
-              log, video, progress);
+              count, log, video, progress);
     // An exit status is no evidence.
     const std::string counted =
         output_of({"ffprobe", "-v", "error", "-count_packets", "-select_streams", "v:0",
                    "-show_entries", "stream=nb_read_packets", "-of", "csv=p=0", made.string()},
-                  log, video, progress);
+                  count, log, video, progress);
     if (counted != std::to_string(count) + "\n")
         refuse(video, "ffmpeg made a video of \"" + counted.substr(0, counted.find('\n')) +
                           "\" frames of " + std::to_string(count));
-    write_whole_file(video, read_whole_file(made));
+    put_whole_file(made, video);
 }
 
 }  // namespace lumi

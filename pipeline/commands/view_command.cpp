@@ -1,5 +1,8 @@
 #include <CLI/CLI.hpp>
 
+#include <nlohmann/json.hpp>
+#include <utility>
+
 #include "calib/work/error.h"
 #include "calib/work/process_memory.h"
 #include "pipeline/commands/commands.h"
@@ -7,7 +10,6 @@
 #include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/evaluate/held_out_beside.h"
 #include "pipeline/plan/planned_views.h"
-#include "render/lumigraph/package.h"
 #include "render/viewer/recent_packages.h"
 #include "render/viewer/window.h"
 
@@ -28,22 +30,33 @@ struct ViewRequest {
     int planned = 0;
 };
 
-/// What there is to compare with; a window without is better than none.
-std::vector<HeldOutView> held_out_of(const std::filesystem::path& package,
-                                     const CommandContext& context) {
-    try {
-        return held_out_views_beside(package);
-    } catch (const Error& error) {
-        context.say("nothing to compare with: " + std::string(error.what()) + "\n");
-        return {};
-    }
+/// How the window opens packages: as the request says, with what lies beside them. What there is
+/// to compare with may be missing: a window without is better than none.
+PackageLoader loader_of(const ViewRequest& request) {
+    return [request](const std::filesystem::path& package, Exposures exposures) {
+        OpenedPackage opened = opened_alone(package, exposures);
+        opened.fade_beyond_capture =
+            request.fade || (opened.fade_beyond_capture && !request.no_fade);
+        opened.planned = planned_views_beside(package);
+        if (!request.screenshot.empty()) return opened;
+        try {
+            opened.held_out = held_out_views_beside(package);
+        } catch (const Error& error) {
+            opened.message = "nothing to compare with: " + std::string(error.what());
+        }
+        return opened;
+    };
 }
 
-void run_view(const ViewRequest& request, const CommandContext& context) {
+WindowOptions window_options_of(const ViewRequest& request, const CommandContext& context) {
     WindowOptions options;
     options.view_name = request.view;
     options.render.mode = render_mode_from(request.mode);
+    options.render.guess_surroundings = !request.black_surroundings;
     options.frames_per_second = request.frames_per_second;
+    options.planned_index = request.planned - 1;
+    options.load = loader_of(request);
+    options.exposures = request.as_taken ? Exposures::kAsTaken : Exposures::kEvened;
     options.screenshot_path = request.screenshot;
     if (!request.size.empty()) {
         const FrameSize size = frame_size_from(request.size);
@@ -55,23 +68,30 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
         options.recent_file = recent_packages_file();
         options.progress = context.progress.get();
     }
-    options.planned = planned_views_beside(request.package);
-    if (request.screenshot.empty()) options.held_out = held_out_of(request.package, context);
-    options.planned_index = request.planned - 1;
-    if (request.planned > static_cast<int>(options.planned.size())) {
-        throw Error(ErrorKind::kUsage, "E-VIEW-PLAN",
-                    "photograph " + std::to_string(request.planned) + " of a plan was asked for, " +
-                        std::to_string(options.planned.size()) + " are planned",
-                    "run `lumi plan` on the workspace first");
-    }
-    Lumigraph lumigraph = read_package(request.package, {},
-                                       request.as_taken ? Exposures::kAsTaken : Exposures::kEvened);
-    options.render.fade_beyond_capture =
-        request.fade || (lumigraph.drawing.fade_beyond_capture && !request.no_fade);
-    options.render.guess_surroundings = !request.black_surroundings;
+    return options;
+}
+
+void check_planned(const ViewRequest& request, const OpenedPackage& opened) {
+    if (request.planned <= static_cast<int>(opened.planned.size())) return;
+    throw Error(ErrorKind::kUsage, "E-VIEW-PLAN",
+                "photograph " + std::to_string(request.planned) + " of a plan was asked for, " +
+                    std::to_string(opened.planned.size()) + " are planned",
+                "run `lumi plan` on the workspace first");
+}
+
+void run_view(const ViewRequest& request, const CommandContext& context) {
+    const WindowOptions options = window_options_of(request, context);
+    OpenedPackage opened = options.load(request.package, options.exposures);
+    check_planned(request, opened);
+    if (!opened.message.empty()) context.say(opened.message + "\n");
     keep_free_memory();
-    run_window(std::move(lumigraph), options);
-    if (!request.screenshot.empty()) context.print_result(request.screenshot.string() + "\n");
+    run_window(std::move(opened), options);
+    if (request.screenshot.empty()) return;
+    if (context.json) {
+        context.print_result(nlohmann::ordered_json{{"screenshot", request.screenshot.string()}});
+    } else {
+        context.print_result(request.screenshot.string() + "\n");
+    }
 }
 
 }  // namespace
@@ -83,7 +103,8 @@ void add_view_command(CLI::App& app, CommandContext& context) {
     command.add_option("PACKAGE", request->package, "Folder NAME.lumi")->required();
     command.add_option("--view", request->view, "Begin where this photograph was taken");
     command.add_option("--mode", request->mode, "As in lumi render")->capture_default_str();
-    command.add_option("--size", request->size, "Such as 1280x720 (default: the photograph's)");
+    command.add_option("--size", request->size,
+                       "Such as 1280x720 (default: the photograph's, where it holds the panel)");
     command.add_flag("--fade", request->fade,
                      "Fade to black what lies beyond the capture instead of guessing (perpixel, "
                      "adaptive, lightfield)");
@@ -97,8 +118,8 @@ void add_view_command(CLI::App& app, CommandContext& context) {
                      "are");
     command
         .add_option("--fps", request->frames_per_second,
-                    "While the eye moves, adaptive keeps so many frames a second with fewer "
-                    "triangles (default: as many as its error asks for)")
+                    "While the eye moves, keep so many frames a second by coarser frames and, in "
+                    "adaptive, fewer triangles (default: 30, by coarser frames alone)")
         ->check(CLI::PositiveNumber);
     command
         .add_option("--planned", request->planned,

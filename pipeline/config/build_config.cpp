@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "calib/lens_files/lens_files.h"
+#include "pipeline/config/config_variant.h"
 #include "pipeline/config/lens_file.h"
 #include "pipeline/config/plain_capture.h"
 #include "render/lumigraph/lumigraph.h"
@@ -11,15 +12,6 @@ namespace lumi {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The name becomes a folder's name.
-bool is_plain_name(const std::string& name) {
-    const auto is_plain = [](char c) {
-        return c != '/' && c != '\\' && static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
-    };
-    return !name.empty() && name.size() <= 100 && name.front() != '.' &&
-           std::all_of(name.begin(), name.end(), is_plain);
-}
 
 /// Exactly one of `photos` and `video`.
 fs::path read_source(const ConfigSection& capture) {
@@ -125,20 +117,22 @@ void fill_in_stage_parameters(BuildConfig& config, const ConfigSection& document
                       : "import"},
         {"mesh", parameters("mesh")},
         {"depth", parameters("depth")},
-        {"pack", config.resolved_toml},
+        // All else comes to packing as what other stages made; the configuration that a package
+        // records may spell a path, or count threads, as when it was made.
+        {"pack", "name = " + config.name + "\n[mesh]\n" + parameters("mesh") + "[package]\n" +
+                     parameters("package") + "[render]\n" + parameters("render")},
     };
 }
 
-std::string toml_quoted(const std::string& text) {
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') quoted += '\\';
-        quoted += c;
-    }
-    return quoted + "\"";
-}
-
 }  // namespace
+
+bool is_plain_name(const std::string& name) {
+    const auto is_plain = [](char c) {
+        return c != '/' && c != '\\' && static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
+    };
+    return !name.empty() && name.size() <= 100 && name.front() != '.' &&
+           std::all_of(name.begin(), name.end(), is_plain);
+}
 
 BuildConfig read_build_config(const ConfigSection& document, const std::string& default_name) {
     BuildConfig config;
@@ -158,6 +152,10 @@ BuildConfig read_build_config(const ConfigSection& document, const std::string& 
     if (!lens_path.empty() && !config.boards.empty()) {
         calibration.refuse("boards", "either `boards` or `camera`");
     }
+    for (const char* lens : {"camera", "boards"}) {
+        if (config.imported_poses.empty() || calibration.path(lens).empty()) continue;
+        calibration.refuse(lens, "no lens beside `capture.import`, which brings its own");
+    }
     if (!lens_path.empty()) config.given_lens = read_lens_file(lens_path);
     config.poses = read_pose_options(document.section("poses"));
     config.mesh = read_camera_mesh_options(document.section("mesh"));
@@ -171,6 +169,7 @@ BuildConfig read_build_config(const ConfigSection& document, const std::string& 
     document.expect_all_keys_known();
 
     config.resolved_toml = document.resolved();
+    config.movable_toml = document.resolved_for_any_folder();
     fill_in_stage_parameters(config, document);
     return config;
 }
@@ -178,7 +177,7 @@ BuildConfig read_build_config(const ConfigSection& document, const std::string& 
 BuildConfig load_build_config(const fs::path& path) {
     if (const std::optional<PlainCapture> plain = plain_capture(path)) {
         const std::string toml =
-            "[capture]\n" + plain->key + " = " + toml_quoted(path.string()) + "\n";
+            "[capture]\n" + plain->key + " = " + literal_of_text(path.string()) + "\n";
         return read_build_config(ConfigSection::from_text(toml, "(defaults)"), plain->name);
     }
     return read_build_config(ConfigSection::from_file(path), path.stem().string());

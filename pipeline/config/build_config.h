@@ -78,9 +78,13 @@ struct BuildConfig {
     HoldOutOptions hold_out;
 
     std::string resolved_toml;  ///< The configuration with every default filled in.
+    std::string movable_toml;   ///< The same with absolute paths: it says the same in any folder.
     /// Canonical text of what each stage was told ("ingest", "poses", "mesh", "depth", "pack").
     std::map<std::string, std::string> stage_parameters;
 };
+
+/// Whether a text can be the name of a configuration, which names folders.
+[[nodiscard]] bool is_plain_name(const std::string& name);
 
 /// Reads a configuration file; or, given a folder of photographs or a video (plain_capture.h), the
 /// configuration that takes it with every default. Throws Error (E-CONFIG-...) naming file, line

@@ -1,40 +1,24 @@
 #include "pipeline/config/config_variant.h"
 
-#include <toml++/toml.h>
 #include <functional>
 #include <sstream>
 
 #include "calib/work/error.h"
+#include "calib/work/toml_tree.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/config/plain_capture.h"
 
 namespace lumi {
 
 struct ConfigDocument::Document {
+    /// Read anew for every variant: a copy of the tree would not know its lines.
+    std::string text;
     toml::table root;
 };
 
 namespace {
 
 namespace fs = std::filesystem;
-
-toml::table parsed(const std::string& text, const std::string& name) {
-    try {
-        return toml::parse(text, name);
-    } catch (const toml::parse_error& error) {
-        std::ostringstream where;
-        where << name << ":" << error.source().begin.line << ":" << error.source().begin.column
-              << ": " << error.description();
-        throw Error(ErrorKind::kUsage, "E-CONFIG-SYNTAX", where.str(),
-                    "mend the TOML syntax there");
-    }
-}
-
-std::string text_of(const toml::table& table) {
-    std::ostringstream text;
-    text << table << "\n";
-    return text.str();
-}
 
 std::string literal_of(const toml::node& node) {
     std::ostringstream text;
@@ -45,8 +29,7 @@ std::string literal_of(const toml::node& node) {
 [[noreturn]] void refuse(const std::string& name, const toml::node& node,
                          const std::string& setting, const std::string& expected) {
     throw Error(ErrorKind::kUsage, "E-CONFIG-VALUE",
-                name + ":" + std::to_string(node.source().begin.line) + ": `" + setting +
-                    "`: expected " + expected,
+                place_in_toml(node, name) + ": `" + setting + "`: expected " + expected,
                 "correct this key, or remove it");
 }
 
@@ -66,22 +49,11 @@ void visit_values(const toml::table& table, const std::string& path,
 /// A value that stands in the section itself says how, not what: "modes", "repeats".
 bool is_option(const std::string& name) { return name.find('.') == std::string::npos; }
 
-void set(toml::table& root, const ConfigChange& change, const std::string& name) {
-    toml::table* table = &root;
-    std::string rest = change.setting;
-    for (std::size_t dot = rest.find('.'); dot != std::string::npos; dot = rest.find('.')) {
-        const std::string key = rest.substr(0, dot);
-        rest = rest.substr(dot + 1);
-        if (!table->contains(key)) table->insert(key, toml::table{});
-        toml::table* below = table->get(key)->as_table();
-        if (below == nullptr) refuse(name, *table->get(key), change.setting, "a table");
-        table = below;
-    }
-    toml::table value = parsed("value = " + change.literal, name);
-    value.get("value")->visit([&](auto& node) { table->insert_or_assign(rest, std::move(node)); });
-}
-
 }  // namespace
+
+std::string literal_of_text(const std::string& text) {
+    return literal_of(toml::value<std::string>(text));
+}
 
 std::vector<std::string> ConfigList::words() const {
     std::vector<std::string> words;
@@ -94,19 +66,20 @@ std::vector<std::string> ConfigList::words() const {
 
 ConfigDocument ConfigDocument::open(const fs::path& path) {
     ConfigDocument document;
-    auto content = std::make_shared<Document>();
     document.name_ = path.string();
+    std::string text;
     if (const std::optional<PlainCapture> plain = plain_capture(path)) {
         const fs::path absolute = fs::absolute(path).lexically_normal();
-        content->root.insert("capture", toml::table{{plain->key, absolute.string()}});
+        text = "[capture]\n" + plain->key + " = " + literal_of_text(absolute.string()) + "\n";
         document.default_build_name_ = plain->name;
         document.folder_ = fs::current_path();
     } else {
-        content->root = parsed(read_whole_text(path, std::size_t{1} << 24), path.string());
+        text = read_whole_text(path, std::size_t{1} << 24);
         document.default_build_name_ = path.stem().string();
         document.folder_ = fs::absolute(path).parent_path();
     }
-    document.document_ = std::move(content);
+    toml::table root = parsed_toml(text, document.name_);
+    document.document_ = std::make_shared<Document>(Document{std::move(text), std::move(root)});
     return document;
 }
 
@@ -115,14 +88,17 @@ bool ConfigDocument::has_tables(const std::string& key) const {
 }
 
 ConfigSection ConfigDocument::options_of(const std::string& section) const {
-    toml::table options;
+    const ConfigSection whole = ConfigSection::from_text(document_->text, name_, folder_);
+    for (const auto& [key, node] : document_->root) {
+        if (key.str() != section) whole.leave_to_others(std::string(key.str()));
+    }
+    ConfigSection options = whole.section(section);
     if (const toml::table* table = document_->root[section].as_table()) {
         for (const auto& [key, node] : *table) {
-            if (node.is_table()) continue;
-            node.visit([&](const auto& value) { options.insert(key, value); });
+            if (node.is_table()) options.leave_to_others(std::string(key.str()));
         }
     }
-    return ConfigSection::from_text(text_of(options), name_ + " [" + section + "]", folder_);
+    return options;
 }
 
 std::vector<ConfigList> ConfigDocument::lists_of(const std::string& section) const {
@@ -152,14 +128,8 @@ std::vector<ConfigChange> ConfigDocument::changes_of(const std::string& section)
     return changes;
 }
 
-std::string ConfigDocument::text_with(const std::vector<ConfigChange>& changes) const {
-    toml::table root = document_->root;
-    for (const ConfigChange& change : changes) set(root, change, name_);
-    return text_of(root);
-}
-
 BuildConfig ConfigDocument::build_config_with(const std::vector<ConfigChange>& changes) const {
-    return read_build_config(ConfigSection::from_text(text_with(changes), name_, folder_),
+    return read_build_config(ConfigSection::from_text(document_->text, name_, folder_, changes),
                              default_build_name_);
 }
 

@@ -10,12 +10,8 @@
 
 namespace lumi {
 
-/// One setting of a configuration and what it is to be, as it would stand in the file: 768,
-/// "sweep".
-struct ConfigChange {
-    std::string setting;  ///< Dotted: "depth.model".
-    std::string literal;
-};
+/// A text as it would stand in the file.
+[[nodiscard]] std::string literal_of_text(const std::string& text);
 
 /// A setting and several values of it, as they would stand in the file.
 struct ConfigList {
@@ -41,7 +37,8 @@ class ConfigDocument {
     /// True when there are tables [[key]].
     [[nodiscard]] bool has_tables(const std::string& key) const;
 
-    /// The table `section` without the settings that `lists_of` finds below it.
+    /// The table `section` without the settings that `lists_of` finds below it; the rest of the
+    /// file is for others to read.
     [[nodiscard]] ConfigSection options_of(const std::string& section) const;
 
     /// Lists that stand below tables of `section`, in the order of their names: under [sweep],
@@ -52,10 +49,8 @@ class ConfigDocument {
     /// Settings in and below a table ("settings", "scene[2].settings"), each with its one value.
     [[nodiscard]] std::vector<ConfigChange> changes_of(const std::string& section) const;
 
-    /// The file with settings changed.
-    [[nodiscard]] std::string text_with(const std::vector<ConfigChange>& changes) const;
-
-    /// The configuration with settings changed. Throws Error (E-CONFIG-...).
+    /// The configuration with settings changed. Throws Error (E-CONFIG-...) that names the line of
+    /// the file, or what was changed: "fountain.toml with depth.model = ...".
     [[nodiscard]] BuildConfig build_config_with(const std::vector<ConfigChange>& changes) const;
 
  private:

@@ -10,19 +10,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-DatasetScene read_scene(const ConfigSection& section, const std::vector<ConfigChange>& changes) {
+/// The ending of a file is no part of a scene's name; a dot in a folder's name is.
+std::string default_scene_name(const fs::path& config, const fs::path& photos) {
+    std::error_code status;
+    const bool is_folder =
+        photos.empty() ? fs::is_directory(config, status) : !fs::is_regular_file(photos, status);
+    const fs::path source = photos.empty() ? config : photos;
+    const fs::path named = source.has_filename() ? source : source.parent_path();
+    return (is_folder ? named.filename() : named.stem()).string();
+}
+
+DatasetScene read_scene(const ConfigSection& section, std::vector<ConfigChange> changes) {
     const fs::path config = section.path("config");
     const fs::path photos = section.path("photos");
     if (config.empty() == photos.empty()) {
         section.refuse("config", "either `config` (a file) or `photos` (a folder)");
     }
-    const fs::path source = config.empty() ? photos : config;
-    const fs::path named = source.has_filename() ? source : source.parent_path();
     DatasetScene scene;
-    scene.name = section.text("name", named.stem().string());
+    scene.name = section.text("name", default_scene_name(config, photos));
+    if (!is_plain_name(scene.name)) section.refuse("name", "a name that can name a folder");
+    // A change like the others, so that the workspace's own configuration has the name, too.
+    changes.push_back({"name", literal_of_text(scene.name)});
     try {
-        scene.config = ConfigDocument::open(source).build_config_with(changes);
-        scene.config.name = scene.name;
+        scene.config =
+            ConfigDocument::open(config.empty() ? photos : config).build_config_with(changes);
     } catch (const Error& error) {
         scene.failure_code = error.code();
         scene.failure = error.what();
@@ -43,6 +54,7 @@ Dataset read_dataset(const fs::path& path) {
     const ConfigDocument document = ConfigDocument::open(path);
     Dataset dataset;
     dataset.name = file.text("name", path.stem().string());
+    if (!is_plain_name(dataset.name)) file.refuse("name", "a name that can name a folder");
     file.leave_to_others("settings");
     const std::vector<ConfigChange> for_all = document.changes_of("settings");
     std::set<std::string> names;
@@ -54,7 +66,7 @@ Dataset read_dataset(const fs::path& path) {
              document.changes_of("scene[" + std::to_string(i) + "].settings")) {
             changes.push_back(std::move(change));
         }
-        dataset.scenes.push_back(read_scene(sections[i], changes));
+        dataset.scenes.push_back(read_scene(sections[i], std::move(changes)));
         if (!names.insert(dataset.scenes.back().name).second) {
             throw Error(ErrorKind::kUsage, "E-DATASET-NAME",
                         path.string() + ": two scenes are named " + dataset.scenes.back().name,

@@ -10,7 +10,7 @@ namespace lumi {
 
 /// A scene of a dataset: its configuration, or why it has none.
 struct DatasetScene {
-    std::string name;
+    std::string name;  ///< Of its folder and of its package, whatever its own file calls it.
     BuildConfig config;
     std::string failure_code;  ///< Empty when the configuration could be read.
     std::string failure;
@@ -24,8 +24,8 @@ struct DatasetScene {
 ///     [[scene]]
 ///     config = "fountain.toml"        # relative to this file
 ///     [[scene]]
-///     photos = "chair/"               # a folder of photographs, all else as by default
-///     name = "chair"
+///     photos = "chair.2/"             # a folder of photographs, all else as by default
+///     name = "chair"                  # else as the file without its ending, or as the folder
 ///     settings.evaluate.hold_out_every = 8
 struct Dataset {
     std::string name;
@@ -35,8 +35,9 @@ struct Dataset {
 /// True for a TOML file with [[scene]] tables.
 [[nodiscard]] bool is_dataset_file(const std::filesystem::path& path);
 
-/// Throws Error: E-CONFIG-... about the file itself, E-DATASET-NAME when two scenes have one name.
-/// What is wrong with a scene's own configuration is that scene's failure.
+/// Throws Error: E-CONFIG-... about the file itself (E-CONFIG-VALUE when its name or that of a
+/// scene cannot name a folder), E-DATASET-NAME when two scenes have one name. What is wrong with a
+/// scene's own configuration is that scene's failure.
 [[nodiscard]] Dataset read_dataset(const std::filesystem::path& path);
 
 }  // namespace lumi

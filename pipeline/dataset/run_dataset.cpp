@@ -2,10 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "calib/work/error.h"
+#include "calib/work/error_of_exception.h"
 #include "pipeline/chart/run_sweep.h"
 #include "pipeline/evaluate/evaluate_workspace.h"
 #include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/line/code_version.h"
 #include "pipeline/line/line.h"
 #include "pipeline/report/workspace_report.h"
 #include "pipeline/stages/pack_stage.h"
@@ -16,14 +17,28 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The first mode's scores of the package that stands in the workspace, measured if need be.
-ModeScores current_scores(const Workspace& workspace, int threads, Progress& progress) {
+/// The first mode's scores in the workspace; none when they were made with other options or code.
+std::optional<ModeScores> kept_scores(const Workspace& workspace, const EvaluationOptions& options,
+                                      const std::string& code_version) {
     const Json evaluation = read_current_evaluation(workspace);
-    if (!evaluation.is_null()) {
-        const auto mode = render_mode_named(evaluation.at("mode").get<std::string>());
-        if (mode) return mode_scores_from(*mode, evaluation);
+    if (evaluation.is_null() ||
+        evaluation.value("made_with", Json()) != made_with_json(options, code_version)) {
+        return std::nullopt;
     }
-    return evaluate_workspace(workspace, {}, threads, progress).modes.front();
+    try {
+        return mode_scores_from(options.modes.front(), evaluation);
+    } catch (const Json::exception&) {
+        return std::nullopt;  // Damaged.
+    }
+}
+
+/// The first mode's scores of the package that stands in the workspace, measured if need be: those
+/// of all scenes are compared, and must have been made alike.
+ModeScores current_scores(const Workspace& workspace, int threads, Progress& progress) {
+    const EvaluationOptions options;
+    const std::string code_version = code_version_of("evaluate");
+    if (auto kept = kept_scores(workspace, options, code_version)) return *kept;
+    return evaluate_workspace(workspace, options, code_version, threads, progress).modes.front();
 }
 
 std::optional<Interval> flip_interval_of(const std::vector<ViewScore>& views) {
@@ -56,6 +71,14 @@ void build(const DatasetScene& scene, const fs::path& folder, int threads, Scene
     write_workspace_report(workspace);
 }
 
+/// A full disk meets the next scene, too; memory that one scene is too large for may suffice for
+/// the next.
+bool ends_all_scenes(const Error& error) {
+    const bool is_of_files = error.code() == "E-FILE-WRITE" || error.code() == "E-FILE-SYSTEM";
+    return error.kind() == ErrorKind::kInterrupted ||
+           (error.kind() == ErrorKind::kResources && is_of_files);
+}
+
 }  // namespace
 
 std::vector<SceneOutcome> run_dataset(const Dataset& dataset, const fs::path& folder, int threads,
@@ -71,14 +94,12 @@ std::vector<SceneOutcome> run_dataset(const Dataset& dataset, const fs::path& fo
         if (outcome.failure_code.empty()) {
             try {
                 build(scene, folder, threads, outcome, progress);
-            } catch (const Error& error) {
-                if (error.kind() == ErrorKind::kInterrupted ||
-                    error.kind() == ErrorKind::kResources) {
-                    throw;
-                }
-                outcome.failure_code = error.code();
-                outcome.failure = error.what();
-                progress.note(scene.name + ": " + error.code() + ": " + error.what());
+            } catch (const std::exception& exception) {
+                const std::optional<Error> error = error_of_exception(exception);
+                if (!error || ends_all_scenes(*error)) throw;
+                outcome.failure_code = error->code();
+                outcome.failure = error->what();
+                progress.note(scene.name + ": " + error->code() + ": " + error->what());
             }
         }
         outcomes.push_back(std::move(outcome));

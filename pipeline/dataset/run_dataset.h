@@ -25,9 +25,9 @@ struct SceneOutcome {
     std::optional<Interval> flip_interval;
 };
 
-/// Builds every scene in FOLDER/NAME, evaluates those with held-out photographs and writes their
-/// reports. What is up to date is not made again. A scene that fails does not stop the others; only
-/// an interruption and a full disk do.
+/// Builds every scene in FOLDER/NAME, evaluates those with held-out photographs, all alike, and
+/// writes their reports. What is up to date is not made again. A scene that fails does not stop the
+/// others; only an interruption and a full disk do.
 [[nodiscard]] std::vector<SceneOutcome> run_dataset(const Dataset& dataset,
                                                     const std::filesystem::path& folder,
                                                     int threads, Progress& progress);

@@ -3,10 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "calib/work/child_process.h"
-#include "calib/work/error.h"
 #include "calib/work/whole_file.h"
-#include "calib/work/whole_folder.h"
+#include "pipeline/chart/gnuplot.h"
 #include "pipeline/report/number_text.h"
 #include "pipeline/workspace/json_file.h"
 
@@ -46,44 +44,31 @@ std::string csv_of(const std::vector<RungMeasurement>& measured) {
     return text;
 }
 
-/// Words in a gnuplot string: quotes and escapes are left out.
-std::string plain(const std::string& text) {
-    std::string result;
-    for (const char letter : text) {
-        if (letter != '"' && letter != '\\' && letter != '\n') result += letter;
-    }
-    return result;
-}
-
-std::string gnuplot_script(const std::vector<RungMeasurement>& measured, const fs::path& svg) {
+std::string chart_commands(const std::vector<RungMeasurement>& measured) {
     const std::vector<std::string> scenes = scenes_of(measured);
-    std::string blocks;
+    std::string before;
     std::string plots;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         const std::string block = "$scene" + std::to_string(i);
-        blocks += block + " << END\n";
+        std::string labels;
+        before += block + " << END\n";
         for (const RungMeasurement& rung : measured) {
             if (rung.scene != scenes[i]) continue;
-            blocks += number_text(std::max(1e-3, rung.cpu_s_per_megapixel), 5) + " " +
-                      number_text(rung.rms_error, 4) + " " +
-                      number_text(rung.rms_standard_error, 4) + " \"" + plain(rung.model) + "\"\n";
+            const std::string x = number_text(std::max(1e-3, rung.cpu_s_per_megapixel), 5);
+            const std::string y = number_text(rung.rms_error, 4);
+            before += x + " " + y + " " + number_text(rung.rms_standard_error, 4) + "\n";
+            labels += "set label " + gnuplot_quoted(rung.model) + " at " + x + "," + y +
+                      " center offset 0,1 font ',9' front\n";
         }
-        blocks += "END\n";
-        const std::string style = " lt " + std::to_string(i + 1);
-        plots += (i == 0 ? "plot " : ", ") + block + " using 1:2:3 with yerrorlines pt 7" + style +
-                 " title \"" + plain(scenes[i]) + "\", " + block +
-                 " using 1:2:4 with labels offset 0,1 font \",9\" notitle";
+        before += "END\n" + labels;
+        plots += (i == 0 ? "plot " : ", ") + block + " using 1:2:3 with yerrorlines pt 7 lt " +
+                 std::to_string(i + 1) + " title " + gnuplot_quoted(scenes[i]);
     }
-    return "set terminal svg size 1000,640 font \"sans-serif,13\" background \"white\"\n"
-           "set output \"" +
-           plain(svg.string()) +
-           "\"\n"
-           "set logscale x\nset offsets 0, 0, graph 0.06, 0\nset grid\nset key outside right "
-           "noenhanced\n"
-           "set xlabel \"CPU seconds per megapixel of depth map\"\n"
-           "set ylabel \"held-out error, root mean square of 8-bit levels\"\n"
-           "set title \"What each depth model costs and brings\"\nset termoption noenhanced\n" +
-           blocks + plots + "\n";
+    return "set logscale x\nset offsets 0, 0, graph 0.06, 0\nset grid\nset key outside right\n"
+           "set xlabel 'CPU seconds per megapixel of depth map'\n"
+           "set ylabel 'held-out error, root mean square of 8-bit levels'\n"
+           "set title 'What each depth model costs and brings'\n" +
+           before + plots + "\n";
 }
 
 }  // namespace
@@ -114,28 +99,14 @@ Json rungs_json(const std::vector<RungMeasurement>& measured) {
 
 void write_rung_chart(const fs::path& folder, const std::vector<RungMeasurement>& measured,
                       const Progress& progress) {
-    WholeFolder whole(folder);
-    write_json_file(whole.staging() / "rungs.json", rungs_json(measured));
-    write_whole_text(whole.staging() / "rungs.csv", csv_of(measured));
-    const fs::path script = whole.staging() / "rungs.gnuplot";
-    const fs::path svg = whole.staging() / "rungs.svg";
-    write_whole_text(script, gnuplot_script(measured, svg));
-    const ChildCommand command{.arguments = {"gnuplot", script.string()},
-                               .log_path = whole.staging() / "gnuplot.log",
-                               .time_limit_s = 60,
-                               .missing_advice = "install gnuplot: apt-get install gnuplot-nox",
-                               .on_output = {}};
-    const ChildResult result = run_child(command, progress);
-    std::error_code status;
-    if (result.end != ChildEnd::kExited || result.exit_status != 0 ||
-        fs::file_size(svg, status) == 0 || status) {
-        throw Error(ErrorKind::kExternalProgram, "E-CHART-GNUPLOT",
-                    "gnuplot: " + description_of(result, command) + ", no chart",
-                    "see whether gnuplot runs: gnuplot --version");
-    }
-    fs::remove(script, status);
-    fs::remove(whole.staging() / "gnuplot.log", status);
-    whole.put_in_place();
+    const std::string svg =
+        gnuplot_svg({"what each depth model costs and brings",
+                     "size 1000,640 font 'sans-serif,13' background 'white'",
+                     chart_commands(measured)},
+                    progress);
+    write_json_file(folder / "rungs.json", rungs_json(measured));
+    write_whole_text(folder / "rungs.csv", csv_of(measured));
+    write_whole_text(folder / "rungs.svg", svg);
 }
 
 }  // namespace lumi

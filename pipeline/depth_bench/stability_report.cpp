@@ -8,6 +8,7 @@
 #include "pipeline/chart/plot.h"
 #include "pipeline/report/number_text.h"
 #include "pipeline/report/padded.h"
+#include "pipeline/workspace/json_file.h"
 
 namespace lumi {
 namespace {
@@ -148,7 +149,7 @@ std::string stability_text(const std::vector<StabilityTrial>& trials) {
 void write_stability_report(const std::filesystem::path& folder,
                             const std::vector<StabilityTrial>& trials, const Progress& progress) {
     const DepthHazard last = trials.back().hazard;
-    write_whole_text(folder / "stability.json", stability_json(trials).dump(2) + "\n");
+    write_json_file(folder / "stability.json", stability_json(trials));
     write_whole_text(folder / "stability.csv", stability_csv(trials));
     write_whole_text(folder / ("stability-" + curve_of(last).name + ".svg"),
                      plot_svg(plot_of(trials, last), progress));

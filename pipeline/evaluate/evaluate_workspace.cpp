@@ -68,7 +68,7 @@ void name_pictures(nlohmann::ordered_json& views, const PictureNames& names, Ren
 }  // namespace
 
 Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOptions& options,
-                              int threads, Progress& progress) {
+                              const std::string& code_version, int threads, Progress& progress) {
     const PosedPhotographs held_out = held_out_photographs(workspace, threads);
     const Lumigraph lumigraph = read_package(workspace.package_folder(), {}, options.exposures);
     const PictureNames names(held_out.capture, options.modes.front());
@@ -84,6 +84,7 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
 
     nlohmann::ordered_json json = evaluation_json(evaluation);
     json["package_sha256"] = package_sha256(workspace);
+    json["made_with"] = made_with_json(options, code_version);
     name_pictures(json["views"], names, options.modes.front());
     write_json_file(folder.staging() / "evaluation.json", json);
     folder.put_in_place();

@@ -46,15 +46,27 @@ Json group_json(const std::vector<ViewScore>& views) {
         {"views", views.size()}, {"mean", mean_json(views)}, {"interval", interval_json(views)}};
 }
 
+/// False for what is no object, too.
+bool says(const Json& evaluation, const char* key, const Json& value) {
+    const auto found = evaluation.find(key);
+    return found != evaluation.end() && *found == value;
+}
+
 void expect_known_version(const Json& evaluation, const fs::path& path) {
-    if (evaluation.is_object() &&
-        evaluation.value("schema_version", 0) == kEvaluationSchemaVersion) {
-        return;
-    }
+    if (says(evaluation, "schema_version", kEvaluationSchemaVersion)) return;
     throw Error(ErrorKind::kBadInput, "E-EVAL-SCHEMA",
                 path.string() + ": no evaluation of schema version " +
                     std::to_string(kEvaluationSchemaVersion),
                 "run `lumi evaluate` again with this version of lumi");
+}
+
+/// Null when it cannot be read.
+Json json_or_null(const fs::path& path) {
+    try {
+        return read_json_file(path);
+    } catch (const Error&) {
+        return nullptr;
+    }
 }
 
 std::optional<double> optional_number(const Json& value) {
@@ -129,6 +141,15 @@ Json evaluation_json(const Evaluation& evaluation) {
     return json;
 }
 
+Json made_with_json(const EvaluationOptions& options, const std::string& code_version) {
+    Json modes = Json::array();
+    for (const RenderMode mode : options.modes) modes.push_back(name_of(mode));
+    return Json{{"modes", std::move(modes)},
+                {"exposures", options.exposures == Exposures::kEvened ? "evened" : "as taken"},
+                {"ghost_energy", options.ghost_energy},
+                {"code", code_version}};
+}
+
 std::string package_sha256(const WorkspaceLayout& workspace) {
     return sha256_hex_of_file(workspace.package_folder() / "lumigraph.json");
 }
@@ -150,10 +171,10 @@ Json read_current_evaluation(const WorkspaceLayout& workspace) {
         !fs::is_directory(workspace.package_folder(), status)) {
         return nullptr;
     }
-    Json evaluation = read_json_file(path);
-    if (evaluation.value("schema_version", 0) != kEvaluationSchemaVersion) return nullptr;
-    if (evaluation.value("package_sha256", "") != package_sha256(workspace)) return nullptr;
-    return evaluation;
+    const Json evaluation = json_or_null(path);
+    const bool is_current = says(evaluation, "schema_version", kEvaluationSchemaVersion) &&
+                            says(evaluation, "package_sha256", package_sha256(workspace));
+    return is_current ? evaluation : Json();
 }
 
 }  // namespace lumi

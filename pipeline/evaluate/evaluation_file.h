@@ -16,6 +16,12 @@ constexpr int kEvaluationSchemaVersion = 3;
 /// group of views does not have is null.
 [[nodiscard]] nlohmann::ordered_json evaluation_json(const Evaluation& evaluation);
 
+/// What decides an evaluation beside the package and the photographs, as "made_with" in the file of
+/// a workspace: "modes", "exposures", "ghost_energy", and "code", the version of the code that
+/// draws and judges.
+[[nodiscard]] nlohmann::ordered_json made_with_json(const EvaluationOptions& options,
+                                                    const std::string& code_version);
+
 /// The same of one mode.
 [[nodiscard]] nlohmann::ordered_json mode_scores_json(const ModeScores& scores);
 /// The scores of views read back. Throws nlohmann::json::exception.
@@ -28,8 +34,8 @@ constexpr int kEvaluationSchemaVersion = 3;
 /// (E-JSON-READ, E-EVAL-SCHEMA: another version, E-FILE-READ).
 [[nodiscard]] nlohmann::ordered_json read_evaluation(const std::filesystem::path& file_or_folder);
 
-/// The evaluation in the workspace; null when there is none, or when it is of another package than
-/// the one that stands there now.
+/// The evaluation in the workspace; null when there is none, when it is damaged, or when it is of
+/// another package than the one that stands there now. What it was made with may be anything.
 [[nodiscard]] nlohmann::ordered_json read_current_evaluation(const WorkspaceLayout& workspace);
 
 }  // namespace lumi

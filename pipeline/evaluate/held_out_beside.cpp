@@ -1,7 +1,11 @@
 #include "pipeline/evaluate/held_out_beside.h"
 
+#include <map>
+
 #include "calib/capture/image_io.h"
 #include "pipeline/evaluate/held_out_photographs.h"
+#include "pipeline/stages/photograph_list.h"
+#include "render/paths/photograph_eye.h"
 
 namespace lumi {
 
@@ -14,12 +18,18 @@ std::vector<HeldOutView> held_out_views_beside(const std::filesystem::path& pack
     const PackRecord record = read_pack_record(workspace.stage_folder("pack"));
     if (record.held_out.empty()) return {};
     const PosedPhotographs photographs = held_out_photographs(workspace, record, 0);
+    std::map<std::string, int> orientation_of;
+    for (const Photograph& photograph :
+         read_photograph_list(workspace.stage_folder("ingest")).photographs)
+        orientation_of[photograph.name] = photograph.exif_orientation;
     std::vector<HeldOutView> held_out;
     for (std::size_t i = 0; i < photographs.capture.views.size(); ++i) {
         const View& view = photographs.capture.views[i];
-        held_out.push_back({view.name,
-                            {camera_of(photographs.capture, view), view.cam_from_world},
-                            read_color_image(photographs.picture_paths[i])});
+        const int orientation = orientation_of.at(view.name);
+        const Eye eye{camera_of(photographs.capture, view), view.cam_from_world};
+        held_out.push_back(
+            {view.name, turned_upright(eye, orientation),
+             turned_upright(read_color_image(photographs.picture_paths[i]), orientation)});
     }
     return held_out;
 }

@@ -6,9 +6,8 @@
 #include <sstream>
 #include <string>
 
-#include "calib/work/child_process.h"
-#include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "pipeline/chart/gnuplot.h"
 
 namespace lumi {
 namespace {
@@ -73,9 +72,9 @@ std::size_t breaking_step(const HazardCurve& curve, const std::vector<const Tria
 std::string panel_script(const HazardCurve& curve, const std::vector<const Trial*>& trials) {
     std::ostringstream script;
     const double steps = static_cast<double>(curve.strengths.size());
-    script << "set title \"" << curve.name << "\"\nset xlabel \"" << curve.strength << "\"\n"
-           << "set xtics (" << tick_labels(curve) << ")\nset xrange [-0.4:" << steps - 0.6
-           << "]\nunset arrow\nunset label\n"
+    script << "set title " << gnuplot_quoted(curve.name) << "\nset xlabel "
+           << gnuplot_quoted(curve.strength) << "\nset xtics (" << tick_labels(curve)
+           << ")\nset xrange [-0.4:" << steps - 0.6 << "]\nunset arrow\nunset label\n"
            << "set arrow 1 from -0.4," << kMaxPositionErrorShare << " to " << steps - 0.6 << ","
            << kMaxPositionErrorShare << " nohead dt 2 lc rgb \"#888888\"\n";
     const auto breaking = static_cast<double>(breaking_step(curve, trials));
@@ -101,7 +100,7 @@ std::string panel_script(const HazardCurve& curve, const std::vector<const Trial
 }
 
 /// Panels of one size, five to a row, however many there are.
-std::string page_script(const std::filesystem::path& svg, std::size_t panels) {
+GnuplotPicture empty_page(std::size_t panels) {
     constexpr std::size_t kColumns = 5;
     constexpr double kAbove_px = 130;
     constexpr double kPanel_px = 230;
@@ -110,20 +109,22 @@ std::string page_script(const std::filesystem::path& svg, std::size_t panels) {
     const std::size_t rows = std::max<std::size_t>(1, (panels + kColumns - 1) / kColumns);
     const auto count = static_cast<double>(rows);
     const double height_px = kAbove_px + count * kPanel_px + (count - 1) * kBetween_px + kBelow_px;
+    GnuplotPicture page;
+    page.title = "error against strength of hazards";
+    page.canvas = "size 1500," + std::to_string(std::lround(height_px)) +
+                  " font 'sans-serif,11' background '#ffffff'";
     std::ostringstream script;
-    script << "set terminal svg size 1500," << std::lround(height_px)
-           << " font \"sans-serif,11\" background \"#ffffff\"\n"
-           << "set output \"" << svg.string() << "\"\n"
-           << "set multiplot layout " << rows << "," << kColumns << " margins 0.045,0.99,"
+    script << "set multiplot layout " << rows << "," << kColumns << " margins 0.045,0.99,"
            << kBelow_px / height_px << "," << 1 - kAbove_px / height_px << " spacing 0.03,"
            << kBetween_px / height_px
            << " title \"Error of the worst camera against strength, harmless to hopeless (blue: "
               "lumi, orange: COLMAP 3.8 alone)\\ndots: poses; crosses: false successes; squares "
               "above: no poses; dashed: bound; red: breaking point of lumi\"\n";
-    return script.str();
+    page.commands = script.str();
+    return page;
 }
 
-std::string chart_script(const std::filesystem::path& svg, const std::vector<Trial>& trials) {
+GnuplotPicture hazard_picture(const std::vector<Trial>& trials) {
     std::string panels;
     std::size_t count = 0;
     for (const HazardCurve& curve : hazard_curves()) {
@@ -135,33 +136,20 @@ std::string chart_script(const std::filesystem::path& svg, const std::vector<Tri
         panels += panel_script(curve, own);
         ++count;
     }
-    std::ostringstream script;
-    script << page_script(svg, count) << "set logscale y\nset yrange [" << kLeastError << ":80]\n"
+    GnuplotPicture picture = empty_page(count);
+    std::ostringstream scales;
+    scales << "set logscale y\nset yrange [" << kLeastError << ":80]\n"
            << "set ytics (\"0.1 %%\" 0.001, \"1 %%\" 0.01, \"10 %%\" 0.1, \"100 %%\" 1, \"none\" "
            << kRefusedLine << ")\nset grid y lc rgb \"#eeeeee\"\n";
-    script << panels << "unset multiplot\n";
-    return script.str();
+    picture.commands += scales.str() + panels + "unset multiplot\n";
+    return picture;
 }
 
 }  // namespace
 
 void draw_hazard_chart(const std::filesystem::path& svg, const std::vector<Trial>& trials,
                        const Progress& progress) {
-    const std::filesystem::path folder = svg.parent_path();
-    write_whole_text(folder / "hazards.gnuplot", chart_script(svg, trials));
-    ChildCommand command;
-    command.arguments = {"gnuplot", (folder / "hazards.gnuplot").string()};
-    command.log_path = folder / "gnuplot.log";
-    command.time_limit_s = 60;
-    command.missing_advice = "install gnuplot (Debian: apt-get install gnuplot-nox)";
-    const ChildResult result = run_child(command, progress);
-    if (result.end == ChildEnd::kExited && result.exit_status == 0 &&
-        std::filesystem::exists(svg)) {
-        return;
-    }
-    throw Error(ErrorKind::kExternalProgram, "E-STRESS-CHART",
-                svg.string() + ": gnuplot: " + description_of(result, command),
-                "read " + command.log_path.string());
+    write_whole_text(svg, gnuplot_svg(hazard_picture(trials), progress));
 }
 
 }  // namespace lumi

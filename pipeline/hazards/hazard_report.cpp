@@ -10,6 +10,7 @@
 #include "pipeline/hazards/hazard_chart.h"
 #include "pipeline/report/number_text.h"
 #include "pipeline/report/padded.h"
+#include "pipeline/workspace/json_file.h"
 
 namespace lumi {
 namespace {
@@ -175,7 +176,7 @@ std::string hazards_text(const std::vector<Trial>& trials) {
 
 void write_hazard_report(const std::filesystem::path& folder, const std::vector<Trial>& trials,
                          const Progress& progress) {
-    write_whole_text(folder / "hazards.json", hazards_json(trials).dump(2) + "\n");
+    write_json_file(folder / "hazards.json", hazards_json(trials));
     write_whole_text(folder / "hazards.csv", hazards_csv(trials));
     draw_hazard_chart(folder / "hazards.svg", trials, progress);
 }

@@ -40,8 +40,7 @@ struct StressSummary {
 [[nodiscard]] std::string hazards_text(const std::vector<Trial>& trials);
 
 /// hazards.json, hazards.csv and hazards.svg (a panel a hazard: error and ending against strength,
-/// the breaking point marked; drawn by gnuplot) into `folder`. Throws Error (E-FILE-WRITE,
-/// E-CHILD-MISSING, E-STRESS-CHART).
+/// the breaking point marked) into `folder`. Throws what draw_hazard_chart throws.
 void write_hazard_report(const std::filesystem::path& folder, const std::vector<Trial>& trials,
                          const Progress& progress);
 

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <nlohmann/json.hpp>
 
+#include "calib/work/content_hash.h"
+#include "calib/work/error_of_exception.h"
 #include "calib/work/whole_file.h"
 #include "meshing/geometry/binary_volume.h"
 #include "pipeline/evaluate/asked_efforts.h"
@@ -62,15 +64,16 @@ class Line {
         return pack_stage();
     }
 
-    [[nodiscard]] StageIdentity identity(const std::string& stage, const std::string& more,
+    [[nodiscard]] StageIdentity identity(const std::string& stage,
                                          const std::vector<ContentEntry>& inputs) const {
-        return {stage, code_version_of(stage), config_.stage_parameters.at(stage) + more, "",
+        return {stage, code_version_of(stage), config_.stage_parameters.at(stage), "",
                 sha256_of_content(inputs)};
     }
 
     [[nodiscard]] Stage ingest_stage() const {
-        const std::vector<ContentEntry> inputs = content_of(config_.photographs_or_video, threads_);
-        return {identity("ingest", "", inputs),
+        const std::vector<ContentEntry> inputs = content_of_photographs(
+            config_.photographs_or_video, workspace_.stage_folder("ingest"), threads_);
+        return {identity("ingest", inputs),
                 [this](const fs::path& folder) {
                     return run_ingest_stage(config_.photographs_or_video, config_.ingest, folder,
                                             threads_, progress_);
@@ -79,7 +82,7 @@ class Line {
     }
 
     [[nodiscard]] Stage calibrate_stage() const {
-        return {identity("calibrate", "", content_of(config_.boards, threads_)),
+        return {identity("calibrate", content_of_photographs(config_.boards, {}, threads_)),
                 [this](const fs::path& folder) {
                     return run_calibrate_stage(config_.boards, folder, threads_, progress_);
                 },
@@ -100,7 +103,7 @@ class Line {
         if (!config_.boards.empty()) {
             append(inputs, outputs_of("calibrate", "calibrate/camera.toml"));
         }
-        Stage stage{identity("poses", "", inputs),
+        Stage stage{identity("poses", inputs),
                     [this](const fs::path& folder) {
                         return run_poses_stage(
                             workspace_.stage_folder("ingest"),
@@ -117,7 +120,9 @@ class Line {
 
     [[nodiscard]] Stage mesh_stage() {
         read_used_views();
-        return {identity("mesh", held_out_text(), outputs_of("poses", "poses/pinhole/")),
+        std::vector<ContentEntry> inputs = outputs_of("poses", "poses/pinhole/");
+        inputs.push_back(held_out_entry());
+        return {identity("mesh", inputs),
                 [this](const fs::path& folder) {
                     return run_mesh_stage(used_.capture, config_.mesh, folder);
                 },
@@ -134,7 +139,8 @@ class Line {
         append(inputs, content_of(config_.depth.mask_folder, threads_));
         if (!config_.depth.mask_folder.empty())
             append(inputs, outputs_of("poses", "poses/sparse/"));
-        return {identity("depth", held_out_text(), inputs),
+        inputs.push_back(held_out_entry());
+        return {identity("depth", inputs),
                 [this](const fs::path& folder) {
                     return run_depth_stage(used_, masked_photographs(), config_.depth, folder,
                                            threads_, progress_);
@@ -147,12 +153,13 @@ class Line {
         for (const char* stage : {"mesh", "depth"}) {
             append(inputs, outputs_of(stage, ""));
         }
-        return {identity("pack", held_out_text() + facts_of_all_stages(), inputs),
+        inputs.push_back(held_out_entry());
+        inputs.push_back({"facts of all stages", sha256_hex(facts_of_all_stages())});
+        return {identity("pack", inputs),
                 [this](const fs::path& folder) {
                     return run_pack_stage(
                         {config_.name, used_, ingested_, held_out_, workspace_.stage_folder("mesh"),
-                         workspace_.stage_folder("depth"),
-                         sha256_of_content(outputs_of("poses", "poses/pinhole/")),
+                         workspace_.stage_folder("depth"), sha256_of_content(pictures_and_poses()),
                          config_.resolved_toml, facts_of_all_stages(), config_.package,
                          config_.drawing, config_.mesh,
                          [this](const Lumigraph& lumigraph, const Capture& capture) {
@@ -187,8 +194,9 @@ class Line {
         return masked;
     }
 
-    [[nodiscard]] std::string held_out_text() const {
-        return "held_out = " + Json(held_out_).dump();
+    /// Photographs may come and go, and with them those that every so many are held out.
+    [[nodiscard]] ContentEntry held_out_entry() const {
+        return {"held out", sha256_hex(Json(held_out_).dump())};
     }
 
     /// What a finished stage wrote, where the name begins with `prefix`.
@@ -250,16 +258,16 @@ const std::vector<std::string>& stages_of_line() {
 std::vector<FinishedStage> run_line(const BuildConfig& config, const Workspace& workspace,
                                     const std::string& last_stage, int threads, Progress& progress,
                                     const StageStore* store) {
-    write_whole_text(workspace.config_path(),
-                     "# Paths are relative to the configuration file that this was read from.\n" +
-                         config.resolved_toml);
+    write_whole_text(workspace.config_path(), kWorkspaceConfigHeader + config.movable_toml);
     Line line(config, workspace, threads, progress, store);
     for (const std::string& stage : stages_for(config)) {
         try {
             line.bring_up_to_date(stage);
-        } catch (const Error& failure) {
-            write_stages_file(workspace.stages_path(), line.finished(), stage, failure);
-            throw;
+        } catch (const std::exception& exception) {
+            const std::optional<Error> failure = error_of_exception(exception);
+            if (!failure) throw;
+            write_stages_file(workspace.stages_path(), line.finished(), stage, *failure);
+            throw *failure;
         }
         if (stage == last_stage) break;
     }

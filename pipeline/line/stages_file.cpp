@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/printable.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {
@@ -38,8 +39,8 @@ void write_stages_file(const std::filesystem::path& path, const std::vector<Fini
     Json json = stages_json(stages);
     json["failure"] = {{"stage", failed_stage},
                        {"code", failure.code()},
-                       {"what", failure.what()},
-                       {"advice", failure.advice()},
+                       {"what", printable(failure.what())},
+                       {"advice", printable(failure.advice())},
                        {"exit_code", failure.exit_code()}};
     write_json_file(path, json);
 }

@@ -4,15 +4,12 @@
 #include <limits>
 #include <map>
 
-#include "calib/work/child_process.h"
-#include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "pipeline/chart/gnuplot.h"
 #include "pipeline/report/number_text.h"
 
 namespace lumi {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kMillimetresAMetre = 1000;
 
@@ -57,55 +54,64 @@ std::string time_range(const std::vector<PoseTrial>& trials) {
            number_text(1.8 * std::max(most, 0.01), 3) + "]";
 }
 
-std::string data_text(const std::vector<const PoseTrial*>& trials, bool by_truth) {
-    std::string text;
+/// What stands beside the mark of a trial.
+std::string mark_text(const PoseTrial& trial) {
+    const std::string text = label_of(trial.means);
+    if (trial.placed >= trial.photographs) return text;
+    return text + ", " + std::to_string(trial.placed) + " placed";
+}
+
+/// The places of a series as lines of numbers, and the commands that write beside them.
+struct SeriesCommands {
+    std::string places;
+    std::string labels;
+};
+
+SeriesCommands series_commands(const std::vector<const PoseTrial*>& trials, bool by_truth) {
+    SeriesCommands series;
     for (const PoseTrial* const trial : trials) {
         const auto height = height_of(*trial, by_truth);
         if (!height) continue;
-        text +=
-            number_text(trial->cost.cpu_s, 3) + " " + number_text(*height, 4) + " \"" +
-            label_of(trial->means) +
-            (trial->placed < trial->photographs ? ", " + std::to_string(trial->placed) + " placed"
-                                                : "") +
-            "\"\n";
+        const std::string x = number_text(trial->cost.cpu_s, 3);
+        const std::string y = number_text(*height, 4);
+        series.places += x + " " + y + "\n";
+        series.labels += "set label " + gnuplot_quoted(mark_text(*trial)) + " at " + x + "," + y +
+                         " left offset 0.6,0.5 font 'sans,9' front\n";
     }
-    return text;
+    return series;
 }
 
-std::string script_text(const std::vector<PoseTrial>& trials, const std::string& title,
-                        const fs::path& scratch, const fs::path& output) {
-    const bool by_truth = has_truth(trials);
-    std::map<std::string, std::vector<const PoseTrial*>> series;
-    for (const PoseTrial& trial : trials) {
-        series[series_of(trial.means)].push_back(&trial);
-    }
-    std::string script =
-        "set terminal svg size 1000,640 font 'sans,13' background 'white'\n"
-        "set output '" +
-        output.string() + "'\nset title '" + title +
-        "' noenhanced\nset logscale x\nset xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, "
-        "5000)\n"
-        "set grid\nset bmargin 8\nset key below maxcols 2\n"
-        "set xlabel 'CPU seconds from photographs to poses; at each mark the features kept of a "
-        "photograph, or the lens model'\nset xrange " +
-        time_range(trials) + "\nset offsets 0, 0, graph 0.05, graph 0.05\nset ylabel '" +
-        (by_truth ? "median position error, mm" : "photographs not placed, %") + "'\nplot ";
+/// The series and the plot of them all.
+std::string plot_commands(const std::vector<PoseTrial>& trials, bool by_truth) {
+    std::map<std::string, std::vector<const PoseTrial*>> members_of;
+    for (const PoseTrial& trial : trials) members_of[series_of(trial.means)].push_back(&trial);
+    std::string before;
+    std::string plot = "plot ";
     int number = 0;
-    for (const auto& [name, members] : series) {
-        const std::string data = data_text(members, by_truth);
-        if (data.empty()) continue;
-        const fs::path file = scratch / ("series" + std::to_string(number) + ".txt");
-        write_whole_text(file, data);
-        const std::string quoted = "'" + file.string() + "'";
+    for (const auto& [name, members] : members_of) {
+        const SeriesCommands series = series_commands(members, by_truth);
+        if (series.places.empty()) continue;
+        const std::string block = "$series" + std::to_string(number);
+        before += series.labels + block + " << EOD\n" + series.places + "EOD\n";
         // Lens models have no order that a line could follow.
         const char* const style = is_lens_trial(members.front()->means) ? "points" : "linespoints";
-        script += std::string(number == 0 ? "" : ", ") + quoted + " using 1:2 with " + style +
-                  " lt " + std::to_string(number + 1) + " pt 7 title '" + name + "' noenhanced, " +
-                  quoted +
-                  " using 1:2:3 with labels offset 0.6,0.5 left font 'sans,9' noenhanced notitle";
+        plot += std::string(number == 0 ? "" : ", ") + block + " using 1:2 with " + style + " lt " +
+                std::to_string(number + 1) + " pt 7 title " + gnuplot_quoted(name);
         ++number;
     }
-    return script + "\n";
+    return before + plot + "\n";
+}
+
+std::string chart_commands(const std::vector<PoseTrial>& trials, const std::string& title) {
+    const bool by_truth = has_truth(trials);
+    return "set title " + gnuplot_quoted(title) +
+           "\nset logscale x\nset xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000)\n"
+           "set grid\nset bmargin 8\nset key below maxcols 2\n"
+           "set xlabel 'CPU seconds from photographs to poses; at each mark the features kept of a "
+           "photograph, or the lens model'\nset xrange " +
+           time_range(trials) + "\nset offsets 0, 0, graph 0.05, graph 0.05\nset ylabel '" +
+           (by_truth ? "median position error, mm" : "photographs not placed, %") + "'\n" +
+           plot_commands(trials, by_truth);
 }
 
 }  // namespace
@@ -161,24 +167,10 @@ std::string trials_csv(const std::vector<PoseTrial>& trials) {
 }
 
 void draw_pose_chart(const std::vector<PoseTrial>& trials, const std::string& title,
-                     const fs::path& file, const fs::path& scratch_folder,
-                     const Progress& progress) {
-    const fs::path drawn = scratch_folder / "chart.svg";
-    const fs::path script = scratch_folder / "chart.gp";
-    write_whole_text(script, script_text(trials, title, scratch_folder, drawn));
-    ChildCommand command;
-    command.arguments = {"gnuplot", script.string()};
-    command.log_path = scratch_folder / "gnuplot.log";
-    command.time_limit_s = 60;
-    command.missing_advice = "install gnuplot (Debian: apt-get install gnuplot-nox)";
-    const ChildResult result = run_child(command, progress);
-    std::error_code status;
-    if (result.exit_status != 0 || !(fs::file_size(drawn, status) > 0) || status) {
-        throw Error(ErrorKind::kExternalProgram, "E-CHART-GNUPLOT",
-                    "gnuplot made no chart: " + description_of(result, command),
-                    "see " + command.log_path.string());
-    }
-    write_whole_text(file, read_whole_text(drawn));
+                     const std::filesystem::path& file, const Progress& progress) {
+    write_whole_text(file, gnuplot_svg({title, "size 1000,640 font 'sans,13' background 'white'",
+                                        chart_commands(trials, title)},
+                                       progress));
 }
 
 }  // namespace lumi

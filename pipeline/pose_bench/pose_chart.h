@@ -16,9 +16,8 @@ namespace lumi {
 [[nodiscard]] std::string trials_csv(const std::vector<PoseTrial>& trials);
 
 /// CPU seconds against position error (the share of photographs not placed where no truth is
-/// known), drawn with gnuplot as `file`. Throws Error (E-CHART-GNUPLOT).
+/// known), drawn as `file`. Throws what gnuplot_svg throws.
 void draw_pose_chart(const std::vector<PoseTrial>& trials, const std::string& title,
-                     const std::filesystem::path& file, const std::filesystem::path& scratch_folder,
-                     const Progress& progress);
+                     const std::filesystem::path& file, const Progress& progress);
 
 }  // namespace lumi

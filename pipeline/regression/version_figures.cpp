@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "calib/work/error.h"
 #include "pipeline/evaluate/evaluation.h"
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/workspace/json_file.h"
@@ -58,6 +60,27 @@ void append_ratios(VersionFigures& figures, const Lumigraph& lumigraph,
     }
 }
 
+/// Nothing within the noise of both. A figure that is no number is worse.
+std::optional<FigureMove> move_of(const std::string& name, const VersionFigure& before,
+                                  const VersionFigure& now) {
+    const double noise = before.noise + now.noise;
+    const double difference = now.value - before.value;
+    if (std::abs(difference) <= noise) return std::nullopt;
+    const bool is_better = now.higher_is_better ? difference > 0.0 : difference < 0.0;
+    return FigureMove{name, before.value, now.value, noise, is_better};
+}
+
+std::string missing_text(const std::vector<std::string>& names) {
+    constexpr std::size_t kMaxNamed = 4;
+    if (names.empty()) return "";
+    std::string text = ", not " + names.front();
+    for (std::size_t i = 1; i < std::min(kMaxNamed, names.size()); ++i) text += ", " + names[i];
+    if (names.size() > kMaxNamed) {
+        text += " and " + std::to_string(names.size() - kMaxNamed) + " more";
+    }
+    return text;
+}
+
 }  // namespace
 
 VersionFigures measure_version(const WorkspaceLayout& workspace, int frames, int rounds,
@@ -98,18 +121,38 @@ VersionFigures read_version_figures(const std::filesystem::path& path) {
     return figures;
 }
 
-std::vector<FigureMove> moves_between(const VersionFigures& before, const VersionFigures& now) {
-    std::vector<FigureMove> moves;
+FigureComparison compare_figures(const VersionFigures& before, const VersionFigures& now) {
+    FigureComparison result;
+    for (const auto& [name, figure] : before) {
+        if (!now.contains(name)) result.only_before.push_back(name);
+    }
     for (const auto& [name, figure] : now) {
         const auto former = before.find(name);
-        if (former == before.end()) continue;
-        const double noise = former->second.noise + figure.noise;
-        const double difference = figure.value - former->second.value;
-        if (std::abs(difference) <= noise) continue;
-        moves.push_back({name, former->second.value, figure.value, noise,
-                         (difference > 0.0) == figure.higher_is_better});
+        if (former == before.end()) {
+            result.only_now.push_back(name);
+            continue;
+        }
+        ++result.compared;
+        if (auto move = move_of(name, former->second, figure)) result.moves.push_back(*move);
     }
-    return moves;
+    return result;
+}
+
+void refuse_regression(const FigureComparison& comparison, const std::filesystem::path& baseline) {
+    const auto worse = std::count_if(comparison.moves.begin(), comparison.moves.end(),
+                                     [](const FigureMove& move) { return !move.is_better; });
+    if (worse > 0) {
+        throw Error(ErrorKind::kPartialResult, "E-REGRESSION-WORSE",
+                    std::to_string(worse) + " figures are worse than in " + baseline.string(),
+                    "find out what changed, or write a new baseline with --write");
+    }
+    if (comparison.compared > 0 && comparison.only_before.empty()) return;
+    throw Error(ErrorKind::kPartialResult, "E-REGRESSION-MISSING",
+                baseline.string() + ": " + std::to_string(comparison.compared) + " of its " +
+                    std::to_string(comparison.compared + comparison.only_before.size()) +
+                    " figures were measured again" + missing_text(comparison.only_before),
+                "measure the workspace that the baseline is of, or write a new baseline with "
+                "--write");
 }
 
 }  // namespace lumi

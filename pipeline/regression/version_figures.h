@@ -41,8 +41,19 @@ struct FigureMove {
     bool is_better = false;
 };
 
-/// The figures that moved beyond the noise of both; figures that only one side has are left out.
-[[nodiscard]] std::vector<FigureMove> moves_between(const VersionFigures& before,
-                                                    const VersionFigures& now);
+/// Two versions side by side.
+struct FigureComparison {
+    std::size_t compared = 0;       ///< Figures that both have.
+    std::vector<FigureMove> moves;  ///< Of these, beyond the noise of both.
+    std::vector<std::string> only_before;
+    std::vector<std::string> only_now;
+};
+
+[[nodiscard]] FigureComparison compare_figures(const VersionFigures& before,
+                                               const VersionFigures& now);
+
+/// Throws Error, of kind kPartialResult: E-REGRESSION-WORSE (a figure is worse),
+/// E-REGRESSION-MISSING (a figure of the baseline is not there to compare, or none is).
+void refuse_regression(const FigureComparison& comparison, const std::filesystem::path& baseline);
 
 }  // namespace lumi

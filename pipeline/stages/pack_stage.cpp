@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/capture/image_io.h"
+#include "calib/work/content_hash.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/exposure/exposure_gains.h"
 #include "meshing/surface/mesh_io.h"
@@ -16,6 +17,7 @@
 #include "pipeline/stages/view_limit.h"
 #include "pipeline/workspace/json_file.h"
 #include "render/depth_mesh/view_depth_mesh.h"
+#include "render/lumigraph/manifest.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {
@@ -145,7 +147,9 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     progress.begin("writing the package", 0);
     write_package(package_folder, lumigraph, extras);
     write_json_file(record_path(folder),
-                    Json{{"held_out", sources.held_out}, {"poses_sha256", sources.poses_sha256}});
+                    Json{{"held_out", sources.held_out},
+                         {"pictures_sha256", sources.pictures_sha256},
+                         {"package_sha256", sha256_hex_of_file(package_folder / kManifestName)}});
 
     const Json facts{{"views", lumigraph.views.size()},
                      {"views_in_use", views_in_use},
@@ -165,7 +169,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
 PackRecord read_pack_record(const fs::path& pack_folder) {
     const Json json = read_json_file(record_path(pack_folder));
     try {
-        return {json.at("held_out"), json.at("poses_sha256")};
+        return {json.at("held_out"), json.at("pictures_sha256"), json.at("package_sha256")};
     } catch (const Json::exception& error) {
         refuse_json(record_path(pack_folder), error.what());
     }

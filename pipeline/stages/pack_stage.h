@@ -22,7 +22,7 @@ struct PackSources {
     std::vector<std::string> held_out;
     std::filesystem::path mesh_folder;
     std::filesystem::path depth_folder;
-    std::string poses_sha256;  ///< Of the poses stage's pinhole model and pictures.
+    std::string pictures_sha256;  ///< Of all pictures, and of the poses stage's pinhole model.
     std::string resolved_config_toml;
     std::string evidence_json;
     PackageOptions options;
@@ -50,7 +50,8 @@ struct PackSources {
 /// What the package was made from.
 struct PackRecord {
     std::vector<std::string> held_out;  ///< Views it was made without, sorted by name.
-    std::string poses_sha256;
+    std::string pictures_sha256;  ///< As in PackSources.
+    std::string package_sha256;  ///< Of its manifest: that of another package is none of it.
 };
 /// Throws Error (E-JSON-READ).
 [[nodiscard]] PackRecord read_pack_record(const std::filesystem::path& pack_folder);

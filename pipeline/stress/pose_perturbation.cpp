@@ -3,6 +3,7 @@
 #include <limits>
 #include <numbers>
 
+#include "calib/work/median.h"
 #include "pipeline/stress/perturbation.h"
 #include "pipeline/stress/seeded_normal.h"
 
@@ -22,9 +23,7 @@ double camera_spacing(const Lumigraph& lumigraph) {
         }
         nearest.push_back(least);
     }
-    const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-    std::nth_element(nearest.begin(), middle, nearest.end());
-    return nearest.size() < 2 ? 0.0 : *middle;
+    return nearest.size() < 2 ? 0.0 : median_of(std::move(nearest));
 }
 
 void move_vertices(CameraMesh& mesh, const std::vector<Eigen::Vector3d>& shift_of_view) {

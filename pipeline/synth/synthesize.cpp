@@ -128,13 +128,16 @@ void synthesize_into(const std::filesystem::path& folder, const SceneDescription
     }
     expect_only(photo_names, photos);
     expect_only(depth_names, depths);
+    // It stands there while all photographs do, and they are of this scene.
+    const std::filesystem::path scene = folder / "truth" / "scene.toml";
+    std::filesystem::remove(scene);
     take_all(description, capture, threads, progress, [&](int index, const Developed& developed) {
         const auto i = static_cast<std::size_t>(index);
         write_png(photos / photo_names[i], developed.photograph);
         write_float_tiff(depths / depth_names[i], developed.depth);
     });
     write_colmap_model_text(capture, folder / "truth" / "sparse");
-    write_whole_text(folder / "truth" / "scene.toml", description.resolved_toml);
+    write_whole_text(scene, description.resolved_toml);
 }
 
 }  // namespace lumi

@@ -2,24 +2,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "meshing/depth/depth_model.h"
+#include "pipeline/chart/default_sweep.h"
 
 namespace lumi {
 namespace {
 
+/// Of the working copies: photographs are never enlarged, and frames of a video that are taken as
+/// they are count as larger than any that are scaled down.
+double copies_side_px(const BuildConfig& config, int photographs_side_px) {
+    constexpr double kBeyondAnyVideo_px = 1e5;
+    const int asked_px = config.ingest.max_width_px;
+    const double side_px = asked_px > 0 ? asked_px : kBeyondAnyVideo_px;
+    return photographs_side_px > 0 ? std::min(side_px, static_cast<double>(photographs_side_px))
+                                   : side_px;
+}
+
 /// Each model of the ladder is taken for twice as dear as the one below ("auto" for the highest
 /// that it climbs to), and the poses for as dear as a sweep.
-double expected_cost(const BuildConfig& config) {
+double expected_cost(const BuildConfig& config, int photographs_side_px) {
     constexpr double kPoses = 30;
     constexpr double kDearer = 2;
     const std::vector<std::string>& ladder = depth_model_names();
     const std::string model = config.depth.model == "auto" ? "refined_sweep" : config.depth.model;
     const auto rung = std::find(ladder.begin(), ladder.end(), model) - ladder.begin();
-    const double width_px = config.ingest.max_width_px;
-    return width_px * width_px * (kPoses + std::pow(kDearer, static_cast<double>(rung)));
+    const double side_px = copies_side_px(config, photographs_side_px);
+    return side_px * side_px * (kPoses + std::pow(kDearer, static_cast<double>(rung)));
 }
 
 }  // namespace
@@ -53,10 +66,20 @@ std::vector<ChartPoint> candidates_for(const Wish& wish, std::vector<ChartPoint>
 }
 
 void put_cheapest_first(Sweep& sweep) {
-    std::stable_sort(sweep.variants.begin(), sweep.variants.end(),
-                     [](const Variant& a, const Variant& b) {
-                         return expected_cost(a.config) < expected_cost(b.config);
-                     });
+    std::map<std::filesystem::path, int> side_px_of;
+    std::vector<std::pair<double, Variant>> priced;
+    for (Variant& variant : sweep.variants) {
+        const std::filesystem::path& photographs = variant.config.photographs_or_video;
+        if (!side_px_of.contains(photographs))
+            side_px_of[photographs] = longest_side_px(photographs);
+        const double cost = expected_cost(variant.config, side_px_of.at(photographs));
+        priced.emplace_back(cost, std::move(variant));
+    }
+    std::stable_sort(priced.begin(), priced.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t i = 0; i < priced.size(); ++i) {
+        sweep.variants[i] = std::move(priced[i].second);
+    }
 }
 
 bool ends_the_sweep(const Wish& wish, const MeasuredVariant& variant) {

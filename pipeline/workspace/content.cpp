@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "calib/ingest/photograph_folder.h"
 #include "calib/work/content_hash.h"
+#include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 
 namespace lumi {
@@ -12,39 +14,68 @@ namespace fs = std::filesystem;
 
 bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
 
-std::vector<fs::path> files_below(const fs::path& folder) {
-    std::vector<fs::path> files;
-    for (auto entry = fs::recursive_directory_iterator(folder);
-         entry != fs::recursive_directory_iterator(); ++entry) {
+struct NamedFile {
+    std::string name;  ///< As in ContentEntry.
+    fs::path path;
+};
+
+std::vector<NamedFile> files_below(const fs::path& folder) {
+    std::vector<NamedFile> files;
+    std::error_code status;
+    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
+                                           status);
+    for (; !status && entry != fs::recursive_directory_iterator(); entry.increment(status)) {
+        std::error_code ignored;  // A link to itself is no file, and no reason to end.
         if (is_hidden(entry->path())) {
             entry.disable_recursion_pending();
-        } else if (entry->is_regular_file()) {
-            files.push_back(entry->path());
+        } else if (entry->is_regular_file(ignored)) {
+            files.push_back(
+                {entry->path().lexically_relative(folder).generic_string(), entry->path()});
         }
     }
+    if (status) {
+        throw Error(ErrorKind::kBadInput, "E-FILE-READ", folder.string() + ": " + status.message(),
+                    "check that you may read the folder");
+    }
     return files;
+}
+
+/// Sorted by name.
+std::vector<ContentEntry> contents(const std::vector<NamedFile>& files, int threads) {
+    std::vector<ContentEntry> entries(files.size());
+    parallel_for(static_cast<int>(files.size()), threads, [&](int i) {
+        const auto index = static_cast<std::size_t>(i);
+        entries[index] = {files[index].name, sha256_hex_of_file(files[index].path)};
+    });
+    std::sort(entries.begin(), entries.end(),
+              [](const auto& a, const auto& b) { return a.name < b.name; });
+    return entries;
 }
 
 }  // namespace
 
 std::vector<ContentEntry> content_of(const fs::path& file_or_folder, int threads) {
     std::error_code status;
-    std::vector<fs::path> files;
-    fs::path base = file_or_folder;
     if (fs::is_directory(file_or_folder, status)) {
-        files = files_below(file_or_folder);
-    } else if (fs::is_regular_file(file_or_folder, status)) {
-        files = {file_or_folder};
-        base = file_or_folder.parent_path();
+        return contents(files_below(file_or_folder), threads);
     }
-    std::vector<ContentEntry> entries(files.size());
-    parallel_for(static_cast<int>(files.size()), threads, [&](int i) {
-        const auto index = static_cast<std::size_t>(i);
-        entries[index] = {files[index].lexically_relative(base).generic_string(),
-                          sha256_hex_of_file(files[index])};
-    });
-    std::sort(entries.begin(), entries.end(),
-              [](const auto& a, const auto& b) { return a.name < b.name; });
+    if (!fs::is_regular_file(file_or_folder, status)) return {};
+    return contents({{file_or_folder.filename().string(), file_or_folder}}, threads);
+}
+
+std::vector<ContentEntry> content_of_photographs(const fs::path& photographs_or_video,
+                                                 const fs::path& working_folder, int threads) {
+    std::error_code status;
+    if (fs::is_regular_file(photographs_or_video, status)) {
+        return content_of(photographs_or_video, threads);
+    }
+    const PhotographFolder folder = list_photographs(photographs_or_video, working_folder);
+    std::vector<NamedFile> files;
+    for (const PhotographFile& file : folder.files) files.push_back({file.name, file.path});
+    std::vector<ContentEntry> entries = contents(files, threads);
+    for (const LeftOut& picture : folder.left_out) {
+        entries.push_back({picture.name, sha256_hex(picture.code + ": " + picture.reason)});
+    }
     return entries;
 }
 

@@ -14,9 +14,17 @@ struct ContentEntry {
 };
 
 /// The content of one file, or of every regular file below a folder, sorted by name; hidden files
-/// excepted. Nothing when the path does not exist.
+/// and folders that may not be read excepted. Nothing when the path does not exist. Throws Error
+/// (E-FILE-READ).
 [[nodiscard]] std::vector<ContentEntry> content_of(const std::filesystem::path& file_or_folder,
                                                    int threads);
+
+/// What of a video or a folder of photographs decides what is made of it: of a folder the
+/// photographs that list_photographs finds, and which pictures it leaves out and why. Whatever else
+/// lies there may come, go and change. Throws Error (E-FILE-READ, E-INGEST-NOFOLDER).
+[[nodiscard]] std::vector<ContentEntry> content_of_photographs(
+    const std::filesystem::path& photographs_or_video, const std::filesystem::path& working_folder,
+    int threads);
 
 /// One hash over names and contents.
 [[nodiscard]] std::string sha256_of_content(const std::vector<ContentEntry>& entries);

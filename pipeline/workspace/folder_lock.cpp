@@ -8,23 +8,33 @@
 #include <cstring>
 
 #include "calib/work/error.h"
+#include "calib/work/whole_file.h"
 
 namespace lumi {
+
+void refuse_lock(const std::filesystem::path& folder, int error_number) {
+    if (error_number == EWOULDBLOCK) {
+        throw Error(ErrorKind::kBadInput, "E-WORKSPACE-BUSY",
+                    folder.string() + ": another run of lumi works in this workspace",
+                    "wait until it has finished, or choose another folder with --workspace");
+    }
+    // Some network file systems cannot lock. To work there all the same would let two runs remove
+    // each other's unfinished files, unnoticed; another folder is soon named.
+    throw Error(ErrorKind::kBadInput, "E-WORKSPACE-LOCK",
+                folder.string() +
+                    ": cannot be locked against other runs of lumi: " + std::strerror(error_number),
+                "choose a folder on a disk of this machine with --workspace");
+}
 
 FolderLock::FolderLock(const std::filesystem::path& folder) {
     const std::filesystem::path path = folder / ".lock";
     // Close-on-exec: a program that outlives lumi must not keep the workspace.
     descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (descriptor_ < 0) {
-        throw Error(ErrorKind::kBadInput, "E-FILE-WRITE",
-                    path.string() + ": cannot write: " + std::strerror(errno),
-                    "check that the folder exists and that you may write there");
-    }
+    if (descriptor_ < 0) refuse_write(path, errno);
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+        const int reason = errno;
         ::close(descriptor_);
-        throw Error(ErrorKind::kResources, "E-WORKSPACE-BUSY",
-                    folder.string() + ": another run of lumi works in this workspace",
-                    "wait until it has finished, or choose another folder with --workspace");
+        refuse_lock(folder, reason);
     }
 }
 

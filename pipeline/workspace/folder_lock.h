@@ -7,8 +7,8 @@ namespace lumi {
 /// Holds a folder for this process; the system lets go when the process ends, however it ends.
 class FolderLock {
  public:
-    /// Throws Error (E-WORKSPACE-BUSY) when another process holds it, E-FILE-WRITE when the lock
-    /// file cannot be made.
+    /// Throws Error: E-WORKSPACE-BUSY when another process holds it, E-WORKSPACE-LOCK when its file
+    /// system cannot lock, E-FILE-WRITE when the lock file cannot be made.
     explicit FolderLock(const std::filesystem::path& folder);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
@@ -17,5 +17,8 @@ class FolderLock {
  private:
     int descriptor_ = -1;
 };
+
+/// Throws the Error of a lock that was not given, for a value of errno.
+[[noreturn]] void refuse_lock(const std::filesystem::path& folder, int error_number);
 
 }  // namespace lumi

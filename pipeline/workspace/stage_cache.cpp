@@ -1,5 +1,7 @@
 #include "pipeline/workspace/stage_cache.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "calib/work/stopwatch.h"
@@ -11,8 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHarmed = "its files were changed";
-
 /// Empty when what stands in the workspace can stay.
 std::string reason_to_run(const StageIdentity& now, const std::optional<DoneMarker>& before,
                           const fs::path& workspace_folder, int threads) {
@@ -23,8 +23,17 @@ std::string reason_to_run(const StageIdentity& now, const std::optional<DoneMark
     if (then.parameters != now.parameters) return "parameters changed";
     if (then.inputs != now.inputs) return "inputs changed";
     if (stage_key(then) != stage_key(now)) return "another stage's result";
-    if (!are_unharmed(workspace_folder, before->outputs, threads)) return kHarmed;
+    if (!are_unharmed(workspace_folder, before->outputs, threads)) return "its files were changed";
     return {};
+}
+
+std::vector<ContentEntry> outputs_in(const fs::path& product,
+                                     const std::vector<ContentEntry>& outputs) {
+    const std::string prefix = product.filename().string() + '/';
+    std::vector<ContentEntry> inside;
+    std::copy_if(outputs.begin(), outputs.end(), std::back_inserter(inside),
+                 [&](const ContentEntry& output) { return output.name.starts_with(prefix); });
+    return inside;
 }
 
 /// The files of `folder`, named as they will be called below the workspace.
@@ -75,7 +84,9 @@ FinishedStage bring_up_to_date(const Workspace& workspace, const Stage& stage, i
     }
     progress.note(name + ": runs (" + reason + ")");
     // What stands there is ours, as the marker says, but no longer what its writer would replace.
-    if (reason == kHarmed && !stage.product.empty()) fs::remove_all(stage.product);
+    if (before && !stage.product.empty() &&
+        !are_unharmed(workspace.folder(), outputs_in(stage.product, before->outputs), threads))
+        fs::remove_all(stage.product);
     FinishedStage finished = run_stage(workspace, stage, threads);
     finished.reason = std::move(reason);
     if (is_shared) store->keep(stage.identity, workspace);

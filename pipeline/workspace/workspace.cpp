@@ -4,6 +4,7 @@
 
 #include "calib/work/config_section.h"
 #include "calib/work/error.h"
+#include "calib/work/whole_file.h"
 #include "calib/work/whole_folder.h"
 
 namespace lumi {
@@ -22,34 +23,60 @@ const fs::path& made(const fs::path& folder) {
     return folder;
 }
 
-/// Temporary siblings of files that are written whole: the name, a dot and more.
-void remove_unfinished_files(const WorkspaceLayout& layout) {
-    std::vector<fs::path> unfinished;
-    for (const fs::path& target :
-         {layout.config_path(), layout.stages_path(), layout.report_path()}) {
-        const std::string prefix = target.filename().string() + ".";
-        for (const fs::directory_entry& entry : fs::directory_iterator(layout.folder())) {
-            if (entry.path().filename().string().starts_with(prefix)) {
-                unfinished.push_back(entry.path());
-            }
-        }
+std::vector<fs::path> files_of(const WorkspaceLayout& layout) {
+    return {layout.config_path(), layout.stages_path(), layout.report_path()};
+}
+
+std::vector<fs::path> folders_of(const WorkspaceLayout& layout) {
+    std::vector<fs::path> folders{layout.evaluation_folder(), layout.package_folder()};
+    for (const char* stage : {"ingest", "calibrate", "poses", "mesh", "depth", "pack", "plan"})
+        folders.push_back(layout.stage_folder(stage));
+    return folders;
+}
+
+bool is_workspace(const WorkspaceLayout& layout) {
+    std::error_code status;
+    return fs::is_regular_file(layout.config_path(), status) &&
+           read_whole_text(layout.config_path()).starts_with(kWorkspaceConfigHeader);
+}
+
+/// Somebody's dataset may well have a folder that is called depth.
+WorkspaceLayout without_foreign_files(const WorkspaceLayout& layout) {
+    if (is_workspace(layout)) return layout;
+    std::vector<fs::path> written = files_of(layout);
+    for (const fs::path& folder : folders_of(layout)) written.push_back(folder);
+    for (const fs::path& path : written) {
+        std::error_code status;
+        if (!fs::exists(fs::symlink_status(path, status))) continue;
+        throw Error(ErrorKind::kBadInput, "E-WORKSPACE-FOREIGN",
+                    path.string() + ": would be replaced, and was not written by lumi",
+                    "choose another folder with --workspace");
     }
-    for (const fs::path& path : unfinished) fs::remove(path);
+    return layout;
 }
 
 void remove_leftovers(const WorkspaceLayout& layout) {
-    remove_unfinished_files(layout);
-    for (const char* stage : {"ingest", "poses", "mesh", "depth", "pack"}) {
-        clean_up_after_killed_runs(layout.stage_folder(stage));
-    }
-    clean_up_after_killed_runs(layout.evaluation_folder());
-    clean_up_after_killed_runs(layout.package_folder());
+    for (const fs::path& file : files_of(layout)) remove_unfinished_siblings(file);
+    for (const fs::path& folder : folders_of(layout)) clean_up_after_killed_runs(folder);
+}
+
+fs::path without_slash_at_end(const fs::path& folder) {
+    return folder.has_filename() ? folder : folder.parent_path();
+}
+
+fs::path with_name_of_its_own(const fs::path& folder) {
+    const fs::path path = without_slash_at_end(folder);
+    const bool is_pointed_at = path.filename() == "." || path.filename() == "..";
+    return is_pointed_at ? without_slash_at_end(fs::weakly_canonical(path)) : path;
 }
 
 }  // namespace
 
+WorkspaceLayout::WorkspaceLayout(const fs::path& folder, std::string name)
+    : folder_(with_name_of_its_own(folder)), name_(std::move(name)) {}
+
 Workspace::Workspace(const WorkspaceLayout& layout)
-    : WorkspaceLayout(layout), lock_(made(layout.folder())) {
+    : WorkspaceLayout(without_foreign_files(layout)), lock_(made(layout.folder())) {
     remove_leftovers(layout);
 }
 

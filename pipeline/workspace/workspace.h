@@ -10,9 +10,9 @@ namespace lumi {
 /// Where the things of a workspace lie; other tools rely on these names.
 class WorkspaceLayout {
  public:
-    /// `name` is that of the package.
-    WorkspaceLayout(std::filesystem::path folder, std::string name)
-        : folder_(std::move(folder)), name_(std::move(name)) {}
+    /// `name` is that of the package. A slash at the end of the folder is dropped and one that is
+    /// only pointed at (".", "..") spelled out, as others are named after it.
+    WorkspaceLayout(const std::filesystem::path& folder, std::string name);
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] const std::string& name() const { return name_; }
@@ -36,12 +36,17 @@ class WorkspaceLayout {
 class Workspace : public WorkspaceLayout {
  public:
     /// Makes the folder, locks it and removes what a killed run left behind. Throws Error
-    /// (E-WORKSPACE-BUSY, E-FILE-WRITE).
+    /// (E-WORKSPACE-BUSY, E-FILE-WRITE; E-WORKSPACE-FOREIGN where files that no workspace wrote
+    /// would be replaced).
     explicit Workspace(const WorkspaceLayout& layout);
 
  private:
     FolderLock lock_;
 };
+
+/// How the configuration of a workspace begins: by it a folder is known for one.
+inline constexpr const char* kWorkspaceConfigHeader =
+    "# Written by lumi: every default, and paths that hold anywhere. It can be built from, too.\n";
 
 /// The folder that a package lies in, with or without a slash at the end of its name.
 [[nodiscard]] std::filesystem::path folder_around(const std::filesystem::path& package_folder);

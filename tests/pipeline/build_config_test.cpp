@@ -165,7 +165,20 @@ TEST(BuildConfig, ParametersOfAStageAreItsOwn) {
     EXPECT_EQ(plain.stage_parameters.at("ingest"), elsewhere.stage_parameters.at("ingest"));
     EXPECT_EQ(plain.stage_parameters.at("mesh"), finer.stage_parameters.at("mesh"));
     EXPECT_NE(plain.stage_parameters.at("depth"), finer.stage_parameters.at("depth"));
-    EXPECT_NE(plain.stage_parameters.at("pack"), finer.stage_parameters.at("pack"));
+}
+
+TEST(BuildConfig, PackingIsToldWhatItDecidesByAndNoMore) {
+    const auto parameters = [](const std::string& before, const std::string& more) {
+        return read(before + "[capture]\nphotos = \"p\"\n" + more).stage_parameters.at("pack");
+    };
+    const std::string plain = parameters("", "");
+    EXPECT_EQ(parameters("threads = 1\nworkspace = \"w\"\n", ""), plain);
+    EXPECT_EQ(parameters("", "[depth]\nmax_width_px = 1000\n"), plain);
+    EXPECT_EQ(parameters("", "[evaluate]\nhold_out_every = 4\n"), plain);
+    EXPECT_NE(parameters("name = \"other\"\n", ""), plain);
+    EXPECT_NE(parameters("", "[mesh]\nconstruction = \"line\"\n"), plain);
+    EXPECT_NE(parameters("", "[package]\nmax_views = 3\n"), plain);
+    EXPECT_NE(parameters("", "[render]\neven_exposure = false\n"), plain);
 }
 
 TEST(BuildConfig, PathsAreRelativeToTheFile) {
@@ -229,6 +242,17 @@ TEST(LensFile, ALensComesFromAFileOrFromBoardsAndNotFromBoth) {
     EXPECT_THROW(
         static_cast<void>(read(photos + "[calibration]\nboards = \"b\"\ncamera = \"c.toml\"\n")),
         Error);
+}
+
+TEST(LensFile, NoLensIsGivenBesideImportedPoses) {
+    const std::string imported = "[capture]\nphotos = \"p\"\nimport = \"sparse/0\"\n";
+    for (const char* lens : {"camera", "boards"}) {
+        const Error error =
+            refusal_of(imported + "[calibration]\n" + std::string(lens) + " = \"lens\"\n");
+        EXPECT_EQ(error.code(), "E-CONFIG-VALUE");
+        EXPECT_THAT(error.what(), HasSubstr("test.toml:5: `calibration." + std::string(lens)));
+        EXPECT_THAT(error.what(), HasSubstr("capture.import"));
+    }
 }
 
 TEST(LensFile, RefusesWhatIsNoLens) {

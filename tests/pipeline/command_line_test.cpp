@@ -116,6 +116,19 @@ TEST(CommandLine, ErrorsAreJsonForMachines) {
     EXPECT_THAT(error.at("code").get<std::string>(), StartsWith("E-"));
 }
 
+TEST(CommandLine, MachinesGetOneObjectWhateverHappens) {
+    const Json invalid = Json::parse(lumi("--json validate /no/such.lumi").out);
+    EXPECT_EQ(invalid.at("valid"), false);
+    EXPECT_EQ(invalid.at("error").at("code"), "E-PACKAGE-MISSING");
+    for (const char* wrong : {"--json", "--json biuld", "build --json", "build --json --no x.toml",
+                              "--json build --threads -3 x.toml"}) {
+        const Outcome outcome = lumi(wrong);
+        EXPECT_EQ(outcome.exit_code, 2) << wrong;
+        EXPECT_EQ(Json::parse(outcome.out).at("error").at("code"), "E-USAGE") << wrong;
+        EXPECT_THAT(outcome.talk, StartsWith("error E-USAGE: ")) << wrong;
+    }
+}
+
 TEST(CommandLine, AMissingInputIsBadInput) {
     const ScratchFolder scratch;
     EXPECT_EQ(lumi("build " + quoted(scratch / "no.toml")).exit_code, 3);
@@ -162,6 +175,29 @@ TEST(CommandLine, DoctorNamesWhatMakesACaptureHopeless) {
     EXPECT_FALSE(seen.at("findings").at(0).at("advice").get<std::string>().empty());
     EXPECT_THAT(read_whole_text(scratch / "work" / "doctor" / "match_graph.svg"),
                 HasSubstr("160.png"));
+}
+
+TEST(CommandLine, AnOddNameIsLeftOutAndNeitherABugNorATerminalsCommand) {
+    const ScratchFolder scratch;
+    for (int i = 0; i < 3; ++i) {
+        write_png(scratch / "photos" / (std::to_string(i) + ".png"),
+                  wavy_picture(320, 240, 100.0 * i));
+    }
+    write_whole_text(scratch / "photos" / "caf\xe9.jpg", "");
+    write_whole_text(scratch / "photos" / "clear\x1b[2J.jpg", "\xff\xd8\xff\xe0 and no more");
+    const std::string photos = quoted(scratch / "photos");
+    const Outcome examined =
+        lumi("doctor --json " + photos + " --workspace " + quoted(scratch / "doctor"));
+    EXPECT_THAT(examined.exit_code, testing::AnyOf(0, 4, 5)) << examined.talk;
+    const Json seen = Json::parse(examined.out);
+    EXPECT_EQ(seen.at("left_out").at(0).at("name"), "caf\\xe9.jpg");
+    EXPECT_EQ(seen, Json::parse(read_whole_text(scratch / "doctor" / "doctor" / "doctor.json")));
+
+    const Outcome ingested = lumi("ingest " + photos + " --workspace " + quoted(scratch / "work"));
+    EXPECT_EQ(ingested.exit_code, 0) << ingested.talk;
+    EXPECT_THAT(ingested.talk, HasSubstr("left out caf\\xe9.jpg (E-INGEST-UNREADABLE)"));
+    EXPECT_THAT(ingested.talk, HasSubstr("left out clear\\x1b[2J.jpg"));
+    EXPECT_THAT(ingested.talk, testing::Not(HasSubstr("\x1b")));
 }
 
 /// Photographs of a scene that passes by unevenly, with a bar below and a label laid over each.
@@ -513,6 +549,16 @@ TEST_F(Line, DrawsPathsToFramesVideosAndPairs) {
         0);
     const ColorImage still = read_color_image(workspace() / "e.png");
     EXPECT_EQ(read_color_image(replayed / "frame-000002.png"), still);
+    const auto timed = [&](const std::string& time_s) {
+        return R"({"time_s": )" + time_s + "," + text.substr(1);
+    };
+    write_whole_text(workspace() / "timed.json",
+                     R"({"eyes": [)" + timed("0") + "," + timed("1.5") + "]}");
+    ASSERT_EQ(lumi(from + " --video-fps 4 --path " + quoted(workspace() / "timed.json") +
+                   " --out " + quoted(replayed))
+                  .exit_code,
+              0);
+    EXPECT_EQ(std::distance(fs::directory_iterator(replayed), fs::directory_iterator()), 7);
 
     // The photographs differ in nothing that could be evened out.
     ASSERT_EQ(lumi(from + " --as-taken --no-fade --eye " + quoted(eye) + " --out " +
@@ -604,10 +650,77 @@ TEST_F(Line, DrawsTheDifferenceFromAHeldOutPhotograph) {
 
     EXPECT_EQ(lumi(at_held_out + "--difference --size 96x64 --out " + quoted(difference)).exit_code,
               2);
+    EXPECT_EQ(lumi(at_held_out + "--out " + quoted(workspace() / "drawn.jpg")).exit_code, 2);
     const Outcome unknown =
         lumi("render " + quoted(package()) + " --view nobody.png --out " + quoted(drawn));
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_THAT(unknown.talk, HasSubstr("E-RENDER-VIEW"));
+}
+
+TEST_F(Line, FramesOfAPathReplaceNothingButFrames) {
+    configure("");
+    ASSERT_EQ(build(), "rrrrr");
+    const auto fly_to = [&](const fs::path& out) {
+        return lumi("render " + quoted(package()) + " --path views --frames 2 --size 48x32 --out " +
+                    quoted(out));
+    };
+    const fs::path photos = scratch_ / "photos";
+    write_whole_text(photos / "IMG_1.jpg", "the user's own");
+    const Outcome refused = fly_to(photos);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.talk, HasSubstr("E-OUT-EXISTS"));
+    EXPECT_EQ(read_whole_text(photos / "IMG_1.jpg"), "the user's own");
+
+    const fs::path frames = scratch_ / "frames";
+    EXPECT_EQ(fly_to(frames).exit_code, 0);
+    EXPECT_EQ(fly_to(frames).exit_code, 0);
+    const fs::path video = scratch_ / "100%d done" / "tour.MP4";
+    EXPECT_EQ(fly_to(video).exit_code, 0);
+    EXPECT_TRUE(fs::is_regular_file(video));
+}
+
+TEST_F(Line, FoldersOfOneNameDoNotTakeEachOthersPlace) {
+    const auto build_folder = [&](const fs::path& folder) {
+        return lumi("ingest " + quoted(folder), "cd " + quoted(scratch_.path()) + " &&");
+    };
+    fs::copy(scene_->path() / "photos", scratch_ / "a/photos", fs::copy_options::recursive);
+    fs::copy(scene_->path() / "photos", scratch_ / "b/photos", fs::copy_options::recursive);
+    EXPECT_EQ(build_folder(scratch_ / "a/photos").exit_code, 0);
+    const Outcome refused = build_folder(scratch_ / "b/photos");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.talk, HasSubstr("E-WORKSPACE-OTHER"));
+    EXPECT_EQ(build_folder(scratch_ / "a/photos").exit_code, 0);
+
+    // What a workspace was made with makes it again, from wherever.
+    EXPECT_EQ(build_folder(scratch_ / "work/photos/config.toml").exit_code, 0);
+    // Nor are results photographs.
+    fs::rename(scratch_ / "work", scratch_ / "a/photos/work");
+    EXPECT_EQ(build_folder(scratch_ / "a/photos").exit_code, 0);
+    const Json stages =
+        Json::parse(read_whole_text(scratch_ / "work" / "photos" / "stages.json")).at("stages");
+    EXPECT_EQ(stages.at(0).at("evidence").at("photographs"), 9);
+}
+
+TEST_F(Line, ScoresAreOfThePackageThatWasRecorded) {
+    configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
+    ASSERT_EQ(build(), "rrrrr");
+    const fs::path record = workspace() / "pack" / "pack.json";
+    const std::string of_first = read_whole_text(record);
+    configure("[evaluate]\nhold_out = [\"IMG_0004.png\"]\n");
+    ASSERT_EQ(build(), "uurrr");
+    const auto expect_stale = [&] {
+        const Outcome outcome = lumi("evaluate " + quoted(workspace()));
+        EXPECT_EQ(outcome.exit_code, 3);
+        EXPECT_THAT(outcome.talk, HasSubstr("E-EVAL-STALE"));
+    };
+    const std::string of_second = read_whole_text(record);
+    write_whole_text(record, of_first);  // As if the second run had ended before it was recorded.
+    expect_stale();
+    write_whole_text(record, of_second);
+    EXPECT_EQ(lumi("evaluate " + quoted(workspace())).exit_code, 0);
+    configure("max_width_px = 64\n[evaluate]\nhold_out = [\"IMG_0004.png\"]\n");
+    ASSERT_EQ(build("ingest"), "r");
+    expect_stale();
 }
 
 TEST_F(Line, PacksNoMoreViewsThanAreWanted) {

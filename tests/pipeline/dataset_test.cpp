@@ -70,6 +70,42 @@ TEST_F(DatasetFile, IsReadStrictly) {
     }
 }
 
+TEST_F(DatasetFile, TheNameOfASceneIsOneOfItsSettings) {
+    const Dataset dataset = read("[[scene]]\nconfig = \"one.toml\"\nname = \"it's \\\"two\\\"\"\n");
+    EXPECT_EQ(dataset.scenes[0].name, "it's \"two\"");
+    EXPECT_EQ(dataset.scenes[0].config.name, dataset.scenes[0].name);
+    write_whole_text(scratch_ / "config.toml", dataset.scenes[0].config.resolved_toml);
+    EXPECT_EQ(ConfigSection::from_file(scratch_ / "config.toml").text("name", ""),
+              dataset.scenes[0].name);
+}
+
+TEST_F(DatasetFile, AFolderIsNamedWhole) {
+    for (const char* folder : {"garden.1", "garden.2"})
+        write_whole_text(scratch_.path() / folder / "a.txt", "no photograph");
+    const Dataset dataset = read(
+        "[[scene]]\nphotos = \"garden.1\"\n[[scene]]\nphotos = \"garden.2/\"\n"
+        "[[scene]]\nphotos = \"not.there\"\n[[scene]]\nconfig = \"one.toml\"\n");
+    std::vector<std::string> names;
+    for (const DatasetScene& scene : dataset.scenes) names.push_back(scene.name);
+    EXPECT_THAT(names, testing::ElementsAre("garden.1", "garden.2", "not.there", "one"));
+}
+
+TEST_F(DatasetFile, ANameThatLeadsElsewhereIsRefused) {
+    const std::string scene = "[[scene]]\nconfig = \"one.toml\"\n";
+    for (const char* name : {"../../escaped", "../out/of", "..", "/out", ""}) {
+        const std::string setting = "name = \"" + std::string(name) + "\"\n";
+        for (const std::string& text : {setting + scene, scene + setting}) {
+            try {
+                static_cast<void>(read(text));
+                FAIL() << text;
+            } catch (const Error& error) {
+                EXPECT_EQ(error.code(), "E-CONFIG-VALUE") << text;
+                EXPECT_THAT(error.what(), HasSubstr(path().string())) << text;
+            }
+        }
+    }
+}
+
 TEST(DatasetFiles, TellFailuresBesideResultsAndEscapeThem) {
     const ScratchFolder scratch;
     SceneOutcome good;

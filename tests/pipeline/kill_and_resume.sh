@@ -46,7 +46,7 @@ build_and_kill() {
     wait "$child" 2>/dev/null || true
 }
 
-leftovers() { find "$1" -maxdepth 1 \( -name '.*.new-*' -o -name '*.json.*' -o -name '*.toml.*' \); }
+leftovers() { find "$1" -maxdepth 1 -name '.*.new-*'; }
 
 make_scene
 start_ms=$(now_ms)

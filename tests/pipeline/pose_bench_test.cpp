@@ -46,7 +46,7 @@ TEST(PoseBench, ChartShowsWhatWasTried) {
         trial({"lumi", "lumi", false, 8192, 1600}, 12, 11, 0.0024),
         trial({"lumi", "lumi", false, 4096, 1600, "RADIAL"}, 8, 11, 0.003),
         trial({"colmap", "colmap", true, 8192, 1600}, 90, 10, 0.0026)};
-    draw_pose_chart(trials, "the title", scratch / "poses.svg", scratch.path(), progress);
+    draw_pose_chart(trials, "the title", scratch / "poses.svg", progress);
     const std::string svg = read_whole_text(scratch / "poses.svg");
     EXPECT_THAT(svg, HasSubstr("<svg"));
     EXPECT_THAT(svg, HasSubstr("the title"));
@@ -60,8 +60,7 @@ TEST(PoseBench, ChartShowsWhatWasTried) {
 TEST(PoseBench, ChartWithoutTruthShowsWhatWasNotPlaced) {
     const ScratchFolder scratch;
     SilentProgress progress;
-    draw_pose_chart({trial({}, 5, 9, 0)}, "no truth", scratch / "poses.svg", scratch.path(),
-                    progress);
+    draw_pose_chart({trial({}, 5, 9, 0)}, "no truth", scratch / "poses.svg", progress);
     EXPECT_THAT(read_whole_text(scratch / "poses.svg"), HasSubstr("photographs not placed, %"));
 }
 

@@ -24,7 +24,7 @@ class ReferencePhotographs : public testing::Test {
         capture.views = {{"a.jpg", 0, {}}, {"b.jpg", 0, {}}};
         write_colmap_model_binary(capture, workspace_.stage_folder("poses") / "sparse");
         write_whole_text(workspace_.stage_folder("pack") / "pack.json",
-                         R"({"held_out": ["b.jpg"], "poses_sha256": ""})");
+                         R"({"held_out": ["b.jpg"], "pictures_sha256": "", "package_sha256": ""})");
     }
 
     /// Of the working copy of the held-out photograph at another width.

@@ -21,6 +21,7 @@ class StageCache : public testing::Test {
 
     FinishedStage bring(const std::string& parameters = "width = 1") {
         const Workspace workspace(WorkspaceLayout(scratch_ / "work", "scene"));
+        write_whole_text(workspace.config_path(), kWorkspaceConfigHeader);
         SilentProgress progress;
         return bring_up_to_date(workspace, copying_stage(parameters), 1, progress);
     }
@@ -112,7 +113,7 @@ TEST_F(StageCache, AFailingStageLeavesTheFormerResultAndNothingHalf) {
     fails_ = true;
     EXPECT_THROW(bring("width = 2"), Error);
     EXPECT_EQ(read_whole_text(copy_path()), "contentwidth = 1");
-    EXPECT_EQ(names_in_workspace(), (std::set<std::string>{".lock", "mesh"}));
+    EXPECT_EQ(names_in_workspace(), (std::set<std::string>{".lock", "config.toml", "mesh"}));
     fails_ = false;
     EXPECT_FALSE(bring().was_run);
 }
@@ -122,10 +123,54 @@ TEST_F(StageCache, WhatAKilledRunLeftIsCleanedUp) {
     const fs::path work = scratch_ / "work";
     write_whole_text(work / ".depth.new-a1B2c3" / "half.tif", "half");
     write_whole_text(work / ".scene.lumi.new-a1B2c3" / "lumigraph.json", "half");
-    write_whole_text(work / "stages.json.a1B2c3", "half");
+    write_whole_text(work / ".stages.json.new-a1B2c3", "half");
     write_whole_text(work / "notes.txt", "the user's own");
+    write_whole_text(work / "config.toml.backup", "the user's own");
     static_cast<void>(bring());
-    EXPECT_EQ(names_in_workspace(), (std::set<std::string>{".lock", "mesh", "notes.txt"}));
+    EXPECT_EQ(names_in_workspace(), (std::set<std::string>{".lock", "config.toml", "mesh",
+                                                           "notes.txt", "config.toml.backup"}));
+}
+
+TEST_F(StageCache, AFolderOfOtherThingsIsNoWorkspace) {
+    for (const char* name : {"depth/0001.exr", "evaluation/scores.txt", "config.toml",
+                             "report.html", "scene.lumi/notes.txt"}) {
+        const ScratchFolder dataset;
+        write_whole_text(dataset / name, "the user's own");
+        try {
+            const Workspace workspace(WorkspaceLayout(dataset.path(), "scene"));
+            FAIL() << name << " would be lost";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-WORKSPACE-FOREIGN");
+        }
+        EXPECT_EQ(read_whole_text(dataset / name), "the user's own");
+    }
+    const ScratchFolder photographs;
+    write_whole_text(photographs / "images/0001.jpg", "the user's own");
+    EXPECT_NO_THROW(Workspace(WorkspaceLayout(photographs.path(), "scene")));
+}
+
+TEST_F(StageCache, AHarmedProductGivesWayWhateverElseChanged) {
+    const fs::path product = scratch_ / "work" / "scene.lumi";
+    const auto pack = [&](const std::string& parameters) {
+        const Workspace workspace(WorkspaceLayout(scratch_ / "work", "scene"));
+        write_whole_text(workspace.config_path(), kWorkspaceConfigHeader);
+        SilentProgress progress;
+        const Stage stage{{"pack", "code", parameters, "", "inputs"},
+                          [&](const fs::path&) -> StageEvidence {
+                              const bool is_foreign = fs::exists(product / "other.txt") &&
+                                                      !fs::exists(product / "manifest.txt");
+                              if (is_foreign) throw Error(ErrorKind::kBadInput, "E-TEST", "", "");
+                              write_whole_text(product / "manifest.txt", parameters);
+                              write_whole_text(product / "other.txt", parameters);
+                              return {"{}", "{}"};
+                          },
+                          product};
+        static_cast<void>(bring_up_to_date(workspace, stage, 1, progress));
+    };
+    pack("width = 1");
+    fs::remove(product / "manifest.txt");
+    pack("width = 2");
+    EXPECT_EQ(read_whole_text(product / "manifest.txt"), "width = 2");
 }
 
 TEST_F(StageCache, TwoRunsDoNotShareAWorkspace) {

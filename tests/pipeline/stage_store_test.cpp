@@ -17,6 +17,7 @@ class StageStoreTest : public testing::Test {
     FinishedStage bring(const std::string& workspace_name, const std::string& parameters,
                         const fs::path& product = {}) {
         const Workspace workspace(WorkspaceLayout(scratch_ / workspace_name, "scene"));
+        write_whole_text(workspace.config_path(), kWorkspaceConfigHeader);
         SilentProgress progress;
         const Stage stage{{"depth", "code", parameters, "", "inputs"},
                           [&](const fs::path& folder) -> StageEvidence {
@@ -71,6 +72,7 @@ TEST_F(StageStoreTest, HarmedFilesAreNotTaken) {
 }
 
 TEST_F(StageStoreTest, AStageWithAProductElsewhereIsNotShared) {
+    write_whole_text(scratch_.path() / "a" / "config.toml", kWorkspaceConfigHeader);
     write_whole_text(scratch_.path() / "a" / "scene.lumi" / "file", "x");
     static_cast<void>(bring("a", "x", scratch_.path() / "a" / "scene.lumi"));
     EXPECT_TRUE(bring("b", "x").was_run);

@@ -119,8 +119,11 @@ TEST_F(Sweeps, ATargetIsMetByWhatIsDeliveredOrTheNearestIsTold) {
     EXPECT_THAT(met.talk, HasSubstr("1 dearer variants are not needed"));
     EXPECT_EQ(lumi("validate work/box/box.lumi").exit_code, 0);
 
-    const Outcome missed = lumi("build box.toml --target 90dB");
+    const Outcome missed = lumi("--json build box.toml --target 90dB");
     EXPECT_EQ(missed.exit_code, 5);
+    const Json nearest = Json::parse(missed.out);
+    EXPECT_FALSE(nearest.at("is_met").get<bool>());
+    EXPECT_EQ(nearest.at("error").at("code"), "E-TARGET-MISSED");
     EXPECT_THAT(missed.talk, HasSubstr("error E-TARGET-MISSED"));
     EXPECT_EQ(lumi("build box.toml --target fast").exit_code, 2);
 }
@@ -134,6 +137,9 @@ TEST_F(Sweeps, ADatasetBuildsWhatItCanAndOnlyWhatIsMissing) {
     const Outcome first = lumi("--json build set.toml");
     EXPECT_EQ(first.exit_code, 5);
     EXPECT_THAT(first.talk, HasSubstr("error E-DATASET-PARTIAL"));
+    const Json told = Json::parse(first.out);
+    EXPECT_EQ(told.at("scenes").size(), 2U);
+    EXPECT_EQ(told.at("error").at("code"), "E-DATASET-PARTIAL");
     const Json result =
         Json::parse(read_whole_text(scratch_.path() / "work" / "set" / "dataset.json"));
     EXPECT_THAT(result.at("scenes").at(0).at("failure_code").get<std::string>(),
@@ -143,6 +149,39 @@ TEST_F(Sweeps, ADatasetBuildsWhatItCanAndOnlyWhatIsMissing) {
     const Outcome again = lumi("build set.toml");
     EXPECT_THAT(again.talk, HasSubstr("depth: up to date"));
     EXPECT_THAT(again.talk, testing::Not(HasSubstr("drawing held-out views")));
+}
+
+TEST_F(Sweeps, ADatasetTakesNoEvaluationThatWasMadeOtherwise) {
+    configure("box", "");
+    write_whole_text(scratch_ / "set.toml",
+                     "[settings]\ndepth.model = \"sparse\"\n[[scene]]\nconfig = \"box.toml\"\n"
+                     "name = \"statue\"\n");
+    const fs::path workspace = scratch_.path() / "work" / "set" / "statue";
+    const fs::path file = workspace / "evaluation" / "evaluation.json";
+    const auto psnr_db = [&](bool is_evaluated) {
+        const Outcome outcome = lumi("--json build set.toml");
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.talk;
+        EXPECT_EQ(outcome.talk.find("drawing held-out views") != std::string::npos, is_evaluated);
+        return Json::parse(outcome.out).at("scenes").at(0).at("mean").at("psnr_db").get<double>();
+    };
+    const double expected = psnr_db(true);
+    EXPECT_EQ(psnr_db(false), expected);
+    for (const char* options : {" --mode lightfield", " --as-taken"}) {
+        ASSERT_EQ(lumi("evaluate " + quoted(workspace) + options).exit_code, 0) << options;
+        EXPECT_EQ(psnr_db(true), expected) << options;
+    }
+    ASSERT_EQ(lumi("evaluate " + quoted(workspace)).exit_code, 0);
+    EXPECT_EQ(psnr_db(false), expected);
+
+    Json of_other_code = Json::parse(read_whole_text(file));
+    of_other_code["made_with"]["code"] = "other";
+    Json without_views = Json::parse(read_whole_text(file));
+    without_views["views"] = 3;
+    for (const std::string& text :
+         {of_other_code.dump(), without_views.dump(), read_whole_text(file).substr(0, 200)}) {
+        write_whole_text(file, text);
+        EXPECT_EQ(psnr_db(true), expected) << text.substr(0, 60);
+    }
 }
 
 TEST_F(Sweeps, LeaveOneOutJudgesEveryPhotographWithAndWithoutItsDepth) {
@@ -181,7 +220,9 @@ TEST_F(Sweeps, RegressionAndGalleryTakeAnEvaluatedWorkspace) {
     ASSERT_EQ(lumi("build box.toml").exit_code, 0);
     EXPECT_EQ(lumi("gallery work/box --out pictures").exit_code, 2);
     ASSERT_EQ(lumi("evaluate work/box --no-ghost-energy").exit_code, 0);
-    EXPECT_EQ(lumi("gallery work/box --out pictures").exit_code, 0);
+    const Outcome gallery = lumi("--json gallery work/box --out pictures");
+    EXPECT_EQ(gallery.exit_code, 0) << gallery.talk;
+    EXPECT_EQ(Json::parse(gallery.out).at("page"), "pictures/gallery.md");
     for (const char* name : {"held-out.jpg", "methods.jpg", "gallery.md"}) {
         EXPECT_TRUE(fs::exists(scratch_.path() / "pictures" / name)) << name;
     }
@@ -203,6 +244,16 @@ TEST_F(Sweeps, RegressionAndGalleryTakeAnEvaluatedWorkspace) {
     const Outcome worse = lumi("regression work/box --baseline base.json" + small);
     EXPECT_EQ(worse.exit_code, 5);
     EXPECT_THAT(worse.out, HasSubstr("error.perpixel.psnr_db"));
+
+    base["figures"] = {
+        {"error.gone.flip", {{"value", 0.1}, {"noise", 0.01}, {"higher_is_better", false}}}};
+    write_whole_text(scratch_ / "base.json", base.dump());
+    const Outcome missing = lumi("--json regression work/box --baseline base.json" + small);
+    EXPECT_EQ(missing.exit_code, 5);
+    const Json compared = Json::parse(missing.out);
+    EXPECT_EQ(compared.at("compared"), 0);
+    EXPECT_EQ(compared.at("only_in_baseline"), Json::array({"error.gone.flip"}));
+    EXPECT_EQ(compared.at("error").at("code"), "E-REGRESSION-MISSING");
 }
 
 }  // namespace

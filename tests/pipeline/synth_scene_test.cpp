@@ -176,6 +176,17 @@ TEST(Synthesize, PointsReprojectExactlyIntoTheViewsThatSeeThem) {
     }
 }
 
+TEST(Synthesize, AnInterruptedSceneDoesNotPassForAFinishedOne) {
+    const TemporaryFolder folder;
+    const SceneDescription description = description_of(kBall);
+    SilentProgress progress;
+    synthesize_into(folder.path(), description, 1, progress);
+    ASSERT_TRUE(fs::exists(folder.path() / "truth/scene.toml"));
+    progress.interrupt();
+    EXPECT_THROW(synthesize_into(folder.path(), description, 1, progress), Error);
+    EXPECT_FALSE(fs::exists(folder.path() / "truth/scene.toml"));
+}
+
 TEST(Synthesize, FilesHoldWhatMemoryHolds) {
     const TemporaryFolder folder;
     const SceneDescription description = description_of(kBall);

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "calib/capture/image_io.h"
 #include "calib/work/error.h"
 #include "pipeline/target/candidates.h"
 #include "pipeline/target/wish.h"
+#include "tests/calib/scratch_folder.h"
 
 namespace lumi {
 namespace {
@@ -89,6 +91,45 @@ TEST(PutCheapestFirst, GoesByPixelsAndByTheDepthModel) {
     for (const Variant& variant : sweep.variants) order.push_back(variant.label);
     EXPECT_EQ(order, (std::vector<std::string>{"plane400", "sweep400", "auto400", "plane800",
                                                "sweep800", "auto800"}));
+}
+
+/// One variant for each size, of photographs that lie in a folder.
+std::vector<std::string> variants_in_order(const std::vector<int>& widths_px,
+                                           const std::filesystem::path& photographs,
+                                           const std::vector<std::string>& models) {
+    Sweep sweep;
+    for (const std::string& model : models) {
+        for (const int width_px : widths_px) {
+            Variant variant{{}, model + std::to_string(width_px), {}};
+            variant.config.photographs_or_video = photographs;
+            variant.config.ingest.max_width_px = width_px;
+            variant.config.depth.model = model;
+            sweep.variants.push_back(std::move(variant));
+        }
+    }
+    put_cheapest_first(sweep);
+    std::vector<std::string> order;
+    for (const Variant& variant : sweep.variants) order.push_back(variant.label);
+    return order;
+}
+
+TEST(PutCheapestFirst, PhotographsAsTheyAreCountByTheirSize) {
+    const ScratchFolder scratch;
+    write_png(scratch / "one.png", ColorImage(120, 200));
+    EXPECT_EQ(variants_in_order({0, 100}, scratch.path(), {"plane"}),
+              (std::vector<std::string>{"plane100", "plane0"}));
+    // A dear model of small copies is dearer than the cheapest of photographs as they are.
+    EXPECT_EQ(variants_in_order({0, 160}, scratch.path(), {"plane", "patch_match"}),
+              (std::vector<std::string>{"plane160", "plane0", "patch_match160", "patch_match0"}));
+    // None is enlarged: these cost the same.
+    EXPECT_EQ(variants_in_order({0, 4000, 300}, scratch.path(), {"plane"}),
+              (std::vector<std::string>{"plane0", "plane4000", "plane300"}));
+}
+
+TEST(PutCheapestFirst, AVideoAsItIsIsTheDearest) {
+    EXPECT_EQ(variants_in_order({0, 1920, 960}, "walk.mp4", {"sweep", "plane"}),
+              (std::vector<std::string>{"plane960", "sweep960", "plane1920", "sweep1920", "plane0",
+                                        "sweep0"}));
 }
 
 TEST(EndsTheSweep, WithTheFirstThatIsAccurateEnough) {

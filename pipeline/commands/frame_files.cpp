@@ -1,0 +1,58 @@
+#include "pipeline/commands/frame_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_folder.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Nobody calls a folder so.
+constexpr std::array<const char*, 7> kOtherVideos{".avi", ".gif", ".m4v", ".mkv",
+                                                  ".mov", ".mpg", ".webm"};
+
+std::string lower_extension_of(const fs::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+}  // namespace
+
+std::string sequence_frame_name(std::size_t index) {
+    char name[32];
+    std::snprintf(name, sizeof(name), "frame-%06zu.png", index + 1);
+    return name;
+}
+
+bool is_sequence_frame_name(const std::string& name) {
+    std::size_t number = 0;
+    return std::sscanf(name.c_str(), "frame-%zu.png", &number) == 1 && number > 0 &&
+           name == sequence_frame_name(number - 1);
+}
+
+bool names_video(const fs::path& out) { return lower_extension_of(out) == ".mp4"; }
+
+void check_picture_out(const fs::path& out) {
+    if (lower_extension_of(out) == ".png") return;
+    throw Error(ErrorKind::kUsage, "E-RENDER-OUT", out.string() + ": pictures are PNG files",
+                "let --out end in .png");
+}
+
+void check_path_out(const fs::path& out) {
+    if (names_video(out)) return;
+    const std::string extension = lower_extension_of(out);
+    if (std::find(kOtherVideos.begin(), kOtherVideos.end(), extension) != kOtherVideos.end())
+        throw Error(ErrorKind::kUsage, "E-RENDER-OUT", out.string() + ": videos are MP4 files",
+                    "let --out end in .mp4, or name a folder for PNG files");
+    expect_only_files_of_ours(out, is_sequence_frame_name);
+}
+
+}  // namespace lumi

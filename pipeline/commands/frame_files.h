@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace lumi {
+
+/// The name of frame `index` of a sequence, from 0: frame-000001.png.
+[[nodiscard]] std::string sequence_frame_name(std::size_t index);
+
+/// Whether it is the name of a frame of any sequence.
+[[nodiscard]] bool is_sequence_frame_name(const std::string& name);
+
+/// Whether frames of a path go to one video file there, instead of a folder.
+[[nodiscard]] bool names_video(const std::filesystem::path& out);
+
+/// To be called before anything is drawn: pictures are PNG files. Throws Error (E-RENDER-OUT).
+void check_picture_out(const std::filesystem::path& out);
+
+/// The same for the frames of a path: videos are MP4 files, and a folder of other things would be
+/// lost. Throws Error (E-RENDER-OUT, E-OUT-EXISTS).
+void check_path_out(const std::filesystem::path& out);
+
+}  // namespace lumi

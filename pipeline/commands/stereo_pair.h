@@ -1,0 +1,16 @@
+#pragma once
+
+#include <functional>
+
+#include "render/frame/frame.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+using Draw = std::function<Frame(const Eye&)>;
+
+/// One picture; with a baseline, in world units, that of the left eye and that of the right one
+/// beside each other, both half of it away from `eye` along its x axis.
+[[nodiscard]] ColorImage picture_of(const Eye& eye, double stereo_baseline, const Draw& draw);
+
+}  // namespace lumi

@@ -1,0 +1,96 @@
+#include "pipeline/evaluate/evaluation_file.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "pipeline/workspace/json_file.h"
+#include "tests/calib/scratch_folder.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A workspace with a package and an evaluation, as far as telling which is of which goes.
+class CurrentEvaluation : public testing::Test {
+ protected:
+    CurrentEvaluation() { write_whole_text(layout_.package_folder() / "lumigraph.json", "{}"); }
+
+    [[nodiscard]] Json evaluation() const {
+        return {{"schema_version", kEvaluationSchemaVersion},
+                {"package_sha256", package_sha256(layout_)}};
+    }
+    [[nodiscard]] Json read_back(const std::string& text) const {
+        write_whole_text(layout_.evaluation_folder() / "evaluation.json", text);
+        return read_current_evaluation(layout_);
+    }
+
+    ScratchFolder scratch_;
+    WorkspaceLayout layout_{scratch_ / "work", "box"};
+};
+
+TEST_F(CurrentEvaluation, IsThatOfThePackage) {
+    EXPECT_TRUE(read_current_evaluation(layout_).is_null());
+    EXPECT_EQ(read_back(evaluation().dump()), evaluation());
+    const std::string former = evaluation().dump();
+    write_whole_text(layout_.package_folder() / "lumigraph.json", "{\"other\": 1}");
+    EXPECT_TRUE(read_back(former).is_null());
+}
+
+TEST_F(CurrentEvaluation, IsNoneWhenItsFileIsDamaged) {
+    const std::string whole = evaluation().dump();
+    Json no_number = evaluation();
+    no_number["schema_version"] = "three";
+    for (const std::string& damaged :
+         {std::string(), std::string("[]"), std::string("3"), std::string("{}"),
+          whole.substr(0, whole.size() / 2), no_number.dump()}) {
+        EXPECT_TRUE(read_back(damaged).is_null()) << damaged;
+    }
+}
+
+TEST_F(CurrentEvaluation, OneThatIsNamedIsRefusedWhenItIsDamaged) {
+    const auto path = scratch_ / "evaluation.json";
+    for (const char* damaged : {"[]", "{\"schema_version\": \"three\"}"}) {
+        write_whole_text(path, damaged);
+        try {
+            static_cast<void>(read_evaluation(path));
+            FAIL() << damaged;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-EVAL-SCHEMA") << damaged;
+        }
+    }
+}
+
+TEST(EvaluationMadeWith, TellsEverythingThatDecidesFiguresApart) {
+    EvaluationOptions one_mode;
+    one_mode.modes = {RenderMode::kLightField};
+    EvaluationOptions as_taken;
+    as_taken.exposures = Exposures::kAsTaken;
+    EvaluationOptions without_ghosts;
+    without_ghosts.ghost_energy = false;
+    const std::set<std::string> different{
+        made_with_json({}, "code").dump(), made_with_json({}, "other code").dump(),
+        made_with_json(one_mode, "code").dump(), made_with_json(as_taken, "code").dump(),
+        made_with_json(without_ghosts, "code").dump()};
+    EXPECT_EQ(different.size(), 5U);
+}
+
+TEST(EvaluationMadeWith, ConformsToTheSchema) {
+    const Json schema =
+        read_json_file(std::string(LUMI_SOURCE_DIR) + "/pipeline/evaluate/evaluation.schema.json")
+            .at("properties")
+            .at("made_with");
+    const Json made_with = made_with_json({}, "code");
+    EXPECT_EQ(made_with.size(), schema.at("properties").size());
+    for (const Json& key : schema.at("required")) {
+        EXPECT_TRUE(made_with.contains(key.get<std::string>())) << key;
+        EXPECT_TRUE(schema.at("properties").contains(key.get<std::string>())) << key;
+    }
+}
+
+}  // namespace
+}  // namespace lumi

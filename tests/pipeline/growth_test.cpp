@@ -1,0 +1,91 @@
+#include "pipeline/chart/growth.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "tests/calib/scratch_folder.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+/// Growth that is measured by a program in lumi's place.
+class Growing : public testing::Test {
+ protected:
+    Growing() {
+        write_whole_text(scratch_ / "photos" / "1.png", "one");
+        write_whole_text(scratch_ / "photos" / "2.png", "two");
+    }
+    GrowthResult measure(const std::string& more, const fs::path& program) {
+        write_whole_text(scratch_ / "cat.toml", "[capture]\nphotos = \"photos\"\n" + more);
+        const ConfigDocument document = ConfigDocument::open(scratch_ / "cat.toml");
+        SilentProgress progress;
+        return measure_growth(document, read_growth_plan(document), program, folder_, 1, progress);
+    }
+    /// A program that leaves what a stage leaves, but for the workspace whose name has `failing`.
+    [[nodiscard]] fs::path stand_in(const std::string& failing) const {
+        const fs::path script = scratch_ / "lumi.sh";
+        write_whole_text(script,
+                         "#!/bin/sh\n"
+                         "case \"$5\" in *" +
+                             failing +
+                             "*) exit 3;; esac\n"
+                             "mkdir -p \"$5/ingest\"\n"
+                             "echo '{\"stages\": []}' > \"$5/stages.json\"\n"
+                             "echo '{\"photographs\": [], \"left_out\": []}' >"
+                             " \"$5/ingest/photographs.json\"\n");
+        fs::permissions(script, fs::perms::owner_all);
+        return script;
+    }
+
+    ScratchFolder scratch_;
+    fs::path folder_ = scratch_ / "growth";
+};
+
+TEST_F(Growing, EndsWithTheFirstFailureWhenNothingCouldBeMeasured) {
+    for (const char* plan : {"photographs = [1, 2]\n", "max_width_px = [100]\n"}) {
+        try {
+            static_cast<void>(measure(std::string("[growth]\n") + plan, "/bin/false"));
+            FAIL() << "growth was measured by a program that does nothing";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-GROWTH-STAGE");
+            EXPECT_THAT(error.what(), HasSubstr("the stage ingest failed"));
+        }
+    }
+}
+
+TEST_F(Growing, ASizeThatFailsIsToldBesideTheOthers) {
+    const GrowthResult result =
+        measure("[growth]\nphotographs = [1, 2]\n", stand_in("photographs-2"));
+    EXPECT_THAT(result.by_photographs, SizeIs(5));
+    ASSERT_THAT(result.failures, SizeIs(1));
+    EXPECT_THAT(result.failures.front(), HasSubstr("2 photographs: E-GROWTH-STAGE"));
+}
+
+TEST_F(Growing, IsToldOfEveryFileWhereItLies) {
+    static_cast<void>(
+        measure("import = \"poses\"\n[poses]\nmasks = \"poses masks\"\n[depth]\nmasks = \"masks\"\n"
+                "import_mesh = \"m.ply\"\n[growth]\nphotographs = [1]\nmax_width_px = [100]\n",
+                stand_in("nothing")));
+    for (const char* name : {"photographs-1.toml", "width-100.toml"}) {
+        const BuildConfig config = load_build_config(folder_ / name);
+        EXPECT_EQ(config.imported_poses, scratch_ / "poses");
+        EXPECT_EQ(config.poses.mask_folder, scratch_ / "poses masks");
+        EXPECT_EQ(config.depth.mask_folder, scratch_ / "masks");
+        EXPECT_EQ(config.depth.import_mesh, scratch_ / "m.ply");
+        EXPECT_EQ(config.name, "cat");
+    }
+    EXPECT_EQ(load_build_config(folder_ / "photographs-1.toml").photographs_or_video,
+              folder_ / "photos-1");
+    EXPECT_EQ(load_build_config(folder_ / "width-100.toml").photographs_or_video,
+              scratch_ / "photos");
+    EXPECT_EQ(load_build_config(folder_ / "width-100.toml").ingest.max_width_px, 100);
+}
+
+}  // namespace
+}  // namespace lumi

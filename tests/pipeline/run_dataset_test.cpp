@@ -1,0 +1,99 @@
+#include "pipeline/dataset/run_dataset.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <new>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "pipeline/workspace/workspace.h"
+#include "tests/calib/scratch_folder.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Does something when the first stage of the first scene begins.
+class TroubleAtTheStart final : public Progress {
+ public:
+    explicit TroubleAtTheStart(std::function<void()> trouble) : trouble_(std::move(trouble)) {}
+    void begin(const std::string&, std::size_t) override {}
+    void advance(std::size_t) override {}
+    void note(const std::string& message) override {
+        if (message.starts_with("ingest: runs") && std::exchange(is_first_, false)) trouble_();
+    }
+
+ private:
+    std::function<void()> trouble_;
+    bool is_first_ = true;
+};
+
+/// Two scenes without a photograph: that which is begun ends with an error of its photographs.
+class DatasetRun : public testing::Test {
+ protected:
+    DatasetRun() {
+        write_whole_text(scratch_.path() / "photos" / "readme.txt", "no photograph");
+        write_whole_text(scratch_ / "c.toml", "name = \"c\"\n[capture]\nphotos = \"photos\"\n");
+        write_whole_text(scratch_ / "set.toml",
+                         "[[scene]]\nconfig = \"c.toml\"\nname = \"statue\"\n"
+                         "[[scene]]\nphotos = \"photos\"\n");
+    }
+    [[nodiscard]] fs::path folder() const { return scratch_ / "work"; }
+    [[nodiscard]] std::vector<SceneOutcome> run(Progress& progress) const {
+        return run_dataset(read_dataset(scratch_ / "set.toml"), folder(), 1, progress);
+    }
+    /// What becomes of the scenes when the first throws that.
+    template <class Exception>
+    [[nodiscard]] std::vector<std::string> failures_after(const Exception& exception) const {
+        TroubleAtTheStart progress([&] { throw exception; });
+        std::vector<std::string> codes;
+        for (const SceneOutcome& outcome : run(progress)) codes.push_back(outcome.failure_code);
+        return codes;
+    }
+
+    ScratchFolder scratch_;
+};
+
+using Codes = std::vector<std::string>;
+
+TEST_F(DatasetRun, AWorkspaceIsFoundAgainByTheNameOfItsScene) {
+    SilentProgress progress;
+    static_cast<void>(run(progress));
+    const WorkspaceLayout statue = find_workspace(folder() / "statue");
+    EXPECT_EQ(statue.name(), "statue");
+    EXPECT_EQ(statue.package_folder(), folder() / "statue" / "statue.lumi");
+}
+
+TEST_F(DatasetRun, AWorkspaceThatAnotherRunHoldsDoesNotEndTheOthers) {
+    fs::create_directories(folder() / "statue");
+    const FolderLock other_run(folder() / "statue");
+    SilentProgress progress;
+    const std::vector<SceneOutcome> outcomes = run(progress);
+    ASSERT_EQ(outcomes.size(), 2U);
+    EXPECT_EQ(outcomes[0].failure_code, "E-WORKSPACE-BUSY");
+    EXPECT_TRUE(outcomes[1].failure_code.starts_with("E-INGEST")) << outcomes[1].failure_code;
+}
+
+TEST_F(DatasetRun, AFileSystemsOrAMemorysErrorIsThatOfItsScene) {
+    const std::string of_the_other = failures_after(std::bad_alloc()).at(1);
+    EXPECT_TRUE(of_the_other.starts_with("E-INGEST")) << of_the_other;
+    EXPECT_EQ(failures_after(std::bad_alloc()), (Codes{"E-MEMORY", of_the_other}));
+    const fs::filesystem_error looping(
+        "loop", std::make_error_code(std::errc::too_many_symbolic_link_levels));
+    EXPECT_EQ(failures_after(looping), (Codes{"E-FILE-SYSTEM", of_the_other}));
+    const Error too_large(ErrorKind::kResources, "E-DEPTH-MEMORY", "too large", "");
+    EXPECT_EQ(failures_after(too_large), (Codes{"E-DEPTH-MEMORY", of_the_other}));
+}
+
+TEST_F(DatasetRun, AFullDiskOrAnInterruptionEndsIt) {
+    const fs::filesystem_error full("full", std::make_error_code(std::errc::no_space_on_device));
+    EXPECT_THROW(static_cast<void>(failures_after(full)), Error);
+    const Error stopped(ErrorKind::kInterrupted, "E-INTERRUPTED", "stopped", "");
+    EXPECT_THROW(static_cast<void>(failures_after(stopped)), Error);
+}
+
+}  // namespace
+}  // namespace lumi
