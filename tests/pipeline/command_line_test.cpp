@@ -683,6 +683,7 @@ TEST_F(Line, FoldersOfOneNameDoNotTakeEachOthersPlace) {
     const auto build_folder = [&](const fs::path& folder) {
         return lumi("ingest " + quoted(folder), "cd " + quoted(scratch_.path()) + " &&");
     };
+    for (const char* parent : {"a", "b"}) fs::create_directory(scratch_ / parent);
     fs::copy(scene_->path() / "photos", scratch_ / "a/photos", fs::copy_options::recursive);
     fs::copy(scene_->path() / "photos", scratch_ / "b/photos", fs::copy_options::recursive);
     EXPECT_EQ(build_folder(scratch_ / "a/photos").exit_code, 0);
@@ -718,7 +719,7 @@ TEST_F(Line, ScoresAreOfThePackageThatWasRecorded) {
     expect_stale();
     write_whole_text(record, of_second);
     EXPECT_EQ(lumi("evaluate " + quoted(workspace())).exit_code, 0);
-    configure("max_width_px = 64\n[evaluate]\nhold_out = [\"IMG_0004.png\"]\n");
+    configure("max_width_px = 120\n[evaluate]\nhold_out = [\"IMG_0004.png\"]\n");
     ASSERT_EQ(build("ingest"), "r");
     expect_stale();
 }
