@@ -27,7 +27,7 @@ void refuse_lock(const std::filesystem::path& folder, int error_number) {
 }
 
 FolderLock::FolderLock(const std::filesystem::path& folder) {
-    const std::filesystem::path path = folder / ".lock";
+    const std::filesystem::path path = folder / kLockName;
     // Close-on-exec: a program that outlives lumi must not keep the workspace.
     descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (descriptor_ < 0) refuse_write(path, errno);

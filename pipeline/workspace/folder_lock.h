@@ -4,6 +4,9 @@
 
 namespace lumi {
 
+/// A file that stays where one was held.
+inline constexpr const char* kLockName = ".lock";
+
 /// Holds a folder for this process; the system lets go when the process ends, however it ends.
 class FolderLock {
  public:

@@ -34,8 +34,10 @@ std::vector<fs::path> folders_of(const WorkspaceLayout& layout) {
     return folders;
 }
 
+/// Its lock tells; where it was copied without, its configuration.
 bool is_workspace(const WorkspaceLayout& layout) {
     std::error_code status;
+    if (fs::exists(layout.folder() / kLockName, status)) return true;
     return fs::is_regular_file(layout.config_path(), status) &&
            read_whole_text(layout.config_path()).starts_with(kWorkspaceConfigHeader);
 }
