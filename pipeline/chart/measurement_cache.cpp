@@ -14,10 +14,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 fs::path MeasurementCache::path_of(const std::string& what, RenderMode mode) const {
-    return folder_ /
-           (sha256_hex(what + '|' + name_of(mode) + '|' + gl_description_ + '|' +
-                       code_version_of("evaluate")) +
-            ".json");
+    return folder_ / (sha256_hex(what + '|' + name_of(mode) + '|' + gl_description_ + '|' +
+                                 code_version_of("evaluate")) +
+                      ".json");
 }
 
 std::optional<Measurement> MeasurementCache::find(const std::string& what, RenderMode mode) const {
