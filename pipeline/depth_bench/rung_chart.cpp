@@ -99,11 +99,10 @@ Json rungs_json(const std::vector<RungMeasurement>& measured) {
 
 void write_rung_chart(const fs::path& folder, const std::vector<RungMeasurement>& measured,
                       const Progress& progress) {
-    const std::string svg =
-        gnuplot_svg({"what each depth model costs and brings",
-                     "size 1000,640 font 'sans-serif,13' background 'white'",
-                     chart_commands(measured)},
-                    progress);
+    const std::string svg = gnuplot_svg(
+        {"what each depth model costs and brings",
+         "size 1000,640 font 'sans-serif,13' background 'white'", chart_commands(measured)},
+        progress);
     write_json_file(folder / "rungs.json", rungs_json(measured));
     write_whole_text(folder / "rungs.csv", csv_of(measured));
     write_whole_text(folder / "rungs.svg", svg);

@@ -50,8 +50,8 @@ struct PackSources {
 /// What the package was made from.
 struct PackRecord {
     std::vector<std::string> held_out;  ///< Views it was made without, sorted by name.
-    std::string pictures_sha256;  ///< As in PackSources.
-    std::string package_sha256;  ///< Of its manifest: that of another package is none of it.
+    std::string pictures_sha256;        ///< As in PackSources.
+    std::string package_sha256;         ///< Of its manifest: that of another package is none of it.
 };
 /// Throws Error (E-JSON-READ).
 [[nodiscard]] PackRecord read_pack_record(const std::filesystem::path& pack_folder);

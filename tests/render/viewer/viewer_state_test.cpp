@@ -8,9 +8,9 @@
 
 #include "calib/capture/image_io.h"
 #include "calib/work/whole_file.h"
+#include "render/paths/photograph_eye.h"
 #include "render/viewer/commands.h"
 #include "render/viewer/moving_resolution.h"
-#include "render/paths/photograph_eye.h"
 #include "render/viewer/recent_packages.h"
 #include "render/viewer/screenshot.h"
 #include "render/viewer/window_input.h"
