@@ -15,15 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result + '"';
-}
-
 /// Views of one judgement after those of the others, mode by mode.
 void append(Evaluation& all, Evaluation one) {
     if (all.modes.empty()) {
@@ -102,7 +93,7 @@ class LeavingOneOut {
 
     [[nodiscard]] Evaluation judge_without(const std::string& name,
                                            const std::string& folder) const {
-        const WorkspaceLayout workspace = build(folder, "[" + quoted(name) + "]");
+        const WorkspaceLayout workspace = build(folder, "[" + literal_of_text(name) + "]");
         return judge(read_package(workspace.package_folder()),
                      held_out_photographs(workspace, threads_),
                      judging_subject(options_, workspace));
