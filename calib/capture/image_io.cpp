@@ -5,6 +5,7 @@
 #include "calib/capture/image_format.h"
 #include "calib/capture/jpeg_decoder.h"
 #include "calib/capture/png_codec.h"
+#include "calib/capture/srgb_conversion.h"
 #include "calib/capture/tiff_io.h"
 #include "calib/opencv/cv_matrix.h"
 #include "calib/work/error.h"
@@ -27,17 +28,21 @@ constexpr std::size_t kMaxPixels = std::size_t{1} << 28;
 
 }  // namespace
 
-ColorImage read_color_image(const std::filesystem::path& path, std::size_t max_pixels) {
+SrgbPicture read_srgb_picture(const std::filesystem::path& path, std::size_t max_pixels) {
     const Bytes bytes = read_whole_file(path);
     switch (format_or_refuse(bytes, path)) {
         case ImageFormat::kJpeg:
-            return decode_jpeg(bytes, max_pixels, path);
+            return srgb_of(decode_jpeg(bytes, max_pixels, path));
         case ImageFormat::kPng:
-            return decode_color_png(bytes, max_pixels, path);
+            return srgb_of(decode_png(bytes, max_pixels, path));
         case ImageFormat::kTiff:
-            return read_color_tiff(path, max_pixels);
+            return srgb_of(read_stored_tiff(path, max_pixels));
     }
     return {};
+}
+
+ColorImage read_color_image(const std::filesystem::path& path, std::size_t max_pixels) {
+    return read_srgb_picture(path, max_pixels).picture;
 }
 
 ImageSize read_image_size(const std::filesystem::path& path) {

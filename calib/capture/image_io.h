@@ -2,15 +2,34 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 
 #include "calib/capture/image.h"
 
 namespace lumi {
 
-/// The raster of a JPEG, PNG or TIFF file as 8-bit sRGB, as stored: the EXIF orientation is not
-/// applied. Throws Error: E-IMAGE-FORMAT (not one of these formats, by content), E-IMAGE-TRUNCATED
-/// (the file ends early or its decoder warns), E-IMAGE-TOOBIG (more than `max_pixels`, checked
-/// before decoding), E-FILE-READ.
+/// What was done to the numbers of a file to make them 8-bit sRGB; nothing for most.
+struct ColorConversion {
+    std::string from;            ///< Such as "Display P3" or "linear light"; empty: they were sRGB.
+    std::string profile_fault;   ///< Why the embedded profile was passed over; empty: it was not.
+    double clipped_share = 0.0;  ///< Of the pixels: brighter than white, and white in the picture.
+    double hidden_share = 0.0;   ///< Of the pixels: wholly transparent, and black in the picture.
+};
+
+struct SrgbPicture {
+    ColorImage picture;
+    ColorConversion conversion;
+};
+
+/// The raster of a JPEG, PNG or TIFF file as 8-bit sRGB, the EXIF orientation not applied.
+/// Converted are the numbers of an embedded ICC profile, of Adobe RGB by EXIF alone, of floats
+/// (which are light, unless the file says otherwise) and of inks; what is transparent is seen
+/// before black. Throws Error: E-IMAGE-FORMAT (not one of these formats, by content),
+/// E-IMAGE-TRUNCATED (the file ends early or its decoder warns), E-IMAGE-TOOBIG (more than
+/// `max_pixels`, checked before decoding), E-FILE-READ.
+[[nodiscard]] SrgbPicture read_srgb_picture(const std::filesystem::path& path,
+                                            std::size_t max_pixels = std::size_t{1} << 28);
+/// The same, where nobody asks what was done.
 [[nodiscard]] ColorImage read_color_image(const std::filesystem::path& path,
                                           std::size_t max_pixels = std::size_t{1} << 28);
 

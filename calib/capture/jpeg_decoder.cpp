@@ -7,8 +7,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "calib/capture/color_tags.h"
 #include "calib/capture/image_format.h"
 #include "calib/work/error.h"
 
@@ -72,20 +74,6 @@ void decode_or_refuse(void* decoder, std::span<const std::uint8_t> bytes, const 
     refuse_truncated_image(path, tjGetErrorStr2(decoder));
 }
 
-/// Adobe stores CMYK inverted, so that a plain product gives RGB.
-ColorImage rgb_from_inverted_cmyk(const std::vector<std::uint8_t>& cmyk, ImageSize size) {
-    ColorImage image(size.width_px, size.height_px);
-    const auto product = [](int a, int b) {
-        return static_cast<std::uint8_t>((a * b + 127) / 255);
-    };
-    for (std::size_t i = 0; i < image.pixels().size(); ++i) {
-        const std::uint8_t* ink = &cmyk[4 * i];
-        image.pixels()[i] = {product(ink[0], ink[3]), product(ink[1], ink[3]),
-                             product(ink[2], ink[3])};
-    }
-    return image;
-}
-
 }  // namespace
 
 ImageSize jpeg_size(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
@@ -93,21 +81,25 @@ ImageSize jpeg_size(std::span<const std::uint8_t> bytes, const std::filesystem::
     return read_header(decoder.get(), bytes, path).size;
 }
 
-ColorImage decode_jpeg(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
-                       const std::filesystem::path& path) {
-    static_assert(sizeof(Rgb8) == 3);
+StoredPicture decode_jpeg(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
+                          const std::filesystem::path& path) {
+    static_assert(sizeof(Rgb8) == 3 && sizeof(InvertedCmyk8) == 4);
     const TurboJpeg decoder(tjInitDecompress());
     const JpegHeader header = read_header(decoder.get(), bytes, path);
     check_image_size(header.size, max_pixels, path);
+    StoredPicture stored;
     if (header.color_space == TJCS_CMYK || header.color_space == TJCS_YCCK) {
-        std::vector<std::uint8_t> cmyk(4 * static_cast<std::size_t>(header.size.width_px) *
-                                       static_cast<std::size_t>(header.size.height_px));
-        decode_or_refuse(decoder.get(), bytes, header, TJPF_CMYK, cmyk.data(), path);
-        return rgb_from_inverted_cmyk(cmyk, header.size);
+        Image<InvertedCmyk8> inks(header.size.width_px, header.size.height_px);
+        decode_or_refuse(decoder.get(), bytes, header, TJPF_CMYK, &inks.pixels()[0].c, path);
+        stored.raster = std::move(inks);
+    } else {
+        ColorImage image(header.size.width_px, header.size.height_px);
+        decode_or_refuse(decoder.get(), bytes, header, TJPF_RGB, &image.pixels()[0].r, path);
+        stored.raster = std::move(image);
     }
-    ColorImage image(header.size.width_px, header.size.height_px);
-    decode_or_refuse(decoder.get(), bytes, header, TJPF_RGB, &image.pixels()[0].r, path);
-    return image;
+    stored.is_grey = header.color_space == TJCS_GRAY;
+    stored.tags = jpeg_color_tags(bytes);
+    return stored;
 }
 
 std::vector<std::uint8_t> encode_jpeg(const ColorImage& image, int quality) {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "calib/capture/image_io.h"
+#include "calib/capture/stored_picture.h"
 
 namespace lumi {
 
@@ -15,8 +16,8 @@ namespace lumi {
 /// The raster of a JPEG. A warning of the decoder (missing scan lines, corrupt data) is an Error:
 /// common readers return half-grey pictures without a word. Only padding before the end marker is
 /// passed over.
-[[nodiscard]] ColorImage decode_jpeg(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
-                                     const std::filesystem::path& path);
+[[nodiscard]] StoredPicture decode_jpeg(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
+                                        const std::filesystem::path& path);
 
 /// The bytes of a JPEG without chroma subsampling, quality 1 to 100.
 [[nodiscard]] std::vector<std::uint8_t> encode_jpeg(const ColorImage& image, int quality);

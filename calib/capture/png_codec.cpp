@@ -7,7 +7,10 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
+#include "calib/capture/before_black.h"
+#include "calib/capture/color_tags.h"
 #include "calib/capture/image_format.h"
+#include "calib/capture/srgb_conversion.h"
 #include "calib/opencv/cv_matrix.h"
 #include "calib/work/error.h"
 
@@ -39,23 +42,30 @@ cv::Mat decode(std::span<const std::uint8_t> bytes, int flags, std::size_t max_p
     return decoded;
 }
 
-/// What a picture with an alpha channel, 8 or 16 bits deep, shows before black; blue first.
-cv::Mat before_black(const cv::Mat& transparent) {
-    constexpr double k8BitsOf16 = 1.0 / 257.0;
-    cv::Mat picture;
-    transparent.convertTo(picture, CV_8U, transparent.depth() == CV_16U ? k8BitsOf16 : 1.0);
-    cv::Mat bgr(picture.size(), CV_8UC3);
-    constexpr int kOpaque = 255;
-    for (int y = 0; y < picture.rows; ++y) {
-        for (int x = 0; x < picture.cols; ++x) {
-            const auto& pixel = picture.at<cv::Vec4b>(y, x);
-            for (int channel = 0; channel < 3; ++channel) {
-                const int shown = (pixel[channel] * pixel[3] + kOpaque / 2) / kOpaque;
-                bgr.at<cv::Vec3b>(y, x)[channel] = static_cast<std::uint8_t>(shown);
-            }
-        }
+/// Red first, as seen before black. `Sample`: of the pixel, and of the matrix.
+template <class Pixel, class Sample>
+Image<Pixel> rgb_of(const cv::Mat& decoded, double& hidden_share) {
+    cv::Mat rgb;
+    if (decoded.channels() == 4) {
+        cv::cvtColor(decoded, rgb, cv::COLOR_BGRA2RGBA);
+        return before_black<Pixel, Sample>({rgb.ptr<Sample>(), 4 * rgb.total()},
+                                           {.width_px = rgb.cols,
+                                            .height_px = rgb.rows,
+                                            .channels = 4,
+                                            .alpha_channel = 3,
+                                            .is_premultiplied = false},
+                                           hidden_share);
     }
-    return bgr;
+    cv::cvtColor(decoded, rgb, decoded.channels() == 1 ? cv::COLOR_GRAY2RGB : cv::COLOR_BGR2RGB);
+    return image_of<Pixel>(rgb);
+}
+
+/// By the colour type in the header, which OpenCV does not tell.
+bool is_grey_png(std::span<const std::uint8_t> bytes) {
+    constexpr std::size_t kColorType = 25;
+    constexpr std::uint8_t kGrey = 0;
+    constexpr std::uint8_t kGreyWithAlpha = 4;
+    return bytes[kColorType] == kGrey || bytes[kColorType] == kGreyWithAlpha;
 }
 
 template <class Pixel>
@@ -97,17 +107,23 @@ Bytes encode_png(const Image<std::uint16_t>& image, const std::filesystem::path&
     return encode(matrix_of(image, CV_16UC1), path);
 }
 
+StoredPicture decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
+                         const std::filesystem::path& path) {
+    const cv::Mat decoded = decode(bytes, cv::IMREAD_UNCHANGED, max_pixels, path);
+    StoredPicture stored;
+    if (decoded.depth() == CV_16U) {
+        stored.raster = rgb_of<Rgb16, std::uint16_t>(decoded, stored.hidden_share);
+    } else {
+        stored.raster = rgb_of<Rgb8, std::uint8_t>(decoded, stored.hidden_share);
+    }
+    stored.is_grey = is_grey_png(bytes);
+    stored.tags = png_color_tags(bytes);
+    return stored;
+}
+
 ColorImage decode_color_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
                             const std::filesystem::path& path) {
-    cv::Mat bgr = decode(bytes, cv::IMREAD_UNCHANGED, max_pixels, path);
-    if (bgr.channels() == 4) {
-        bgr = before_black(bgr);
-    } else if (bgr.type() != CV_8UC3) {
-        bgr = decode(bytes, cv::IMREAD_COLOR, max_pixels, path);
-    }
-    cv::Mat rgb;
-    cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
-    return image_of<Rgb8>(rgb);
+    return srgb_of(decode_png(bytes, max_pixels, path)).picture;
 }
 
 GrayImage decode_gray_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels,

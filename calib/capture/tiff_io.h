@@ -3,12 +3,15 @@
 #include <filesystem>
 
 #include "calib/capture/image_io.h"
+#include "calib/capture/stored_picture.h"
 
 namespace lumi {
 
 /// TIFF through OpenImageIO: the header is checked before anything is decoded. Throws Error
-/// (E-IMAGE-TRUNCATED, E-IMAGE-TOOBIG).
+/// (E-IMAGE-TRUNCATED, E-IMAGE-TOOBIG, E-IMAGE-FORMAT).
 [[nodiscard]] ImageSize tiff_size(const std::filesystem::path& path);
-[[nodiscard]] ColorImage read_color_tiff(const std::filesystem::path& path, std::size_t max_pixels);
+/// Grey or colour of any depth: floats are light, unless the file says that they are sRGB.
+[[nodiscard]] StoredPicture read_stored_tiff(const std::filesystem::path& path,
+                                             std::size_t max_pixels);
 
 }  // namespace lumi

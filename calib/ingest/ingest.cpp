@@ -1,8 +1,10 @@
 #include "calib/ingest/ingest.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "calib/capture/image_io.h"
+#include "calib/ingest/color_notes.h"
 #include "calib/ingest/duplicates.h"
 #include "calib/ingest/exif.h"
 #include "calib/ingest/overlay_removal.h"
@@ -51,18 +53,25 @@ void add_exif(const PhotographFile& file, Photograph& photograph) {
 
 Candidate ingest_file(const PhotographFile& file, const IngestOptions& options,
                       const fs::path& copies_folder, std::size_t number) {
-    ColorImage raster;
+    SrgbPicture read;
     try {
-        raster = read_color_image(file.path);
+        read = read_srgb_picture(file.path);
     } catch (const Error& error) {
         return left_out(left_out_because_of(error, file));
     }
-    Candidate candidate = make_working_copy(raster, file.name, options, copies_folder, number);
+    if (read.conversion.hidden_share == 1) {
+        return left_out({file.name, "E-INGEST-HIDDEN",
+                         "its alpha channel hides all of it: export it without one"});
+    }
+    Candidate candidate =
+        make_working_copy(read.picture, file.name, options, copies_folder, number);
+    candidate.conversion = std::move(read.conversion);
     if (!candidate.left_out) add_exif(file, candidate.photograph);
     return candidate;
 }
 
-/// Of the file, the raster and its copies; of the largest photograph.
+/// Of the file, the raster and its copies; of the largest photograph. Deep rasters are read into
+/// samples as large as their file before they become pictures.
 std::size_t bytes_of_one(const std::vector<PhotographFile>& files, int threads) {
     constexpr std::size_t kBytesPerPixel = 12;
     std::vector<std::size_t> bytes(files.size(), 1);
@@ -70,8 +79,10 @@ std::size_t bytes_of_one(const std::vector<PhotographFile>& files, int threads) 
         const auto index = static_cast<std::size_t>(i);
         try {
             const ImageSize size = read_image_size(files[index].path);
-            bytes[index] = kBytesPerPixel * static_cast<std::size_t>(std::max(size.width_px, 1)) *
-                           static_cast<std::size_t>(std::max(size.height_px, 1));
+            std::error_code ignored;
+            bytes[index] = 2 * fs::file_size(files[index].path, ignored) +
+                           kBytesPerPixel * static_cast<std::size_t>(std::max(size.width_px, 1)) *
+                               static_cast<std::size_t>(std::max(size.height_px, 1));
         } catch (const Error&) {
             // Found again, and reported, when the picture is decoded.
         }
@@ -132,6 +143,7 @@ IngestResult ingest(const fs::path& photographs_or_video, const IngestOptions& o
     }
     std::stable_sort(result.left_out.begin(), result.left_out.end(),
                      [](const LeftOut& a, const LeftOut& b) { return a.name < b.name; });
+    result.color_notes = color_notes(candidates);
     result.photographs = number_working_copies(candidates, copies_folder);
     refuse_too_few(result, options, photographs_or_video);
     if (!options.keep_overlays) {

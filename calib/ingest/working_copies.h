@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "calib/capture/image.h"
+#include "calib/capture/image_io.h"
 #include "calib/ingest/ingest.h"
 
 namespace lumi {
@@ -16,6 +17,7 @@ struct Candidate {
     Photograph photograph;
     std::string pixels_sha256;  ///< Of the raster as stored, with its size.
     ColorImage thumbnail;
+    ColorConversion conversion;
     std::optional<LeftOut> left_out;  ///< Then nothing else counts.
 };
 

@@ -3,12 +3,12 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <sstream>
 
 #include "calib/work/error.h"
+#include "calib/work/nearest_word.h"
 #include "calib/work/toml_tree.h"
 #include "calib/work/whole_file.h"
 
@@ -70,30 +70,9 @@ std::string text_of(const toml::table& table) {
     return text.str();
 }
 
-/// Levenshtein distance.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i);
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
-        }
-    }
-    return row.back();
-}
-
 std::string suggestion_for(const std::string& key, const std::set<std::string>& known) {
-    const auto nearest =
-        std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-            return edit_distance(key, a) < edit_distance(key, b);
-        });
-    if (nearest == known.end()) return "remove the key";
-    if (edit_distance(key, *nearest) <= 1 + key.size() / 2) {
-        return "did you mean `" + *nearest + "`?";
-    }
+    if (known.empty()) return "remove the key";
+    if (const auto meant = nearest_word(key, known)) return "did you mean `" + *meant + "`?";
     std::string list;
     for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
     return "known here: " + list;

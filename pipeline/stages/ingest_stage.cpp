@@ -19,9 +19,11 @@ StageEvidence run_ingest_stage(const std::filesystem::path& photographs_or_video
         progress.note("left out " + left_out.name + " (" + left_out.code + "): " + left_out.reason);
     }
     for (const RemovedOverlay& overlay : result.overlays) progress.note(text_of(overlay));
+    for (const std::string& note : result.color_notes) progress.note(note);
     nlohmann::ordered_json facts{{"photographs", result.photographs.size()},
                                  {"left_out", left_out_json(result.left_out)}};
     if (!result.overlays.empty()) facts["overlays"] = overlays_json(result.overlays);
+    if (!result.color_notes.empty()) facts["colors"] = result.color_notes;
     return {json_text(facts), "{}"};
 }
 

@@ -61,6 +61,16 @@ std::string removed_overlays(const Json& ingest) {
     return html;
 }
 
+/// From what photographs were converted, and what else was done to their colours.
+std::string color_notes_of(const Json& ingest) {
+    if (!ingest.contains("colors")) return {};
+    std::string html;
+    for (const Json& note : ingest.at("colors")) {
+        html += "<p>" + html_escaped(note.get<std::string>()) + ".</p>\n";
+    }
+    return html;
+}
+
 /// What was there for one photograph alone, and what the package shows instead.
 std::string removed_transients(const ReportSources& sources) {
     constexpr int kPictureWidthPx = 480;
@@ -91,7 +101,7 @@ std::string photographs_section(const ReportSources& sources) {
     if (!poses.is_null()) {
         html += ", " + text_of(poses.at("photographs_registered")) + " of them found their place";
     }
-    html += ".</p>\n" + removed_overlays(ingest);
+    html += ".</p>\n" + color_notes_of(ingest) + removed_overlays(ingest);
     TableRows rows;
     append_left_out(rows, ingest.at("left_out"));
     if (!poses.is_null()) append_left_out(rows, poses.at("not_registered"));

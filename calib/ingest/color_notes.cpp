@@ -1,0 +1,93 @@
+#include "calib/ingest/color_notes.h"
+
+#include <algorithm>
+#include <map>
+
+#include "calib/ingest/working_copies.h"
+#include "calib/work/formatted.h"
+#include "calib/work/printable.h"
+
+namespace lumi {
+namespace {
+
+std::string photographs_text(std::size_t count, const char* one, const char* several) {
+    return std::to_string(count) + (count == 1 ? " photograph " : " photographs ") +
+           (count == 1 ? one : several);
+}
+
+/// The names of the first few.
+std::string first_names(const std::vector<std::string>& names) {
+    constexpr std::size_t kMaxNamed = 5;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kMaxNamed, names.size()); ++i) {
+        text += (i == 0 ? "" : ", ") + printable(names[i]);
+    }
+    if (names.size() > kMaxNamed) {
+        text += " and " + std::to_string(names.size() - kMaxNamed) + " more";
+    }
+    return text;
+}
+
+/// Of the photographs with a share of their pixels above 0.
+struct Concerned {
+    std::size_t count = 0;
+    double largest_share = 0.0;
+    std::string name_of_largest;
+
+    void add(double share, const std::string& name) {
+        if (!(share > 0)) return;
+        ++count;
+        if (share <= largest_share) return;
+        largest_share = share;
+        name_of_largest = name;
+    }
+    [[nodiscard]] std::string text() const {
+        return formatted("up to %.3g %% of the pixels, in ", 100 * largest_share) +
+               printable(name_of_largest);
+    }
+};
+
+}  // namespace
+
+std::vector<std::string> color_notes(const std::vector<Candidate>& candidates) {
+    std::map<std::string, std::size_t> converted_from;
+    std::map<std::string, std::vector<std::string>> names_of_fault;
+    Concerned clipped;
+    Concerned hidden;
+    for (const Candidate& candidate : candidates) {
+        if (candidate.left_out) continue;
+        const ColorConversion& conversion = candidate.conversion;
+        const std::string& name = candidate.photograph.name;
+        if (!conversion.from.empty()) ++converted_from[conversion.from];
+        if (!conversion.profile_fault.empty()) {
+            names_of_fault[conversion.profile_fault].push_back(name);
+        }
+        clipped.add(conversion.clipped_share, name);
+        hidden.add(conversion.hidden_share, name);
+    }
+    std::vector<std::string> notes;
+    for (const auto& [from, count] : converted_from) {
+        notes.push_back(photographs_text(count, "was", "were") + " converted from " + from +
+                        " to sRGB");
+    }
+    if (clipped.count > 0) {
+        notes.push_back(
+            photographs_text(clipped.count, "is", "are") +
+            " brighter than white (1.0) in places and cut off there: " + clipped.text());
+    }
+    for (const auto& [fault, names] : names_of_fault) {
+        notes.push_back(photographs_text(names.size(), "was", "were") +
+                        " taken as sRGB, for the embedded colour profile " + fault +
+                        " (E-INGEST-PROFILE): " + first_names(names));
+    }
+    if (hidden.count > 0) {
+        notes.push_back(
+            photographs_text(hidden.count, "is", "are") +
+            " cut out by an alpha channel, and black where it hides them: " + hidden.text() +
+            "; masks of what is left ([poses] masks, [depth] masks) keep features off "
+            "its outline, and depth out of the black");
+    }
+    return notes;
+}
+
+}  // namespace lumi

@@ -1,0 +1,98 @@
+#include "calib/ingest/color_notes.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
+
+#include "calib/capture/image_io.h"
+#include "calib/ingest/ingest.h"
+#include "tests/calib/color_profiles.h"
+#include "tests/calib/scratch_folder.h"
+#include "tests/calib/test_pictures.h"
+
+namespace lumi {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+Bytes bytes_of_jpeg(const ScratchFolder& scratch, double shift_px) {
+    write_jpeg(scratch / "some.jpg", wavy_picture(160, 120, shift_px), 95);
+    return read_whole_file(scratch / "some.jpg");
+}
+
+/// The picture with an alpha channel of 0 in so many rows, of 255 below.
+void write_cut_out(const std::filesystem::path& path, const ColorImage& picture, int hidden_rows) {
+    std::vector<std::uint8_t> samples;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const Rgb8& pixel = picture(x, y);
+            const std::uint8_t alpha = y < hidden_rows ? 0 : 255;
+            samples.insert(samples.end(), {pixel.r, pixel.g, pixel.b, alpha});
+        }
+    }
+    OIIO::ImageSpec spec(picture.width(), picture.height(), 4, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    const auto output = OIIO::ImageOutput::create("png");
+    ASSERT_TRUE(output->open(path.string(), spec));
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, samples.data()));
+    ASSERT_TRUE(output->close());
+}
+
+TEST(ColorNotes, SayFromWhatPhotographsWereConverted) {
+    const ScratchFolder scratch;
+    std::filesystem::create_directories(scratch / "photos");
+    for (int i = 0; i < 3; ++i) {
+        scratch.put("photos/" + std::to_string(i) + ".jpg",
+                    jpeg_with_profile(bytes_of_jpeg(scratch, 9 * i), display_p3_profile()));
+    }
+    scratch.put("photos/plain.jpg", bytes_of_jpeg(scratch, 36));
+    scratch.put("photos/broken.jpg", jpeg_with_profile(bytes_of_jpeg(scratch, 45), Bytes(200, 1)));
+    SilentProgress progress;
+    const IngestResult result = ingest(scratch / "photos", {}, scratch / "copies", 3, progress);
+    EXPECT_THAT(result.color_notes,
+                ElementsAre("3 photographs were converted from Display P3 to sRGB",
+                            "1 photograph was taken as sRGB, for the embedded colour profile is "
+                            "damaged (E-INGEST-PROFILE): broken.jpg"));
+    ASSERT_EQ(result.photographs.size(), 5U);
+    for (const Photograph& photograph : result.photographs) {
+        EXPECT_EQ(read_color_image(photograph.picture_path),
+                  read_color_image(scratch / ("photos/" + photograph.name)))
+            << "features, package and evaluation all see the copy";
+    }
+}
+
+TEST(ColorNotes, NothingIsSaidOfOrdinaryPhotographs) {
+    const ScratchFolder scratch;
+    write_png(scratch / "photos/a.png", wavy_picture(160, 120));
+    write_png(scratch / "photos/b.png", wavy_picture(160, 120, 9));
+    SilentProgress progress;
+    EXPECT_THAT(ingest(scratch / "photos", {}, scratch / "copies", 2, progress).color_notes,
+                IsEmpty());
+}
+
+TEST(ColorNotes, SayWhatIsCutOffAndWhatAlphaHides) {
+    const ScratchFolder scratch;
+    FloatImage light(160, 120, 0.25F);
+    for (int x = 0; x < 160; ++x) light(x, 0) = light(x, 1) = light(x, 2) = 2.0F;
+    std::filesystem::create_directories(scratch / "photos");
+    write_float_tiff(scratch / "photos/light.tif", light);
+    write_cut_out(scratch / "photos/half.png", wavy_picture(160, 120), 60);
+    write_cut_out(scratch / "photos/quarter.png", wavy_picture(160, 120, 9), 30);
+    write_cut_out(scratch / "photos/nothing.png", wavy_picture(160, 120, 18), 120);
+    SilentProgress progress;
+    const IngestResult result = ingest(scratch / "photos", {}, scratch / "copies", 2, progress);
+    EXPECT_THAT(
+        result.color_notes,
+        ElementsAre("1 photograph was converted from linear light to sRGB",
+                    "1 photograph is brighter than white (1.0) in places and cut off there: up to "
+                    "2.5 % of the pixels, in light.tif",
+                    HasSubstr("2 photographs are cut out by an alpha channel, and black where it "
+                              "hides them: up to 50 % of the pixels, in half.png")));
+    ASSERT_EQ(result.left_out.size(), 1U);
+    EXPECT_EQ(result.left_out[0].name, "nothing.png");
+    EXPECT_EQ(result.left_out[0].code, "E-INGEST-HIDDEN");
+}
+
+}  // namespace
+}  // namespace lumi
