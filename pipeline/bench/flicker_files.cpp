@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "calib/capture/image_io.h"
+#include "calib/work/median.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/plot.h"
 #include "pipeline/report/optional_json.h"
@@ -71,6 +72,7 @@ Json flicker_json(const std::vector<FlickerFigures>& all) {
             {"flicker", optional_json(figures.flicker)},
             {"worst_flicker", optional_json(figures.worst_flicker)},
             {"mean_change", sum / static_cast<double>(changes.size())},
+            {"p99_change", quantile_of(changes, 0.99)},
             {"largest_change", *std::max_element(changes.begin(), changes.end())},
             {"jump", figures.jump.change},
             {"jump_pixel_share", figures.jump.pixel_share},

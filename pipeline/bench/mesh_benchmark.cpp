@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include "calib/capture/all_views.h"
@@ -16,6 +15,7 @@
 #include "meshing/cameras/slide.h"
 #include "meshing/rivals/heigl_weights.h"
 #include "meshing/rivals/unstructured_weights.h"
+#include "meshing/rivals/view_dependent_weights.h"
 #include "pipeline/bench/faces_entered.h"
 #include "pipeline/bench/synthetic_captures.h"
 #include "pipeline/synth/hand_held_path.h"
@@ -28,92 +28,17 @@ constexpr int kMostCameras = 200;
 /// Each rival is measured on so many of the captures, with so many rays and steps of a path.
 constexpr int kComparedCaptures = 20;
 constexpr int kComparedRays = 500;
-constexpr int kMeshPathSteps = 300;
-/// Steps that change the weights by less hold no jump worth looking for.
-constexpr double kSuspiciousChange = 1e-3;
-constexpr double kJump = 1e-6;
-constexpr int kMeshHalvings = 36;
 constexpr double kCameraSlid = 1e-9;
+/// Of view-dependent texture: a polygon is what lies in a cube of this side over the scene's
+/// radius.
+constexpr double kPolygonShare = 0.1;
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// Weights of the ray from the eye to the target, one a camera, in the frame of that eye.
-using WayOfWeighing =
-    std::function<std::vector<double>(const Eigen::Vector3d& eye, const Eigen::Vector3d& target)>;
-
-double difference(const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
-    return sum;
+/// Of the cube of the lattice that the point lies in.
+Eigen::Vector3d middle_of_polygon(const Eigen::Vector3d& point, double side) {
+    return side * ((point / side).array().floor() + 0.5);
 }
-
-/// The change of the weights at the one place between two steps where they change most abruptly.
-double jump_between(const std::function<std::vector<double>(double)>& weights_at, double low,
-                    double high) {
-    std::vector<double> at_low = weights_at(low);
-    std::vector<double> at_high = weights_at(high);
-    for (int i = 0; i < kMeshHalvings; ++i) {
-        const double middle = 0.5 * (low + high);
-        std::vector<double> at_middle = weights_at(middle);
-        if (difference(at_low, at_middle) >= difference(at_middle, at_high)) {
-            high = middle;
-            at_high = std::move(at_middle);
-        } else {
-            low = middle;
-            at_low = std::move(at_middle);
-        }
-    }
-    return difference(at_low, at_high);
-}
-
-class WeightsMeasurement {
- public:
-    explicit WeightsMeasurement(std::string name) { figures_.name = std::move(name); }
-
-    void add_ray(const WayOfWeighing& weigh, const Eigen::Vector3d& eye,
-                 const Eigen::Vector3d& other_eye, const Eigen::Vector3d& target) {
-        const double inconsistency = 0.5 * difference(weigh(eye, target), weigh(other_eye, target));
-        sum_ += inconsistency;
-        ++rays_;
-        figures_.largest_inconsistency = std::max(figures_.largest_inconsistency, inconsistency);
-    }
-
-    /// The eye goes from `from` to `to` on an arc about the target, and farther off on the way.
-    void add_path(const WayOfWeighing& weigh, const Eigen::Vector3d& from,
-                  const Eigen::Vector3d& to, const Eigen::Vector3d& target) {
-        const Eigen::Quaterniond turn = turn_between(from, to);
-        const auto weights_at = [&](double t) {
-            const Eigen::Quaterniond part = Eigen::Quaterniond::Identity().slerp(t, turn);
-            return weigh(target + (1.2 + t) * (part * from.normalized()), target);
-        };
-        std::vector<double> before = weights_at(0);
-        for (int step = 1; step <= kMeshPathSteps; ++step) {
-            const double t = static_cast<double>(step) / kMeshPathSteps;
-            std::vector<double> after = weights_at(t);
-            if (difference(before, after) > kSuspiciousChange) {
-                const double jump = jump_between(weights_at, t - 1.0 / kMeshPathSteps, t);
-                figures_.largest_jump = std::max(figures_.largest_jump, jump);
-                if (jump > kJump) ++jumps_;
-            }
-            before = std::move(after);
-        }
-        ++paths_;
-    }
-
-    [[nodiscard]] WeightsFigures figures() const {
-        WeightsFigures figures = figures_;
-        figures.mean_inconsistency = rays_ > 0 ? sum_ / static_cast<double>(rays_) : 0.0;
-        figures.jumps_per_path = paths_ > 0 ? static_cast<double>(jumps_) / paths_ : 0.0;
-        return figures;
-    }
-
- private:
-    WeightsFigures figures_;
-    double sum_ = 0.0;
-    long rays_ = 0;
-    long jumps_ = 0;
-    int paths_ = 0;
-};
 
 WayOfWeighing kernel_star_weights(const CameraMesh& mesh, std::size_t cameras) {
     return [&mesh, cameras](const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
@@ -133,7 +58,8 @@ class Benchmark {
           progress_(progress),
           ours_("kernel-star mesh"),
           heigl_("Heigl et al. 1999"),
-          unstructured_("unstructured lumigraph") {}
+          unstructured_("unstructured lumigraph"),
+          view_dependent_("view-dependent texture") {}
 
     [[nodiscard]] MeshBenchmark run() {
         result_.least_kernel_over_scene = 1e9;
@@ -150,7 +76,8 @@ class Benchmark {
         result_.rms_slide_share = root_mean(slide_squares_, result_.cameras);
         result_.rms_epipole_loss = root_mean(loss_squares_, result_.cameras);
         result_.convex_rms_push_share = root_mean(push_squares_, result_.cameras);
-        result_.weights = {ours_.figures(), heigl_.figures(), unstructured_.figures()};
+        result_.weights = {ours_.figures(), heigl_.figures(), unstructured_.figures(),
+                           view_dependent_.figures()};
         time_growth();
         return result_;
     }
@@ -250,6 +177,11 @@ class Benchmark {
                                                const Eigen::Vector3d& target) {
             return unstructured_weights(centres, eye, target);
         };
+        const WayOfWeighing view_dependent = [&](const Eigen::Vector3d& eye,
+                                                 const Eigen::Vector3d& target) {
+            return view_dependent_weights(
+                centres, eye, middle_of_polygon(target, kPolygonShare * options_.scene_share));
+        };
         for (int i = 0; i < kComparedRays; ++i) {
             const Eigen::Vector3d target = random_target(capture, random);
             const Eigen::Vector3d away = random_direction(random);
@@ -257,6 +189,7 @@ class Benchmark {
             const Eigen::Vector3d eye = target + (2 + 2 * random.uniform()) * away;
             const Eigen::Vector3d other = target + (2 + 2 * random.uniform()) * away;
             heigl_.add_ray(heigl, eye, other, target);
+            view_dependent_.add_ray(view_dependent, eye, other, target);
             // Nearer than the cameras, where its penalty for coarse views counts.
             unstructured_.add_ray(unstructured, target + 0.3 * (eye - target),
                                   target + 0.15 * (other - target), target);
@@ -266,6 +199,7 @@ class Benchmark {
         const Eigen::Vector3d target = random_target(capture, random);
         heigl_.add_path(heigl, from, to, target);
         unstructured_.add_path(unstructured, from, to, target);
+        view_dependent_.add_path(view_dependent, from, to, target);
     }
 
     /// Time against number of cameras.
@@ -302,6 +236,7 @@ class Benchmark {
     WeightsMeasurement ours_;
     WeightsMeasurement heigl_;
     WeightsMeasurement unstructured_;
+    WeightsMeasurement view_dependent_;
 };
 
 }  // namespace

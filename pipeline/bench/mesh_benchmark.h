@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calib/work/progress.h"
+#include "pipeline/bench/weights_measurement.h"
 
 namespace lumi {
 
@@ -15,17 +16,6 @@ struct MeshBenchmarkOptions {
     double scene_share = 0.5;  ///< The scene's radius over the mean camera distance.
     int most_cameras_timed = 100'000;
     std::uint64_t seed = 1;
-};
-
-/// How consistent and how continuous one way of weighing rays is.
-struct WeightsFigures {
-    std::string name;
-    /// Half the sum of differences between the weights of one ray in two frames, whose eyes stand
-    /// at different places on it: 0 is the same picture in both.
-    double mean_inconsistency = 0.0;
-    double largest_inconsistency = 0.0;
-    double largest_jump = 0.0;    ///< Sum of differences across one place on a path of the eye.
-    double jumps_per_path = 0.0;  ///< Places where the weights change by more than 1e-6 at once.
 };
 
 struct MeshTiming {
@@ -58,6 +48,7 @@ struct MeshBenchmark {
     long convex_cameras_kept = 0;            ///< By the paper's convex mesh.
     double convex_rms_push_share = 0.0;
     double convex_largest_push_share = 0.0;
+    /// Of the mesh, Heigl et al., unstructured lumigraph, view-dependent texture.
     std::vector<WeightsFigures> weights;
     std::vector<MeshTiming> timings;
     double growth_exponent = 0.0;

@@ -12,11 +12,7 @@
 #include "render/bench/frame_timing.h"
 #include "render/bench/occlusion_share.h"
 #include "render/renderer/offscreen_renderer.h"
-#include "render/rivals/forward_warping.h"
-#include "render/rivals/spherical_light_field.h"
-#include "render/rivals/two_plane.h"
-#include "render/rivals/unstructured_lumigraph.h"
-#include "render/rivals/view_dependent_texture.h"
+#include "render/rivals/rival_methods.h"
 
 namespace lumi {
 namespace {
@@ -199,37 +195,23 @@ RivalScene measured_scene(const std::string& name, const RivalBenchmarkOptions& 
 
     OffscreenRenderer source(lumigraph);
     const Draw draw_source = [&](const Eye& eye) { return source.draw(eye, {}); };
-    const Stopwatch stopwatch;
-    // About as many pictures as there are photographs.
-    const double side = std::sqrt(scene.photographs / (capture.is_all_around ? 6.0 : 1.0));
-    const TwoPlaneOptions grid{.columns = std::max(2, static_cast<int>(std::lround(side))),
-                               .rows = std::max(2, static_cast<int>(std::lround(side))),
-                               .size_px = options.size_px};
-    const Lumigraph two_plane = resampled(
-        lumigraph,
-        capture.is_all_around ? two_plane_cube(lumigraph, grid) : two_plane_slab(lumigraph, grid),
-        draw_source);
-    scene.resampling_cpu_s = stopwatch.elapsed().cpu_s;
     const std::vector<NamedOptions> resampled_modes{{"", {.mode = RenderMode::kLightField}},
                                                     {"<= 5000", {.mode = RenderMode::kAdaptive}}};
-    append_modes("two-plane ", two_plane, resampled_modes, capture, options.frames, progress,
-                 scene.rivals);
-    if (capture.is_all_around) {
-        const Lumigraph spherical = resampled(
-            lumigraph, spherical_light_field(lumigraph, {.size_px = options.size_px}), draw_source);
-        append_modes("spherical ", spherical, resampled_modes, capture, options.frames, progress,
+    for (const ResampledRival& rival : resampled_rivals()) {
+        if (!rival.reason_against(lumigraph).empty()) continue;
+        const Stopwatch stopwatch;
+        const Lumigraph pictures = resampled(lumigraph, rival.layout(lumigraph), draw_source);
+        // Two-plane comes first.
+        if (scene.resampling_cpu_s == 0) scene.resampling_cpu_s = stopwatch.elapsed().cpu_s;
+        append_modes(rival.name + ' ', pictures, resampled_modes, capture, options.frames, progress,
                      scene.rivals);
     }
-    const auto append_plain = [&](const std::string& method, const Draw& draw) {
+    for (const PlainRival& rival : plain_rivals()) {
         progress.throw_if_interrupted();
-        scene.rivals.push_back(measured_and_timed(method, lumigraph.views.size(), capture, draw));
-    };
-    append_plain("unstructured lumigraph",
-                 [&](const Eye& eye) { return draw_unstructured_lumigraph(lumigraph, eye); });
-    append_plain("view-dependent texture",
-                 [&](const Eye& eye) { return draw_view_dependent_texture(lumigraph, eye); });
-    append_plain("forward warping",
-                 [&](const Eye& eye) { return draw_forward_warping(lumigraph, eye); });
+        scene.rivals.push_back(
+            measured_and_timed(rival.name, lumigraph.views.size(), capture,
+                               [&](const Eye& eye) { return rival.draw(lumigraph, eye); }));
+    }
     return scene;
 }
 

@@ -167,7 +167,6 @@ RivalCapture rival_capture(const std::string& name, const RivalCaptureOptions& o
     result.paper = settings.paper;
     for (const std::size_t count : settings.paper_triangles)
         if (count > 0) result.paper_triangles.push_back(count);
-    result.is_all_around = settings.object_alone;
     Lumigraph& lumigraph = result.lumigraph;
     lumigraph.name = settings.name;
     for (std::size_t i = 0; i < taken.capture.views.size(); ++i) {

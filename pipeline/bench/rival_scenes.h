@@ -22,7 +22,6 @@ struct RivalCapture {
     std::string name;
     std::string paper;
     std::vector<std::size_t> paper_triangles;  ///< At which the paper reports frames a second.
-    bool is_all_around = false;
     Lumigraph lumigraph;
     std::vector<TrueFrame> held_out;
     std::vector<TrueFrame> path;  ///< Even steps between two places that are held out.

@@ -1,5 +1,6 @@
 #include "pipeline/evaluate/evaluate_workspace.h"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -30,8 +31,11 @@ class PictureNames {
     }
 
     [[nodiscard]] std::string strip(const std::string& view, RenderMode mode) const {
-        const std::string& stem = stem_of_.at(view);
-        return mode == first_mode_ ? stem + ".png" : stem + '.' + name_of(mode) + ".png";
+        return mode == first_mode_ ? stem_of_.at(view) + ".png" : strip(view, name_of(mode));
+    }
+    [[nodiscard]] std::string strip(const std::string& view, std::string method) const {
+        std::replace(method.begin(), method.end(), ' ', '-');
+        return stem_of_.at(view) + '.' + method + ".png";
     }
     [[nodiscard]] std::string map(const std::string& view, const std::string& kind) const {
         return stem_of_.at(view) + '.' + kind + ".png";
@@ -43,10 +47,14 @@ class PictureNames {
     RenderMode first_mode_;
 };
 
+void write_strip(const fs::path& path, const JudgedView& view) {
+    write_png(path,
+              comparison_strip(view.photograph, view.rendering.color, view.rendering.coverage));
+}
+
 void write_pictures(const fs::path& folder, const PictureNames& names, RenderMode mode,
                     const JudgedView& view) {
-    write_png(folder / names.strip(view.score.name, mode),
-              comparison_strip(view.photograph, view.rendering.color, view.rendering.coverage));
+    write_strip(folder / names.strip(view.score.name, mode), view);
     if (!names.is_first(mode)) return;
     write_png(folder / names.map(view.score.name, "flip"), heat_map(view.flip, kFlipFullScale));
     if (!view.ghost_energy.empty()) {
@@ -81,6 +89,14 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
             write_pictures(folder.staging(), names, mode, view);
         },
         progress);
+    if (options.rivals) {
+        evaluation.rivals = evaluate_rivals(
+            lumigraph, held_out, with_subject.subject_mask, options.timed_frames,
+            [&](const std::string& method, const JudgedView& view) {
+                write_strip(folder.staging() / names.strip(view.score.name, method), view);
+            },
+            progress);
+    }
 
     nlohmann::ordered_json json = evaluation_json(evaluation);
     json["package_sha256"] = package_sha256(workspace);

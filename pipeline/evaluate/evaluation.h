@@ -7,26 +7,11 @@
 
 #include "calib/capture/posed_photographs.h"
 #include "calib/work/progress.h"
-#include "pipeline/evaluate/view_score.h"
-#include "render/frame/frame.h"
+#include "pipeline/evaluate/judged_view.h"
+#include "pipeline/evaluate/rival_evaluation.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {
-
-/// A photograph, what the Lumigraph shows from its place, and how they compare.
-struct JudgedView {
-    ViewScore score;
-    ColorImage photograph;
-    GrayImage subject;  ///< Of the photograph; empty where it is not known.
-    Frame rendering;
-    FloatImage flip;          ///< Error map.
-    FloatImage ghost_energy;  ///< Empty when it was not asked for.
-};
-
-/// Which pixels of a held-out photograph are of the subject (255) and which are not (0), by the
-/// view's name; an empty picture where that is not known.
-using SubjectMask =
-    std::function<GrayImage(const std::string& view_name, const ColorImage& photograph)>;
 
 /// Scores of all held-out views in one mode.
 struct ModeScores {
@@ -41,11 +26,13 @@ struct Evaluation {
     std::string gl_description;
     std::string subject_from;  ///< Of EvaluationOptions.
     std::vector<ModeScores> modes;
+    std::optional<RivalEvaluation> rivals = {};  ///< Empty when they were not asked for.
 };
 
 struct EvaluationOptions {
     std::vector<RenderMode> modes{RenderMode::kPerPixel, RenderMode::kLightField};
     bool ghost_energy = true;                  ///< Measured for the first mode.
+    bool rivals = false;                       ///< Other methods, too (of a workspace).
     int timed_frames = 5;                      ///< Repetitions of each frame.
     Exposures exposures = Exposures::kEvened;  ///< Of packages that are read for it.
     /// The subject is judged beside the frame where this is set.

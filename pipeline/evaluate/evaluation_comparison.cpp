@@ -24,6 +24,9 @@ ViewsOfMode views_by_mode(const Json& evaluation) {
     };
     add(evaluation.at("mode").get<std::string>(), evaluation);
     for (const auto& [mode, scores] : evaluation.at("modes").items()) add(mode, scores);
+    const Json& rivals = evaluation.at("rivals");
+    if (rivals.is_null()) return modes;
+    for (const auto& [method, scores] : rivals.at("methods").items()) add(method, scores);
     return modes;
 }
 

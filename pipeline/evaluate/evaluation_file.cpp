@@ -46,6 +46,28 @@ Json group_json(const std::vector<ViewScore>& views) {
         {"views", views.size()}, {"mean", mean_json(views)}, {"interval", interval_json(views)}};
 }
 
+/// What is said of any way of drawing.
+Json scores_json(const std::vector<ViewScore>& all) {
+    Json views = Json::array();
+    for (const ViewScore& view : all) views.push_back(view_json(view));
+    return Json{{"mean", mean_json(all)},
+                {"interval", interval_json(all)},
+                {"interior", group_json(views_at(ViewPlace::kInterior, all))},
+                {"border", group_json(views_at(ViewPlace::kBorder, all))},
+                {"views", std::move(views)}};
+}
+
+Json rivals_json(const RivalEvaluation& rivals) {
+    Json methods = Json::object();
+    for (const RivalScores& scores : rivals.methods) {
+        methods[scores.method] = {{"resampling_cpu_s", scores.resampling_cpu_s}};
+        methods[scores.method].update(scores_json(scores.views));
+    }
+    Json left_out = Json::object();
+    for (const RivalLeftOut& rival : rivals.left_out) left_out[rival.method] = rival.reason;
+    return Json{{"methods", std::move(methods)}, {"left_out", std::move(left_out)}};
+}
+
 /// False for what is no object, too.
 bool says(const Json& evaluation, const char* key, const Json& value) {
     const auto found = evaluation.find(key);
@@ -91,6 +113,7 @@ ViewScore view_score_from(const Json& json) {
     score.subject_share = optional_number(json.at("subject_share"));
     score.coverage = json.at("coverage");
     score.ms = json.at("ms");
+    score.cpu_ms = json.at("cpu_ms");
     score.fastest_ms = json.at("ms_range").at(0);
     score.slowest_ms = json.at("ms_range").at(1);
     score.gain = json.at("gain");
@@ -109,16 +132,11 @@ ModeScores mode_scores_from(RenderMode mode, const Json& json) {
 }
 
 Json mode_scores_json(const ModeScores& scores) {
-    Json views = Json::array();
-    for (const ViewScore& view : scores.views) views.push_back(view_json(view));
-    return Json{{"mean", mean_json(scores.views)},
-                {"interval", interval_json(scores.views)},
-                {"interior", group_json(views_at(ViewPlace::kInterior, scores.views))},
-                {"border", group_json(views_at(ViewPlace::kBorder, scores.views))},
-                {"ghost_rank_correlation",
-                 {{"between_blocks", optional_json(scores.ghost_between_blocks)},
-                  {"between_views", optional_json(scores.ghost_between_views)}}},
-                {"views", std::move(views)}};
+    Json json = scores_json(scores.views);
+    json["ghost_rank_correlation"] = {
+        {"between_blocks", optional_json(scores.ghost_between_blocks)},
+        {"between_views", optional_json(scores.ghost_between_views)}};
+    return json;
 }
 
 Json evaluation_json(const Evaluation& evaluation) {
@@ -138,6 +156,7 @@ Json evaluation_json(const Evaluation& evaluation) {
         others[name_of(evaluation.modes[i].mode)] = mode_scores_json(evaluation.modes[i]);
     }
     json["modes"] = std::move(others);
+    json["rivals"] = evaluation.rivals ? rivals_json(*evaluation.rivals) : Json();
     return json;
 }
 
@@ -147,6 +166,7 @@ Json made_with_json(const EvaluationOptions& options, const std::string& code_ve
     return Json{{"modes", std::move(modes)},
                 {"exposures", options.exposures == Exposures::kEvened ? "evened" : "as taken"},
                 {"ghost_energy", options.ghost_energy},
+                {"rivals", options.rivals},
                 {"code", code_version}};
 }
 

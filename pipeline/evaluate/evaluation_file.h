@@ -9,16 +9,17 @@
 namespace lumi {
 
 /// The version of evaluation.json; evaluation.schema.json beside this file describes it.
-constexpr int kEvaluationSchemaVersion = 3;
+constexpr int kEvaluationSchemaVersion = 4;
 
 /// What evaluation.json says: "mode", "gl", "bootstrap", "mean", "interval", "interior", "border",
-/// "ghost" and "views" of the first mode, and every further mode under "modes". What a view or a
-/// group of views does not have is null.
+/// "ghost" and "views" of the first mode, every further mode under "modes", and other methods under
+/// "rivals". What a view or a group of views does not have is null, as are rivals that were not
+/// asked for.
 [[nodiscard]] nlohmann::ordered_json evaluation_json(const Evaluation& evaluation);
 
 /// What decides an evaluation beside the package and the photographs, as "made_with" in the file of
-/// a workspace: "modes", "exposures", "ghost_energy", and "code", the version of the code that
-/// draws and judges.
+/// a workspace: "modes", "exposures", "ghost_energy", "rivals", and "code", the version of the
+/// code that draws and judges.
 [[nodiscard]] nlohmann::ordered_json made_with_json(const EvaluationOptions& options,
                                                     const std::string& code_version);
 

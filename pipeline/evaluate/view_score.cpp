@@ -22,7 +22,8 @@ const std::vector<ScoreMetric>& score_metrics() {
         {"flip_subject", [](const ViewScore& s) { return s.flip_subject; }, false},
         {"subject_coverage", [](const ViewScore& s) { return s.subject_coverage; }, true},
         {"coverage", [](const ViewScore& s) -> Value { return s.coverage; }, true},
-        {"ms", [](const ViewScore& s) -> Value { return s.ms; }, false}};
+        {"ms", [](const ViewScore& s) -> Value { return s.ms; }, false},
+        {"cpu_ms", [](const ViewScore& s) -> Value { return s.cpu_ms; }, false}};
     return metrics;
 }
 
@@ -59,6 +60,7 @@ ViewScore mean_score(const std::vector<ViewScore>& views) {
     score.ssim = mean("ssim").value_or(0.0);
     score.coverage = mean("coverage").value_or(0.0);
     score.ms = mean("ms").value_or(0.0);
+    score.cpu_ms = mean("cpu_ms").value_or(0.0);
     score.flip = mean("flip").value_or(0.0);
     score.flip_covered = mean("flip_covered");
     score.edge_sharpness = mean("edge_sharpness");

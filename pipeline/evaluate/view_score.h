@@ -18,6 +18,7 @@ struct ViewScore {
     double ssim = 0.0;
     double coverage = 0.0;  ///< Share of pixels drawn, 0 to 1.
     double ms = 0.0;        ///< Median over repeated frames, one warm-up frame aside.
+    double cpu_ms = 0.0;    ///< The same of the process's CPU time over all threads.
     double flip = 0.0;      ///< Mean FLIP over the full frame, 0 (equal) to 1.
     std::optional<double> flip_covered = {};
     std::optional<double> edge_sharpness = {};  ///< Gradient energy over the photograph's, covered.

@@ -21,7 +21,6 @@ namespace lumi {
 namespace {
 
 constexpr int kWarmUpRounds = 2;
-/// Frames that OpenGL is asked about, as asking is not to be timed.
 constexpr std::size_t kAskedFrames = 8;
 
 /// Wall and CPU times of one drawing, frame by frame.
@@ -32,7 +31,7 @@ struct Times {
 
 FrameCost cost_of(const Times& times) {
     return {quantile_of(times.wall_ms, 0.5), quantile_of(times.wall_ms, 0.95),
-            quantile_of(times.cpu_ms, 0.5)};
+            quantile_of(times.cpu_ms, 0.5), quantile_of(times.cpu_ms, 0.95)};
 }
 
 void time_one(const std::function<void()>& draw, bool counted, Times& times) {
@@ -44,14 +43,6 @@ void time_one(const std::function<void()>& draw, bool counted, Times& times) {
     if (!counted) return;
     times.wall_ms.push_back(1000 * cost.wall_s);
     times.cpu_ms.push_back(1000 * cost.cpu_s);
-}
-
-/// Spread over the path.
-std::vector<Eye> asked_frames(const std::vector<Eye>& path) {
-    const std::size_t frames = std::min(kAskedFrames, path.size());
-    std::vector<Eye> asked;
-    for (std::size_t i = 0; i < frames; ++i) asked.push_back(path[i * path.size() / frames]);
-    return asked;
 }
 
 /// Over the pixels, mean over the frames.
@@ -83,6 +74,13 @@ std::vector<std::optional<double>> device_ms(
 
 }  // namespace
 
+std::vector<Eye> frames_asked_about(const std::vector<Eye>& path) {
+    const std::size_t frames = std::min(kAskedFrames, path.size());
+    std::vector<Eye> asked;
+    for (std::size_t i = 0; i < frames; ++i) asked.push_back(path[i * path.size() / frames]);
+    return asked;
+}
+
 FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>& path,
                               const std::vector<RenderOptions>& modes, Progress& progress) {
     assert(!path.empty());
@@ -104,6 +102,7 @@ FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>
     Times base_times;
     std::vector<Times> mode_times(modes.size());
     std::vector<double> triangles(modes.size(), 0.0);
+    std::vector<double> bytes(modes.size(), 0.0);
     const int rounds = kWarmUpRounds + report.frames;
     progress.begin("drawing", static_cast<std::size_t>(rounds));
     for (int round = 0; round < rounds; ++round) {
@@ -115,15 +114,19 @@ FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>
         for (std::size_t i = 0; i < modes.size(); ++i) {
             framebuffer.bind();
             DrawStatistics statistics;
-            time_one([&] { statistics = renderer.draw(eye, modes[i], viewport); }, counted,
-                     mode_times[i]);
-            if (counted) triangles[i] += static_cast<double>(statistics.triangles) / report.frames;
+            const std::uint64_t uploaded = uploaded_bytes([&] {
+                time_one([&] { statistics = renderer.draw(eye, modes[i], viewport); }, counted,
+                         mode_times[i]);
+            });
+            if (!counted) continue;
+            triangles[i] += static_cast<double>(statistics.triangles) / report.frames;
+            bytes[i] += static_cast<double>(uploaded) / report.frames;
         }
         progress.advance();
     }
 
     report.base = cost_of(base_times);
-    const std::vector<Eye> asked = asked_frames(path);
+    const std::vector<Eye> asked = frames_asked_about(path);
     std::vector<std::function<void(const Eye&)>> draws{[&](const Eye&) { blend.draw(viewport); }};
     for (const RenderOptions& mode : modes)
         draws.emplace_back([&](const Eye& eye) { renderer.draw(eye, mode, viewport); });
@@ -133,10 +136,11 @@ FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>
     for (std::size_t i = 0; i < modes.size(); ++i) {
         const FrameCost cost = cost_of(mode_times[i]);
         framebuffer.bind();
-        report.modes.push_back(
-            {modes[i], cost, by_card_ms[i + 1], triangles[i],
-             fragments_per_pixel(asked, viewport, draws[i + 1]), std::move(mode_times[i].cpu_ms),
-             cost.median_ms / report.base.median_ms, cost.cpu_ms / report.base.cpu_ms});
+        report.modes.push_back({modes[i], cost, by_card_ms[i + 1], triangles[i],
+                                fragments_per_pixel(asked, viewport, draws[i + 1]), bytes[i],
+                                std::move(mode_times[i].cpu_ms),
+                                cost.median_ms / report.base.median_ms,
+                                cost.cpu_ms / report.base.cpu_ms});
     }
     return report;
 }

@@ -16,6 +16,7 @@ struct FrameCost {
     double median_ms = 0.0;
     double p95_ms = 0.0;
     double cpu_ms = 0.0;  ///< Median over all threads of the process.
+    double p95_cpu_ms = 0.0;
 };
 
 struct ModeCost {
@@ -28,6 +29,8 @@ struct ModeCost {
     /// In all passes, over the pixels of the picture: mean over some frames of the path. Nothing
     /// where the context cannot tell.
     std::optional<double> fragments_per_pixel;
+    /// Of vertices, indices and texels that a frame hands to OpenGL: mean over the frames.
+    double uploaded_bytes = 0.0;
     std::vector<double> frames_cpu_ms;  ///< Of each frame of the path.
     double ratio = 0.0;                 ///< Of the median wall times, to the three-texture blend.
     double cpu_ratio = 0.0;             ///< The same of CPU times.
@@ -44,6 +47,9 @@ struct FrameTimingReport {
     std::optional<double> base_device_ms;  ///< As ModeCost::device_ms.
     std::vector<ModeCost> modes;
 };
+
+/// Frames that OpenGL is asked about, as asking is not to be timed: some, spread over the path.
+[[nodiscard]] std::vector<Eye> frames_asked_about(const std::vector<Eye>& path);
 
 /// Draws the path in every mode and the three-texture blend in turn (A B C, A B C ...), in one
 /// context and one size, so that a machine whose speed drifts slows all of them alike. Two rounds

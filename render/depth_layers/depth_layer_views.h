@@ -6,8 +6,6 @@
 
 namespace lumi {
 
-inline constexpr int kNoView = -1;
-
 /// Which view each depth layer shows to texels of each set: `[set][layer]`, kNoView for none. A
 /// view that several sets have in common is in the same layer wherever that can be.
 using DepthLayerViews = std::vector<std::vector<int>>;

@@ -11,9 +11,6 @@
 namespace lumi {
 namespace {
 
-/// The scene's near end lies this many times beyond the nearest that an eye can look at.
-constexpr double kNearMargin = 100.0;
-
 std::vector<std::shared_ptr<const DepthMesh>> meshes_of(const UploadedLumigraph& uploaded) {
     const std::vector<LumigraphView>& views = uploaded.layout.views;
     const DepthMeshOptions options = depth_mesh_options(uploaded.layout);
@@ -33,8 +30,7 @@ DepthLayers::DrawnBy DepthLayers::usually_drawn_by() {
 }
 
 DepthLayers::DepthLayers(const UploadedLumigraph& uploaded, int layers, DrawnBy drawn_by)
-    : max_inverse_depth_(kNearMargin * inverse_depth_range(uploaded.layout).y()),
-      layer_count_(layers) {
+    : max_inverse_depth_(nearest_inverse_depth(uploaded.layout)), layer_count_(layers) {
     auto meshes = meshes_of(uploaded);
     for (const auto& mesh : meshes) kind_begins_.push_back(mesh->kind_begin);
     const std::vector<LumigraphView>& views = uploaded.layout.views;

@@ -135,7 +135,7 @@ DepthMesh part_with(const ThinVertices& vertices, const DepthMesh& mesh) {
 
 ThinSurfaces thin_surfaces(const LumigraphView& view, double disparity_px,
                            const DepthMeshOptions& options) {
-    if (view.depth.inverse_depth.empty()) return {};
+    if (!view.has_depth()) return {};
     const ThinVertices thin(view, disparity_px);
     if (thin.are_none()) return {};
     const double coarse_px = kCoarseShare * std::max(view.camera.width_px, view.camera.height_px);

@@ -35,7 +35,7 @@ std::shared_ptr<const DepthMesh> depth_mesh_of(const LumigraphView& view, double
                                                const DepthMeshOptions& options) {
     if (view.depth_mesh && is_made_for(*view.depth_mesh, view.depth, disparity_px, options))
         return view.depth_mesh;
-    if (view.depth.inverse_depth.empty()) return std::make_shared<const DepthMesh>();
+    if (!view.has_depth()) return std::make_shared<const DepthMesh>();
     const DepthMesh mesh = triangulate(view.depth, view.camera, disparity_px, options);
     return std::make_shared<const DepthMesh>(
         decode(encode(mesh, view.camera), view.camera, view.name));
@@ -48,7 +48,7 @@ void make_depth_meshes(Lumigraph& lumigraph, int threads, Progress& progress) {
     parallel_for(static_cast<int>(lumigraph.views.size()), threads, [&](int i) {
         progress.throw_if_interrupted();
         LumigraphView& view = lumigraph.views[static_cast<std::size_t>(i)];
-        if (!view.depth.inverse_depth.empty()) {
+        if (view.has_depth()) {
             view.depth.inverse_depth = dequantise(quantise(view.depth.inverse_depth));
             view.depth_mesh = depth_mesh_of(
                 view, max_disparity_px(geometries[static_cast<std::size_t>(i)]), options);

@@ -2,23 +2,20 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "render/depth_search/epipolar_walk.h"
 #include "render/depth_search/footprint.h"
 #include "render/depth_search/searched_views.h"
+#include "render/depth_search/view_search.h"
 #include "render/lumigraph/depth_mesh.h"
 #include "render/lumigraph/lumigraph.h"
-#include "render/transfer/pixel_transfer.h"
 
 namespace lumi {
 
 /// Where a ray of the eye meets the scene.
 struct RayHit {
-    static constexpr int kNoView = -1;
-
     double inverse_depth = 0.0;  ///< Along the eye's optical axis.
     DepthKind kind = DepthKind::kSeen;
     int support = 0;  ///< How many of the views asked meet it there: the first of `views`.
@@ -50,7 +47,8 @@ class DepthSearch {
                                                   const std::array<int, 3>& view_indices) const;
 
     /// 1 when the view sees the point at `inverse_depth` on the eye's ray through `pixel`, 0 when
-    /// it sees something else or the point lies outside of its photograph; between, a ramp.
+    /// it sees something else or the point lies outside of its photograph; between, a ramp. A view
+    /// without depth, of which nothing tells, is taken to see what is in its photograph.
     [[nodiscard]] double visibility(const Eigen::Vector2d& pixel, double inverse_depth,
                                     int view_index) const;
 
@@ -86,70 +84,28 @@ class DepthSearch {
     /// What is farther is as good as infinitely far.
     [[nodiscard]] double least_inverse_depth() const { return least_inverse_depth_; }
 
-    [[nodiscard]] EpipolarLine line_in(int view_index, const Eigen::Vector2d& pixel) const;
+    /// The places in the view's photograph at which it sees the eye's ray.
+    [[nodiscard]] EpipolarLine line_in(int view_index, const Eigen::Vector2d& pixel) const {
+        return view(view_index).line_of(pixel);
+    }
 
  private:
-    /// A view as the eye needs it.
-    struct Target {
-        PixelTransfer view_from_eye;
-        Eigen::Vector2d samples_per_pixel = Eigen::Vector2d::Zero();
-        double disparity_px = 0.0;  ///< Pixels per unit of inverse depth (view_geometry.h).
-        double max_disparity_px = 0.0;
-        int width_px = 0;
-        int height_px = 0;
-        const TiledDepth* depth = nullptr;
-        bool sees_thin = false;
-    };
-    /// What a view sees at a place in its depth map.
-    struct Surface {
-        double inverse_depth;  ///< Interpolated; where it tears the nearest sample's.
-        DepthKind kind;        ///< Of the nearest sample.
-    };
-    /// The view's ray at a point of the eye's ray.
-    struct Meeting {
-        double share;  ///< Of its way.
-        Surface surface;
-        double ahead;  ///< Inverse depth of the point in the view, less the surface's.
-    };
-    [[nodiscard]] static Surface surface_at(const Target& target, double x, double y);
-    [[nodiscard]] static Meeting meeting_at(const Target& target, const EpipolarWalk& walk,
-                                            double share);
-    [[nodiscard]] static RayHit hit_at(const EpipolarWalk& walk, const Meeting& meeting,
-                                       int view_index) {
-        return {walk.inverse_depth_in_eye(meeting.share),
-                meeting.surface.kind,
-                1,
-                {view_index, RayHit::kNoView, RayHit::kNoView}};
+    [[nodiscard]] const ViewSearch& view(int index) const {
+        return views_[static_cast<std::size_t>(index)];
     }
+    [[nodiscard]] std::optional<RayHit> first_hit_in(int view_index,
+                                                     const Eigen::Vector2d& pixel) const;
     /// The nearest that two have seen, or else the nearest that one has.
     [[nodiscard]] std::optional<RayHit> nearest_seen(
         const std::array<std::optional<RayHit>, 3>& hits) const;
-    /// What the view sees at a point of the eye's line into it.
-    [[nodiscard]] static Surface surface_at(const Target& target, const Eigen::Vector3d& in_view) {
-        const Eigen::Vector2d in_depth =
-            in_view.hnormalized().cwiseProduct(target.samples_per_pixel);
-        return surface_at(target, in_depth.x(), in_depth.y());
-    }
-    /// Over which a point lies in a photograph, and not before or behind all that it shows.
-    [[nodiscard]] RayStretch visible_stretch(const Target& target, const EpipolarLine& line) const;
-    [[nodiscard]] std::optional<RayHit> first_hit_in(int view_index,
-                                                     const Eigen::Vector2d& pixel) const;
-    /// Whether a point is on the surface, by this share of what depths of one may differ by.
-    [[nodiscard]] bool is_at_surface(const Target& target, const Meeting& meeting,
-                                     double share) const {
-        return std::abs(meeting.ahead) * target.max_disparity_px <= share * kAgreeingDisparity_px;
-    }
-    /// The hit between a share of the way before the surface and one behind it; empty at a tear.
-    [[nodiscard]] std::optional<RayHit> refined(int view_index, const EpipolarWalk& walk,
-                                                double before, double behind) const;
 
     double occlusion_tolerance_px_;
-    double agreeing_inverse_depth_;
-    double max_inverse_depth_;  ///< Of the eye: nothing nearer is looked for.
+    double agreeing_inverse_depth_ = 0.0;
     double least_inverse_depth_;
-    bool has_depth_ = false;
+    bool has_depth_;
     bool has_thin_ = false;
-    std::vector<Target> targets_;
+    std::vector<ViewSearch> views_;
+    std::vector<bool> sees_thin_;  ///< The same views.
 };
 
 }  // namespace lumi

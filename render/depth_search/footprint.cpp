@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/transfer/polygon_extent.h"
+
 namespace lumi {
 namespace {
 
@@ -89,8 +91,7 @@ bool is_anything_before(const Footprint& triangle, double margin, const TiledDep
     if (depth.empty()) return false;
     const double least = triangle.inverse_depths.minCoeff() + margin;
     if (static_cast<double>(depth.nearest()) <= least) return false;
-    Box around;
-    for (const Eigen::Vector2d& corner : triangle.corners) around.extend(corner);
+    const Box around = bounding_box(triangle.corners);
     // Of most triangles this tells that nothing is.
     const auto may_hold_coarse = [&](int column, int row) {
         return static_cast<double>(depth.coarse(column, row).nearest) > least;
@@ -98,7 +99,7 @@ bool is_anything_before(const Footprint& triangle, double margin, const TiledDep
     if (!holds_for_square(TiledDepth::kCoarse, around, depth, may_hold_coarse)) return false;
     const Eigen::Vector2d ab = triangle.corners[1] - triangle.corners[0];
     const Eigen::Vector2d ac = triangle.corners[2] - triangle.corners[0];
-    const double doubled_area = ab.x() * ac.y() - ab.y() * ac.x();
+    const double doubled_area = signed_doubled_area(ab, ac);
     if (std::abs(doubled_area) < kLeastDoubledArea) return false;
     const Inner inner(triangle, doubled_area, margin);
     const auto holds_fine = [&](int column, int row) {

@@ -23,6 +23,13 @@ std::optional<std::array<double, 3>> redistributed(const std::array<double, 3>& 
     return result;
 }
 
+double occluded_share(const std::array<double, 3>& weights,
+                      const std::array<double, 3>& visibility) {
+    double lost = 1;
+    for (std::size_t i = 0; i < 3; ++i) lost -= weights[i] * visibility[i];
+    return lost;
+}
+
 double visibility_of(double difference_px, double tolerance_px) {
     return std::clamp(2 - difference_px / tolerance_px, 0.0, 1.0);
 }

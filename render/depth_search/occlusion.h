@@ -14,6 +14,10 @@ inline constexpr double kLeastWeight = 1e-4;
 [[nodiscard]] std::optional<std::array<double, 3>> redistributed(
     const std::array<double, 3>& weights, const std::array<double, 3>& visibility);
 
+/// Of a ray's weights, whose sum is 1, the share that is not seen.
+[[nodiscard]] double occluded_share(const std::array<double, 3>& weights,
+                                    const std::array<double, 3>& visibility);
+
 /// How much a view that sees something else by `difference_px` of disparity still counts: 1 up to
 /// the tolerance, 0 from twice that on, and a ramp between, so that nothing jumps.
 [[nodiscard]] double visibility_of(double difference_px, double tolerance_px);

@@ -22,7 +22,7 @@ SearchedViews searched_views(const Lumigraph& lumigraph) {
         const auto index = static_cast<std::size_t>(i);
         const LumigraphView& view = lumigraph.views[index];
         const double disparity_px = max_disparity_px(views.geometries[index]);
-        if (view.depth.inverse_depth.empty()) return;
+        if (!view.has_depth()) return;
         const GrayImage torn = torn_squares_of(view, disparity_px);
         views.depths[index] = {view.depth, torn};
         views.outlines[index] = view_outlines(view, torn);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "render/transfer/polygon_clipping.h"
+#include "render/transfer/polygon_extent.h"
 
 namespace lumi {
 namespace {
@@ -15,14 +16,6 @@ namespace {
 constexpr double kSeam_px = 0.05;
 /// Pieces reach less than that under what is painted after them, but enough to close every crack.
 constexpr double kSeamsBeyond = 5.0;
-
-using Box = Eigen::AlignedBox2d;
-
-Box bounds(const FacePolygon& polygon) {
-    Box box;
-    for (const Eigen::Vector2d& corner : polygon.corners_px) box.extend(corner);
-    return box;
-}
 
 /// True when one of the polygon's side lines has all corners of the other beyond it, but for a
 /// seam: so it is for neighbours.
@@ -86,8 +79,8 @@ std::vector<FacePolygon> pieces_beside(const FacePolygon& polygon, const FacePol
 }
 
 Constraints constraints_between(const std::vector<FacePolygon>& polygons) {
-    std::vector<Box> boxes;
-    for (const FacePolygon& polygon : polygons) boxes.push_back(bounds(polygon));
+    std::vector<Eigen::AlignedBox2d> boxes;
+    for (const FacePolygon& polygon : polygons) boxes.push_back(bounding_box(polygon.corners_px));
     Constraints found{std::vector<std::vector<std::size_t>>(polygons.size()),
                       std::vector<int>(polygons.size(), 0),
                       std::vector<std::vector<std::size_t>>(polygons.size())};

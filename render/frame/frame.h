@@ -68,6 +68,8 @@ struct RenderOptions {
     double min_triangle_px = 6.0;
     double max_triangle_px = 96.0;     ///< Longer edges are split in any case.
     std::size_t max_triangles = 5000;  ///< `adaptive`, and in holes: errors give way to it. 0: any.
+
+    bool operator==(const RenderOptions&) const = default;
 };
 
 /// Whether these options ask for colours where no photograph shows anything.

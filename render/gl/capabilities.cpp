@@ -36,6 +36,7 @@ Capabilities query_capabilities() {
                     "update the graphics driver, or use Mesa's software renderer "
                     "(LIBGL_ALWAYS_SOFTWARE=1)");
     found.max_texture_size_px = integer(GL_MAX_TEXTURE_SIZE);
+    found.max_renderbuffer_size_px = integer(GL_MAX_RENDERBUFFER_SIZE);
     found.max_array_layers = integer(GL_MAX_ARRAY_TEXTURE_LAYERS);
     return found;
 }

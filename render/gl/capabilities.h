@@ -9,6 +9,7 @@ struct Capabilities {
     bool is_es = false;
     int version = 0;  ///< 33 for 3.3.
     int max_texture_size_px = 0;
+    int max_renderbuffer_size_px = 0;
     int max_array_layers = 0;
     bool works_on_cpu = false;  ///< As Mesa's software renderers do.
     std::string description;    ///< GL_RENDERER and GL_VERSION.

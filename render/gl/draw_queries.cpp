@@ -8,6 +8,9 @@
 namespace lumi {
 namespace {
 
+/// Since the thread began.
+thread_local std::uint64_t all_uploaded_bytes = 0;
+
 void delete_query(unsigned name) { glDeleteQueries(1, &name); }
 
 ObjectName<delete_query> new_query() {
@@ -33,6 +36,14 @@ std::optional<std::uint64_t> fragment_count(const std::function<void()>& draw) {
     if (!epoxy_is_desktop_gl()) return std::nullopt;
     return told_by(GL_SAMPLES_PASSED, draw);
 }
+
+std::uint64_t uploaded_bytes(const std::function<void()>& draw) {
+    const std::uint64_t before = all_uploaded_bytes;
+    draw();
+    return all_uploaded_bytes - before;
+}
+
+void count_uploaded(std::size_t bytes) { all_uploaded_bytes += bytes; }
 
 std::optional<double> device_time_ms(const std::function<void()>& draw) {
     if (!epoxy_is_desktop_gl() || query_capabilities().works_on_cpu) return std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -9,6 +10,11 @@ namespace lumi {
 /// How many fragments `draw` puts into framebuffers, over all its passes; those that a depth test
 /// or the shader rejects are not counted. Nothing where the context cannot tell (OpenGL ES).
 [[nodiscard]] std::optional<std::uint64_t> fragment_count(const std::function<void()>& draw);
+
+/// How many bytes of vertices, indices and texels `draw` hands to OpenGL.
+[[nodiscard]] std::uint64_t uploaded_bytes(const std::function<void()>& draw);
+/// For those who hand them over, in the thread that draws.
+void count_uploaded(std::size_t bytes);
 
 /// Time by a graphics card's own clock from the first command of `draw` to the end of its last, in
 /// milliseconds; what it waits for the CPU in between counts. Nothing where there is no card, as

@@ -2,11 +2,13 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <cassert>
 #include <string>
 #include <utility>
 
 #include "calib/work/error.h"
+#include "render/gl/capabilities.h"
 
 namespace lumi {
 namespace {
@@ -24,6 +26,16 @@ unsigned new_renderbuffer() {
     GLuint name = 0;
     glGenRenderbuffers(1, &name);
     return name;
+}
+
+void require_within_limits(int width_px, int height_px) {
+    const Capabilities capabilities = query_capabilities();
+    if (std::max(width_px, height_px) <= capabilities.max_renderbuffer_size_px) return;
+    throw Error(ErrorKind::kResources, "E-GL-LIMIT",
+                "no frame of " + std::to_string(width_px) + "x" + std::to_string(height_px) + ": " +
+                    capabilities.description + " draws " +
+                    std::to_string(capabilities.max_renderbuffer_size_px) + " pixels a side",
+                "draw a smaller frame");
 }
 
 }  // namespace
@@ -63,6 +75,7 @@ void Framebuffer::attach_color_layers(const TextureArray& color) {
 }
 
 void Framebuffer::attach_color(int width_px, int height_px) {
+    require_within_limits(width_px, height_px);
     bind();
     ObjectName<delete_renderbuffer> color(new_renderbuffer());
     glBindRenderbuffer(GL_RENDERBUFFER, color.get());

@@ -23,7 +23,7 @@ class Framebuffer {
     /// framebuffer.
     void attach_color_layers(const TextureArray& color);
     /// Draws go to an own RGBA8 raster of this size, which is new. Binds the framebuffer. Where it
-    /// throws, draws go on to the raster that they went to.
+    /// throws, draws go on to the raster that they went to. Throws Error (E-GL-LIMIT).
     void attach_color(int width_px, int height_px);
     void bind() const;
 

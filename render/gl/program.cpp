@@ -6,6 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "calib/work/error.h"
+#include "render/gl/lookup_meter.h"
 
 namespace lumi {
 
@@ -31,6 +32,7 @@ Error refused(const std::string& name, const std::string& step, const std::strin
 std::string full_source(const std::string& stage, const std::vector<std::string_view>& sources,
                         const std::vector<std::string>& definitions) {
     std::string text = epoxy_is_desktop_gl() ? kCoreHeader : kEsHeader;
+    if (stage == "LUMI_FRAGMENT") text += lookup_counting_source();
     text += "#define " + stage + "\n";
     for (const std::string& definition : definitions) text += "#define " + definition + "\n";
     for (const std::string_view source : sources) text += source;

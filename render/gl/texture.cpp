@@ -10,6 +10,7 @@
 
 #include "calib/work/error.h"
 #include "render/gl/capabilities.h"
+#include "render/gl/draw_queries.h"
 #include "render/gl/framebuffer.h"
 
 namespace lumi {
@@ -122,6 +123,7 @@ void TextureArray::upload(int layer, const ColorImage& image) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, image.width(), image.height(), 1, GL_RGBA,
                     GL_UNSIGNED_BYTE, rgba.data());
+    count_uploaded(rgba.size());
 }
 
 void TextureArray::upload_rgba(int layer, const std::vector<unsigned char>& rgba) {
@@ -131,6 +133,7 @@ void TextureArray::upload_rgba(int layer, const std::vector<unsigned char>& rgba
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, width_px_, height_px_, 1, GL_RGBA,
                     GL_UNSIGNED_BYTE, rgba.data());
+    count_uploaded(rgba.size());
 }
 
 void TextureArray::upload(int layer, const FloatImage& image) {
@@ -139,6 +142,7 @@ void TextureArray::upload(int layer, const FloatImage& image) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, image.width(), image.height(), 1, GL_RED,
                     GL_FLOAT, image.pixels().data());
+    count_uploaded(image.pixels().size() * sizeof(float));
 }
 
 void TextureArray::upload(const std::vector<float>& texels) {
@@ -147,6 +151,7 @@ void TextureArray::upload(const std::vector<float>& texels) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, width_px_, height_px_, layers_, GL_RGBA,
                     GL_FLOAT, texels.data());
+    count_uploaded(texels.size() * sizeof(float));
 }
 
 std::size_t TextureArray::bytes() const {

@@ -4,6 +4,8 @@
 
 #include <cassert>
 
+#include "render/gl/draw_queries.h"
+
 namespace lumi {
 
 namespace {
@@ -60,6 +62,7 @@ void VertexBuffer::upload(const void* vertices, std::size_t bytes,
                  static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(),
                  GL_DYNAMIC_DRAW);
     glBindVertexArray(0);
+    count_uploaded(bytes + indices.size() * sizeof(std::uint32_t));
 }
 
 void VertexBuffer::draw(std::size_t first, std::size_t count) const {

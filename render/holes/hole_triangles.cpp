@@ -9,6 +9,7 @@
 #include "render/subdivision/own_surfaces.h"
 #include "render/subdivision/unseen_triangles.h"
 #include "render/transfer/polygon_clipping.h"
+#include "render/transfer/polygon_extent.h"
 #include "render/transfer/scene_plane.h"
 
 namespace lumi {
@@ -24,8 +25,7 @@ std::vector<FacePolygon> parts_in(const PictureCells& cells,
                                   const std::vector<FacePolygon>& polygons) {
     std::vector<FacePolygon> parts;
     for (const FacePolygon& polygon : polygons) {
-        Eigen::AlignedBox2d around;
-        for (const Eigen::Vector2d& corner : polygon.corners_px) around.extend(corner);
+        const Eigen::AlignedBox2d around = bounding_box(polygon.corners_px);
         const PictureCells::Block block = cells.touched_by(around.min(), around.max());
         for (int row = block.begin_row; row < block.end_row; ++row) {
             for (int column = block.begin_column; column < block.end_column; ++column) {

@@ -57,4 +57,35 @@ struct DrawingChoices {
     bool operator==(const DrawingChoices&) const = default;
 };
 
+/// One of these: its name in files, and the least and the most that it may be.
+template <class Value>
+struct DrawingChoice {
+    const char* name;
+    Value DrawingChoices::*member;
+    Value least;
+    Value most;
+};
+
+/// Calls `visit` with each of them: of bool, int or double.
+template <class Visit>
+void for_each_drawing_choice(const Visit& visit) {
+    using Choices = DrawingChoices;
+    const auto flag = [&](const char* name, bool Choices::*member) {
+        visit(DrawingChoice<bool>{name, member, false, true});
+    };
+    const auto number = [&](const char* name, auto Choices::*member, auto least, auto most) {
+        visit(DrawingChoice<decltype(least)>{name, member, least, most});
+    };
+    flag("fade_beyond_capture", &Choices::fade_beyond_capture);
+    number("depth_views", &Choices::depth_views, kLeastDepthViews, kMaxDepthViews);
+    number("depth_block_px", &Choices::depth_block_px, kLeastDepthBlock_px, kMaxDepthBlock_px);
+    number("occlusion_tolerance_px", &Choices::occlusion_tolerance_px, kLeastOcclusionTolerance_px,
+           kMostOcclusionTolerance_px);
+    flag("fills_holes", &Choices::fills_holes);
+    flag("checks_guesses", &Choices::checks_guesses);
+    number("triangle_error_px", &Choices::triangle_error_px, kLeastTriangleError_px,
+           kMostTriangleError_px);
+    flag("draws_thin", &Choices::draws_thin);
+}
+
 }  // namespace lumi

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "calib/work/error.h"
+#include "calib/work/formatted.h"
 #include "calib/work/printable.h"
 
 namespace lumi {
@@ -66,20 +67,21 @@ void validate_view(const LumigraphView& view, const std::string& where) {
 }
 
 void validate_drawing(const DrawingChoices& drawing, const std::string& where) {
-    if (drawing.depth_views < kLeastDepthViews || drawing.depth_views > kMaxDepthViews)
-        refuse_lumigraph(where, "expected 3 or 4 depth views");
-    if (!(drawing.depth_block_px >= kLeastDepthBlock_px &&
-          drawing.depth_block_px <= kMaxDepthBlock_px))
-        refuse_lumigraph(where, "expected depth blocks of 1 to 2 pixels");
-    if (!(drawing.occlusion_tolerance_px >= kLeastOcclusionTolerance_px &&
-          drawing.occlusion_tolerance_px <= kMostOcclusionTolerance_px))
-        refuse_lumigraph(where, "expected an occlusion tolerance of 0.1 to 100 pixels");
-    if (!(drawing.triangle_error_px >= kLeastTriangleError_px &&
-          drawing.triangle_error_px <= kMostTriangleError_px))
-        refuse_lumigraph(where, "expected triangles that err by 0.1 to 10 pixels");
+    for_each_drawing_choice([&](const auto& choice) {
+        const auto value = drawing.*choice.member;
+        if (!(value >= choice.least && value <= choice.most))
+            refuse_lumigraph(where, std::string("expected ") + choice.name + " from " +
+                                        formatted("%g", static_cast<double>(choice.least)) +
+                                        " to " + formatted("%g", static_cast<double>(choice.most)));
+    });
 }
 
 }  // namespace
+
+bool Lumigraph::has_depth() const {
+    return std::any_of(views.begin(), views.end(),
+                       [](const LumigraphView& view) { return view.has_depth(); });
+}
 
 void validate(const Lumigraph& lumigraph, const std::string& where) {
     if (lumigraph.views.empty()) refuse_lumigraph(where, "expected at least one view");

@@ -15,6 +15,9 @@
 
 namespace lumi {
 
+/// Stands for no index of a view.
+inline constexpr int kNoView = -1;
+
 /// Factors of red, green and blue light; those of a photograph that needs no evening.
 using ExposureGain = std::array<double, 3>;
 inline constexpr ExposureGain kNoExposureGain{1.0, 1.0, 1.0};
@@ -33,6 +36,8 @@ struct LumigraphView {
     /// Made of `depth` with the package; null: made when it is first drawn
     /// (render/depth_mesh/view_depth_mesh.h). Whoever changes `depth` must reset it.
     std::shared_ptr<const DepthMesh> depth_mesh{};
+
+    [[nodiscard]] bool has_depth() const { return !depth.inverse_depth.empty(); }
 };
 
 /// The free-form Lumigraph as it is drawn: what a package holds once it is in memory.
@@ -47,6 +52,9 @@ struct Lumigraph {
     /// (DepthMeshOptions::max_noisy_error_px): the less, the more triangles.
     double noisy_depth_error_px = kNoisyDepthError_px;
     DrawingChoices drawing;
+
+    /// Whether any view has.
+    [[nodiscard]] bool has_depth() const;
 };
 
 /// Throws Error (E-LUMIGRAPH-INVALID, E-CAMERA-INVALID, E-MESH-INVALID) unless there is a view, the

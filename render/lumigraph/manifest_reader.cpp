@@ -137,6 +137,27 @@ void check_header(const StrictJsonObject& document, std::string_view text,
     }
 }
 
+bool read(const StrictJsonObject& document, const DrawingChoice<bool>& choice) {
+    return document.boolean(choice.name);
+}
+
+int read(const StrictJsonObject& document, const DrawingChoice<int>& choice) {
+    return document.integer(choice.name, choice.least, choice.most);
+}
+
+double read(const StrictJsonObject& document, const DrawingChoice<double>& choice) {
+    return document.number(choice.name, choice.least, choice.most);
+}
+
+/// What is not there is as usual.
+DrawingChoices drawing_of(const StrictJsonObject& document) {
+    DrawingChoices drawing;
+    for_each_drawing_choice([&](const auto& choice) {
+        if (document.has(choice.name)) drawing.*choice.member = read(document, choice);
+    });
+    return drawing;
+}
+
 void expect_unique_names(const std::vector<ManifestView>& views, const StrictJsonObject& document) {
     std::set<std::string> names;
     for (const ManifestView& view : views) {
@@ -159,41 +180,10 @@ Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
     if (manifest.near_depth < 0 || manifest.far_depth < manifest.near_depth) {
         document.refuse("far_depth", "0 <= near_depth <= far_depth");
     }
-    if (document.has("fade_beyond_capture")) {
-        manifest.drawing.fade_beyond_capture = document.boolean("fade_beyond_capture");
-    }
-    if (document.has("depth_views")) {
-        manifest.drawing.depth_views =
-            document.integer("depth_views", kLeastDepthViews, kMaxDepthViews);
-    }
-    if (document.has("depth_block_px")) {
-        manifest.drawing.depth_block_px = document.number("depth_block_px");
-        if (manifest.drawing.depth_block_px < kLeastDepthBlock_px ||
-            manifest.drawing.depth_block_px > kMaxDepthBlock_px)
-            document.refuse("depth_block_px", "a number from 1 to 2");
-    }
-    if (document.has("occlusion_tolerance_px")) {
-        manifest.drawing.occlusion_tolerance_px = document.number("occlusion_tolerance_px");
-        if (manifest.drawing.occlusion_tolerance_px < kLeastOcclusionTolerance_px ||
-            manifest.drawing.occlusion_tolerance_px > kMostOcclusionTolerance_px)
-            document.refuse("occlusion_tolerance_px", "0.1 to 100");
-    }
-    if (document.has("noisy_depth_error_px")) {
-        manifest.noisy_depth_error_px = document.number("noisy_depth_error_px");
-        if (manifest.noisy_depth_error_px < kLeastNoisyDepthError_px ||
-            manifest.noisy_depth_error_px > kMostNoisyDepthError_px)
-            document.refuse("noisy_depth_error_px", "0.1 to 10");
-    }
-    if (document.has("fills_holes")) manifest.drawing.fills_holes = document.boolean("fills_holes");
-    if (document.has("checks_guesses"))
-        manifest.drawing.checks_guesses = document.boolean("checks_guesses");
-    if (document.has("triangle_error_px")) {
-        manifest.drawing.triangle_error_px = document.number("triangle_error_px");
-        if (manifest.drawing.triangle_error_px < kLeastTriangleError_px ||
-            manifest.drawing.triangle_error_px > kMostTriangleError_px)
-            document.refuse("triangle_error_px", "0.1 to 10");
-    }
-    if (document.has("draws_thin")) manifest.drawing.draws_thin = document.boolean("draws_thin");
+    if (document.has("noisy_depth_error_px"))
+        manifest.noisy_depth_error_px = document.number(
+            "noisy_depth_error_px", kLeastNoisyDepthError_px, kMostNoisyDepthError_px);
+    manifest.drawing = drawing_of(document);
     for (const StrictJsonObject& view : document.objects("views", limits.max_views)) {
         manifest.views.push_back(view_of(view));
     }

@@ -94,20 +94,12 @@ std::string manifest_text(const Manifest& manifest) {
                      {"config", json_of(manifest.config)},
                      {"views", views},
                      {"evidence", evidence_of(manifest)}};
-    if (manifest.drawing.fade_beyond_capture) document["fade_beyond_capture"] = true;
-    if (manifest.drawing.depth_views != kMaxDepthViews)
-        document["depth_views"] = manifest.drawing.depth_views;
-    if (manifest.drawing.depth_block_px != kLeastDepthBlock_px)
-        document["depth_block_px"] = manifest.drawing.depth_block_px;
-    if (manifest.drawing.occlusion_tolerance_px != kOcclusionTolerance_px)
-        document["occlusion_tolerance_px"] = manifest.drawing.occlusion_tolerance_px;
     if (manifest.noisy_depth_error_px != kNoisyDepthError_px)
         document["noisy_depth_error_px"] = manifest.noisy_depth_error_px;
-    if (manifest.drawing.fills_holes) document["fills_holes"] = true;
-    if (manifest.drawing.checks_guesses) document["checks_guesses"] = true;
-    if (manifest.drawing.triangle_error_px != kTriangleError_px)
-        document["triangle_error_px"] = manifest.drawing.triangle_error_px;
-    if (manifest.drawing.draws_thin) document["draws_thin"] = true;
+    for_each_drawing_choice([&](const auto& choice) {
+        const auto value = manifest.drawing.*choice.member;
+        if (value != DrawingChoices{}.*choice.member) document[choice.name] = value;
+    });
     try {
         return with_manifest_checksum(document.dump(1) + "\n").value();
     } catch (const Json::exception&) {

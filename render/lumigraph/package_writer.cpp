@@ -64,7 +64,7 @@ ManifestView write_view(const fs::path& root, std::size_t index, const Lumigraph
     entry.exposure_gain = view.exposure_gain;
     entry.photograph =
         write_listed(root, photograph, encode_png(view.photograph, root / photograph));
-    if (!view.depth.inverse_depth.empty()) entry.depth = write_depth(root, index, view);
+    if (view.has_depth()) entry.depth = write_depth(root, index, view);
     return entry;
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "calib/work/error.h"
+#include "calib/work/formatted.h"
 #include "calib/work/printable.h"
 
 namespace lumi {
@@ -101,6 +102,12 @@ std::vector<StrictJsonObject> StrictJsonObject::objects(const std::string& key,
 
 double StrictJsonObject::number(const std::string& key) const {
     return finite_number(*field(key).value, *this, key);
+}
+
+double StrictJsonObject::number(const std::string& key, double min, double max) const {
+    const double value = number(key);
+    if (value < min || value > max) refuse(key, formatted("a number from %g to %g", min, max));
+    return value;
 }
 
 std::vector<double> StrictJsonObject::numbers(const std::string& key, std::size_t count) const {

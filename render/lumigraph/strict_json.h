@@ -26,6 +26,7 @@ class StrictJsonObject {
                                                         std::size_t max_count) const;
     /// Finite.
     [[nodiscard]] double number(const std::string& key) const;
+    [[nodiscard]] double number(const std::string& key, double min, double max) const;
     [[nodiscard]] std::vector<double> numbers(const std::string& key, std::size_t count) const;
     [[nodiscard]] int integer(const std::string& key, int min, int max) const;
     [[nodiscard]] std::uint64_t byte_count(const std::string& key) const;

@@ -4,17 +4,16 @@
 #include <array>
 #include <numeric>
 #include <set>
-#include <tuple>
 
 #include "render/faces/face_polygons.h"
 #include "render/lumigraph/same_eye.h"
-#include "render/subdivision/coarse_triangles.h"
 #include "render/subdivision/own_surfaces.h"
 #include "render/subdivision/seen_parts.h"
 #include "render/subdivision/thin_triangles.h"
 #include "render/subdivision/unseen_triangles.h"
 #include "render/surroundings/empty_cells.h"
 #include "render/surroundings/triangle_surroundings.h"
+#include "render/transfer/polygon_extent.h"
 #include "render/transfer/scene_plane.h"
 #include "render/view_choice/depth_view_choice.h"
 
@@ -58,14 +57,10 @@ std::vector<int> views_of(const std::vector<std::vector<FacePolygon>>& layers) {
     return {views.begin(), views.end()};
 }
 
-double area_px2(const std::vector<FacePolygon>& polygons) {
-    double doubled = 0;
-    for (const FacePolygon& polygon : polygons) {
-        const std::vector<Eigen::Vector2d>& corners = polygon.corners_px;
-        for (std::size_t i = 2; i < corners.size(); ++i)
-            doubled += doubled_area_px2(corners[i - 1] - corners[0], corners[i] - corners[0]);
-    }
-    return 0.5 * doubled;
+double covered_px2(const std::vector<FacePolygon>& polygons) {
+    double sum = 0;
+    for (const FacePolygon& polygon : polygons) sum += area_px2(polygon.corners_px);
+    return sum;
 }
 
 /// Of a number of triangles that may be drawn, where 0 stands for any number.
@@ -79,7 +74,7 @@ std::size_t rest_of(std::size_t most, std::size_t drawn) {
 std::vector<std::size_t> most_of_layers(const std::vector<std::vector<FacePolygon>>& layers,
                                         std::size_t most) {
     std::vector<double> areas_px2;
-    for (const std::vector<FacePolygon>& layer : layers) areas_px2.push_back(area_px2(layer));
+    for (const std::vector<FacePolygon>& layer : layers) areas_px2.push_back(covered_px2(layer));
     const double whole_px2 = std::accumulate(areas_px2.begin(), areas_px2.end(), 0.0);
     std::vector<std::size_t> shares;
     for (const double area : areas_px2) {
@@ -146,12 +141,7 @@ Adaptive::Adaptive(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded), surroundings_(uploaded), blend_(uploaded, kLeastConfidence) {}
 
 bool Adaptive::is_made_for(const Eye& eye, const RenderOptions& options) const {
-    if (!made_for_) return false;
-    const auto wishes = [](const RenderOptions& of) {
-        return std::tuple(of.correct_occlusion, of.fade_beyond_capture, of.triangle_error_ratio,
-                          of.min_triangle_px, of.max_triangle_px, of.max_triangles);
-    };
-    return is_same_eye(eye, made_for_->eye) && wishes(options) == wishes(made_for_->options);
+    return made_for_ && is_same_eye(eye, made_for_->eye) && options == made_for_->options;
 }
 
 DrawStatistics Adaptive::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {

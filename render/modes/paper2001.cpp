@@ -11,7 +11,8 @@ namespace lumi {
 
 Paper2001::Paper2001(const UploadedLumigraph& uploaded)
     : uploaded_(uploaded),
-      program_("projective_pass", {shader_source("projective_pass")}),
+      program_("projective_pass",
+               {shader_source("blend_vertex"), shader_source("projective_pass")}),
       triangles_(blend_vertex_attributes()) {}
 
 DrawStatistics Paper2001::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {

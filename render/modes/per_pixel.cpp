@@ -27,7 +27,7 @@ constexpr std::size_t kRowsPerView = 4;
 PictureProgram program_of(std::vector<std::string> definitions) {
     return {"per_pixel",
             {shader_source("drawn_pixels"), shader_source("face"), shader_source("agreed_depth"),
-             shader_source("per_pixel")},
+             shader_source("point_in_views"), shader_source("per_pixel")},
             std::move(definitions)};
 }
 

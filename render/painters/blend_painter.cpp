@@ -20,7 +20,8 @@ namespace {
 
 PictureProgram blend_program(int lookups, std::vector<std::string> definitions) {
     definitions.push_back("LOOKUPS " + std::to_string(lookups));
-    return {"blend", {shader_source("blend")}, std::move(definitions)};
+    return {
+        "blend", {shader_source("blend_vertex"), shader_source("blend")}, std::move(definitions)};
 }
 
 std::array<PictureProgram, 3> blend_programs(const std::vector<std::string>& definitions) {

@@ -76,9 +76,7 @@ Image<EyeDepth> rasterise(const DepthMesh& mesh, const LumigraphView& view, cons
                     mesh.vertices[mesh.indices[i + static_cast<std::size_t>(corner)]]
                         .cast<double>();
                 triangle.inverse_depths_in_view[corner] = vertex.z();
-                triangle.corners.col(corner) =
-                    eye_from_view.at_infinity * vertex.head<2>().homogeneous() +
-                    vertex.z() * eye_from_view.per_inverse_depth;
+                triangle.corners.col(corner) = eye_from_view.at(vertex.head<2>(), vertex.z());
             }
             draw(triangle, eye.camera, drawn);
         }

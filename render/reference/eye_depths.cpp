@@ -1,6 +1,9 @@
 #include "render/reference/eye_depths.h"
 
+#include <algorithm>
+
 #include "render/depth_mesh/view_depth_mesh.h"
+#include "render/transfer/scene_plane.h"
 #include "render/transfer/view_geometry.h"
 #include "render/view_choice/depth_view_choice.h"
 
@@ -29,6 +32,24 @@ EyeDepths eye_depths(const Lumigraph& lumigraph, const Eye& eye, double toleranc
         }
     }
     return result;
+}
+
+DepthMap depth_map_at(const Lumigraph& lumigraph, const Eye& eye, double tolerance_px) {
+    const EyeDepths known = eye_depths(lumigraph, eye, tolerance_px);
+    const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
+    DepthMap map{FloatImage(eye.camera.width_px, eye.camera.height_px),
+                 GrayImage(eye.camera.width_px, eye.camera.height_px)};
+    for (int y = 0; y < eye.camera.height_px; ++y) {
+        for (int x = 0; x < eye.camera.width_px; ++x) {
+            const ConsensusDepth& depth = known.depths(x, y);
+            const bool is_seen = depth.support > 0 && depth.kind == DepthKind::kSeen;
+            const double guess = std::max(0.0, plane.dot(Eigen::Vector3d(x + 0.5, y + 0.5, 1)));
+            map.inverse_depth(x, y) =
+                static_cast<float>(depth.support > 0 ? std::max(0.0, depth.inverse_depth) : guess);
+            map.confidence(x, y) = is_seen ? 255 : 0;
+        }
+    }
+    return map;
 }
 
 Eigen::Vector3d point_in_world(const Eye& eye, int x, int y, double inverse_depth) {

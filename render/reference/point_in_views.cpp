@@ -6,14 +6,10 @@
 
 #include "render/depth_search/occlusion.h"
 #include "render/reference/sampling.h"
+#include "render/transfer/border_distance.h"
 #include "render/uploaded/photograph_opacity.h"
 
 namespace lumi {
-
-double border_distance_px(const Camera& camera, const Eigen::Vector2d& pixel) {
-    return std::min(
-        {pixel.x(), pixel.y(), camera.width_px - pixel.x(), camera.height_px - pixel.y()});
-}
 
 PointInViews::PointInViews(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options)
     : lumigraph_(lumigraph),
@@ -34,7 +30,8 @@ std::optional<Sight> PointInViews::sight(int view_index, const RayPoint& point) 
 
 bool PointInViews::is_inside(int view_index, const RayPoint& point) const {
     const std::optional<Sight> at = sight(view_index, point);
-    return at && border_distance_px(view(view_index).camera, at->pixel) >= 0;
+    const Camera& camera = view(view_index).camera;
+    return at && border_distance_px(at->pixel, camera.width_px, camera.height_px) >= 0;
 }
 
 std::optional<double> PointInViews::seen_by(int view_index, const Sight& sight,
@@ -65,7 +62,7 @@ double PointInViews::visibility(int view_index, const RayPoint& point,
 }
 
 bool PointInViews::is_guess_hidden(int view_index, const RayPoint& point) const {
-    if (!lumigraph_.drawing.checks_guesses || view(view_index).depth.inverse_depth.empty() ||
+    if (!lumigraph_.drawing.checks_guesses || !view(view_index).has_depth() ||
         !is_inside(view_index, point))
         return false;
     const Sight at = *sight(view_index, point);

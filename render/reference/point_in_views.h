@@ -28,9 +28,6 @@ struct Sight {
     double depth_ratio = 1.0;  ///< Of its depth in the view over that in the eye.
 };
 
-/// From a place in a photograph to its nearest border; negative beyond it.
-[[nodiscard]] double border_distance_px(const Camera& camera, const Eigen::Vector2d& pixel);
-
 /// What the views of a Lumigraph show of points on an eye's rays.
 class PointInViews {
  public:
@@ -57,7 +54,8 @@ class PointInViews {
     [[nodiscard]] const std::vector<ViewGeometry>& geometries() const { return geometries_; }
 
  private:
-    /// The inverse depth in the view of what it sees there; none where it sees nothing.
+    /// The inverse depth in the view of what it sees there; none where it sees nothing. The view
+    /// has depth.
     [[nodiscard]] std::optional<double> seen_by(int view_index, const Sight& sight,
                                                 const std::map<int, EyeDepth>& asked) const;
     [[nodiscard]] const LumigraphView& view(int index) const {

@@ -12,26 +12,17 @@
 #include "render/depth_layers/depth_eye.h"
 #include "render/depth_search/occlusion.h"
 #include "render/faces/shell_opacity.h"
-#include "render/reference/agreed_depth.h"
 #include "render/reference/debug_color.h"
+#include "render/reference/known_points.h"
 #include "render/reference/pixel_weights.h"
 #include "render/reference/point_in_views.h"
 #include "render/reference/reference_holes.h"
 #include "render/surroundings/surroundings.h"
-#include "render/transfer/scene_plane.h"
-#include "render/transfer/view_geometry.h"
+#include "render/transfer/border_distance.h"
 #include "render/uploaded/photograph_opacity.h"
 
 namespace lumi {
 namespace {
-
-/// The same with how it is known. Without any support: the scene plane, for the mode that draws it
-/// or as a guess.
-struct KnownPoint {
-    RayPoint point;
-    ConsensusDepth depth;
-    std::map<int, EyeDepth> of_views;  ///< What those say that were asked.
-};
 
 struct DrawnPixel {
     Eigen::Vector3d color = Eigen::Vector3d::Zero();
@@ -46,9 +37,6 @@ class ReferenceFrame {
     [[nodiscard]] DrawnPixel color_at(int x, int y) const;
 
  private:
-    [[nodiscard]] Eigen::Vector3d direction_in_world(const Eigen::Vector2d& pixel) const;
-    /// One, or one for each sample of a silhouette that is drawn smoothly.
-    [[nodiscard]] std::vector<KnownPoint> points_at(const Eigen::Vector2d& pixel) const;
     /// The mean of all that is drawn for a pixel.
     [[nodiscard]] std::optional<DrawnPixel> base_at(const std::vector<KnownPoint>& shared,
                                                     const Eigen::Vector2d& pixel) const;
@@ -74,65 +62,31 @@ class ReferenceFrame {
     }
 
     const Lumigraph& lumigraph_;
-    const Eye& eye_;
     const RenderOptions& options_;
     Eigen::Vector3d eye_in_world_;
-    Eigen::Vector3d plane_;
     PointInViews views_;
     PixelWeights weights_;
+    KnownPoints points_;
     bool is_in_blocks_ = false;
-    std::optional<AgreedDepth> depth_;  ///< None where the scene plane is drawn.
-    ColorImage surroundings_;           ///< Empty where they are not drawn.
-    std::optional<Frame> filled_;       ///< None where holes are not filled.
+    ColorImage surroundings_;      ///< Empty where they are not drawn.
+    std::optional<Frame> filled_;  ///< None where holes are not filled.
 };
-
-/// Of a ray's weight, what views do not see.
-double occluded_share(const RayWeights& ray, const std::array<double, 3>& seen) {
-    double lost = 1;
-    for (std::size_t i = 0; i < 3; ++i) lost -= ray.weights[i] * seen[i];
-    return lost;
-}
-
-bool has_depth(const Lumigraph& lumigraph) {
-    return std::any_of(lumigraph.views.begin(), lumigraph.views.end(),
-                       [](const auto& view) { return !view.depth.inverse_depth.empty(); });
-}
 
 ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
                                const RenderOptions& options,
                                const std::optional<std::vector<FacePolygon>>& polygons)
     : lumigraph_(lumigraph),
-      eye_(eye),
       options_(options),
       eye_in_world_(centre_in_world(eye.cam_from_world)),
-      plane_(options.focal_depth > 0 && options.mode != RenderMode::kPerPixel
-                 ? focal_plane_inverse_depth(options.focal_depth)
-                 : scene_plane_inverse_depth(lumigraph, eye)),
       views_(lumigraph, eye, options),
       weights_(lumigraph.mesh, eye, polygons),
+      points_(lumigraph, views_.geometries(), eye, options),
       surroundings_(are_surroundings_drawn(options) ? surroundings_picture(lumigraph, eye)
                                                     : ColorImage{}) {
-    if (options.mode != RenderMode::kPerPixel || !has_depth(lumigraph)) return;
-    depth_.emplace(lumigraph, views_.geometries(), eye, options);
+    if (!points_.depth()) return;
     is_in_blocks_ = is_drawn_in_blocks(lumigraph, eye, options);
     if (lumigraph.drawing.fills_holes && !options.fade_beyond_capture)
-        filled_ = filled_holes(lumigraph, *depth_, eye, options);
-}
-
-Eigen::Vector3d ReferenceFrame::direction_in_world(const Eigen::Vector2d& pixel) const {
-    return eye_.cam_from_world.rotation.conjugate() * unproject(eye_.camera, pixel);
-}
-
-std::vector<KnownPoint> ReferenceFrame::points_at(const Eigen::Vector2d& pixel) const {
-    std::vector<KnownPoint> points;
-    for (const auto& [depth, known_by, of_views] :
-         depth_ ? depth_->samples_at(pixel) : std::vector<AgreedPixelDepth>(1)) {
-        const double inverse_depth = depth.support > 0
-                                         ? depth.inverse_depth
-                                         : std::max(0.0, plane_.dot(pixel.homogeneous()));
-        points.push_back({{direction_in_world(pixel), inverse_depth, known_by}, depth, of_views});
-    }
-    return points;
+        filled_ = filled_holes(lumigraph, *points_.depth(), eye, options);
 }
 
 std::array<double, 3> ReferenceFrame::visibilities(const RayWeights& ray,
@@ -145,9 +99,11 @@ std::array<double, 3> ReferenceFrame::visibilities(const RayWeights& ray,
         const int view = ray.view_indices[i];
         if (check_depth)
             seen[i] = views_.visibility(view, point, known.of_views);
-        else if (depth_ ? views_.is_inside(view, point) : views_.sight(view, point).has_value())
+        else if (points_.depth() ? views_.is_inside(view, point)
+                                 : views_.sight(view, point).has_value())
             seen[i] = 1;
-        if (depth_ && known.depth.support == 0 && views_.is_guess_hidden(view, point)) seen[i] = 0;
+        if (points_.depth() && known.depth.support == 0 && views_.is_guess_hidden(view, point))
+            seen[i] = 0;
     }
     return seen;
 }
@@ -194,13 +150,14 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
     RayPoint point = shared.point;
     // Steep as a tear is, all of a block shows nearly the same.
     const bool is_stretched = has_depth && depth.kind == DepthKind::kStretched;
-    if (!is_in_blocks_ || !is_stretched) point.direction_in_world = direction_in_world(pixel);
+    if (!is_in_blocks_ || !is_stretched)
+        point.direction_in_world = points_.direction_in_world(pixel);
     std::optional<std::array<double, 3>> weights = redistributed(ray->weights, seen);
-    const double occluded = weights ? occluded_share(*ray, seen) : 1.0;
+    const double occluded = weights ? occluded_share(ray->weights, seen) : 1.0;
     double counting = weights ? 0.0 : 1.0;
     if (weights) {
         std::array<double, 3> opaque = opacities(*weights, *ray, point);
-        if (depth_)
+        if (points_.depth())
             for (double& opacity : opaque) opacity = std::max(opacity, kLeastOpacity);
         for (std::size_t i = 0; i < 3; ++i)
             counting += (*weights)[i] *
@@ -212,7 +169,7 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
     DrawnPixel drawn;
     const bool is_known =
         has_depth && (weights || depth.kind != DepthKind::kStretched) && counting >= kLeastCounting;
-    drawn.coverage = is_known || !depth_ ? fade : 0.0;
+    drawn.coverage = is_known || !points_.depth() ? fade : 0.0;
     ray->weights = weights.value_or(std::array<double, 3>{});
     if (options_.debug_picture != DebugPicture::kNone)
         drawn.color = fade * debug_color_of(*ray, !weights, depth, occluded);
@@ -228,9 +185,9 @@ void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell,
     const RayPoint& point = known.point;
     const ConsensusDepth& depth = known.depth;
     std::optional<RayWeights> ray = weights_of_ray(shell, eye_in_world_, point.direction_in_world);
-    if (!ray || (depth_ && depth.support == 0)) return;
+    if (!ray || (points_.depth() && depth.support == 0)) return;
     std::array<double, 3> seen = visibilities(*ray, known);
-    const double occluded = occluded_share(*ray, seen);
+    const double occluded = occluded_share(ray->weights, seen);
     const std::array<double, 3> opaque = opacities(ray->weights, *ray, point);
     for (std::size_t i = 0; i < 3; ++i) seen[i] *= opaque[i];
     const auto weights = redistributed(ray->weights, seen);
@@ -242,8 +199,9 @@ void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell,
         if (!sight || !(ray->weights[i] > 0)) continue;
         const Camera& camera = camera_of(ray->view_indices[i]);
         sum += ray->weights[i] * seen[i];
-        inside += ray->weights[i] * inner_share(border_distance_px(camera, sight->pixel),
-                                                std::min(camera.width_px, camera.height_px));
+        inside += ray->weights[i] *
+                  inner_share(border_distance_px(sight->pixel, camera.width_px, camera.height_px),
+                              std::min(camera.width_px, camera.height_px));
     }
     const double opacity = shell_opacity(capture_fade(*ray, kShellFadedShare), sum, inside);
     ray->weights = *weights;
@@ -257,10 +215,10 @@ void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell,
 DrawnPixel ReferenceFrame::color_at(int x, int y) const {
     const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
     const Eigen::Vector2d block(x / kDepthBlockSide_px, y / kDepthBlockSide_px);
-    const std::vector<KnownPoint> known = points_at(pixel);
+    const std::vector<KnownPoint> known = points_.at(pixel);
     DrawnPixel drawn =
         base_at(is_in_blocks_
-                    ? points_at(kDepthBlockSide_px * (block + Eigen::Vector2d::Constant(0.5)))
+                    ? points_.at(kDepthBlockSide_px * (block + Eigen::Vector2d::Constant(0.5)))
                     : known,
                 pixel)
             .value_or(behind(x, y));

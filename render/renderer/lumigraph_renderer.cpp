@@ -9,6 +9,7 @@
 #include "render/modes/light_field.h"
 #include "render/modes/paper2001.h"
 #include "render/modes/per_pixel.h"
+#include "render/reference/depth_of_others.h"
 #include "render/rivals/heigl.h"
 
 namespace lumi {
@@ -47,7 +48,7 @@ struct LumigraphRenderer::Implementation {
     DrawingMode& mode(RenderMode wanted) {
         const bool needs_depth = wanted != RenderMode::kLightField && wanted != RenderMode::kHeigl;
         const RenderMode possible =
-            needs_depth && !uploaded.has_depth() ? RenderMode::kLightField : wanted;
+            needs_depth && !uploaded.layout.has_depth() ? RenderMode::kLightField : wanted;
         std::unique_ptr<DrawingMode>& mode = modes[possible];
         if (!mode) mode = made(possible);
         return *mode;
@@ -73,8 +74,12 @@ struct LumigraphRenderer::Implementation {
     std::map<RenderMode, std::unique_ptr<DrawingMode>> modes;
 };
 
-LumigraphRenderer::LumigraphRenderer(const Lumigraph& lumigraph)
-    : implementation_(std::make_unique<Implementation>(lumigraph)) {}
+LumigraphRenderer::LumigraphRenderer(const Lumigraph& lumigraph) {
+    if (lacks_depth(lumigraph))
+        implementation_ = std::make_unique<Implementation>(with_depth_of_others(lumigraph));
+    else
+        implementation_ = std::make_unique<Implementation>(lumigraph);
+}
 LumigraphRenderer::~LumigraphRenderer() = default;
 LumigraphRenderer::LumigraphRenderer(LumigraphRenderer&& other) noexcept = default;
 LumigraphRenderer& LumigraphRenderer::operator=(LumigraphRenderer&& other) noexcept = default;

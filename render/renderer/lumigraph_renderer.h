@@ -14,8 +14,9 @@ namespace lumi {
 ///
 /// A context must be current whenever a member, the destructor included, is called; it must be the
 /// same one each time. Everything is uploaded by the constructor, which keeps no reference to the
-/// Lumigraph. Throws Error: E-GL-CONTEXT (the context is too old), E-GL-LIMIT (the photographs do
-/// not fit the texture limits of this GL).
+/// Lumigraph. Views without depth among others get what these know (depth_of_others.h). Throws
+/// Error: E-GL-CONTEXT (the context is too old), E-GL-LIMIT (the photographs do not fit the texture
+/// limits of this GL).
 class LumigraphRenderer {
  public:
     explicit LumigraphRenderer(const Lumigraph& lumigraph);

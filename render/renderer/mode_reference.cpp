@@ -2,6 +2,7 @@
 
 #include "calib/work/error.h"
 #include "render/modes/adaptive.h"
+#include "render/reference/depth_of_others.h"
 #include "render/reference/reference_renderer.h"
 #include "render/reference/triangle_reference.h"
 #include "render/rivals/heigl.h"
@@ -58,6 +59,8 @@ void expect_drawable(const RenderOptions& options) {
 Frame draw_mode_reference(const Lumigraph& lumigraph, const Eye& eye,
                           const RenderOptions& options) {
     expect_drawable(options);
+    if (lacks_depth(lumigraph))
+        return draw_mode_reference(with_depth_of_others(lumigraph), eye, options);
     switch (options.mode) {
         case RenderMode::kAdaptive:
             return draw_adaptive(lumigraph, eye, options);

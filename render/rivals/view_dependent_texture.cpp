@@ -1,17 +1,14 @@
 #include "render/rivals/view_dependent_texture.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "meshing/rivals/view_dependent_weights.h"
 #include "render/reference/eye_depths.h"
 #include "render/rivals/seen_point.h"
 
 namespace lumi {
 namespace {
-
-constexpr std::size_t kViews = 3;
-constexpr double kLeastAngle_rad = 1e-4;
 
 struct ChosenView {
     std::size_t index = 0;
@@ -21,19 +18,18 @@ struct ChosenView {
 std::vector<ChosenView> choose_views(const Lumigraph& lumigraph,
                                      const Eigen::Vector3d& eye_in_world,
                                      const Eigen::Vector3d& point, double epsilon) {
-    std::vector<ChosenView> chosen;
-    const Eigen::Vector3d to_eye = (eye_in_world - point).normalized();
+    std::vector<std::size_t> seeing;
+    std::vector<Eigen::Vector3d> centres;
     for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
         const auto seen = seen_point(lumigraph.views[i], point);
         if (!seen || seen->depth_difference_share() > epsilon) continue;
-        const Eigen::Vector3d to_view =
-            (centre_in_world(lumigraph.views[i].cam_from_world) - point).normalized();
-        const double angle = std::acos(std::clamp(to_eye.dot(to_view), -1.0, 1.0));
-        chosen.push_back({i, 1 / std::max(angle, kLeastAngle_rad)});
+        seeing.push_back(i);
+        centres.push_back(centre_in_world(lumigraph.views[i].cam_from_world));
     }
-    std::sort(chosen.begin(), chosen.end(),
-              [](const ChosenView& a, const ChosenView& b) { return a.weight > b.weight; });
-    if (chosen.size() > kViews) chosen.resize(kViews);
+    const std::vector<double> weights = view_dependent_weights(centres, eye_in_world, point);
+    std::vector<ChosenView> chosen;
+    for (std::size_t k = 0; k < seeing.size(); ++k)
+        if (weights[k] > 0) chosen.push_back({seeing[k], weights[k]});
     return chosen;
 }
 

@@ -16,42 +16,17 @@
 // them is chosen, divisions are few, and there is no loop but that over the samples of a silhouette.
 
 #ifdef LUMI_FRAGMENT
-uniform sampler2DArray depth_maps;
 uniform vec2 viewport_origin;
 uniform float near_inverse_depth;        // the scene's near end
 uniform float texels_per_pixel;          // of the layers; see depth_eye.h
 uniform float texels_below;              // the picture, where it ends within a texel
-uniform float check_per_px;              // 1 / tolerance; 0 without occlusion correction
 
 // Photographs that count less than this, of their weights, hold mixed pixels alone: see
 // photograph_opacity.h.
 const float kLeastCounting = 0.25;
 const float kMostParallax_px = 1.0;
-// Of disparity: what stands so far before a point hides it. See occlusion.h.
-const float kSurelyBefore_px = 16.0;
 // What a photograph counts beyond its border, which it continues: a quarter of the least within.
 const float kLeastOpacity = 1.0 / 1024.0;
-
-const int kAskedViews = 3 - UNASKED_VIEWS;
-
-#ifdef BLOCKS
-const float kFragment_px = 2.0;
-// How what is affine in the picture moves from fragment to fragment.
-#define ALONG_X(v) dFdx(v)
-#define ALONG_Y(v) dFdy(v)
-#else
-const float kFragment_px = 1.0;
-// Not asked for. Smooth silhouettes are drawn in rounds that neighbours leave one by one, where
-// derivatives are undefined.
-#define ALONG_X(v) vec3(0.0)
-#define ALONG_Y(v) vec3(0.0)
-#endif
-
-// A view at a point: xy its pixel, z the inverse of its homogeneous coordinate.
-vec3 sight_of(vec3 pixel) {
-    float inverse = 1.0 / max(pixel.z, 1e-20);
-    return vec3(pixel.xy * inverse, inverse);
-}
 
 // Where a photograph is looked up for the fragment's centre, and how that moves from pixel to pixel.
 struct Place {
@@ -61,10 +36,12 @@ struct Place {
     float photograph;
 };
 
-// `along_x` and `along_y` are those of the homogeneous pixel: derivatives of the quotient follow.
-Place place_of(vec3 sight, vec3 along_x, vec3 along_y, float photograph) {
-    return Place(sight.xy, (along_x.xy - sight.xy * along_x.z) * sight.z,
-                 (along_y.xy - sight.xy * along_y.z) * sight.z, photograph);
+// Derivatives of the quotient. `per_pixel`: of the way from fragment to fragment.
+Place place_of(InView view, float per_pixel) {
+    vec3 along_x = per_pixel * view.along_x;
+    vec3 along_y = per_pixel * view.along_y;
+    return Place(view.sight.xy, (along_x.xy - view.sight.xy * along_x.z) * view.sight.z,
+                 (along_y.xy - view.sight.xy * along_y.z) * view.sight.z, view.photograph);
 }
 
 vec4 color_of(Place place, vec2 from_centre_px) {
@@ -73,38 +50,6 @@ vec4 color_of(Place place, vec2 from_centre_px) {
 #endif
     return photograph_at_pixel(place.pixel, place.photograph);
 }
-
-// The sample of the view's depth map, of what lies outside the nearest. `size` is that of the
-// photograph, and samples of the depth map for each of its pixels.
-float sample_at(vec3 sight, vec4 size, float photograph) {
-    vec2 texel = max(min(sight.xy * size.zw, size.xy * size.zw - 0.5), 0.0);
-    return texelFetch(depth_maps, ivec3(ivec2(texel), int(photograph)), 0).r;
-}
-
-// The inverse depth in the view of what it sees there.
-float seen_by(bool is_asked, float photograph, vec3 sight, vec4 size, Depth depth) {
-    if (is_asked) return dot(layer_of_photograph(photograph), depth.of_layers) * sight.z;
-    return sample_at(sight, size, photograph);
-}
-
-// 1 when the view sees the point, 0 when it sees something else; in between a ramp.
-float visibility(bool is_asked, vec3 sight, bool is_before, vec4 size, float photograph,
-                 Depth depth, float inverse_depth, float disparity_px, float check) {
-    vec2 to_border = min(sight.xy, size.xy - sight.xy);
-    bool is_inside = is_before && min(to_border.x, to_border.y) >= 0.0;
-    float seen = seen_by(is_asked, photograph, sight, size, depth);
-    float difference_px = abs(inverse_depth * sight.z - seen) * disparity_px;
-    return is_inside ? clamp(2.0 - check * difference_px, 0.0, 1.0) : 0.0;
-}
-
-#ifdef CHECKS_GUESSES
-// 1 unless the view has something before a point that is a guess.
-float is_free_before(vec3 sight, vec4 size, float photograph, float inverse_depth,
-                     float disparity_px) {
-    float seen = sample_at(sight, size, photograph);
-    return step((seen - inverse_depth * sight.z) * disparity_px, kSurelyBefore_px);
-}
-#endif
 
 // What all pixels of a fragment share.
 struct Blend {
@@ -177,61 +122,33 @@ Blend blend_at(vec2 window, Depth depth) {
     float q = blend.is_guess ? max(0.0, side_products_and_plane.w) : depth.inverse_depth;
     blend.inverse_depth = q;
     // Not in the choices below, behind which derivatives are undefined.
-    vec3 along_x0 = ALONG_X(view_pixel0);
-    vec3 along_y0 = ALONG_Y(view_pixel0);
-    vec3 along_x1 = ALONG_X(view_pixel1);
-    vec3 along_y1 = ALONG_Y(view_pixel1);
-    vec3 along_x2 = ALONG_X(view_pixel2);
-    vec3 along_y2 = ALONG_Y(view_pixel2);
-    vec3 pixel0 = AT_CENTRE(view_pixel0) + q * view_parallax0.xyz;
-    vec3 pixel1 = AT_CENTRE(view_pixel1) + q * view_parallax1.xyz;
-    vec3 pixel2 = AT_CENTRE(view_pixel2) + q * view_parallax2.xyz;
-    vec3 sight0 = sight_of(pixel0);
-    vec3 sight1 = sight_of(pixel1);
-    vec3 sight2 = sight_of(pixel2);
-    bvec3 is_before = greaterThan(vec3(pixel0.z, pixel1.z, pixel2.z), vec3(0.0));
-    float check = blend.is_guess ? 0.0 : check_per_px;
+    InView view0 = in_view(view_pixel0, view_parallax0, q);
+    InView view1 = in_view(view_pixel1, view_parallax1, q);
+    InView view2 = in_view(view_pixel2, view_parallax2, q);
     vec3 weights = blending_weights();
 #ifdef FADES
     blend.ray_weights = weights;
-    blend.inside = vec3(inner(sight0.xy, view_size0.xy), inner(sight1.xy, view_size1.xy),
-                        inner(sight2.xy, view_size2.xy));
+    blend.inside = vec3(inner(view0.sight.xy, view_size0.xy), inner(view1.sight.xy, view_size1.xy),
+                        inner(view2.sight.xy, view_size2.xy));
 #endif
-    weights *= vec3(visibility(kAskedViews > 0, sight0, is_before.x, view_size0, view_parallax0.w,
-                               depth, q, disparity_and_face.x, check),
-                    visibility(kAskedViews > 1, sight1, is_before.y, view_size1, view_parallax1.w,
-                               depth, q, disparity_and_face.y, check),
-                    visibility(kAskedViews > 2, sight2, is_before.z, view_size2, view_parallax2.w,
-                               depth, q, disparity_and_face.z, check));
+    weights *= visibilities(view0, view1, view2, depth, q, blend.is_guess);
 #ifdef CHECKS_GUESSES
     weights *= max(vec3(blend.is_guess ? 0.0 : 1.0),
-                   vec3(is_free_before(sight0, view_size0, view_parallax0.w, q,
-                                       disparity_and_face.x),
-                        is_free_before(sight1, view_size1, view_parallax1.w, q,
-                                       disparity_and_face.y),
-                        is_free_before(sight2, view_size2, view_parallax2.w, q,
-                                       disparity_and_face.z)));
+                   vec3(is_free_before(view0, view_size0, q, disparity_and_face.x),
+                        is_free_before(view1, view_size1, q, disparity_and_face.y),
+                        is_free_before(view2, view_size2, q, disparity_and_face.z)));
 #endif
     blend.weights = weights;
     blend.sum = weights.x + weights.y + weights.z;
     blend.is_unseen = blend.sum < kLeastWeight;
-    bool is_unseen = blend.is_unseen;
     // What is stretched over a tear is steep: the next pixel of the block is much farther, and shows
     // nearly the same, not what is beside it at this depth.
     bool is_stretched = depth.kind > 1.5 && !blend.is_guess;
     float per_pixel = is_stretched ? 0.0 : 1.0 / kFragment_px;
-    float per_layer_pixel = is_stretched ? 0.0 : 1.0;
     blend.place0 = place_of(
-        is_unseen ? sight_of(pixel_in_layer(depth.layer, vec4(window, 1.0, q))) : sight0,
-        is_unseen ? pixel_in_layer(depth.layer, vec4(per_layer_pixel, 0.0, 0.0, 0.0))
-                  : per_pixel * along_x0,
-        is_unseen ? pixel_in_layer(depth.layer, vec4(0.0, per_layer_pixel, 0.0, 0.0))
-                  : per_pixel * along_y0,
-        is_unseen ? photograph_of_layer(depth.layer) : view_parallax0.w);
-    blend.place1 = place_of(sight1, per_pixel * along_x1, per_pixel * along_y1,
-                            view_parallax1.w);
-    blend.place2 = place_of(sight2, per_pixel * along_x2, per_pixel * along_y2,
-                            view_parallax2.w);
+        chosen(blend.is_unseen, in_view_of_layer(depth.layer, window, q), view0), per_pixel);
+    blend.place1 = place_of(view1, per_pixel);
+    blend.place2 = place_of(view2, per_pixel);
     return blend;
 }
 

@@ -14,16 +14,7 @@ LUMI_VARYING vec3 inverse_depth_and_confidence;
 flat LUMI_VARYING float layer;
 
 #ifdef LUMI_VERTEX
-uniform mat4 clip_from_eye_pixel;
-uniform vec2 layer_size;
 uniform vec3 chosen;  // 1 for the view of this pass, 0 for the others
-layout(location = 0) in vec3 in_pixel_and_depth;
-layout(location = 1) in vec4 in_view_pixels01;
-layout(location = 2) in vec2 in_view_pixel2;
-layout(location = 3) in vec3 in_weights;
-layout(location = 4) in vec3 in_inverse_depth_and_confidence;
-layout(location = 5) in vec4 in_layers_and_face;
-layout(location = 6) in vec3 in_depth_ratios;
 
 void main() {
     vec2 view_pixel = chosen.x * in_view_pixels01.xy + chosen.y * in_view_pixels01.zw +

@@ -5,7 +5,7 @@
 #include "render/frame/frame.h"
 #include "render/subdivision/edge_error.h"
 #include "render/subdivision/outline_cells.h"
-#include "render/subdivision/subdivision.h"
+#include "render/subdivision/patch_sampler.h"
 
 namespace lumi {
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "render/transfer/polygon_clipping.h"
+#include "render/transfer/polygon_extent.h"
 
 namespace lumi {
 namespace {
@@ -23,12 +24,6 @@ constexpr double kLeastRatio = 1e-3;
 constexpr float kNoWeight = 1e-12F;
 /// So far beyond its border a photograph counts nothing (uploaded_lumigraph.h).
 constexpr double kBeyond_px = 1.0;
-
-Box bounds(const Corners& corners) {
-    Box box;
-    for (const Eigen::Vector2d& corner : corners) box.extend(corner);
-    return box;
-}
 
 struct Range {
     double low = std::numeric_limits<double>::infinity();
@@ -93,9 +88,10 @@ class PieceCutter {
         if (visible == Visible{}) return;
         std::vector<BlendVertex> vertices = vertices_of(corners, visible);
         if (is_affine(vertices, visible)) return keep_affine(centred(std::move(vertices), visible));
-        const Eigen::Vector2d size = bounds(corners).sizes();
+        const Box box = bounding_box(corners);
+        const Eigen::Vector2d size = box.sizes();
         if (size.maxCoeff() <= kSmallest_px) return keep_exact(corners);
-        const Eigen::Vector2d middle = bounds(corners).center();
+        const Eigen::Vector2d middle = box.center();
         const bool wide = size.x() >= size.y();
         const Eigen::Vector3d line(wide ? 1 : 0, wide ? 0 : 1, wide ? -middle.x() : -middle.y());
         cut_by_error(clipped(corners, line), visible);

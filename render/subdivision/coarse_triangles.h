@@ -2,11 +2,11 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "render/faces/face_polygons.h"
+#include "render/transfer/polygon_extent.h"
 
 namespace lumi {
 
@@ -27,11 +27,6 @@ struct CoarseTriangles {
 /// As lengths are compared.
 [[nodiscard]] inline float edge_length_px(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return static_cast<float>((a - b).norm());
-}
-
-/// Of a triangle.
-[[nodiscard]] inline double doubled_area_px2(const Eigen::Vector2d& ab, const Eigen::Vector2d& ac) {
-    return std::abs(ab.x() * ac.y() - ab.y() * ac.x());
 }
 
 /// Whether all of a triangle's corners lie nearly on its longest edge: split in four it stays flat.

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "render/subdivision/subdivision.h"
+#include "render/subdivision/patch_sampler.h"
 
 namespace lumi {
 

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "render/subdivision/subdivision.h"
+#include "render/subdivision/patch_sampler.h"
 
 namespace lumi {
 

@@ -34,8 +34,7 @@ OutlineCells::OutlineCells(const Lumigraph& lumigraph, const SearchedViews& view
         for (const OutlinePoint& point : views.outlines[i]) {
             if (static_cast<double>(point.step) * disparity_px < kLeastStep_px) continue;
             const Eigen::Vector2d pixel(point.x_px, point.y_px);
-            mark(eye_from_view.at_infinity * pixel.homogeneous() +
-                 static_cast<double>(point.inverse_depth) * eye_from_view.per_inverse_depth);
+            mark(eye_from_view.at(pixel, static_cast<double>(point.inverse_depth)));
         }
     }
     sum_up();

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "render/subdivision/blend_triangles.h"
-#include "render/subdivision/subdivision.h"
+#include "render/subdivision/patch_sampler.h"
 
 namespace lumi {
 

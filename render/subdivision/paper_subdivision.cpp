@@ -6,6 +6,9 @@
 #include <memory>
 #include <unordered_set>
 
+#include "render/subdivision/subdivided_patch.h"
+#include "render/transfer/polygon_extent.h"
+
 namespace lumi {
 namespace {
 
@@ -125,9 +128,9 @@ class PaperPatch {
         const auto [a, b, c] = triangle;
         const Eigen::Vector2d ab = vertices_[b].pixel - vertices_[a].pixel;
         const Eigen::Vector2d ac = vertices_[c].pixel - vertices_[a].pixel;
-        const double twice_area = std::abs(ab.x() * ac.y() - ab.y() * ac.x());
+        const double doubled_area = doubled_area_px2(ab, ac);
         const double longest = std::max({ab.norm(), ac.norm(), vertices_.length_px(b, c)});
-        return !(twice_area > kOverlap_px * longest);
+        return !(doubled_area > kOverlap_px * longest);
     }
 
     /// Each step halves the area, and edges never grow: slivers are reached, and end it.

@@ -1,6 +1,12 @@
 #pragma once
 
-#include "render/subdivision/subdivision.h"
+#include <Eigen/Core>
+#include <vector>
+
+#include "render/depth_search/depth_search.h"
+#include "render/faces/face_polygons.h"
+#include "render/frame/frame.h"
+#include "render/subdivision/blend_triangles.h"
 
 namespace lumi {
 

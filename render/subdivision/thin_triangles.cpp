@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "calib/work/parallel_for.h"
-#include "render/subdivision/coarse_triangles.h"
 #include "render/transfer/pixel_transfer.h"
+#include "render/transfer/polygon_extent.h"
 #include "render/view_choice/depth_view_choice.h"
 
 namespace lumi {
@@ -22,8 +22,6 @@ constexpr int kMostViews = 3;
 constexpr float kBeside = 0.25F;
 /// Something that the view sees so far before a point hides it, and is no error of depth.
 constexpr double kHides_px = 2.0;
-/// Of a point's depth in the eye over that in the view.
-constexpr double kLeastRatio = 1e-6;
 constexpr std::size_t kThinAtATime = 64;
 
 /// Of a triangle.
@@ -79,11 +77,10 @@ class ThinPicture {
     /// Without weight where it lies behind the eye.
     [[nodiscard]] BlendVertex corner_at(const Eigen::Vector3d& vertex,
                                         const PixelTransfer& eye_from_view) const {
-        const Eigen::Vector3d in_eye = eye_from_view.at_infinity * vertex.head<2>().homogeneous() +
-                                       vertex.z() * eye_from_view.per_inverse_depth;
+        const Eigen::Vector3d in_eye = eye_from_view.at(vertex.head<2>(), vertex.z());
         BlendVertex corner;
         corner.view_layers.fill(static_cast<float>(view_index_));
-        if (in_eye.z() <= kLeastRatio) return corner;
+        if (in_eye.z() <= kLeastDepthRatio) return corner;
         corner.pixel = {static_cast<float>(in_eye.x() / in_eye.z()),
                         static_cast<float>(in_eye.y() / in_eye.z())};
         corner.depth = static_cast<float>(in_eye.z());
@@ -125,8 +122,8 @@ struct Drawn {
 
 double doubled_area_of(const ThinPicture& picture, std::size_t triangle) {
     const Eigen::Vector2d a = vector_of(picture.corner(triangle, 0).pixel);
-    return std::abs(doubled_area_px2(vector_of(picture.corner(triangle, 1).pixel) - a,
-                                     vector_of(picture.corner(triangle, 2).pixel) - a));
+    return doubled_area_px2(vector_of(picture.corner(triangle, 1).pixel) - a,
+                            vector_of(picture.corner(triangle, 2).pixel) - a);
 }
 
 void keep_largest(std::size_t most, std::vector<Drawn>& drawn) {

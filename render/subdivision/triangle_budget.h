@@ -11,7 +11,8 @@ namespace lumi {
 /// without triangles and what each adds is learned from the frames that were drawn.
 ///
 /// Errors are relaxed, and triangles not only counted, because a coarser subdivision also looks at
-/// less of the scene.
+/// less of the scene. Triangles that take less than a tenth of what the frame takes without them
+/// are never given away: where that is not enough they would not help.
 class TriangleBudget {
  public:
     /// How many frames a second are wanted; 0 or less: any, nothing is relaxed.
@@ -27,11 +28,12 @@ class TriangleBudget {
     static constexpr double kMostRelaxation = 64.0;
 
  private:
-    [[nodiscard]] double affordable_triangles() const;
+    void learn_cost();
 
     double target_ms_ = 0.0;
     double relaxation_ = 1.0;
     double affordable_ = 0.0;  ///< Triangles; 0: not known.
+    double ms_each_ = 0.0;     ///< Of a triangle, as frames told it that differed; 0: none did.
     // Sums over the frames, those long ago counting little: a line is fitted through them.
     double frames_ = 0.0;
     double triangles_ = 0.0;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "render/subdivision/other_sights.h"
-#include "render/subdivision/subdivision.h"
+#include "render/subdivision/patch_sampler.h"
 
 namespace lumi {
 

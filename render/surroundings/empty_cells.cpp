@@ -6,6 +6,7 @@
 
 #include "render/transfer/pixel_transfer.h"
 #include "render/transfer/polygon_clipping.h"
+#include "render/transfer/polygon_extent.h"
 
 namespace lumi {
 namespace {
@@ -34,22 +35,9 @@ CellCorners corners_of(const PictureCells& cells, int column, int row) {
 /// Of a cell, in square pixels: what rounding may leave out between faces that fit together.
 constexpr double kRounding_px2 = 0.01;
 
-using Corners = std::vector<Eigen::Vector2d>;
-
 PictureCells::Block touched_by(const FacePolygon& polygon, const PictureCells& cells) {
-    Eigen::AlignedBox2d box;
-    for (const Eigen::Vector2d& corner : polygon.corners_px) box.extend(corner);
+    const Eigen::AlignedBox2d box = bounding_box(polygon.corners_px);
     return cells.touched_by(box.min(), box.max());
-}
-
-double area_px2(const Corners& corners) {
-    double doubled = 0;
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-        const Eigen::Vector2d a = corners[i - 1] - corners[0];
-        const Eigen::Vector2d b = corners[i] - corners[0];
-        doubled += a.x() * b.y() - a.y() * b.x();
-    }
-    return 0.5 * std::abs(doubled);
 }
 
 /// What is seen through the faces, on the plane and infinitely far beyond its horizon.
@@ -156,7 +144,7 @@ void mark_beyond_mesh(const CameraMesh& mesh, const Eye& eye, PictureCells& cell
     for (const FacePolygon& polygon : face_polygons(mesh, eye, kNoOverlap_px)) {
         const PictureCells::Block block = touched_by(polygon, cells);
         for (int row = block.begin_row; row < block.end_row; ++row) {
-            const Corners in_row =
+            const std::vector<Eigen::Vector2d> in_row =
                 clipped_between(polygon.corners_px, 1, row * cell_px, (row + 1) * cell_px);
             for (int column = block.begin_column; column < block.end_column; ++column)
                 open_px2(row, column) -=

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "calib/capture/camera.h"
 #include "calib/capture/rigid3.h"
@@ -19,7 +20,16 @@ namespace lumi {
 struct PixelTransfer {
     Eigen::Matrix3d at_infinity = Eigen::Matrix3d::Identity();
     Eigen::Vector3d per_inverse_depth = Eigen::Vector3d::Zero();
+
+    /// The homogeneous pixel of the target.
+    [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector2d& pixel, double inverse_depth) const {
+        return at_infinity * pixel.homogeneous() + inverse_depth * per_inverse_depth;
+    }
 };
+
+/// Of a point's depth in the target over that in the source: with less it is taken to lie behind
+/// the target.
+inline constexpr double kLeastDepthRatio = 1e-6;
 
 [[nodiscard]] PixelTransfer pixel_transfer(const Camera& target, const Rigid3& target_from_world,
                                            const Camera& source, const Rigid3& source_from_world);

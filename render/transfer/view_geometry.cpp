@@ -24,6 +24,11 @@ Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph) {
     return {0, 2 / (distance > 0 ? distance : 1.0)};
 }
 
+double nearest_inverse_depth(const Lumigraph& lumigraph) {
+    constexpr double kTimesNearer = 100.0;
+    return kTimesNearer * inverse_depth_range(lumigraph).y();
+}
+
 std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph) {
     std::vector<ViewGeometry> geometries;
     for (const LumigraphView& view : lumigraph.views) {

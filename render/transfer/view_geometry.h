@@ -11,6 +11,9 @@ namespace lumi {
 /// scene's centre when the Lumigraph does not say.
 [[nodiscard]] Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph);
 
+/// Of the nearest that an eye can look at: a hundredth of the distance of the scene's near end.
+[[nodiscard]] double nearest_inverse_depth(const Lumigraph& lumigraph);
+
 /// What turns differences of inverse depth into pixels, the same for every eye.
 struct ViewGeometry {
     Eigen::Vector3d centre_in_world = Eigen::Vector3d::Zero();

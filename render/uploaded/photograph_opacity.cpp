@@ -76,7 +76,7 @@ FloatImage shares_of_pixels(const LumigraphView& view, double disparity_px) {
     const int width = view.camera.width_px;
     const int height = view.camera.height_px;
     FloatImage shares(width, height, 1.0F);
-    if (view.depth.inverse_depth.empty()) return shares;
+    if (!view.has_depth()) return shares;
     const MixedPixels mixed(view, disparity_px);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {

@@ -27,7 +27,18 @@ Lumigraph without_photographs(const Lumigraph& lumigraph) {
     return layout;
 }
 
-void require_fits(const Capabilities& capabilities, const Lumigraph& lumigraph) {
+void require_side_fits(const Capabilities& capabilities, const std::string& what, int side_px) {
+    if (side_px <= capabilities.max_texture_size_px) return;
+    throw Error(ErrorKind::kResources, "E-GL-LIMIT",
+                what + " is " + std::to_string(side_px) + " pixels long, but " +
+                    capabilities.description + " holds " +
+                    std::to_string(capabilities.max_texture_size_px),
+                "make the package with a smaller [capture] max_width_px");
+}
+
+/// Throws Error (E-GL-LIMIT) unless the current GL holds the photographs and depth maps.
+Capabilities capabilities_for(const Lumigraph& lumigraph) {
+    Capabilities capabilities = query_capabilities();
     if (lumigraph.views.size() > static_cast<std::size_t>(capabilities.max_array_layers))
         throw Error(ErrorKind::kResources, "E-GL-LIMIT",
                     std::to_string(lumigraph.views.size()) + " photographs, but " +
@@ -35,15 +46,14 @@ void require_fits(const Capabilities& capabilities, const Lumigraph& lumigraph) 
                         std::to_string(capabilities.max_array_layers),
                     "make the package with [package] max_views, or use another GL driver");
     for (const LumigraphView& view : lumigraph.views) {
-        const int size_px =
-            std::max(view.photograph.width(), view.photograph.height()) + 2 * kGutter_px;
-        if (size_px > capabilities.max_texture_size_px)
-            throw Error(ErrorKind::kResources, "E-GL-LIMIT",
-                        view.name + " is " + std::to_string(size_px) + " pixels long, but " +
-                            capabilities.description + " holds " +
-                            std::to_string(capabilities.max_texture_size_px),
-                        "make the package with a smaller [capture] max_width_px");
+        const FloatImage& inverse_depth = view.depth.inverse_depth;
+        require_side_fits(
+            capabilities, view.name,
+            std::max(view.photograph.width(), view.photograph.height()) + 2 * kGutter_px);
+        require_side_fits(capabilities, "the depth map of " + view.name,
+                          std::max(inverse_depth.width(), inverse_depth.height()));
     }
+    return capabilities;
 }
 
 TextureArray upload_photographs(const Lumigraph& lumigraph) {
@@ -95,11 +105,10 @@ TextureArray upload_depth_maps(const std::vector<LumigraphView>& views) {
 }  // namespace
 
 UploadedLumigraph::UploadedLumigraph(const Lumigraph& lumigraph)
-    : capabilities(query_capabilities()),
+    : capabilities(capabilities_for(lumigraph)),
       layout(without_photographs(lumigraph)),
       searched_views(lumi::searched_views(lumigraph)),
       small_photographs(lumi::small_photographs(lumigraph)) {
-    require_fits(capabilities, lumigraph);
     photographs = upload_photographs(lumigraph);
     depth_maps = upload_depth_maps(lumigraph.views);
     for (const LumigraphView& view : lumigraph.views)

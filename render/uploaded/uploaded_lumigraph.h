@@ -38,8 +38,6 @@ struct UploadedLumigraph {
     /// Makes what a frame takes that others do not, before it is drawn: leaves GL's state as
     /// TextureArray::make_mip_levels does. Throws Error (E-GL-LIMIT).
     void prepare(const Eye& eye, const RenderOptions& options);
-
-    [[nodiscard]] bool has_depth() const { return depth_maps.layers() > 0; }
 };
 
 }  // namespace lumi

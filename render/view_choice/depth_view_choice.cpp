@@ -27,23 +27,36 @@ std::vector<Eigen::Vector2d> grid_over(const Camera& camera) {
     return pixels;
 }
 
-/// Takes views one by one.
+/// Those with depth; all where none has any.
+std::vector<int> candidates_of(const Lumigraph& lumigraph) {
+    const bool has_depth = lumigraph.has_depth();
+    std::vector<int> candidates;
+    for (std::size_t view = 0; view < lumigraph.views.size(); ++view)
+        if (!has_depth || lumigraph.views[view].has_depth())
+            candidates.push_back(static_cast<int>(view));
+    return candidates;
+}
+
+/// Takes views one by one; until it is made they go by their numbers among the candidates.
 class Choice {
  public:
     Choice(const Lumigraph& lumigraph, const Eye& eye, int max_views, double nearly)
-        : max_views_(max_views), nearly_(nearly) {
+        : max_views_(max_views), nearly_(nearly), candidates_(candidates_of(lumigraph)) {
         const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
         const SightSamples samples = sight_samples(lumigraph, eye, grid_over(eye.camera));
-        sights_.resize(lumigraph.views.size());
+        sights_.resize(candidates_.size());
         parallel_for(static_cast<int>(sights_.size()), 0, [&](int i) {
-            const auto view = static_cast<std::size_t>(i);
-            sights_[view] = sight_of(lumigraph.views[view], eye_in_world, samples.points);
+            const auto candidate = static_cast<std::size_t>(i);
+            const auto view = static_cast<std::size_t>(candidates_[candidate]);
+            sights_[candidate] = sight_of(lumigraph.views[view], eye_in_world, samples.points);
         });
         worth_ = samples.worth;
     }
 
     [[nodiscard]] std::vector<DepthViewSet> sets() {
         complete({{}, 1.0}, worth_);
+        for (DepthViewSet& set : sets_)
+            for (int& view : set.view_indices) view = candidates_[static_cast<std::size_t>(view)];
         return std::move(sets_);
     }
 
@@ -105,6 +118,7 @@ class Choice {
 
     int max_views_;
     double nearly_;
+    std::vector<int> candidates_;  ///< Indices of views.
     std::vector<ViewSight> sights_;
     Eigen::RowVectorXd worth_;
     std::vector<DepthViewSet> sets_;

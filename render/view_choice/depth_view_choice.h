@@ -24,7 +24,7 @@ inline constexpr int kMaxDepthViewSets = 8;
 /// The eye's picture is sampled on a grid (view_sight.h). Views are taken one by one; each adds,
 /// for every sample in its photograph, the more the smaller the angle between view and eye, and the
 /// less the more views see it already. The first is the nearest. Views that see nothing of it are
-/// left out, unless all are.
+/// left out, unless all are, and so are those without depth, unless none has any.
 [[nodiscard]] std::vector<int> choose_depth_views(const Lumigraph& lumigraph, const Eye& eye,
                                                   int max_views);
 

@@ -51,6 +51,44 @@ constexpr std::array kBindings{
     KeyBinding{GLFW_KEY_Q, true, Command::kQuit, "Ctrl+Q", "quit"},
 };
 
+/// That a command asks for.
+std::optional<RenderMode> mode_of(Command command) {
+    switch (command) {
+        case Command::kLightField:
+            return RenderMode::kLightField;
+        case Command::kPerPixel:
+            return RenderMode::kPerPixel;
+        case Command::kAdaptive:
+            return RenderMode::kAdaptive;
+        case Command::kPaper2001:
+            return RenderMode::kPaper2001;
+        case Command::kHeigl:
+            return RenderMode::kHeigl;
+        default:
+            return std::nullopt;
+    }
+}
+
+/// The same.
+std::optional<DebugPicture> picture_of(Command command) {
+    switch (command) {
+        case Command::kShowWeights:
+            return DebugPicture::kWeights;
+        case Command::kShowFaces:
+            return DebugPicture::kFaces;
+        case Command::kShowDepth:
+            return DebugPicture::kDepth;
+        case Command::kShowConfidence:
+            return DebugPicture::kConfidence;
+        case Command::kShowOcclusion:
+            return DebugPicture::kOcclusion;
+        case Command::kShowGrid:
+            return DebugPicture::kGrid;
+        default:
+            return std::nullopt;
+    }
+}
+
 void toggle(DebugPicture picture, RenderOptions& render) {
     render.debug_picture = render.debug_picture == picture ? DebugPicture::kNone : picture;
 }
@@ -83,13 +121,9 @@ ViewerState first_state(const Lumigraph& lumigraph, const RenderOptions& render)
 
 ViewerState state_after_opening(const Lumigraph& lumigraph, const ViewerState& state) {
     ViewerState after = first_state(lumigraph, state.render);
-    after.shows_panel = state.shows_panel;
-    after.shows_help = state.shows_help;
-    after.waits_for_vsync = state.waits_for_vsync;
-    after.frames_per_second = state.frames_per_second;
+    static_cast<ViewerChoices&>(after) = state;
     after.planned = state.planned;
     after.package = state.package;
-    after.exposures = state.exposures;
     return after;
 }
 
@@ -117,42 +151,11 @@ void go_to_held_out(int index, const std::vector<HeldOutView>& held_out, const L
 
 void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
     RenderOptions& render = state.render;
+    if (const auto mode = mode_of(command)) render.mode = *mode;
+    if (const auto picture = picture_of(command)) toggle(*picture, render);
     switch (command) {
-        case Command::kLightField:
-            render.mode = RenderMode::kLightField;
-            break;
-        case Command::kPerPixel:
-            render.mode = RenderMode::kPerPixel;
-            break;
-        case Command::kAdaptive:
-            render.mode = RenderMode::kAdaptive;
-            break;
-        case Command::kPaper2001:
-            render.mode = RenderMode::kPaper2001;
-            break;
-        case Command::kHeigl:
-            render.mode = RenderMode::kHeigl;
-            break;
         case Command::kNextMode:
             render.mode = next_of(all_render_modes(), render.mode);
-            break;
-        case Command::kShowWeights:
-            toggle(DebugPicture::kWeights, render);
-            break;
-        case Command::kShowFaces:
-            toggle(DebugPicture::kFaces, render);
-            break;
-        case Command::kShowDepth:
-            toggle(DebugPicture::kDepth, render);
-            break;
-        case Command::kShowConfidence:
-            toggle(DebugPicture::kConfidence, render);
-            break;
-        case Command::kShowOcclusion:
-            toggle(DebugPicture::kOcclusion, render);
-            break;
-        case Command::kShowGrid:
-            toggle(DebugPicture::kGrid, render);
             break;
         case Command::kNextPicture:
             render.debug_picture = next_of(all_debug_pictures(), render.debug_picture);
@@ -192,6 +195,8 @@ void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
             break;
         case Command::kQuit:
             state.wants_to_close = true;
+            break;
+        default:
             break;
     }
 }

@@ -67,29 +67,33 @@ struct HeldOutView {
     ColorImage photograph;  ///< Of the size of the eye's camera.
 };
 
-/// All that keys and panels change.
-struct ViewerState {
-    Navigation navigation;
-    std::vector<PlannedView> planned;  ///< The most helpful first; may be empty.
-    int planned_index = -1;            ///< The one that was last stood at, -1: none yet.
+/// What is chosen of pictures and panels, whichever package is shown.
+struct ViewerChoices {
     RenderOptions render;
     /// Kept while the eye moves by coarser frames and, by `adaptive`, with fewer triangles; 0: by
     /// coarser frames alone, as many as MovingResolution keeps by itself.
     double frames_per_second = 0.0;
-    int view_index = 0;             ///< The photograph that was last stood at.
-    int compared_index = -1;        ///< The held-out photograph that is compared with; -1: none.
-    double compared_share = 0.5;    ///< So much of the picture shows the photograph, from the left.
-    bool shows_difference = false;  ///< Instead of the photograph.
     bool shows_help = false;
     bool shows_panel = true;
     bool waits_for_vsync = true;
+    Exposures exposures = Exposures::kEvened;  ///< The package is read again where they change.
+};
+
+/// All that keys and panels change.
+struct ViewerState : ViewerChoices {
+    Navigation navigation;
+    std::vector<PlannedView> planned;  ///< The most helpful first; may be empty.
+    int planned_index = -1;            ///< The one that was last stood at, -1: none yet.
+    int view_index = 0;                ///< The photograph that was last stood at.
+    int compared_index = -1;           ///< The held-out photograph that is compared with; -1: none.
+    double compared_share = 0.5;    ///< So much of the picture shows the photograph, from the left.
+    bool shows_difference = false;  ///< Instead of the photograph.
     bool wants_screenshot = false;
     bool records_path = false;
     bool has_path = false;      ///< There is one to replay.
     bool replays_path = false;  ///< Until its end, or until the eye is moved otherwise.
     bool wants_to_close = false;
     std::filesystem::path package;  ///< Where it was read; empty: it cannot be read again.
-    Exposures exposures = Exposures::kEvened;            ///< Read again where they are changed.
     std::vector<std::filesystem::path> recent_packages;  ///< That can be opened; may be empty.
     std::filesystem::path package_to_open;               ///< Empty: the one that is shown stays.
 };

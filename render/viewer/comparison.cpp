@@ -35,13 +35,8 @@ PictureOverlay fitted_overlay(const Eye& eye, int width_px, int height_px) {
 }
 
 bool Comparison::is_shown(const Shown& wanted) const {
-    if (shown_.index != wanted.index || shown_.is_difference != wanted.is_difference) return false;
-    const RenderOptions& a = shown_.options;
-    const RenderOptions& b = wanted.options;
-    return !wanted.is_difference ||
-           (a.mode == b.mode && a.correct_occlusion == b.correct_occlusion &&
-            a.fade_beyond_capture == b.fade_beyond_capture &&
-            a.guess_surroundings == b.guess_surroundings);
+    return shown_.index == wanted.index && shown_.is_difference == wanted.is_difference &&
+           (!wanted.is_difference || shown_.options == wanted.options);
 }
 
 std::optional<PictureOverlay> Comparison::over_frame(const ViewerState& state, int width_px,

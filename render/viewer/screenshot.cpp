@@ -11,13 +11,15 @@
 namespace lumi {
 
 void write_screenshot(const std::filesystem::path& path, const Frame& frame, const Eye& eye,
-                      const RenderOptions& options, const std::string& lumigraph_name) {
+                      const RenderOptions& options, Exposures exposures,
+                      const std::string& lumigraph_name) {
     nlohmann::ordered_json pose = {{"lumigraph", printable(lumigraph_name)},
                                    {"mode", name_of(options.mode)},
                                    {"debug_picture", name_of(options.debug_picture)},
                                    {"correct_occlusion", options.correct_occlusion},
                                    {"fade_beyond_capture", options.fade_beyond_capture},
-                                   {"guess_surroundings", options.guess_surroundings}};
+                                   {"guess_surroundings", options.guess_surroundings},
+                                   {"as_taken", exposures == Exposures::kAsTaken}};
     pose.update(eye_json(eye));
     write_png(path, frame.color);
     write_whole_text(std::filesystem::path(path).replace_extension(".json"), pose.dump(2) + "\n");

@@ -212,7 +212,7 @@ void ViewerWindow::Implementation::show_wished_exposures() {
 void ViewerWindow::Implementation::write_screenshot_to(const std::filesystem::path& path) {
     picture.draw_whole(state, size_px, statistics);
     write_screenshot(path, picture.target().read(), picture.drawn()->eye, picture.drawn()->options,
-                     lumigraph.name);
+                     shown_exposures, lumigraph.name);
 }
 
 void ViewerWindow::Implementation::take_wished_screenshot() {

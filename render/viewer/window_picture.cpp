@@ -10,13 +10,7 @@ namespace lumi {
 namespace {
 
 bool is_same_frame(const DrawnFrame& a, const DrawnFrame& b) {
-    return is_same_eye(a.eye, b.eye) && a.scale == b.scale && a.options.mode == b.options.mode &&
-           a.options.debug_picture == b.options.debug_picture &&
-           a.options.correct_occlusion == b.options.correct_occlusion &&
-           a.options.fade_beyond_capture == b.options.fade_beyond_capture &&
-           a.options.guess_surroundings == b.options.guess_surroundings &&
-           a.options.smooth_silhouettes == b.options.smooth_silhouettes &&
-           a.options.triangle_error_ratio == b.options.triangle_error_ratio;
+    return is_same_eye(a.eye, b.eye) && a.scale == b.scale && a.options == b.options;
 }
 
 void remember_frame_time(FrameStatistics& statistics) {
@@ -49,16 +43,17 @@ void WindowPicture::draw_moving(const ViewerState& state, const Eigen::Vector2i&
     options.smooth_silhouettes = false;
     const bool is_limited = frames_per_second_ > 0 && options.mode == RenderMode::kAdaptive;
     if (is_limited) options = budget_.within(options);
-    draw(state.navigation.eye, resolution_.scale_while_moving(), size_px, options, statistics);
-    if (is_limited) budget_.measured(statistics.triangles, statistics.frame_ms);
+    const bool is_drawn =
+        draw(state.navigation.eye, resolution_.scale_while_moving(), size_px, options, statistics);
+    if (is_limited && is_drawn) budget_.measured(statistics.triangles, statistics.frame_ms);
 }
 
-void WindowPicture::draw(const Eye& eye, double scale, const Eigen::Vector2i& size_px,
+bool WindowPicture::draw(const Eye& eye, double scale, const Eigen::Vector2i& size_px,
                          const RenderOptions& options, FrameStatistics& statistics) {
     const Eigen::Vector2i size =
         (scale * size_px.cast<double>()).array().round().matrix().cast<int>().cwiseMax(1);
     const DrawnFrame wanted{fitted_to(eye, size.x(), size.y()), options, scale};
-    if (drawn_ && is_same_frame(*drawn_, wanted)) return;
+    if (drawn_ && is_same_frame(*drawn_, wanted)) return false;
     const Stopwatch stopwatch;
     statistics.triangles = target_.draw(renderer_, wanted.eye, wanted.options).triangles;
     glFinish();
@@ -68,6 +63,7 @@ void WindowPicture::draw(const Eye& eye, double scale, const Eigen::Vector2i& si
     statistics.height_px = size.y();
     resolution_.measured(scale, statistics.frame_ms);
     drawn_ = wanted;
+    return true;
 }
 
 }  // namespace lumi

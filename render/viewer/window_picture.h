@@ -39,7 +39,8 @@ class WindowPicture {
     [[nodiscard]] LumigraphRenderer& renderer() { return renderer_; }
 
  private:
-    void draw(const Eye& eye, double scale, const Eigen::Vector2i& size_px,
+    /// False where the frame is the one that was drawn last.
+    bool draw(const Eye& eye, double scale, const Eigen::Vector2i& size_px,
               const RenderOptions& options, FrameStatistics& statistics);
 
     LumigraphRenderer renderer_;

@@ -72,11 +72,15 @@ TEST(EvaluationMadeWith, TellsEverythingThatDecidesFiguresApart) {
     as_taken.exposures = Exposures::kAsTaken;
     EvaluationOptions without_ghosts;
     without_ghosts.ghost_energy = false;
-    const std::set<std::string> different{
-        made_with_json({}, "code").dump(), made_with_json({}, "other code").dump(),
-        made_with_json(one_mode, "code").dump(), made_with_json(as_taken, "code").dump(),
-        made_with_json(without_ghosts, "code").dump()};
-    EXPECT_EQ(different.size(), 5U);
+    EvaluationOptions with_rivals;
+    with_rivals.rivals = true;
+    const std::set<std::string> different{made_with_json({}, "code").dump(),
+                                          made_with_json({}, "other code").dump(),
+                                          made_with_json(one_mode, "code").dump(),
+                                          made_with_json(as_taken, "code").dump(),
+                                          made_with_json(without_ghosts, "code").dump(),
+                                          made_with_json(with_rivals, "code").dump()};
+    EXPECT_EQ(different.size(), 6U);
 }
 
 TEST(EvaluationMadeWith, ConformsToTheSchema) {

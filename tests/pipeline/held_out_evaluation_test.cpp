@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
@@ -186,6 +187,7 @@ TEST_F(HeldOutEvaluation, FiguresOfPicturesAreTheSameInEveryRun) {
             progress));
         for (Json& view : json["views"]) {
             view.erase("ms");
+            view.erase("cpu_ms");
             view.erase("ms_range");
         }
         return json["views"].dump();
@@ -249,6 +251,7 @@ void expect_conforms(const Json& value, const Json& node, const Json& root,
         node.contains("$ref")
             ? root.at(Json::json_pointer(node.at("$ref").get<std::string>().substr(1)))
             : node;
+    if (value.is_null() && schema.value("type", Json()) == Json{"object", "null"}) return;
     for (const Json& key : schema.value("required", Json::array())) {
         EXPECT_TRUE(value.contains(key.get<std::string>())) << where << ": " << key;
     }
@@ -279,6 +282,75 @@ TEST_F(HeldOutEvaluation, TheFileConformsToItsSchema) {
                                                     "/pipeline/evaluate/evaluation.schema.json"));
     EXPECT_EQ(json.at("schema_version"), schema.at("properties").at("schema_version").at("const"));
     expect_conforms(json, schema, schema, "");
+}
+
+const RivalScores* scores_of(const RivalEvaluation& rivals, const std::string& method) {
+    const auto found =
+        std::find_if(rivals.methods.begin(), rivals.methods.end(),
+                     [&](const RivalScores& scores) { return scores.method == method; });
+    return found == rivals.methods.end() ? nullptr : &*found;
+}
+
+TEST_F(HeldOutEvaluation, RivalsDrawTheSamePhotographsAndAreKept) {
+    const ScratchFolder scratch;
+    SilentProgress progress;
+    const int middle = textured_box_view(1, 1);
+    std::set<std::string> kept;
+    const RivalEvaluation rivals = evaluate_rivals(
+        exact_lumigraph(*scene_, mesh()), posed(scratch, {middle}), {}, 1,
+        [&](const std::string& method, const JudgedView& view) {
+            kept.insert(method);
+            EXPECT_EQ(view.rendering.color.width(), 160) << method;
+        },
+        progress);
+    EXPECT_EQ(kept, (std::set<std::string>{"unstructured lumigraph", "view-dependent texture",
+                                           "forward warping", "two-plane lightfield",
+                                           "two-plane adaptive"}));
+    ASSERT_EQ(rivals.methods.size(), kept.size());
+    for (const RivalScores& scores : rivals.methods) {
+        ASSERT_EQ(scores.views.size(), 1U) << scores.method;
+        EXPECT_GT(scores.views[0].cpu_ms, 0.0) << scores.method;
+        EXPECT_EQ(scores.resampling_cpu_s > 0, scores.method.starts_with("two-plane"));
+    }
+    // A camera stands there: these blend its photograph alone, what is resampled has lost.
+    for (const char* exact : {"unstructured lumigraph", "view-dependent texture"}) {
+        EXPECT_GT(scores_of(rivals, exact)->views[0].psnr_db,
+                  scores_of(rivals, "two-plane adaptive")->views[0].psnr_db + 3)
+            << exact;
+    }
+    ASSERT_EQ(rivals.left_out.size(), 1U);
+    EXPECT_EQ(rivals.left_out[0].method, "spherical");
+}
+
+TEST_F(HeldOutEvaluation, RivalsWithoutWhatTheyNeedAreLeftOutByName) {
+    const ScratchFolder scratch;
+    SilentProgress progress;
+    Lumigraph lumigraph = exact_lumigraph(*scene_, mesh());
+    for (LumigraphView& view : lumigraph.views) view.depth = {};
+    const RivalEvaluation rivals = evaluate_rivals(
+        lumigraph, posed(scratch, {0}), {}, 1, [](const std::string&, const JudgedView&) {},
+        progress);
+    std::map<std::string, std::string> reasons;
+    for (const RivalLeftOut& rival : rivals.left_out) reasons[rival.method] = rival.reason;
+    EXPECT_EQ(reasons.size(), 4U);
+    EXPECT_NE(reasons["unstructured lumigraph"].find("depth"), std::string::npos);
+    EXPECT_NE(scores_of(rivals, "two-plane lightfield"), nullptr);
+}
+
+TEST(EvaluationFile, OfRivalsConformsToItsSchemaAndIsCompared) {
+    Evaluation evaluation;
+    evaluation.modes = {{RenderMode::kPerPixel, {ViewScore{.name = "x"}}, {}, {}}};
+    EXPECT_TRUE(evaluation_json(evaluation).at("rivals").is_null());
+    evaluation.rivals = RivalEvaluation{{{"forward warping", {ViewScore{.name = "x"}}, 0.0}},
+                                        {{"spherical", "not all around"}}};
+    const Json json = evaluation_json(evaluation);
+    const Json schema = Json::parse(read_whole_text(std::string(LUMI_SOURCE_DIR) +
+                                                    "/pipeline/evaluate/evaluation.schema.json"));
+    expect_conforms(json, schema, schema, "");
+    EXPECT_EQ(json.at("rivals").at("left_out").at("spherical"), "not all around");
+    const auto comparisons = compare_evaluations(json, json);
+    ASSERT_EQ(comparisons.size(), 2U);
+    EXPECT_EQ(comparisons[0].mode, "forward warping");
 }
 
 TEST(EvaluationComparison, IsViewByViewAndSaysWhatIsBeyondChance) {

@@ -14,7 +14,7 @@ std::string number_or_dash(const Json& value, int decimals, double factor = 1.0)
 std::vector<std::string> headings(bool has_subject) {
     std::vector<std::string> texts{"",     "PSNR (dB)", "covered (dB)",        "SSIM",
                                    "FLIP", "sharpness", "dB, exposure fitted", "covered (%)",
-                                   "ms"};
+                                   "ms",   "CPU ms"};
     if (has_subject) texts.insert(texts.end(), {"subject (dB)", "of it covered (%)"});
     return texts;
 }
@@ -28,7 +28,8 @@ std::vector<std::string> row_of(const std::string& name, const Json& score, bool
                                  number_or_dash(score.at("edge_sharpness"), 3),
                                  number_or_dash(score.at("psnr_gain_fitted_db"), 2),
                                  number_or_dash(score.at("coverage"), 2, 100.0),
-                                 number_or_dash(score.at("ms"), 1)};
+                                 number_or_dash(score.at("ms"), 1),
+                                 number_or_dash(score.at("cpu_ms"), 1)};
     if (has_subject) {
         row.push_back(number_or_dash(score.at("psnr_subject_db"), 2));
         row.push_back(number_or_dash(score.at("subject_coverage"), 2, 100.0));
@@ -69,6 +70,21 @@ std::string mode_tables(const std::string& mode, const Json& scores, bool has_su
            html_details("Every view", html_table(headings(has_subject), rows));
 }
 
+/// Other methods, a line each, and why some are not among them.
+std::string rivals_table(const Json& rivals, bool has_subject) {
+    if (rivals.is_null()) return {};
+    TableRows rows;
+    for (const auto& [method, scores] : rivals.at("methods").items())
+        rows.push_back(row_of(method, scores.at("mean"), has_subject));
+    std::string html = "<h3>Other methods</h3>" + html_table(headings(has_subject), rows);
+    for (const auto& [method, reason] : rivals.at("left_out").items())
+        html += "<p>Not drawn: " + html_escaped(method) + ". " + html_escaped(text_of(reason)) +
+                ".</p>\n";
+    return html +
+           "<p>Means. Unstructured lumigraph, view-dependent texture and forward warping are drawn "
+           "in plain code; two-plane and spherical from photographs that were resampled.</p>\n";
+}
+
 std::string ghost_remark(const Json& evaluation) {
     const Json& correlation = evaluation.at("ghost_rank_correlation").at("between_blocks");
     if (correlation.is_null()) return {};
@@ -87,6 +103,7 @@ std::string figures_section(const ReportSources& sources) {
     for (const auto& [mode, scores] : evaluation.at("modes").items()) {
         html += mode_tables(mode, scores, has_subject);
     }
+    html += rivals_table(evaluation.at("rivals"), has_subject);
     if (has_subject) {
         html += "<p>Subject: the pixels of each photograph told from the rest by " +
                 html_escaped(text_of(evaluation.at("subject_from"))) +

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <numeric>
 
 #include "meshing/rivals/heigl_weights.h"
 #include "meshing/rivals/unstructured_weights.h"
+#include "meshing/rivals/view_dependent_weights.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
 
 namespace lumi {
@@ -55,6 +57,25 @@ TEST(UnstructuredWeights, AreOneAtACameraAndDependOnWhereOnTheRayTheEyeStands) {
     double difference = 0;
     for (std::size_t i = 0; i < one.size(); ++i) difference += std::abs(one[i] - other[i]);
     EXPECT_GT(difference, 1e-3);
+}
+
+TEST(ViewDependentWeights, AreOfTheThreeNearestDirectionsByOneOverTheAngle) {
+    // On a circle about the polygon's middle, at angles of 1, 2, 4 and 8 hundredths from the eye.
+    const Eigen::Vector3d middle(0.3, -0.2, 1);
+    const auto at = [&](double angle, double distance) {
+        return (middle + distance * Eigen::Vector3d(std::sin(angle), 0, std::cos(angle))).eval();
+    };
+    const Points centres{at(0.04, 3), at(-0.01, 2), at(0.08, 1), at(0.02, 5)};
+    const auto weights = view_dependent_weights(centres, at(0, 2.5), middle);
+    // 1/4 : 1 : 1/2, of which the sum is 7/4.
+    EXPECT_NEAR(weights[0], 1.0 / 7, 1e-12);
+    EXPECT_NEAR(weights[1], 4.0 / 7, 1e-12);
+    EXPECT_EQ(weights[2], 0);
+    EXPECT_NEAR(weights[3], 2.0 / 7, 1e-12);
+}
+
+TEST(ViewDependentWeights, OfOneCameraAreOne) {
+    EXPECT_EQ(view_dependent_weights({{1, 2, 3}}, {0, 0, 1}, {0, 0, 0}), std::vector<double>{1.0});
 }
 
 TEST(UnstructuredWeights, OfFewCamerasAreThoseOfTheNearest) {

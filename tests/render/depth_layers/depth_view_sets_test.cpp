@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -70,6 +71,19 @@ TEST(DepthViewSets, AreOneWhereAnEyeIsAtAView) {
     const Eye eye{view.camera, view.cam_from_world};
     for (const DepthViewSet& set : depth_view_sets(lumigraph, eye, 3))
         EXPECT_EQ(set.view_indices.front(), 3);
+}
+
+TEST(DepthViewSets, AskNoViewThatHasNone) {
+    Lumigraph lumigraph = ball_in_sky();
+    const Eye eye = eye_near_ball(0.3);
+    const std::vector<int> chosen = choose_depth_views(lumigraph, eye, 3);
+    lumigraph.views[static_cast<std::size_t>(chosen.front())].depth = {};
+    const auto sets = depth_view_sets(lumigraph, eye, 3);
+    ASSERT_FALSE(sets.empty());
+    for (const DepthViewSet& set : sets) {
+        EXPECT_EQ(set.view_indices.size(), 3U);
+        EXPECT_EQ(std::count(set.view_indices.begin(), set.view_indices.end(), chosen.front()), 0);
+    }
 }
 
 // A choice without shares changes by a whole view, however short the way.

@@ -34,6 +34,12 @@ TEST(Occlusion, WeightsStayWhenAllSee) {
     EXPECT_NEAR((*weights)[1], 0.3, 1e-15);
 }
 
+TEST(Occlusion, TheOccludedShareIsWhatTheUnseenWeigh) {
+    EXPECT_NEAR(occluded_share({0.5, 0.3, 0.2}, {1, 1, 1}), 0, 1e-15);
+    EXPECT_NEAR(occluded_share({0.5, 0.3, 0.2}, {1, 0, 0.5}), 0.4, 1e-15);
+    EXPECT_EQ(occluded_share({0.5, 0.3, 0.2}, {0, 0, 0}), 1);
+}
+
 TEST(Occlusion, VisibilityFallsBetweenOneAndTwoTolerances) {
     EXPECT_EQ(visibility_of(0.0, 1.5), 1);
     EXPECT_EQ(visibility_of(1.5, 1.5), 1);

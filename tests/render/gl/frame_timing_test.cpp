@@ -4,12 +4,16 @@
 #include "calib/work/median.h"
 #include "calib/work/progress.h"
 #include "render/bench/frame_timing.h"
+#include "render/bench/lookup_count.h"
 #include "render/bench/occlusion_share.h"
 #include "render/bench/three_texture_blend.h"
 #include "render/gl/capabilities.h"
 #include "render/gl/draw_queries.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/headless_context.h"
+#include "render/gl/lookup_meter.h"
+#include "render/gl/texture.h"
+#include "render/gl/vertex_buffer.h"
 #include "render/paths/path_through_views.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "tests/render/analytic_scene.h"
@@ -50,6 +54,41 @@ TEST(DeviceTimeGl, IsThatOfAGraphicsCard) {
     EXPECT_GT(time_ms.value_or(1), 0);
 }
 
+TEST(LookupMeterGl, TheBlendOfThreeTexturesLooksThreeTexelsUpForEachPixel) {
+    const HeadlessContext context;
+    const Lumigraph lumigraph = card_before_wall();
+    Framebuffer framebuffer;
+    framebuffer.attach_color(kWidthPx, kHeightPx);
+    const Viewport viewport{0, 0, kWidthPx, kHeightPx};
+    const auto drawn_by = [&](const ThreeTextureBlend& blend) {
+        framebuffer.bind();
+        blend.draw(viewport);
+        return framebuffer.read_rgba_bottom_up(kWidthPx, kHeightPx);
+    };
+    const std::vector<unsigned char> plain = drawn_by(ThreeTextureBlend(lumigraph));
+    const LookupMeter meter;
+    const ThreeTextureBlend counting(lumigraph);
+    EXPECT_EQ(drawn_by(counting), plain);
+    const auto lookups = meter.lookups([&] { counting.draw(viewport); });
+    if (!lookups) GTEST_SKIP() << "this context cannot count";
+    EXPECT_EQ(*lookups, 3U * kWidthPx * kHeightPx);
+    EXPECT_THAT(meter.lookups([] {}), Optional(0U));
+}
+
+TEST(UploadedBytesGl, AreThoseOfVerticesIndicesAndTexels) {
+    const HeadlessContext context;
+    EXPECT_EQ(uploaded_bytes([] {}), 0U);
+    VertexBuffer buffer({{0, 2}});
+    EXPECT_EQ(uploaded_bytes([&] {
+                  buffer.upload({0, 0, 1, 0, 1, 1}, {0, 1, 2});
+              }),
+              6 * sizeof(float) + 3 * sizeof(std::uint32_t));
+    TextureArray photographs(TexelFormat::kColor, TexelFilter::kLinear, 8, 4, 1);
+    EXPECT_EQ(uploaded_bytes([&] { photographs.upload(0, ColorImage(8, 4)); }), 4U * 8 * 4);
+    TextureArray depths(TexelFormat::kFloat, TexelFilter::kNearest, 8, 4, 1);
+    EXPECT_EQ(uploaded_bytes([&] { depths.upload(0, FloatImage(8, 4)); }), 4U * 8 * 4);
+}
+
 class FrameTimingGl : public testing::Test {
  protected:
     [[nodiscard]] FrameTimingReport timed(const std::vector<RenderOptions>& modes) const {
@@ -73,6 +112,8 @@ TEST_F(FrameTimingGl, RatiosAreOfTheBlendDrawnInTheSameRun) {
         EXPECT_DOUBLE_EQ(mode.ratio, mode.cost.median_ms / report.base.median_ms);
         EXPECT_DOUBLE_EQ(mode.cpu_ratio, mode.cost.cpu_ms / report.base.cpu_ms);
         EXPECT_LE(mode.cost.median_ms, mode.cost.p95_ms);
+        EXPECT_LE(mode.cost.cpu_ms, mode.cost.p95_cpu_ms);
+        EXPECT_GT(mode.uploaded_bytes, 0);
         EXPECT_EQ(mode.device_ms.has_value(), report.base_device_ms.has_value());
         EXPECT_EQ(mode.frames_cpu_ms.size(), static_cast<std::size_t>(kFrames));
         EXPECT_DOUBLE_EQ(median_of(mode.frames_cpu_ms), mode.cost.cpu_ms);
@@ -97,6 +138,26 @@ TEST_F(FrameTimingGl, AdaptiveFillsTwiceWhatOtherViewsSeeInPartAlone) {
 TEST_F(FrameTimingGl, ThreePassesFillThePictureThreeTimes) {
     const FrameTimingReport report = timed({{.mode = RenderMode::kPaper2001}});
     EXPECT_THAT(report.modes.front().fragments_per_pixel, Optional(AllOf(Ge(2.5), Le(3.3))));
+}
+
+/// Of each fragment: `lightfield` looks up no more than the three photographs of its face, one pass
+/// of `paper2001` one; `perpixel` their depth, too.
+TEST_F(FrameTimingGl, LookupsOfAFrameAreThoseOfItsFragments) {
+    const std::vector<RenderOptions> modes{
+        {.mode = RenderMode::kLightField, .guess_surroundings = false},
+        {.mode = RenderMode::kPaper2001},
+        {.mode = RenderMode::kPerPixel, .smooth_silhouettes = false, .guess_surroundings = false}};
+    const FrameTimingReport report = timed(modes);
+    const LookupCounts counts = count_lookups(
+        lumigraph_, path_through_views(lumigraph_, kFrames, kWidthPx, kHeightPx), modes, progress_);
+    if (!counts.base_per_pixel) GTEST_SKIP() << "this context cannot count";
+    EXPECT_EQ(*counts.base_per_pixel, 3.0);
+    const auto per_fragment = [&](std::size_t mode) {
+        return *counts.modes_per_pixel[mode] / *report.modes[mode].fragments_per_pixel;
+    };
+    EXPECT_THAT(per_fragment(0), AllOf(Ge(1.0), Le(3.0)));
+    EXPECT_DOUBLE_EQ(per_fragment(1), 1.0);
+    EXPECT_GT(per_fragment(2), 3.0);
 }
 
 TEST(OcclusionShare, IsTheMedianOfWhatEachFrameSaves) {

@@ -267,6 +267,14 @@ TEST(TriangleBudget, ThatCannotBeKeptLeavesFewTriangles) {
     EXPECT_LT(4 * modelled_frames(1000, 5, 0.01).triangles, all);
 }
 
+TEST(TriangleBudget, GivesNoTrianglesAwayThatSaveLessThanATenthOfTheFrame) {
+    const std::size_t all = modelled_frames(0, 5, 0.01).triangles;
+    // All triangles together take a twentieth of what the frame takes without them.
+    const double ms_each = 0.05 * 5 / static_cast<double>(all);
+    EXPECT_GT(3 * modelled_frames(1000, 5, ms_each).triangles, 2 * all);
+    EXPECT_GT(10 * modelled_frames(190, 5, ms_each).triangles, 9 * all);
+}
+
 TEST(TriangleBudget, WithoutALimitOrWithTimeToSpareLeavesThePictureAsItIs) {
     OffscreenRenderer renderer(card_before_wall());
     const Eye eye = eye_at({0.2, 0.1, 0.02}, {0, 0, 4}, pinhole_camera(160, 120, 140));

@@ -269,7 +269,7 @@ TEST(Screenshot, HoldsThePixelsAndThePoseToTheBit) {
     const LumigraphView view = tiny_lumigraph().views[0];
     const Eye eye{view.camera, view.cam_from_world};
     const Frame frame{view.photograph, GrayImage(13, 7, 255), {}};
-    write_screenshot(scratch / "shot.png", frame, eye, {}, "tiny\x1b");
+    write_screenshot(scratch / "shot.png", frame, eye, {}, Exposures::kEvened, "tiny\x1b");
     EXPECT_EQ(read_color_image(scratch / "shot.png"), view.photograph);
 
     const auto pose = nlohmann::json::parse(read_whole_text(scratch / "shot.json"));

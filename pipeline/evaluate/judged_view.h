@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "calib/capture/posed_photographs.h"
+#include "meshing/surface/camera_mesh.h"
+#include "pipeline/evaluate/view_score.h"
+#include "render/frame/frame.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// A photograph, what the Lumigraph shows from its place, and how they compare.
+struct JudgedView {
+    ViewScore score;
+    ColorImage photograph;
+    GrayImage subject;  ///< Of the photograph; empty where it is not known.
+    Frame rendering;
+    FloatImage flip;          ///< Error map.
+    FloatImage ghost_energy;  ///< Empty when it was not asked for.
+};
+
+/// Which pixels of a held-out photograph are of the subject (255) and which are not (0), by the
+/// view's name; an empty picture where that is not known.
+using SubjectMask =
+    std::function<GrayImage(const std::string& view_name, const ColorImage& photograph)>;
+
+/// Wall and CPU times of repeated frames, milliseconds; CPU over all threads of the process.
+struct RepeatedTimes {
+    std::vector<double> wall_ms;
+    std::vector<double> cpu_ms;
+};
+
+/// Draws so many times.
+[[nodiscard]] RepeatedTimes times_of(int repetitions, const std::function<void()>& draw);
+
+/// The eyes that took held-out photographs.
+[[nodiscard]] std::vector<Eye> eyes_of(const PosedPhotographs& held_out);
+
+/// Judges what was drawn in the place of one of the held-out photographs, from cameras with this
+/// mesh, and took these times. `subject_mask` may be empty. Throws Error for a photograph that
+/// cannot be read.
+[[nodiscard]] JudgedView judged_view(const PosedPhotographs& held_out, std::size_t index,
+                                     const CameraMesh& mesh, const SubjectMask& subject_mask,
+                                     Frame rendering, const RepeatedTimes& times);
+
+}  // namespace lumi

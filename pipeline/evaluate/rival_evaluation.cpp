@@ -1,0 +1,104 @@
+#include "pipeline/evaluate/rival_evaluation.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "calib/work/stopwatch.h"
+#include "render/renderer/offscreen_renderer.h"
+#include "render/rivals/rival_methods.h"
+
+namespace lumi {
+namespace {
+
+class RivalJudge {
+ public:
+    RivalJudge(const Lumigraph& lumigraph, const PosedPhotographs& held_out,
+               const SubjectMask& subject_mask, int timed_frames, const JudgedRivalSink& keep,
+               Progress& progress)
+        : lumigraph_(lumigraph),
+          held_out_(held_out),
+          eyes_(eyes_of(held_out)),
+          subject_mask_(subject_mask),
+          timed_frames_(std::max(1, timed_frames)),
+          keep_(keep),
+          progress_(progress) {}
+
+    RivalEvaluation judge_all() {
+        for (const PlainRival& rival : plain_rivals())
+            if (can_draw(rival.name, rival.reason_against)) judge_plain(rival);
+        for (const ResampledRival& rival : resampled_rivals())
+            if (can_draw(rival.name, rival.reason_against)) judge_resampled(rival);
+        return std::move(evaluation_);
+    }
+
+ private:
+    bool can_draw(const std::string& method, ReasonAgainst reason_against) {
+        std::string reason = reason_against(lumigraph_);
+        if (reason.empty()) return true;
+        evaluation_.left_out.push_back({method, std::move(reason)});
+        return false;
+    }
+
+    void judge_plain(const PlainRival& rival) {
+        judge_views(rival.name, 0.0, [&](const Eye& eye, Frame& frame) {
+            return times_of(1, [&] { frame = rival.draw(lumigraph_, eye); });
+        });
+    }
+
+    void judge_resampled(const ResampledRival& rival) {
+        progress_.note("resampling for " + rival.name);
+        const Stopwatch stopwatch;
+        const Lumigraph pictures = [&] {
+            OffscreenRenderer source(lumigraph_);
+            return resampled(lumigraph_, rival.layout(lumigraph_), [&](const Eye& eye) {
+                progress_.throw_if_interrupted();
+                return source.draw(eye, {});
+            });
+        }();
+        const double cpu_s = stopwatch.elapsed().cpu_s;
+        OffscreenRenderer renderer(pictures);
+        for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kAdaptive}) {
+            judge_views(rival.name + ' ' + name_of(mode), cpu_s, [&](const Eye& eye, Frame& frame) {
+                frame = renderer.draw(eye, {.mode = mode});
+                return times_of(timed_frames_,
+                                [&] { static_cast<void>(renderer.draw(eye, {.mode = mode})); });
+            });
+        }
+    }
+
+    using DrawAndTime = std::function<RepeatedTimes(const Eye& eye, Frame& frame)>;
+    void judge_views(const std::string& method, double resampling_cpu_s, const DrawAndTime& draw) {
+        RivalScores scores{method, {}, resampling_cpu_s};
+        progress_.begin("drawing held-out views by " + method, eyes_.size());
+        for (std::size_t i = 0; i < eyes_.size(); ++i) {
+            progress_.throw_if_interrupted();
+            Frame frame;
+            const RepeatedTimes times = draw(eyes_[i], frame);
+            const JudgedView judged =
+                judged_view(held_out_, i, lumigraph_.mesh, subject_mask_, std::move(frame), times);
+            keep_(method, judged);
+            scores.views.push_back(judged.score);
+            progress_.advance();
+        }
+        evaluation_.methods.push_back(std::move(scores));
+    }
+
+    const Lumigraph& lumigraph_;
+    const PosedPhotographs& held_out_;
+    std::vector<Eye> eyes_;
+    const SubjectMask& subject_mask_;
+    int timed_frames_;
+    const JudgedRivalSink& keep_;
+    Progress& progress_;
+    RivalEvaluation evaluation_;
+};
+
+}  // namespace
+
+RivalEvaluation evaluate_rivals(const Lumigraph& lumigraph, const PosedPhotographs& held_out,
+                                const SubjectMask& subject_mask, int timed_frames,
+                                const JudgedRivalSink& keep, Progress& progress) {
+    return RivalJudge(lumigraph, held_out, subject_mask, timed_frames, keep, progress).judge_all();
+}
+
+}  // namespace lumi

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "calib/capture/posed_photographs.h"
+#include "calib/work/progress.h"
+#include "pipeline/evaluate/judged_view.h"
+#include "render/lumigraph/lumigraph.h"
+
+namespace lumi {
+
+/// Scores of all held-out views drawn by another method.
+struct RivalScores {
+    std::string method;  ///< With the mode that it is drawn in where it is resampled.
+    std::vector<ViewScore> views;
+    double resampling_cpu_s = 0.0;  ///< Before the first frame.
+};
+
+/// A method that cannot draw from this Lumigraph.
+struct RivalLeftOut {
+    std::string method;
+    std::string reason;
+};
+
+struct RivalEvaluation {
+    std::vector<RivalScores> methods;
+    std::vector<RivalLeftOut> left_out;
+};
+
+/// Called once per method and view, in order, with what is to be kept of it.
+using JudgedRivalSink = std::function<void(const std::string& method, const JudgedView& view)>;
+
+/// Draws every view of `held_out` from the Lumigraph by the methods that the paper is compared with
+/// (render/rivals/rival_methods.h), as evaluate_held_out does in lumi's modes. Plain code draws
+/// each frame once. What is resampled is drawn in the modes `lightfield` and `adaptive`. Throws
+/// Error (E-GL-...).
+[[nodiscard]] RivalEvaluation evaluate_rivals(const Lumigraph& lumigraph,
+                                              const PosedPhotographs& held_out,
+                                              const SubjectMask& subject_mask, int timed_frames,
+                                              const JudgedRivalSink& keep, Progress& progress);
+
+}  // namespace lumi
