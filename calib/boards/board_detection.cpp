@@ -174,13 +174,9 @@ bool is_circles(BoardKind kind) {
            kind == BoardKind::kHexagonalCircles;
 }
 
-/// Where the size is said, a larger pattern is another one. (Rows of shifted and hexagonal circles
-/// are counted in more than one way: their size is not held against them.)
+/// Where the size is said, a larger pattern is another one.
 bool is_larger_than_said(const BoardDetection& board, const BoardRequest& request) {
-    if (request.columns == 0 || request.rows == 0 || board.kind == BoardKind::kAsymmetricCircles ||
-        board.kind == BoardKind::kHexagonalCircles) {
-        return false;
-    }
+    if (request.columns == 0 || request.rows == 0 || !has_definite_size(board.kind)) return false;
     const auto [less, more] = std::minmax(board.columns, board.rows);
     const auto [said_less, said_more] = std::minmax(request.columns, request.rows);
     return less > said_less || more > said_more;

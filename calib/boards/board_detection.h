@@ -16,7 +16,9 @@ namespace lumi {
 /// What the user says about the board; what is left out is found from the photographs.
 struct BoardRequest {
     std::optional<BoardKind> kind;
-    int columns = 0;  ///< Of inner corners, discs, squares or markers. 0: not said.
+    /// Of inner corners, discs, squares or markers, either way round. What shows more is another
+    /// board. 0: not said.
+    int columns = 0;
     int rows = 0;
     /// Side of a square or marker, or diameter of a disc, to the distance between neighbours.
     double size_per_pitch = 0.0;  ///< 0: estimated.
@@ -53,6 +55,7 @@ struct BoardPhotographs {
     std::vector<BoardDetection> detections;  ///< One a view, in the same order.
     std::vector<LeftOut> left_out;
     std::size_t photographs = 0;
+    std::vector<std::string> warnings;  ///< What was said of the board and could not be confirmed.
 };
 
 /// Finds the board in every photograph (JPEG, PNG, TIFF) of a folder; the kind, unless it is given,

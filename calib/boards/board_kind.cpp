@@ -29,6 +29,10 @@ std::optional<BoardKind> board_kind_named(std::string_view name) {
     return std::nullopt;
 }
 
+bool has_definite_size(BoardKind kind) {
+    return kind != BoardKind::kAsymmetricCircles && kind != BoardKind::kHexagonalCircles;
+}
+
 std::string board_kind_names() {
     std::string names;
     for (const BoardKind kind : kBoardKinds) {

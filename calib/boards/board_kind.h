@@ -27,6 +27,9 @@ constexpr std::array<BoardKind, 7> kBoardKinds{
 /// "hexagonal-circles".
 [[nodiscard]] std::string_view name_of(BoardKind kind);
 [[nodiscard]] std::optional<BoardKind> board_kind_named(std::string_view name);
+/// Whether columns and rows can be counted in one way only: not those of shifted and hexagonal
+/// circles.
+[[nodiscard]] bool has_definite_size(BoardKind kind);
 /// All names, for messages.
 [[nodiscard]] std::string board_kind_names();
 

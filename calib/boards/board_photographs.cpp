@@ -126,6 +126,22 @@ double median_size(const std::vector<BoardDetection>& detections) {
     return median_of(std::move(sizes));
 }
 
+/// What was said of the size and no photograph confirms.
+std::vector<std::string> doubts_of_size(const BoardPhotographs& found,
+                                        const BoardRequest& request) {
+    if (request.columns == 0 || request.rows == 0) return {};
+    const auto [less, more] = std::minmax(request.columns, request.rows);
+    if (!has_definite_size(found.kind)) {
+        return {"rows of " + std::string(name_of(found.kind)) +
+                " are counted in more than one way: the size that was said was not used"};
+    }
+    if (found.columns >= more && found.rows >= less) return {};
+    return {"a board of " + std::to_string(more) + " x " + std::to_string(less) +
+            " was said, and no photograph shows more than " + std::to_string(found.columns) +
+            " x " + std::to_string(found.rows) +
+            " of it: parts are used as well, but check that it is this board"};
+}
+
 [[noreturn]] void refuse_without_board(const BoardPhotographs& found) {
     std::string examples;
     constexpr std::size_t kExamples = 3;
@@ -188,6 +204,7 @@ BoardPhotographs find_boards(const std::filesystem::path& folder, const BoardReq
         found.columns = std::max(found.columns, more);
         found.rows = std::max(found.rows, less);
     }
+    found.warnings = doubts_of_size(found, request);
     return found;
 }
 

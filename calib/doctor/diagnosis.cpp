@@ -181,7 +181,10 @@ void judge_motion(const CaptureEvidence& evidence, std::vector<Finding>& finding
 void judge_clutter(const CaptureEvidence& evidence, const Cohesion& cohesion,
                    std::vector<Finding>& findings) {
     constexpr double kMinInlierShare = 0.4;
-    if (evidence.inlier_shares.size() + 1 < evidence.photographs.size()) return;
+    if (evidence.inlier_shares.empty() ||
+        evidence.inlier_shares.size() + 1 < evidence.photographs.size()) {
+        return;
+    }
     const double share = median_of(evidence.inlier_shares);
     if (share >= kMinInlierShare) return;
     findings.push_back(
@@ -218,12 +221,32 @@ void judge_cohesion(const CaptureEvidence& evidence, const Cohesion& cohesion,
                         std::move(names)});
 }
 
+/// Two tell poses only through lenses that are known.
+bool are_too_few(const CaptureEvidence& evidence) {
+    const std::size_t count = evidence.photographs.size();
+    return count < 2 || (count == 2 && !evidence.focal_lengths_are_known);
+}
+
+void judge_count(const CaptureEvidence& evidence, std::vector<Finding>& findings) {
+    if (!are_too_few(evidence)) return;
+    const bool are_two = evidence.photographs.size() == 2;
+    findings.push_back(
+        {CaptureReason::kFew,
+         Severity::kHopeless,
+         are_two ? "two photographs alone do not tell how far a lens of unknown focal length "
+                   "turned and moved: a third would, or the lens ([calibration])"
+                 : formatted("a build ends with E-INGEST-TOOFEW: %zu usable photographs, expected "
+                             "at least 2",
+                             evidence.photographs.size()),
+         {}});
+}
+
 void judge_duplicates(const CaptureEvidence& evidence, std::vector<Finding>& findings) {
     const auto kept = static_cast<int>(evidence.photographs.size());
     if (evidence.duplicates_left_out == 0) return;
     Severity severity = Severity::kNote;
     if (evidence.duplicates_left_out > kept) severity = Severity::kRisk;
-    if (kept < 3) severity = Severity::kHopeless;
+    if (are_too_few(evidence)) severity = Severity::kHopeless;
     findings.push_back({CaptureReason::kDuplicates,
                         severity,
                         formatted("%d photographs repeat another one; %d different ones are left",
@@ -276,6 +299,7 @@ double median_angle_deg(const CaptureEvidence& evidence) {
 std::vector<Finding> diagnose(const CaptureEvidence& evidence) {
     std::vector<Finding> findings;
     judge_duplicates(evidence, findings);
+    judge_count(evidence, findings);
     if (!evidence.photographs.empty()) {
         const Cohesion cohesion = cohesion_of(evidence);
         judge_pictures(evidence, cohesion, findings);

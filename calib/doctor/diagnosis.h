@@ -22,6 +22,7 @@ struct CaptureEvidence {
     MatchLoops loops;
     MotionEvidence motion;
     bool lens_is_known = false;
+    bool focal_lengths_are_known = false;  ///< Of every photograph, if only roughly (EXIF).
 };
 
 /// The pairs as a graph.

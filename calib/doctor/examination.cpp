@@ -128,9 +128,12 @@ Examination examine_capture(const fs::path& photographs_or_video,
     evidence.lens_is_known = given_lens.has_value();
     result.left_out = std::move(ingested.left_out);
     result.overlays = std::move(ingested.overlays);
+    result.color_notes = std::move(ingested.color_notes);
     for (RemovedOverlay& overlay : result.overlays) overlay.mask_path.clear();  // It does not stay.
     if (!ingested.photographs.empty()) {
         const CameraGroups groups = group_cameras(ingested.photographs, given_lens, {});
+        evidence.focal_lengths_are_known =
+            options.lens_is_told_elsewhere || focal_lengths_are_known(groups);
         SiftOptions sift;
         sift.max_features = options.max_features;
         const std::vector<Features> features =

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "calib/capture/camera.h"
@@ -21,7 +22,8 @@ struct ExaminationOptions {
     double video_fps = 2.0;      ///< Frames taken from each second of a video. > 0.
     bool keep_overlays = false;  ///< See IngestOptions.
     bool crop_bars = true;       ///< See IngestOptions.
-    std::filesystem::path mask_folder = {};      ///< See PoseOptions; empty: none.
+    std::filesystem::path mask_folder = {};  ///< See PoseOptions; empty: none.
+    bool lens_is_told_elsewhere = false;     ///< A build will know it: from boards, or with poses.
     std::optional<double> told_focal_length_px;  ///< For the size looked at, instead of EXIF's.
 };
 
@@ -36,7 +38,8 @@ struct Examination {
     CaptureEvidence evidence;
     std::vector<LeftOut> left_out;
     std::vector<RemovedOverlay> overlays;
-    std::vector<Finding> findings;  ///< The worst first.
+    std::vector<std::string> color_notes;  ///< See IngestResult.
+    std::vector<Finding> findings;         ///< The worst first.
     ExpectedCost build;
     std::vector<Eigen::Vector2i> build_sizes_px;  ///< Of the photographs, as a build scales them.
     Cost cost;                                    ///< Of the examination.

@@ -102,4 +102,9 @@ CameraGroups group_cameras(const std::vector<Photograph>& photographs,
     return result;
 }
 
+bool focal_lengths_are_known(const CameraGroups& groups) {
+    return std::all_of(groups.cameras.begin(), groups.cameras.end(),
+                       [](const ColmapCamera& camera) { return camera.focal_length_is_known; });
+}
+
 }  // namespace lumi

@@ -28,4 +28,7 @@ struct CameraGroups {
                                          const std::optional<Camera>& given_lens,
                                          const PoseOptions& options);
 
+/// Whether something tells the focal length of every photograph, if only roughly (EXIF).
+[[nodiscard]] bool focal_lengths_are_known(const CameraGroups& groups);
+
 }  // namespace lumi

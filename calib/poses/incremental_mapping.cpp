@@ -161,10 +161,9 @@ GrowingModel placed_as_well_as_possible(const MappingJob& job, MatchedPhotograph
 }  // namespace
 
 std::optional<Capture> map_incrementally(const MappingJob& job, MatchedPhotographs& matched) {
-    constexpr double kEnough = 0.8;
     const double total = static_cast<double>(job.photographs.size());
     GrowingModel model = placed_as_well_as_possible(job, matched);
-    if (model.placed() < kEnough * total && !matched.features.empty()) {
+    if (model.placed() < kEnoughPlacedShare * total && !matched.features.empty()) {
         job.progress.note("placed " + std::to_string(model.placed()) + " of " +
                           std::to_string(job.photographs.size()) + ": trying more features");
         const std::string start = job.evidence.start;

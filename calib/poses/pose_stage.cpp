@@ -85,11 +85,6 @@ std::vector<fs::path> picture_paths_of(const Capture& capture,
     return paths;
 }
 
-bool lens_is_known(const CameraGroups& groups) {
-    return std::all_of(groups.cameras.begin(), groups.cameras.end(),
-                       [](const ColmapCamera& camera) { return camera.focal_length_is_known; });
-}
-
 void complete(PoseEvidence& evidence, const Capture& capture, const MatchedPhotographs& matched) {
     evidence.photographs_total = static_cast<int>(matched.photographs.size());
     evidence.photographs_registered = static_cast<int>(capture.views.size());
@@ -151,7 +146,7 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
     result.not_registered =
         explain_unregistered(result.capture, photographs, matched.photographs, matched.pairs);
     refuse_too_few(result.capture, photographs, result.not_registered, options);
-    for (std::string& warning : check_model(result.capture, lens_is_known(groups))) {
+    for (std::string& warning : check_model(result.capture, focal_lengths_are_known(groups))) {
         result.evidence.warnings.push_back(std::move(warning));
     }
     color_points(result.capture, picture_paths_of(result.capture, photographs), threads);

@@ -32,6 +32,10 @@ struct PoseOptions {
     std::filesystem::path mask_folder = {};
 };
 
+/// While fewer of the photographs than this are placed, the mapper tries harder; what is then made
+/// of them is a part of what was photographed.
+inline constexpr double kEnoughPlacedShare = 0.8;
+
 void validate(const PoseOptions& options);
 [[nodiscard]] PoseOptions read_pose_options(const ConfigSection& section);
 

@@ -30,7 +30,7 @@ class Progress {
     void throw_if_interrupted() const {
         if (interrupted()) {
             throw Error(ErrorKind::kInterrupted, "E-INTERRUPTED", "stopped on request",
-                        "run the same command again: finished stages are kept");
+                        "run the same command again");
         }
     }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "calib/work/error.h"
+#include "calib/work/median.h"
 #include "pipeline/bench/flicker_files.h"
 #include "pipeline/bench/rival_scenes.h"
 #include "pipeline/commands/commands.h"
@@ -37,6 +38,7 @@ std::string row_text(const FlickerFigures& figures) {
     name.resize(std::max<std::size_t>(name.size(), 18), ' ');
     return name + cell(figures.flicker, 3) + cell(figures.worst_flicker, 2) +
            cell(sum / static_cast<double>(changes.size()), 3) +
+           cell(quantile_of(changes, 0.99), 2) +
            cell(*std::max_element(changes.begin(), changes.end()), 2) +
            cell(figures.jump.change, 3) + cell(100 * figures.jump.pixel_share, 2) +
            cell(static_cast<double>(figures.jump.frame), 0) + "\n";
@@ -44,7 +46,8 @@ std::string row_text(const FlickerFigures& figures) {
 
 std::string report_text(const std::vector<FlickerFigures>& all) {
     std::string text =
-        "                     flicker     worst    change   largest      jump  pixels %  at "
+        "                     flicker     worst    change      99 %   largest      jump  pixels %  "
+        "at "
         "frame\n";
     for (const FlickerFigures& figures : all) text += row_text(figures);
     return text;

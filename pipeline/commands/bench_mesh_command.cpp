@@ -9,6 +9,7 @@
 #include "pipeline/bench/mesh_benchmark.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/report/number_text.h"
+#include "pipeline/report/padded.h"
 
 namespace lumi {
 namespace {
@@ -62,8 +63,11 @@ Json report_json(const MeshBenchmark& result) {
         weights.push_back({{"name", way.name},
                            {"mean_inconsistency", way.mean_inconsistency},
                            {"largest_inconsistency", way.largest_inconsistency},
+                           {"inconsistency_shares", way.inconsistency_shares},
                            {"largest_jump", way.largest_jump},
-                           {"jumps_per_path", way.jumps_per_path}});
+                           {"jumps_per_path", way.jumps_per_path},
+                           {"continuity_p99", way.continuity_p99},
+                           {"continuity_max", way.continuity_max}});
     }
     return Json{{"captures", result.captures},
                 {"cameras", result.cameras},
@@ -84,6 +88,7 @@ Json report_json(const MeshBenchmark& result) {
                 {"convex_cameras_kept", result.convex_cameras_kept},
                 {"convex_rms_push_share", result.convex_rms_push_share},
                 {"convex_largest_push_share", result.convex_largest_push_share},
+                {"inconsistency_bin_ends", kInconsistencyBinEnds},
                 {"weights", std::move(weights)},
                 {"timings", timings_json(result.timings)},
                 {"growth_exponent", result.growth_exponent}};
@@ -138,6 +143,22 @@ std::string growth_text(const std::vector<ArrangementGrowth>& all) {
     return text;
 }
 
+/// One line a way of weighing.
+std::string consistency_text(const std::vector<WeightsFigures>& ways) {
+    std::string text = padded_right("rays in %, by inconsistency", 28) + padded_left("0", 8);
+    for (std::size_t i = 1; i < kInconsistencyBinEnds.size(); ++i)
+        text += padded_left("<= " + number_text(kInconsistencyBinEnds[i], i == 1 ? 3 : 2), 9);
+    text += "\n";
+    for (const WeightsFigures& way : ways) {
+        text += padded_right("  " + way.name, 28) +
+                padded_left(number_text(100 * way.inconsistency_shares[0], 2), 8);
+        for (std::size_t i = 1; i < way.inconsistency_shares.size(); ++i)
+            text += padded_left(number_text(100 * way.inconsistency_shares[i], 2), 9);
+        text += "\n";
+    }
+    return text;
+}
+
 std::string report_text(const MeshBenchmark& result) {
     std::string text = std::to_string(result.captures) + " random captures\n";
     text += "cameras that are vertices     " + share_text(result.cameras_kept, result.cameras) +
@@ -162,8 +183,11 @@ std::string report_text(const MeshBenchmark& result) {
         text += way.name + ": inconsistency " + number_text(way.mean_inconsistency, 4) +
                 " (mean), " + number_text(way.largest_inconsistency, 4) +
                 " (largest); largest jump " + number_text(way.largest_jump, 4) + ", " +
-                number_text(way.jumps_per_path, 1) + " a path\n";
+                number_text(way.jumps_per_path, 1) + " a path; change over a path " +
+                number_text(way.continuity_p99, 1) + " (99 %), " +
+                number_text(way.continuity_max, 1) + " (largest)\n";
     }
+    text += consistency_text(result.weights);
     for (const MeshTiming& timing : result.timings) {
         text += std::to_string(timing.cameras) + " cameras  " + number_text(timing.cpu_s, 3) +
                 " CPU s\n";

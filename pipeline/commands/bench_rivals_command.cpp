@@ -81,7 +81,8 @@ std::string report_text(const std::vector<RivalScene>& scenes) {
                 number_text(100 * scene.adaptive_occlusion_share, 1) + " % of adaptive, " +
                 number_text(100 * scene.per_pixel_occlusion_share, 1) +
                 " % of perpixel (the paper: 7 to 10 %); resampling to two planes took " +
-                number_text(scene.resampling_cpu_s, 1) + " CPU s\n\n";
+                number_text(scene.resampling_cpu_s, 1) +
+                " CPU s, and what is resampled is drawn by lumi's own modes\n\n";
     }
     return text;
 }

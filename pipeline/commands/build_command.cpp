@@ -24,6 +24,12 @@ void add_build_command(CLI::App& app, CommandContext& context) {
     command.add_option("--workspace", request->workspace, "Where to work (default: work/NAME)");
     command.add_option("--target", *wish,
                        "30fps, 30dB, 50MiB, 5min: measure the sweep and build what meets it");
+    command.footer(
+        "WORKSPACE/config.toml lists every key of a configuration with its value. max_width_px "
+        "limits,\nunder [capture], the longer side of photographs, whichever that is, and, under "
+        "[depth],\nthe width of depth maps.\n"
+        "Exit code 5: the package is there, but fewer than four fifths of the photographs are in "
+        "it.");
     command.callback([request, wish, &context] {
         context.chosen = [request, wish, &context] {
             if (!wish->empty()) return run_target(*request, *wish, context);

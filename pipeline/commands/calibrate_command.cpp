@@ -105,7 +105,9 @@ void run_calibrate(const CalibrateRequest& request, const CommandContext& contex
     const BoardCalibrationOptions options = calibration_options(request);
     const BoardPhotographs found =
         find_boards(request.photographs, board, context.threads, *context.progress);
-    const BoardCalibration calibration = calibrate_boards(found.board, options, *context.progress);
+    BoardCalibration calibration = calibrate_boards(found.board, options, *context.progress);
+    calibration.warnings.insert(calibration.warnings.begin(), found.warnings.begin(),
+                                found.warnings.end());
     const Cost cost = stopwatch.elapsed();
     std::vector<std::string> written;
     if (!request.out.empty()) written = write_calibration(request.out, found, calibration);
@@ -137,7 +139,9 @@ void add_calibrate_command(CLI::App& app, CommandContext& context) {
     command.add_option("--board", request->board,
                        "Kind of board (default: found): " + board_kind_names());
     command.add_option("--size", request->size,
-                       "COLUMNSxROWS of inner corners, discs, squares or markers (default: found)");
+                       "COLUMNSxROWS of inner corners, discs, squares or markers: photographs of a "
+                       "larger pattern are left out, and it is said where none shows as much "
+                       "(default: found; asymmetric and hexagonal circles: not used)");
     command
         .add_option("--square-ratio", request->square_ratio,
                     "Side of a square or marker, or diameter of a disc, to the distance between "

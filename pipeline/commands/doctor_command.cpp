@@ -113,6 +113,7 @@ Json examination_json(const Examination& seen, double depth_mib, const fs::path&
                 {"photographs", photographs_json(seen.evidence.photographs)},
                 {"left_out", left_out_json(seen.left_out)},
                 {"overlays", overlays_json(seen.overlays)},
+                {"colors", seen.color_notes},
                 {"pairs", pairs_json(seen.evidence)},
                 {"rotation_share", motion.rotation_share()},
                 {"planar_share", motion.planar_share()},
@@ -148,6 +149,7 @@ std::string examination_text(const Examination& seen, double depth_mib, const fs
                 concerned_text(finding) + "  -> " + std::string(advice_for(finding.reason)) + "\n";
     }
     for (const RemovedOverlay& overlay : seen.overlays) text += text_of(overlay) + "\n";
+    for (const std::string& note : seen.color_notes) text += note + "\n";
     for (const LeftOut& left_out : seen.left_out) {
         text += "left out " + printable(left_out.name) + " (" + left_out.code +
                 "): " + left_out.reason + "\n";
@@ -156,10 +158,14 @@ std::string examination_text(const Examination& seen, double depth_mib, const fs
     text += std::to_string(evidence.photographs.size()) + " photographs, " +
             std::to_string(evidence.pairs.size()) + " pairs that show the same things; rays meet " +
             "at " + number_text(median_angle_deg(evidence), 1) + " degrees in the middle pair\n";
-    text += "a build will take about " + number_text(seen.build.cpu_s, 0) + " CPU s and " +
-            number_text(std::max(seen.build.peak_mib, depth_mib), 0) + " MiB, of these depth " +
-            number_text(depth_mib, 0) + " MiB; looking took " + number_text(seen.cost.cpu_s, 1) +
-            " CPU s\n";
+    if (seen.verdict() == Severity::kHopeless) {
+        text += "a build would be refused";
+    } else {
+        text += "a build will take about " + number_text(seen.build.cpu_s, 0) + " CPU s and " +
+                number_text(std::max(seen.build.peak_mib, depth_mib), 0) + " MiB, of these depth " +
+                number_text(depth_mib, 0) + " MiB";
+    }
+    text += "; looking took " + number_text(seen.cost.cpu_s, 1) + " CPU s\n";
     return text + picture.string() + "\n";
 }
 
@@ -176,6 +182,7 @@ void run_doctor(const DoctorRequest& request, CommandContext& context) {
     options.crop_bars = config.ingest.crop_bars;
     options.mask_folder = config.poses.mask_folder;
     options.build_width_px = config.ingest.max_width_px;
+    options.lens_is_told_elsewhere = !config.boards.empty() || !config.imported_poses.empty();
     const int threads = context.threads > 0 ? context.threads : config.threads;
     const Examination seen =
         examine_capture(config.photographs_or_video, config.given_lens, options, folder / "scratch",

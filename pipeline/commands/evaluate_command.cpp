@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "calib/work/printable.h"
@@ -25,6 +26,7 @@ struct EvaluateRequest {
     bool leave_one_out = false;
     bool keep_depth = false;
     bool as_taken = false;
+    bool rivals = false;
 };
 
 std::string score_line(const std::string& mode, const ViewScore& score) {
@@ -38,7 +40,8 @@ std::string score_line(const std::string& mode, const ViewScore& score) {
     return mode + "  " + printable(score.name) + "  PSNR " + number_text(score.psnr_db, 2) +
            " dB  covered " + covered + " dB" + subject + "  SSIM " + number_text(score.ssim, 4) +
            "  FLIP " + number_text(score.flip, 4) + "  coverage " +
-           number_text(100.0 * score.coverage, 2) + " %  " + number_text(score.ms, 1) + " ms\n";
+           number_text(100.0 * score.coverage, 2) + " %  " + number_text(score.ms, 1) +
+           " ms  CPU " + number_text(score.cpu_ms, 1) + " ms\n";
 }
 
 std::string interval_text(const std::vector<ViewScore>& views) {
@@ -50,6 +53,19 @@ std::string interval_text(const std::vector<ViewScore>& views) {
         }
     }
     return text.empty() ? text : "  95 % intervals of the means:" + text + "\n";
+}
+
+void print_rivals(const RivalEvaluation& rivals, const CommandContext& context) {
+    for (const RivalScores& scores : rivals.methods) {
+        for (const ViewScore& view : scores.views)
+            context.print_result(score_line(scores.method, view));
+        context.print_result(score_line(scores.method, mean_score(scores.views)));
+        if (scores.resampling_cpu_s > 0)
+            context.print_result("  after resampling the photographs, " +
+                                 number_text(scores.resampling_cpu_s, 1) + " CPU s\n");
+    }
+    for (const RivalLeftOut& rival : rivals.left_out)
+        context.print_result("not drawn: " + rival.method + "; " + rival.reason + "\n");
 }
 
 void print_scores(const Evaluation& evaluation, const CommandContext& context) {
@@ -66,11 +82,14 @@ void print_scores(const Evaluation& evaluation, const CommandContext& context) {
                                  number_text(*scores.ghost_between_blocks, 2) + " over blocks\n");
         }
     }
+    if (evaluation.rivals) print_rivals(*evaluation.rivals, context);
 }
 
 std::vector<RenderMode> modes_of(const EvaluateRequest& request) {
     std::vector<RenderMode> modes;
     for (const std::string& name : request.modes) modes.push_back(render_mode_from(name));
+    const bool has_heigl = std::find(modes.begin(), modes.end(), RenderMode::kHeigl) != modes.end();
+    if (request.rivals && !has_heigl) modes.push_back(RenderMode::kHeigl);
     return modes;
 }
 
@@ -109,6 +128,7 @@ void run_evaluate(const EvaluateRequest& request, const CommandContext& context)
     EvaluationOptions options;
     options.ghost_energy = !request.without_ghost_energy;
     options.modes = modes_of(request);
+    options.rivals = request.rivals;
     options.exposures = request.as_taken ? Exposures::kAsTaken : Exposures::kEvened;
     const Workspace workspace(find_workspace(request.workspace));
     const Evaluation evaluation = evaluate_workspace(
@@ -130,6 +150,7 @@ void add_evaluate_command(CLI::App& app, CommandContext& context) {
                     "Held-out photographs against renderings: dB, SSIM, FLIP, sharpness, "
                     "coverage, ms",
                     "lumi evaluate work/fountain\n"
+                    "         lumi evaluate work/fountain --mode adaptive --rivals\n"
                     "         lumi evaluate configs/banana.toml --leave-one-out");
     const auto request = std::make_shared<EvaluateRequest>();
     command.add_option("WORKSPACE", request->workspace, "Folder that lumi build wrote")->required();
@@ -140,8 +161,15 @@ void add_evaluate_command(CLI::App& app, CommandContext& context) {
                      "Leave out what takes one renderer a camera class");
     command.add_flag("--as-taken", request->as_taken,
                      "Draw without evening exposure and white balance out");
-    command.add_flag("--leave-one-out", request->leave_one_out,
-                     "WORKSPACE is a configuration: every photograph is left out in turn");
+    CLI::Option* rivals = command.add_flag(
+        "--rivals", request->rivals,
+        "Also the methods that the paper is compared with: Heigl et al. 1999, unstructured "
+        "lumigraph, view-dependent texture, forward warping, two-plane and spherical; takes "
+        "minutes");
+    command
+        .add_flag("--leave-one-out", request->leave_one_out,
+                  "WORKSPACE is a configuration: every photograph is left out in turn")
+        ->excludes(rivals);
     command.add_flag("--keep-depth", request->keep_depth,
                      "With --leave-one-out: only where depth is not found anew");
     command.callback([request, &context] {

@@ -19,7 +19,9 @@ Rigid3 pose_from(const Json& json, const std::filesystem::path& path) {
     if (!(std::abs(rotation.norm() - 1.0) < 1e-3)) {
         refuse_json(path, "rotation_wxyz: expected a quaternion of length one");
     }
-    return {rotation.normalized(), {xyz[0], xyz[1], xyz[2]}};
+    // What lumi wrote comes back to the bit.
+    const bool is_exact = std::abs(rotation.norm() - 1.0) < 1e-12;
+    return {is_exact ? rotation : rotation.normalized(), {xyz[0], xyz[1], xyz[2]}};
 }
 
 Camera camera_from(const Json& json, const std::filesystem::path& path) {
@@ -41,6 +43,32 @@ Eye eye_from(const Json& json, const std::filesystem::path& path) {
     return {camera_from(json.at("camera"), path), pose_from(json.at("cam_from_world"), path)};
 }
 
+/// Empty where the file does not say; `named` gives what a name stands for, if anything.
+template <class Value>
+std::optional<Value> named_value(const Json& json, const char* key,
+                                 std::optional<Value> (*named)(const std::string&),
+                                 const std::filesystem::path& path) {
+    if (!json.contains(key)) return std::nullopt;
+    const auto name = json.at(key).get<std::string>();
+    const std::optional<Value> value = named(name);
+    if (!value) refuse_json(path, std::string(key) + ": there is none named " + name);
+    return value;
+}
+
+std::optional<bool> boolean_value(const Json& json, const char* key) {
+    if (!json.contains(key)) return std::nullopt;
+    return json.at(key).get<bool>();
+}
+
+DrawnAlike drawn_from(const Json& json, const std::filesystem::path& path) {
+    return {.mode = named_value(json, "mode", render_mode_named, path),
+            .debug_picture = named_value(json, "debug_picture", debug_picture_named, path),
+            .correct_occlusion = boolean_value(json, "correct_occlusion"),
+            .fade_beyond_capture = boolean_value(json, "fade_beyond_capture"),
+            .guess_surroundings = boolean_value(json, "guess_surroundings"),
+            .as_taken = boolean_value(json, "as_taken")};
+}
+
 /// The last eye follows those before it.
 void check_next(const std::vector<TimedEye>& eyes, const std::filesystem::path& path) {
     const TimedEye& last = eyes.back();
@@ -54,10 +82,10 @@ void check_next(const std::vector<TimedEye>& eyes, const std::filesystem::path& 
 
 }  // namespace
 
-Eye read_eye_file(const std::filesystem::path& path) {
+EyeFile read_eye_file(const std::filesystem::path& path) {
     const Json json = read_json_file(path);
     try {
-        return eye_from(json, path);
+        return {eye_from(json, path), drawn_from(json, path)};
     } catch (const Json::exception& error) {
         refuse_json(path, error.what());
     }

@@ -7,6 +7,7 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/error_report.h"
 #include "pipeline/commands/interruption.h"
+#include "pipeline/commands/unknown_word.h"
 #include "pipeline/report/versions.h"
 
 namespace {
@@ -53,7 +54,8 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_synth_command(app, context);
 }
 
-[[noreturn]] void refuse_line(const std::string& reason) {
+[[noreturn]] void refuse_line(const CLI::App& app, const std::string& reason) {
+    if (const auto unknown = lumi::error_of_unknown_word(app)) throw *unknown;
     throw lumi::Error(lumi::ErrorKind::kUsage, "E-USAGE", reason,
                       "see `lumi --help`, or --help behind the name of a command");
 }
@@ -78,7 +80,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& wrong) {
         if (wrong.get_exit_code() == 0) return app.exit(wrong);  // Help, or the version.
         context.json = app.count("--json") > 0;  // A line that is wrong sets no flag.
-        return lumi::run_and_report_errors([&] { refuse_line(wrong.what()); }, context);
+        return lumi::run_and_report_errors([&] { refuse_line(app, wrong.what()); }, context);
     }
     const auto run_chosen = [&] {
         lumi::start_progress(context);

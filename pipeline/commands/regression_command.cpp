@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "pipeline/commands/commands.h"
 #include "pipeline/regression/version_figures.h"
@@ -60,25 +61,27 @@ std::string regression_text(const FigureComparison& comparison) {
     return text;
 }
 
-void compare(const RegressionRequest& request, const VersionFigures& now,
+void compare(const VersionFigures& before, const VersionFigures& now, const fs::path& baseline,
              const CommandContext& context) {
-    const VersionFigures before = read_version_figures(request.baseline);
     const FigureComparison comparison = compare_figures(before, now);
     if (context.json) {
         context.print_result(regression_json(now, comparison));
     } else {
         context.print_result(regression_text(comparison));
     }
-    refuse_regression(comparison, request.baseline);
+    refuse_regression(comparison, baseline);
 }
 
 void run_regression(const RegressionRequest& request, const CommandContext& context) {
     const WorkspaceLayout workspace = find_workspace(request.workspace);
+    // Read before anything is written: figures may take the place of those they are compared with.
+    std::optional<VersionFigures> baseline;
+    if (!request.baseline.empty()) baseline = read_version_figures(request.baseline);
     const VersionFigures figures = measure_version(workspace, request.frames, request.rounds,
                                                    context.threads, *context.progress);
     if (!request.write.empty()) write_json_file(request.write, version_figures_json(figures));
-    if (!request.baseline.empty()) {
-        compare(request, figures, context);
+    if (baseline) {
+        compare(*baseline, figures, request.baseline, context);
     } else {
         context.print_result(version_figures_json(figures));
     }
@@ -94,7 +97,10 @@ void add_regression_command(CLI::App& app, CommandContext& context) {
     const auto request = std::make_shared<RegressionRequest>();
     command.add_option("WORKSPACE", request->workspace, "Folder that lumi build wrote")->required();
     command.add_option("--baseline", request->baseline, "Figures of another version");
-    command.add_option("--write", request->write, "Where to write this version's figures");
+    command.add_option(
+        "--write", request->write,
+        "Where to write this version's figures; may be the baseline, which is compared with "
+        "as it was");
     command.add_option("--frames", request->frames, "Along a path from view to view")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();

@@ -9,10 +9,10 @@
 #include "calib/work/stopwatch.h"
 #include "calib/work/whole_folder.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/drawing_request.h"
 #include "pipeline/commands/eye_file.h"
 #include "pipeline/commands/eye_path.h"
 #include "pipeline/commands/frame_files.h"
-#include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/commands/stereo_pair.h"
 #include "pipeline/commands/video_file.h"
 #include "pipeline/evaluate/held_out_beside.h"
@@ -31,6 +31,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kEyeFileHelp =
+    "From an eye in a JSON file, as the window writes beside a screenshot: "
+    R"({"camera": {"model": "PINHOLE", "width_px": 640, "height_px": 480, "parameters": )"
+    R"([fx, fy, cx, cy]}, "cam_from_world": {"rotation_wxyz": [1, 0, 0, 0], "translation": )"
+    R"([0, 0, 0]}}, pixels from the top-left corner, +x right, +y down, +z forward; and, )"
+    R"(where the command line says nothing else, "mode", "debug_picture", )"
+    R"("correct_occlusion", "fade_beyond_capture", "guess_surroundings", "as_taken" (bool))";
+
 struct RenderRequest {
     fs::path package;
     std::string view;
@@ -41,16 +49,8 @@ struct RenderRequest {
     double stereo_baseline = 0.0;
     bool all_views = false;
     bool difference = false;
-    std::string mode = "perpixel";
-    std::string debug = "none";
     std::string size;
-    bool supersample = false;
-    bool jagged = false;
-    bool fade = false;
-    bool no_fade = false;
-    bool black_surroundings = false;
-    bool as_taken = false;
-    double focal_depth = 0.0;
+    DrawingRequest drawing;
     bool reference = false;
     fs::path out;
 };
@@ -81,8 +81,8 @@ Job job_at_view(const RenderRequest& request, const Lumigraph& lumigraph) {
         "`lumi inspect PACKAGE` lists the views");
 }
 
-std::vector<Job> jobs_of(const RenderRequest& request, const Lumigraph& lumigraph) {
-    if (!request.eye.empty()) return {{read_eye_file(request.eye), request.out}};
+std::vector<Job> jobs_of(const RenderRequest& request, const Eye& eye, const Lumigraph& lumigraph) {
+    if (!request.eye.empty()) return {{eye, request.out}};
     if (!request.all_views) return {job_at_view(request, lumigraph)};
     std::vector<std::string> names;
     for (const LumigraphView& view : lumigraph.views) names.push_back(view.name);
@@ -163,9 +163,9 @@ Json draw_path(const RenderRequest& request, const Lumigraph& lumigraph, const D
     return frames;
 }
 
-Json draw_jobs(const RenderRequest& request, const Lumigraph& lumigraph, const Draw& draw,
-               const CommandContext& context) {
-    const std::vector<Job> jobs = jobs_of(request, lumigraph);
+Json draw_jobs(const RenderRequest& request, const Eye& eye, const Lumigraph& lumigraph,
+               const Draw& draw, const CommandContext& context) {
+    const std::vector<Job> jobs = jobs_of(request, eye, lumigraph);
     Json frames = Json::array();
     context.progress->begin("drawing", jobs.size());
     for (const Job& job : jobs) {
@@ -178,30 +178,17 @@ Json draw_jobs(const RenderRequest& request, const Lumigraph& lumigraph, const D
     return frames;
 }
 
-void check_focal_depth(const RenderRequest& request) {
-    const RenderMode mode = render_mode_from(request.mode);
-    if (request.focal_depth == 0 || mode == RenderMode::kLightField || mode == RenderMode::kHeigl)
-        return;
-    throw Error(ErrorKind::kUsage, "E-RENDER-FOCAL",
-                request.mode + " knows how far the scene is, and needs no --focal-depth",
-                "leave it out, or use --mode lightfield");
-}
-
 void run_render(const RenderRequest& request, const CommandContext& context) {
-    check_focal_depth(request);
     if (!request.path.empty()) check_path_out(request.out);
     if (request.path.empty() && !request.all_views) check_picture_out(request.out);
-    const Lumigraph lumigraph = read_package(
-        request.package, {}, request.as_taken ? Exposures::kAsTaken : Exposures::kEvened);
+    EyeFile at;
+    if (!request.eye.empty()) at = read_eye_file(request.eye);
+    RenderOptions options = render_options_of(request.drawing, at.drawn);
+    const Lumigraph lumigraph =
+        read_package(request.package, {}, exposures_of(request.drawing, at.drawn));
     keep_free_memory();
-    const bool fades = request.fade || (lumigraph.drawing.fade_beyond_capture && !request.no_fade);
-    const RenderOptions options{.mode = render_mode_from(request.mode),
-                                .debug_picture = debug_picture_from(request.debug),
-                                .focal_depth = request.focal_depth,
-                                .supersample = request.supersample,
-                                .smooth_silhouettes = !request.jagged,
-                                .fade_beyond_capture = fades,
-                                .guess_surroundings = !request.black_surroundings};
+    options.fade_beyond_capture =
+        fade_of(request.drawing, at.drawn).value_or(lumigraph.drawing.fade_beyond_capture);
     std::unique_ptr<OffscreenRenderer> renderer;
     if (!request.reference) renderer = std::make_unique<OffscreenRenderer>(lumigraph);
     const Draw draw = [&](const Eye& eye) {
@@ -209,10 +196,10 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
                         : draw_mode_reference(lumigraph, eye, options);
     };
 
-    Json frames = request.path.empty() ? draw_jobs(request, lumigraph, draw, context)
+    Json frames = request.path.empty() ? draw_jobs(request, at.eye, lumigraph, draw, context)
                                        : draw_path(request, lumigraph, draw, context);
     if (!context.json) return;
-    context.print_result(Json{{"mode", request.mode},
+    context.print_result(Json{{"mode", name_of(options.mode)},
                               {"renderer", renderer ? renderer->gl_description() : "reference"},
                               {"frames", std::move(frames)}});
 }
@@ -232,8 +219,7 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     where->add_option("--view", request->view,
                       "From where this photograph was taken; also one that was held out, where the "
                       "package lies in its workspace");
-    CLI::Option* eye =
-        where->add_option("--eye", request->eye, "From an eye described in a JSON file");
+    CLI::Option* eye = where->add_option("--eye", request->eye, kEyeFileHelp);
     where->add_flag("--all-views", request->all_views,
                     "From every photograph's place; --out names a folder");
     CLI::Option* path = where->add_option(
@@ -254,12 +240,7 @@ void add_render_command(CLI::App& app, CommandContext& context) {
             .add_option("--stereo", request->stereo_baseline,
                         "A pair side by side, left eye first, this far apart in world units")
             ->check(CLI::PositiveNumber);
-    command
-        .add_option("--mode", request->mode,
-                    render_mode_names() + "; paper2001 and heigl leave shells of close-ups out")
-        ->capture_default_str();
-    CLI::Option* debug =
-        command.add_option("--debug", request->debug, debug_picture_names())->capture_default_str();
+    add_drawing_options(command, request->drawing);
     CLI::Option* size = command.add_option(
         "--size", request->size,
         "Such as 1280x720 (default: the photograph's); the whole picture fits into "
@@ -268,27 +249,7 @@ void add_render_command(CLI::App& app, CommandContext& context) {
         .add_flag("--difference", request->difference,
                   "Instead of the picture how far it is from the photograph that was taken there, "
                   "four times as bright, and its PSNR")
-        ->excludes(eye, path, stereo, debug, size);
-    command
-        .add_option("--focal-depth", request->focal_depth,
-                    "For modes without depth: distance of the plane that is sharp, world units")
-        ->check(CLI::PositiveNumber);
-    command.add_flag("--supersample", request->supersample,
-                     "Four samples a pixel: smooth edges, about four times the work");
-    command.add_flag("--jagged", request->jagged,
-                     "One sample a pixel also where depth is as fine as the frame: silhouettes in "
-                     "steps, less work (perpixel)");
-    command.add_flag("--fade", request->fade,
-                     "Fade to black what lies beyond the capture instead of guessing (perpixel, "
-                     "adaptive, lightfield)");
-    command.add_flag("--no-fade", request->no_fade,
-                     "Do not, though the package was built with [render] fade_beyond_capture");
-    command.add_flag("--black-surroundings", request->black_surroundings,
-                     "Leave black what no photograph shows instead of going on with the colours "
-                     "next to it");
-    command.add_flag("--as-taken", request->as_taken,
-                     "Leave differences in exposure and white balance between photographs as they "
-                     "are");
+        ->excludes(eye, path, stereo, command.get_option("--debug"), size);
     command.add_flag("--reference", request->reference, "By the plain-code renderer; slow");
     command
         .add_option("--out", request->out,

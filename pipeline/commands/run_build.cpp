@@ -7,6 +7,7 @@
 #include "calib/work/printable.h"
 #include "pipeline/config/plain_capture.h"
 #include "pipeline/line/line.h"
+#include "pipeline/line/placed_photographs.h"
 #include "pipeline/line/stages_file.h"
 #include "pipeline/report/number_text.h"
 #include "pipeline/report/padded.h"
@@ -88,6 +89,18 @@ std::vector<FinishedStage> run_and_report(const BuildConfig& config, const Works
     }
 }
 
+/// What was made stands, and is not what was asked for.
+void refuse_partial(const std::vector<FinishedStage>& stages, const WorkspaceLayout& layout) {
+    const auto photographs = placed_photographs(stages);
+    if (!photographs || !photographs->is_partial()) return;
+    throw Error(ErrorKind::kPartialResult, "E-BUILD-PARTIAL",
+                "only " + std::to_string(photographs->placed) + " of " +
+                    std::to_string(photographs->total) +
+                    " photographs found a place, and what was made shows what these show",
+                layout.report_path().string() +
+                    " says why of each; photographs between those that are far apart join them");
+}
+
 }  // namespace
 
 void run_build(const BuildRequest& request, const std::string& last_stage,
@@ -101,11 +114,12 @@ void run_build(const BuildRequest& request, const std::string& last_stage,
     if (context.verbosity > 0) context.say(evidence_text(stages));
     if (context.json) {
         context.print_result(stages_json(stages));
-        return;
+    } else {
+        const std::filesystem::path made =
+            last_stage == "pack" ? workspace.package_folder() : workspace.stage_folder(last_stage);
+        context.print_result(made.string() + "\n");
     }
-    const std::filesystem::path made =
-        last_stage == "pack" ? workspace.package_folder() : workspace.stage_folder(last_stage);
-    context.print_result(made.string() + "\n");
+    refuse_partial(stages, workspace);
 }
 
 }  // namespace lumi

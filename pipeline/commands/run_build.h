@@ -14,7 +14,8 @@ struct BuildRequest {
 };
 
 /// Runs the line up to `last_stage`, writes the report and prints what was made: the package's path
-/// (or the stage's folder), with --json what stages.json says. Throws Error.
+/// (or the stage's folder), with --json what stages.json says. Throws Error; E-BUILD-PARTIAL after
+/// all that, where too few photographs were placed for a whole result.
 void run_build(const BuildRequest& request, const std::string& last_stage,
                const CommandContext& context);
 

@@ -34,6 +34,28 @@ std::string table_of(const std::vector<SceneOutcome>& outcomes) {
     return table;
 }
 
+/// Names what is missing, if anything is: scenes, or many of a scene's photographs.
+void refuse_partial(const std::vector<SceneOutcome>& outcomes) {
+    std::string missing;
+    int concerned = 0;
+    for (const SceneOutcome& outcome : outcomes) {
+        const PlacedPhotographs& photographs = outcome.photographs;
+        const bool has_failed = !outcome.failure_code.empty();
+        if (!has_failed && !photographs.is_partial()) continue;
+        missing += (missing.empty() ? "" : ", ") + outcome.name + " (" +
+                   (has_failed ? outcome.failure_code
+                               : std::to_string(photographs.placed) + " of " +
+                                     std::to_string(photographs.total) + " photographs") +
+                   ")";
+        ++concerned;
+    }
+    if (concerned == 0) return;
+    throw Error(ErrorKind::kPartialResult, "E-DATASET-PARTIAL",
+                std::to_string(concerned) + " of " + std::to_string(outcomes.size()) +
+                    " scenes could not be built, or only in part: " + missing,
+                "mend them and run the same command again: the others are kept");
+}
+
 }  // namespace
 
 void run_dataset_build(const BuildRequest& request, const CommandContext& context) {
@@ -50,18 +72,7 @@ void run_dataset_build(const BuildRequest& request, const CommandContext& contex
     }
     context.say((folder / "dataset.html").string() + "\n");
 
-    std::string failed;
-    int failures = 0;
-    for (const SceneOutcome& outcome : outcomes) {
-        if (outcome.failure_code.empty()) continue;
-        failed += (failed.empty() ? "" : ", ") + outcome.name + " (" + outcome.failure_code + ")";
-        ++failures;
-    }
-    if (failures == 0) return;
-    throw Error(ErrorKind::kPartialResult, "E-DATASET-PARTIAL",
-                std::to_string(failures) + " of " + std::to_string(outcomes.size()) +
-                    " scenes could not be built: " + failed,
-                "mend them and run the same command again: the others are kept");
+    refuse_partial(outcomes);
 }
 
 }  // namespace lumi

@@ -23,10 +23,10 @@ std::vector<std::string> row_of(const SceneOutcome& outcome) {
         row.resize(9);
         return row;
     }
-    row.insert(
-        row.end(),
-        {"built", std::to_string(outcome.placed) + " of " + std::to_string(outcome.photographs),
-         number_text(outcome.cpu_s, 1), number_text(outcome.package_mib, 1)});
+    row.insert(row.end(), {"built",
+                           std::to_string(outcome.photographs.placed) + " of " +
+                               std::to_string(outcome.photographs.total),
+                           number_text(outcome.cpu_s, 1), number_text(outcome.package_mib, 1)});
     if (outcome.mean) {
         row.insert(
             row.end(),
@@ -84,8 +84,8 @@ Json dataset_json(const std::string& name, const std::vector<SceneOutcome>& outc
         Json scene{{"name", outcome.name},
                    {"failure_code", outcome.failure_code},
                    {"failure", outcome.failure},
-                   {"photographs", outcome.photographs},
-                   {"placed", outcome.placed},
+                   {"photographs", outcome.photographs.total},
+                   {"placed", outcome.photographs.placed},
                    {"cpu_s", outcome.cpu_s},
                    {"wall_s", outcome.wall_s},
                    {"package_mib", outcome.package_mib},

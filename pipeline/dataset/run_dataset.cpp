@@ -8,6 +8,7 @@
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/line/code_version.h"
 #include "pipeline/line/line.h"
+#include "pipeline/line/placed_photographs.h"
 #include "pipeline/report/workspace_report.h"
 #include "pipeline/stages/pack_stage.h"
 
@@ -57,11 +58,8 @@ void build(const DatasetScene& scene, const fs::path& folder, int threads, Scene
     for (const FinishedStage& stage : stages) {
         outcome.cpu_s += stage.cost.cpu_s;
         outcome.wall_s += stage.cost.wall_s;
-        if (stage.name != "poses") continue;
-        const Json facts = Json::parse(stage.evidence.facts_json);
-        outcome.photographs = facts.value("photographs_total", 0);
-        outcome.placed = facts.value("photographs_registered", 0);
     }
+    outcome.photographs = placed_photographs(stages).value_or(PlacedPhotographs{});
     outcome.package_mib = package_mib(workspace.package_folder());
     if (!read_pack_record(workspace.stage_folder("pack")).held_out.empty()) {
         const ModeScores scores = current_scores(workspace, scene_threads, progress);

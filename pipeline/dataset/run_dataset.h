@@ -8,6 +8,7 @@
 #include "calib/work/progress.h"
 #include "pipeline/dataset/dataset.h"
 #include "pipeline/evaluate/view_score.h"
+#include "pipeline/line/placed_photographs.h"
 
 namespace lumi {
 
@@ -16,8 +17,7 @@ struct SceneOutcome {
     std::string name;
     std::string failure_code;  ///< Empty when it was built.
     std::string failure;
-    int photographs = 0;
-    int placed = 0;
+    PlacedPhotographs photographs;
     double cpu_s = 0.0;  ///< Of all stages, whenever they were run.
     double wall_s = 0.0;
     double package_mib = 0.0;

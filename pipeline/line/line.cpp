@@ -239,6 +239,19 @@ class Line {
     PosedPhotographs used_;
 };
 
+/// What the names of keys do not tell.
+constexpr const char* kConfigNotes =
+    "# max_width_px limits, in [capture], the longer side of photographs, whichever that is, and, "
+    "in [depth], the\n# width of depth maps.\n";
+
+/// What ended a stage, with what the line knows of the way on.
+std::optional<Error> failure_of_stage(const std::exception& exception) {
+    std::optional<Error> failure = error_of_exception(exception);
+    if (!failure || failure->kind() != ErrorKind::kInterrupted) return failure;
+    return Error(failure->kind(), failure->code(), failure->what(),
+                 "run the same command again: finished stages are kept");
+}
+
 /// Boards are one more stage, where there are any.
 std::vector<std::string> stages_for(const BuildConfig& config) {
     std::vector<std::string> stages = stages_of_line();
@@ -258,13 +271,14 @@ const std::vector<std::string>& stages_of_line() {
 std::vector<FinishedStage> run_line(const BuildConfig& config, const Workspace& workspace,
                                     const std::string& last_stage, int threads, Progress& progress,
                                     const StageStore* store) {
-    write_whole_text(workspace.config_path(), kWorkspaceConfigHeader + config.movable_toml);
+    write_whole_text(workspace.config_path(),
+                     std::string(kWorkspaceConfigHeader) + kConfigNotes + config.movable_toml);
     Line line(config, workspace, threads, progress, store);
     for (const std::string& stage : stages_for(config)) {
         try {
             line.bring_up_to_date(stage);
         } catch (const std::exception& exception) {
-            const std::optional<Error> failure = error_of_exception(exception);
+            const std::optional<Error> failure = failure_of_stage(exception);
             if (!failure) throw;
             write_stages_file(workspace.stages_path(), line.finished(), stage, *failure);
             throw *failure;

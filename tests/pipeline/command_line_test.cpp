@@ -1,10 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -13,6 +11,7 @@
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/calib/test_pictures.h"
+#include "tests/pipeline/built_program.h"
 #include "tests/truth/textured_box_scene.h"
 
 namespace lumi {
@@ -22,24 +21,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-/// What the built program did.
-struct Outcome {
-    int exit_code = -1;
-    std::string out;
-    std::string talk;
-};
-
-std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
-
-Outcome lumi(const std::string& arguments, const std::string& before = "") {
-    const ScratchFolder scratch;
-    const std::string command = before + " " + quoted(LUMI_BINARY) + " " + arguments + " > " +
-                                quoted(scratch / "out") + " 2> " + quoted(scratch / "talk");
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_whole_text(scratch / "out"),
-            read_whole_text(scratch / "talk")};
-}
 
 TEST(CommandLine, HelpBeginsWithAnExample) {
     EXPECT_THAT(lumi("--help").out, StartsWith("Example: lumi "));
@@ -860,11 +841,14 @@ TEST(CommandLine, MeasuresTheCameraMeshOverRandomCaptures) {
     const Json result = Json::parse(outcome.out);
     EXPECT_EQ(result.at("cameras_kept"), result.at("cameras"));
     EXPECT_EQ(result.at("rays_with_one_face"), 300);
-    ASSERT_EQ(result.at("weights").size(), 3U);
+    ASSERT_EQ(result.at("weights").size(), 4U);
     EXPECT_LT(result.at("weights").at(0).at("largest_inconsistency").get<double>(), 1e-9);
     EXPECT_LT(result.at("weights").at(0).at("largest_jump").get<double>(), 1e-6);
     EXPECT_GT(result.at("weights").at(1).at("largest_inconsistency").get<double>(), 0.01);
     EXPECT_GT(result.at("weights").at(2).at("largest_inconsistency").get<double>(), 0.01);
+    EXPECT_EQ(result.at("weights").at(0).at("inconsistency_shares").at(0), 1.0);
+    EXPECT_EQ(result.at("weights").at(3).at("inconsistency_shares").size(),
+              result.at("inconsistency_bin_ends").size());
 }
 
 TEST_F(Line, EvaluateSaysWhatToSetWhenNothingIsHeldOut) {

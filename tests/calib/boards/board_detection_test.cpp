@@ -245,6 +245,37 @@ TEST(BoardPhotographs, TheKindOfBoardIsFound) {
     EXPECT_EQ(found.rows, 5);
 }
 
+TEST(BoardPhotographs, ASizeThatNoPhotographShowsIsDoubted) {
+    SilentProgress progress;
+    const ScratchFolder folder;
+    put_photographs(folder, printed_chessboard(9, 6), 9, 6, 3);
+    const auto warnings_for = [&](int columns, int rows) {
+        return find_boards(folder.path(), {.kind = {}, .columns = columns, .rows = rows}, 0,
+                           progress)
+            .warnings;
+    };
+    EXPECT_THAT(warnings_for(0, 0), testing::IsEmpty());
+    EXPECT_THAT(warnings_for(9, 6), testing::IsEmpty());
+    EXPECT_THAT(warnings_for(6, 9), testing::IsEmpty());
+    EXPECT_THAT(warnings_for(9, 12), testing::ElementsAre(HasSubstr("12 x 9 was said, and no")));
+}
+
+TEST(BoardPhotographs, ASizeIsNotUsedWhereRowsAreCountedInSeveralWays) {
+    SilentProgress progress;
+    const ScratchFolder folder;
+    std::vector<Eigen::Vector2d> shifted;
+    for (int row = 0; row < 9; ++row) {
+        for (int column = 0; column < 5; ++column) {
+            shifted.emplace_back(column + 0.5 * (row % 2), 0.5 * row);
+        }
+    }
+    put_photographs(folder, printed_discs(shifted, 0.3), 5, 5, 3);
+    const BoardPhotographs found =
+        find_boards(folder.path(), {.kind = {}, .columns = 2, .rows = 2}, 0, progress);
+    EXPECT_EQ(found.kind, BoardKind::kAsymmetricCircles);
+    EXPECT_THAT(found.warnings, testing::ElementsAre(HasSubstr("was not used")));
+}
+
 TEST(BoardPhotographs, OneThatOpenCvCannotLookAtIsLeftOut) {
     const ScratchFolder folder;
     // Narrower than the window in which corners are refined.

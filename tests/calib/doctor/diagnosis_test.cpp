@@ -166,6 +166,30 @@ TEST(Diagnosis, FewPlacesPhotographedManyTimesAreDuplicates) {
     EXPECT_EQ(first_finding(evidence).severity, Severity::kNote);
 }
 
+TEST(Diagnosis, TwoPhotographsAreHopelessUnlessTheirLensesAreKnown) {
+    CaptureEvidence evidence = good_capture();
+    evidence.photographs.resize(2);
+    evidence.pairs = {pair_between(0, 1)};
+    evidence.inlier_shares = {0.8};
+    evidence.motion.pairs = 1;
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kFew);
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
+    evidence.focal_lengths_are_known = true;
+    EXPECT_THAT(diagnose(evidence), IsEmpty());
+}
+
+TEST(Diagnosis, OnePhotographIsHopelessAlsoWhereOthersRepeatIt) {
+    CaptureEvidence evidence = good_capture();
+    lose_all_pairs(evidence);
+    evidence.photographs.resize(1);
+    evidence.focal_lengths_are_known = true;
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kFew);
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
+    evidence.duplicates_left_out = 9;
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kDuplicates);
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
+}
+
 TEST(Diagnosis, EveryReasonHasACodeAndAdviceOfItsOwn) {
     for (int index = 0; index <= static_cast<int>(CaptureReason::kUncertain); ++index) {
         const auto reason = static_cast<CaptureReason>(index);

@@ -1,0 +1,78 @@
+#include "pipeline/commands/drawing_request.h"
+
+#include "calib/work/error.h"
+#include "pipeline/commands/render_mode_argument.h"
+
+namespace lumi {
+namespace {
+
+void check_focal_depth(const RenderOptions& options) {
+    if (options.focal_depth == 0 || options.mode == RenderMode::kLightField ||
+        options.mode == RenderMode::kHeigl)
+        return;
+    throw Error(ErrorKind::kUsage, "E-RENDER-FOCAL",
+                std::string(name_of(options.mode)) +
+                    " knows how far the scene is, and needs no --focal-depth",
+                "leave it out, or use --mode lightfield");
+}
+
+}  // namespace
+
+void add_drawing_options(CLI::App& command, DrawingRequest& request) {
+    const std::string usual = " (default: what the file of --eye says, else ";
+    command.add_option("--mode", request.mode,
+                       render_mode_names() + "; paper2001 and heigl leave shells of close-ups out" +
+                           usual + std::string(name_of(RenderOptions{}.mode)) + ")");
+    command.add_option(
+        "--debug", request.debug,
+        debug_picture_names() + usual + std::string(name_of(RenderOptions{}.debug_picture)) + ")");
+    command
+        .add_option("--focal-depth", request.focal_depth,
+                    "For modes without depth: distance of the plane that is sharp, world units")
+        ->check(CLI::PositiveNumber);
+    command.add_flag("--supersample", request.supersample,
+                     "Four samples a pixel: smooth edges, about four times the work");
+    command.add_flag("--jagged", request.jagged,
+                     "One sample a pixel also where depth is as fine as the frame: silhouettes in "
+                     "steps, less work (perpixel)");
+    command.add_flag("--fade", request.fade,
+                     "Fade to black what lies beyond the capture instead of guessing (perpixel, "
+                     "adaptive, lightfield)");
+    command.add_flag("--no-fade", request.no_fade,
+                     "Do not, though the package was built with [render] fade_beyond_capture");
+    command.add_flag("--black-surroundings", request.black_surroundings,
+                     "Leave black what no photograph shows instead of going on with the colours "
+                     "next to it");
+    command.add_flag("--as-taken", request.as_taken,
+                     "Leave differences in exposure and white balance between photographs as they "
+                     "are");
+}
+
+RenderOptions render_options_of(const DrawingRequest& request, const DrawnAlike& eye_file) {
+    RenderOptions options;
+    options.mode =
+        request.mode ? render_mode_from(*request.mode) : eye_file.mode.value_or(options.mode);
+    options.debug_picture = request.debug ? debug_picture_from(*request.debug)
+                                          : eye_file.debug_picture.value_or(options.debug_picture);
+    options.correct_occlusion = eye_file.correct_occlusion.value_or(options.correct_occlusion);
+    options.focal_depth = request.focal_depth;
+    options.supersample = request.supersample;
+    options.smooth_silhouettes = !request.jagged;
+    options.guess_surroundings = !request.black_surroundings &&
+                                 eye_file.guess_surroundings.value_or(options.guess_surroundings);
+    check_focal_depth(options);
+    return options;
+}
+
+std::optional<bool> fade_of(const DrawingRequest& request, const DrawnAlike& eye_file) {
+    if (request.fade) return true;
+    if (request.no_fade) return false;
+    return eye_file.fade_beyond_capture;
+}
+
+Exposures exposures_of(const DrawingRequest& request, const DrawnAlike& eye_file) {
+    return request.as_taken || eye_file.as_taken.value_or(false) ? Exposures::kAsTaken
+                                                                 : Exposures::kEvened;
+}
+
+}  // namespace lumi

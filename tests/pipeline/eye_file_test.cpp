@@ -1,0 +1,76 @@
+#include "pipeline/commands/eye_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "render/lumigraph/same_eye.h"
+#include "render/viewer/screenshot.h"
+#include "tests/calib/scratch_folder.h"
+
+namespace lumi {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kEyeAlone =
+    R"("camera": {"model": "PINHOLE", "width_px": 4, "height_px": 3, "parameters": [5, 6, 2, 1]},
+       "cam_from_world": {"rotation_wxyz": [1, 0, 0, 0], "translation": [1, 2, 3]})";
+
+Eye some_eye() {
+    const Eigen::AngleAxisd turn(0.3, Eigen::Vector3d(1, 2, 3).normalized());
+    return {{4, 3, LensModel::kPinhole, {5.1, 6.2, 2.3, 1.4}},
+            {Eigen::Quaterniond(turn), Eigen::Vector3d(0.1, -0.2, 1.0 / 3)}};
+}
+
+TEST(EyeFile, TellsWhatTheWindowWroteBesideAScreenshot) {
+    const ScratchFolder scratch;
+    const Frame frame{ColorImage(4, 3), GrayImage(4, 3, 255), {}};
+    for (const RenderMode mode : all_render_modes()) {
+        for (const bool flag : {false, true}) {
+            RenderOptions options;
+            options.mode = mode;
+            options.debug_picture = flag ? DebugPicture::kDepth : DebugPicture::kNone;
+            options.correct_occlusion = flag;
+            options.fade_beyond_capture = !flag;
+            options.guess_surroundings = flag;
+            write_screenshot(scratch / "shot.png", frame, some_eye(), options,
+                             flag ? Exposures::kEvened : Exposures::kAsTaken, "box");
+            const EyeFile read = read_eye_file(scratch / "shot.json");
+            EXPECT_TRUE(is_same_eye(read.eye, some_eye()));
+            EXPECT_EQ(read.drawn.mode, mode);
+            EXPECT_EQ(read.drawn.debug_picture, options.debug_picture);
+            EXPECT_EQ(read.drawn.correct_occlusion, flag);
+            EXPECT_EQ(read.drawn.fade_beyond_capture, !flag);
+            EXPECT_EQ(read.drawn.guess_surroundings, flag);
+            EXPECT_EQ(read.drawn.as_taken, !flag);
+        }
+    }
+}
+
+TEST(EyeFile, MayBeAnEyeAlone) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "eye.json", "{" + kEyeAlone + ", \"note\": 3}");
+    const EyeFile read = read_eye_file(scratch / "eye.json");
+    EXPECT_EQ(read.eye.cam_from_world.translation, Eigen::Vector3d(1, 2, 3));
+    EXPECT_FALSE(read.drawn.mode || read.drawn.debug_picture || read.drawn.as_taken);
+}
+
+TEST(EyeFile, AModeThatThereIsNoneOfIsRefusedByName) {
+    const ScratchFolder scratch;
+    for (const std::string wrong : {R"("mode": "photoreal")", R"("debug_picture": "mood")",
+                                    R"("mode": 3)", R"("as_taken": "yes")"}) {
+        write_whole_text(scratch / "eye.json", "{" + kEyeAlone + "," + wrong + "}");
+        try {
+            (void)read_eye_file(scratch / "eye.json");
+            ADD_FAILURE() << wrong;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-JSON-READ") << wrong;
+            EXPECT_THAT(error.what(), HasSubstr("eye.json")) << wrong;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lumi
