@@ -64,15 +64,17 @@ CaptureEvidence evidence_of(const MappingJob& job, const MatchedPhotographs& mat
 
 void refuse_explained(const MappingJob& job, const MatchedPhotographs& matched,
                       CaptureReason fallback, const std::string& what) {
-    for (const Finding& finding : diagnose(evidence_of(job, matched))) {
-        const bool says_no_more_than_we_know = finding.reason == CaptureReason::kNoPair;
+    const std::vector<Finding> findings = diagnose(evidence_of(job, matched));
+    for (const Finding& finding : findings) {
         // A plane, or what looks like a turn, harms few captures; where one failed, it is the
         // likely cause.
         const bool is_likely = finding.severity >= Severity::kRisk ||
                                finding.reason == CaptureReason::kPlanar ||
                                finding.reason == CaptureReason::kNoParallax;
-        if (!is_likely || says_no_more_than_we_know) continue;
-        refuse_capture(finding.reason, finding.what);
+        if (is_likely && is_cause(finding.reason)) refuse_capture(finding.reason, finding.what);
+    }
+    for (const Finding& finding : findings) {
+        if (finding.reason == CaptureReason::kFew) refuse_capture(finding.reason, finding.what);
     }
     refuse_capture(fallback, what);
 }
