@@ -33,7 +33,8 @@ void append_errors(VersionFigures& figures, const Evaluation& evaluation) {
         for (const ScoreMetric& metric : score_metrics()) {
             const std::string name = metric.name;
             const auto mean = mean_of(metric, scores.views);
-            if (!mean || name == "ms" || name == "ghost_energy") continue;
+            const bool is_time = name == "ms" || name == "cpu_ms";
+            if (!mean || is_time || name == "ghost_energy") continue;
             figures["error." + name_of(scores.mode) + "." + name] = {*mean, noise_of(name),
                                                                      metric.higher_is_better};
         }

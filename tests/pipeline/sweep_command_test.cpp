@@ -58,6 +58,7 @@ class Sweeps : public testing::Test {
             for (const auto& [mode, scores] : variant.at("modes").items()) {
                 for (Json view : scores.at("views")) {
                     view.erase("ms");
+                    view.erase("cpu_ms");
                     view.erase("ms_range");
                     errors[variant.at("label").get<std::string>() + mode +
                            view.at("name").get<std::string>()] = view;
