@@ -6,40 +6,35 @@
 #include <map>
 #include <optional>
 
+#include "calib/doctor/cohesion.h"
 #include "calib/work/formatted.h"
 #include "calib/work/median.h"
 
 namespace lumi {
 namespace {
 
-/// Fewer of the photographs than this in one group: the pose stage refuses.
-constexpr double kUsableShare = 0.4;
 constexpr double kMostShare = 0.7;  ///< "Most" of the pairs or photographs.
 constexpr double kNearlyAll = 0.9;
-
-/// How the photographs hang together.
-struct Cohesion {
-    std::vector<std::vector<int>> groups;
-    double largest_share = 0.0;
-
-    [[nodiscard]] bool is_usable() const {
-        return largest_share >= kUsableShare && groups.front().size() >= 3;
-    }
-    [[nodiscard]] bool is_whole() const { return largest_share > 0.9; }
-};
-
-Cohesion cohesion_of(const CaptureEvidence& evidence) {
-    Cohesion cohesion{groups_of(match_graph_of(evidence)), 0.0};
-    if (!evidence.photographs.empty()) {
-        cohesion.largest_share = static_cast<double>(cohesion.groups.front().size()) /
-                                 static_cast<double>(evidence.photographs.size());
-    }
-    return cohesion;
-}
+constexpr double kFewShare = 0.3;  ///< "Few" of the photographs.
 
 Severity severity_of(const Cohesion& cohesion) {
     if (!cohesion.is_usable()) return Severity::kHopeless;
     return cohesion.is_whole() ? Severity::kNote : Severity::kRisk;
+}
+
+/// How bad it is that the named photographs are as they are: a few can be why they themselves are
+/// lost, and not why the others do not hang together.
+Severity severity_of_few(const CaptureEvidence& evidence, const Cohesion& cohesion,
+                         const std::vector<std::string>& names) {
+    std::vector<char> is_kept;
+    for (const PhotographQuality& photograph : evidence.photographs) {
+        is_kept.push_back(std::find(names.begin(), names.end(), photograph.name) == names.end());
+    }
+    const Cohesion others = cohesion_of(part_of(match_graph_of(evidence), is_kept));
+    const bool are_few = static_cast<double>(names.size()) <
+                         kFewShare * static_cast<double>(evidence.photographs.size());
+    const Severity severity = severity_of(cohesion);
+    return are_few && severity_of(others) >= severity ? Severity::kNote : severity;
 }
 
 /// What is wrong with one picture, if anything.
@@ -97,7 +92,7 @@ void judge_pictures(const CaptureEvidence& evidence, const Cohesion& cohesion,
     for (const auto& [reason, names] : concerned) {
         const double share =
             static_cast<double>(names.size()) / static_cast<double>(evidence.photographs.size());
-        Severity severity = share < 0.3 ? Severity::kNote : severity_of(cohesion);
+        Severity severity = share < kFewShare ? Severity::kNote : severity_of(cohesion);
         // What motion looks like in poor pictures says more about the pictures.
         if (share >= kMostShare && evidence.motion.rotation_share() >= kMostShare) {
             severity = Severity::kHopeless;
@@ -124,7 +119,7 @@ void judge_brightness(const CaptureEvidence& evidence, const Cohesion& cohesion,
     }
     if (names.empty()) return;
     findings.push_back(
-        {CaptureReason::kExposure, severity_of(cohesion),
+        {CaptureReason::kExposure, severity_of_few(evidence, cohesion, names),
          formatted("brightness jumps by up to %.1f stops between photographs", farthest),
          std::move(names)});
 }
@@ -301,7 +296,7 @@ std::vector<Finding> diagnose(const CaptureEvidence& evidence) {
     judge_duplicates(evidence, findings);
     judge_count(evidence, findings);
     if (!evidence.photographs.empty()) {
-        const Cohesion cohesion = cohesion_of(evidence);
+        const Cohesion cohesion = cohesion_of(match_graph_of(evidence));
         judge_pictures(evidence, cohesion, findings);
         judge_brightness(evidence, cohesion, findings);
         judge_motion(evidence, findings);

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
-#include <optional>
 #include <vector>
+
+#include "calib/poses/supposed_costs.h"
 
 namespace lumi {
 namespace {
@@ -20,84 +21,6 @@ constexpr int kPointsAPhotograph = 400;
 struct OwnParameters {
     Eigen::Vector3d turn = Eigen::Vector3d::Zero();
     Eigen::Vector3d crop = Eigen::Vector3d::Zero();
-};
-
-/// What a view saw of a point, as a pinhole of the same focal length would have.
-struct StraightSight {
-    Eigen::Vector2d straight_px;         ///< From the principal point.
-    Eigen::Matrix2d pixel_per_straight;  ///< How errors there show in the picture.
-    double focal_px;
-    double time;  ///< When its row was read: -0.5 for the first to 0.5 for the last.
-};
-
-/// Empty where the lens, far out, does not tell where it was.
-std::optional<StraightSight> straight_sight(const Camera& camera, const Eigen::Vector2d& pixel) {
-    constexpr double kStep = 1e-4;
-    constexpr double kFarOff_px = 0.1;
-    const Eigen::Vector3d ray = unproject(camera, pixel);
-    const auto again = project(camera, ray);
-    if (!again || !((*again - pixel).norm() < kFarOff_px)) return std::nullopt;
-    const double focal_px = focal_length_px(camera).mean();
-    StraightSight sight{focal_px * ray.head<2>(), Eigen::Matrix2d::Identity(), focal_px,
-                        pixel.y() / camera.height_px - 0.5};
-    for (int axis = 0; axis < 2; ++axis) {
-        const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(axis);
-        const auto before = project(camera, ray - step);
-        const auto behind = project(camera, ray + step);
-        if (!before || !behind) return std::nullopt;
-        sight.pixel_per_straight.col(axis) = (*behind - *before) / (2 * kStep * focal_px);
-    }
-    return sight;
-}
-
-/// Parameter blocks: rotation and translation cam_from_world at the middle row, the turn and the
-/// crop of the view, the logarithm of the focal length over that of the lens, two coefficients of
-/// the radial distortion that it lacks, the point.
-class SightCost {
- public:
-    explicit SightCost(const StraightSight& seen) : seen_(seen) {}
-
-    template <class T>
-    bool operator()(const T* rotation, const T* translation, const T* turn, const T* crop,
-                    const T* zoom, const T* radial, const T* point, T* residual) const {
-        using std::exp;
-        using Vector2 = Eigen::Matrix<T, 2, 1>;
-        using Vector3 = Eigen::Matrix<T, 3, 1>;
-        const Vector3 at_middle =
-            Eigen::Map<const Eigen::Quaternion<T>>(rotation) * Eigen::Map<const Vector3>(point) +
-            Eigen::Map<const Vector3>(translation);
-        const Vector3 turned =
-            at_middle + T(seen_.time) * Eigen::Map<const Vector3>(turn).cross(at_middle);
-        if (!(turned.z() > T(1e-9))) return false;
-        const T x = turned.x() / turned.z();
-        const T y = turned.y() / turned.z();
-        const T square = x * x + y * y;
-        const T scale = T(seen_.focal_px) * exp(zoom[0] + crop[2]) *
-                        (T(1) + square * (radial[0] + square * radial[1]));
-        const Vector2 straight(scale * x + crop[0] - T(seen_.straight_px.x()),
-                               scale * y + crop[1] - T(seen_.straight_px.y()));
-        Eigen::Map<Vector2> in_picture(residual);
-        in_picture = seen_.pixel_per_straight.template cast<T>() * straight;
-        return true;
-    }
-
- private:
-    StraightSight seen_;
-};
-
-/// Holds values near zero.
-class NearZero {
- public:
-    explicit NearZero(const Eigen::Vector3d& weights) : weights_(weights) {}
-    template <class T>
-    bool operator()(const T* values, T* residual) const {
-        for (int index = 0; index < 3; ++index)
-            residual[index] = T(weights_[index]) * values[index];
-        return true;
-    }
-
- private:
-    Eigen::Vector3d weights_;
 };
 
 struct Seen {
@@ -162,6 +85,7 @@ class Fit {
             order->AddElementToGroup(point, 0);
         }
         hold(problem, *order);
+        if (supposition_ == Supposition::kTurning) expect_nothing_in_common(problem);
         ceres::Solver::Options solver;
         solver.linear_solver_type =
             capture_.views.size() <= 40 ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
@@ -195,10 +119,21 @@ class Fit {
         return std::sqrt(sum_px2 / static_cast<double>(own_.size()));
     }
 
-    /// As adjusted; lenses as they came.
+    /// As adjusted; lenses as they came, through which a picture whose middle lies elsewhere is
+    /// that of a camera that is turned.
     [[nodiscard]] Capture capture() const {
         Capture adjusted = capture_;
-        for (View& view : adjusted.views) view.cam_from_world.rotation.normalize();
+        for (std::size_t index = 0; index < own_.size(); ++index) {
+            View& view = adjusted.views[index];
+            const double focal_px = focal_length_px(camera_of(adjusted, view)).mean();
+            const Eigen::Vector3d& crop = own_[index].crop;
+            const Eigen::Vector3d axis(crop.x(), crop.y(), focal_px);
+            view.cam_from_world.rotation.normalize();
+            view.cam_from_world =
+                Rigid3{Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis),
+                       Eigen::Vector3d::Zero()} *
+                view.cam_from_world;
+        }
         return adjusted;
     }
 
@@ -251,6 +186,23 @@ class Fit {
                 is_first = false;
             }
         }
+    }
+
+    void expect_nothing_in_common(ceres::Problem& problem) {
+        constexpr double kWeight = 1.0;  // Pixels of skew.
+        std::vector<Eigen::Matrix3d> world_from_cam;
+        std::vector<double*> turns;
+        double focal_px = 0;
+        for (std::size_t index = 0; index < own_.size(); ++index) {
+            if (!problem.HasParameterBlock(own_[index].turn.data())) continue;
+            const View& view = capture_.views[index];
+            world_from_cam.emplace_back(
+                view.cam_from_world.rotation.conjugate().toRotationMatrix());
+            turns.push_back(own_[index].turn.data());
+            focal_px = std::max(focal_px, focal_length_px(camera_of(capture_, view)).mean());
+        }
+        problem.AddResidualBlock(new NothingInCommon(std::move(world_from_cam), kWeight * focal_px),
+                                 nullptr, turns);
     }
 
     static void free_or_hold(ceres::Problem& problem, double* block, bool is_free,

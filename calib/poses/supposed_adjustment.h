@@ -18,7 +18,9 @@ enum class Supposition {
 
 /// A capture adjusted under a supposition.
 struct SupposedAdjustment {
-    Capture capture;        ///< Poses at the middle row; lenses as they came.
+    /// Poses at the middle row; lenses as they came, through which a picture that was cut elsewhere
+    /// is that of a camera that is turned.
+    Capture capture;
     double cost_px2 = 0.0;  ///< Sum of squared residuals, each truncated at the limit.
     /// What the supposition does to pictures, root mean square over them: how far the last row is
     /// turned away from the first, or how far the lens's middle lies from where it was taken to be.
@@ -31,8 +33,11 @@ struct SupposedAdjustment {
 /// unless `lenses_are_held`) and three parameters of each view's own by robust least squares, over
 /// a few hundred points a photograph, those with the longest tracks: a turning rate (Hedborg et
 /// al., Rolling shutter bundle adjustment, CVPR 2012, for rotation alone, which moves pictures
-/// most), or a principal point and a scale. A weak prior holds those that nothing determines.
-/// Adjustments from one start look at the same observations, so that their costs can be compared.
+/// most), or a principal point and a scale. A weak prior holds those that nothing determines; turns
+/// that have something in common, in the axes of the cameras or of the world, are not found:
+/// bent points and poses, and lenses, do the same (Albl, Sugimoto, Pajdla, Degeneracies in rolling
+/// shutter SfM, ECCV 2016), and hands differ from picture to picture. Adjustments from one start
+/// look at the same observations, so that their costs can be compared.
 [[nodiscard]] SupposedAdjustment adjust_supposing(Supposition supposition, const Capture& capture,
                                                   bool lenses_are_held, double limit_px,
                                                   Progress& progress);

@@ -106,6 +106,20 @@ TEST(Diagnosis, NamesThePhotographsWhoseBrightnessJumps) {
     EXPECT_THAT(finding.photographs, testing::ElementsAre("p3.jpg"));
 }
 
+TEST(Diagnosis, OneDarkPhotographIsNotWhyTheOthersDoNotHangTogether) {
+    CaptureEvidence evidence = good_capture();
+    evidence.photographs[3].mean_linear = 0.02;
+    std::erase_if(evidence.pairs, [](const PairGeometry& pair) {
+        return pair.pair.first == 3 || pair.pair.second == 3;
+    });
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kExposure) << "it is why it is lost";
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kRisk);
+
+    evidence.pairs = {pair_between(0, 1), pair_between(4, 5)};
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kSplit);
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
+}
+
 TEST(Diagnosis, NamesThePhotographsOutsideOfTheLargestGroup) {
     CaptureEvidence evidence = good_capture();
     std::erase_if(evidence.pairs, [](const PairGeometry& pair) {

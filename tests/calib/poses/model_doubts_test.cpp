@@ -21,15 +21,32 @@ Capture noisy_capture(unsigned seed) {
     return synthetic_capture(kDoubtedCamera, scene);
 }
 
-/// Moves what each view saw as if the camera had turned by `skew_px` while the rows were read.
-void skew(Capture& capture, double skew_px) {
+/// A turn for each view (rad, in its axes), of root mean square `skew_px` in pictures: those of
+/// hands, which neither the cameras' axes nor the world's have in common.
+std::vector<Eigen::Vector3d> turns_of_hands(const Capture& capture, double skew_px) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> heading(0.0, 6.28);
-    std::vector<Eigen::Vector3d> turns;
-    for (std::size_t index = 0; index < capture.views.size(); ++index) {
+    const auto views = static_cast<Eigen::Index>(capture.views.size());
+    Eigen::VectorXd turns(3 * views);
+    Eigen::MatrixXd in_common(3 * views, 6);
+    for (Eigen::Index view = 0; view < views; ++view) {
         const double angle = heading(random);
-        turns.emplace_back(skew_px / 900 * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0));
+        turns.segment<3>(3 * view) = Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
+        in_common.middleRows<3>(3 * view) << Eigen::Matrix3d::Identity(),
+            capture.views[static_cast<std::size_t>(view)]
+                .cam_from_world.rotation.toRotationMatrix();
     }
+    turns -= in_common * in_common.colPivHouseholderQr().solve(turns);
+    turns *= skew_px / 900 * std::sqrt(static_cast<double>(views)) / turns.norm();
+    std::vector<Eigen::Vector3d> of_views;
+    for (Eigen::Index view = 0; view < views; ++view) {
+        of_views.emplace_back(turns.segment<3>(3 * view));
+    }
+    return of_views;
+}
+
+/// Moves what each view saw as if the camera had turned while the rows were read.
+void skew(Capture& capture, const std::vector<Eigen::Vector3d>& turns) {
     for (ScenePoint& point : capture.points) {
         for (Observation& seen : point.track) {
             const auto view = static_cast<std::size_t>(seen.view_index);
@@ -42,9 +59,12 @@ void skew(Capture& capture, double skew_px) {
     }
 }
 
+void skew(Capture& capture, double skew_px) { skew(capture, turns_of_hands(capture, skew_px)); }
+
 /// Moves what each view saw as if its picture had been cut out with its middle so far away, and
-/// scaled by a few hundredths.
-void crop(Capture& capture, double shift_px) {
+/// scaled by a few hundredths. Returns where each view's middle then is (px, from where it was).
+std::vector<Eigen::Vector2d> crop(Capture& capture, double shift_px) {
+    std::vector<Eigen::Vector2d> shifts;
     std::mt19937 random(6);
     std::uniform_real_distribution<double> heading(0.0, 6.28);
     std::uniform_real_distribution<double> scale(0.97, 1.03);
@@ -52,6 +72,7 @@ void crop(Capture& capture, double shift_px) {
         const double angle = heading(random);
         const Eigen::Vector2d shift = shift_px * Eigen::Vector2d(std::cos(angle), std::sin(angle));
         const double factor = scale(random);
+        shifts.push_back(shift);
         for (ScenePoint& point : capture.points) {
             for (Observation& seen : point.track) {
                 if (seen.view_index != static_cast<int>(index)) continue;
@@ -60,6 +81,7 @@ void crop(Capture& capture, double shift_px) {
             }
         }
     }
+    return shifts;
 }
 
 SupposedAdjustment adjusted(Supposition supposition, const Capture& capture, bool lenses_are_held) {
@@ -112,10 +134,45 @@ TEST(SupposedAdjustment, FindsTheSkewOfARollingShutterAndTheTruePoses) {
     EXPECT_LT(turning.cost_px2, adjusted(Supposition::kShifted, capture, true).cost_px2);
 }
 
+TEST(SupposedAdjustment, FindsNoRollingShutterInWhatAllPicturesHaveInCommon) {
+    const Eigen::Vector3d turn(-40.0 / 900, 0, 0);
+    const std::vector<Eigen::Vector3d> in_cameras(8, turn);
+    std::vector<Eigen::Vector3d> in_world;
+    for (const View& view : noisy_capture(4).views) {
+        in_world.emplace_back(view.cam_from_world.rotation * turn);
+    }
+    for (const std::vector<Eigen::Vector3d>& turns : {in_cameras, in_world}) {
+        Capture capture = noisy_capture(4);
+        skew(capture, turns);
+        const SupposedAdjustment steady = adjusted(Supposition::kSteady, capture, false);
+        const SupposedAdjustment turning = adjusted(Supposition::kTurning, capture, false);
+        EXPECT_LT(turning.effect_px, 40.0 / 5);
+        EXPECT_FALSE(
+            pose_shift(named_poses(steady.capture), named_poses(turning.capture)).matters());
+    }
+}
+
+TEST(SupposedAdjustment, APictureCutElsewhereIsThatOfACameraThatIsTurned) {
+    Capture capture = noisy_capture(4);
+    Capture turned = capture;
+    const std::vector<Eigen::Vector2d> shifts = crop(capture, 60);
+    for (std::size_t view = 0; view < turned.views.size(); ++view) {
+        const Eigen::Vector3d middle(shifts[view].x(), shifts[view].y(), 900);
+        Rigid3& pose = turned.views[view].cam_from_world;
+        pose = Rigid3{Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), middle),
+                      Eigen::Vector3d::Zero()} *
+               pose;
+    }
+    const SupposedAdjustment cropped = adjusted(Supposition::kShifted, capture, true);
+    const PoseShift shift = pose_shift(named_poses(cropped.capture), named_poses(turned));
+    EXPECT_LT(shift.rotation_deg, 1.0) << "the cuts alone are 3.8 degrees";
+    EXPECT_LT(shift.position_share, 0.02);
+}
+
 TEST(SupposedAdjustment, FindsTheCutsOfCroppedPhotographsAndTheTruePoses) {
     Capture capture = noisy_capture(4);
     const NamedPoses truth = named_poses(capture);
-    crop(capture, 60);
+    (void)crop(capture, 60);
     EXPECT_GT(residual_pattern(capture).shutter_ratio, 4.0);
     const SupposedAdjustment cropped = adjusted(Supposition::kShifted, capture, true);
     EXPECT_NEAR(cropped.effect_px, 60, 12);
