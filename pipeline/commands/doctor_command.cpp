@@ -159,7 +159,7 @@ std::string examination_text(const Examination& seen, double depth_mib, const fs
             std::to_string(evidence.pairs.size()) + " pairs that show the same things; rays meet " +
             "at " + number_text(median_angle_deg(evidence), 1) + " degrees in the middle pair\n";
     if (seen.verdict() == Severity::kHopeless) {
-        text += "a build would be refused";
+        text += "a build will be refused, or place a small part of the photographs";
     } else {
         text += "a build will take about " + number_text(seen.build.cpu_s, 0) + " CPU s and " +
                 number_text(std::max(seen.build.peak_mib, depth_mib), 0) + " MiB, of these depth " +
