@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "calib/work/progress.h"
-#include "meshing/depth/depth_model.h"
+#include "meshing/depth_models/depth_model.h"
 
 namespace lumi {
 

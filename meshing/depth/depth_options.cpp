@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "calib/work/error.h"
-#include "meshing/depth/depth_model.h"
 #include "meshing/depth/depth_stage.h"
+#include "meshing/depth_models/depth_model.h"
 
 namespace lumi {
 namespace {

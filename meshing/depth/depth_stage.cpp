@@ -7,10 +7,10 @@
 #include "calib/work/process_memory.h"
 #include "calib/work/stopwatch.h"
 #include "meshing/depth/depth_choice.h"
-#include "meshing/depth/depth_model.h"
-#include "meshing/depth/depth_scene.h"
 #include "meshing/depth/found_depth.h"
-#include "meshing/depth/view_mask.h"
+#include "meshing/depth_models/depth_model.h"
+#include "meshing/depth_scene/depth_scene.h"
+#include "meshing/depth_scene/view_mask.h"
 
 namespace lumi {
 namespace {
@@ -97,8 +97,10 @@ DepthResult estimate_depth(const PosedPhotographs& photographs,
     const std::vector<std::uint64_t> pixels =
         pixels_of_maps(photographs.capture, view_indices, options);
     result.memory = expected_memory(pixels, options, threads, progress);
-    const DepthScene scene =
-        make_depth_scene(photographs, view_indices, options, threads, progress);
+    const DepthScene scene = make_depth_scene(
+        photographs, view_indices,
+        {.max_width_px = options.max_width_px, .max_neighbours = options.max_neighbours}, threads,
+        progress);
     const SceneMasks found_masks =
         scene_masks(scene, options.mask_folder, options.background == "auto", threads);
     const std::vector<GrayImage>& masks = found_masks.of_views;

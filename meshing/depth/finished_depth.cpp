@@ -5,14 +5,14 @@
 #include <utility>
 
 #include "calib/work/parallel_for.h"
-#include "meshing/depth/cross_view_check.h"
-#include "meshing/depth/depth_of_others.h"
-#include "meshing/depth/edge_aware_fill.h"
-#include "meshing/depth/edge_snapping.h"
-#include "meshing/depth/receding_fill.h"
-#include "meshing/depth/seen_past.h"
-#include "meshing/depth/sparse_depth.h"
-#include "meshing/depth/surrounding_depth.h"
+#include "meshing/agreement/cross_view_check.h"
+#include "meshing/agreement/depth_of_others.h"
+#include "meshing/agreement/seen_past.h"
+#include "meshing/agreement/surrounding_depth.h"
+#include "meshing/depth_models/sparse_depth.h"
+#include "meshing/filling/edge_aware_fill.h"
+#include "meshing/filling/edge_snapping.h"
+#include "meshing/filling/receding_fill.h"
 
 namespace lumi {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "meshing/depth/depth_model.h"
-#include "meshing/depth/depth_scene.h"
+#include "meshing/depth_models/depth_model.h"
+#include "meshing/depth_scene/depth_scene.h"
 #include "meshing/surface/depth_map.h"
 
 namespace lumi {

@@ -15,7 +15,7 @@
 #include "calib/work/stopwatch.h"
 #include "meshing/depth/finished_depth.h"
 #include "meshing/depth/held_out_points.h"
-#include "meshing/depth/view_mask.h"
+#include "meshing/depth_scene/view_mask.h"
 
 namespace lumi {
 namespace {

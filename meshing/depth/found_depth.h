@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "calib/work/progress.h"
-#include "meshing/depth/depth_model.h"
-#include "meshing/depth/depth_scene.h"
 #include "meshing/depth/depth_stage.h"
+#include "meshing/depth_models/depth_model.h"
+#include "meshing/depth_scene/depth_scene.h"
 
 namespace lumi {
 

@@ -6,8 +6,8 @@
 #include "calib/work/parallel_for.h"
 #include "meshing/depth/finished_depth.h"
 #include "meshing/depth/photograph_loss.h"
-#include "meshing/depth/view_mask.h"
-#include "meshing/depth/views_far_apart.h"
+#include "meshing/depth_scene/view_mask.h"
+#include "meshing/depth_scene/views_far_apart.h"
 
 namespace lumi {
 namespace {

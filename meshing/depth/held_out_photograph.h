@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "calib/work/progress.h"
-#include "meshing/depth/depth_model.h"
-#include "meshing/depth/depth_scene.h"
+#include "meshing/depth_models/depth_model.h"
+#include "meshing/depth_scene/depth_scene.h"
 
 namespace lumi {
 

@@ -5,8 +5,8 @@
 
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
-#include "meshing/depth/depth_model.h"
-#include "meshing/depth/views_far_apart.h"
+#include "meshing/depth_models/depth_model.h"
+#include "meshing/depth_scene/views_far_apart.h"
 
 namespace lumi {
 namespace {

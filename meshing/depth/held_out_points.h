@@ -4,7 +4,7 @@
 #include <string>
 
 #include "calib/work/progress.h"
-#include "meshing/depth/depth_scene.h"
+#include "meshing/depth_scene/depth_scene.h"
 
 namespace lumi {
 

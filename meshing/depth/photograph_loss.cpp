@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "calib/capture/gray.h"
-#include "meshing/depth/inverse_depth_warp.h"
 #include "meshing/selection/one_standard_error.h"
+#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 namespace {

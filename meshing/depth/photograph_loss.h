@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "calib/capture/image.h"
-#include "meshing/depth/depth_scene.h"
+#include "meshing/depth_scene/depth_scene.h"
 
 namespace lumi {
 

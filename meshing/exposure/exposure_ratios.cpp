@@ -9,7 +9,7 @@
 #include "calib/capture/srgb_curve.h"
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
-#include "meshing/depth/inverse_depth_warp.h"
+#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "calib/work/parallel_for.h"
-#include "meshing/depth/inverse_depth_warp.h"
-#include "meshing/depth/pixel_in_picture.h"
 #include "meshing/fusion/surface_grid.h"
+#include "meshing/warp/inverse_depth_warp.h"
+#include "meshing/warp/pixel_in_picture.h"
 
 namespace lumi {
 namespace {

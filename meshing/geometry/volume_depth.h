@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshing/depth/depth_scene.h"
+#include "meshing/depth_scene/depth_scene.h"
 #include "meshing/geometry/binary_volume.h"
 #include "meshing/surface/depth_map.h"
 

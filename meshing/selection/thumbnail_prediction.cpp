@@ -10,7 +10,7 @@
 #include "calib/capture/image_io.h"
 #include "calib/capture/nearest_byte.h"
 #include "calib/work/median.h"
-#include "meshing/depth/inverse_depth_warp.h"
+#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 namespace {

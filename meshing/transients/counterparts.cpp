@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "calib/work/median.h"
-#include "meshing/depth/seen_past.h"
+#include "meshing/agreement/seen_past.h"
 
 namespace lumi {
 namespace {

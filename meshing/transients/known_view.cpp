@@ -6,8 +6,8 @@
 #include "calib/capture/image_io.h"
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
-#include "meshing/depth/pixel_in_picture.h"
-#include "meshing/depth/shared_colors.h"
+#include "meshing/exposure/shared_colors.h"
+#include "meshing/warp/pixel_in_picture.h"
 
 namespace lumi {
 namespace {

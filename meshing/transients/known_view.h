@@ -6,10 +6,10 @@
 #include "calib/capture/camera.h"
 #include "calib/capture/image.h"
 #include "calib/capture/rigid3.h"
-#include "meshing/depth/color_match.h"
-#include "meshing/depth/inverse_depth_warp.h"
+#include "meshing/exposure/color_match.h"
 #include "meshing/surface/depth_map.h"
 #include "meshing/surface/pictured_view.h"
+#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 

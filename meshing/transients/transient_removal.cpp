@@ -10,11 +10,11 @@
 
 #include "calib/capture/inpainting.h"
 #include "calib/work/parallel_for.h"
-#include "meshing/depth/gap_closing.h"
-#include "meshing/depth/pixel_in_picture.h"
+#include "meshing/agreement/gap_closing.h"
 #include "meshing/transients/known_view.h"
 #include "meshing/transients/transients.h"
 #include "meshing/transients/unlike_others.h"
+#include "meshing/warp/pixel_in_picture.h"
 
 namespace lumi {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "meshing/depth/seen_past.h"
-#include "meshing/depth/warped_rows.h"
+#include "meshing/agreement/seen_past.h"
+#include "meshing/warp/warped_rows.h"
 
 namespace lumi {
 namespace {

@@ -9,8 +9,8 @@
 #include "calib/work/median.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/plot.h"
-#include "pipeline/report/optional_json.h"
 #include "pipeline/workspace/json_file.h"
+#include "pipeline/workspace/optional_json.h"
 
 namespace lumi {
 namespace {

@@ -6,8 +6,8 @@
 #include "pipeline/chart/chart_page.h"
 #include "pipeline/chart/sweep_plots.h"
 #include "pipeline/evaluate/evaluation_file.h"
-#include "pipeline/report/csv.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/csv.h"
+#include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {

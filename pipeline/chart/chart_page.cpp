@@ -4,8 +4,8 @@
 
 #include "calib/work/median.h"
 #include "pipeline/chart/sweep_plots.h"
-#include "pipeline/report/html.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/html.h"
+#include "pipeline/text/number_text.h"
 
 namespace lumi {
 namespace {

@@ -5,7 +5,7 @@
 #include "calib/capture/image_io.h"
 #include "calib/ingest/photograph_folder.h"
 #include "calib/work/error.h"
-#include "meshing/depth/depth_model.h"
+#include "meshing/depth_models/depth_model.h"
 
 namespace lumi {
 namespace {

@@ -9,7 +9,7 @@
 #include "calib/work/error.h"
 #include "calib/work/stopwatch.h"
 #include "pipeline/commands/commands.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/number_text.h"
 
 namespace lumi {
 namespace {

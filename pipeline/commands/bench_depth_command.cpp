@@ -4,15 +4,15 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/error.h"
-#include "meshing/depth/depth_model.h"
+#include "meshing/depth_models/depth_model.h"
 #include "meshing/surface/mesh_io.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/depth_bench/rung_chart.h"
 #include "pipeline/depth_bench/stability_report.h"
-#include "pipeline/report/number_text.h"
 #include "pipeline/stages/pack_stage.h"
 #include "pipeline/stages/posed_files.h"
 #include "pipeline/stages/used_views.h"
+#include "pipeline/text/number_text.h"
 #include "pipeline/workspace/workspace.h"
 
 namespace lumi {

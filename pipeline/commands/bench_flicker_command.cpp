@@ -11,7 +11,7 @@
 #include "pipeline/bench/rival_scenes.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/frame_size.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/number_text.h"
 #include "render/lumigraph/package.h"
 #include "render/paths/path_past_border.h"
 

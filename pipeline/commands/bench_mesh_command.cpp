@@ -8,8 +8,8 @@
 #include "pipeline/bench/arrangement_benchmark.h"
 #include "pipeline/bench/mesh_benchmark.h"
 #include "pipeline/commands/commands.h"
-#include "pipeline/report/number_text.h"
-#include "pipeline/report/padded.h"
+#include "pipeline/text/number_text.h"
+#include "pipeline/text/padded.h"
 
 namespace lumi {
 namespace {

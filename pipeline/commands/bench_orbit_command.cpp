@@ -9,8 +9,8 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/frame_size.h"
 #include "pipeline/commands/render_mode_argument.h"
-#include "pipeline/report/number_text.h"
-#include "pipeline/report/optional_json.h"
+#include "pipeline/text/number_text.h"
+#include "pipeline/workspace/optional_json.h"
 #include "render/lumigraph/package.h"
 #include "render/viewer/orbit_endurance.h"
 

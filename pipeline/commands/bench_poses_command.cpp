@@ -7,7 +7,7 @@
 #include "pipeline/config/build_config.h"
 #include "pipeline/pose_bench/pose_chart.h"
 #include "pipeline/pose_bench/pose_trial.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {

@@ -6,9 +6,9 @@
 #include "pipeline/bench/rival_benchmark.h"
 #include "pipeline/bench/rival_scenes.h"
 #include "pipeline/commands/commands.h"
-#include "pipeline/report/number_text.h"
-#include "pipeline/report/optional_json.h"
-#include "pipeline/report/padded.h"
+#include "pipeline/text/number_text.h"
+#include "pipeline/text/padded.h"
+#include "pipeline/workspace/optional_json.h"
 
 namespace lumi {
 namespace {

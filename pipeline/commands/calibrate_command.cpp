@@ -8,9 +8,9 @@
 #include "calib/work/error.h"
 #include "calib/work/stopwatch.h"
 #include "pipeline/commands/commands.h"
-#include "pipeline/report/number_text.h"
 #include "pipeline/stages/calibration_files.h"
 #include "pipeline/stages/calibration_json.h"
+#include "pipeline/text/number_text.h"
 
 namespace lumi {
 namespace {

@@ -8,8 +8,8 @@
 #include "pipeline/chart/run_sweep.h"
 #include "pipeline/chart/sweep_plots.h"
 #include "pipeline/commands/commands.h"
-#include "pipeline/report/number_text.h"
-#include "pipeline/report/padded.h"
+#include "pipeline/text/number_text.h"
+#include "pipeline/text/padded.h"
 
 namespace lumi {
 namespace {

@@ -5,9 +5,9 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/evaluate/evaluation_comparison.h"
 #include "pipeline/evaluate/evaluation_file.h"
-#include "pipeline/report/number_text.h"
-#include "pipeline/report/optional_json.h"
-#include "pipeline/report/padded.h"
+#include "pipeline/text/number_text.h"
+#include "pipeline/text/padded.h"
+#include "pipeline/workspace/optional_json.h"
 
 namespace lumi {
 namespace {

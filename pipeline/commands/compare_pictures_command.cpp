@@ -9,7 +9,7 @@
 #include "pipeline/evaluate/gain_fit.h"
 #include "pipeline/evaluate/heat_map.h"
 #include "pipeline/evaluate/image_metrics.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/number_text.h"
 
 namespace lumi {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "calib/poses/pose_comparison.h"
 #include "pipeline/commands/commands.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/number_text.h"
 
 namespace lumi {
 namespace {

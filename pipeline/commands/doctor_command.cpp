@@ -14,9 +14,9 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/config/build_config.h"
 #include "pipeline/line/line.h"
-#include "pipeline/report/number_text.h"
 #include "pipeline/stages/left_out_json.h"
 #include "pipeline/stages/overlays_json.h"
+#include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {

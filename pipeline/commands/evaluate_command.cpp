@@ -12,8 +12,8 @@
 #include "pipeline/line/code_version.h"
 #include "pipeline/line/line.h"
 #include "pipeline/protocol/leave_one_out.h"
-#include "pipeline/report/number_text.h"
 #include "pipeline/report/workspace_report.h"
+#include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {

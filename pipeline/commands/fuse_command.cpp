@@ -6,8 +6,8 @@
 #include "meshing/fusion/fused_mesh.h"
 #include "meshing/geometry/triangle_mesh_writing.h"
 #include "pipeline/commands/commands.h"
-#include "pipeline/report/number_text.h"
 #include "pipeline/stages/chosen_views.h"
+#include "pipeline/text/number_text.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/commands.h"
-#include "pipeline/report/number_text.h"
 #include "pipeline/stages/drawing_effort.h"
+#include "pipeline/text/number_text.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {

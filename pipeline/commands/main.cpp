@@ -8,7 +8,7 @@
 #include "pipeline/commands/error_report.h"
 #include "pipeline/commands/interruption.h"
 #include "pipeline/commands/unknown_word.h"
-#include "pipeline/report/versions.h"
+#include "pipeline/line/versions.h"
 
 namespace {
 

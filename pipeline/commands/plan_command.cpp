@@ -4,7 +4,7 @@
 
 #include "pipeline/commands/commands.h"
 #include "pipeline/plan/plan_workspace.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/number_text.h"
 
 namespace lumi {
 namespace {

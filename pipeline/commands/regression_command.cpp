@@ -5,8 +5,8 @@
 
 #include "pipeline/commands/commands.h"
 #include "pipeline/regression/version_figures.h"
-#include "pipeline/report/number_text.h"
-#include "pipeline/report/padded.h"
+#include "pipeline/text/number_text.h"
+#include "pipeline/text/padded.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {

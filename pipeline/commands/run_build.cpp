@@ -9,9 +9,9 @@
 #include "pipeline/line/line.h"
 #include "pipeline/line/placed_photographs.h"
 #include "pipeline/line/stages_file.h"
-#include "pipeline/report/number_text.h"
-#include "pipeline/report/padded.h"
 #include "pipeline/report/workspace_report.h"
+#include "pipeline/text/number_text.h"
+#include "pipeline/text/padded.h"
 
 namespace lumi {
 namespace {

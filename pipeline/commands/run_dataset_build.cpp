@@ -5,8 +5,8 @@
 #include "calib/work/error.h"
 #include "pipeline/dataset/dataset_files.h"
 #include "pipeline/dataset/run_dataset.h"
-#include "pipeline/report/number_text.h"
-#include "pipeline/report/padded.h"
+#include "pipeline/text/number_text.h"
+#include "pipeline/text/padded.h"
 
 namespace lumi {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "pipeline/config/config_variant.h"
 #include "pipeline/line/line.h"
-#include "pipeline/report/number_text.h"
-#include "pipeline/report/padded.h"
 #include "pipeline/stress/stress_files.h"
 #include "pipeline/stress/stress_subject.h"
+#include "pipeline/text/number_text.h"
+#include "pipeline/text/padded.h"
 
 namespace lumi {
 namespace {

@@ -7,8 +7,8 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/evaluate/view_curve.h"
-#include "pipeline/report/number_text.h"
 #include "pipeline/stages/used_views.h"
+#include "pipeline/text/number_text.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {

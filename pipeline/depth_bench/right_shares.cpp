@@ -5,8 +5,8 @@
 
 #include "calib/capture/gray.h"
 #include "calib/work/median.h"
-#include "meshing/depth/inverse_depth_warp.h"
-#include "meshing/depth/window_match.h"
+#include "meshing/matching/window_match.h"
+#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "meshing/depth/depth_scene.h"
+#include "meshing/depth_scene/depth_scene.h"
 #include "meshing/surface/depth_map.h"
 
 namespace lumi {

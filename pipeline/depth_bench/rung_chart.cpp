@@ -5,7 +5,7 @@
 
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/gnuplot.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {

@@ -12,8 +12,8 @@
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "calib/work/process_memory.h"
-#include "meshing/depth/depth_scene.h"
-#include "meshing/depth/imported_depth.h"
+#include "meshing/depth_models/imported_depth.h"
+#include "meshing/depth_scene/depth_scene.h"
 #include "pipeline/depth_bench/right_shares.h"
 #include "pipeline/evaluate/depth_effort.h"
 #include "pipeline/stages/depth_range.h"
@@ -115,8 +115,10 @@ void require_one_unit(const DepthScene& scene, const std::vector<DepthMap>& trut
 void take_truth(const DepthBenchScene& scene, const DepthOptions& options,
                 const std::vector<DepthMap>& depth_maps, int threads, Progress& progress,
                 RungMeasurement& measured) {
-    const DepthScene depth_scene =
-        make_depth_scene(scene.used, all_views(scene.used.capture), options, threads, progress);
+    const DepthScene depth_scene = make_depth_scene(
+        scene.used, all_views(scene.used.capture),
+        {.max_width_px = options.max_width_px, .max_neighbours = options.max_neighbours}, threads,
+        progress);
     std::vector<DepthMap> truth;
     for (const DepthView& view : depth_scene.views) {
         truth.push_back(imported_depth(view, scene.truth_folder));

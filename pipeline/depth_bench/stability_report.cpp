@@ -6,8 +6,8 @@
 
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/plot.h"
-#include "pipeline/report/number_text.h"
-#include "pipeline/report/padded.h"
+#include "pipeline/text/number_text.h"
+#include "pipeline/text/padded.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {

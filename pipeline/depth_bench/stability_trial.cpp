@@ -1,8 +1,8 @@
 #include "pipeline/depth_bench/stability_trial.h"
 
 #include "calib/capture/all_views.h"
-#include "meshing/depth/depth_scene.h"
 #include "meshing/depth/depth_stage.h"
+#include "meshing/depth_scene/depth_scene.h"
 #include "pipeline/depth_bench/right_shares.h"
 #include "pipeline/depth_bench/stability_capture.h"
 
@@ -34,7 +34,9 @@ StabilityTrial stability_trial(DepthHazard hazard, double strength, std::uint64_
     DepthOptions options;
     options.background = "keep";
     const DepthScene harmless = make_depth_scene(
-        capture.harmless, all_views(capture.harmless.capture), options, threads, progress);
+        capture.harmless, all_views(capture.harmless.capture),
+        {.max_width_px = options.max_width_px, .max_neighbours = options.max_neighbours}, threads,
+        progress);
     StabilityTrial trial{hazard, strength, seed, {}};
     for (const std::string& model : models) {
         options.model = model;

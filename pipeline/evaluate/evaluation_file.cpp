@@ -4,8 +4,8 @@
 
 #include "calib/work/content_hash.h"
 #include "calib/work/error.h"
-#include "pipeline/report/optional_json.h"
 #include "pipeline/workspace/json_file.h"
+#include "pipeline/workspace/optional_json.h"
 
 namespace lumi {
 namespace {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/capture/image_io.h"
-#include "meshing/depth/view_mask.h"
+#include "meshing/depth_scene/view_mask.h"
 #include "pipeline/stages/depth_stage.h"
 #include "pipeline/stages/straightened_masks.h"
 #include "pipeline/workspace/done_marker.h"

@@ -7,7 +7,7 @@
 #include "calib/work/whole_file.h"
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/gallery/gallery_pictures.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 #include "render/lumigraph/package.h"
 

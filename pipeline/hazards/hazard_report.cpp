@@ -8,8 +8,8 @@
 
 #include "calib/work/whole_file.h"
 #include "pipeline/hazards/hazard_chart.h"
-#include "pipeline/report/number_text.h"
-#include "pipeline/report/padded.h"
+#include "pipeline/text/number_text.h"
+#include "pipeline/text/padded.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {

@@ -8,9 +8,9 @@
 #include "calib/work/whole_folder.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "meshing/cameras/mesh_picture.h"
-#include "pipeline/report/number_text.h"
 #include "pipeline/stages/posed_files.h"
 #include "pipeline/stages/used_views.h"
+#include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 #include "pipeline/workspace/workspace.h"
 

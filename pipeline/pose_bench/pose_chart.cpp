@@ -6,7 +6,7 @@
 
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/gnuplot.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/number_text.h"
 
 namespace lumi {
 namespace {

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "pipeline/report/html.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/html.h"
+#include "pipeline/text/number_text.h"
 
 namespace lumi {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "pipeline/report/html.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/html.h"
+#include "pipeline/text/number_text.h"
 
 namespace lumi {
 namespace {

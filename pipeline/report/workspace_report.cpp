@@ -2,8 +2,8 @@
 
 #include "calib/work/whole_file.h"
 #include "pipeline/evaluate/evaluation_file.h"
-#include "pipeline/report/html.h"
-#include "pipeline/report/sections/sections.h"
+#include "pipeline/report/sections.h"
+#include "pipeline/text/html.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {

@@ -5,7 +5,7 @@
 namespace lumi {
 
 /// Writes report.html: one page without anything outside it, of what the workspace holds now
-/// (report/sections/sections.h): pictures first, tables folded.
+/// (sections.h): pictures first, tables folded.
 void write_workspace_report(const WorkspaceLayout& workspace);
 
 }  // namespace lumi

@@ -7,8 +7,8 @@
 #include "calib/lens_files/lens_files.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
-#include "pipeline/report/number_text.h"
 #include "pipeline/stages/calibration_json.h"
+#include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {

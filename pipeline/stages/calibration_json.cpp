@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/report/optional_json.h"
 #include "pipeline/stages/left_out_json.h"
 #include "pipeline/stages/lens_choice_json.h"
+#include "pipeline/workspace/optional_json.h"
 
 namespace lumi {
 namespace {

@@ -5,10 +5,10 @@
 
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/plot.h"
-#include "pipeline/report/csv.h"
-#include "pipeline/report/html.h"
-#include "pipeline/report/number_text.h"
 #include "pipeline/stress/perturbation.h"
+#include "pipeline/text/csv.h"
+#include "pipeline/text/html.h"
+#include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {

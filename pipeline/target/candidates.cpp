@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "meshing/depth/depth_model.h"
+#include "meshing/depth_models/depth_model.h"
 #include "pipeline/chart/default_sweep.h"
 
 namespace lumi {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "calib/work/error.h"
-#include "pipeline/report/number_text.h"
+#include "pipeline/text/number_text.h"
 
 namespace lumi {
 namespace {

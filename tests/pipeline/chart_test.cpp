@@ -17,7 +17,7 @@
 #include "pipeline/chart/power_law.h"
 #include "pipeline/chart/sweep.h"
 #include "pipeline/chart/sweep_plots.h"
-#include "pipeline/report/csv.h"
+#include "pipeline/text/csv.h"
 #include "tests/calib/scratch_folder.h"
 
 namespace lumi {

@@ -5,11 +5,11 @@
 #include "calib/work/error.h"
 #include "pipeline/evaluate/comparison_strip.h"
 #include "pipeline/evaluate/evaluation_file.h"
-#include "pipeline/report/html.h"
-#include "pipeline/report/number_text.h"
 #include "pipeline/report/spread.h"
 #include "pipeline/report/verdict.h"
 #include "pipeline/stages/color_scale.h"
+#include "pipeline/text/html.h"
+#include "pipeline/text/number_text.h"
 
 namespace lumi {
 namespace {

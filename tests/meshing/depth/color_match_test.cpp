@@ -1,4 +1,4 @@
-#include "meshing/depth/color_match.h"
+#include "meshing/exposure/color_match.h"
 
 #include <gtest/gtest.h>
 

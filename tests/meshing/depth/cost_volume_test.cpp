@@ -1,4 +1,4 @@
-#include "meshing/depth/cost_volume.h"
+#include "meshing/matching/cost_volume.h"
 
 #include <gtest/gtest.h>
 

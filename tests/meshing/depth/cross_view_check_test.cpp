@@ -1,4 +1,4 @@
-#include "meshing/depth/cross_view_check.h"
+#include "meshing/agreement/cross_view_check.h"
 
 #include <gtest/gtest.h>
 

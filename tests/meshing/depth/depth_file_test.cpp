@@ -1,4 +1,4 @@
-#include "meshing/depth/depth_file.h"
+#include "meshing/depth_models/depth_file.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>

@@ -1,13 +1,13 @@
-#include "meshing/depth/depth_of_others.h"
+#include "meshing/agreement/depth_of_others.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "meshing/agreement/seen_past.h"
 #include "meshing/depth/finished_depth.h"
-#include "meshing/depth/inverse_depth_warp.h"
-#include "meshing/depth/seen_past.h"
+#include "meshing/warp/inverse_depth_warp.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {

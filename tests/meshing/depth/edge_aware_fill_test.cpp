@@ -1,4 +1,4 @@
-#include "meshing/depth/edge_aware_fill.h"
+#include "meshing/filling/edge_aware_fill.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <utility>
 
-#include "meshing/depth/receding_fill.h"
+#include "meshing/filling/receding_fill.h"
 
 namespace lumi {
 namespace {

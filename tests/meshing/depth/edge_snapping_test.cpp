@@ -1,4 +1,4 @@
-#include "meshing/depth/edge_snapping.h"
+#include "meshing/filling/edge_snapping.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "meshing/depth/gap_closing.h"
+#include "meshing/agreement/gap_closing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "meshing/depth/guided_smoothing.h"
+#include "meshing/filling/guided_smoothing.h"
 
 #include <gtest/gtest.h>
 

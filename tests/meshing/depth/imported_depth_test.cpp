@@ -1,4 +1,4 @@
-#include "meshing/depth/imported_depth.h"
+#include "meshing/depth_models/imported_depth.h"
 
 #include <gtest/gtest.h>
 

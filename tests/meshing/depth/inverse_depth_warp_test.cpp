@@ -1,4 +1,4 @@
-#include "meshing/depth/inverse_depth_warp.h"
+#include "meshing/warp/inverse_depth_warp.h"
 
 #include <gtest/gtest.h>
 

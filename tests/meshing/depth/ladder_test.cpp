@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "meshing/depth/depth_choice.h"
-#include "meshing/depth/depth_model.h"
 #include "meshing/depth/held_out_photograph.h"
 #include "meshing/depth/held_out_points.h"
-#include "meshing/depth/pair_stereo.h"
-#include "meshing/depth/patch_match.h"
 #include "meshing/depth/photograph_loss.h"
+#include "meshing/depth_models/depth_model.h"
+#include "meshing/depth_models/pair_stereo.h"
+#include "meshing/depth_models/patch_match.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {

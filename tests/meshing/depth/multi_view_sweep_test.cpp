@@ -1,11 +1,11 @@
-#include "meshing/depth/multi_view_sweep.h"
+#include "meshing/depth_models/multi_view_sweep.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "meshing/depth/tile_search.h"
+#include "meshing/matching/tile_search.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {

@@ -1,4 +1,4 @@
-#include "meshing/depth/neighbour_selection.h"
+#include "meshing/depth_scene/neighbour_selection.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "meshing/depth/depth_range.h"
+#include "meshing/depth_scene/depth_range.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {

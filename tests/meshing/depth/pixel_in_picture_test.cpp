@@ -1,4 +1,4 @@
-#include "meshing/depth/pixel_in_picture.h"
+#include "meshing/warp/pixel_in_picture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "meshing/depth/plane_depth.h"
+#include "meshing/depth_models/plane_depth.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "calib/capture/image_io.h"
-#include "meshing/depth/inverse_depth_warp.h"
+#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 namespace {

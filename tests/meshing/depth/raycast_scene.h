@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "calib/capture/posed_photographs.h"
-#include "meshing/depth/depth_scene.h"
+#include "meshing/depth_scene/depth_scene.h"
+#include "meshing/surface/depth_map.h"
 
 namespace lumi {
 

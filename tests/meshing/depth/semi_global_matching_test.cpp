@@ -1,4 +1,4 @@
-#include "meshing/depth/semi_global_matching.h"
+#include "meshing/matching/semi_global_matching.h"
 
 #include <gtest/gtest.h>
 

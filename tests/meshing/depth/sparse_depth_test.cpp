@@ -1,4 +1,4 @@
-#include "meshing/depth/sparse_depth.h"
+#include "meshing/depth_models/sparse_depth.h"
 
 #include <gtest/gtest.h>
 

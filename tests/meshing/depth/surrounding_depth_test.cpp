@@ -1,8 +1,8 @@
-#include "meshing/depth/surrounding_depth.h"
+#include "meshing/agreement/surrounding_depth.h"
 
 #include <gtest/gtest.h>
 
-#include "meshing/depth/edge_aware_fill.h"
+#include "meshing/filling/edge_aware_fill.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "meshing/depth/multi_view_sweep.h"
-#include "meshing/depth/pair_stereo.h"
+#include "meshing/depth_models/multi_view_sweep.h"
+#include "meshing/depth_models/pair_stereo.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {

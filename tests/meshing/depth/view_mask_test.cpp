@@ -1,4 +1,4 @@
-#include "meshing/depth/view_mask.h"
+#include "meshing/depth_scene/view_mask.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "meshing/depth/warped_rows.h"
+#include "meshing/warp/warped_rows.h"
 
 #include <gtest/gtest.h>
 

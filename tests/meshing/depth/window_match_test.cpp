@@ -1,4 +1,4 @@
-#include "meshing/depth/window_match.h"
+#include "meshing/matching/window_match.h"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 
 #include "calib/capture/image_io.h"
 #include "calib/work/progress.h"
-#include "meshing/depth/inverse_depth_warp.h"
 #include "meshing/transients/transients.h"
+#include "meshing/warp/inverse_depth_warp.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {

@@ -1,0 +1,143 @@
+#include "meshing/agreement/cross_view_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "meshing/warp/inverse_depth_warp.h"
+
+namespace lumi {
+namespace {
+
+constexpr double kMaxDisagreementPx = 1.0;
+constexpr double kMaxStepPx = 4.0;  // Disparity between neighbouring pixels of a steep floor.
+
+/// The two directions between a view and its neighbour.
+struct RoundTrip {
+    const DepthMap* other;
+    InverseDepthWarp there;
+    InverseDepthWarp back;
+    double max_step_there;  ///< Inverse depth by which pixels of one surface differ at most.
+};
+
+/// Inverse depth at a pixel of a map: bilinear on one surface, the nearest pixel's at a jump. Empty
+/// outside the map and where the map does not claim to know.
+std::optional<double> sample(const DepthMap& map, const Eigen::Vector2d& pixel, double max_step) {
+    const bool is_inside = pixel.x() >= 0 && pixel.x() < map.confidence.width() && pixel.y() >= 0 &&
+                           pixel.y() < map.confidence.height();
+    if (!is_inside) return std::nullopt;
+    const int nearest_x = static_cast<int>(pixel.x());
+    const int nearest_y = static_cast<int>(pixel.y());
+    if (map.confidence(nearest_x, nearest_y) == 0) return std::nullopt;
+    const double nearest = static_cast<double>(map.inverse_depth(nearest_x, nearest_y));
+    const int x = static_cast<int>(pixel.x() + 0.5) - 1;  // Of the pixel to the upper left.
+    const int y = static_cast<int>(pixel.y() + 0.5) - 1;
+    if (x < 0 || y < 0 || !map.confidence.contains(x + 1, y + 1)) return nearest;
+    const double right = pixel.x() - 0.5 - x;
+    const double down = pixel.y() - 0.5 - y;
+    double mean = 0;
+    for (int corner = 0; corner < 4; ++corner) {
+        const int dx = corner % 2;
+        const int dy = corner / 2;
+        const double value = static_cast<double>(map.inverse_depth(x + dx, y + dy));
+        if (std::abs(value - nearest) > max_step) return nearest;
+        mean += value * (dx == 1 ? right : 1 - right) * (dy == 1 ? down : 1 - down);
+    }
+    return mean;
+}
+
+/// What the neighbour says of this pixel, as inverse depth here; empty unless it agrees.
+std::optional<double> confirmation(const RoundTrip& trip, const Eigen::Vector2d& pixel,
+                                   double inverse_depth) {
+    const Eigen::Vector3d there = trip.there(pixel, inverse_depth);
+    if (there.z() <= 0) return std::nullopt;
+    const Eigen::Vector2d pixel_there = there.hnormalized();
+    const auto found = sample(*trip.other, pixel_there, trip.max_step_there);
+    if (!found) return std::nullopt;
+    const Eigen::Vector3d back = trip.back(pixel_there, *found);
+    if (back.z() <= 0) return std::nullopt;
+    constexpr double kMaxSquaredPx = kMaxDisagreementPx * kMaxDisagreementPx;
+    if ((back.hnormalized() - pixel).squaredNorm() > kMaxSquaredPx) return std::nullopt;
+    return *found / back.z();
+}
+
+std::vector<RoundTrip> round_trips(const DepthScene& scene,
+                                   const std::vector<DepthEstimate>& estimates,
+                                   const DepthView& view) {
+    std::vector<RoundTrip> trips;
+    for (const int j : view.neighbours) {
+        const auto index = static_cast<std::size_t>(j);
+        const DepthView& other = scene.views[index];
+        if (!estimates[index].needs_confirmation) continue;  // Not found from the photographs.
+        trips.push_back(
+            {&estimates[index].map,
+             warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world),
+             warp_b_from_a(other.camera, other.cam_from_world, view.camera, view.cam_from_world),
+             kMaxStepPx / other.disparity_px_per_inverse_depth});
+    }
+    return trips;
+}
+
+/// Pixels of the patch around `start`, flooded by confidence and nearness in inverse depth.
+void flood(const DepthMap& map, int start, double max_step, std::vector<char>& visited,
+           std::vector<int>& patch) {
+    const int width = map.inverse_depth.width();
+    patch.assign(1, start);
+    visited[static_cast<std::size_t>(start)] = 1;
+    for (std::size_t next = 0; next < patch.size(); ++next) {
+        const int x = patch[next] % width;
+        const int y = patch[next] / width;
+        const double own = static_cast<double>(map.inverse_depth(x, y));
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+            if (!map.confidence.contains(x + dx, y + dy)) continue;
+            const int other = (y + dy) * width + x + dx;
+            if (visited[static_cast<std::size_t>(other)] != 0) continue;
+            if (map.confidence(x + dx, y + dy) == 0) continue;
+            const double step = static_cast<double>(map.inverse_depth(x + dx, y + dy)) - own;
+            if (std::abs(step) > max_step) continue;
+            visited[static_cast<std::size_t>(other)] = 1;
+            patch.push_back(other);
+        }
+    }
+}
+
+}  // namespace
+
+DepthMap cross_view_check(const DepthScene& scene, const std::vector<DepthEstimate>& estimates,
+                          int view_index) {
+    const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
+    const std::vector<RoundTrip> trips = round_trips(scene, estimates, view);
+    DepthMap map = estimates[static_cast<std::size_t>(view_index)].map;
+    for (int y = 0; y < map.inverse_depth.height(); ++y) {
+        for (int x = 0; x < map.inverse_depth.width(); ++x) {
+            if (map.confidence(x, y) == 0) continue;
+            const double own = static_cast<double>(map.inverse_depth(x, y));
+            double sum = own;
+            int agreeing = 0;
+            for (const RoundTrip& trip : trips) {
+                const auto said = confirmation(trip, {x + 0.5, y + 0.5}, own);
+                if (!said) continue;
+                sum += *said;
+                ++agreeing;
+            }
+            map.inverse_depth(x, y) = static_cast<float>(sum / (1 + agreeing));
+            map.confidence(x, y) = agreeing == 0 ? 0 : agreeing == 1 ? 128 : 255;
+        }
+    }
+    return map;
+}
+
+void remove_speckles(DepthMap& map, double max_step, int min_pixels) {
+    const int pixels = static_cast<int>(map.confidence.pixels().size());
+    std::vector<char> visited(static_cast<std::size_t>(pixels), 0);
+    std::vector<int> patch;
+    for (int start = 0; start < pixels; ++start) {
+        const auto index = static_cast<std::size_t>(start);
+        if (visited[index] != 0 || map.confidence.pixels()[index] == 0) continue;
+        flood(map, start, max_step, visited, patch);
+        if (static_cast<int>(patch.size()) >= min_pixels) continue;
+        for (const int pixel : patch) map.confidence.pixels()[static_cast<std::size_t>(pixel)] = 0;
+    }
+}
+
+}  // namespace lumi

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "meshing/depth_scene/depth_scene.h"
+#include "meshing/surface/depth_map.h"
+
+namespace lumi {
+
+/// Depth from a view's triangulated points alone: a Delaunay triangulation of their pixels,
+/// interpolated in inverse depth, which is affine in the picture on each plane.
+///
+/// Points that differ from the median of their ring by more than 3 MAD are dropped first. The
+/// picture's border gets points of its own, each with the mean of its six nearest points weighted
+/// by inverse squared distance, so that the map reaches the border and stays within what was seen.
+/// One point gives a constant, two and three blend between them by the same rule. Without points
+/// the map is the middle of the view's range. Confidence is 127 at a point and falls with the
+/// distance to the nearest one; 0 without points.
+[[nodiscard]] DepthMap sparse_depth(const DepthView& view);
+
+/// The same, led along the edges of the photograph: points hold their place, the triangulation
+/// holds weakly, and between them the Fast Global Smoother (guided_smoothing.h) lets inverse depth
+/// change where the photograph does.
+[[nodiscard]] DepthMap filled_sparse_depth(const DepthView& view);
+
+/// The points that agree with their surroundings, in their order. Fewer than 8 are all kept: a ring
+/// of so few does not tell who is wrong.
+[[nodiscard]] std::vector<SparsePoint> without_outliers(const std::vector<SparsePoint>& points,
+                                                        double smallest_difference);
+
+}  // namespace lumi
