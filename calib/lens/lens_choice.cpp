@@ -163,6 +163,23 @@ LensChoice choose_lens(std::vector<LensTrial> trials) {
     return choice;
 }
 
+std::optional<std::size_t> choice_with_principal_point_held(const LensChoice& choice) {
+    std::vector<LensTrial> held;
+    for (const LensTrial& trial : choice.trials) {
+        if (holds_principal_point(trial.form)) held.push_back(trial);
+    }
+    if (held.empty()) return std::nullopt;
+    const LensForm form = choose_lens(std::move(held)).choice().form;
+    const auto found = std::find_if(choice.trials.begin(), choice.trials.end(),
+                                    [&](const LensTrial& trial) { return trial.form == form; });
+    const bool is_predicted = !found->folds.empty() || choice.choice().folds.empty();
+    const double best_px = choice.trials[choice.best_predicting].held_out_rms_px;
+    const double allowed_px2 = std::max(kSureStandardErrors * found->excess_sigma_px2,
+                                        kImmaterialShare * best_px * best_px);
+    if (!is_predicted || found->excess_px2 > allowed_px2) return std::nullopt;
+    return static_cast<std::size_t>(found - choice.trials.begin());
+}
+
 bool predicts_worse_surely(const std::vector<HeldOutFold>& fitted,
                            const std::vector<HeldOutFold>& best) {
     const Excess excess = excess_of(fitted, best);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,12 @@ struct LensChoice {
 /// its corners: a form with a fault there gives way to the simplest without that does not surely
 /// predict worse (three standard errors). Expects at least one trial, and folds of equal number.
 [[nodiscard]] LensChoice choose_lens(std::vector<LensTrial> trials);
+
+/// The choice (index into `choice.trials`) among the forms alone that hold the principal point,
+/// where there is reason to doubt that photographs tell it. Empty when no form does, and when the
+/// one that would be chosen surely predicts worse (three standard errors) than the best of all:
+/// then the photographs do tell.
+[[nodiscard]] std::optional<std::size_t> choice_with_principal_point_held(const LensChoice& choice);
 
 /// True when a form surely predicts worse than `best`, so that its folds need not be fitted: the
 /// error of its fit on its own data (`fitted`, by the groups of the folds), which is less than it

@@ -69,6 +69,11 @@ bool is_held(const LensForm& form, int parameter) {
     return std::binary_search(form.held.begin(), form.held.end(), parameter);
 }
 
+bool holds_principal_point(const LensForm& form) {
+    const std::vector<int> place = with_principal_point_held(form.model).held;
+    return std::all_of(place.begin(), place.end(), [&](int index) { return is_held(form, index); });
+}
+
 std::vector<std::string> parameter_names(LensModel model) {
     switch (model) {
         case LensModel::kSimplePinhole:

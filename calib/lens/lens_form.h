@@ -25,6 +25,7 @@ struct LensForm {
 
 [[nodiscard]] int free_parameters(const LensForm& form);
 [[nodiscard]] bool is_held(const LensForm& form, int parameter);
+[[nodiscard]] bool holds_principal_point(const LensForm& form);
 
 /// "f", "cx", "cy", "k1" ... in the order of the parameters.
 [[nodiscard]] std::vector<std::string> parameter_names(LensModel model);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -16,10 +17,6 @@
 
 namespace lumi {
 namespace {
-
-/// Of noise alone the ratio is 1, and with three parameters for each of ten views beyond 2 once in
-/// ten thousand captures; lens models that do not fit quite raise it a little.
-constexpr double kSuspiciousRatio = 4.0;
 
 bool mostly_turned(const MotionEvidence& motion) {
     constexpr double kMostShare = 0.7;
@@ -53,22 +50,22 @@ struct Explanation {
                                                     : CaptureReason::kShutter;
     }
     [[nodiscard]] std::string text() const {
-        return supposition == Supposition::kShifted
-                   ? formatted(
-                         "the middle of the lens lies about %.1f pixels from the middle of "
-                         "the pictures, in each at another place",
-                         with.effect_px)
-                   : formatted(
-                         "the pictures are skewed by about %.1f pixels from the first row to "
-                         "the last",
-                         with.effect_px);
+        if (supposition == Supposition::kTurning) {
+            return formatted(
+                "the pictures are skewed by about %.1f pixels from the first row to the last",
+                with.effect_px);
+        }
+        // What all have in common may as well be turned cameras.
+        return formatted(
+            "the middle of the lens lies about %.1f pixels from the middle of the pictures%s",
+            with.effect_px, with.is_mostly_common() ? "" : ", in each at another place");
     }
 };
 
 /// Empty where the residuals have no suspicious shape, or are explained as well without.
 std::optional<Explanation> explanation_of(const MappingJob& job, const Capture& mapped,
                                           const Capture& refined) {
-    if (job.evidence.residual_pattern.shutter_ratio <= kSuspiciousRatio ||
+    if (!job.evidence.residual_pattern.is_suspicious() ||
         mapped.views.size() != refined.views.size()) {
         return std::nullopt;
     }
@@ -93,6 +90,18 @@ std::optional<Explanation> explanation_of(const MappingJob& job, const Capture& 
     job.progress.begin("asking whether the lens sat elsewhere in each picture", 0);
     Explanation shifted{Supposition::kShifted, turning.without, adjusted(Supposition::kShifted)};
     return shifted.with.cost_px2 < turning.with.cost_px2 ? shifted : turning;
+}
+
+/// A lens whose middle lies elsewhere shows what a camera that is turned would: that far, attitudes
+/// are not known, and no residual tells.
+void widen_rotations(std::vector<ViewUncertainty>& views, const SupposedAdjustment& shifted) {
+    if (views.size() != shifted.capture.views.size()) return;
+    for (std::size_t index = 0; index < views.size(); ++index) {
+        const Camera& camera = camera_of(shifted.capture, shifted.capture.views[index]);
+        const double turn_rad = std::atan(shifted.effect_px / focal_length_px(camera).mean());
+        double& sigma_deg = views[index].rotation_sigma_deg;
+        sigma_deg = std::hypot(sigma_deg, turn_rad * 180.0 / std::numbers::pi);
+    }
 }
 
 void settle_explanation(const MappingJob& job, const MatchedPhotographs& matched,
@@ -120,9 +129,15 @@ void settle_explanation(const MappingJob& job, const MatchedPhotographs& matched
             explanation.text() + formatted(", which moves cameras by up to %.0f %% of their spread",
                                            100 * shift.position_share));
     }
-    job.evidence.warnings.push_back(std::string(code_of(explanation.reason())) + ": " +
-                                    explanation.text() + "; " +
-                                    std::string(advice_for(explanation.reason())));
+    if (explanation.supposition == Supposition::kShifted) {
+        widen_rotations(job.evidence.views, explanation.with);
+    }
+    job.evidence.warnings.push_back(
+        std::string(code_of(explanation.reason())) + ": " + explanation.text() +
+        formatted(", and cameras may have been elsewhere by %.0f %% of their spread, or turned by "
+                  "%.1f degrees; ",
+                  100 * shift.position_share, shift.rotation_deg) +
+        std::string(advice_for(explanation.reason())));
 }
 
 std::string text_of(const PairAgreement& agreement) {

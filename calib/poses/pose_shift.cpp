@@ -12,23 +12,19 @@ namespace lumi {
 
 PoseShift pose_shift(const NamedPoses& poses, const NamedPoses& others) {
     std::vector<PosePair> pairs;
+    NamedPoses placed_others;
     for (const auto& [name, pose] : poses) {
         const auto same = others.find(name);
-        if (same != others.end()) pairs.push_back({pose, same->second});
+        if (same == others.end()) continue;
+        pairs.push_back({pose, same->second});
+        placed_others.insert(*same);
     }
     PoseShift result;
     result.placed = static_cast<int>(pairs.size());
     if (pairs.empty()) return result;
 
     const Similarity3 fit = fit_with_rotation(pairs, mean_rotation(pairs));
-    const double count = static_cast<double>(pairs.size());
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const PosePair& pair : pairs) middle += centre_in_world(pair.cam_from_b) / count;
-    double square = 0;
-    for (const PosePair& pair : pairs) {
-        square += (centre_in_world(pair.cam_from_b) - middle).squaredNorm() / count;
-    }
-    const double spread = std::sqrt(square);
+    const double spread = spread_of_centres(placed_others);
     for (const PosePair& pair : pairs) {
         const Eigen::Vector3d centre =
             fit.scale * (fit.rotation * centre_in_world(pair.cam_from_a)) + fit.translation;
@@ -41,6 +37,17 @@ PoseShift pose_shift(const NamedPoses& poses, const NamedPoses& others) {
                      turned.angularDistance(pair.cam_from_b.rotation) * 180.0 / std::numbers::pi);
     }
     return result;
+}
+
+double spread_of_centres(const NamedPoses& poses) {
+    const double count = static_cast<double>(poses.size());
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const auto& [name, pose] : poses) middle += centre_in_world(pose) / count;
+    double square = 0;
+    for (const auto& [name, pose] : poses) {
+        square += (centre_in_world(pose) - middle).squaredNorm() / count;
+    }
+    return std::sqrt(square);
 }
 
 NamedPoses named_poses(const Capture& capture) {

@@ -34,6 +34,9 @@ struct PoseShift {
 /// is infinite.
 [[nodiscard]] PoseShift pose_shift(const NamedPoses& poses, const NamedPoses& others);
 
+/// The root mean square distance of the centres from their middle; 0 for none.
+[[nodiscard]] double spread_of_centres(const NamedPoses& poses);
+
 /// The poses of a capture by the names of its views.
 [[nodiscard]] NamedPoses named_poses(const Capture& capture);
 

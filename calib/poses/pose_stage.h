@@ -52,10 +52,14 @@ struct LensEvidence {
     int views = 0;
     std::vector<double> sigma;         ///< Standard deviation of each parameter; 0 where held.
     std::optional<LensChoice> choice;  ///< What was compared; empty when nothing was.
-    std::vector<std::string> dropped;  ///< Parameters within two standard deviations of nothing.
+    /// Parameters within two standard deviations of nothing, and principal points that pictures do
+    /// not agree on.
+    std::vector<std::string> dropped;
 };
 
-/// How far the estimate of a view may be off (adjustment_covariance).
+/// How far the estimate of a view may be off: one standard deviation, by adjustment_covariance,
+/// wider where residuals have a shape (see refine), and attitudes wider where each picture seems to
+/// have a middle of its own (E-POSES-SHIFTED).
 struct ViewUncertainty {
     std::string name;
     double jitter_px = 0.0;       ///< Of the scene's picture in this view, one coordinate.

@@ -9,8 +9,12 @@
 
 #include "calib/adjust/adjustment_covariance.h"
 #include "calib/adjust/bundle_adjustment.h"
+#include "calib/doctor/capture_reason.h"
 #include "calib/lens/lens_support.h"
+#include "calib/poses/pose_shift.h"
 #include "calib/poses/registration.h"
+#include "calib/poses/residual_pattern.h"
+#include "calib/work/formatted.h"
 
 namespace lumi {
 namespace {
@@ -62,12 +66,14 @@ class Refinement {
         if (policy_ == LensPolicy::kAuto || policy_ == LensPolicy::kGiven) {
             choose_forms();
             adjust_bundle(capture_, adjustment(), progress_);
+            if (hold_doubtful_principal_points()) {
+                adjust_bundle(capture_, adjustment(), progress_);
+            }
         }
-        std::optional<AdjustmentCovariance> covariance =
-            adjustment_covariance(capture_, adjustment());
+        std::optional<AdjustmentCovariance> covariance = stated_covariance();
         if (policy_ == LensPolicy::kAuto && covariance && drop_unsupported(*covariance)) {
             adjust_bundle(capture_, adjustment(), progress_);
-            covariance = adjustment_covariance(capture_, adjustment());
+            covariance = stated_covariance();
         }
         record(covariance);
     }
@@ -113,6 +119,43 @@ class Refinement {
         }
     }
 
+    /// What each picture has of its own (a lens that its stabiliser moves, rows that were read one
+    /// after the other) looks in a few of them as if all had it, and a principal point, which a
+    /// turn of all cameras and a longer focal length nearly make up for, goes far to explain that.
+    /// Where residuals keep such a shape though it was free, it goes back to the middle.
+    bool hold_doubtful_principal_points() {
+        if (!residual_pattern(capture_).is_suspicious()) return false;
+        bool any = false;
+        for (std::size_t camera = 0; camera < capture_.cameras.size(); ++camera) {
+            LensEvidence& evidence = evidence_.lenses[camera];
+            if (!evidence.choice || holds_principal_point(evidence.form)) continue;
+            const auto held = choice_with_principal_point_held(*evidence.choice);
+            if (!held) continue;
+            const Eigen::Vector2d doubtful_px = principal_point_px(capture_.cameras[camera]);
+            evidence.dropped.push_back(
+                formatted("cx cy = %.4g %.4g, though pictures seem to have a middle each",
+                          doubtful_px.x(), doubtful_px.y()));
+            evidence.choice->chosen = *held;
+            take(camera, evidence.choice->choice().form, evidence.choice->choice().lens);
+            any = true;
+        }
+        return any;
+    }
+
+    /// As the observations tell, wider where what is left of them has a shape: errors that go
+    /// through whole pictures move poses as independent ones do whose variance is so much larger
+    /// (overdispersion: McCullagh and Nelder, Generalized Linear Models, 1989, section 4.5).
+    [[nodiscard]] std::optional<AdjustmentCovariance> stated_covariance() const {
+        std::optional<AdjustmentCovariance> covariance =
+            adjustment_covariance(capture_, adjustment());
+        if (!covariance) return covariance;
+        const double dispersion = std::max(1.0, residual_pattern(capture_).shutter_ratio);
+        for (Matrix6& pose : covariance->poses) pose *= dispersion;
+        for (Eigen::MatrixXd& lens : covariance->lenses) lens *= dispersion;
+        for (double& jitter_px : covariance->jitter_px) jitter_px *= std::sqrt(dispersion);
+        return covariance;
+    }
+
     bool drop_unsupported(const AdjustmentCovariance& covariance) {
         bool any = false;
         for (std::size_t camera = 0; camera < capture_.cameras.size(); ++camera) {
@@ -120,7 +163,8 @@ class Refinement {
             const SupportedLens supported =
                 supported_lens(capture_.cameras[camera], evidence.form, covariance.lenses[camera]);
             if (supported.form == evidence.form) continue;
-            evidence.dropped = supported.dropped;
+            evidence.dropped.insert(evidence.dropped.end(), supported.dropped.begin(),
+                                    supported.dropped.end());
             take(camera, supported.form, supported.start);
             any = true;
         }
@@ -150,6 +194,7 @@ class Refinement {
                                                      covariance->jitter_px[view]));
         }
         warn_of_jitter();
+        warn_of_uncertain_places();
     }
 
     static ViewUncertainty uncertainty_of(const View& view, const Matrix6& covariance,
@@ -180,6 +225,29 @@ class Refinement {
             jitter.data() +
             " px): blended pictures may show ghosts. Add photographs that overlap "
             "more, or calibrate the lens with a board");
+    }
+
+    void warn_of_uncertain_places() {
+        constexpr double kDeviations = 2.0;  // 95 of 100 errors are smaller.
+        const double spread = spread_of_centres(named_poses(capture_));
+        PoseShift worst;
+        int uncertain = 0;
+        for (const ViewUncertainty& view : evidence_.views) {
+            const PoseShift shift{1, kDeviations * view.position_sigma / spread,
+                                  kDeviations * view.rotation_sigma_deg};
+            uncertain += shift.matters() ? 1 : 0;
+            worst.position_share = std::max(worst.position_share, shift.position_share);
+            worst.rotation_deg = std::max(worst.rotation_deg, shift.rotation_deg);
+        }
+        if (uncertain == 0) return;
+        evidence_.warnings.push_back(
+            std::string(code_of(CaptureReason::kUncertain)) +
+            formatted(": %d of %zu photographs may have been taken elsewhere by as much as %.0f %% "
+                      "of the cameras' spread, or turned by %.1f degrees; ",
+                      uncertain, evidence_.views.size(), 100 * worst.position_share,
+                      worst.rotation_deg) +
+            std::string(advice_for(CaptureReason::kUncertain)) +
+            ", or calibrate the lens with a board and give it ([calibration])");
     }
 
     Capture& capture_;

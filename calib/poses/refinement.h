@@ -26,6 +26,11 @@ enum class LensPolicy {
 /// held-out views (select_lens); adjusts again; drops parameters within two standard deviations of
 /// nothing (supported_lens), and then adjusts for the last time. Writes what speaks for the result
 /// into `evidence` (lenses, noise, uncertainty of views, warnings). Throws Error as adjust_bundle.
+///
+/// Errors that go through whole pictures, as residual_pattern shows them, count twice: a principal
+/// point is then kept in the middle unless held-out views surely ask for it, and uncertainties are
+/// those of noise with a variance so much larger. Warns (E-POSES-UNCERTAIN) where two standard
+/// deviations of a camera's place or attitude are more than poses may be off (PoseShift::matters).
 void refine(Capture& capture, LensPolicy policy, const PoseOptions& options, int threads,
             PoseEvidence& evidence, Progress& progress);
 

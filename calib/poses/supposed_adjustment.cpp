@@ -119,6 +119,13 @@ class Fit {
         return std::sqrt(sum_px2 / static_cast<double>(own_.size()));
     }
 
+    /// Of the mean over the views.
+    [[nodiscard]] double common_px() const {
+        Eigen::Vector2d sum_px = Eigen::Vector2d::Zero();
+        for (const OwnParameters& own : own_) sum_px += own.crop.head<2>();
+        return sum_px.norm() / static_cast<double>(own_.size());
+    }
+
     /// As adjusted; lenses as they came, through which a picture whose middle lies elsewhere is
     /// that of a camera that is turned.
     [[nodiscard]] Capture capture() const {
@@ -244,7 +251,10 @@ SupposedAdjustment adjust_supposing(Supposition supposition, const Capture& capt
     Fit fit(capture, supposition, lenses_are_held);
     fit.run();
     progress.throw_if_interrupted();
-    return {fit.capture(), fit.truncated_cost_px2(limit_px), fit.effect_px(),
+    return {fit.capture(),
+            fit.truncated_cost_px2(limit_px),
+            fit.effect_px(),
+            fit.common_px(),
             supposition == Supposition::kSteady ? 0 : 3 * static_cast<int>(capture.views.size()),
             fit.observations()};
 }

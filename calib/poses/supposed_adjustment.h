@@ -25,8 +25,15 @@ struct SupposedAdjustment {
     /// What the supposition does to pictures, root mean square over them: how far the last row is
     /// turned away from the first, or how far the lens's middle lies from where it was taken to be.
     double effect_px = 0.0;
+    /// How far the lens's middle lies from there in the mean of all pictures.
+    double common_px = 0.0;
     int parameters = 0;            ///< More than steady has.
     std::size_t observations = 0;  ///< That were looked at.
+
+    /// True when the lens's middle lies elsewhere in all pictures alike more than in each.
+    [[nodiscard]] bool is_mostly_common() const {
+        return 2 * common_px * common_px > effect_px * effect_px;
+    }
 };
 
 /// Adjusts poses, points, lenses (focal length and radial distortion besides that of the lens,

@@ -136,6 +136,30 @@ TEST(LensChoice, AFaultInTheUnseenCornersIsAvoidedWhereNothingSurelyPredictsWors
     EXPECT_EQ(choose_lens({folding, worse, doubtful}).choice().form, kMiddle);
 }
 
+TEST(LensChoice, APrincipalPointThatPhotographsHardlyTellCanBeLeftInTheMiddle) {
+    // Differences of 0.0225 +- 0.0138.
+    const LensForm held = with_principal_point_held(LensModel::kRadial);
+    const LensChoice choice =
+        choose_lens({trial_of(kMiddle, 100, folds_of({0.10, 0.20, 0.30, 0.15})),
+                     trial_of(held, 120, folds_of({0.14, 0.19, 0.35, 0.16})),
+                     trial_of(kSimple, 400, folds_of({0.40, 0.50, 0.60, 0.45}))});
+    EXPECT_EQ(choice.choice().form, kMiddle);
+    const auto index = choice_with_principal_point_held(choice);
+    ASSERT_TRUE(index.has_value());
+    EXPECT_EQ(choice.trials[*index].form, held);
+}
+
+TEST(LensChoice, APrincipalPointThatPhotographsSurelyTellCannot) {
+    const LensForm held = with_principal_point_held(LensModel::kRadial);
+    const LensChoice choice =
+        choose_lens({trial_of(kMiddle, 100, folds_of({0.10, 0.20, 0.30, 0.15})),
+                     trial_of(held, 500, folds_of({0.51, 0.60, 0.69, 0.55}))});
+    EXPECT_EQ(choice_with_principal_point_held(choice), std::nullopt);
+    EXPECT_EQ(choice_with_principal_point_held(
+                  choose_lens({trial_of(kMiddle, 100, folds_of({0.10, 0.20}))})),
+              std::nullopt);
+}
+
 TEST(LensChoice, SkipsFoldsOnlyWhereTheFitItselfIsWorse) {
     const std::vector<HeldOutFold> best = folds_of({0.10, 0.50, 0.11, 0.20});
     EXPECT_TRUE(predicts_worse_surely(folds_of({0.13, 0.54, 0.14, 0.24}), best));

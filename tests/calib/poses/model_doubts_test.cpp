@@ -181,6 +181,18 @@ TEST(SupposedAdjustment, FindsTheCutsOfCroppedPhotographsAndTheTruePoses) {
     EXPECT_LT(shift.position_share, 0.02);
     EXPECT_LT(cropped.cost_px2, 2 * 0.3 * static_cast<double>(cropped.observations));
     EXPECT_LT(cropped.cost_px2, adjusted(Supposition::kTurning, capture, true).cost_px2);
+    EXPECT_FALSE(cropped.is_mostly_common());
+}
+
+TEST(SupposedAdjustment, TellsACutThatAllPicturesShare) {
+    Capture capture = noisy_capture(4);
+    for (ScenePoint& point : capture.points) {
+        for (Observation& seen : point.track) seen.pixel += Eigen::Vector2d(36, 48);
+    }
+    const SupposedAdjustment cropped = adjusted(Supposition::kShifted, capture, true);
+    // Turned cameras and bent points make up for most of it.
+    EXPECT_LT(cropped.effect_px, 60);
+    EXPECT_TRUE(cropped.is_mostly_common());
 }
 
 TEST(SupposedAdjustment, ExplainsNothingOfSteadyCamerasWithWholePhotographs) {
