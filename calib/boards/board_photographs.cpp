@@ -5,8 +5,8 @@
 
 #include "calib/boards/board_detection.h"
 #include "calib/capture/gray.h"
-#include "calib/capture/image_io.h"
 #include "calib/ingest/photograph_folder.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 

@@ -6,9 +6,9 @@
 #include "calib/doctor/capture_reason.h"
 #include "calib/doctor/match_graph.h"
 #include "calib/doctor/match_loops.h"
-#include "calib/doctor/pair_geometry.h"
 #include "calib/doctor/photograph_quality.h"
-#include "calib/poses/rotation_check.h"
+#include "calib/matching/pair_geometry.h"
+#include "calib/matching/rotation_check.h"
 
 namespace lumi {
 

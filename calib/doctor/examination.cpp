@@ -4,11 +4,11 @@
 #include <cmath>
 #include <system_error>
 
-#include "calib/capture/image_io.h"
-#include "calib/doctor/inlier_shares.h"
-#include "calib/poses/camera_groups.h"
-#include "calib/poses/pair_verification.h"
-#include "calib/poses/photograph_matching.h"
+#include "calib/matching/camera_groups.h"
+#include "calib/matching/inlier_shares.h"
+#include "calib/matching/pair_verification.h"
+#include "calib/matching/photograph_matching.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <map>
 
-#include "calib/capture/image_io.h"
 #include "calib/ingest/working_copies.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/content_hash.h"
 
 namespace lumi {

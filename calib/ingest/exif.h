@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "calib/capture/image_format.h"
+#include "calib/pictures/image_format.h"
 
 namespace lumi {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "calib/capture/image_io.h"
 #include "calib/ingest/color_notes.h"
 #include "calib/ingest/duplicates.h"
 #include "calib/ingest/exif.h"
@@ -11,6 +10,7 @@
 #include "calib/ingest/photograph_folder.h"
 #include "calib/ingest/video.h"
 #include "calib/ingest/working_copies.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <tuple>
 
-#include "calib/capture/image_io.h"
-#include "calib/capture/inpainting.h"
 #include "calib/ingest/working_copies.h"
+#include "calib/pictures/image_io.h"
+#include "calib/pictures/inpainting.h"
 #include "calib/work/formatted.h"
 #include "calib/work/parallel_for.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "calib/capture/image_format.h"
 #include "calib/capture/posed_photographs.h"
+#include "calib/pictures/image_format.h"
 
 namespace lumi {
 

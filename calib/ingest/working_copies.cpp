@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "calib/capture/image_io.h"
 #include "calib/ingest/duplicates.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "calib/capture/image.h"
-#include "calib/capture/image_io.h"
 #include "calib/ingest/ingest.h"
+#include "calib/pictures/image_io.h"
 
 namespace lumi {
 

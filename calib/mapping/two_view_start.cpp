@@ -7,7 +7,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
 
-#include "calib/poses/rotation_check.h"
+#include "calib/matching/rotation_check.h"
 #include "calib/work/median.h"
 
 namespace lumi {

@@ -1,7 +1,7 @@
 #include <system_error>
 
-#include "calib/capture/drawn_mask.h"
-#include "calib/capture/image_io.h"
+#include "calib/pictures/drawn_mask.h"
+#include "calib/pictures/image_io.h"
 #include "calib/poses/mapping.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"

@@ -19,7 +19,9 @@ ColmapReconstruction reconstruct_with_colmap(const std::vector<Photograph>& phot
     std::filesystem::create_directories(models);
     PoseOptions colmaps = options;
     colmaps.max_features = kColmapsFeatures;
-    const CameraGroups groups = group_cameras(photographs, given_lens, colmaps);
+    const CameraGroups groups =
+        group_cameras(photographs, given_lens,
+                      {.lens_model = colmaps.lens_model, .shared_lens = colmaps.shared_lens});
     PoseEvidence evidence;
     const MappingJob job{photographs,
                          groups,

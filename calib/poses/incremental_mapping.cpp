@@ -4,9 +4,9 @@
 
 #include "calib/features/photograph_similarity.h"
 #include "calib/mapping/incremental_mapper.h"
+#include "calib/matching/pair_verification.h"
+#include "calib/matching/photograph_matching.h"
 #include "calib/poses/mapping.h"
-#include "calib/poses/pair_verification.h"
-#include "calib/poses/photograph_matching.h"
 
 namespace lumi {
 namespace {

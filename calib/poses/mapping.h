@@ -10,9 +10,9 @@
 #include "calib/colmap/match_list.h"
 #include "calib/features/features.h"
 #include "calib/features/sift.h"
-#include "calib/poses/camera_groups.h"
+#include "calib/matching/camera_groups.h"
+#include "calib/matching/rotation_check.h"
 #include "calib/poses/pose_stage.h"
-#include "calib/poses/rotation_check.h"
 
 namespace lumi {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "calib/capture/capture.h"
-#include "calib/poses/camera_groups.h"
-#include "calib/poses/rotation_check.h"
+#include "calib/matching/camera_groups.h"
+#include "calib/matching/rotation_check.h"
 
 namespace lumi {
 

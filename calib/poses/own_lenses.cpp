@@ -258,9 +258,9 @@ std::optional<OwnLensModel> find_own_lenses(const MappingJob& job,
         compare_with_pairs(refined, job.photographs, matched.photographs, matched.pairs);
     if (!is_worth_asking(job, refined, agreement.is_contradiction())) return std::nullopt;
 
-    PoseOptions own_options = job.options;
-    own_options.shared_lens = false;
-    const CameraGroups own_groups = group_cameras(job.photographs, std::nullopt, own_options);
+    const CameraGroups own_groups =
+        group_cameras(job.photographs, std::nullopt,
+                      {.lens_model = job.options.lens_model, .shared_lens = false});
     PoseEvidence evidence;
     const MappingJob own_job{job.photographs, own_groups,      job.options,
                              false,           job.refine_lens, job.scratch_folder,

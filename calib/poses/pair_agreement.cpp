@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "calib/doctor/pair_geometry.h"
+#include "calib/matching/pair_geometry.h"
 #include "calib/work/median.h"
 
 namespace lumi {

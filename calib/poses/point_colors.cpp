@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/parallel_for.h"
 
 namespace lumi {

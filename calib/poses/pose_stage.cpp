@@ -109,7 +109,9 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
     expect_photographs(photographs);
     make_empty(scratch_folder);
     PoseResult result;
-    const CameraGroups groups = group_cameras(photographs, given_lens, options);
+    const CameraGroups groups =
+        group_cameras(photographs, given_lens,
+                      {.lens_model = options.lens_model, .shared_lens = options.shared_lens});
     // A given lens is held until there are poses to judge it by.
     const bool refine_lens = !given_lens;
     const MappingJob job{photographs,    groups,  options,  given_lens.has_value(), refine_lens,

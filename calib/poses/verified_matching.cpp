@@ -1,7 +1,7 @@
-#include "calib/doctor/inlier_shares.h"
+#include "calib/matching/inlier_shares.h"
+#include "calib/matching/pair_verification.h"
+#include "calib/matching/photograph_matching.h"
 #include "calib/poses/mapping.h"
-#include "calib/poses/pair_verification.h"
-#include "calib/poses/photograph_matching.h"
 #include "calib/work/error.h"
 #include "calib/work/median.h"
 

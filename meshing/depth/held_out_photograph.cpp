@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/depth/finished_depth.h"
 #include "meshing/depth/photograph_loss.h"

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string_view>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 

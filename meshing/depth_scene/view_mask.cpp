@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "calib/capture/drawn_mask.h"
+#include "calib/pictures/drawn_mask.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/exposure/color_match.h"
 

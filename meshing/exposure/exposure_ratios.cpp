@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "calib/capture/srgb_curve.h"
+#include "calib/pictures/srgb_curve.h"
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/warp/inverse_depth_warp.h"

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "meshing/warp/inverse_depth_warp.h"
 #include "meshing/warp/pixel_in_picture.h"
 

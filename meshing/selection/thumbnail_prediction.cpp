@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "calib/capture/image_io.h"
 #include "calib/capture/nearest_byte.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/median.h"
 #include "meshing/warp/inverse_depth_warp.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/exposure/shared_colors.h"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "calib/capture/inpainting.h"
+#include "calib/pictures/inpainting.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/agreement/gap_closing.h"
 #include "meshing/transients/known_view.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/median.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/plot.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "calib/capture/image_io.h"
 #include "calib/ingest/photograph_folder.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "meshing/depth_models/depth_model.h"
 

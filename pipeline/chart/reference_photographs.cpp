@@ -5,7 +5,7 @@
 #include <map>
 
 #include "calib/capture/colmap_model.h"
-#include "calib/capture/undistortion.h"
+#include "calib/pictures/undistortion.h"
 #include "calib/work/error.h"
 #include "pipeline/stages/pack_stage.h"
 #include "pipeline/stages/used_views.h"

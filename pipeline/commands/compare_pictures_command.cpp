@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/evaluate/edge_sharpness.h"
 #include "pipeline/evaluate/flip.h"

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "calib/capture/all_views.h"
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"

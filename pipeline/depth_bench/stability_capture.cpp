@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/parallel_for.h"
 #include "pipeline/depth_bench/stability_scene.h"
 #include "pipeline/synth/exact_points.h"

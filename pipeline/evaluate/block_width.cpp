@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "pipeline/evaluate/image_metrics.h"
 
 namespace lumi {

@@ -4,7 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/whole_folder.h"
 #include "pipeline/evaluate/comparison_strip.h"
 #include "pipeline/evaluate/evaluation_file.h"

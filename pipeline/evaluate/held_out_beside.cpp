@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/stages/photograph_list.h"
 #include "render/paths/photograph_eye.h"

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "meshing/depth_scene/view_mask.h"
 #include "pipeline/stages/depth_stage.h"
 #include "pipeline/stages/straightened_masks.h"

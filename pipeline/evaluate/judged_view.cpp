@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/median.h"
 #include "calib/work/stopwatch.h"
 #include "pipeline/evaluate/edge_sharpness.h"

@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "calib/capture/srgb_curve.h"
+#include "calib/pictures/srgb_curve.h"
 
 namespace lumi {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/stopwatch.h"
 #include "pipeline/evaluate/image_metrics.h"
 #include "render/lumigraph/even_exposure.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/mean.h"
 #include "calib/work/median.h"
 #include "calib/work/stopwatch.h"

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/evaluate/evaluation_file.h"

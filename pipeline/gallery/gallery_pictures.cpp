@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "render/paths/path_through_views.h"
 #include "render/renderer/offscreen_renderer.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "calib/capture/colmap_model.h"
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/child_process.h"
 #include "calib/work/error.h"
 

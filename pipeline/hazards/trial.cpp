@@ -4,9 +4,9 @@
 #include <cmath>
 #include <system_error>
 
-#include "calib/capture/image_io.h"
 #include "calib/doctor/examination.h"
 #include "calib/ingest/ingest.h"
+#include "calib/pictures/image_io.h"
 #include "calib/poses/pose_stage.h"
 #include "calib/work/error.h"
 #include "calib/work/stopwatch.h"

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "pipeline/evaluate/comparison_strip.h"
 #include "pipeline/report/sections.h"
 #include "pipeline/report/spread.h"

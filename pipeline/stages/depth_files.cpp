@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/parallel_for.h"
 #include "pipeline/stages/color_scale.h"
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/content_hash.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/exposure/exposure_gains.h"

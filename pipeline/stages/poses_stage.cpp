@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/capture/colmap_model.h"
-#include "calib/capture/undistortion.h"
+#include "calib/pictures/undistortion.h"
 #include "pipeline/stages/left_out_json.h"
 #include "pipeline/stages/lens_choice_json.h"
 #include "pipeline/stages/photograph_list.h"

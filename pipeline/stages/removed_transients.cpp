@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/formatted.h"
 #include "meshing/transients/transient_removal.h"
 #include "pipeline/stages/chosen_views.h"

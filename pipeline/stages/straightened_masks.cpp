@@ -4,8 +4,8 @@
 #include <set>
 
 #include "calib/capture/colmap_model.h"
-#include "calib/capture/drawn_mask.h"
-#include "calib/capture/image_io.h"
+#include "calib/pictures/drawn_mask.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/parallel_for.h"
 
 namespace lumi {

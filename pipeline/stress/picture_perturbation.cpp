@@ -3,7 +3,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "calib/capture/srgb_curve.h"
+#include "calib/pictures/srgb_curve.h"
 #include "pipeline/stress/perturbation.h"
 #include "pipeline/stress/seeded_normal.h"
 

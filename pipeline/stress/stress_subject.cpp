@@ -1,6 +1,6 @@
 #include "pipeline/stress/stress_subject.h"
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/protocol/view_subset.h"

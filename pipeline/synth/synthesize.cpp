@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "calib/capture/colmap_model.h"
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 #include "calib/work/whole_file.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "calib/capture/image_io.h"
-#include "calib/capture/jpeg_decoder.h"
+#include "calib/pictures/image_io.h"
+#include "calib/pictures/jpeg_decoder.h"
 
 namespace lumi {
 namespace {

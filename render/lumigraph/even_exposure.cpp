@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "calib/capture/srgb_curve.h"
+#include "calib/pictures/srgb_curve.h"
 #include "calib/work/parallel_for.h"
 
 namespace lumi {

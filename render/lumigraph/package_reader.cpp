@@ -1,7 +1,7 @@
 #include <new>
 
-#include "calib/capture/image_format.h"
-#include "calib/capture/png_codec.h"
+#include "calib/pictures/image_format.h"
+#include "calib/pictures/png_codec.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/surface/mesh_io.h"

@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "calib/capture/png_codec.h"
+#include "calib/pictures/png_codec.h"
 #include "calib/work/content_hash.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"

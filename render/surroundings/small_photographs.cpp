@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 
 namespace lumi {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/printable.h"
 #include "calib/work/whole_file.h"
 #include "render/viewer/eye_json.h"

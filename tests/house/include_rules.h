@@ -25,8 +25,9 @@ using Offences = std::vector<std::string>;
 /// room includes tests.
 [[nodiscard]] Offences wrong_directions(const std::vector<IncludeLine>& includes);
 
-/// A chapter of the room `render` includes itself and the chapters before it, which are in the
-/// order of what happens to a ray; a chapter that is not in that order is an offence, too.
+/// A chapter, the folder of a room, includes itself and the chapters before it, in the order in
+/// which they build upon each other: none ends in a circle. A chapter without a place in that order
+/// is an offence, too.
 [[nodiscard]] Offences chapters_that_look_ahead(const std::vector<IncludeLine>& includes);
 
 /// The headers that rooms hand on keep OpenCV, CGAL, Ceres and the like to themselves.

@@ -45,9 +45,13 @@ TEST(House, FindsAChapterThatLooksAhead) {
     repository.write("render/gl/wrong.h", "#include \"render/modes/adaptive.h\"\n");
     repository.write("render/modes/right.h", "#include \"render/gl/program.h\"\n");
     repository.write("render/modes/odd.h", "#include \"render/odds/ends.h\"\n");
+    repository.write("calib/doctor/wrong.h", "#include \"calib/poses/pose_stage.h\"\n");
+    repository.write("meshing/matching/right.h", "#include \"calib/matching/pairs.h\"\n");
     EXPECT_THAT(
         chapters_that_look_ahead(include_lines_of_rooms(repository.root())),
-        ElementsAre("render/gl/wrong.h:1: includes \"render/modes/adaptive.h\": gl does not "
+        ElementsAre("calib/doctor/wrong.h:1: includes \"calib/poses/pose_stage.h\": doctor does "
+                    "not know poses",
+                    "render/gl/wrong.h:1: includes \"render/modes/adaptive.h\": gl does not "
                     "know modes",
                     HasSubstr("without a place in the order")));
 }

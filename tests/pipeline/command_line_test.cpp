@@ -7,11 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/calib/test_pictures.h"
 #include "tests/pipeline/built_program.h"
+#include "tests/pipeline/told_choices.h"
 #include "tests/truth/textured_box_scene.h"
 
 namespace lumi {
@@ -249,11 +250,14 @@ class Line : public testing::Test {
     }
     static void TearDownTestSuite() { scene_.reset(); }
 
-    void configure(const std::string& more) const {
-        write_whole_text(config_path(),
-                         "name = \"box\"\n[capture]\nphotos = \"" +
-                             (scene_->path() / "photos").string() + "\"\nimport = \"" +
-                             (scene_->path() / "truth" / "sparse").string() + "\"\n" + more);
+    /// With depth from scene points and drawing that is told, unless a test is about these.
+    void configure(const std::string& more, const std::string& depth = kSparseDepth,
+                   const std::string& drawing = kToldDrawing) const {
+        write_whole_text(config_path(), "name = \"box\"\n[capture]\nphotos = \"" +
+                                            (scene_->path() / "photos").string() +
+                                            "\"\nimport = \"" +
+                                            (scene_->path() / "truth" / "sparse").string() +
+                                            "\"\n" + more + depth + drawing);
     }
     /// States of the stages, in their order: 'r' for run, 'u' for up to date.
     std::string build(const std::string& command = "build") const {
@@ -283,9 +287,10 @@ TEST_F(Line, RunsWhatHasToBeRunAndNoMore) {
     EXPECT_EQ(build(), "uuurr");
     EXPECT_EQ(build(), "uuuuu");
 
-    configure("[depth]\nmax_neighbours = 2\n");
+    const std::string narrow = std::string(kSparseDepth) + "max_width_px = 100\n";
+    configure("", narrow);
     EXPECT_EQ(build(), "uuurr");
-    configure("[depth]\nmax_neighbours = 2\n[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
+    configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n", narrow);
     EXPECT_EQ(build(), "uurrr");
 
     for (const auto& entry : fs::recursive_directory_iterator(scene_->path())) {
@@ -314,12 +319,13 @@ TEST_F(Line, WhatIsAskedOfDrawingReachesThePackage) {
         const double error_px = is_yes ? 2.5 : 1.5;
         const double tolerance_px = is_yes ? 4.5 : 2.25;
         const double noisy_px = is_yes ? 0.5 : 0.75;
-        configure("[render]\ndepth_views = " + std::to_string(depth_views) +
-                  "\ndepth_block_px = " + std::to_string(block_px) + "\nfill_holes = \"" + answer +
-                  "\"\ncheck_guesses = \"" + answer + "\"\ndraw_thin = \"" + answer +
-                  "\"\ntriangle_error_px = " + std::to_string(error_px) +
-                  "\nocclusion_tolerance_px = " + std::to_string(tolerance_px) +
-                  "\nnoisy_depth_error_px = " + std::to_string(noisy_px) + "\n");
+        configure("", kSparseDepth,
+                  "[render]\ndepth_views = " + std::to_string(depth_views) +
+                      "\ndepth_block_px = " + std::to_string(block_px) + "\nfill_holes = \"" +
+                      answer + "\"\ncheck_guesses = \"" + answer + "\"\ndraw_thin = \"" + answer +
+                      "\"\ntriangle_error_px = " + std::to_string(error_px) +
+                      "\nocclusion_tolerance_px = " + std::to_string(tolerance_px) +
+                      "\nnoisy_depth_error_px = " + std::to_string(noisy_px) + "\n");
         static_cast<void>(build());
         const Json inspected = Json::parse(lumi("inspect --json " + quoted(package())).out);
         EXPECT_EQ(inspected.at("depth_views"), depth_views);
@@ -354,13 +360,16 @@ std::map<std::string, std::string> files_of(const fs::path& package) {
     return files;
 }
 
+/// Depth and drawing as they are by default, on small maps.
+constexpr const char* kNarrowDepth = "[depth]\nmax_width_px = 80\n";
+
 TEST_F(Line, PixelsOfHeldOutViewsChangeNoByteOfThePackage) {
     const fs::path photos = scratch_ / "photos";
     fs::copy(scene_->path() / "photos", photos);
-    write_whole_text(config_path(), "name = \"box\"\n[capture]\nphotos = \"" + photos.string() +
-                                        "\"\nimport = \"" +
-                                        (scene_->path() / "truth" / "sparse").string() +
-                                        "\"\n[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
+    write_whole_text(config_path(),
+                     "name = \"box\"\n[capture]\nphotos = \"" + photos.string() +
+                         "\"\nimport = \"" + (scene_->path() / "truth" / "sparse").string() +
+                         "\"\n[evaluate]\nhold_out = [\"IMG_0005.png\"]\n" + kNarrowDepth);
     EXPECT_EQ(build(), "rrrrr");
     const auto before = files_of(package());
 
@@ -377,8 +386,9 @@ TEST_F(Line, PixelsOfHeldOutViewsChangeNoByteOfThePackage) {
 }
 
 TEST_F(Line, EvaluatesHeldOutViews) {
-    configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n[depth]\nimport_folder = \"" +
-              (scene_->path() / "truth" / "depth").string() + "\"\n");
+    configure(
+        "[evaluate]\nhold_out = [\"IMG_0005.png\"]\n",
+        "[depth]\nimport_folder = \"" + (scene_->path() / "truth" / "depth").string() + "\"\n");
     static_cast<void>(build());
     const Outcome outcome =
         lumi("evaluate --json --mode perpixel --mode lightfield " + quoted(workspace()));
@@ -408,7 +418,7 @@ TEST_F(Line, EvaluatesHeldOutViews) {
 }
 
 TEST_F(Line, OneMeshOfTheSceneDrawsNearlyAsWellAsTheDepthMapsItIsMadeFrom) {
-    const std::string held_out = "[evaluate]\nhold_out = [\"IMG_0005.png\"]\n[depth]\n";
+    const std::string held_out = "[evaluate]\nhold_out = [\"IMG_0005.png\"]\n";
     const auto psnr_db = [&] {
         static_cast<void>(build());
         const Outcome outcome =
@@ -416,8 +426,8 @@ TEST_F(Line, OneMeshOfTheSceneDrawsNearlyAsWellAsTheDepthMapsItIsMadeFrom) {
         EXPECT_EQ(outcome.exit_code, 0) << outcome.talk;
         return Json::parse(outcome.out).at("mean").at("psnr_db").get<double>();
     };
-    configure(held_out + "import_folder = \"" + (scene_->path() / "truth" / "depth").string() +
-              "\"\n");
+    configure(held_out, "[depth]\nimport_folder = \"" +
+                            (scene_->path() / "truth" / "depth").string() + "\"\n");
     const double from_depth_maps = psnr_db();
     const fs::path mesh = workspace() / "box.ply";
     const std::string fuse = "fuse --json " + quoted(package()) + " --out " + quoted(mesh);
@@ -428,12 +438,12 @@ TEST_F(Line, OneMeshOfTheSceneDrawsNearlyAsWellAsTheDepthMapsItIsMadeFrom) {
     ASSERT_EQ(fused.exit_code, 0) << fused.talk;
     EXPECT_GT(Json::parse(fused.out).at("faces"), 3000);
     EXPECT_THAT(read_whole_text(mesh), StartsWith("ply\n"));
-    configure(held_out + "import_mesh = \"" + mesh.string() + "\"\n");
+    configure(held_out, "[depth]\nimport_mesh = \"" + mesh.string() + "\"\n");
     EXPECT_GT(psnr_db(), from_depth_maps - 2.0);
 }
 
 TEST_F(Line, MasksAreUsedByDepthDrawingAndEvaluation) {
-    const std::string held_out = "[evaluate]\nhold_out = [\"IMG_0005.png\"]\n[depth]\n";
+    const std::string held_out = "[evaluate]\nhold_out = [\"IMG_0005.png\"]\n";
     const fs::path masks = scratch_ / "masks";
     const auto mask_all = [&](int subject_width) {
         GrayImage mask(160, 120);
@@ -455,7 +465,7 @@ TEST_F(Line, MasksAreUsedByDepthDrawingAndEvaluation) {
     EXPECT_TRUE(unmasked.at("mean").at("psnr_subject_db").is_null());
 
     mask_all(120);
-    configure(held_out + "masks = \"" + masks.string() + "\"\n");
+    configure(held_out, kSparseDepth + ("masks = \"" + masks.string() + "\"\n"));
     EXPECT_EQ(build(), "uuurr");
     const FloatImage inverse_depth =
         read_float_tiff(workspace() / "depth" / "IMG_0001.inverse_depth.tif");
@@ -690,8 +700,10 @@ TEST_F(Line, ScoresAreOfThePackageThatWasRecorded) {
     const std::string of_first = read_whole_text(record);
     configure("[evaluate]\nhold_out = [\"IMG_0004.png\"]\n");
     ASSERT_EQ(build(), "uurrr");
+    const std::string evaluate =
+        "evaluate --mode perpixel --no-ghost-energy " + quoted(workspace());
     const auto expect_stale = [&] {
-        const Outcome outcome = lumi("evaluate " + quoted(workspace()));
+        const Outcome outcome = lumi(evaluate);
         EXPECT_EQ(outcome.exit_code, 3);
         EXPECT_THAT(outcome.talk, HasSubstr("E-EVAL-STALE"));
     };
@@ -699,7 +711,7 @@ TEST_F(Line, ScoresAreOfThePackageThatWasRecorded) {
     write_whole_text(record, of_first);  // As if the second run had ended before it was recorded.
     expect_stale();
     write_whole_text(record, of_second);
-    EXPECT_EQ(lumi("evaluate " + quoted(workspace())).exit_code, 0);
+    EXPECT_EQ(lumi(evaluate).exit_code, 0);
     configure("max_width_px = 120\n[evaluate]\nhold_out = [\"IMG_0004.png\"]\n");
     ASSERT_EQ(build("ingest"), "r");
     expect_stale();
@@ -876,7 +888,7 @@ TEST_F(Line, AFailureIsWrittenDownAndTheFormerPackageStays) {
 }
 
 TEST_F(Line, TheSameBytesForAnyNumberOfThreads) {
-    configure("");
+    configure("", kNarrowDepth, "");
     std::vector<std::string> manifests;
     for (const char* threads : {"1", "3"}) {
         const fs::path folder = scratch_ / threads;

@@ -4,8 +4,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "tests/pipeline/built_program.h"
+#include "tests/pipeline/told_choices.h"
 #include "tests/truth/textured_box_scene.h"
 
 namespace lumi {
@@ -26,8 +27,8 @@ class DrawnPackage : public testing::Test {
         write_whole_text(*folder_ / "box.toml",
                          "name = \"box\"\nworkspace = \"work\"\n[capture]\n"
                          "photos = \"scene/photos\"\nimport = \"scene/truth/sparse\"\n"
-                         "[depth]\nmodel = \"sparse\"\n"
-                         "[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
+                         "[evaluate]\nhold_out = [\"IMG_0005.png\"]\n" +
+                             std::string(kSparseDepth) + kToldDrawing);
         ASSERT_EQ(lumi("build " + quoted(*folder_ / "box.toml")).exit_code, 0);
     }
     static void TearDownTestSuite() { folder_.reset(); }

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "pipeline/evaluate/opponent_color.h"
 #include "tests/calib/photographs.h"

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "meshing/surface/nearest_cameras.h"

@@ -31,6 +31,17 @@ name = "small"
 [capture]
 photos = "scene/photos"
 import = "scene/truth/sparse"
+[depth]
+max_width_px = 64
+[render] # Nothing that photographs are asked for: most of a build is then reading and writing.
+depth_views = 4
+depth_block_px = 1
+fill_holes = "no"
+check_guesses = "no"
+draw_thin = "no"
+triangle_error_px = 0.7
+occlusion_tolerance_px = 1.5
+noisy_depth_error_px = 1.6
 TOML
 }
 

@@ -5,6 +5,7 @@
 #include "calib/capture/colmap_model.h"
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"
+#include "tests/pipeline/told_choices.h"
 #include "tests/truth/textured_box_scene.h"
 
 namespace lumi {
@@ -24,9 +25,9 @@ class LineRun : public testing::Test {
     }
 
     Reasons build(const std::string& before, const std::string& photos, const std::string& more) {
-        write_whole_text(scratch_ / "box.toml",
-                         before + "[capture]\nphotos = \"" + photos +
-                             "\"\nimport = \"truth/sparse\"\n[depth]\nmodel = \"sparse\"\n" + more);
+        write_whole_text(scratch_ / "box.toml", before + "[capture]\nphotos = \"" + photos +
+                                                    "\"\nimport = \"truth/sparse\"\n" +
+                                                    kSparseDepth + kToldDrawing + more);
         const BuildConfig config = load_build_config(scratch_ / "box.toml");
         const Workspace workspace(WorkspaceLayout(workspace_folder_, config.name));
         SilentProgress progress;

@@ -14,6 +14,7 @@
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/synth/hand_held_path.h"
 #include "pipeline/synth/hashed_random.h"
+#include "render/depth_mesh/view_depth_mesh.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "tests/pipeline/studio.h"
 
@@ -59,6 +60,11 @@ TEST_P(PlannedView, LowersHeldOutErrorMoreThanRandomOnes) {
     }
     const auto count = static_cast<int>(taken.capture.views.size());
     taken.find_points();
+    // Once, not for every renderer.
+    Lumigraph with_depth_meshes = with_camera_mesh(taken);
+    SilentProgress progress;
+    make_depth_meshes(with_depth_meshes, 0, progress);
+    taken.lumigraph.views = with_depth_meshes.views;
     std::vector<int> views(static_cast<std::size_t>(count));
     std::iota(views.begin(), views.end(), 0);
     const CapturePlan plan = plan_capture(taken.capture, views, {.suggestions = 1});

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "calib/capture/colmap_model.h"
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "tests/calib/noted_progress.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/pipeline/studio.h"

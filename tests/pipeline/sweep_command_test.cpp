@@ -10,6 +10,7 @@
 
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"
+#include "tests/pipeline/told_choices.h"
 #include "tests/truth/textured_box_scene.h"
 
 namespace lumi {
@@ -44,12 +45,13 @@ class Sweeps : public testing::Test {
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_whole_text(scratch_ / "out"),
                 read_whole_text(scratch_ / "talk")};
     }
-    /// A configuration with true poses and one photograph held out.
+    /// A configuration with true poses, one photograph held out, and drawing that is told.
     void configure(const std::string& name, const std::string& more) const {
         write_whole_text(scratch_ / (name + ".toml"),
                          "[capture]\nphotos = \"" + (scene_->path() / "photos").string() +
                              "\"\nimport = \"" + (scene_->path() / "truth" / "sparse").string() +
-                             "\"\n[evaluate]\nhold_out = [\"IMG_0005.png\"]\n" + more);
+                             "\"\n[evaluate]\nhold_out = [\"IMG_0005.png\"]\n" + kToldDrawing +
+                             more);
     }
     /// Figures of pictures of every point, times aside.
     static std::map<std::string, Json> errors_of(const Json& chart) {
@@ -76,7 +78,7 @@ ScratchFolder* Sweeps::scene_ = nullptr;
 
 constexpr const char* kSweep =
     "[sweep]\nrepeats = 2\nmodes = [\"perpixel\", \"lightfield\"]\n"
-    "depth.model = [\"sparse\", \"sweep\"]\ndepth.max_width_px = [80, 160]\n";
+    "depth.model = [\"sparse\", \"sweep\"]\ndepth.max_width_px = [48, 80]\n";
 
 TEST_F(Sweeps, AChartComputesNothingTwiceAndGivesTheSameErrorsAgain) {
     configure("box", kSweep);
@@ -101,7 +103,8 @@ TEST_F(Sweeps, AChartComputesNothingTwiceAndGivesTheSameErrorsAgain) {
 }
 
 TEST_F(Sweeps, AVariantThatCannotBeBuiltIsToldAndTheOthersGoOn) {
-    configure("box", "[sweep]\nmodes = [\"perpixel\"]\ncapture.min_photographs = [2, 50]\n");
+    configure("box", std::string(kSparseDepth) +
+                         "[sweep]\nmodes = [\"perpixel\"]\ncapture.min_photographs = [2, 50]\n");
     const Outcome outcome = lumi("--json chart box.toml");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
     const Json chart = Json::parse(outcome.out);
@@ -111,7 +114,9 @@ TEST_F(Sweeps, AVariantThatCannotBeBuiltIsToldAndTheOthersGoOn) {
 }
 
 TEST_F(Sweeps, ATargetIsMetByWhatIsDeliveredOrTheNearestIsTold) {
-    configure("box", "[sweep]\nmodes = [\"perpixel\"]\ndepth.model = [\"sparse\", \"sweep\"]\n");
+    configure("box",
+              "[depth]\nmax_width_px = 80\n"
+              "[sweep]\nmodes = [\"perpixel\"]\ndepth.model = [\"sparse\", \"sweep\"]\n");
     const Outcome met = lumi("--json build box.toml --target 15dB");
     ASSERT_EQ(met.exit_code, 0) << met.talk;
     const Json delivery = Json::parse(met.out);
@@ -186,7 +191,7 @@ TEST_F(Sweeps, ADatasetTakesNoEvaluationThatWasMadeOtherwise) {
 }
 
 TEST_F(Sweeps, LeaveOneOutJudgesEveryPhotographWithAndWithoutItsDepth) {
-    configure("box", "[depth]\nmodel = \"sparse\"\n");
+    configure("box", kSparseDepth);
     const Outcome outcome = lumi("--json evaluate box.toml --leave-one-out --mode perpixel");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
     const Json result = Json::parse(outcome.out);
@@ -203,7 +208,8 @@ TEST_F(Sweeps, LeaveOneOutJudgesEveryPhotographWithAndWithoutItsDepth) {
 TEST_F(Sweeps, StressTakesAConfigurationAWorkspaceOrAPackage) {
     configure(
         "box",
-        "[stress]\nperturbations = [\"blur_px\"]\nblur_px = [2, 6]\nmodes = [\"perpixel\"]\n");
+        std::string(kSparseDepth) +
+            "[stress]\nperturbations = [\"blur_px\"]\nblur_px = [2, 6]\nmodes = [\"perpixel\"]\n");
     const Outcome of_config = lumi("--json stress box.toml");
     ASSERT_EQ(of_config.exit_code, 0) << of_config.talk;
     const Json curve = Json::parse(of_config.out).at("curves").at(0);
@@ -217,7 +223,7 @@ TEST_F(Sweeps, StressTakesAConfigurationAWorkspaceOrAPackage) {
 }
 
 TEST_F(Sweeps, RegressionAndGalleryTakeAnEvaluatedWorkspace) {
-    configure("box", "");
+    configure("box", kSparseDepth);
     ASSERT_EQ(lumi("build box.toml").exit_code, 0);
     EXPECT_EQ(lumi("gallery work/box --out pictures").exit_code, 2);
     ASSERT_EQ(lumi("evaluate work/box --no-ghost-energy").exit_code, 0);

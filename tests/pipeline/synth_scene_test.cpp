@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "calib/capture/colmap_model.h"
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/progress.h"
 #include "calib/work/whole_file.h"

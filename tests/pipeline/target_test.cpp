@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "pipeline/target/candidates.h"
 #include "pipeline/target/wish.h"

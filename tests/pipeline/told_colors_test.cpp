@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "tests/pipeline/built_program.h"
 
 namespace lumi {

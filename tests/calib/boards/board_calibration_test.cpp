@@ -147,7 +147,7 @@ TEST(BoardCalibration, StatedIntervalsHoldTheTruthAsOftenAsTheySay) {
         const Camera truth{
             640, 480, LensModel::kRadial, {520.0 + trial, 315.0 + 0.1 * trial, 240, -0.25, 0.1}};
         const BoardViews board = seen_chessboards(
-            truth, 8, 5, hand_held_poses(truth, 8, 5, 12, 40, 1000 + seed), 0.2, seed);
+            truth, 6, 4, hand_held_poses(truth, 6, 4, 10, 40, 1000 + seed), 0.2, seed);
         const BoardCalibration found = calibrate(board);
         const LensParameter& focal = found.parameters[0];
         if (focal.low <= truth.parameters[0] && truth.parameters[0] <= focal.high) ++held;

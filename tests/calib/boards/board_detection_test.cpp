@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "calib/boards/board_calibration.h"
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "tests/calib/boards/synthetic_boards.h"
 #include "tests/calib/scratch_folder.h"
 

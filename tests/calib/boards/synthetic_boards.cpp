@@ -47,6 +47,42 @@ Eigen::Vector3d ray_of(const Camera& lens, const Eigen::Vector2d& px) {
     return {sideways.x(), sideways.y(), std::cos(theta)};
 }
 
+/// Unit directions of the corners of all pixels, row by row; found once for photographs by one lens
+/// one after another.
+const std::vector<Eigen::Vector3d>& rays_of_corners(const Camera& lens) {
+    static Camera last;
+    static std::vector<Eigen::Vector3d> rays;
+    if (!rays.empty() && last == lens) return rays;
+    last = lens;
+    rays.clear();
+    for (int y = 0; y <= lens.height_px; ++y) {
+        for (int x = 0; x <= lens.width_px; ++x) {
+            rays.push_back(ray_of(lens, {x, y}).normalized());
+        }
+    }
+    return rays;
+}
+
+/// Mean of what `brightness_at` says of places (u, v) within a pixel, on a grid. Where the
+/// outermost places see the same, so do those between them: what is printed is larger than a pixel.
+template <class BrightnessAt>
+double mean_over_pixel(const BrightnessAt& brightness_at) {
+    constexpr int kSamples = 4;
+    constexpr double kFirst = 0.5 / kSamples;
+    const double corner = brightness_at(kFirst, kFirst);
+    if (corner == brightness_at(1 - kFirst, kFirst) &&
+        corner == brightness_at(kFirst, 1 - kFirst) &&
+        corner == brightness_at(1 - kFirst, 1 - kFirst)) {
+        return corner;
+    }
+    double sum = 0;
+    for (int sample = 0; sample < kSamples * kSamples; ++sample) {
+        sum += brightness_at((sample % kSamples + 0.5) / kSamples,
+                             (sample / kSamples + 0.5) / kSamples);
+    }
+    return sum / (kSamples * kSamples);
+}
+
 }  // namespace
 
 std::vector<BoardPose> hand_held_poses(const Camera& lens, int columns, int rows, int count,
@@ -140,34 +176,23 @@ GrayImage photograph_of(const BoardPrint& print, const Camera& lens,
     const Eigen::Matrix3d board_from_cam = rotation_of(cam_from_board).transpose();
     const Eigen::Vector3d centre =
         -(board_from_cam * Eigen::Map<const Eigen::Vector3d>(cam_from_board.data() + 3));
-    // The print is sampled on a grid within each pixel along the rays of its corners.
-    constexpr int kSamples = 4;
     cv::Mat brightness(lens.height_px, lens.width_px, CV_32FC1);
-    const auto ray_at = [&](double x, double y) -> Eigen::Vector3d {
-        return board_from_cam * ray_of(lens, {x, y}).normalized();
-    };
-    std::vector<Eigen::Vector3d> above(static_cast<std::size_t>(lens.width_px) + 1);
-    std::vector<Eigen::Vector3d> below(above.size());
-    for (std::size_t x = 0; x < above.size(); ++x) above[x] = ray_at(static_cast<double>(x), 0);
+    std::vector<Eigen::Vector3d> rays = rays_of_corners(lens);
+    for (Eigen::Vector3d& ray : rays) ray = board_from_cam * ray;
+    const auto per_row = static_cast<std::size_t>(lens.width_px) + 1;
     for (int y = 0; y < lens.height_px; ++y) {
-        for (std::size_t x = 0; x < below.size(); ++x) {
-            below[x] = ray_at(static_cast<double>(x), y + 1);
+        const Eigen::Vector3d* above = rays.data() + static_cast<std::size_t>(y) * per_row;
+        const Eigen::Vector3d* below = above + per_row;
+        for (int x = 0; x < lens.width_px; ++x, ++above, ++below) {
+            brightness.at<float>(y, x) =
+                static_cast<float>(mean_over_pixel([&](double u, double v) {
+                    const Eigen::Vector3d ray = (1 - v) * ((1 - u) * above[0] + u * above[1]) +
+                                                v * ((1 - u) * below[0] + u * below[1]);
+                    const double distance = -centre.z() / ray.z();
+                    // Beside the board stands a grey wall.
+                    return distance > 0 ? print((centre + distance * ray).head<2>()) : 0.5;
+                }));
         }
-        for (int x = 0; x < lens.width_px; ++x) {
-            const auto at = static_cast<std::size_t>(x);
-            double sum = 0;
-            for (int sample = 0; sample < kSamples * kSamples; ++sample) {
-                const double u = (sample % kSamples + 0.5) / kSamples;
-                const double v = (sample / kSamples + 0.5) / kSamples;
-                const Eigen::Vector3d ray = (1 - v) * ((1 - u) * above[at] + u * above[at + 1]) +
-                                            v * ((1 - u) * below[at] + u * below[at + 1]);
-                const double distance = -centre.z() / ray.z();
-                // Beside the board stands a grey wall.
-                sum += distance > 0 ? print((centre + distance * ray).head<2>()) : 0.5;
-            }
-            brightness.at<float>(y, x) = static_cast<float>(sum / (kSamples * kSamples));
-        }
-        std::swap(above, below);
     }
     if (faults.blur_px > 0) cv::GaussianBlur(brightness, brightness, {}, faults.blur_px);
     std::mt19937 random(faults.seed);

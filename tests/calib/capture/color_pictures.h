@@ -12,8 +12,8 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "calib/capture/image_io.h"
-#include "calib/capture/srgb_curve.h"
+#include "calib/pictures/image_io.h"
+#include "calib/pictures/srgb_curve.h"
 #include "calib/work/whole_file.h"
 #include "tests/calib/color_profiles.h"
 #include "tests/calib/scratch_folder.h"

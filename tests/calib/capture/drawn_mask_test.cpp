@@ -1,8 +1,8 @@
-#include "calib/capture/drawn_mask.h"
+#include "calib/pictures/drawn_mask.h"
 
 #include <gtest/gtest.h>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "tests/calib/scratch_folder.h"
 

@@ -1,4 +1,4 @@
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 
 #include <gmock/gmock.h>
 #include <turbojpeg.h>

@@ -1,4 +1,4 @@
-#include "calib/capture/inpainting.h"
+#include "calib/pictures/inpainting.h"
 
 #include <gtest/gtest.h>
 

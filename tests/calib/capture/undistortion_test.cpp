@@ -1,10 +1,10 @@
-#include "calib/capture/undistortion.h"
+#include "calib/pictures/undistortion.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"

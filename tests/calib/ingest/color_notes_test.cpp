@@ -3,8 +3,8 @@
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 
-#include "calib/capture/image_io.h"
 #include "calib/ingest/ingest.h"
+#include "calib/pictures/image_io.h"
 #include "tests/calib/color_profiles.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/calib/test_pictures.h"

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/calib/test_pictures.h"
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "calib/capture/image_io.h"
 #include "calib/ingest/ingest.h"
+#include "calib/pictures/image_io.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/calib/test_pictures.h"
 

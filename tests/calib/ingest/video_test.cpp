@@ -4,8 +4,8 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "calib/capture/image_io.h"
 #include "calib/ingest/ingest.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"

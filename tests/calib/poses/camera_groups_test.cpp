@@ -1,4 +1,4 @@
-#include "calib/poses/camera_groups.h"
+#include "calib/matching/camera_groups.h"
 
 #include <gtest/gtest.h>
 
@@ -31,10 +31,9 @@ TEST(CameraGroups, PhotographsOfOneCameraShareALens) {
 }
 
 TEST(CameraGroups, EachPhotographItsOwnWhenAsked) {
-    PoseOptions options;
-    options.shared_lens = false;
-    const CameraGroups groups = group_cameras(
-        {photograph("a", 800, 600), photograph("a", 800, 600)}, std::nullopt, options);
+    const CameraGroups groups =
+        group_cameras({photograph("a", 800, 600), photograph("a", 800, 600)}, std::nullopt,
+                      {.shared_lens = false});
     EXPECT_EQ(groups.camera_of_photograph, (std::vector<int>{0, 1}));
     EXPECT_EQ(groups.cameras.size(), 2u);
 }
@@ -54,11 +53,10 @@ TEST(CameraGroups, CropsOfOneSizeStartFromTheSameFocalLength) {
 TEST(CameraGroups, EveryLensModelStartsWithoutDistortion) {
     for (const char* model : {"SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV",
                               "OPENCV_FISHEYE", "FULL_OPENCV"}) {
-        PoseOptions options;
-        options.lens_model = model;
-        const Camera camera = group_cameras({photograph("a", 800, 600, 700)}, std::nullopt, options)
-                                  .cameras[0]
-                                  .camera;
+        const Camera camera =
+            group_cameras({photograph("a", 800, 600, 700)}, std::nullopt, {.lens_model = model})
+                .cameras[0]
+                .camera;
         EXPECT_EQ(name_of(camera.model), model);
         EXPECT_NO_THROW(validate(camera, model));
         EXPECT_EQ(focal_length_px(camera), Eigen::Vector2d(700, 700)) << model;

@@ -57,7 +57,7 @@ class OwnLenses : public testing::Test {
 
     [[nodiscard]] std::optional<OwnLensModel> asked(const Capture& refined) {
         const PoseOptions options;
-        const CameraGroups groups = group_cameras(photographs_, std::nullopt, options);
+        const CameraGroups groups = group_cameras(photographs_, std::nullopt, {});
         const MappingJob job{photographs_,    groups, options,   false,    true,
                              scratch_.path(), 1,      progress_, evidence_};
         return find_own_lenses(job, matched_, LensPolicy::kAuto, refined);

@@ -1,4 +1,4 @@
-#include "calib/poses/pair_verification.h"
+#include "calib/matching/pair_verification.h"
 
 #include <gtest/gtest.h>
 

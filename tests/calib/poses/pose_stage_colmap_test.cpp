@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/poses/pose_comparison.h"
 #include "calib/poses/pose_stage.h"
 #include "calib/work/error.h"
@@ -14,8 +14,11 @@
 namespace lumi {
 namespace {
 
+constexpr int kWidth_px = 480;  ///< And the focal length.
+constexpr int kHeight_px = 360;
+
 const SyntheticCapture& box_scene() {
-    static const SyntheticCapture scene = textured_box_scene({640, 480, 50});
+    static const SyntheticCapture scene = textured_box_scene({kWidth_px, kHeight_px, 50});
     return scene;
 }
 
@@ -87,7 +90,7 @@ TEST_P(PoseStageBy, PlacesEveryPhotographOfARenderedScene) {
     EXPECT_EQ(result.evidence.photographs_registered, 9);
     EXPECT_THAT(result.not_registered, testing::IsEmpty());
     EXPECT_EQ(result.capture.cameras.size(), 1u);
-    EXPECT_NEAR(focal_length_px(result.capture.cameras[0]).x(), 640, 0.03 * 640);
+    EXPECT_NEAR(focal_length_px(result.capture.cameras[0]).x(), kWidth_px, 0.03 * kWidth_px);
     const PoseComparison difference = compare_poses(poses_of(result.capture), true_poses());
     EXPECT_LT(difference.max_position, 0.02 * true_extent());
     EXPECT_LT(result.evidence.mean_reprojection_error_px, 0.5);
@@ -117,9 +120,9 @@ class PoseStageWithMasks : public testing::TestWithParam<const char*> {};
 TEST_P(PoseStageWithMasks, PlacesWhatTurnedBeforeACameraThatStoodStill) {
     const ScratchFolder folder;
     std::vector<Photograph> photographs = box_photographs(folder);
-    GrayImage window(640, 480, 0);
-    for (int y = 60; y < 420; ++y) {
-        for (int x = 80; x < 560; ++x) window(x, y) = 255;
+    GrayImage window(kWidth_px, kHeight_px, 0);
+    for (int y = kHeight_px / 8; y < kHeight_px * 7 / 8; ++y) {
+        for (int x = kWidth_px / 8; x < kWidth_px * 7 / 8; ++x) window(x, y) = 255;
     }
     for (std::size_t index = 0; index < photographs.size(); ++index) {
         write_png(photographs[index].picture_path,

@@ -1,4 +1,4 @@
-#include "calib/poses/rotation_check.h"
+#include "calib/matching/rotation_check.h"
 
 #include <gtest/gtest.h>
 

@@ -41,7 +41,7 @@ Camera drawn_lens(int draw, std::mt19937& random) {
 Capture drawn_scene(const Camera& lens, double noise_px, unsigned seed) {
     SyntheticCaptureOptions scene;
     scene.views = 7;
-    scene.points = 120;
+    scene.points = 70;
     scene.noise_px = noise_px;
     scene.arc_deg = 90;
     scene.arc_radius = 2.2;

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "calib/capture/colmap_model.h"
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "meshing/depth/depth_stage.h"
 
 namespace lumi {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "tests/meshing/depth/raycast_scene.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/formatted.h"
 #include "calib/work/median.h"

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "tests/meshing/depth/raycast_scene.h"
 

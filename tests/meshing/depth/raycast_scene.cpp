@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {

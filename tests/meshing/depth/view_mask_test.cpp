@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "meshing/depth/depth_stage.h"
 #include "tests/meshing/depth/raycast_scene.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "calib/capture/srgb_curve.h"
+#include "calib/pictures/srgb_curve.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {

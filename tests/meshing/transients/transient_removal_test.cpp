@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/progress.h"
 #include "meshing/transients/transients.h"
 #include "meshing/warp/inverse_depth_warp.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "calib/capture/srgb_curve.h"
+#include "calib/pictures/srgb_curve.h"
 #include "render/reference/reference_renderer.h"
 #include "tests/render/analytic_scene.h"
 #include "tests/render/frame_difference.h"

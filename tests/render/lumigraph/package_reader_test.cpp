@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "meshing/surface/mesh_io.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "calib/capture/colmap_model.h"
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "tests/calib/photographs.h"

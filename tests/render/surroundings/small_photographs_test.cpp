@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "tests/render/analytic_scene.h"
 
 namespace lumi {

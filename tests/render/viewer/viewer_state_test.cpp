@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/whole_file.h"
 #include "render/paths/photograph_eye.h"
 #include "render/viewer/commands.h"

@@ -1,4 +1,4 @@
-#include "calib/capture/color_profile.h"
+#include "calib/pictures/color_profile.h"
 
 #include <lcms2.h>
 

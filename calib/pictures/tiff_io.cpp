@@ -1,4 +1,4 @@
-#include "calib/capture/tiff_io.h"
+#include "calib/pictures/tiff_io.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -8,8 +8,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <utility>
 
-#include "calib/capture/before_black.h"
-#include "calib/capture/image_format.h"
+#include "calib/pictures/before_black.h"
+#include "calib/pictures/image_format.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 

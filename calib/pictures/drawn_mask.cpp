@@ -1,9 +1,9 @@
-#include "calib/capture/drawn_mask.h"
+#include "calib/pictures/drawn_mask.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 
 namespace lumi {

@@ -1,4 +1,4 @@
-#include "calib/capture/png_codec.h"
+#include "calib/pictures/png_codec.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,11 +7,11 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
-#include "calib/capture/before_black.h"
-#include "calib/capture/color_tags.h"
-#include "calib/capture/image_format.h"
-#include "calib/capture/srgb_conversion.h"
 #include "calib/opencv/cv_matrix.h"
+#include "calib/pictures/before_black.h"
+#include "calib/pictures/color_tags.h"
+#include "calib/pictures/image_format.h"
+#include "calib/pictures/srgb_conversion.h"
 #include "calib/work/error.h"
 
 namespace lumi {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "calib/capture/image.h"
-#include "calib/capture/stored_picture.h"
+#include "calib/pictures/stored_picture.h"
 #include "calib/work/whole_file.h"
 
 namespace lumi {

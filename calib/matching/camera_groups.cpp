@@ -1,4 +1,4 @@
-#include "calib/poses/camera_groups.h"
+#include "calib/matching/camera_groups.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +64,7 @@ Camera given_for(const Camera& lens, const Photograph& photograph) {
 }
 
 ColmapCamera camera_for(const std::vector<Photograph>& photographs, const std::vector<int>& group,
-                        const std::optional<Camera>& given_lens, const PoseOptions& options) {
+                        const std::optional<Camera>& given_lens, const LensGrouping& options) {
     const Photograph& photograph = photographs[static_cast<std::size_t>(group.front())];
     if (given_lens) return {given_for(*given_lens, photograph), true};
     std::vector<double> focal_lengths;
@@ -82,7 +82,7 @@ ColmapCamera camera_for(const std::vector<Photograph>& photographs, const std::v
 }  // namespace
 
 CameraGroups group_cameras(const std::vector<Photograph>& photographs,
-                           const std::optional<Camera>& given_lens, const PoseOptions& options) {
+                           const std::optional<Camera>& given_lens, const LensGrouping& options) {
     using Key = std::tuple<std::string, int, int, std::size_t>;
     std::map<Key, std::size_t> group_of_key;
     std::vector<std::vector<int>> groups;

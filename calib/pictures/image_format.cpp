@@ -1,4 +1,4 @@
-#include "calib/capture/image_format.h"
+#include "calib/pictures/image_format.h"
 
 #include <algorithm>
 #include <array>

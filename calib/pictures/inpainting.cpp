@@ -1,4 +1,4 @@
-#include "calib/capture/inpainting.h"
+#include "calib/pictures/inpainting.h"
 
 #include <opencv2/core.hpp>
 #include <opencv2/photo.hpp>

@@ -1,4 +1,4 @@
-#include "calib/capture/srgb_curve.h"
+#include "calib/pictures/srgb_curve.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "calib/capture/srgb_conversion.h"
+#include "calib/pictures/srgb_conversion.h"
 
 #include <algorithm>
 #include <memory>
 #include <utility>
 
-#include "calib/capture/color_profile.h"
+#include "calib/pictures/color_profile.h"
 
 namespace lumi {
 namespace {

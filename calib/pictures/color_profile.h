@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "calib/capture/matrix_profile.h"
-#include "calib/capture/stored_picture.h"
+#include "calib/pictures/matrix_profile.h"
+#include "calib/pictures/stored_picture.h"
 
 namespace lumi {
 

@@ -1,11 +1,11 @@
-#include "calib/poses/pair_verification.h"
+#include "calib/matching/pair_verification.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
 
-#include "calib/poses/rotation_check.h"
+#include "calib/matching/rotation_check.h"
 #include "calib/work/parallel_for.h"
 
 namespace lumi {

@@ -1,13 +1,19 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "calib/colmap/colmap_database.h"
 #include "calib/ingest/ingest.h"
-#include "calib/poses/pose_stage.h"
 
 namespace lumi {
+
+/// What is taken for granted of the lenses.
+struct LensGrouping {
+    std::string lens_model = "auto";  ///< Of those that are not given.
+    bool shared_lens = true;          ///< One lens for photographs of one camera and zoom.
+};
 
 /// Which photographs share a lens, and what is known of each lens beforehand.
 struct CameraGroups {
@@ -26,7 +32,7 @@ struct CameraGroups {
 /// focal length.
 [[nodiscard]] CameraGroups group_cameras(const std::vector<Photograph>& photographs,
                                          const std::optional<Camera>& given_lens,
-                                         const PoseOptions& options);
+                                         const LensGrouping& options);
 
 /// Whether something tells the focal length of every photograph, if only roughly (EXIF).
 [[nodiscard]] bool focal_lengths_are_known(const CameraGroups& groups);

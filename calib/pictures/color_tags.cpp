@@ -1,4 +1,4 @@
-#include "calib/capture/color_tags.h"
+#include "calib/pictures/color_tags.h"
 
 #include <zlib.h>
 

@@ -1,4 +1,4 @@
-#include "calib/doctor/pair_geometry.h"
+#include "calib/matching/pair_geometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "calib/capture/jpeg_decoder.h"
+#include "calib/pictures/jpeg_decoder.h"
 
 #include <turbojpeg.h>
 
@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "calib/capture/color_tags.h"
-#include "calib/capture/image_format.h"
+#include "calib/pictures/color_tags.h"
+#include "calib/pictures/image_format.h"
 #include "calib/work/error.h"
 
 namespace lumi {

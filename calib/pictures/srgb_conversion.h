@@ -1,7 +1,7 @@
 #pragma once
 
-#include "calib/capture/image_io.h"
-#include "calib/capture/stored_picture.h"
+#include "calib/pictures/image_io.h"
+#include "calib/pictures/stored_picture.h"
 
 namespace lumi {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "calib/capture/stored_picture.h"
+#include "calib/pictures/stored_picture.h"
 
 namespace lumi {
 

@@ -1,10 +1,10 @@
-#include "calib/poses/photograph_matching.h"
+#include "calib/matching/photograph_matching.h"
 
-#include "calib/capture/drawn_mask.h"
 #include "calib/capture/gray.h"
-#include "calib/capture/image_io.h"
 #include "calib/features/descriptor_matching.h"
 #include "calib/features/pair_selection.h"
+#include "calib/pictures/drawn_mask.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/parallel_for.h"
 
 namespace lumi {

@@ -1,4 +1,4 @@
-#include "calib/doctor/inlier_shares.h"
+#include "calib/matching/inlier_shares.h"
 
 #include <utility>
 

@@ -1,13 +1,13 @@
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 
 #include <opencv2/imgproc.hpp>
 
-#include "calib/capture/image_format.h"
-#include "calib/capture/jpeg_decoder.h"
-#include "calib/capture/png_codec.h"
-#include "calib/capture/srgb_conversion.h"
-#include "calib/capture/tiff_io.h"
 #include "calib/opencv/cv_matrix.h"
+#include "calib/pictures/image_format.h"
+#include "calib/pictures/jpeg_decoder.h"
+#include "calib/pictures/png_codec.h"
+#include "calib/pictures/srgb_conversion.h"
+#include "calib/pictures/tiff_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 

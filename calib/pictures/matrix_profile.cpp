@@ -1,4 +1,4 @@
-#include "calib/capture/matrix_profile.h"
+#include "calib/pictures/matrix_profile.h"
 
 #include <lcms2.h>
 
@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "calib/capture/nearest_byte.h"
-#include "calib/capture/srgb_curve.h"
+#include "calib/pictures/srgb_curve.h"
 
 namespace lumi {
 namespace {

@@ -1,4 +1,4 @@
-#include "calib/capture/undistortion.h"
+#include "calib/pictures/undistortion.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "calib/capture/image_io.h"
+#include "calib/pictures/image_io.h"
 
 namespace lumi {
 
