@@ -6,6 +6,7 @@
 #include <optional>
 #include <regex>
 #include <string_view>
+#include <vector>
 
 #include "tests/house/room_sources.h"
 
@@ -19,30 +20,22 @@ constexpr std::array<std::string_view, 4> kHandedOn{"calib/capture/", "calib/pic
 constexpr std::array<std::string_view, 7> kHeavy{"opencv2/", "CGAL/",        "ceres/", "colmap/",
                                                  "nlohmann", "OpenImageIO/", "toml++"};
 
-struct Chapters {
-    std::string_view room;
-    std::vector<std::string_view> names;
-};
-
-/// Of each room, in the order in which they build upon each other.
-const std::array<Chapters, 4>& chapters_of_rooms() {
-    static const std::array<Chapters, 4> kChapters{{
-        {"calib",
-         {"work", "capture", "opencv", "pictures", "lens", "adjust", "ingest", "boards", "features",
-          "colmap", "known_poses", "matching", "mapping", "doctor", "poses", "lens_files"}},
-        {"meshing",
-         {"surface", "cameras", "rivals", "warp", "selection", "exposure", "depth_scene",
-          "geometry", "matching", "agreement", "filling", "depth_models", "depth", "planning",
-          "fusion", "transients"}},
-        {"render",
-         {"lumigraph", "transfer",     "depth_mesh",   "faces", "depth_search", "view_choice",
-          "frame",     "subdivision",  "surroundings", "holes", "gl",           "shaders",
-          "uploaded",  "depth_layers", "painters",     "modes", "reference",    "rivals",
-          "renderer",  "paths",        "bench",        "viewer"}},
-        {"pipeline", {"config",     "workspace", "text",    "synth",    "stages", "evaluate",
-                      "line",       "report",    "chart",   "protocol", "target", "dataset",
-                      "regression", "gallery",   "stress",  "plan",     "bench",  "depth_bench",
-                      "pose_bench", "hazards",   "commands"}},
+/// Of each room, in the order of kRooms, its chapters in the order in which they build upon each
+/// other.
+const std::array<std::vector<std::string_view>, kRooms.size()>& chapters_of_rooms() {
+    static const std::array<std::vector<std::string_view>, kRooms.size()> kChapters{{
+        {"work", "capture", "opencv", "pictures", "lens", "adjust", "ingest", "boards", "features",
+         "colmap", "known_poses", "matching", "mapping", "doctor", "poses", "lens_files"},
+        {"surface", "cameras", "rivals", "warp", "selection", "exposure", "depth_scene", "geometry",
+         "matching", "agreement", "filling", "depth_models", "depth", "planning", "fusion",
+         "transients"},
+        {"lumigraph", "transfer",     "depth_mesh",   "faces", "depth_search", "view_choice",
+         "frame",     "subdivision",  "surroundings", "holes", "gl",           "shaders",
+         "uploaded",  "depth_layers", "painters",     "modes", "reference",    "rivals",
+         "renderer",  "paths",        "bench",        "viewer"},
+        {"config", "workspace", "text",     "synth",       "stages",     "evaluate",   "line",
+         "report", "chart",     "protocol", "target",      "dataset",    "regression", "gallery",
+         "stress", "plan",      "bench",    "depth_bench", "pose_bench", "hazards",    "commands"},
     }};
     return kChapters;
 }
@@ -55,12 +48,25 @@ std::optional<std::size_t> room_of(const std::string& path) {
     return static_cast<std::size_t>(room - kRooms.begin());
 }
 
-/// The second part of a path of three and more; empty for what is in no chapter.
-std::string_view chapter_of(std::string_view path) {
+/// Where a file stands in the order of its room; the number of chapters where its chapter is not in
+/// that order.
+struct Place {
+    std::size_t room = 0;
+    std::size_t chapter = 0;
+
+    [[nodiscard]] bool is_known() const { return chapter < chapters_of_rooms()[room].size(); }
+};
+
+/// Empty for what is in no chapter of a room.
+std::optional<Place> place_of(const std::string& path) {
     const std::size_t begin = path.find('/');
     const std::size_t end = path.find('/', begin + 1);
-    if (begin == std::string_view::npos || end == std::string_view::npos) return {};
-    return path.substr(begin + 1, end - begin - 1);
+    const auto room = room_of(path);
+    if (!room || end == std::string::npos) return std::nullopt;
+    const std::vector<std::string_view>& names = chapters_of_rooms()[*room];
+    const std::string name = path.substr(begin + 1, end - begin - 1);
+    const auto chapter = std::find(names.begin(), names.end(), name);
+    return Place{*room, static_cast<std::size_t>(chapter - names.begin())};
 }
 
 std::string offence(const IncludeLine& include, const std::string& why) {
@@ -108,21 +114,16 @@ Offences wrong_directions(const std::vector<IncludeLine>& includes) {
 Offences chapters_that_look_ahead(const std::vector<IncludeLine>& includes) {
     Offences offences;
     for (const IncludeLine& include : includes) {
-        const std::string file = include.file.generic_string();
-        const std::string_view from = chapter_of(file);
-        const std::string_view to = chapter_of(include.target);
-        if (from.empty() || to.empty() || from == to || room_of(file) != room_of(include.target))
-            continue;
-        for (const auto& [room, names] : chapters_of_rooms()) {
-            if (!file.starts_with(std::string(room) + "/")) continue;
-            const auto place_of_from = std::find(names.begin(), names.end(), from);
-            const auto place_of_to = std::find(names.begin(), names.end(), to);
-            if (place_of_from == names.end() || place_of_to == names.end())
-                offences.push_back(offence(include, "a chapter without a place in the order"));
-            else if (place_of_to > place_of_from)
-                offences.push_back(
-                    offence(include, std::string(from) + " does not know " + std::string(to)));
-        }
+        const auto from = place_of(include.file.generic_string());
+        const auto to = place_of(include.target);
+        if (!from || !to || from->room != to->room) continue;
+        const std::vector<std::string_view>& names = chapters_of_rooms()[from->room];
+        if (!from->is_known() || !to->is_known())
+            offences.push_back(offence(include, "a chapter without a place in the order"));
+        else if (to->chapter > from->chapter)
+            offences.push_back(offence(include, std::string(names[from->chapter]) +
+                                                    " does not know " +
+                                                    std::string(names[to->chapter])));
     }
     return offences;
 }
