@@ -7,12 +7,14 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
 
+#include "calib/matching/ransac_parameters.h"
 #include "calib/matching/rotation_check.h"
 #include "calib/work/median.h"
 
 namespace lumi {
 namespace {
 
+constexpr int kTrials = 1000;
 constexpr std::size_t kPairsLookedAt = 16;
 
 struct Candidate {
@@ -73,21 +75,6 @@ std::vector<Candidate> most_promising(const GrowingModel& model,
     return candidates;
 }
 
-cv::UsacParams ransac_parameters(double max_error) {
-    cv::UsacParams parameters;
-    parameters.confidence = 0.9999;
-    parameters.threshold = max_error;
-    parameters.maxIterations = 1000;
-    parameters.isParallel = false;
-    parameters.randomGeneratorState = 1;
-    parameters.sampler = cv::SAMPLING_UNIFORM;
-    parameters.score = cv::SCORE_METHOD_MSAC;
-    parameters.loMethod = cv::LOCAL_OPTIM_INNER_AND_ITER_LO;
-    parameters.loIterations = 5;
-    parameters.loSampleSize = 14;
-    return parameters;
-}
-
 double weight_of(const TwoViewStart& start, const std::vector<cv::Point2d>& first,
                  const std::vector<cv::Point2d>& second, double focal_px,
                  const TwoViewStartOptions& options) {
@@ -129,7 +116,7 @@ TwoViewStart start_from(const GrowingModel& model, const VerifiedPair& pair,
     cv::Mat mask;
     const cv::Mat essential =
         cv::findEssentialMat(first_px, second_px, calibration, calibration, cv::noArray(),
-                             cv::noArray(), mask, ransac_parameters(options.max_error_px));
+                             cv::noArray(), mask, ransac_parameters(options.max_error_px, kTrials));
     if (essential.rows != 3 || essential.cols != 3) return start;
     cv::Mat rotation;
     cv::Mat translation;

@@ -5,6 +5,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
 
+#include "calib/matching/ransac_parameters.h"
 #include "calib/matching/rotation_check.h"
 #include "calib/work/parallel_for.h"
 
@@ -48,21 +49,6 @@ PointPairs point_pairs(const PairMatches& pair, const Camera& first, const Camer
     return points;
 }
 
-cv::UsacParams ransac_parameters(const PairVerificationOptions& options) {
-    cv::UsacParams parameters;
-    parameters.confidence = 0.9999;
-    parameters.threshold = options.max_error_px;
-    parameters.maxIterations = options.max_trials;
-    parameters.isParallel = false;
-    parameters.randomGeneratorState = 1;
-    parameters.sampler = cv::SAMPLING_UNIFORM;
-    parameters.score = cv::SCORE_METHOD_MSAC;
-    parameters.loMethod = cv::LOCAL_OPTIM_INNER_AND_ITER_LO;
-    parameters.loIterations = 5;
-    parameters.loSampleSize = 14;
-    return parameters;
-}
-
 /// Empty when OpenCV found nothing, or found several and cannot tell which.
 std::optional<Eigen::Matrix3d> matrix_of(const cv::Mat& found) {
     if (found.rows != 3 || found.cols != 3) return std::nullopt;
@@ -80,7 +66,7 @@ cv::Matx33d calibration_matrix(double focal_px) {
 std::optional<Eigen::Matrix3d> epipolar_matrix(const PointPairs& points, bool lens_is_calibrated,
                                                const PairVerificationOptions& options) {
     cv::Mat mask;
-    const cv::UsacParams parameters = ransac_parameters(options);
+    const cv::UsacParams parameters = ransac_parameters(options.max_error_px, options.max_trials);
     if (!lens_is_calibrated) {
         return matrix_of(cv::findFundamentalMat(points.first, points.second, mask, parameters));
     }
@@ -139,8 +125,9 @@ Mask epipolar_inliers(const PointPairs& points, bool lens_is_calibrated,
 
 Mask homography_inliers(const PointPairs& points, const PairVerificationOptions& options) {
     cv::Mat mask;
-    const auto matrix = matrix_of(
-        cv::findHomography(points.first, points.second, mask, ransac_parameters(options)));
+    const auto matrix =
+        matrix_of(cv::findHomography(points.first, points.second, mask,
+                                     ransac_parameters(options.max_error_px, options.max_trials)));
     if (!matrix) return Mask(points.first.size(), 0);
     const Eigen::Matrix3d inverse = matrix->inverse();
     return inliers_by(points, options.max_error_px, [&](const auto& first, const auto& second) {
