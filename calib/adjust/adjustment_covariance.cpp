@@ -1,14 +1,12 @@
 #include "calib/adjust/adjustment_covariance.h"
 
 #include <Eigen/Dense>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 
 #include "calib/adjust/bundle_problem.h"
-#include "calib/adjust/camera_blocks.h"
-#include "calib/adjust/reprojection_cost.h"
+#include "calib/adjust/linearisation.h"
 
 namespace lumi {
 namespace {
@@ -18,110 +16,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr Index kGauge = 7;  ///< Place, attitude and size of the world.
-
-/// Where the unknowns of poses and lenses stand in the reduced normal equations.
-struct Layout {
-    std::vector<Index> pose_of_view;                ///< -1: the view has no observation.
-    std::vector<std::vector<Index>> lens_unknowns;  ///< By camera and parameter; -1: held.
-    Index pose_unknowns = 0;
-    Index unknowns = 0;
-};
-
-Layout layout_of(const Capture& capture, const BundleAdjustmentOptions& options) {
-    Layout layout;
-    layout.pose_of_view.assign(capture.views.size(), -1);
-    std::vector<char> is_seen(capture.views.size(), 0);
-    for (const ScenePoint& point : capture.points) {
-        for (const Observation& seen : point.track) {
-            is_seen[static_cast<std::size_t>(seen.view_index)] = 1;
-        }
-    }
-    std::vector<char> is_used(capture.cameras.size(), 0);
-    for (std::size_t view = 0; view < capture.views.size(); ++view) {
-        if (is_seen[view] == 0) continue;
-        layout.pose_of_view[view] = layout.unknowns;
-        layout.unknowns += 6;
-        is_used[static_cast<std::size_t>(capture.views[view].camera_index)] = 1;
-    }
-    layout.pose_unknowns = layout.unknowns;
-    for (std::size_t camera = 0; camera < capture.cameras.size(); ++camera) {
-        const std::size_t count = capture.cameras[camera].parameters.size();
-        std::vector<Index> unknowns(count, -1);
-        const std::vector<int> held = constant_lens_parameters(capture, camera, options);
-        for (std::size_t index = 0; index < count && is_used[camera] != 0; ++index) {
-            if (!std::binary_search(held.begin(), held.end(), static_cast<int>(index))) {
-                unknowns[index] = layout.unknowns++;
-            }
-        }
-        layout.lens_unknowns.push_back(std::move(unknowns));
-    }
-    return layout;
-}
-
-/// One observation, linear: by its pose, by what is free of its lens, by the point.
-struct Linearised {
-    Eigen::Vector2d residual_px;
-    Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor, 2, 18> by_camera;
-    Eigen::Matrix<double, 2, 3> by_point;
-    std::array<Index, 18> unknowns;  ///< Of the columns of `by_camera`.
-};
-
-/// Derivatives of every lens model come from the cost that the adjustment itself minimises.
-class Linearisation {
- public:
-    Linearisation(const Capture& capture, const Layout& layout)
-        : capture_(capture), layout_(layout) {}
-
-    /// False when the point is not in front of the camera.
-    bool at(const ScenePoint& point, const Observation& seen, Linearised& result) const {
-        const auto view_index = static_cast<std::size_t>(seen.view_index);
-        const View& view = capture_.views[view_index];
-        const Camera& lens = camera_of(capture_, view);
-        const Rigid3& pose = view.cam_from_world;
-        const PoseBlock pose_values = pose_block(pose);
-        const std::array<const double*, 3> blocks{lens.parameters.data(), pose_values.data(),
-                                                  point.position_in_world.data()};
-        std::array<double, 2 * 12> by_lens{};
-        Eigen::Matrix<double, 2, 7, Eigen::RowMajor> by_pose;
-        std::array<double*, 3> jacobians{by_lens.data(), by_pose.data(), nullptr};
-        if (!reprojection_cost(lens.model, seen.pixel)
-                 ->Evaluate(blocks.data(), result.residual_px.data(), jacobians.data())) {
-            return false;
-        }
-        const Eigen::Matrix<double, 2, 3> by_translation = by_pose.rightCols<3>();
-        const Eigen::Matrix3d rotation = pose.rotation.toRotationMatrix();
-        const Eigen::Vector3d rotated = rotation * point.position_in_world;
-        Eigen::Matrix3d by_turn;  // Of `rotated`, by a rotation that comes after.
-        by_turn << 0, rotated.z(), -rotated.y(), -rotated.z(), 0, rotated.x(), rotated.y(),
-            -rotated.x(), 0;
-        result.by_point = by_translation * rotation;
-
-        const auto camera_index = static_cast<std::size_t>(view.camera_index);
-        const std::vector<Index>& lens_unknowns = layout_.lens_unknowns[camera_index];
-        const std::size_t count = lens_unknowns.size();
-        Index columns = 6;
-        for (const Index unknown : lens_unknowns) columns += unknown >= 0 ? 1 : 0;
-        result.by_camera.resize(2, columns);
-        result.by_camera.leftCols<3>() = by_translation * by_turn;
-        result.by_camera.middleCols<3>(3) = by_translation;
-        for (Index column = 0; column < 6; ++column) {
-            result.unknowns[static_cast<std::size_t>(column)] =
-                layout_.pose_of_view[view_index] + column;
-        }
-        Index column = 6;
-        for (std::size_t index = 0; index < count; ++index) {
-            if (lens_unknowns[index] < 0) continue;
-            result.by_camera(0, column) = by_lens[index];
-            result.by_camera(1, column) = by_lens[count + index];
-            result.unknowns[static_cast<std::size_t>(column++)] = lens_unknowns[index];
-        }
-        return true;
-    }
-
- private:
-    const Capture& capture_;
-    const Layout& layout_;
-};
 
 /// The normal equations with the points eliminated, and what moves in the pictures.
 struct Reduced {
@@ -136,11 +30,11 @@ struct Reduced {
 
 void add_point(const Linearisation& linearisation, const ScenePoint& point,
                const std::vector<double>& share_of_view, double cauchy_scale_px, Reduced& reduced) {
-    std::vector<Linearised> seen;
+    std::vector<LinearisedSight> seen;
     Eigen::Matrix3d normal_of_point = Eigen::Matrix3d::Zero();
     std::vector<double> shares;
     for (const Observation& observation : point.track) {
-        Linearised linear;
+        LinearisedSight linear;
         if (!linearisation.at(point, observation, linear)) continue;
         normal_of_point += linear.by_point.transpose() * linear.by_point;
         seen.push_back(linear);
@@ -153,7 +47,7 @@ void add_point(const Linearisation& linearisation, const ScenePoint& point,
     // Unknowns of this point's cameras, each once, and their coupling with the point.
     std::map<Index, Eigen::RowVector3d> coupling;
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        const Linearised& linear = seen[i];
+        const LinearisedSight& linear = seen[i];
         // Cauchy's loss pulls with w r, w = 1 / (1 + |r|^2 / c^2); in the plane the mean derivative
         // of that is w^2.
         const double squared_px2 = linear.residual_px.squaredNorm();
@@ -185,7 +79,8 @@ void add_point(const Linearisation& linearisation, const ScenePoint& point,
     }
 }
 
-Reduced reduced_equations(const Capture& capture, const Layout& layout, double cauchy_scale_px) {
+Reduced reduced_equations(const Capture& capture, const UnknownsLayout& layout,
+                          double cauchy_scale_px) {
     Reduced reduced;
     reduced.normal = MatrixXd::Zero(layout.unknowns, layout.unknowns);
     reduced.picture_metric = reduced.normal;
@@ -219,7 +114,7 @@ double noise_variance_px2(const Reduced& reduced, Index redundancy) {
 }
 
 /// How the poses change when the world is moved, turned and scaled: a step that no pixel notices.
-MatrixXd gauge_directions(const Capture& capture, const Layout& layout) {
+MatrixXd gauge_directions(const Capture& capture, const UnknownsLayout& layout) {
     MatrixXd directions = MatrixXd::Zero(layout.unknowns, kGauge);
     for (std::size_t view = 0; view < capture.views.size(); ++view) {
         const Index first = layout.pose_of_view[view];
@@ -271,12 +166,12 @@ MatrixXd lens_covariance(const MatrixXd& covariance, const std::vector<Index>& u
 }
 
 /// Square root of the mean over the view's observations of sigma_u^2 = J Sigma J^T.
-std::vector<double> jitter_of_views(const Capture& capture, const Layout& layout,
+std::vector<double> jitter_of_views(const Capture& capture, const UnknownsLayout& layout,
                                     const MatrixXd& covariance) {
     std::vector<double> sum_px2(capture.views.size(), 0.0);
     std::vector<double> coordinates(capture.views.size(), 0.0);
     const Linearisation linearisation(capture, layout);
-    Linearised linear;
+    LinearisedSight linear;
     for (const ScenePoint& point : capture.points) {
         for (const Observation& seen : point.track) {
             if (!linearisation.at(point, seen, linear)) continue;
@@ -307,7 +202,7 @@ std::vector<double> jitter_of_views(const Capture& capture, const Layout& layout
 std::optional<AdjustmentCovariance> adjustment_covariance(const Capture& capture,
                                                           const BundleAdjustmentOptions& options,
                                                           std::size_t max_views) {
-    const Layout layout = layout_of(capture, options);
+    const UnknownsLayout layout = unknowns_layout(capture, options);
     if (layout.unknowns < 12 || capture.views.size() > max_views) return std::nullopt;
     const double scale_px = options.robust_last_pass ? cauchy_scale_px(capture)
                                                      : std::numeric_limits<double>::infinity();

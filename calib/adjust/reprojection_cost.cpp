@@ -1,8 +1,9 @@
 #include "calib/adjust/reprojection_cost.h"
 
-#include <array>
-#include <cassert>
+#include <Eigen/Geometry>
 #include <cmath>
+
+#include "calib/capture/lens_distortion.h"
 
 namespace lumi {
 namespace {
@@ -17,8 +18,8 @@ struct Bent {
     Eigen::Matrix<double, 2, 8> by_distortion;  ///< In the order of the model's parameters.
 };
 
-/// distorted_brown with its derivatives; k = k1, k2, p1, p2, k3, k4, k5, k6.
-Bent bent_by_brown(const Eigen::Vector2d& point, const std::array<double, 8>& k) {
+/// distorted_brown with its derivatives.
+Bent bent_by_brown(const Eigen::Vector2d& point, const BrownTerms<double>& k) {
     const double x = point.x();
     const double y = point.y();
     const double r2 = point.squaredNorm();
@@ -56,7 +57,7 @@ Bent bent_by_fisheye(const Eigen::Vector2d& point, const double* k) {
     const double r = std::sqrt(r2);
     const double angle = std::atan(r);
     const double t2 = angle * angle;
-    const double factor = angle * (1 + t2 * (k[0] + t2 * (k[1] + t2 * (k[2] + t2 * k[3])))) / r;
+    const double factor = fisheye_radius(angle, k) / r;
     const double by_angle = 1 + t2 * (3 * k[0] + t2 * (5 * k[1] + t2 * (7 * k[2] + t2 * 9 * k[3])));
     bent.point = point * factor;
     bent.by_point = factor * Eigen::Matrix2d::Identity() +
@@ -71,19 +72,18 @@ Bent bent_by_fisheye(const Eigen::Vector2d& point, const double* k) {
 
 template <LensModel model>
 Bent bent_by(const Eigen::Vector2d& point, const double* k) {
-    if constexpr (model == LensModel::kOpenCvFisheye) return bent_by_fisheye(point, k);
-    // The simpler models have the first of these, the others are 0.
-    std::array<double, 8> terms{};
-    constexpr int kTerms = static_cast<int>(lens_size(model)) - principal_point_index(model) - 2;
-    for (int index = 0; index < kTerms; ++index) terms[static_cast<std::size_t>(index)] = k[index];
-    return bent_by_brown(point, terms);
+    if constexpr (model == LensModel::kOpenCvFisheye) {
+        return bent_by_fisheye(point, k);
+    } else {
+        return bent_by_brown(point, brown_terms<model>(k));
+    }
 }
 
 /// The derivatives written out: several times as fast as automatic ones, which a test holds them
 /// to.
 template <LensModel model>
 class ReprojectionCost final
-    : public ceres::SizedCostFunction<2, static_cast<int>(lens_size(model)), 7, 3> {
+    : public ceres::SizedCostFunction<2, static_cast<int>(parameter_count(model)), 7, 3> {
  public:
     explicit ReprojectionCost(const Eigen::Vector2d& seen_at) : seen_at_(seen_at) {}
 
@@ -98,7 +98,7 @@ class ReprojectionCost final
         if (!(point_in_cam.z() > 1e-12)) return false;
         const double inverse_z = 1 / point_in_cam.z();
         const Eigen::Vector2d at_depth_one = point_in_cam.head<2>() * inverse_z;
-        constexpr int kCentre = principal_point_index(model);
+        constexpr int kCentre = static_cast<int>(principal_point_index(model));
         const Bent bent = bent_by<model>(at_depth_one, lens + kCentre + 2);
         const Eigen::Vector2d focal(lens[0], lens[kCentre - 1]);
         residual[0] = focal.x() * bent.point.x() + lens[kCentre] - seen_at_.x();
@@ -124,8 +124,8 @@ class ReprojectionCost final
 
  private:
     static void write_by_lens(const Bent& bent, const Eigen::Vector2d& focal, double* jacobian) {
-        constexpr int kLens = static_cast<int>(lens_size(model));
-        constexpr int kCentre = principal_point_index(model);
+        constexpr int kLens = static_cast<int>(parameter_count(model));
+        constexpr int kCentre = static_cast<int>(principal_point_index(model));
         Eigen::Map<Eigen::Matrix<double, 2, kLens, Eigen::RowMajor>> by_lens(jacobian);
         by_lens.setZero();
         by_lens(0, 0) = bent.point.x();
@@ -163,24 +163,9 @@ class ReprojectionCost final
 
 std::unique_ptr<ceres::CostFunction> reprojection_cost(LensModel model,
                                                        const Eigen::Vector2d& seen_at) {
-    switch (model) {
-        case LensModel::kSimplePinhole:
-            return std::make_unique<ReprojectionCost<LensModel::kSimplePinhole>>(seen_at);
-        case LensModel::kPinhole:
-            return std::make_unique<ReprojectionCost<LensModel::kPinhole>>(seen_at);
-        case LensModel::kSimpleRadial:
-            return std::make_unique<ReprojectionCost<LensModel::kSimpleRadial>>(seen_at);
-        case LensModel::kRadial:
-            return std::make_unique<ReprojectionCost<LensModel::kRadial>>(seen_at);
-        case LensModel::kOpenCv:
-            return std::make_unique<ReprojectionCost<LensModel::kOpenCv>>(seen_at);
-        case LensModel::kOpenCvFisheye:
-            return std::make_unique<ReprojectionCost<LensModel::kOpenCvFisheye>>(seen_at);
-        case LensModel::kFullOpenCv:
-            return std::make_unique<ReprojectionCost<LensModel::kFullOpenCv>>(seen_at);
-    }
-    assert(false);
-    return nullptr;
+    return with_lens_model(model, [&](auto known) -> std::unique_ptr<ceres::CostFunction> {
+        return std::make_unique<ReprojectionCost<known>>(seen_at);
+    });
 }
 
 }  // namespace lumi

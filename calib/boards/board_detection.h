@@ -58,7 +58,7 @@ struct BoardPhotographs {
     std::vector<std::string> warnings;  ///< What was said of the board and could not be confirmed.
 };
 
-/// Finds the board in every photograph (JPEG, PNG, TIFF) of a folder; the kind, unless it is given,
+/// Finds the board in every photograph of a folder; the kind, unless it is given,
 /// from a sample of them. Photographs are taken as stored, whatever their EXIF orientation says.
 /// Throws Error: E-INGEST-NOFOLDER, E-BOARDS-NOPHOTOS, E-BOARDS-SIZES (photographs of several
 /// sizes), E-BOARDS-NOTFOUND (no board in any photograph; the reasons are in the message),

@@ -168,7 +168,7 @@ BoardPhotographs find_boards(const std::filesystem::path& folder, const BoardReq
     if (files.empty()) {
         throw Error(ErrorKind::kBadInput, "E-BOARDS-NOPHOTOS",
                     folder.string() + " holds no photograph that can be read",
-                    "give a folder with JPEG, PNG or TIFF photographs of a calibration board");
+                    "give a folder with photographs of a calibration board");
     }
     const BoardKind kind =
         request.kind ? *request.kind : kind_in_sample(files, request, threads, progress);

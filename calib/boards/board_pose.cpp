@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "calib/capture/camera.h"
 #include "calib/capture/rigid3.h"
 
 namespace lumi {
@@ -147,7 +148,7 @@ class ViewResiduals {
     template <LensModel model>
     bool differentiate(const double* pose, double* residuals, double* jacobian) const {
         using Jet = ceres::Jet<double, NUM_PARAMETERS>;
-        std::array<Jet, lens_size(model)> lens;
+        std::array<Jet, parameter_count(model)> lens;
         for (std::size_t index = 0; index < lens.size(); ++index) {
             lens[index] = Jet(lens_.parameters[index]);
         }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "calib/boards/board_projection.h"
+#include "calib/capture/camera.h"
 
 namespace lumi {
 

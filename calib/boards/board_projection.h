@@ -7,9 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "calib/adjust/reprojection_cost.h"
 #include "calib/boards/board_views.h"
-#include "calib/capture/camera.h"
+#include "calib/capture/lens_distortion.h"
 
 namespace lumi {
 
@@ -27,12 +26,7 @@ bool project_in_camera(const T* lens, const Eigen::Matrix<T, 3, 1>& point, T* pi
         const T r2 = point.x() * point.x() + point.y() * point.y();
         if (r2 > T(1e-16)) {
             const T r = sqrt(r2);
-            const T theta = atan2(r, point.z());
-            const T theta2 = theta * theta;
-            const T* k = lens + 4;
-            const T bent =
-                theta *
-                (T(1) + theta2 * (k[0] + theta2 * (k[1] + theta2 * (k[2] + theta2 * k[3]))));
+            const T bent = fisheye_radius(T(atan2(r, point.z())), lens + 4);
             px << lens[0] * point.x() * bent / r + lens[2],
                 lens[1] * point.y() * bent / r + lens[3];
         } else {
@@ -54,7 +48,7 @@ bool project_in_camera(const T* lens, const Eigen::Matrix<T, 3, 1>& point, T* pi
 template <LensModel model>
 class BoardPointCost {
  public:
-    static constexpr int kLens = static_cast<int>(lens_size(model));
+    static constexpr int kLens = static_cast<int>(parameter_count(model));
 
     explicit BoardPointCost(const BoardPoint& point) : point_(point) {}
 
@@ -74,28 +68,5 @@ class BoardPointCost {
  private:
     BoardPoint point_;
 };
-
-/// Calls `work` with the lens model as a compile-time constant.
-template <class Work>
-decltype(auto) with_lens_model(LensModel model, Work&& work) {
-    using M = LensModel;
-    switch (model) {
-        case M::kSimplePinhole:
-            return work(std::integral_constant<M, M::kSimplePinhole>{});
-        case M::kPinhole:
-            return work(std::integral_constant<M, M::kPinhole>{});
-        case M::kSimpleRadial:
-            return work(std::integral_constant<M, M::kSimpleRadial>{});
-        case M::kRadial:
-            return work(std::integral_constant<M, M::kRadial>{});
-        case M::kOpenCv:
-            return work(std::integral_constant<M, M::kOpenCv>{});
-        case M::kFullOpenCv:
-            return work(std::integral_constant<M, M::kFullOpenCv>{});
-        case M::kOpenCvFisheye:
-            break;
-    }
-    return work(std::integral_constant<M, M::kOpenCvFisheye>{});
-}
 
 }  // namespace lumi

@@ -2,79 +2,21 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "calib/capture/lens_distortion.h"
 #include "calib/work/error.h"
 
 namespace lumi {
 namespace {
 
-struct ModelEntry {
-    LensModel model;
-    std::string_view name;
-    std::size_t parameters;
-};
-
-constexpr std::array<ModelEntry, 7> kModels{{
-    {LensModel::kSimplePinhole, "SIMPLE_PINHOLE", 3},
-    {LensModel::kPinhole, "PINHOLE", 4},
-    {LensModel::kSimpleRadial, "SIMPLE_RADIAL", 4},
-    {LensModel::kRadial, "RADIAL", 5},
-    {LensModel::kOpenCv, "OPENCV", 8},
-    {LensModel::kOpenCvFisheye, "OPENCV_FISHEYE", 8},
-    {LensModel::kFullOpenCv, "FULL_OPENCV", 12},
-}};
-
 constexpr double kMinDepth = 1e-12;
 
-const ModelEntry& entry_of(LensModel model) {
-    return *std::find_if(kModels.begin(), kModels.end(),
-                         [&](const ModelEntry& entry) { return entry.model == model; });
-}
-
-/// Radial and tangential distortion of a point at depth 1 (OpenCV's rational model and what it
-/// contains).
-Eigen::Vector2d distort_brown(const Eigen::Vector2d& point, double k1, double k2, double p1,
-                              double p2, double k3, double k4, double k5, double k6) {
-    const double x = point.x();
-    const double y = point.y();
-    const double r2 = point.squaredNorm();
-    const double radial =
-        (1 + r2 * (k1 + r2 * (k2 + r2 * k3))) / (1 + r2 * (k4 + r2 * (k5 + r2 * k6)));
-    return {x * radial + 2 * p1 * x * y + p2 * (r2 + 2 * x * x),
-            y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y};
-}
-
-/// Equidistant fisheye: the image radius is a polynomial of the angle (Kannala and Brandt 2006).
-Eigen::Vector2d distort_fisheye(const Eigen::Vector2d& point, const double* k) {
-    const double r = point.norm();
-    if (r < 1e-12) return point;
-    const double theta = std::atan(r);
-    const double theta2 = theta * theta;
-    const double bent =
-        theta * (1 + theta2 * (k[0] + theta2 * (k[1] + theta2 * (k[2] + theta2 * k[3]))));
-    return point * (bent / r);
-}
-
 Eigen::Vector2d distort(const Camera& camera, const Eigen::Vector2d& point) {
-    const double* k = camera.parameters.data() + first_distortion_parameter(camera.model);
-    switch (camera.model) {
-        case LensModel::kSimplePinhole:
-        case LensModel::kPinhole:
-            return point;
-        case LensModel::kSimpleRadial:
-            return distort_brown(point, k[0], 0, 0, 0, 0, 0, 0, 0);
-        case LensModel::kRadial:
-            return distort_brown(point, k[0], k[1], 0, 0, 0, 0, 0, 0);
-        case LensModel::kOpenCv:
-            return distort_brown(point, k[0], k[1], k[2], k[3], 0, 0, 0, 0);
-        case LensModel::kFullOpenCv:
-            return distort_brown(point, k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7]);
-        case LensModel::kOpenCvFisheye:
-            return distort_fisheye(point, k);
-    }
-    return point;
+    return with_lens_model(camera.model, [&](auto model) {
+        const double* k = camera.parameters.data() + first_distortion_parameter(model);
+        return distorted<model>(point, k);
+    });
 }
 
 Eigen::Matrix2d distortion_jacobian(const Camera& camera, const Eigen::Vector2d& point) {
@@ -89,32 +31,6 @@ Eigen::Matrix2d distortion_jacobian(const Camera& camera, const Eigen::Vector2d&
 }
 
 }  // namespace
-
-std::string_view name_of(LensModel model) { return entry_of(model).name; }
-
-std::optional<LensModel> lens_model_named(std::string_view name) {
-    for (const ModelEntry& entry : kModels) {
-        if (entry.name == name) return entry.model;
-    }
-    return std::nullopt;
-}
-
-bool is_lens_model(int id) {
-    return std::any_of(kModels.begin(), kModels.end(), [&](const ModelEntry& entry) {
-        return static_cast<int>(entry.model) == id;
-    });
-}
-
-std::size_t parameter_count(LensModel model) { return entry_of(model).parameters; }
-
-bool has_one_focal_length(LensModel model) {
-    return model == LensModel::kSimplePinhole || model == LensModel::kSimpleRadial ||
-           model == LensModel::kRadial;
-}
-
-std::size_t first_distortion_parameter(LensModel model) {
-    return has_one_focal_length(model) ? 3 : 4;
-}
 
 Camera pinhole_camera(int width_px, int height_px, double focal_length_px) {
     return {width_px,
@@ -131,8 +47,8 @@ Eigen::Vector2d focal_length_px(const Camera& camera) {
 
 Eigen::Vector2d principal_point_px(const Camera& camera) {
     const auto& p = camera.parameters;
-    return has_one_focal_length(camera.model) ? Eigen::Vector2d(p[1], p[2])
-                                              : Eigen::Vector2d(p[2], p[3]);
+    const std::size_t cx = principal_point_index(camera.model);
+    return {p[cx], p[cx + 1]};
 }
 
 bool is_pinhole(const Camera& camera) {

@@ -3,30 +3,11 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "calib/capture/lens_model.h"
+
 namespace lumi {
-
-/// Lens models with COLMAP's names, ids and parameter order (COLMAP 3.8, base/camera_models.h).
-enum class LensModel : int {
-    kSimplePinhole = 0,  ///< f, cx, cy
-    kPinhole = 1,        ///< fx, fy, cx, cy
-    kSimpleRadial = 2,   ///< f, cx, cy, k1
-    kRadial = 3,         ///< f, cx, cy, k1, k2
-    kOpenCv = 4,         ///< fx, fy, cx, cy, k1, k2, p1, p2
-    kOpenCvFisheye = 5,  ///< fx, fy, cx, cy, k1, k2, k3, k4
-    kFullOpenCv = 6,     ///< fx, fy, cx, cy, k1, k2, p1, p2, k3, k4, k5, k6
-};
-
-[[nodiscard]] std::string_view name_of(LensModel model);
-[[nodiscard]] std::optional<LensModel> lens_model_named(std::string_view name);
-[[nodiscard]] bool is_lens_model(int id);
-[[nodiscard]] std::size_t parameter_count(LensModel model);
-/// True for the models that begin f, cx, cy; the others begin fx, fy, cx, cy.
-[[nodiscard]] bool has_one_focal_length(LensModel model);
-/// Index of the first parameter behind the principal point.
-[[nodiscard]] std::size_t first_distortion_parameter(LensModel model);
 
 /// A lens and its sensor. Pixels are continuous: (0.5, 0.5) is the centre of the top-left pixel.
 struct Camera {

@@ -19,7 +19,6 @@ using Descriptor = std::array<std::uint8_t, kDescriptorSize>;
 struct Keypoint {
     Eigen::Vector2f pixel = Eigen::Vector2f::Zero();  ///< (0.5, 0.5): centre of the first pixel.
     float scale_px = 0;
-    float orientation_rad = 0;
 };
 
 /// The features of one photograph, the largest first.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <opencv2/features2d.hpp>
 #include <tuple>
@@ -84,9 +83,7 @@ Features detect_sift(const GrayImage& image, const SiftOptions& options, const G
     for (const int index : order) {
         const cv::KeyPoint& point = points[static_cast<std::size_t>(index)];
         result.keypoints.push_back(
-            {{point.pt.x + kOurPixelFromSift, point.pt.y + kOurPixelFromSift},
-             0.5F * point.size,
-             point.angle * std::numbers::pi_v<float> / 180.0F});
+            {{point.pt.x + kOurPixelFromSift, point.pt.y + kOurPixelFromSift}, 0.5F * point.size});
         result.descriptors.push_back(root_sift(descriptors.ptr<float>(index)));
     }
     return result;

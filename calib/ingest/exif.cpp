@@ -1,24 +1,50 @@
 #include "calib/ingest/exif.h"
 
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/tiffutils.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "calib/pictures/heif_decoder.h"
+#include "calib/pictures/webp_decoder.h"
+#include "calib/work/whole_file.h"
+
 namespace lumi {
 namespace {
 
-const char* reader_for(ImageFormat format) {
+/// What OpenImageIO finds in the header.
+OIIO::ImageSpec header_of(const std::filesystem::path& path, const char* reader) {
+    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(reader);
+    OIIO::ImageSpec spec;
+    if (input && !input->open(path.string(), spec)) {
+        static_cast<void>(input->geterror());  // An unread error is printed at exit.
+        spec = {};
+    }
+    return spec;
+}
+
+OIIO::ImageSpec parsed(const Bytes& exif) {
+    OIIO::ImageSpec spec;
+    if (!exif.empty()) OIIO::decode_exif(OIIO::cspan<std::uint8_t>(exif), spec);
+    return spec;
+}
+
+OIIO::ImageSpec exif_of(const std::filesystem::path& path, ImageFormat format) {
     switch (format) {
         case ImageFormat::kJpeg:
-            return "jpeg";
+            return header_of(path, "jpeg");
         case ImageFormat::kPng:
-            return "png";
+            return header_of(path, "png");
         case ImageFormat::kTiff:
-            return "tiff";
+            return header_of(path, "tiff");
+        case ImageFormat::kHeif:  // OpenImageIO would decode the picture, too.
+            return parsed(heif_exif(read_whole_file(path)));
+        case ImageFormat::kWebp:  // It passes over EXIF there.
+            return parsed(webp_exif(read_whole_file(path)));
     }
-    return "";
+    return {};
 }
 
 std::optional<double> positive(double value) {
@@ -67,12 +93,7 @@ std::optional<double> scale_since_shot(const ExifFacts& exif, ImageSize size) {
 
 ExifFacts read_exif(const std::filesystem::path& path, ImageFormat format) {
     ExifFacts exif;
-    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(reader_for(format));
-    OIIO::ImageSpec spec;
-    if (!input || !input->open(path.string(), spec)) {
-        if (input) static_cast<void>(input->geterror());  // An unread error is printed at exit.
-        return exif;
-    }
+    const OIIO::ImageSpec spec = exif_of(path, format);
     const int orientation = spec.get_int_attribute("Orientation", 1);
     if (orientation >= 1 && orientation <= 8) exif.orientation = orientation;
     exif.make = trimmed(spec.get_string_attribute("Make"));

@@ -117,7 +117,7 @@ void refuse_too_few(const IngestResult& result, const IngestOptions& options,
         what += "; " + result.left_out[i].name + ": " + result.left_out[i].reason;
     }
     throw Error(ErrorKind::kBadInput, "E-INGEST-TOOFEW", what,
-                "give a folder with more JPEG, PNG or TIFF photographs of the scene");
+                "give a folder with more photographs of the scene (JPEG, PNG, TIFF, HEIF or WebP)");
 }
 
 }  // namespace

@@ -62,12 +62,12 @@ struct IngestResult {
     std::vector<std::string> color_notes;  ///< Sentences (color_notes.h).
 };
 
-/// Reads a folder of photographs (JPEG, PNG, TIFF by content; sub-folders too) or one video file,
-/// and writes canonical working copies `000001.png ...` into `copies_folder`; those of an earlier
-/// run are removed. What is unreadable, truncated, tiny, the same picture as another, or taken from
-/// the very place of the one before is left out with a reason, and the work goes on. Other numbers
-/// than 8-bit sRGB are converted (image_io.h). What was laid over all photographs is taken out of
-/// the copies (overlay_removal.h). Throws Error: E-INGEST-NOFOLDER, E-INGEST-NOVIDEO,
+/// Reads a folder of photographs (JPEG, PNG, TIFF, HEIF, WebP by content; sub-folders too) or one
+/// video file, and writes canonical working copies `000001.png ...` into `copies_folder`; those of
+/// an earlier run are removed. What is unreadable, truncated, tiny, the same picture as another, or
+/// taken from the very place of the one before is left out with a reason, and the work goes on.
+/// Other numbers than 8-bit sRGB are converted (image_io.h). What was laid over all photographs is
+/// taken out of the copies (overlay_removal.h). Throws Error: E-INGEST-NOFOLDER, E-INGEST-NOVIDEO,
 /// E-INGEST-TOOFEW.
 [[nodiscard]] IngestResult ingest(const std::filesystem::path& photographs_or_video,
                                   const IngestOptions& options,

@@ -13,11 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 7> kReadExtensions{".jpg", ".jpeg", ".jpe", ".jfif",
-                                                          ".png", ".tif",  ".tiff"};
-constexpr std::array<std::string_view, 12> kOtherPictureExtensions{
-    ".heic", ".heif", ".webp", ".gif", ".bmp", ".avif",
-    ".exr",  ".jxl",  ".jp2",  ".hdr", ".psd", ".ppm"};
+constexpr std::array<std::string_view, 11> kReadExtensions{
+    ".jpg", ".jpeg", ".jpe", ".jfif", ".png", ".tif", ".tiff", ".heic", ".heif", ".avif", ".webp"};
+constexpr std::array<std::string_view, 8> kOtherPictureExtensions{".gif", ".bmp", ".exr", ".jxl",
+                                                                  ".jp2", ".hdr", ".psd", ".ppm"};
 // Most of these begin like a TIFF, and what a TIFF reader finds first in them is a thumbnail.
 constexpr std::array<std::string_view, 11> kRawExtensions{
     ".nef", ".cr2", ".cr3", ".arw", ".dng", ".orf", ".rw2", ".raf", ".pef", ".srw", ".nrw"};
@@ -113,8 +112,9 @@ class FolderWalk {
             found_.files.push_back({name, path, *format});
         } else if (claims_to_be_read) {
             leave_out(name, "E-INGEST-UNREADABLE",
-                      bytes.empty() ? "the file is empty or may not be read"
-                                    : "not a JPEG, PNG or TIFF, whatever its name says");
+                      bytes.empty()
+                          ? "the file is empty or may not be read"
+                          : "not a picture in a format that lumi reads, whatever its name says");
         } else if (is_one_of(extension, kOtherPictureExtensions)) {
             leave_out(name, "E-INGEST-FORMAT", "export it as JPEG, PNG or TIFF");
         }

@@ -9,7 +9,7 @@
 
 namespace lumi {
 
-/// A file that holds a JPEG, PNG or TIFF by its first bytes.
+/// A file that holds a picture by its first bytes.
 struct PhotographFile {
     std::string name;  ///< Below the folder, '/' between folders.
     std::filesystem::path path;

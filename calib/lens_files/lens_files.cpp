@@ -30,13 +30,6 @@ const FormatEntry& entry_of(LensFormat format) {
 
 std::string_view name_of(LensFormat format) { return entry_of(format).name; }
 
-std::optional<LensFormat> lens_format_named(std::string_view name) {
-    for (const FormatEntry& entry : kEntries) {
-        if (entry.name == name) return entry.format;
-    }
-    return std::nullopt;
-}
-
 std::string_view usual_file_name(LensFormat format) { return entry_of(format).file_name; }
 
 void write_lens_file(const std::filesystem::path& path, const Camera& lens, LensFormat format,

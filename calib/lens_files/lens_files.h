@@ -2,7 +2,6 @@
 
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,7 +25,6 @@ constexpr std::array<LensFormat, 5> kLensFormats{LensFormat::kToml, LensFormat::
 
 /// "toml", "colmap", "opencv", "kalibr", "ros".
 [[nodiscard]] std::string_view name_of(LensFormat format);
-[[nodiscard]] std::optional<LensFormat> lens_format_named(std::string_view name);
 /// "camera.toml", "cameras.txt", "camera_opencv.yaml", "camchain.yaml", "camera_info.yaml".
 [[nodiscard]] std::string_view usual_file_name(LensFormat format);
 

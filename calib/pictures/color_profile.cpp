@@ -90,12 +90,62 @@ bool keeps_colors(const ColorProfile& profile) {
     return true;
 }
 
-cmsHPROFILE rgb_profile(const cmsCIExyYTRIPLE& primaries, double gamma) {
+using ToneCurve = std::unique_ptr<cmsToneCurve, void (*)(cmsToneCurve*)>;
+
+ToneCurve gamma_curve(double gamma) { return {cmsBuildGamma(nullptr, gamma), cmsFreeToneCurve}; }
+
+/// IEC 61966-2-1.
+ToneCurve srgb_curve() {
+    constexpr int kPowerAndLine = 4;
+    constexpr std::array<double, 5> kParameters{2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045};
+    return {cmsBuildParametricToneCurve(nullptr, kPowerAndLine, kParameters.data()),
+            cmsFreeToneCurve};
+}
+
+ProfileHandle rgb_profile(const cmsCIExyYTRIPLE& primaries, const ToneCurve& curve) {
     constexpr cmsCIExyY kD65{0.3127, 0.3290, 1.0};
-    const std::unique_ptr<cmsToneCurve, void (*)(cmsToneCurve*)> curve(
-        cmsBuildGamma(nullptr, gamma), cmsFreeToneCurve);
     const std::array<cmsToneCurve*, 3> curves{curve.get(), curve.get(), curve.get()};
-    return cmsCreateRGBProfile(&kD65, &primaries, curves.data());
+    return owned(cmsCreateRGBProfile(&kD65, &primaries, curves.data()));
+}
+
+constexpr cmsCIExyYTRIPLE kSrgbPrimaries{{0.64, 0.33, 1.0}, {0.30, 0.60, 1.0}, {0.15, 0.06, 1.0}};
+
+/// ITU-T H.273, table 2: those with the white of D65 that pictures are made with.
+struct CodedPrimaries {
+    int code;
+    const char* name;
+    cmsCIExyYTRIPLE primaries;
+};
+constexpr std::array<CodedPrimaries, 7> kCodedPrimaries{{
+    {1, "BT.709", kSrgbPrimaries},
+    {2, "unspecified primaries", kSrgbPrimaries},
+    {5, "BT.470 BG", {{0.64, 0.33, 1.0}, {0.29, 0.60, 1.0}, {0.15, 0.06, 1.0}}},
+    {6, "BT.601", {{0.630, 0.340, 1.0}, {0.310, 0.595, 1.0}, {0.155, 0.070, 1.0}}},
+    {7, "SMPTE ST 240", {{0.630, 0.340, 1.0}, {0.310, 0.595, 1.0}, {0.155, 0.070, 1.0}}},
+    {9, "BT.2020", {{0.708, 0.292, 1.0}, {0.170, 0.797, 1.0}, {0.131, 0.046, 1.0}}},
+    {12, "Display P3", {{0.680, 0.320, 1.0}, {0.265, 0.690, 1.0}, {0.150, 0.060, 1.0}}},
+}};
+
+/// H.273, table 3.
+std::optional<ToneCurve> coded_curve(int transfer) {
+    switch (transfer) {
+        case 1:   // BT.709.
+        case 2:   // Unspecified.
+        case 6:   // BT.601.
+        case 13:  // sRGB.
+        case 14:  // BT.2020 in 10 bits.
+        case 15:  // In 12.
+        case kHlgTransfer:
+            return srgb_curve();
+        case 4:
+            return gamma_curve(2.2);
+        case 5:
+            return gamma_curve(2.8);
+        case 8:
+            return gamma_curve(1.0);
+        default:
+            return std::nullopt;
+    }
 }
 
 }  // namespace
@@ -133,21 +183,30 @@ std::shared_ptr<const ColorProfile> ColorProfile::of(const Bytes& icc_profile) {
     return profile;
 }
 
+std::shared_ptr<const ColorProfile> ColorProfile::of(const CodedColors& coded) {
+    const auto known = std::find_if(
+        kCodedPrimaries.begin(), kCodedPrimaries.end(),
+        [&](const CodedPrimaries& primaries) { return primaries.code == coded.primaries; });
+    const std::optional<ToneCurve> curve = coded_curve(coded.transfer);
+    if (known == kCodedPrimaries.end() || !curve) return nullptr;
+    const std::string name = known->name;
+    return from(rgb_profile(known->primaries, *curve).get(),
+                coded.transfer == kHlgTransfer ? "HLG (" + name + ")" : name);
+}
+
 std::shared_ptr<const ColorProfile> ColorProfile::adobe_rgb() {
     static const auto kProfile = [] {
         constexpr cmsCIExyYTRIPLE kPrimaries{
             {0.64, 0.33, 1.0}, {0.21, 0.71, 1.0}, {0.15, 0.06, 1.0}};
         constexpr double kGamma = 563.0 / 256.0;
-        return from(owned(rgb_profile(kPrimaries, kGamma)).get(), "Adobe RGB (by EXIF)");
+        return from(rgb_profile(kPrimaries, gamma_curve(kGamma)).get(), "Adobe RGB (by EXIF)");
     }();
     return kProfile;
 }
 
 std::shared_ptr<const ColorProfile> ColorProfile::linear_light() {
     static const auto kProfile = [] {
-        constexpr cmsCIExyYTRIPLE kPrimaries{
-            {0.64, 0.33, 1.0}, {0.30, 0.60, 1.0}, {0.15, 0.06, 1.0}};
-        return from(owned(rgb_profile(kPrimaries, 1.0)).get(), "linear light");
+        return from(rgb_profile(kSrgbPrimaries, gamma_curve(1.0)).get(), "linear light");
     }();
     return kProfile;
 }

@@ -18,6 +18,10 @@ class ColorProfile {
     /// As embedded in a file. Each is parsed once: the answer is kept by its bytes. Null when it is
     /// damaged, or of numbers that are none of these.
     [[nodiscard]] static std::shared_ptr<const ColorProfile> of(const Bytes& icc_profile);
+    /// By code points. Curves of television count as that of sRGB, as all programs show them, and
+    /// HLG, too, which was made to be seen so on ordinary screens (BT.2100). Null where they are
+    /// none that pictures are made with, and for PQ.
+    [[nodiscard]] static std::shared_ptr<const ColorProfile> of(const CodedColors& coded);
     /// Adobe RGB (1998).
     [[nodiscard]] static std::shared_ptr<const ColorProfile> adobe_rgb();
     /// Light by the primaries of sRGB.

@@ -6,7 +6,10 @@
 #include <array>
 #include <cstdlib>
 #include <map>
+#include <string>
 #include <string_view>
+
+#include "calib/work/error.h"
 
 namespace lumi {
 namespace {
@@ -113,6 +116,7 @@ ColorTags png_color_tags(ByteSpan bytes) {
         const ByteSpan chunk = bytes.subspan(offset + 8, length);
         if (type == "IDAT") break;
         if (type == "iCCP") tags.icc_profile = profile_of_chunk(chunk);
+        if (type == "cICP" && length == 4) tags.coded = CodedColors{chunk[0], chunk[1]};
         if (type == "sRGB") is_srgb = true;
         if (type == "gAMA" && length == 4) {
             const std::int64_t gamma = number_at(chunk, 0, 4);
@@ -121,7 +125,15 @@ ColorTags png_color_tags(ByteSpan bytes) {
         offset += kChunkOverhead + length;
     }
     tags.is_linear = tags.is_linear && !is_srgb;
+    if (tags.coded) tags.icc_profile.reset();
     return tags;
+}
+
+void refuse_pq(const ColorTags& tags, const std::filesystem::path& path) {
+    if (!tags.coded || tags.coded->transfer != kPqTransfer) return;
+    throw Error(ErrorKind::kBadInput, "E-IMAGE-FORMAT",
+                path.string() + ": coded for HDR by PQ (SMPTE ST 2084)",
+                "export it for ordinary screens, as JPEG");
 }
 
 }  // namespace lumi

@@ -15,6 +15,16 @@ bool begins_with(std::span<const std::uint8_t> bytes, std::string_view magic) {
                       [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
 }
 
+/// By the brands of still pictures (ISO/IEC 23008-12; AVIF 1.1): films begin alike.
+bool is_heif(std::span<const std::uint8_t> bytes) {
+    constexpr std::array<std::string_view, 9> kBrands{"heic", "heix", "heim", "heis", "hevc",
+                                                      "hevx", "mif1", "avif", "miaf"};
+    return bytes.size() >= 12 && begins_with(bytes.subspan(4), "ftyp") &&
+           std::any_of(kBrands.begin(), kBrands.end(), [&](std::string_view brand) {
+               return begins_with(bytes.subspan(8), brand);
+           });
+}
+
 constexpr std::string_view kPngMagic("\x89PNG\r\n\x1a\n", 8);
 
 std::uint32_t big_endian(std::span<const std::uint8_t> bytes, std::size_t offset) {
@@ -50,6 +60,10 @@ std::optional<ImageFormat> image_format_of(std::span<const std::uint8_t> bytes) 
     if (begins_with(bytes, std::string_view("II*\0", 4)) ||
         begins_with(bytes, std::string_view("MM\0*", 4))) {
         return ImageFormat::kTiff;
+    }
+    if (is_heif(bytes)) return ImageFormat::kHeif;
+    if (begins_with(bytes, "RIFF") && bytes.size() >= 12 && begins_with(bytes.subspan(8), "WEBP")) {
+        return ImageFormat::kWebp;
     }
     return std::nullopt;
 }

@@ -4,13 +4,17 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "calib/pictures/image_io.h"
 
 namespace lumi {
 
 /// The picture formats that lumi reads; nothing else reaches a decoder.
-enum class ImageFormat { kJpeg, kPng, kTiff };
+enum class ImageFormat { kJpeg, kPng, kTiff, kHeif, kWebp };
+
+/// The formats in words, for those who are told to export something else as one of them.
+inline constexpr std::string_view kImageFormats = "JPEG, PNG, TIFF, HEIF or WebP";
 
 /// By the first bytes, whatever the file is called.
 [[nodiscard]] std::optional<ImageFormat> image_format_of(std::span<const std::uint8_t> bytes);

@@ -3,11 +3,13 @@
 #include <opencv2/imgproc.hpp>
 
 #include "calib/opencv/cv_matrix.h"
+#include "calib/pictures/heif_decoder.h"
 #include "calib/pictures/image_format.h"
 #include "calib/pictures/jpeg_decoder.h"
 #include "calib/pictures/png_codec.h"
 #include "calib/pictures/srgb_conversion.h"
 #include "calib/pictures/tiff_io.h"
+#include "calib/pictures/webp_decoder.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 
@@ -18,7 +20,7 @@ ImageFormat format_or_refuse(const Bytes& bytes, const std::filesystem::path& pa
     const auto format = image_format_of(bytes);
     if (!format) {
         throw Error(ErrorKind::kBadInput, "E-IMAGE-FORMAT",
-                    path.string() + ": not a JPEG, PNG or TIFF picture",
+                    path.string() + ": not a picture as " + std::string(kImageFormats),
                     "export the picture as JPEG, PNG or TIFF");
     }
     return *format;
@@ -37,6 +39,10 @@ SrgbPicture read_srgb_picture(const std::filesystem::path& path, std::size_t max
             return srgb_of(decode_png(bytes, max_pixels, path));
         case ImageFormat::kTiff:
             return srgb_of(read_stored_tiff(path, max_pixels));
+        case ImageFormat::kHeif:
+            return srgb_of(decode_heif(bytes, max_pixels, path));
+        case ImageFormat::kWebp:
+            return srgb_of(decode_webp(bytes, max_pixels, path));
     }
     return {};
 }
@@ -54,6 +60,10 @@ ImageSize read_image_size(const std::filesystem::path& path) {
             return check_png(bytes, path);
         case ImageFormat::kTiff:
             return tiff_size(path);
+        case ImageFormat::kHeif:
+            return heif_size(bytes, path);
+        case ImageFormat::kWebp:
+            return webp_size(bytes, path);
     }
     return {};
 }

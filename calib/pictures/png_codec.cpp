@@ -118,6 +118,7 @@ StoredPicture decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pi
     }
     stored.is_grey = is_grey_png(bytes);
     stored.tags = png_color_tags(bytes);
+    refuse_pq(stored.tags, path);
     return stored;
 }
 

@@ -63,6 +63,10 @@ std::shared_ptr<const ColorProfile> profile_of(const StoredPicture& stored,
         conversion.profile_fault = embedded ? "is for pictures of another kind" : "is damaged";
     } else if (is_cmyk(stored)) {
         conversion.from = "CMYK without a profile";
+    } else if (stored.tags.coded) {
+        auto coded = ColorProfile::of(*stored.tags.coded);
+        if (!coded) conversion.profile_fault = "names primaries or a curve that lumi does not know";
+        return coded;
     } else if (stored.tags.is_linear) {
         return ColorProfile::linear_light();
     } else if (stored.tags.is_adobe_rgb) {

@@ -23,9 +23,19 @@ struct InvertedCmyk8 {
     std::uint8_t k = 0;
 };
 
+/// Code points of ITU-T H.273 for the primaries and the curve of colours, as HEIF and AVIF carry
+/// them, and PNG in its cICP chunk. As they are here: sRGB.
+struct CodedColors {
+    int primaries = 1;
+    int transfer = 13;
+};
+inline constexpr int kPqTransfer = 16;   ///< SMPTE ST 2084.
+inline constexpr int kHlgTransfer = 18;  ///< Of BT.2100.
+
 /// What a file says that its numbers mean; nothing: sRGB.
 struct ColorTags {
     std::optional<Bytes> icc_profile;  ///< As embedded, however damaged.
+    std::optional<CodedColors> coded;  ///< Counts where there is no profile.
     bool is_adobe_rgb = false;         ///< By EXIF alone.
     bool is_linear = false;            ///< Light, by the primaries of sRGB.
 };

@@ -51,7 +51,7 @@ std::vector<Sample> read_samples(OIIO::ImageInput& input, OIIO::TypeDesc type,
 /// that are brighter than 1, or no number.
 double quantized(const std::vector<float>& samples, const SampleLayout& layout,
                  std::vector<std::uint16_t>& result) {
-    constexpr float kMaxValue = 65535.0F;
+    constexpr float kWhite = 65535.0F;
     const auto stride = static_cast<std::size_t>(layout.channels);
     result.resize(samples.size());
     std::size_t clipped = 0;
@@ -61,7 +61,7 @@ double quantized(const std::vector<float>& samples, const SampleLayout& layout,
             const float value = samples[i + channel];
             is_clipped = is_clipped || !(value <= 1.0F);
             result[i + channel] = static_cast<std::uint16_t>(
-                value > 0.0F ? std::min(value, 1.0F) * kMaxValue + 0.5F : 0.0F);
+                value > 0.0F ? std::min(value, 1.0F) * kWhite + 0.5F : 0.0F);
         }
         if (is_clipped) ++clipped;
     }

@@ -314,8 +314,4 @@ Bytes points_ply(const std::vector<ScenePoint>& points) {
     return bytes;
 }
 
-void write_points_ply(const std::filesystem::path& path, const std::vector<ScenePoint>& points) {
-    write_whole_file(path, points_ply(points));
-}
-
 }  // namespace lumi

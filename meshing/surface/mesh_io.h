@@ -21,7 +21,6 @@ void write_camera_mesh_ply(const std::filesystem::path& path, const CameraMesh& 
                                                const std::filesystem::path& path);
 
 /// Scene points with colours, without their tracks.
-void write_points_ply(const std::filesystem::path& path, const std::vector<ScenePoint>& points);
 [[nodiscard]] Bytes points_ply(const std::vector<ScenePoint>& points);
 
 }  // namespace lumi

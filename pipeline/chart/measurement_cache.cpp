@@ -23,7 +23,7 @@ std::optional<Measurement> MeasurementCache::find(const std::string& what, Rende
     try {
         const Json json = read_json_file(path_of(what, mode));
         return Measurement{mode_scores_from(mode, json.at("scores")), json.at("gl"),
-                           json.at("cpu_s"), true};
+                           json.at("cpu_s")};
     } catch (const Error&) {
         return std::nullopt;
     } catch (const Json::exception&) {

@@ -15,7 +15,6 @@ struct Measurement {
     ModeScores scores;
     std::string gl_description;
     double cpu_s = 0.0;
-    bool is_cached = false;
 };
 
 /// Evaluations by what decides them: the package, the photographs they are compared with, the mode,

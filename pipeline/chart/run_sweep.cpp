@@ -197,7 +197,7 @@ class SweepRun {
         result_.work.done_cpu_s += cpu_s;
         for (const ModeScores& scores : evaluation.modes) {
             cache_.keep(what, {scores, evaluation.gl_description,
-                               cpu_s / static_cast<double>(modes.size()), false});
+                               cpu_s / static_cast<double>(modes.size())});
         }
         fs::remove_all(scratch);
     }

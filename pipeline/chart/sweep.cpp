@@ -1,7 +1,5 @@
 #include "pipeline/chart/sweep.h"
 
-#include <algorithm>
-
 #include "calib/work/error.h"
 #include "pipeline/chart/default_sweep.h"
 #include "pipeline/config/config_variant.h"
@@ -78,12 +76,6 @@ Sweep read_sweep(const fs::path& file_or_folder) {
     } while (advance(choice, sweep.axes));
     sweep.name = sweep.variants.front().config.name;
     return sweep;
-}
-
-int variant_with(const Sweep& sweep, const std::vector<std::size_t>& choice) {
-    const auto found = std::find_if(sweep.variants.begin(), sweep.variants.end(),
-                                    [&](const Variant& v) { return v.choice == choice; });
-    return found == sweep.variants.end() ? -1 : static_cast<int>(found - sweep.variants.begin());
 }
 
 }  // namespace lumi

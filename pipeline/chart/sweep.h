@@ -44,7 +44,4 @@ struct Sweep {
 /// E-CHART-SIZE for more than 1000 combinations.
 [[nodiscard]] Sweep read_sweep(const std::filesystem::path& file_or_folder);
 
-/// The index of the first variant that makes the choice; -1 when none does.
-[[nodiscard]] int variant_with(const Sweep& sweep, const std::vector<std::size_t>& choice);
-
 }  // namespace lumi

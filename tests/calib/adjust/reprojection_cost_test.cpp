@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "calib/adjust/camera_blocks.h"
+#include "calib/capture/lens_distortion.h"
 #include "calib/capture/rigid3.h"
 
 namespace lumi {
@@ -42,30 +43,16 @@ struct AutomaticCost {
 
 template <LensModel model>
 std::unique_ptr<ceres::CostFunction> automatic(const Eigen::Vector2d& seen_at) {
-    return std::make_unique<ceres::AutoDiffCostFunction<AutomaticCost<model>, 2,
-                                                        static_cast<int>(lens_size(model)), 7, 3>>(
+    return std::make_unique<ceres::AutoDiffCostFunction<
+        AutomaticCost<model>, 2, static_cast<int>(parameter_count(model)), 7, 3>>(
         new AutomaticCost<model>{seen_at});
 }
 
 std::unique_ptr<ceres::CostFunction> automatic_cost(LensModel model,
                                                     const Eigen::Vector2d& seen_at) {
-    switch (model) {
-        case LensModel::kSimplePinhole:
-            return automatic<LensModel::kSimplePinhole>(seen_at);
-        case LensModel::kPinhole:
-            return automatic<LensModel::kPinhole>(seen_at);
-        case LensModel::kSimpleRadial:
-            return automatic<LensModel::kSimpleRadial>(seen_at);
-        case LensModel::kRadial:
-            return automatic<LensModel::kRadial>(seen_at);
-        case LensModel::kOpenCv:
-            return automatic<LensModel::kOpenCv>(seen_at);
-        case LensModel::kOpenCvFisheye:
-            return automatic<LensModel::kOpenCvFisheye>(seen_at);
-        case LensModel::kFullOpenCv:
-            return automatic<LensModel::kFullOpenCv>(seen_at);
-    }
-    return nullptr;
+    return with_lens_model(model, [&](auto known) -> std::unique_ptr<ceres::CostFunction> {
+        return automatic<known>(seen_at);
+    });
 }
 
 class ReprojectionCostOf : public testing::TestWithParam<LensCase> {

@@ -6,6 +6,7 @@
 
 #include "calib/boards/board_projection.h"
 #include "calib/boards/board_views.h"
+#include "calib/capture/camera.h"
 #include "calib/capture/image.h"
 
 namespace lumi {

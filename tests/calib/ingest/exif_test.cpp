@@ -1,12 +1,15 @@
 #include "calib/ingest/exif.h"
 
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/tiffutils.h>
 #include <gtest/gtest.h>
 
 #include "calib/ingest/ingest.h"
 #include "calib/pictures/image_io.h"
+#include "tests/calib/heif_pictures.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/calib/test_pictures.h"
+#include "tests/calib/webp_pictures.h"
 
 namespace lumi {
 namespace {
@@ -64,6 +67,35 @@ TEST(Exif, ReadsWhatTheCameraWrote) {
     EXPECT_EQ(camera_key_of(exif, {160, 120}), "160x120 Maker One 4.25 mm (26 mm)");
     // The 160 x 120 raster has a diagonal of exactly 200 pixels.
     EXPECT_NEAR(focal_length_px_of(exif, {160, 120}).value(), 26 * 200 / 43.2666, 1e-3);
+}
+
+TEST(Exif, HeifAndWebPSayAsMuchAsAJpeg) {
+    const ScratchFolder scratch;
+    OIIO::ImageSpec spec;
+    spec.attribute("Make", "Maker");
+    spec.attribute("Model", "One");
+    spec.attribute("Orientation", 6);
+    spec.attribute("Exif:FocalLength", 4.25F);
+    spec.attribute("Exif:FocalLengthIn35mmFilm", 26);
+    std::vector<char> encoded;
+    OIIO::encode_exif(spec, encoded);
+    const Bytes exif(encoded.begin(), encoded.end());
+    const ColorImage picture = wavy_picture(160, 120);
+    scratch.put("photo.heic", heif_of(picture, {.exif = exif}));
+    scratch.put("photo.webp", webp_with(webp_of(picture), 160, 120, {}, exif));
+    for (const auto& [name, format] : {std::pair("photo.heic", ImageFormat::kHeif),
+                                       std::pair("photo.webp", ImageFormat::kWebp)}) {
+        const ExifFacts facts = read_exif(scratch / name, format);
+        EXPECT_EQ(facts.make, "Maker") << name;
+        EXPECT_EQ(facts.model, "One") << name;
+        EXPECT_EQ(facts.orientation, 6) << name;
+        EXPECT_NEAR(facts.focal_length_mm.value_or(0), 4.25, 1e-6) << name;
+        EXPECT_EQ(facts.focal_length_35mm_equivalent_mm.value_or(0), 26) << name;
+    }
+    scratch.put("bare.heic", heif_of(picture));
+    scratch.put("bare.webp", webp_of(picture));
+    EXPECT_EQ(read_exif(scratch / "bare.heic", ImageFormat::kHeif).make, "");
+    EXPECT_EQ(read_exif(scratch / "bare.webp", ImageFormat::kWebp).make, "");
 }
 
 TEST(Exif, AFileWithoutItHasNoFocalLength) {

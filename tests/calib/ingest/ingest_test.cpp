@@ -80,7 +80,7 @@ TEST(Ingest, NamesFilesWhoseNamesNoReportCouldHold) {
     write_png(scratch / "photos/overlong \xe0\x80\xae.png", wavy_picture(100, 80, 33));
     write_png(scratch / "photos/caf\xe9/3.png", wavy_picture(100, 80, 44));
     write_whole_text(scratch / "photos/empty \xe9.jpg", "");
-    write_whole_text(scratch / "photos/phone \xe9.heic", "....ftypheic");
+    write_whole_text(scratch / "photos/other \xe9.jxl", "\xff\x0a");
     const IngestResult result = ingested(scratch);
     EXPECT_THAT(names(result), ElementsAre("1.png", "2.png"));
     const std::map<std::string, std::string> expected{
@@ -88,7 +88,7 @@ TEST(Ingest, NamesFilesWhoseNamesNoReportCouldHold) {
         {"overlong \\xe0\\x80\\xae.png", "E-INGEST-NAME"},
         {"caf\\xe9/3.png", "E-INGEST-NAME"},
         {"empty \\xe9.jpg", "E-INGEST-UNREADABLE"},
-        {"phone \\xe9.heic", "E-INGEST-FORMAT"}};
+        {"other \\xe9.jxl", "E-INGEST-FORMAT"}};
     EXPECT_EQ(codes(result), expected);
 }
 
@@ -115,12 +115,14 @@ TEST(Ingest, PassesOverWhatIsNoPictureAndNamesWhatClaimsToBeOne) {
     write_whole_text(scratch / "photos/text.jpg", "not a picture");
     write_whole_text(scratch / "photos/empty.jpg", "");
     write_whole_text(scratch / "photos/phone.heic", "....ftypheic");
+    write_whole_text(scratch / "photos/other.jxl", "\xff\x0a");
     write_whole_text(scratch / "photos/raw.NEF", std::string("MM\0*\0\0\0\x8", 8));
     const IngestResult result = ingested(scratch);
     EXPECT_THAT(names(result), ElementsAre("1.png", "2.png"));
     const std::map<std::string, std::string> expected{{"text.jpg", "E-INGEST-UNREADABLE"},
                                                       {"empty.jpg", "E-INGEST-UNREADABLE"},
-                                                      {"phone.heic", "E-INGEST-FORMAT"},
+                                                      {"phone.heic", "E-INGEST-TRUNCATED"},
+                                                      {"other.jxl", "E-INGEST-FORMAT"},
                                                       {"raw.NEF", "E-INGEST-FORMAT"}};
     EXPECT_EQ(codes(result), expected);
 }

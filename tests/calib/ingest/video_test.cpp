@@ -5,6 +5,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "calib/ingest/ingest.h"
+#include "calib/ingest/video_colors.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
@@ -64,6 +65,62 @@ TEST(Video, LeavesOutTinyFrames) {
         EXPECT_THAT(error.what(), testing::HasSubstr("frame-000004.png: 64x48 pixels"));
     }
     EXPECT_EQ(ingested_with({.min_width_px = 48, .video_fps = 1.0}).photographs.size(), 2U);
+}
+
+/// Behind a video of its own, as a movie header that says what colours mean and nothing else.
+void append_colors(const std::filesystem::path& path, std::uint8_t primaries,
+                   std::uint8_t transfer) {
+    const Bytes video = read_whole_file(path);
+    Bytes colors{0,   0,   0,   26,  'm', 'o', 'o', 'v', 0,         0, 0,        18, 'c',
+                 'o', 'l', 'r', 'n', 'c', 'l', 'c', 0,   primaries, 0, transfer, 0,  9};
+    colors.insert(colors.begin(), video.begin(), video.end());
+    std::filesystem::remove(path);
+    write_whole_file(path, colors);
+}
+
+void write_mp4(const std::filesystem::path& path) {
+    cv::VideoWriter writer(path.string(), cv::CAP_FFMPEG,
+                           cv::VideoWriter::fourcc('m', 'p', '4', 'v'), 10.0, {320, 240});
+    ASSERT_TRUE(writer.isOpened());
+    const cv::Mat green(240, 320, CV_8UC3, cv::Scalar(60, 180, 60));
+    for (int number = 1; number <= 20; ++number) writer.write(green);
+}
+
+TEST(Video, HlgBecomesSrgbAndSaysSo) {
+    const ScratchFolder scratch;
+    write_mp4(scratch / "walk.mp4");
+    SilentProgress progress;
+    EXPECT_FALSE(coded_colors_of_video(scratch / "walk.mp4").has_value());
+    const auto green_of = [&](const std::string& copies) {
+        const IngestResult result =
+            ingest(scratch / "walk.mp4", {.min_photographs = 1, .video_fps = 1.0}, scratch / copies,
+                   1, progress);
+        return std::pair(read_color_image(result.photographs.at(0).picture_path)(100, 100),
+                         result.color_notes);
+    };
+    const auto [plain, no_notes] = green_of("plain");
+    EXPECT_THAT(no_notes, testing::IsEmpty());
+    append_colors(scratch / "walk.mp4", 9, 18);
+    const auto [shown, notes] = green_of("hlg");
+    // The green of BT.2020 is wider: the same numbers are a stronger green.
+    EXPECT_LT(shown.r, plain.r - 10);
+    EXPECT_GE(shown.g, plain.g);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_THAT(notes[0], testing::HasSubstr("HLG (BT.2020)"));
+}
+
+TEST(Video, PqIsRefusedWithAWayOut) {
+    const ScratchFolder scratch;
+    write_mp4(scratch / "walk.mp4");
+    append_colors(scratch / "walk.mp4", 9, 16);
+    SilentProgress progress;
+    try {
+        static_cast<void>(ingest(scratch / "walk.mp4", {}, scratch / "copies", 1, progress));
+        FAIL() << "nothing thrown";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-INGEST-HDR");
+        EXPECT_THAT(error.advice(), testing::HasSubstr("ffmpeg"));
+    }
 }
 
 TEST(Video, RefusesAFileThatIsNone) {

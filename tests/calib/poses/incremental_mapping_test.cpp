@@ -40,7 +40,7 @@ class IncrementalMapping : public testing::Test {
         for (const ColmapPhotograph& photograph : scene_.photographs) {
             Features features;
             for (const Eigen::Vector2f& pixel : photograph.keypoints_px) {
-                features.keypoints.push_back({pixel, 1, 0});
+                features.keypoints.push_back({pixel, 1});
             }
             matched_.features.push_back(std::move(features));
         }

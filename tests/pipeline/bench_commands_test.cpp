@@ -1,0 +1,69 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "calib/work/whole_file.h"
+#include "tests/calib/scratch_folder.h"
+#include "tests/pipeline/built_program.h"
+
+namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+TEST(BenchCommands, DepthIsAskedForItsStabilityOrOnWorkspaces) {
+    const ScratchFolder scratch;
+    const std::string out = " --out " + quoted(scratch / "stability");
+    EXPECT_EQ(lumi("bench-depth" + out).exit_code, 2);
+    EXPECT_EQ(lumi("bench-depth --stability work/some" + out).exit_code, 2);
+    EXPECT_EQ(lumi("bench-depth --stability --hazard boredom" + out).exit_code, 2);
+    const Outcome outcome =
+        lumi("bench-depth --json --stability --quick --hazard noise --model plane" + out);
+    ASSERT_EQ(outcome.exit_code, 0);
+    const Json json = Json::parse(outcome.out);
+    ASSERT_EQ(json.at("rows").size(), 3U);
+    EXPECT_EQ(json.at("rows").at(0).at("rungs").at(0).at("model"), "plane");
+    EXPECT_EQ(json, Json::parse(read_whole_text(scratch / "stability" / "stability.json")));
+    EXPECT_TRUE(std::filesystem::exists(scratch / "stability" / "stability.csv"));
+    EXPECT_TRUE(std::filesystem::exists(scratch / "stability" / "stability-noise.svg"));
+}
+
+TEST(BenchCommands, MeasuresTheRivalsOnAPaperScene) {
+    const Outcome outcome = lumi(
+        "bench-rivals --json --scene coke --size 64 --frames 2 --held-out 2 --flicker-frames 2");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    const Json scene = Json::parse(outcome.out).at("scenes").at(0);
+    EXPECT_EQ(scene.at("photographs"), 33);
+    std::map<std::string, double> covered_db;
+    for (const Json& rival : scene.at("rivals"))
+        covered_db.try_emplace(rival.at("method"), rival.at("psnr_covered_db"));
+    for (const char* method :
+         {"lightfield", "heigl", "adaptive", "paper2001", "two-plane lightfield",
+          "unstructured lumigraph", "view-dependent texture", "forward warping"})
+        EXPECT_GT(covered_db[method], 10.0) << method;
+    // What depth is worth, and what resampling costs.
+    EXPECT_GT(covered_db["perpixel"], covered_db["lightfield"] + 3);
+    EXPECT_GT(covered_db["adaptive"], covered_db["two-plane adaptive"]);
+    EXPECT_EQ(lumi("bench-rivals --scene pepsi").exit_code, 2);
+}
+
+TEST(BenchCommands, MeasuresTheCameraMeshOverRandomCaptures) {
+    const Outcome outcome = lumi("bench-mesh --json --captures 3 --rays 300 --most-cameras 1000");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    const Json result = Json::parse(outcome.out);
+    EXPECT_EQ(result.at("cameras_kept"), result.at("cameras"));
+    EXPECT_EQ(result.at("rays_with_one_face"), 300);
+    ASSERT_EQ(result.at("weights").size(), 4U);
+    EXPECT_LT(result.at("weights").at(0).at("largest_inconsistency").get<double>(), 1e-9);
+    EXPECT_LT(result.at("weights").at(0).at("largest_jump").get<double>(), 1e-6);
+    EXPECT_GT(result.at("weights").at(1).at("largest_inconsistency").get<double>(), 0.01);
+    EXPECT_GT(result.at("weights").at(2).at("largest_inconsistency").get<double>(), 0.01);
+    EXPECT_EQ(result.at("weights").at(0).at("inconsistency_shares").at(0), 1.0);
+    EXPECT_EQ(result.at("weights").at(3).at("inconsistency_shares").size(),
+              result.at("inconsistency_bin_ends").size());
+}
+
+}  // namespace
+}  // namespace lumi

@@ -1,0 +1,93 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "calib/pictures/image_io.h"
+#include "calib/work/whole_file.h"
+#include "tests/calib/scratch_folder.h"
+#include "tests/calib/test_pictures.h"
+#include "tests/pipeline/built_program.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+TEST(DoctorCommand, DoctorNamesWhatMakesACaptureHopeless) {
+    const ScratchFolder scratch;
+    for (const int shade : {60, 110, 160}) {
+        const auto level = static_cast<std::uint8_t>(shade);
+        write_png(scratch / "photos" / (std::to_string(shade) + ".png"),
+                  ColorImage(320, 240, {level, level, level}));
+    }
+    const Outcome outcome = lumi("doctor --json " + quoted(scratch / "photos") + " --workspace " +
+                                 quoted(scratch / "work"));
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.talk;
+    const Json seen = Json::parse(outcome.out);
+    EXPECT_EQ(seen.at("verdict"), "hopeless");
+    EXPECT_GT(seen.at("expected_build").at("depth_mib"), 10);
+    EXPECT_EQ(seen.at("findings").at(0).at("code"), "E-POSES-TEXTURE");
+    EXPECT_FALSE(seen.at("findings").at(0).at("advice").get<std::string>().empty());
+    EXPECT_THAT(read_whole_text(scratch / "work" / "doctor" / "match_graph.svg"),
+                HasSubstr("160.png"));
+}
+
+TEST(DoctorCommand, AnOddNameIsLeftOutAndNeitherABugNorATerminalsCommand) {
+    const ScratchFolder scratch;
+    for (int i = 0; i < 3; ++i) {
+        write_png(scratch / "photos" / (std::to_string(i) + ".png"),
+                  wavy_picture(320, 240, 100.0 * i));
+    }
+    write_whole_text(scratch / "photos" / "caf\xe9.jpg", "");
+    write_whole_text(scratch / "photos" / "clear\x1b[2J.jpg", "\xff\xd8\xff\xe0 and no more");
+    const std::string photos = quoted(scratch / "photos");
+    const Outcome examined =
+        lumi("doctor --json " + photos + " --workspace " + quoted(scratch / "doctor"));
+    EXPECT_THAT(examined.exit_code, testing::AnyOf(0, 4, 5)) << examined.talk;
+    const Json seen = Json::parse(examined.out);
+    EXPECT_EQ(seen.at("left_out").at(0).at("name"), "caf\\xe9.jpg");
+    EXPECT_EQ(seen, Json::parse(read_whole_text(scratch / "doctor" / "doctor" / "doctor.json")));
+
+    const Outcome ingested = lumi("ingest " + photos + " --workspace " + quoted(scratch / "work"));
+    EXPECT_EQ(ingested.exit_code, 0) << ingested.talk;
+    EXPECT_THAT(ingested.talk, HasSubstr("left out caf\\xe9.jpg (E-INGEST-UNREADABLE)"));
+    EXPECT_THAT(ingested.talk, HasSubstr("left out clear\\x1b[2J.jpg"));
+    EXPECT_THAT(ingested.talk, testing::Not(HasSubstr("\x1b")));
+}
+
+/// Photographs of a scene that passes by unevenly, with a bar below and a label laid over each.
+void write_with_overlays(const fs::path& folder) {
+    std::mt19937 random(8);
+    for (int i = 0; i < 12; ++i) {
+        ColorImage picture = wavy_picture(320, 240, static_cast<double>(random() % 800));
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                if (y >= 210) picture(x, y) = {0, 0, 0};
+                if (x >= 200 && x < 270 && y >= 120 && y < 150) picture(x, y) = {255, 255, 255};
+            }
+        }
+        write_png(folder / (std::to_string(100 + i) + ".png"), picture);
+    }
+}
+
+TEST(DoctorCommand, WhatWasLaidOverPhotographsIsSaidByDoctorAndReport) {
+    const ScratchFolder scratch;
+    write_with_overlays(scratch / "photos");
+    const auto says_it = testing::AllOf(HasSubstr("bars were cut off: 32 pixels below"),
+                                        HasSubstr("logo or watermark was painted over"));
+    const Outcome examined =
+        lumi("doctor " + quoted(scratch / "photos") + " --workspace " + quoted(scratch / "doctor"));
+    EXPECT_THAT(examined.exit_code, testing::AnyOf(4, 5)) << "shifted pictures have no depth";
+    EXPECT_THAT(examined.out, says_it);
+    const std::string workspace = " --workspace " + quoted(scratch / "work");
+    const Outcome ingested = lumi("ingest " + quoted(scratch / "photos") + workspace);
+    EXPECT_EQ(ingested.exit_code, 0) << ingested.talk;
+    EXPECT_THAT(read_whole_text(scratch / "work" / "report.html"), says_it);
+}
+
+}  // namespace
+}  // namespace lumi

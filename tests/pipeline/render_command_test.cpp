@@ -1,0 +1,189 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "calib/pictures/image_io.h"
+#include "calib/work/whole_file.h"
+#include "tests/pipeline/box_line.h"
+#include "tests/pipeline/built_program.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+class RenderCommand : public BoxLine {};
+
+TEST_F(RenderCommand, DrawsPathsToFramesVideosAndPairs) {
+    configure("");
+    static_cast<void>(build());
+    const std::string draw = "render " + quoted(package()) + " --size 96x64 ";
+    const fs::path frames = workspace() / "frames";
+    const std::string path = "--path views --frames 3 --out ";
+    ASSERT_EQ(lumi(draw + path + quoted(frames)).exit_code, 0);
+    EXPECT_EQ(std::distance(fs::directory_iterator(frames), fs::directory_iterator()), 3);
+    const ColorImage first = read_color_image(frames / "frame-000001.png");
+    EXPECT_EQ(first.width(), 96);
+
+    const fs::path video = workspace() / "tour.mp4";
+    const Outcome outcome = lumi(draw + path + quoted(video));
+    if (outcome.exit_code == 0) {
+        EXPECT_EQ(read_whole_text(video).substr(4, 4), "ftyp");
+    } else {
+        EXPECT_THAT(outcome.talk, HasSubstr("error E-CHILD-MISSING"));  // No ffmpeg here.
+    }
+
+    const fs::path eye = workspace() / "eye.json";
+    const std::string text =
+        R"({"camera": {"model": "PINHOLE", "width_px": 64, "height_px": 48,
+                       "parameters": [60, 60, 32, 24]},
+            "cam_from_world": {"rotation_wxyz": [1, 0, 0, 0], "translation": [0, 0, 0]}})";
+    write_whole_text(eye, text);
+    write_whole_text(workspace() / "path.json", R"({"eyes": [)" + text + "," + text + "]}");
+    const fs::path replayed = workspace() / "replayed";
+    const std::string from = "render " + quoted(package());
+    ASSERT_EQ(
+        lumi(from + " --eye " + quoted(eye) + " --out " + quoted(workspace() / "e.png")).exit_code,
+        0);
+    ASSERT_EQ(
+        lumi(from + " --path " + quoted(workspace() / "path.json") + " --out " + quoted(replayed))
+            .exit_code,
+        0);
+    const ColorImage still = read_color_image(workspace() / "e.png");
+    EXPECT_EQ(read_color_image(replayed / "frame-000002.png"), still);
+    const auto timed = [&](const std::string& time_s) {
+        return R"({"time_s": )" + time_s + "," + text.substr(1);
+    };
+    write_whole_text(workspace() / "timed.json",
+                     R"({"eyes": [)" + timed("0") + "," + timed("1.5") + "]}");
+    ASSERT_EQ(lumi(from + " --video-fps 4 --path " + quoted(workspace() / "timed.json") +
+                   " --out " + quoted(replayed))
+                  .exit_code,
+              0);
+    EXPECT_EQ(std::distance(fs::directory_iterator(replayed), fs::directory_iterator()), 7);
+
+    // The photographs differ in nothing that could be evened out.
+    ASSERT_EQ(lumi(from + " --as-taken --no-fade --eye " + quoted(eye) + " --out " +
+                   quoted(workspace() / "e.png"))
+                  .exit_code,
+              0);
+    EXPECT_EQ(read_color_image(workspace() / "e.png"), still);
+
+    const fs::path pair = workspace() / "pair.png";
+    ASSERT_EQ(
+        lumi(from + " --stereo 0.1 --eye " + quoted(eye) + " --out " + quoted(pair)).exit_code, 0);
+    EXPECT_EQ(read_color_image(pair).width(), 128);
+    write_whole_text(workspace() / "path.json", R"({"eyes": []})");
+    EXPECT_EQ(
+        lumi(from + " --path " + quoted(workspace() / "path.json") + " --out " + quoted(replayed))
+            .exit_code,
+        3);
+}
+
+/// Of one channel, over the pixels from `left` on that the smaller picture has.
+double mean_difference(const ColorImage& wide, int left, const ColorImage& narrow) {
+    double sum = 0;
+    for (int y = 0; y < narrow.height(); ++y)
+        for (int x = 0; x < narrow.width(); ++x)
+            sum += std::abs(wide(left + x, y).g - narrow(x, y).g);
+    return sum / static_cast<double>(narrow.pixels().size());
+}
+
+TEST_F(RenderCommand, DrawsAnyShapeOfFrameWithoutStretchingWhatItShows) {
+    configure("");
+    static_cast<void>(build());
+    const fs::path drawn = workspace() / "drawn.png";
+    const auto draw = [&](const std::string& arguments) {
+        const std::string to = " --out " + quoted(drawn);
+        EXPECT_EQ(lumi("render " + quoted(package()) + " " + arguments + to).exit_code, 0);
+        return read_color_image(drawn);
+    };
+    const std::string view = "--view IMG_0005.png ";
+    const ColorImage still = draw(view);
+    ASSERT_EQ(still.width(), 160);
+    const ColorImage wide = draw(view + "--size 240x120");
+    ASSERT_EQ(wide.width(), 240);
+    ASSERT_EQ(wide.height(), 120);
+    EXPECT_LT(mean_difference(wide, 40, still), 2);
+
+    const std::string eye =
+        R"({"camera": {"model": "PINHOLE", "width_px": 64, "height_px": 48,
+                       "parameters": [60, 60, 32, 24]},
+            "cam_from_world": {"rotation_wxyz": [1, 0, 0, 0], "translation": [0, 0, 0]}})";
+    const fs::path path = workspace() / "path.json";
+    const fs::path frames = workspace() / "frames";
+    write_whole_text(path, R"({"eyes": [)" + eye + "]}");
+    ASSERT_EQ(lumi("render " + quoted(package()) + " --size 32x30 --path " + quoted(path) +
+                   " --out " + quoted(frames))
+                  .exit_code,
+              0);
+    const ColorImage frame = read_color_image(frames / "frame-000001.png");
+    EXPECT_EQ(frame.width(), 32);
+    EXPECT_EQ(frame.height(), 30);
+}
+
+TEST_F(RenderCommand, DrawsTheDifferenceFromAHeldOutPhotograph) {
+    configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
+    static_cast<void>(build());
+    const std::string at_held_out = "render " + quoted(package()) + " --view IMG_0005.png ";
+    const fs::path drawn = workspace() / "drawn.png";
+    const fs::path difference = workspace() / "difference.png";
+    ASSERT_EQ(lumi(at_held_out + "--out " + quoted(drawn)).exit_code, 0);
+    const Outcome outcome = lumi(at_held_out + "--json --difference --out " + quoted(difference));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    const double said_db = Json::parse(outcome.out).at("frames").at(0).at("psnr_db").get<double>();
+    EXPECT_GT(said_db, 15);
+
+    // Steps that are four times as bright say what the plain picture's error is, where they fit.
+    const ColorImage picture = read_color_image(drawn);
+    const ColorImage error = read_color_image(difference);
+    const ColorImage photograph = read_color_image(scene_->path() / "photos" / "IMG_0005.png");
+    ASSERT_EQ(error.width(), picture.width());
+    ASSERT_EQ(photograph.width(), picture.width());
+    for (std::size_t i = 0; i < error.pixels().size(); ++i)
+        ASSERT_EQ(error.pixels()[i].g,
+                  std::min(255, 4 * std::abs(picture.pixels()[i].g - photograph.pixels()[i].g)));
+    EXPECT_NEAR(Json::parse(lumi("compare-pictures --json " + quoted(drawn) + " " +
+                                 quoted(scene_->path() / "photos" / "IMG_0005.png"))
+                                .out)
+                    .at("psnr_db")
+                    .get<double>(),
+                said_db, 1e-9);
+
+    EXPECT_EQ(lumi(at_held_out + "--difference --size 96x64 --out " + quoted(difference)).exit_code,
+              2);
+    EXPECT_EQ(lumi(at_held_out + "--out " + quoted(workspace() / "drawn.jpg")).exit_code, 2);
+    const Outcome unknown =
+        lumi("render " + quoted(package()) + " --view nobody.png --out " + quoted(drawn));
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_THAT(unknown.talk, HasSubstr("E-RENDER-VIEW"));
+}
+
+TEST_F(RenderCommand, FramesOfAPathReplaceNothingButFrames) {
+    configure("");
+    ASSERT_EQ(build(), "rrrrr");
+    const auto fly_to = [&](const fs::path& out) {
+        return lumi("render " + quoted(package()) + " --path views --frames 2 --size 48x32 --out " +
+                    quoted(out));
+    };
+    const fs::path photos = scratch_ / "photos";
+    write_whole_text(photos / "IMG_1.jpg", "the user's own");
+    const Outcome refused = fly_to(photos);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.talk, HasSubstr("E-OUT-EXISTS"));
+    EXPECT_EQ(read_whole_text(photos / "IMG_1.jpg"), "the user's own");
+
+    const fs::path frames = scratch_ / "frames";
+    EXPECT_EQ(fly_to(frames).exit_code, 0);
+    EXPECT_EQ(fly_to(frames).exit_code, 0);
+    const fs::path video = scratch_ / "100%d done" / "tour.MP4";
+    EXPECT_EQ(fly_to(video).exit_code, 0);
+    EXPECT_TRUE(fs::is_regular_file(video));
+}
+
+}  // namespace
+}  // namespace lumi
