@@ -147,6 +147,18 @@ std::string text_of(const PairAgreement& agreement) {
         agreement.contradicted, agreement.pairs, 100 * (1 - agreement.agreeing_share));
 }
 
+/// Few of them are chance.
+void warn_of_lookalikes(const PairAgreement& agreement, PoseEvidence& evidence) {
+    constexpr double kManyShare = 0.03;
+    const int all = agreement.pairs + agreement.outweighed;
+    if (agreement.outweighed < kManyShare * all) return;
+    evidence.warnings.push_back(
+        std::string(code_of(CaptureReason::kRepeated)) +
+        formatted(": things look alike: of %d pairs of photographs %d say otherwise, each "
+                  "outweighed by chains of pairs with far more matches; look at the drawing",
+                  all, agreement.outweighed));
+}
+
 }  // namespace
 
 bool lacks_parallax(const MotionEvidence& motion, const Capture& model) {
@@ -175,6 +187,7 @@ void settle_doubts(const MappingJob& job, const MatchedPhotographs& matched, con
     if (is_contradicted) {
         refuse_contradiction(job, matched, CaptureReason::kUncertain, text_of(agreement));
     }
+    warn_of_lookalikes(agreement, job.evidence);
 }
 
 }  // namespace lumi

@@ -16,7 +16,8 @@ namespace lumi {
 /// - Residuals that look like a rolling shutter, where an adjustment with a turning rate for each
 ///   view explains more and moves a camera by more than poses may be wrong: E-POSES-SHUTTER; or
 ///   E-POSES-SHIFTED where a principal point and a scale of each picture's own explain more still.
-/// - Pairs that are denied for no such cause: E-POSES-UNCERTAIN.
+/// - Pairs that are denied for no such cause: E-POSES-UNCERTAIN. Where they are outweighed: a
+///   warning alone.
 /// - Most pairs seem to have only turned, and rays to the same point hardly meet: E-POSES-ROTATION.
 ///
 /// `mapped` is the model before the refinement, with the observations that it dropped.

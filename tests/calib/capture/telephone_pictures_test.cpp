@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "calib/pictures/image_format.h"
 #include "calib/work/error.h"
@@ -143,6 +144,25 @@ TEST(TelephonePictures, AFileThatEndsEarlyIsRefusedWhereverItEnds) {
                 << part << ": " << code;
         }
     }
+}
+
+TEST(TelephonePictures, ADamagedFileIsReadOrRefusedAndNothingElse) {
+    const ScratchFolder scratch;
+    std::mt19937 random(5);
+    int refused = 0;
+    for (const Bytes& whole : {heif_of(wavy_picture(96, 64)), webp_of(wavy_picture(96, 64))}) {
+        for (int trial = 0; trial < 60; ++trial) {
+            Bytes damaged = whole;
+            // Every second time in the headers alone.
+            const std::size_t end =
+                trial % 2 == 0 ? whole.size() : std::min<std::size_t>(400, whole.size());
+            for (int i = 0; i < 4; ++i)
+                damaged[random() % end] = static_cast<std::uint8_t>(random());
+            scratch.put("damaged", damaged);
+            refused += code_of_reading(scratch / "damaged", std::size_t{1} << 22).empty() ? 0 : 1;
+        }
+    }
+    EXPECT_GT(refused, 20);
 }
 
 TEST(TelephonePictures, MorePixelsThanAreAllowedAreNotDecoded) {

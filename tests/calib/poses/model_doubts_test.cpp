@@ -332,6 +332,39 @@ TEST(PairAgreement, ACameraPutElsewhereDeniesItsPairs) {
     EXPECT_TRUE(agreement.is_mistaken());
 }
 
+/// As of windows of one house: of the first so many matches of some pairs each point is taken for
+/// another one; the others are not found.
+PairsOfCapture with_lookalikes(const Capture& capture, std::size_t matches) {
+    PairsOfCapture all(capture);
+    for (VerifiedPair& pair : all.pairs) {
+        if (pair.second - pair.first != 4) continue;
+        EXPECT_GT(pair.inliers.size(), matches);
+        const std::vector<FeatureMatch> right = pair.inliers;
+        pair.inliers.resize(matches);
+        for (std::size_t i = 0; i < matches; ++i)
+            pair.inliers[i].second = right[(i + right.size() / 2) % right.size()].second;
+    }
+    return all;
+}
+
+TEST(PairAgreement, WhatLooksAlikeIsOutweighedByChainsOfFarMoreMatches) {
+    const Capture capture = noisy_capture(6);
+    const PairAgreement agreement = with_lookalikes(capture, 32).with(capture);
+    EXPECT_EQ(agreement.outweighed, 4);
+    EXPECT_EQ(agreement.pairs, 24);
+    EXPECT_EQ(agreement.contradicted, 0);
+    EXPECT_FALSE(agreement.is_contradiction());
+}
+
+TEST(PairAgreement, WhatAsManyMatchesSayIsNotOutweighed) {
+    const Capture capture = noisy_capture(6);
+    const std::size_t many = PairsOfCapture(capture).pairs.front().inliers.size() * 3 / 4;
+    const PairAgreement agreement = with_lookalikes(capture, many).with(capture);
+    EXPECT_EQ(agreement.outweighed, 0);
+    EXPECT_EQ(agreement.contradicted, 4);
+    EXPECT_TRUE(agreement.is_contradiction());
+}
+
 TEST(PairAgreement, ACameraThatIsTurnedALittleIsDeniedButNotMistaken) {
     const Capture capture = noisy_capture(6);
     const PairsOfCapture pairs(capture);
