@@ -9,7 +9,6 @@
 #include <limits>
 #include <numbers>
 
-#include "calib/capture/camera.h"
 #include "calib/capture/rigid3.h"
 
 namespace lumi {

@@ -116,8 +116,9 @@ void refuse_too_few(const IngestResult& result, const IngestOptions& options,
     for (std::size_t i = 0; i < std::min(kMaxNamed, result.left_out.size()); ++i) {
         what += "; " + result.left_out[i].name + ": " + result.left_out[i].reason;
     }
-    throw Error(ErrorKind::kBadInput, "E-INGEST-TOOFEW", what,
-                "give a folder with more photographs of the scene (JPEG, PNG, TIFF, HEIF or WebP)");
+    throw Error(
+        ErrorKind::kBadInput, "E-INGEST-TOOFEW", what,
+        "give a folder with more photographs of the scene (" + std::string(kImageFormats) + ")");
 }
 
 }  // namespace

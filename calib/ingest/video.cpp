@@ -2,17 +2,15 @@
 
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
-#include <optional>
 #include <utility>
 
 #include "calib/ingest/exif.h"
 #include "calib/ingest/sharpness.h"
 #include "calib/ingest/video_colors.h"
-#include "calib/pictures/color_profile.h"
+#include "calib/pictures/srgb_conversion.h"
 #include "calib/work/error.h"
 
 namespace lumi {
@@ -57,17 +55,18 @@ ColorImage rgb_image_of(const cv::Mat& bgr) {
     return image;
 }
 
-/// How numbers of a video that is coded for HDR become sRGB; null for other videos.
-std::shared_ptr<const ColorProfile> hdr_profile(const std::filesystem::path& video) {
-    const std::optional<CodedColors> coded = coded_colors_of_video(video);
-    if (coded && coded->transfer == kPqTransfer) {
+/// What its colours mean, unless they are coded for HDR by PQ.
+ColorTags color_tags_of(const std::filesystem::path& video) {
+    ColorTags tags;
+    tags.coded = coded_colors_of_video(video);
+    if (tags.coded && tags.coded->transfer == kPqTransfer) {
         throw Error(ErrorKind::kBadInput, "E-INGEST-HDR",
                     video.string() + ": coded for HDR by PQ (SMPTE ST 2084)",
                     "convert it for ordinary screens first: ffmpeg -i IN -vf zscale=t=linear:"
                     "npl=100,format=gbrpf32le,zscale=p=bt709,tonemap=hable,zscale=t=bt709:m=bt709:"
                     "r=tv,format=yuv420p OUT.mp4");
     }
-    return coded && coded->transfer == kHlgTransfer ? ColorProfile::of(*coded) : nullptr;
+    return tags;
 }
 
 std::string frame_name(std::size_t number) {
@@ -94,7 +93,7 @@ std::vector<Candidate> ingest_video(const std::filesystem::path& video,
                                     const IngestOptions& options,
                                     const std::filesystem::path& copies_folder,
                                     Progress& progress) {
-    const std::shared_ptr<const ColorProfile> hdr = hdr_profile(video);
+    const ColorTags color_tags = color_tags_of(video);
     cv::VideoCapture capture = open_video(video);
     const int orientation = exif_orientation_of(capture.get(cv::CAP_PROP_ORIENTATION_META));
     const double frames_claimed = capture.get(cv::CAP_PROP_FRAME_COUNT);
@@ -105,14 +104,16 @@ std::vector<Candidate> ingest_video(const std::filesystem::path& video,
     Frame sharpest;
     const auto keep_sharpest = [&] {
         if (sharpest.bgr.empty()) return;
-        ColorImage raster = rgb_image_of(sharpest.bgr);
-        if (hdr) raster = hdr->srgb_of(std::move(raster));
+        StoredPicture stored;
+        stored.raster = rgb_image_of(sharpest.bgr);
+        stored.tags = color_tags;
+        const auto [raster, conversion] = srgb_of(std::move(stored));
         candidates.push_back(make_working_copy(raster, frame_name(sharpest.number), options,
                                                copies_folder, candidates.size() + 1));
         candidates.back().photograph.exif_orientation = orientation;
         candidates.back().photograph.camera_key =
             camera_key_of({}, {raster.width(), raster.height()});
-        if (hdr) candidates.back().conversion.from = hdr->name();
+        candidates.back().conversion = conversion;
         sharpest = {};
     };
 

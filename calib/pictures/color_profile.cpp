@@ -189,9 +189,15 @@ std::shared_ptr<const ColorProfile> ColorProfile::of(const CodedColors& coded) {
         [&](const CodedPrimaries& primaries) { return primaries.code == coded.primaries; });
     const std::optional<ToneCurve> curve = coded_curve(coded.transfer);
     if (known == kCodedPrimaries.end() || !curve) return nullptr;
+    static std::mutex mutex;
+    static std::map<std::array<int, 2>, std::shared_ptr<const ColorProfile>> kept;
+    const std::scoped_lock lock(mutex);
+    std::shared_ptr<const ColorProfile>& profile = kept[{coded.primaries, coded.transfer}];
     const std::string name = known->name;
-    return from(rgb_profile(known->primaries, *curve).get(),
-                coded.transfer == kHlgTransfer ? "HLG (" + name + ")" : name);
+    if (!profile)
+        profile = from(rgb_profile(known->primaries, *curve).get(),
+                       coded.transfer == kHlgTransfer ? "HLG (" + name + ")" : name);
+    return profile;
 }
 
 std::shared_ptr<const ColorProfile> ColorProfile::adobe_rgb() {

@@ -71,10 +71,10 @@ std::vector<Sample> packed(const Samples& samples) {
     for (int y = 0; y < samples.layout.height_px; ++y) {
         const std::uint8_t* row =
             samples.first + static_cast<std::ptrdiff_t>(y) * samples.bytes_a_row;
-        for (std::size_t i = 0; i < a_row; ++i) {
-            if constexpr (sizeof(Sample) == 1) {
-                result.push_back(row[i]);
-            } else {
+        if constexpr (sizeof(Sample) == 1) {
+            result.insert(result.end(), row, row + a_row);
+        } else {
+            for (std::size_t i = 0; i < a_row; ++i) {
                 const unsigned value = row[2 * i] | static_cast<unsigned>(row[2 * i + 1]) << 8U;
                 result.push_back(static_cast<Sample>((value * 65535ULL + most / 2) / most));
             }

@@ -6,9 +6,8 @@
 namespace lumi {
 
 /// The picture in 8-bit sRGB. An embedded profile counts before whatever else the file says, then
-/// coded colours; one
-/// that is damaged, or of other numbers than the picture's, is passed over. Inks without a profile
-/// are taken for ideal ones.
+/// coded colours; what is damaged, or of other numbers than the picture's, is passed over. Inks
+/// without a profile are taken for ideal ones.
 [[nodiscard]] SrgbPicture srgb_of(StoredPicture stored);
 
 }  // namespace lumi

@@ -151,7 +151,7 @@ std::string text_of(const PairAgreement& agreement) {
 void warn_of_lookalikes(const PairAgreement& agreement, PoseEvidence& evidence) {
     constexpr double kManyShare = 0.03;
     const int all = agreement.pairs + agreement.outweighed;
-    if (agreement.outweighed < kManyShare * all) return;
+    if (agreement.outweighed <= kManyShare * all) return;
     evidence.warnings.push_back(
         std::string(code_of(CaptureReason::kRepeated)) +
         formatted(": things look alike: of %d pairs of photographs %d say otherwise, each "

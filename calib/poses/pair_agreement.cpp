@@ -22,8 +22,8 @@ constexpr double kMostShare = 0.5;
 constexpr double kMaxContradictedShare = 0.03;
 /// Of all matches. Photographs in order were seen above 0.99, noisy and low-contrast ones at 0.975.
 constexpr double kMinAgreeingShare = 0.95;
-/// Where no pair is denied: a facade of repeated windows was seen at 0.89. Folded models, of which
-/// some deny 3 % of the pairs and less, have both.
+/// Where no pair is denied: a facade of repeated windows was seen at 0.89. Some folded models have
+/// as much, but deny pairs, if only 3 % of them and less.
 constexpr double kMinAgreeingShareOfUndenied = 0.85;
 constexpr double kMinMistakenTurn_deg = 15.0;
 /// Matches of a denied pair over those of the chain: 0.31 and less of the windows of a facade whose
