@@ -141,10 +141,14 @@ void settle_explanation(const MappingJob& job, const MatchedPhotographs& matched
 }
 
 std::string text_of(const PairAgreement& agreement) {
-    return formatted(
-        "the photographs contradict themselves: %d of %d pairs, and %.0f %% of all matches, "
-        "do not fit where the cameras would have to be",
-        agreement.contradicted, agreement.pairs, 100 * (1 - agreement.agreeing_share));
+    const std::string pairs =
+        agreement.contradicted >= 2
+            ? formatted("%d of %d pairs", agreement.contradicted, agreement.pairs)
+            : formatted("%d of %d pairs of photographs that follow each other",
+                        agreement.doubtful_in_order, agreement.in_order);
+    return "the photographs contradict themselves: " + pairs +
+           formatted(", and %.0f %% of all matches, do not fit where the cameras would have to be",
+                     100 * (1 - agreement.agreeing_share));
 }
 
 /// Few of them are chance.

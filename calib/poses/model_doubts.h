@@ -11,8 +11,9 @@ namespace lumi {
 
 /// Asks of a refined model what would make it look right and be wrong. Throws Error:
 ///
-/// - Verified pairs that the model denies, and that see things from another side altogether:
-///   E-POSES-REPEATED, unless poor pictures or clutter explain it.
+/// - Verified pairs that the model denies, in whole or, of photographs that follow each other, by a
+///   fifth, and that see things from another side altogether: E-POSES-REPEATED, unless poor
+///   pictures or clutter explain it.
 /// - Residuals that look like a rolling shutter, where an adjustment with a turning rate for each
 ///   view explains more and moves a camera by more than poses may be wrong: E-POSES-SHUTTER; or
 ///   E-POSES-SHIFTED where a principal point and a scale of each picture's own explain more still.

@@ -164,22 +164,9 @@ std::string warning_of(double factor) {
            std::string(advice_for(CaptureReason::kZoom));
 }
 
-void tell(PoseEvidence& evidence, PoseEvidence of_model, double factor) {
-    evidence.lenses = std::move(of_model.lenses);
-    evidence.views = std::move(of_model.views);
-    evidence.noise_px = of_model.noise_px;
-    evidence.models_found = of_model.models_found;
-    evidence.start = std::move(of_model.start);
-    evidence.warnings = std::move(of_model.warnings);
-    evidence.warnings.push_back(warning_of(factor));
-}
-
-/// Each photograph with a lens of its own, without features: what was matched has to do.
+/// Each photograph with a lens of its own.
 MatchedPhotographs with_own_lenses(const MatchedPhotographs& matched, const CameraGroups& groups) {
-    MatchedPhotographs own;
-    own.name = matched.name;
-    own.photographs = matched.photographs;
-    own.pairs = matched.pairs;
+    MatchedPhotographs own = without_features(matched);
     for (std::size_t index = 0; index < own.photographs.size(); ++index) {
         own.photographs[index].camera_index = groups.camera_of_photograph[index];
     }
@@ -231,13 +218,13 @@ class ZoomQuestion {
 };
 
 /// Empty where no model comes of it, or none that tells of a zoom.
-std::optional<OwnLensModel> answer_of(const ZoomQuestion& question, const MappingJob& own_job,
-                                      MatchedPhotographs own_matched, LensPolicy policy) {
+std::optional<SecondModel> answer_of(const ZoomQuestion& question, const MappingJob& own_job,
+                                     MatchedPhotographs own_matched, LensPolicy policy) {
     try {
         const std::optional<Capture> mapped = map_incrementally(own_job, own_matched);
         if (!mapped || !question.may_be_zoomed(own_job, *mapped)) return std::nullopt;
         JointCheck joints = with_firm_joints(own_job, *mapped);
-        OwnLensModel model;
+        SecondModel model;
         model.refined = refined_with(policy, own_job, joints.mapped, own_job.evidence);
         model.mapped = std::move(joints.mapped);
         model.joint_trouble = std::move(joints.trouble);
@@ -251,9 +238,8 @@ std::optional<OwnLensModel> answer_of(const ZoomQuestion& question, const Mappin
 
 }  // namespace
 
-std::optional<OwnLensModel> find_own_lenses(const MappingJob& job,
-                                            const MatchedPhotographs& matched, LensPolicy policy,
-                                            const Capture& refined) {
+std::optional<SecondModel> find_own_lenses(const MappingJob& job, const MatchedPhotographs& matched,
+                                           LensPolicy policy, const Capture& refined) {
     const PairAgreement agreement =
         compare_with_pairs(refined, job.photographs, matched.photographs, matched.pairs);
     if (!is_worth_asking(job, refined, agreement.is_contradiction())) return std::nullopt;
@@ -266,9 +252,11 @@ std::optional<OwnLensModel> find_own_lenses(const MappingJob& job,
                              false,           job.refine_lens, job.scratch_folder,
                              job.threads,     job.progress,    evidence};
     const ZoomQuestion question(job, matched, refined);
-    std::optional<OwnLensModel> own =
+    std::optional<SecondModel> own =
         answer_of(question, own_job, with_own_lenses(matched, own_groups), policy);
-    if (own) tell(job.evidence, std::move(evidence), zoom_factor(own->refined, refined));
+    if (!own) return std::nullopt;
+    tell_of_second_model(job.evidence, std::move(evidence));
+    own->warning = warning_of(zoom_factor(own->refined, refined));
     return own;
 }
 

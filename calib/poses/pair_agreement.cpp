@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t kMinInliers = 30;   ///< Fewer are in doubt themselves.
 constexpr double kToleranceShare = 0.01;  ///< Of the longer side.
-constexpr double kMostShare = 0.5;
 /// Of all pairs: such that the model denies. Chance verifies no pair with so many matches: even few
 /// of them say that something is wrong.
 constexpr double kMaxContradictedShare = 0.03;
@@ -25,6 +24,9 @@ constexpr double kMinAgreeingShare = 0.95;
 /// Where no pair is denied: a facade of repeated windows was seen at 0.89. Some folded models have
 /// as much, but deny pairs, if only 3 % of them and less.
 constexpr double kMinAgreeingShareOfUndenied = 0.85;
+/// Of pairs that follow each other: of captures whose sides do not look alike none was seen, of
+/// folded models two in ten and more.
+constexpr double kMaxDoubtfulShare = 0.05;
 constexpr double kMinMistakenTurn_deg = 15.0;
 /// Matches of a denied pair over those of the chain: 0.31 and less of the windows of a facade whose
 /// cameras stand within 10 mm of the truth, up to 0.74 and more of boxes with four equal sides that
@@ -75,86 +77,90 @@ std::optional<double> turn_deg(const VerifiedPair& pair, const Capture& capture,
            std::numbers::pi;
 }
 
-/// A verified pair whose photographs were both placed, and what the model says of it.
-struct JudgedPair {
-    const VerifiedPair& pair;
-    const View& first;
-    const View& second;
-    std::size_t agreeing;
+using ViewOfPhotograph = std::vector<const View*>;
 
-    [[nodiscard]] std::size_t matches() const { return pair.inliers.size(); }
-    [[nodiscard]] bool is_denied() const {
-        return static_cast<double>(agreeing) < kMostShare * static_cast<double>(matches());
-    }
-};
-
-std::vector<JudgedPair> judged_pairs(const Capture& capture,
-                                     const std::vector<Photograph>& photographs,
-                                     const std::vector<ColmapPhotograph>& features,
-                                     const std::vector<VerifiedPair>& pairs) {
+/// Null where a photograph was not placed.
+ViewOfPhotograph views_of(const Capture& capture, const std::vector<Photograph>& photographs) {
     std::map<std::string, const View*> view_of_name;
     for (const View& view : capture.views) view_of_name.emplace(view.name, &view);
-    const auto view_of = [&](int photograph) -> const View* {
-        const auto view = view_of_name.find(photographs[static_cast<std::size_t>(photograph)].name);
-        return view == view_of_name.end() ? nullptr : view->second;
-    };
-    std::vector<JudgedPair> judged;
-    for (const VerifiedPair& pair : pairs) {
-        const View* const first = view_of(pair.first);
-        const View* const second = view_of(pair.second);
-        if (first == nullptr || second == nullptr || pair.inliers.size() < kMinInliers) continue;
-        judged.push_back(
-            {pair, *first, *second, count_agreeing(pair, capture, *first, *second, features)});
+    ViewOfPhotograph views;
+    for (const Photograph& photograph : photographs) {
+        const auto view = view_of_name.find(photograph.name);
+        views.push_back(view == view_of_name.end() ? nullptr : view->second);
     }
-    return judged;
-}
-
-/// Of those that agree; of photographs, by index.
-PairTies ties_of(const std::vector<JudgedPair>& judged, std::size_t photographs) {
-    std::vector<PairTie> ties;
-    for (const JudgedPair& pair : judged) {
-        if (!pair.is_denied()) ties.push_back({pair.pair.first, pair.pair.second, pair.agreeing});
-    }
-    return {static_cast<int>(photographs), std::move(ties)};
+    return views;
 }
 
 }  // namespace
 
 bool PairAgreement::is_contradiction() const {
     const bool denies_pairs = contradicted >= 2 && contradicted_share > kMaxContradictedShare;
-    return denies_pairs ||
+    const bool denies_order =
+        doubtful_in_order >= 2 && doubtful_in_order > kMaxDoubtfulShare * in_order;
+    return denies_pairs || denies_order ||
            agreeing_share < (contradicted > 0 ? kMinAgreeingShare : kMinAgreeingShareOfUndenied);
 }
 
 bool PairAgreement::is_mistaken() const {
-    return contradicted + outweighed >= 2 && contradicted_turn_deg > kMinMistakenTurn_deg;
+    return contradicted + outweighed + doubtful_in_order >= 2 &&
+           contradicted_turn_deg > kMinMistakenTurn_deg;
+}
+
+std::vector<JudgedPair> judge_pairs(const Capture& capture,
+                                    const std::vector<Photograph>& photographs,
+                                    const std::vector<ColmapPhotograph>& features,
+                                    const std::vector<VerifiedPair>& pairs) {
+    const ViewOfPhotograph views = views_of(capture, photographs);
+    std::vector<JudgedPair> judged;
+    std::vector<PairTie> ties;
+    for (std::size_t index = 0; index < pairs.size(); ++index) {
+        const VerifiedPair& pair = pairs[index];
+        const View* const first = views[static_cast<std::size_t>(pair.first)];
+        const View* const second = views[static_cast<std::size_t>(pair.second)];
+        if (first == nullptr || second == nullptr || pair.inliers.size() < kMinInliers) continue;
+        judged.push_back(
+            {index, pair.inliers.size(), count_agreeing(pair, capture, *first, *second, features)});
+        if (!judged.back().is_denied())
+            ties.push_back({pair.first, pair.second, judged.back().agreeing});
+    }
+    const PairTies all(static_cast<int>(photographs.size()), std::move(ties));
+    for (JudgedPair& pair : judged)
+        pair.tied = all.between(pairs[pair.index].first, pairs[pair.index].second);
+    return judged;
 }
 
 PairAgreement compare_with_pairs(const Capture& capture, const std::vector<Photograph>& photographs,
                                  const std::vector<ColmapPhotograph>& features,
                                  const std::vector<VerifiedPair>& pairs) {
-    const std::vector<JudgedPair> judged = judged_pairs(capture, photographs, features, pairs);
-    const PairTies ties = ties_of(judged, photographs.size());
+    const std::vector<JudgedPair> judged = judge_pairs(capture, photographs, features, pairs);
+    const ViewOfPhotograph views = views_of(capture, photographs);
     PairAgreement agreement;
     std::size_t matches = 0;
     std::size_t denied = 0;
     std::size_t agreeing = 0;
     std::vector<double> turns_deg;
     for (const JudgedPair& pair : judged) {
+        const VerifiedPair& verified = pairs[pair.index];
+        const bool is_doubtful = verified.is_in_order() && !pair.is_agreeing();
+        if (verified.is_in_order()) ++agreement.in_order;
+        if (is_doubtful) ++agreement.doubtful_in_order;
         const bool is_outweighed =
-            static_cast<double>(pair.matches()) <
-            kOutweighedShare * static_cast<double>(ties.between(pair.pair.first, pair.pair.second));
+            static_cast<double>(pair.matches) < kOutweighedShare * static_cast<double>(pair.tied);
         if (is_outweighed && pair.is_denied()) {
             ++agreement.outweighed;
             continue;
         }
         ++agreement.pairs;
-        matches += is_outweighed ? pair.agreeing : pair.matches();
+        matches += is_outweighed ? pair.agreeing : pair.matches;
         agreeing += pair.agreeing;
-        if (!pair.is_denied()) continue;
-        ++agreement.contradicted;
-        denied += pair.matches();
-        const auto turn = turn_deg(pair.pair, capture, pair.first, pair.second, features);
+        if (pair.is_denied()) {
+            ++agreement.contradicted;
+            denied += pair.matches;
+        }
+        if (!pair.is_denied() && !is_doubtful) continue;
+        const auto turn =
+            turn_deg(verified, capture, *views[static_cast<std::size_t>(verified.first)],
+                     *views[static_cast<std::size_t>(verified.second)], features);
         if (turn) turns_deg.push_back(*turn);
     }
     agreement.contradicted_turn_deg = median_of(std::move(turns_deg));

@@ -1,6 +1,7 @@
 #include "calib/poses/pose_stage.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <system_error>
 
@@ -9,6 +10,7 @@
 #include "calib/poses/mapping.h"
 #include "calib/poses/model_check.h"
 #include "calib/poses/model_doubts.h"
+#include "calib/poses/order_of_taking.h"
 #include "calib/poses/own_lenses.h"
 #include "calib/poses/point_colors.h"
 #include "calib/poses/refinement.h"
@@ -136,11 +138,17 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
         result.capture = *mapped;
         refine(result.capture, policy, options, threads, result.evidence, progress);
     });
-    if (auto own = find_own_lenses(job, matched, policy, result.capture)) {
-        mapped = std::move(own->mapped);
-        result.capture = std::move(own->refined);
-        joint_trouble = std::move(own->joint_trouble);
-    }
+    std::vector<std::string> told;
+    const auto take = [&](SecondModel model) {
+        mapped = std::move(model.mapped);
+        result.capture = std::move(model.refined);
+        joint_trouble = std::move(model.joint_trouble);
+        told.push_back(std::move(model.warning));
+    };
+    if (auto in_order = find_model_in_order(job, matched, policy, result.capture))
+        take(std::move(*in_order));
+    if (auto own = find_own_lenses(job, matched, policy, result.capture)) take(std::move(*own));
+    std::move(told.begin(), told.end(), std::back_inserter(result.evidence.warnings));
     settle_doubts(job, matched, *mapped, result.capture);
     if (!joint_trouble.empty()) {
         refuse_contradiction(job, matched, CaptureReason::kSplit, joint_trouble);

@@ -54,6 +54,7 @@ const std::vector<HazardCurve>& hazard_curves() {
          "width of the mark / side",
          Reason::kRepeated,
          {2.0, 0.7, 0.35, 0.15, 0.0}},
+        {Hazard::kSteps, "steps", "degrees", Reason::kRepeated, {9, 12, 15, 18, 22.5}},
         {Hazard::kFocalPrior,
          "focal-prior",
          "told / true",

@@ -22,6 +22,7 @@ enum class Hazard {
     kClutter,     ///< A growing share shows things that do not stand still.
     kOverlap,     ///< Two halves share less and less.
     kRepetition,  ///< A box with four equal sides, told apart by one mark that shrinks.
+    kSteps,       ///< Such a box without a mark, walked around in wider and wider steps.
     kFocalPrior,  ///< EXIF tells a wrong focal length.
     kZoom,        ///< Every other photograph is zoomed, and nothing tells.
     kDuplicates,  ///< Fewer and fewer places, photographed again and again.

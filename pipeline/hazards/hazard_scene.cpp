@@ -237,7 +237,7 @@ HazardScene overlap(std::uint64_t seed, double share) {
 
 /// Once around a box whose four sides look alike. A mark of the given width (of a side) sticks to
 /// one of them; from 1 on, a floor and objects that look different everywhere are in view as well.
-HazardScene repetition(std::uint64_t seed, double mark_share) {
+HazardScene repetition(std::uint64_t seed, double mark_share, int photographs = 16) {
     SceneBuilder builder(seed);
     const bool has_surroundings = mark_share >= 1.0;
     const double side = has_surroundings ? 1.0 : 2.0;
@@ -253,9 +253,8 @@ HazardScene repetition(std::uint64_t seed, double mark_share) {
                     mark, false);
     }
     Walk walk(seed);
-    constexpr int kAround = 16;
-    for (int index = 0; index < kAround; ++index) {
-        const double azimuth = 2 * std::numbers::pi * index / kAround;
+    for (int index = 0; index < photographs; ++index) {
+        const double azimuth = 2 * std::numbers::pi * index / photographs;
         const double distance = has_surroundings ? 5.0 : 4.2;
         const Eigen::Vector3d eye =
             Eigen::Vector3d(distance * std::sin(azimuth), -distance * std::cos(azimuth),
@@ -305,6 +304,8 @@ HazardScene hazard_scene(Hazard hazard, double strength, std::uint64_t seed) {
             return overlap(seed, strength);
         case Hazard::kRepetition:
             return repetition(seed, strength);
+        case Hazard::kSteps:
+            return repetition(seed, 0.0, static_cast<int>(std::lround(360.0 / strength)));
         case Hazard::kForward:
             return forward(seed, strength);
         case Hazard::kFisheye:

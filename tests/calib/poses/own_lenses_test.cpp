@@ -55,7 +55,7 @@ class OwnLenses : public testing::Test {
         }
     }
 
-    [[nodiscard]] std::optional<OwnLensModel> asked(const Capture& refined) {
+    [[nodiscard]] std::optional<SecondModel> asked(const Capture& refined) {
         const PoseOptions options;
         const CameraGroups groups = group_cameras(photographs_, std::nullopt, {});
         const MappingJob job{photographs_,    groups, options,   false,    true,
@@ -93,7 +93,7 @@ TEST_F(OwnLenses, AreFoundWherePhotographsWereZoomed) {
     PoseEvidence evidence;
     refine(shared, LensPolicy::kAuto, {}, 1, evidence, progress_);
     photograph(truth);
-    const std::optional<OwnLensModel> own = asked(shared);
+    const std::optional<SecondModel> own = asked(shared);
     ASSERT_TRUE(own.has_value());
     ASSERT_EQ(own->refined.cameras.size(), truth.views.size());
     for (const View& view : own->refined.views) {
