@@ -114,7 +114,6 @@ GrowingModel with_pairs(const MappingJob& job, const MatchedPhotographs& matched
 /// Looks for what connects the missing photographs with the placed ones among more doubtful
 /// matches: the geometry decides which of them are right.
 void bridge(const MappingJob& job, MatchedPhotographs& matched, GrowingModel& model) {
-    constexpr DescriptorMatchingOptions kLenientMatching{.max_ratio = 0.9, .max_angle_rad = 0.7};
     const std::vector<PairMatches> matches =
         match_pairs(matched.features, bridging_pairs(matched, model), kLenientMatching, job.threads,
                     job.progress);

@@ -8,6 +8,7 @@
 #include "calib/colmap/colmap_commands.h"
 #include "calib/colmap/colmap_database.h"
 #include "calib/colmap/match_list.h"
+#include "calib/features/descriptor_matching.h"
 #include "calib/features/features.h"
 #include "calib/features/sift.h"
 #include "calib/matching/camera_groups.h"
@@ -15,6 +16,9 @@
 #include "calib/poses/pose_stage.h"
 
 namespace lumi {
+
+/// Matches by look that are more doubtful: geometry then decides which of them are right.
+inline constexpr DescriptorMatchingOptions kLenientMatching{.max_ratio = 0.9, .max_angle_rad = 0.7};
 
 /// What all steps from photographs to poses need.
 struct MappingJob {

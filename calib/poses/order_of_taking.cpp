@@ -1,12 +1,15 @@
 #include "calib/poses/order_of_taking.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "calib/doctor/capture_reason.h"
+#include "calib/matching/pair_verification.h"
+#include "calib/matching/photograph_matching.h"
 #include "calib/poses/firm_joints.h"
 #include "calib/poses/pair_agreement.h"
 #include "calib/work/error.h"
@@ -15,30 +18,48 @@
 namespace lumi {
 namespace {
 
-MatchedPhotographs with_pairs_in_order(const MatchedPhotographs& matched) {
-    MatchedPhotographs in_order = without_features(matched);
-    std::erase_if(in_order.pairs, [](const VerifiedPair& pair) { return !pair.is_in_order(); });
-    return in_order;
+/// Photographs that follow each other, from how far: where hardly anything is seen three times in a
+/// row, those a little farther on help.
+constexpr std::array<int, 2> kStepsApart{1, 3};
+
+/// Of photographs at most so many steps apart, matched again leniently where there are features:
+/// that they follow each other speaks for them.
+MatchedPhotographs with_pairs_within(int steps, const MappingJob& job,
+                                     const MatchedPhotographs& matched) {
+    MatchedPhotographs within = without_features(matched);
+    std::erase_if(within.pairs,
+                  [steps](const VerifiedPair& pair) { return pair.second - pair.first > steps; });
+    if (matched.features.empty()) return within;
+    std::vector<std::pair<int, int>> followed;
+    const int photographs = static_cast<int>(matched.features.size());
+    for (int first = 0; first < photographs; ++first)
+        for (int second = first + 1; second <= std::min(first + steps, photographs - 1); ++second)
+            followed.emplace_back(first, second);
+    within.pairs = verify_pairs(
+        match_pairs(matched.features, followed, kLenientMatching, job.threads, job.progress),
+        job.groups.cameras, matched.photographs, job.lens_is_calibrated, {}, job.threads,
+        job.progress);
+    return within;
 }
 
-/// The pairs that agree with a model, and how many do not.
+/// Pairs that follow each other, and the others that agree with the model that these make.
 struct SortedPairs {
     MatchedPhotographs agreeing;
     std::size_t judged = 0;
     std::size_t set_aside = 0;
 };
 
-SortedPairs sorted_by(const Capture& model, const MappingJob& job,
-                      const MatchedPhotographs& matched) {
-    SortedPairs sorted{without_features(matched)};
-    sorted.agreeing.pairs.clear();
-    for (const JudgedPair& pair :
+SortedPairs sorted_by(const Capture& model, int steps, MatchedPhotographs followed,
+                      const MappingJob& job, const MatchedPhotographs& matched) {
+    SortedPairs sorted{std::move(followed)};
+    for (const JudgedPair& judged :
          judge_pairs(model, job.photographs, matched.photographs, matched.pairs)) {
+        const VerifiedPair& pair = matched.pairs[judged.index];
         ++sorted.judged;
-        if (pair.is_agreeing()) {
-            sorted.agreeing.pairs.push_back(matched.pairs[pair.index]);
-        } else {
+        if (!judged.is_agreeing()) {
             ++sorted.set_aside;
+        } else if (pair.second - pair.first > steps) {
+            sorted.agreeing.pairs.push_back(pair);
         }
     }
     return sorted;
@@ -121,17 +142,22 @@ std::optional<SecondModel> find_model_in_order(const MappingJob& job, MatchedPho
         evidence};
     const OrderQuestion question(own_job, matched, refined);
     try {
-        const auto chain = question.mapped_from(with_pairs_in_order(matched));
-        if (!chain) return std::nullopt;
-        SortedPairs pairs = sorted_by(*chain, job, matched);
-        const auto mapped = question.mapped_from(pairs.agreeing);
-        if (!mapped) return std::nullopt;
-        std::optional<SecondModel> model = question.finished(*mapped, policy);
-        if (!model) return std::nullopt;
-        tell_of_second_model(job.evidence, std::move(evidence));
-        model->warning = warning_of(pairs);
-        matched.pairs = std::move(pairs.agreeing.pairs);
-        return model;
+        for (const int steps : kStepsApart) {
+            evidence = {};
+            MatchedPhotographs followed = with_pairs_within(steps, job, matched);
+            const auto chain = question.mapped_from(followed);
+            if (!chain) continue;
+            SortedPairs pairs = sorted_by(*chain, steps, std::move(followed), job, matched);
+            const auto mapped = question.mapped_from(pairs.agreeing);
+            if (!mapped) continue;
+            std::optional<SecondModel> model = question.finished(*mapped, policy);
+            if (!model) continue;
+            tell_of_second_model(job.evidence, std::move(evidence));
+            model->warning = warning_of(pairs);
+            matched.pairs = std::move(pairs.agreeing.pairs);
+            return model;
+        }
+        return std::nullopt;
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::kDegenerateCapture) throw;
         return std::nullopt;
