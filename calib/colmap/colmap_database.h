@@ -29,9 +29,6 @@ struct VerifiedPair {
     int second = 0;
     PairConfiguration configuration = PairConfiguration::kUndefined;
     std::vector<FeatureMatch> inliers;
-
-    /// True when one photograph follows the other.
-    [[nodiscard]] bool is_in_order() const { return second - first == 1; }
 };
 
 /// A lens as COLMAP is told of it.

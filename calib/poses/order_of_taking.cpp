@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "calib/doctor/capture_reason.h"
+#include "calib/ingest/photograph_order.h"
 #include "calib/matching/pair_verification.h"
 #include "calib/matching/photograph_matching.h"
 #include "calib/poses/firm_joints.h"
@@ -22,24 +24,46 @@ namespace {
 /// row, those a little farther on help.
 constexpr std::array<int, 2> kStepsApart{1, 3};
 
-/// Of photographs at most so many steps apart, matched again leniently where there are features:
-/// that they follow each other speaks for them.
-MatchedPhotographs with_pairs_within(int steps, const MappingJob& job,
-                                     const MatchedPhotographs& matched) {
-    MatchedPhotographs within = without_features(matched);
-    std::erase_if(within.pairs,
-                  [steps](const VerifiedPair& pair) { return pair.second - pair.first > steps; });
-    if (matched.features.empty()) return within;
-    std::vector<std::pair<int, int>> followed;
-    const int photographs = static_cast<int>(matched.features.size());
-    for (int first = 0; first < photographs; ++first)
-        for (int second = first + 1; second <= std::min(first + steps, photographs - 1); ++second)
-            followed.emplace_back(first, second);
-    within.pairs = verify_pairs(
-        match_pairs(matched.features, followed, kLenientMatching, job.threads, job.progress),
-        job.groups.cameras, matched.photographs, job.lens_is_calibrated, {}, job.threads,
-        job.progress);
-    return within;
+/// Which pairs are of photographs that follow each other, at most so many steps apart.
+class Followers {
+ public:
+    Followers(int steps, const std::vector<Photograph>& photographs)
+        : steps_(steps), places_(places_in_order(photographs)) {}
+
+    [[nodiscard]] bool are(int first, int second) const {
+        return std::abs(places_[static_cast<std::size_t>(first)] -
+                        places_[static_cast<std::size_t>(second)]) <= steps_;
+    }
+
+    [[nodiscard]] std::vector<std::pair<int, int>> pairs() const {
+        std::vector<std::pair<int, int>> pairs;
+        const int photographs = static_cast<int>(places_.size());
+        for (int first = 0; first < photographs; ++first)
+            for (int second = first + 1; second < photographs; ++second)
+                if (are(first, second)) pairs.emplace_back(first, second);
+        return pairs;
+    }
+
+ private:
+    int steps_;
+    std::vector<int> places_;
+};
+
+/// Matched again leniently where there are features: that they follow each other speaks for them.
+MatchedPhotographs with_pairs_of(const Followers& followers, const MappingJob& job,
+                                 const MatchedPhotographs& matched) {
+    MatchedPhotographs followed = without_features(matched);
+    if (matched.features.empty()) {
+        std::erase_if(followed.pairs, [&](const VerifiedPair& pair) {
+            return !followers.are(pair.first, pair.second);
+        });
+    } else {
+        followed.pairs = verify_pairs(match_pairs(matched.features, followers.pairs(),
+                                                  kLenientMatching, job.threads, job.progress),
+                                      job.groups.cameras, matched.photographs,
+                                      job.lens_is_calibrated, {}, job.threads, job.progress);
+    }
+    return followed;
 }
 
 /// Pairs that follow each other, and the others that agree with the model that these make.
@@ -49,7 +73,7 @@ struct SortedPairs {
     std::size_t set_aside = 0;
 };
 
-SortedPairs sorted_by(const Capture& model, int steps, MatchedPhotographs followed,
+SortedPairs sorted_by(const Capture& model, const Followers& followers, MatchedPhotographs followed,
                       const MappingJob& job, const MatchedPhotographs& matched) {
     SortedPairs sorted{std::move(followed)};
     for (const JudgedPair& judged :
@@ -58,7 +82,7 @@ SortedPairs sorted_by(const Capture& model, int steps, MatchedPhotographs follow
         ++sorted.judged;
         if (!judged.is_agreeing()) {
             ++sorted.set_aside;
-        } else if (pair.second - pair.first > steps) {
+        } else if (!followers.are(pair.first, pair.second)) {
             sorted.agreeing.pairs.push_back(pair);
         }
     }
@@ -66,14 +90,16 @@ SortedPairs sorted_by(const Capture& model, int steps, MatchedPhotographs follow
 }
 
 /// Who walks takes even steps, and does not photograph each side before the next step: of such an
-/// order most steps would be those of a hand that stands still, and others leap. Views are in the
-/// order of the photographs.
+/// order most steps would be those of a hand that stands still, and others leap.
 bool leaps(const Capture& model) {
     constexpr double kMostRatio = 4.0;
+    std::vector<View> views = model.views;
+    std::sort(views.begin(), views.end(),
+              [](const View& a, const View& b) { return comes_before(a.name, b.name); });
     std::vector<double> steps;
-    for (std::size_t i = 1; i < model.views.size(); ++i)
-        steps.push_back((centre_in_world(model.views[i].cam_from_world) -
-                         centre_in_world(model.views[i - 1].cam_from_world))
+    for (std::size_t i = 1; i < views.size(); ++i)
+        steps.push_back((centre_in_world(views[i].cam_from_world) -
+                         centre_in_world(views[i - 1].cam_from_world))
                             .norm());
     std::sort(steps.begin(), steps.end());
     const std::size_t fifth = steps.size() / 5;
@@ -85,6 +111,17 @@ bool is_walk(const Capture& model, const MappingJob& job, const MatchedPhotograp
     const PairAgreement agreement =
         compare_with_pairs(model, job.photographs, matched.photographs, matched.pairs);
     return agreement.doubtful_in_order == 0 && agreement.is_mistaken() && !leaps(model);
+}
+
+/// Whether pairs contradict the model, or some do and it lacks many photographs: sides that look
+/// alike do not hang together firmly, either.
+bool is_in_doubt(const Capture& model, const MappingJob& job, const MatchedPhotographs& matched) {
+    constexpr double kMany = 0.2;
+    const PairAgreement agreement =
+        compare_with_pairs(model, job.photographs, matched.photographs, matched.pairs);
+    const double total = static_cast<double>(job.photographs.size());
+    const double lacking = total - static_cast<double>(model.views.size());
+    return agreement.is_contradiction() || (agreement.is_mistaken() && lacking > kMany * total);
 }
 
 std::string warning_of(const SortedPairs& pairs) {
@@ -130,10 +167,7 @@ class OrderQuestion {
 
 std::optional<SecondModel> find_model_in_order(const MappingJob& job, MatchedPhotographs& matched,
                                                LensPolicy policy, const Capture& refined) {
-    const bool is_contradicted =
-        compare_with_pairs(refined, job.photographs, matched.photographs, matched.pairs)
-            .is_contradiction();
-    if (!is_contradicted || job.options.mapper != "lumi") return std::nullopt;
+    if (job.options.mapper != "lumi" || !is_in_doubt(refined, job, matched)) return std::nullopt;
     job.progress.note("pairs contradict each other: asking those that follow each other");
     PoseEvidence evidence;
     const MappingJob own_job{
@@ -144,10 +178,11 @@ std::optional<SecondModel> find_model_in_order(const MappingJob& job, MatchedPho
     try {
         for (const int steps : kStepsApart) {
             evidence = {};
-            MatchedPhotographs followed = with_pairs_within(steps, job, matched);
+            const Followers followers(steps, job.photographs);
+            MatchedPhotographs followed = with_pairs_of(followers, job, matched);
             const auto chain = question.mapped_from(followed);
             if (!chain) continue;
-            SortedPairs pairs = sorted_by(*chain, steps, std::move(followed), job, matched);
+            SortedPairs pairs = sorted_by(*chain, followers, std::move(followed), job, matched);
             const auto mapped = question.mapped_from(pairs.agreeing);
             if (!mapped) continue;
             std::optional<SecondModel> model = question.finished(*mapped, policy);

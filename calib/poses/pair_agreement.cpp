@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
 
+#include "calib/ingest/photograph_order.h"
 #include "calib/matching/pair_geometry.h"
 #include "calib/poses/pair_ties.h"
 #include "calib/work/median.h"
@@ -134,6 +136,7 @@ PairAgreement compare_with_pairs(const Capture& capture, const std::vector<Photo
                                  const std::vector<VerifiedPair>& pairs) {
     const std::vector<JudgedPair> judged = judge_pairs(capture, photographs, features, pairs);
     const ViewOfPhotograph views = views_of(capture, photographs);
+    const std::vector<int> places = places_in_order(photographs);
     PairAgreement agreement;
     std::size_t matches = 0;
     std::size_t denied = 0;
@@ -141,8 +144,10 @@ PairAgreement compare_with_pairs(const Capture& capture, const std::vector<Photo
     std::vector<double> turns_deg;
     for (const JudgedPair& pair : judged) {
         const VerifiedPair& verified = pairs[pair.index];
-        const bool is_doubtful = verified.is_in_order() && !pair.is_agreeing();
-        if (verified.is_in_order()) ++agreement.in_order;
+        const bool is_in_order = std::abs(places[static_cast<std::size_t>(verified.first)] -
+                                          places[static_cast<std::size_t>(verified.second)]) == 1;
+        const bool is_doubtful = is_in_order && !pair.is_agreeing();
+        if (is_in_order) ++agreement.in_order;
         if (is_doubtful) ++agreement.doubtful_in_order;
         const bool is_outweighed =
             static_cast<double>(pair.matches) < kOutweighedShare * static_cast<double>(pair.tied);

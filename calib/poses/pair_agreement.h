@@ -14,7 +14,7 @@ struct PairAgreement {
     int pairs = 0;         ///< Verified pairs, both of whose photographs were placed.
     int contradicted = 0;  ///< Of these, such whose matches the model denies.
     int outweighed = 0;    ///< Denied as well, but by far more matches: in none of the others.
-    int in_order = 0;      ///< Pairs of photographs that follow each other.
+    int in_order = 0;      ///< Pairs of photographs that follow each other (places_in_order).
     /// Of these, such of whose matches the model denies a fifth and more.
     int doubtful_in_order = 0;
     /// Of all these pairs, or of their matches, whichever is more: those that are denied.

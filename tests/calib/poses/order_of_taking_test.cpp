@@ -119,17 +119,15 @@ class FourSides : public testing::Test {
         return folded;
     }
 
-    /// Photograph `i` becomes the one at `place_of[i]`.
+    /// As if photograph `i` had been taken as the one at `place_of[i]`, and bore its name.
     void put_in_order(const std::vector<int>& place_of) {
         std::vector<ColmapPhotograph> matched(photographs_.size());
-        std::vector<Photograph> named(photographs_.size());
         for (std::size_t i = 0; i < photographs_.size(); ++i) {
             const auto place = static_cast<std::size_t>(place_of[i]);
             matched[place] = matched_.photographs[i];
-            named[place] = photographs_[i];
+            scene_.truth.views[i].name = photographs_[place].name;
         }
         matched_.photographs = std::move(matched);
-        photographs_ = std::move(named);
         for (VerifiedPair& pair : matched_.pairs) {
             pair.first = place_of[static_cast<std::size_t>(pair.first)];
             pair.second = place_of[static_cast<std::size_t>(pair.second)];
