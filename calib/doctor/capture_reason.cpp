@@ -40,7 +40,7 @@ constexpr std::array<ReasonEntry, 18> kReasons{{
      "add photographs between the groups, so that each overlaps by two thirds with the next"},
     {CaptureReason::kRepeated, "E-POSES-REPEATED",
      "put things that differ next to the sides that look alike, or step back so that the "
-     "surroundings are in view, and walk around in small steps"},
+     "surroundings are in view, and walk around in small steps, with files named in that order"},
     {CaptureReason::kFocal, "E-POSES-FOCAL",
      "give the lens ([calibration]), keep EXIF data in the photographs, or photograph the subject "
      "from more sides"},

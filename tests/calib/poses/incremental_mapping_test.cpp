@@ -3,29 +3,20 @@
 
 #include <random>
 
-#include "calib/poses/mapping.h"
-#include "tests/calib/mapping/matched_scene.h"
+#include "tests/calib/poses/matched_job.h"
 
 namespace lumi {
 namespace {
 
 /// Ten photographs along an arc, and what is known of them after matching.
-class IncrementalMapping : public testing::Test {
+class IncrementalMapping : public MatchedJob {
  protected:
     IncrementalMapping() {
         SyntheticCaptureOptions options;
         options.views = 10;
         options.points = 400;
         options.arc_deg = 90;
-        scene_ = matched_scene(synthetic_capture(pinhole_camera(1000, 800, 900), options));
-        matched_.photographs = scene_.photographs;
-        matched_.pairs = scene_.pairs;
-        groups_.cameras = scene_.cameras;
-        for (const std::string& name : names_of(scene_.truth)) {
-            photographs_.emplace_back();
-            photographs_.back().name = name;
-            groups_.camera_of_photograph.push_back(0);
-        }
+        match(synthetic_capture(pinhole_camera(1000, 800, 900), options));
     }
 
     /// Photographs below `from` and the others have no pair in common.
@@ -53,19 +44,7 @@ class IncrementalMapping : public testing::Test {
             }
         }
     }
-    std::optional<Capture> map() {
-        const MappingJob job{photographs_, groups_, options_,  true,     false,
-                             "",           1,       progress_, evidence_};
-        return map_incrementally(job, matched_);
-    }
-
-    MatchedScene scene_;
-    MatchedPhotographs matched_;
-    std::vector<Photograph> photographs_;
-    CameraGroups groups_;
-    PoseOptions options_;
-    PoseEvidence evidence_;
-    SilentProgress progress_;
+    std::optional<Capture> map() { return map_incrementally(job(), matched_); }
 };
 
 TEST_F(IncrementalMapping, PlacesAllOfAConnectedCapture) {

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "calib/poses/pair_agreement.h"
-#include "tests/calib/mapping/matched_scene.h"
+#include "tests/calib/poses/matched_job.h"
 
 namespace lumi {
 namespace {
@@ -28,7 +28,7 @@ Eigen::Matrix3d turn_to_next_side() {
 
 /// Thirty-six photographs around a thing whose four sides are alike, each of which shows what faces
 /// it.
-class FourSides : public testing::Test {
+class FourSides : public MatchedJob {
  protected:
     FourSides() {
         SyntheticCaptureOptions options;
@@ -48,15 +48,7 @@ class FourSides : public testing::Test {
         for (int side = 0; side < kSides; ++side, turn = turn_to_next_side() * turn)
             for (const ScenePoint& point : of_one_side)
                 truth.points.push_back(seen_from_its_side(truth, turn * point.position_in_world));
-        scene_ = matched_scene(std::move(truth));
-        matched_.photographs = scene_.photographs;
-        matched_.pairs = scene_.pairs;
-        groups_.cameras = scene_.cameras;
-        for (const std::string& name : names_of(scene_.truth)) {
-            photographs_.emplace_back();
-            photographs_.back().name = name;
-            groups_.camera_of_photograph.push_back(0);
-        }
+        match(std::move(truth));
     }
 
     static ScenePoint seen_from_its_side(const Capture& capture, const Eigen::Vector3d& position) {
@@ -138,18 +130,9 @@ class FourSides : public testing::Test {
     }
 
     std::optional<SecondModel> asked(const Capture& refined) {
-        const MappingJob job{photographs_, groups_, options_,  true,     false,
-                             "",           1,       progress_, evidence_};
-        return find_model_in_order(job, matched_, LensPolicy::kHeld, refined);
+        return find_model_in_order(job(), matched_, LensPolicy::kHeld, refined);
     }
 
-    MatchedScene scene_;
-    MatchedPhotographs matched_;
-    std::vector<Photograph> photographs_;
-    CameraGroups groups_;
-    PoseOptions options_;
-    PoseEvidence evidence_;
-    SilentProgress progress_;
     int mistaken_ = 0;
 };
 
