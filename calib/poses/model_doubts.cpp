@@ -140,15 +140,23 @@ void settle_explanation(const MappingJob& job, const MatchedPhotographs& matched
         std::string(advice_for(explanation.reason())));
 }
 
+/// Which pairs the model denies; empty where only single matches do not fit.
+std::string denied_pairs(const PairAgreement& agreement) {
+    if (agreement.contradicted > 0)
+        return formatted("%d of %d pairs", agreement.contradicted, agreement.pairs);
+    if (agreement.doubtful_in_order > 0)
+        return formatted("%d of %d pairs of photographs that follow each other",
+                         agreement.doubtful_in_order, agreement.in_order);
+    return {};
+}
+
 std::string text_of(const PairAgreement& agreement) {
-    const std::string pairs =
-        agreement.contradicted >= 2
-            ? formatted("%d of %d pairs", agreement.contradicted, agreement.pairs)
-            : formatted("%d of %d pairs of photographs that follow each other",
-                        agreement.doubtful_in_order, agreement.in_order);
-    return "the photographs contradict themselves: " + pairs +
-           formatted(", and %.0f %% of all matches, do not fit where the cameras would have to be",
-                     100 * (1 - agreement.agreeing_share));
+    const std::string matches =
+        formatted("%.0f %% of all matches", 100 * (1 - agreement.agreeing_share));
+    const std::string pairs = denied_pairs(agreement);
+    return "the photographs contradict themselves: " +
+           (pairs.empty() ? matches : pairs + ", and " + matches + ",") +
+           " do not fit where the cameras would have to be";
 }
 
 /// Few of them are chance.

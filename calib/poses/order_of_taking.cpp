@@ -163,40 +163,54 @@ class OrderQuestion {
     const Capture& first_;
 };
 
+/// A model, and the pairs that it was made from.
+struct Answer {
+    SecondModel model;
+    SortedPairs pairs;
+};
+
+/// Empty where no model comes of it, or none that is a walk.
+std::optional<Answer> answer_of(const OrderQuestion& question, const Followers& followers,
+                                const MappingJob& own_job, const MatchedPhotographs& matched,
+                                LensPolicy policy) {
+    try {
+        MatchedPhotographs followed = with_pairs_of(followers, own_job, matched);
+        const auto chain = question.mapped_from(followed);
+        if (!chain) return std::nullopt;
+        SortedPairs pairs = sorted_by(*chain, followers, std::move(followed), own_job, matched);
+        const auto mapped = question.mapped_from(pairs.agreeing);
+        if (!mapped) return std::nullopt;
+        auto model = question.finished(*mapped, policy);
+        if (!model) return std::nullopt;
+        model->warning = warning_of(pairs);
+        return Answer{std::move(*model), std::move(pairs)};
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::kDegenerateCapture) throw;
+        return std::nullopt;
+    }
+}
+
 }  // namespace
 
 std::optional<SecondModel> find_model_in_order(const MappingJob& job, MatchedPhotographs& matched,
                                                LensPolicy policy, const Capture& refined) {
     if (job.options.mapper != "lumi" || !is_in_doubt(refined, job, matched)) return std::nullopt;
     job.progress.note("pairs contradict each other: asking those that follow each other");
-    PoseEvidence evidence;
-    const MappingJob own_job{
-        job.photographs, job.groups,         job.options, job.lens_is_calibrated,
-        job.refine_lens, job.scratch_folder, job.threads, job.progress,
-        evidence};
-    const OrderQuestion question(own_job, matched, refined);
-    try {
-        for (const int steps : kStepsApart) {
-            evidence = {};
-            const Followers followers(steps, job.photographs);
-            MatchedPhotographs followed = with_pairs_of(followers, job, matched);
-            const auto chain = question.mapped_from(followed);
-            if (!chain) continue;
-            SortedPairs pairs = sorted_by(*chain, followers, std::move(followed), job, matched);
-            const auto mapped = question.mapped_from(pairs.agreeing);
-            if (!mapped) continue;
-            std::optional<SecondModel> model = question.finished(*mapped, policy);
-            if (!model) continue;
-            tell_of_second_model(job.evidence, std::move(evidence));
-            model->warning = warning_of(pairs);
-            matched.pairs = std::move(pairs.agreeing.pairs);
-            return model;
-        }
-        return std::nullopt;
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::kDegenerateCapture) throw;
-        return std::nullopt;
+    for (const int steps : kStepsApart) {
+        PoseEvidence evidence;
+        const MappingJob own_job{
+            job.photographs, job.groups,         job.options, job.lens_is_calibrated,
+            job.refine_lens, job.scratch_folder, job.threads, job.progress,
+            evidence};
+        const OrderQuestion question(own_job, matched, refined);
+        auto answer =
+            answer_of(question, Followers(steps, job.photographs), own_job, matched, policy);
+        if (!answer) continue;
+        tell_of_second_model(job.evidence, std::move(evidence));
+        matched.pairs = std::move(answer->pairs.agreeing.pairs);
+        return std::move(answer->model);
     }
+    return std::nullopt;
 }
 
 }  // namespace lumi
