@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "calib/capture/degrees.h"
+#include "pipeline/hazards/hazard_scenery.h"
 #include "pipeline/synth/hand_held_path.h"
 #include "pipeline/synth/hashed_random.h"
 
@@ -15,105 +16,6 @@ namespace {
 constexpr int kWidthPx = 400;
 constexpr int kHeightPx = 300;
 constexpr int kPhotographs = 8;
-constexpr double kWallY = 1.6;
-
-double between(HashedRandom& random, double low, double high) {
-    return low + (high - low) * random.uniform();
-}
-
-LinearColor random_color(HashedRandom& random) {
-    return linear_from_srgb({static_cast<float>(between(random, 0.2, 0.95)),
-                             static_cast<float>(between(random, 0.2, 0.95)),
-                             static_cast<float>(between(random, 0.2, 0.95))});
-}
-
-/// Rich in detail at the size of a few pixels from three units away.
-Material random_material(HashedRandom& random) {
-    constexpr std::array<Pattern, 4> kPatterns{Pattern::kStone, Pattern::kMarble, Pattern::kBricks,
-                                               Pattern::kWood};
-    Material material;
-    material.pattern = kPatterns[random.below(kPatterns.size())];
-    for (LinearColor& color : material.colors) color = random_color(random);
-    material.feature_size = between(random, 0.35, 0.8);
-    material.detail_contrast = between(random, 0.4, 0.6);
-    material.detail_size = between(random, 0.2, 0.35);
-    material.seed = static_cast<std::uint32_t>(random.word());
-    return material;
-}
-
-Solid box_at(const Eigen::Vector3d& centre, const Eigen::Vector3d& size, double turn_rad = 0.0) {
-    return Box{{centre, Eigen::AngleAxisd(-turn_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix()},
-               0.5 * size,
-               0.0};
-}
-
-/// Builds a scene body by body.
-class SceneBuilder {
- public:
-    explicit SceneBuilder(std::uint64_t seed) : random_(seed, 1) {
-        scene_.lighting.towards_lamp = {between(random_, -0.8, 0.8), -0.8, 1.0};
-        scene_.lighting.contact_radius = 0.0;
-    }
-
-    void add(const std::string& name, Solid solid, const Material& material, bool casts_shadow) {
-        scene_.materials.push_back(material);
-        scene_.bodies.emplace_back(name, static_cast<int>(scene_.materials.size()) - 1,
-                                   std::vector{std::move(solid)}, 0.0, casts_shadow);
-    }
-    void add_floor() {
-        add("floor", box_at({0, 0, -0.1}, {40, 40, 0.2}), random_material(random_), false);
-    }
-    void add_wall() {
-        add("wall", box_at({0, kWallY + 0.2, 5}, {40, 0.4, 12}), random_material(random_), false);
-    }
-    void add_objects() {
-        for (int index = 0; index < 11; ++index) {
-            const double x = -5.0 + index + between(random_, -0.3, 0.3);
-            const double y = between(random_, -0.5, 1.0);
-            const double size = between(random_, 0.4, 0.9);
-            const Placement upright{{x, y, 0.5 * size}, Eigen::Matrix3d::Identity()};
-            const std::size_t kind = random_.below(3);
-            Solid solid =
-                box_at({x, y, 0.5 * size}, {size, 0.8 * size, size}, between(random_, 0.0, 1.5));
-            if (kind == 1) solid = Cylinder{upright, 0.35 * size, 0.5 * size, 0.0};
-            if (kind == 2) {
-                solid = Ellipsoid{upright, Eigen::Vector3d(0.45, 0.4, 0.5) * size};
-            }
-            add("object", std::move(solid), random_material(random_), true);
-        }
-    }
-    /// A floor, and objects at odd places around the middle.
-    void add_surroundings() {
-        add_floor();
-        for (int index = 0; index < 9; ++index) {
-            const double azimuth = 2 * std::numbers::pi * (index + random_.uniform()) / 9;
-            const double distance = between(random_, 1.9, 2.8);
-            const double size = between(random_, 0.4, 0.9);
-            add("object",
-                box_at({distance * std::cos(azimuth), distance * std::sin(azimuth), 0.5 * size},
-                       {size, 0.7 * size, size}, azimuth),
-                random_material(random_), true);
-        }
-    }
-    /// Boxes that stand out of the wall by up to `relief`, in front of the middle of the room.
-    void add_relief(double relief) {
-        for (int index = 0; index < 40; ++index) {
-            const double depth = relief * between(random_, 0.3, 1.0);
-            const Eigen::Vector3d centre(between(random_, -3.2, 3.2), kWallY - 0.5 * depth,
-                                         between(random_, 0.2, 4.0));
-            const Eigen::Vector3d size(between(random_, 0.3, 0.8), depth,
-                                       between(random_, 0.3, 0.8));
-            const Material material = random_material(random_);
-            if (relief > 0) add("relief", box_at(centre, size), material, false);
-        }
-    }
-    [[nodiscard]] HashedRandom& random() { return random_; }
-    [[nodiscard]] Scene take() { return std::move(scene_); }
-
- private:
-    HashedRandom random_;
-    Scene scene_;
-};
 
 /// A path and the lens it is photographed with.
 class Walk {
@@ -144,11 +46,11 @@ class Walk {
 };
 
 Scene room(std::uint64_t seed) {
-    SceneBuilder builder(seed);
-    builder.add_floor();
-    builder.add_wall();
-    builder.add_objects();
-    return builder.take();
+    HazardScenery scenery(seed);
+    scenery.add_floor();
+    scenery.add_wall();
+    scenery.add_objects();
+    return scenery.take();
 }
 
 /// From -0.5 to 0.5 over the photographs of a walk.
@@ -201,11 +103,11 @@ HazardScene rotation(std::uint64_t seed, double way_share) {
 
 HazardScene planarity(std::uint64_t seed, double relief_share) {
     constexpr double kDistance = 3.2;
-    SceneBuilder builder(seed);
-    builder.add_wall();
-    builder.add_relief(relief_share * kDistance);
+    HazardScenery scenery(seed);
+    scenery.add_wall();
+    scenery.add_relief(relief_share * kDistance);
     Walk walk(seed);
-    const Eigen::Vector3d target(0, kWallY, 2.0);
+    const Eigen::Vector3d target(0, HazardScenery::kWallY, 2.0);
     for (int index = 0; index < kPhotographs; ++index) {
         const double azimuth = 50 * kRadiansPerDegree * part(index);
         const Eigen::Vector3d eye =
@@ -213,7 +115,7 @@ HazardScene planarity(std::uint64_t seed, double relief_share) {
             Eigen::Vector3d(0, 0, index % 2 == 0 ? -0.4 : 0.4) + walk.sway(0.06);
         walk.stand(eye, target + walk.sway(0.1));
     }
-    return walk.with(builder.take());
+    return walk.with(scenery.take());
 }
 
 /// Two groups along the wall; the two photographs that face each other across the gap share a
@@ -222,7 +124,7 @@ HazardScene overlap(std::uint64_t seed, double share) {
     Walk walk(seed);
     constexpr double kEyeY = -3.1;
     constexpr double kStep = 0.3;
-    const double frame_width = kWidthPx / walk.focal_length_px() * (kWallY - kEyeY);
+    const double frame_width = kWidthPx / walk.focal_length_px() * (HazardScenery::kWallY - kEyeY);
     const double gap = (1.0 - share) * frame_width;
     for (int index = 0; index < kPhotographs; ++index) {
         const int half = index / (kPhotographs / 2);
@@ -238,18 +140,18 @@ HazardScene overlap(std::uint64_t seed, double share) {
 /// Once around a box whose four sides look alike. A mark of the given width (of a side) sticks to
 /// one of them; from 1 on, a floor and objects that look different everywhere are in view as well.
 HazardScene repetition(std::uint64_t seed, double mark_share, int photographs = 16) {
-    SceneBuilder builder(seed);
+    HazardScenery scenery(seed);
     const bool has_surroundings = mark_share >= 1.0;
     const double side = has_surroundings ? 1.0 : 2.0;
-    if (has_surroundings) builder.add_surroundings();
-    Material sides = random_material(builder.random());
+    if (has_surroundings) scenery.add_surroundings();
+    Material sides = random_material(scenery.random());
     sides.pattern = Pattern::kStone;
     sides.copies_around = 4;
-    builder.add("box", box_at({0, 0, 0.5 * side}, {side, side, side}), sides, false);
-    const Material mark = random_material(builder.random());
+    scenery.add("box", box_at({0, 0, 0.5 * side}, {side, side, side}), sides, false);
+    const Material mark = random_material(scenery.random());
     const double width = std::min(mark_share, 0.9) * side;
     if (width > 0) {
-        builder.add("mark", box_at({0, -0.5 * side - 0.005, 0.5 * side}, {width, 0.01, width}),
+        scenery.add("mark", box_at({0, -0.5 * side - 0.005, 0.5 * side}, {width, 0.01, width}),
                     mark, false);
     }
     Walk walk(seed);
@@ -262,7 +164,7 @@ HazardScene repetition(std::uint64_t seed, double mark_share, int photographs = 
             walk.sway(0.08);
         walk.stand(eye, Eigen::Vector3d(0, 0, 0.9) + walk.sway(0.05));
     }
-    return walk.with(builder.take());
+    return walk.with(scenery.take());
 }
 
 HazardScene forward(std::uint64_t seed, double sideways_share) {
