@@ -84,7 +84,8 @@ void refuse_contradiction(const MappingJob& job, const MatchedPhotographs& match
     // Matches by look that are true mostly agree with one motion. Where few do, the rest will have
     // let some pairs pass by chance.
     constexpr double kMinInlierShare = 0.6;
-    for (const Finding& finding : diagnose(evidence_of(job, matched))) {
+    const std::vector<Finding> findings = diagnose(evidence_of(job, matched));
+    for (const Finding& finding : findings) {
         if (finding.severity >= Severity::kRisk && spoils_matches(finding.reason)) {
             refuse_capture(finding.reason, finding.what);
         }
@@ -95,6 +96,14 @@ void refuse_contradiction(const MappingJob& job, const MatchedPhotographs& match
         refuse_capture(CaptureReason::kClutter,
                        what + ", and only " + std::to_string(percent) +
                            " % of what looks alike in two photographs stands still between them");
+    }
+    // Who only walks ahead leaves focal length and distances to make up for each other: a model
+    // that is bent by that denies its matches here and there.
+    for (const Finding& finding : findings) {
+        if (fallback == CaptureReason::kUncertain && finding.severity >= Severity::kRisk &&
+            finding.reason == CaptureReason::kForward) {
+            refuse_capture(finding.reason, what + "; " + finding.what);
+        }
     }
     refuse_capture(fallback, what);
 }

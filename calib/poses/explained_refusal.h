@@ -19,8 +19,8 @@ namespace lumi {
                                    CaptureReason fallback, const std::string& what);
 
 /// The same where matches contradict one another, or are too few in places: only what spoils
-/// matches explains that. Throws Error (E-POSES-...) for poor pictures or clutter, else for
-/// `fallback`.
+/// matches explains that, or, where nothing better than kUncertain is known, a walk straight ahead.
+/// Throws Error (E-POSES-...) for poor pictures, clutter or such a walk, else for `fallback`.
 [[noreturn]] void refuse_contradiction(const MappingJob& job, const MatchedPhotographs& matched,
                                        CaptureReason fallback, const std::string& what);
 

@@ -106,25 +106,41 @@ bool leaps(const Capture& model) {
     return steps[steps.size() - 1 - fifth] > kMostRatio * steps[fifth];
 }
 
-/// Whether the walk that a model tells of is the one that the photographs were taken on.
-bool is_walk(const Capture& model, const MappingJob& job, const MatchedPhotographs& matched) {
-    const PairAgreement agreement =
-        compare_with_pairs(model, job.photographs, matched.photographs, matched.pairs);
-    return agreement.doubtful_in_order == 0 && agreement.is_mistaken() && !leaps(model);
-}
+/// Why the order is asked.
+enum class Cause {
+    kContradiction,  ///< Pairs deny the model: what looks alike may have been mistaken.
+    kMissing,        ///< Many photographs were not placed: they share too little to be sure of.
+};
 
-/// Whether pairs contradict the model, or some do and it lacks many photographs: sides that look
-/// alike do not hang together firmly, either.
-bool is_in_doubt(const Capture& model, const MappingJob& job, const MatchedPhotographs& matched) {
+/// Sides that look alike do not hang together firmly, either: where photographs are missing, even
+/// two pairs that see another side are a contradiction.
+std::optional<Cause> cause_to_ask(const Capture& model, const MappingJob& job,
+                                  const MatchedPhotographs& matched) {
     constexpr double kMany = 0.2;
     const PairAgreement agreement =
         compare_with_pairs(model, job.photographs, matched.photographs, matched.pairs);
     const double total = static_cast<double>(job.photographs.size());
-    const double lacking = total - static_cast<double>(model.views.size());
-    return agreement.is_contradiction() || (agreement.is_mistaken() && lacking > kMany * total);
+    const bool lacks_many = total - static_cast<double>(model.views.size()) > kMany * total;
+    if (agreement.is_contradiction() || (agreement.is_mistaken() && lacks_many))
+        return Cause::kContradiction;
+    return lacks_many ? std::optional(Cause::kMissing) : std::nullopt;
 }
 
-std::string warning_of(const SortedPairs& pairs) {
+/// Whether the walk that a model tells of is the one that the photographs were taken on: what it
+/// denies, if anything, was seen from another side altogether.
+bool is_walk(const Capture& model, const MappingJob& job, const MatchedPhotographs& matched) {
+    const PairAgreement agreement =
+        compare_with_pairs(model, job.photographs, matched.photographs, matched.pairs);
+    return agreement.doubtful_in_order == 0 && !leaps(model) &&
+           (agreement.is_mistaken() || !agreement.is_contradiction());
+}
+
+std::string warning_of(Cause cause, const SortedPairs& pairs, std::size_t added) {
+    if (cause == Cause::kMissing)
+        return formatted(
+            "%zu photographs share so little with the others that they were placed only because "
+            "they follow each other by name; look at the drawing",
+            added);
     return std::string(code_of(CaptureReason::kRepeated)) +
            formatted(
                ": things look alike: of %zu pairs of photographs %zu say otherwise than those that "
@@ -135,12 +151,12 @@ std::string warning_of(const SortedPairs& pairs) {
 /// The question of find_model_in_order, put to a job with evidence of its own.
 class OrderQuestion {
  public:
-    OrderQuestion(const MappingJob& job, const MatchedPhotographs& matched, const Capture& first)
-        : job_(job), matched_(matched), first_(first) {}
+    OrderQuestion(const MappingJob& job, const MatchedPhotographs& matched, std::size_t least_views)
+        : job_(job), matched_(matched), least_views_(least_views) {}
 
     [[nodiscard]] std::optional<Capture> mapped_from(MatchedPhotographs matched) const {
         std::optional<Capture> mapped = map_incrementally(job_, matched);
-        if (mapped && mapped->views.size() < first_.views.size()) return std::nullopt;
+        if (mapped && mapped->views.size() < least_views_) return std::nullopt;
         return mapped;
     }
 
@@ -152,7 +168,7 @@ class OrderQuestion {
         model.joint_trouble = std::move(joints.trouble);
         model.refined = model.mapped;
         refine(model.refined, policy, job_.options, job_.threads, job_.evidence, job_.progress);
-        const bool is_whole = model.refined.views.size() >= first_.views.size();
+        const bool is_whole = model.refined.views.size() >= least_views_;
         if (!is_whole || !is_walk(model.refined, job_, matched_)) return std::nullopt;
         return model;
     }
@@ -160,7 +176,7 @@ class OrderQuestion {
  private:
     const MappingJob& job_;
     const MatchedPhotographs& matched_;
-    const Capture& first_;
+    std::size_t least_views_;
 };
 
 /// A model, and the pairs that it was made from.
@@ -182,7 +198,6 @@ std::optional<Answer> answer_of(const OrderQuestion& question, const Followers& 
         if (!mapped) return std::nullopt;
         auto model = question.finished(*mapped, policy);
         if (!model) return std::nullopt;
-        model->warning = warning_of(pairs);
         return Answer{std::move(*model), std::move(pairs)};
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::kDegenerateCapture) throw;
@@ -194,18 +209,26 @@ std::optional<Answer> answer_of(const OrderQuestion& question, const Followers& 
 
 std::optional<SecondModel> find_model_in_order(const MappingJob& job, MatchedPhotographs& matched,
                                                LensPolicy policy, const Capture& refined) {
-    if (job.options.mapper != "lumi" || !is_in_doubt(refined, job, matched)) return std::nullopt;
-    job.progress.note("pairs contradict each other: asking those that follow each other");
+    if (job.options.mapper != "lumi") return std::nullopt;
+    const std::optional<Cause> cause = cause_to_ask(refined, job, matched);
+    if (!cause) return std::nullopt;
+    job.progress.note(std::string(*cause == Cause::kMissing ? "many photographs are missing"
+                                                            : "pairs contradict each other") +
+                      ": asking those that follow each other");
+    const std::size_t placed = refined.views.size();
+    const std::size_t least_views = placed + (*cause == Cause::kMissing ? 1 : 0);
     for (const int steps : kStepsApart) {
         PoseEvidence evidence;
         const MappingJob own_job{
             job.photographs, job.groups,         job.options, job.lens_is_calibrated,
             job.refine_lens, job.scratch_folder, job.threads, job.progress,
             evidence};
-        const OrderQuestion question(own_job, matched, refined);
+        const OrderQuestion question(own_job, matched, least_views);
         auto answer =
             answer_of(question, Followers(steps, job.photographs), own_job, matched, policy);
         if (!answer) continue;
+        answer->model.warning =
+            warning_of(*cause, answer->pairs, answer->model.refined.views.size() - placed);
         tell_of_second_model(job.evidence, std::move(evidence));
         matched.pairs = std::move(answer->pairs.agreeing.pairs);
         return std::move(answer->model);

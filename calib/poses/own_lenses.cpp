@@ -196,8 +196,8 @@ class ZoomQuestion {
         return tells(refined, evidence, kMinFactor);
     }
 
-    /// Small zooms leave two models that explain the photographs about equally, and whose poses
-    /// differ: then the one counts that assumes less, if its focal lengths are sure to differ.
+    /// Whether poses differ by more than they may be wrong, no pair denies them, and a zoom is
+    /// told.
     [[nodiscard]] bool tells(const Capture& own, const PoseEvidence& evidence,
                              double min_factor) const {
         if (own.views.size() < shared_.views.size() || zoom_factor(own, shared_) < min_factor ||
@@ -207,8 +207,11 @@ class ZoomQuestion {
             return false;
         }
         const SharedCosts costs(shared_, own);
-        return costs.own_is_better(shared_, own) ||
-               (!costs.own_is_much_worse() && focal_lengths_differ(own, evidence, shared_));
+        const auto explained = static_cast<double>(count_observations(shared_));
+        const auto explained_by_own = static_cast<double>(count_observations(own));
+        return ZoomEvidence{explained_by_own / explained - 1, costs.own_is_better(shared_, own),
+                            costs.own_is_much_worse(), focal_lengths_differ(own, evidence, shared_)}
+            .is_told();
     }
 
  private:
@@ -237,6 +240,13 @@ std::optional<SecondModel> answer_of(const ZoomQuestion& question, const Mapping
 }
 
 }  // namespace
+
+bool ZoomEvidence::is_told() const {
+    /// Zooms of 1.03 were seen to explain 1.6 and 3.1 % more, larger ones 9 % and more; groups of
+    /// photographs that only seemed to be zoomed nothing, or up to 13 % less.
+    constexpr double kLeastMore = 0.005;
+    return leaves_less || (more_explained > kLeastMore && !leaves_more && is_certain);
+}
 
 std::optional<SecondModel> find_own_lenses(const MappingJob& job, const MatchedPhotographs& matched,
                                            LensPolicy policy, const Capture& refined) {

@@ -137,6 +137,13 @@ PairAgreement compare_with_pairs(const Capture& capture, const std::vector<Photo
     const std::vector<JudgedPair> judged = judge_pairs(capture, photographs, features, pairs);
     const ViewOfPhotograph views = views_of(capture, photographs);
     const std::vector<int> places = places_in_order(photographs);
+    // Asked of no pair that agrees: it is not needed there, and takes long.
+    const auto turned = [&](const JudgedPair& pair) -> std::optional<double> {
+        if (pair.is_agreeing()) return std::nullopt;
+        const VerifiedPair& verified = pairs[pair.index];
+        return turn_deg(verified, capture, *views[static_cast<std::size_t>(verified.first)],
+                        *views[static_cast<std::size_t>(verified.second)], features);
+    };
     PairAgreement agreement;
     std::size_t matches = 0;
     std::size_t denied = 0;
@@ -146,8 +153,9 @@ PairAgreement compare_with_pairs(const Capture& capture, const std::vector<Photo
         const VerifiedPair& verified = pairs[pair.index];
         const bool is_in_order = std::abs(places[static_cast<std::size_t>(verified.first)] -
                                           places[static_cast<std::size_t>(verified.second)]) == 1;
-        const bool is_doubtful = is_in_order && !pair.is_agreeing();
         if (is_in_order) ++agreement.in_order;
+        const auto turn = turned(pair);
+        const bool is_doubtful = is_in_order && turn && *turn > kMinMistakenTurn_deg;
         if (is_doubtful) ++agreement.doubtful_in_order;
         const bool is_outweighed =
             static_cast<double>(pair.matches) < kOutweighedShare * static_cast<double>(pair.tied);
@@ -162,11 +170,7 @@ PairAgreement compare_with_pairs(const Capture& capture, const std::vector<Photo
             ++agreement.contradicted;
             denied += pair.matches;
         }
-        if (!pair.is_denied() && !is_doubtful) continue;
-        const auto turn =
-            turn_deg(verified, capture, *views[static_cast<std::size_t>(verified.first)],
-                     *views[static_cast<std::size_t>(verified.second)], features);
-        if (turn) turns_deg.push_back(*turn);
+        if (turn && (pair.is_denied() || is_doubtful)) turns_deg.push_back(*turn);
     }
     agreement.contradicted_turn_deg = median_of(std::move(turns_deg));
     if (matches > 0) {

@@ -15,7 +15,9 @@ struct PairAgreement {
     int contradicted = 0;  ///< Of these, such whose matches the model denies.
     int outweighed = 0;    ///< Denied as well, but by far more matches: in none of the others.
     int in_order = 0;      ///< Pairs of photographs that follow each other (places_in_order).
-    /// Of these, such of whose matches the model denies a fifth and more.
+    /// Of these, such of whose matches the model denies a fifth and more, and which tell that what
+    /// they see was seen from another side altogether. (Weak pairs of noisy photographs are denied
+    /// as much by true models, and tell of the same side.)
     int doubtful_in_order = 0;
     /// Of all these pairs, or of their matches, whichever is more: those that are denied.
     double contradicted_share = 0.0;

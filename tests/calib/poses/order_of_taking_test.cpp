@@ -156,6 +156,36 @@ TEST_F(FourSides, AreNotAskedAboutWhereNothingContradictsTheModel) {
     EXPECT_FALSE(asked(scene_.truth).has_value());
 }
 
+/// As if the last photographs had shared too little with the others to be placed.
+Capture without_the_last(Capture capture, std::size_t missing) {
+    capture.views.resize(capture.views.size() - missing);
+    const int views = static_cast<int>(capture.views.size());
+    for (ScenePoint& point : capture.points)
+        std::erase_if(point.track,
+                      [&](const Observation& seen) { return seen.view_index >= views; });
+    std::erase_if(capture.points, [](const ScenePoint& point) { return point.track.size() < 2; });
+    return capture;
+}
+
+TEST_F(FourSides, ArePlacedByTheOrderOfThePhotographsWhereManyAreMissing) {
+    const auto model = asked(without_the_last(scene_.truth, 9));
+    ASSERT_TRUE(model.has_value());
+    EXPECT_EQ(model->refined.views.size(), 36u);
+    EXPECT_LT(relative_position_error(model->refined, scene_.truth), 1e-3);
+    EXPECT_THAT(model->warning, testing::StartsWith("9 photographs share so little"));
+}
+
+TEST_F(FourSides, AreNotAskedAboutWhereFewPhotographsAreMissing) {
+    EXPECT_FALSE(asked(without_the_last(scene_.truth, 7)).has_value());
+}
+
+TEST_F(FourSides, AreNotMappedAnewForNoMorePhotographsThanBefore) {
+    const Capture some = without_the_last(scene_.truth, 9);
+    for (VerifiedPair& pair : matched_.pairs)
+        if (pair.second >= static_cast<int>(some.views.size())) pair.inliers.clear();
+    EXPECT_FALSE(asked(some).has_value());
+}
+
 TEST_F(FourSides, AreLeftInDoubtWherePhotographsAreInNoOrder) {
     mistake_sides();
     std::vector<int> place_of(kPhotographs);

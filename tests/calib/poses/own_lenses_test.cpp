@@ -103,5 +103,21 @@ TEST_F(OwnLenses, AreFoundWherePhotographsWereZoomed) {
     }
 }
 
+TEST(ZoomEvidence, TellsOfAZoomThatSharedLensesLeaveMoreFor) {
+    EXPECT_TRUE((ZoomEvidence{0.0, true, false, false}.is_told()));
+}
+
+TEST(ZoomEvidence, TellsOfASmallZoomWhereMoreIsExplainedAndFocalLengthsAreSureToDiffer) {
+    EXPECT_TRUE((ZoomEvidence{0.016, false, false, true}.is_told()));
+    EXPECT_FALSE((ZoomEvidence{0.016, false, false, false}.is_told()));
+    EXPECT_FALSE((ZoomEvidence{0.016, false, true, true}.is_told())) << "a fisheye";
+}
+
+TEST(ZoomEvidence, TellsOfNoZoomThatExplainsNothingMore) {
+    // Two groups along a wall that share a strip: focal lengths of 351 +- 3 and 417 +- 4 px, and
+    // as much left as with the one of 384 px that they have. Cameras would be 19 % off.
+    EXPECT_FALSE((ZoomEvidence{0.0, false, false, true}.is_told()));
+}
+
 }  // namespace
 }  // namespace lumi
