@@ -8,6 +8,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "calib/capture/degrees.h"
+#include "calib/capture/lens_distortion.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
@@ -15,33 +17,56 @@
 namespace lumi {
 namespace {
 
+/// Whether a fisheye sees the pixel farther from its axis than a straight picture reaches: from 90
+/// degrees on a point lies behind the camera.
+bool is_beside_straight_picture(const Camera& camera, const Eigen::Vector2d& pixel) {
+    constexpr double kReach_deg = 80.0;
+    constexpr int kSteps = 16;
+    if (camera.model != LensModel::kOpenCvFisheye) return false;
+    const double* const terms =
+        camera.parameters.data() + first_distortion_parameter(LensModel::kOpenCvFisheye);
+    double reach = 0.0;
+    for (int step = 1; step <= kSteps; ++step) {
+        const double radius = fisheye_radius(step * kReach_deg * kRadiansPerDegree / kSteps, terms);
+        if (radius <= reach) return false;  // It folds before.
+        reach = radius;
+    }
+    const Eigen::Vector2d bent =
+        (pixel - principal_point_px(camera)).cwiseQuotient(focal_length_px(camera));
+    return bent.norm() > reach;
+}
+
 /// Where the border of the sensor lands at depth 1, as the half-widths that are filled with picture
-/// on every side of the optical axis.
+/// on every side of the optical axis; infinite where all of a side is beside a straight picture.
 struct FilledExtent {
-    double left = 0.0;
-    double right = 0.0;
-    double top = 0.0;
-    double bottom = 0.0;
+    double left = std::numeric_limits<double>::infinity();
+    double right = left;
+    double top = left;
+    double bottom = left;
 };
 
 FilledExtent filled_extent(const Camera& camera) {
     constexpr int kSteps = 64;
-    const double infinity = std::numeric_limits<double>::infinity();
-    FilledExtent extent{infinity, infinity, infinity, infinity};
+    FilledExtent extent;
+    const auto lower = [&](double& side, const Eigen::Vector2d& pixel, int axis, double sign) {
+        if (is_beside_straight_picture(camera, pixel)) return;
+        side = std::min(side, sign * unproject(camera, pixel)[axis]);
+    };
     for (int step = 0; step <= kSteps; ++step) {
         const double share = static_cast<double>(step) / kSteps;
         const double x = share * camera.width_px;
         const double y = share * camera.height_px;
-        extent.left = std::min(extent.left, -unproject(camera, {0, y}).x());
-        extent.right = std::min(extent.right, unproject(camera, {camera.width_px, y}).x());
-        extent.top = std::min(extent.top, -unproject(camera, {x, 0}).y());
-        extent.bottom = std::min(extent.bottom, unproject(camera, {x, camera.height_px}).y());
+        lower(extent.left, {0, y}, 0, -1);
+        lower(extent.right, {camera.width_px, y}, 0, 1);
+        lower(extent.top, {x, 0}, 1, -1);
+        lower(extent.bottom, {x, camera.height_px}, 1, 1);
     }
     return extent;
 }
 
 /// The pinhole camera of the same size and principal point whose frame the picture just fills. One
-/// zoom for both axes, so that pixels keep their shape.
+/// zoom for both axes, so that pixels keep their shape; none so small that a pixel in the middle
+/// stands for more than two by two of the photograph's.
 Camera filled_pinhole(const Camera& camera) {
     const Eigen::Vector2d focal = focal_length_px(camera);
     const Eigen::Vector2d centre = principal_point_px(camera);
@@ -52,12 +77,14 @@ Camera filled_pinhole(const Camera& camera) {
     if (is_pinhole(camera)) return pinhole;
 
     const FilledExtent extent = filled_extent(camera);
-    const double zoom = std::max({centre.x() / (focal.x() * extent.left),
+    constexpr double kMinZoom = 0.5;
+    const double zoom = std::max({kMinZoom, centre.x() / (focal.x() * extent.left),
                                   (camera.width_px - centre.x()) / (focal.x() * extent.right),
                                   centre.y() / (focal.y() * extent.top),
                                   (camera.height_px - centre.y()) / (focal.y() * extent.bottom)});
     constexpr double kMaxZoom = 10.0;
-    if (!(zoom > 0) || zoom > kMaxZoom) {
+    const bool is_behind = std::min({extent.left, extent.right, extent.top, extent.bottom}) <= 0;
+    if (is_behind || !(zoom <= kMaxZoom)) {
         throw Error(ErrorKind::kDegenerateCapture, "E-LENS-FOLDS",
                     "the lens bends the picture so far that no straight picture is left (" +
                         std::string(name_of(camera.model)) + ")",

@@ -163,6 +163,36 @@ TEST(Undistortion, RefusesALensThatFoldsWithinThePicture) {
     }
 }
 
+TEST(Undistortion, CutsAStraightPictureOutOfACircularFisheye) {
+    // A circle of 80 degrees off the axis in a square picture: its corners are behind the camera.
+    const Camera lens{240, 240, LensModel::kOpenCvFisheye, {86, 86, 120, 120, 0, 0, 0, 0}};
+    const ScratchFolder scratch;
+    ColorImage circle(240, 240);
+    for (int y = 0; y < 240; ++y)
+        for (int x = 0; x < 240; ++x)
+            if (std::hypot(x + 0.5 - 120, y + 0.5 - 120) < 120) circle(x, y) = {200, 100, 50};
+    write_png(scratch / "circle.png", circle);
+    SilentProgress progress;
+    const PosedPhotographs straight = undistort(
+        synthetic_capture(lens, 1, 0), {scratch / "circle.png"}, scratch / "straight", 1, progress);
+    EXPECT_EQ(straight.capture.cameras[0],
+              (Camera{240, 240, LensModel::kPinhole, {43, 43, 120, 120}}));
+    const ColorImage picture = read_color_image(straight.picture_paths[0]);
+    for (const Rgb8& pixel : picture.pixels())
+        ASSERT_EQ(pixel, (Rgb8{200, 100, 50})) << "nothing of the black around it";
+}
+
+TEST(Undistortion, RefusesAFisheyeThatFoldsBeforeItsCorners) {
+    const Camera lens{240, 240, LensModel::kOpenCvFisheye, {86, 86, 120, 120, -0.5, 0, 0, 0}};
+    const ScratchFolder scratch;
+    write_png(scratch / "square.png", ColorImage(240, 240));
+    SilentProgress progress;
+    EXPECT_THROW(
+        static_cast<void>(undistort(synthetic_capture(lens, 1, 0), {scratch / "square.png"},
+                                    scratch / "straight", 1, progress)),
+        Error);
+}
+
 TEST(Undistortion, RefusesAPictureOfAnotherSizeThanItsCamera) {
     const ScratchFolder scratch;
     const Capture capture = synthetic_capture(lenses()[0], 1, 0);
