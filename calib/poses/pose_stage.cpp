@@ -130,13 +130,25 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
         mapped = options.mapper == "colmap" ? map_by_ladder(job, matched)
                                             : map_incrementally(job, matched);
         refuse_without_model(mapped, photographs.size());
-        if (!lacks_parallax(matched.motion, *mapped)) {
+        const auto ask_joints = [&] {
             JointCheck joints = with_firm_joints(job, *mapped);
             mapped = std::move(joints.mapped);
             joint_trouble = std::move(joints.trouble);
+        };
+        // Of a camera that only turned they tell nothing.
+        const bool seems_turned = lacks_parallax(matched.motion, *mapped);
+        if (!seems_turned) ask_joints();
+        PoseEvidence before = result.evidence;
+        const auto refine_mapped = [&] {
+            result.capture = *mapped;
+            refine(result.capture, policy, options, threads, result.evidence, progress);
+        };
+        refine_mapped();
+        if (seems_turned && !lacks_parallax(matched.motion, result.capture)) {
+            result.evidence = std::move(before);
+            ask_joints();
+            refine_mapped();
         }
-        result.capture = *mapped;
-        refine(result.capture, policy, options, threads, result.evidence, progress);
     });
     std::vector<std::string> told;
     const auto take = [&](SecondModel model) {

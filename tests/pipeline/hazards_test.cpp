@@ -18,7 +18,8 @@ struct Place {
 };
 
 std::string name_of_place(const testing::TestParamInfo<Place>& info) {
-    std::string name = curve_of(info.param.hazard).name + std::to_string(info.param.step);
+    std::string name = curve_of(info.param.hazard).name + std::to_string(info.param.step) + "seed" +
+                       std::to_string(info.param.seed);
     std::erase(name, '-');
     return name;
 }
@@ -47,6 +48,10 @@ INSTANTIATE_TEST_SUITE_P(Stress, UsableCapture,
                          testing::Values(Place{Hazard::kBlur, 0}, Place{Hazard::kForward, 0},
                                          Place{Hazard::kZoom, 2}, Place{Hazard::kOverlap, 0},
                                          Place{Hazard::kFisheye, 3},
+                                         // Two groups that share a strip once passed as zoomed,
+                                         // and once with one of them tilted.
+                                         Place{Hazard::kOverlap, 1, 1},
+                                         Place{Hazard::kOverlap, 1, 210},
                                          // Features of overexposed pictures, displaced together,
                                          // once passed for a zoom.
                                          Place{Hazard::kExposure, 2, 31}),
