@@ -10,7 +10,7 @@
 namespace lumi {
 
 /// Drawn by lot, evenly.
-[[nodiscard]] double between(HashedRandom& random, double low, double high);
+[[nodiscard]] double random_between(HashedRandom& random, double low, double high);
 
 /// Rich in detail at the size of a few pixels from three units away.
 [[nodiscard]] Material random_material(HashedRandom& random);
