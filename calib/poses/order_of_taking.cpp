@@ -151,8 +151,12 @@ std::string warning_of(Cause cause, const SortedPairs& pairs, std::size_t added)
 /// The question of find_model_in_order, put to a job with evidence of its own.
 class OrderQuestion {
  public:
-    OrderQuestion(const MappingJob& job, const MatchedPhotographs& matched, std::size_t least_views)
-        : job_(job), matched_(matched), least_views_(least_views) {}
+    OrderQuestion(const MappingJob& job, const MatchedPhotographs& matched, Cause cause,
+                  std::size_t placed)
+        : job_(job),
+          matched_(matched),
+          cause_(cause),
+          least_views_(placed + (cause == Cause::kMissing ? 1 : 0)) {}
 
     [[nodiscard]] std::optional<Capture> mapped_from(MatchedPhotographs matched) const {
         std::optional<Capture> mapped = map_incrementally(job_, matched);
@@ -170,12 +174,16 @@ class OrderQuestion {
         refine(model.refined, policy, job_.options, job_.threads, job_.evidence, job_.progress);
         const bool is_whole = model.refined.views.size() >= least_views_;
         if (!is_whole || !is_walk(model.refined, job_, matched_)) return std::nullopt;
+        // Few photographs that are sure are better than all of which none is.
+        const bool is_sure = place_uncertainty(model.refined, job_.evidence.views).views == 0;
+        if (cause_ == Cause::kMissing && !is_sure) return std::nullopt;
         return model;
     }
 
  private:
     const MappingJob& job_;
     const MatchedPhotographs& matched_;
+    Cause cause_;
     std::size_t least_views_;
 };
 
@@ -216,14 +224,13 @@ std::optional<SecondModel> find_model_in_order(const MappingJob& job, MatchedPho
                                                             : "pairs contradict each other") +
                       ": asking those that follow each other");
     const std::size_t placed = refined.views.size();
-    const std::size_t least_views = placed + (*cause == Cause::kMissing ? 1 : 0);
     for (const int steps : kStepsApart) {
         PoseEvidence evidence;
         const MappingJob own_job{
             job.photographs, job.groups,         job.options, job.lens_is_calibrated,
             job.refine_lens, job.scratch_folder, job.threads, job.progress,
             evidence};
-        const OrderQuestion question(own_job, matched, least_views);
+        const OrderQuestion question(own_job, matched, *cause, placed);
         auto answer =
             answer_of(question, Followers(steps, job.photographs), own_job, matched, policy);
         if (!answer) continue;

@@ -228,17 +228,7 @@ class Refinement {
     }
 
     void warn_of_uncertain_places() {
-        constexpr double kDeviations = 2.0;  // 95 of 100 errors are smaller.
-        const double spread = spread_of_centres(named_poses(capture_));
-        PoseShift worst;
-        int uncertain = 0;
-        for (const ViewUncertainty& view : evidence_.views) {
-            const PoseShift shift{1, kDeviations * view.position_sigma / spread,
-                                  kDeviations * view.rotation_sigma_deg};
-            uncertain += shift.matters() ? 1 : 0;
-            worst.position_share = std::max(worst.position_share, shift.position_share);
-            worst.rotation_deg = std::max(worst.rotation_deg, shift.rotation_deg);
-        }
+        const auto [uncertain, worst] = place_uncertainty(capture_, evidence_.views);
         if (uncertain == 0) return;
         evidence_.warnings.push_back(
             std::string(code_of(CaptureReason::kUncertain)) +
@@ -259,6 +249,22 @@ class Refinement {
 };
 
 }  // namespace
+
+PlaceUncertainty place_uncertainty(const Capture& capture,
+                                   const std::vector<ViewUncertainty>& views) {
+    constexpr double kDeviations = 2.0;  // 95 of 100 errors are smaller.
+    const double spread = spread_of_centres(named_poses(capture));
+    PlaceUncertainty uncertainty;
+    for (const ViewUncertainty& view : views) {
+        const PoseShift shift{1, kDeviations * view.position_sigma / spread,
+                              kDeviations * view.rotation_sigma_deg};
+        uncertainty.views += shift.matters() ? 1 : 0;
+        PoseShift& worst = uncertainty.worst;
+        worst.position_share = std::max(worst.position_share, shift.position_share);
+        worst.rotation_deg = std::max(worst.rotation_deg, shift.rotation_deg);
+    }
+    return uncertainty;
+}
 
 LensPolicy lens_policy(bool is_given, const PoseOptions& options) {
     if (is_given) return options.refine_lens ? LensPolicy::kGiven : LensPolicy::kHeld;

@@ -5,6 +5,7 @@
 
 #include "calib/adjust/lens_selection.h"
 #include "calib/capture/capture.h"
+#include "calib/poses/pose_shift.h"
 #include "calib/poses/pose_stage.h"
 
 namespace lumi {
@@ -18,6 +19,15 @@ enum class LensPolicy {
 };
 
 [[nodiscard]] LensPolicy lens_policy(bool is_given, const PoseOptions& options);
+
+/// How far two standard deviations move cameras.
+struct PlaceUncertainty {
+    int views = 0;    ///< Such that are moved by more than poses may be off (PoseShift::matters).
+    PoseShift worst;  ///< Of all.
+};
+
+[[nodiscard]] PlaceUncertainty place_uncertainty(const Capture& capture,
+                                                 const std::vector<ViewUncertainty>& views);
 
 /// Poses, points and lenses as the photographs support them.
 ///
