@@ -17,23 +17,23 @@
 namespace lumi {
 namespace {
 
-/// Whether a fisheye sees the pixel farther from its axis than a straight picture reaches: from 90
-/// degrees on a point lies behind the camera.
-bool is_beside_straight_picture(const Camera& camera, const Eigen::Vector2d& pixel) {
+/// How far from the middle of a picture, in focal lengths, a straight one reaches: what a fisheye
+/// sees from 90 degrees on lies behind the camera. Infinite for other lenses, and where it folds
+/// before.
+double straight_reach(const Camera& camera) {
     constexpr double kReach_deg = 80.0;
     constexpr int kSteps = 16;
-    if (camera.model != LensModel::kOpenCvFisheye) return false;
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    if (camera.model != LensModel::kOpenCvFisheye) return kInfinite;
     const double* const terms =
         camera.parameters.data() + first_distortion_parameter(LensModel::kOpenCvFisheye);
     double reach = 0.0;
     for (int step = 1; step <= kSteps; ++step) {
         const double radius = fisheye_radius(step * kReach_deg * kRadiansPerDegree / kSteps, terms);
-        if (radius <= reach) return false;  // It folds before.
+        if (radius <= reach) return kInfinite;
         reach = radius;
     }
-    const Eigen::Vector2d bent =
-        (pixel - principal_point_px(camera)).cwiseQuotient(focal_length_px(camera));
-    return bent.norm() > reach;
+    return reach;
 }
 
 /// Where the border of the sensor lands at depth 1, as the half-widths that are filled with picture
@@ -47,9 +47,12 @@ struct FilledExtent {
 
 FilledExtent filled_extent(const Camera& camera) {
     constexpr int kSteps = 64;
+    const double reach = straight_reach(camera);
     FilledExtent extent;
     const auto lower = [&](double& side, const Eigen::Vector2d& pixel, int axis, double sign) {
-        if (is_beside_straight_picture(camera, pixel)) return;
+        const Eigen::Vector2d bent =
+            (pixel - principal_point_px(camera)).cwiseQuotient(focal_length_px(camera));
+        if (bent.norm() > reach) return;
         side = std::min(side, sign * unproject(camera, pixel)[axis]);
     };
     for (int step = 0; step <= kSteps; ++step) {

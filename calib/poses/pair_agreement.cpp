@@ -137,12 +137,9 @@ PairAgreement compare_with_pairs(const Capture& capture, const std::vector<Photo
     const std::vector<JudgedPair> judged = judge_pairs(capture, photographs, features, pairs);
     const ViewOfPhotograph views = views_of(capture, photographs);
     const std::vector<int> places = places_in_order(photographs);
-    // Asked of no pair that agrees: it is not needed there, and takes long.
-    const auto turned = [&](const JudgedPair& pair) -> std::optional<double> {
-        if (pair.is_agreeing()) return std::nullopt;
-        const VerifiedPair& verified = pairs[pair.index];
-        return turn_deg(verified, capture, *views[static_cast<std::size_t>(verified.first)],
-                        *views[static_cast<std::size_t>(verified.second)], features);
+    const auto turned = [&](const VerifiedPair& pair) {
+        return turn_deg(pair, capture, *views[static_cast<std::size_t>(pair.first)],
+                        *views[static_cast<std::size_t>(pair.second)], features);
     };
     PairAgreement agreement;
     std::size_t matches = 0;
@@ -154,7 +151,9 @@ PairAgreement compare_with_pairs(const Capture& capture, const std::vector<Photo
         const bool is_in_order = std::abs(places[static_cast<std::size_t>(verified.first)] -
                                           places[static_cast<std::size_t>(verified.second)]) == 1;
         if (is_in_order) ++agreement.in_order;
-        const auto turn = turned(pair);
+        // It takes long, and is not needed of others.
+        const bool may_be_mistaken = pair.is_denied() || (is_in_order && !pair.is_agreeing());
+        const std::optional<double> turn = may_be_mistaken ? turned(verified) : std::nullopt;
         const bool is_doubtful = is_in_order && turn && *turn > kMinMistakenTurn_deg;
         if (is_doubtful) ++agreement.doubtful_in_order;
         const bool is_outweighed =

@@ -59,6 +59,30 @@ void refuse_without_model(const std::optional<Capture>& mapped, std::size_t phot
                                                " photographs share enough to start from");
 }
 
+/// Joints tell nothing of a camera that only turned: they are asked about where the mapped model
+/// shows parallax, or else where the refined one does.
+void refine_with_firm_joints(const MappingJob& job, const MatchedPhotographs& matched,
+                             LensPolicy policy, Capture& mapped, std::string& joint_trouble,
+                             Capture& refined) {
+    const auto ask_joints = [&] {
+        JointCheck joints = with_firm_joints(job, mapped);
+        mapped = std::move(joints.mapped);
+        joint_trouble = std::move(joints.trouble);
+    };
+    const auto refine_mapped = [&] {
+        refined = mapped;
+        refine(refined, policy, job.options, job.threads, job.evidence, job.progress);
+    };
+    const bool seems_turned = lacks_parallax(matched.motion, mapped);
+    if (!seems_turned) ask_joints();
+    PoseEvidence before = job.evidence;
+    refine_mapped();
+    if (!seems_turned || lacks_parallax(matched.motion, refined)) return;
+    job.evidence = std::move(before);
+    ask_joints();
+    refine_mapped();
+}
+
 void refuse_too_few(const Capture& capture, const std::vector<Photograph>& photographs,
                     const std::vector<LeftOut>& not_registered, const PoseOptions& options) {
     const double total = static_cast<double>(photographs.size());
@@ -130,25 +154,7 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
         mapped = options.mapper == "colmap" ? map_by_ladder(job, matched)
                                             : map_incrementally(job, matched);
         refuse_without_model(mapped, photographs.size());
-        const auto ask_joints = [&] {
-            JointCheck joints = with_firm_joints(job, *mapped);
-            mapped = std::move(joints.mapped);
-            joint_trouble = std::move(joints.trouble);
-        };
-        // Of a camera that only turned they tell nothing.
-        const bool seems_turned = lacks_parallax(matched.motion, *mapped);
-        if (!seems_turned) ask_joints();
-        PoseEvidence before = result.evidence;
-        const auto refine_mapped = [&] {
-            result.capture = *mapped;
-            refine(result.capture, policy, options, threads, result.evidence, progress);
-        };
-        refine_mapped();
-        if (seems_turned && !lacks_parallax(matched.motion, result.capture)) {
-            result.evidence = std::move(before);
-            ask_joints();
-            refine_mapped();
-        }
+        refine_with_firm_joints(job, matched, policy, *mapped, joint_trouble, result.capture);
     });
     std::vector<std::string> told;
     const auto take = [&](SecondModel model) {

@@ -14,23 +14,19 @@ constexpr int kHeightPx = 240;
 constexpr double kFocalLengthPx = 300;
 constexpr double kBaselineShare = 0.05;  ///< Where that is not the hazard.
 
-double between(HashedRandom& random, double low, double high) {
-    return low + (high - low) * random.uniform();
-}
-
 /// With detail down to about two pixels.
 Material random_material(HashedRandom& random, double gloss) {
     constexpr std::array<Pattern, 3> kPatterns{Pattern::kStone, Pattern::kMarble, Pattern::kWood};
     Material material;
     material.pattern = kPatterns[random.below(kPatterns.size())];
     for (LinearColor& color : material.colors) {
-        const double gray = between(random, 0.25, 0.9);
+        const double gray = random.between(0.25, 0.9);
         color = linear_from_srgb({static_cast<float>(gray), static_cast<float>(gray),
-                                  static_cast<float>(between(random, 0.2, 0.9))});
+                                  static_cast<float>(random.between(0.2, 0.9))});
     }
-    material.feature_size = between(random, 0.2, 0.4);
-    material.detail_contrast = between(random, 0.5, 0.7);
-    material.detail_size = between(random, 0.08, 0.15);
+    material.feature_size = random.between(0.2, 0.4);
+    material.detail_contrast = random.between(0.5, 0.7);
+    material.detail_size = random.between(0.08, 0.15);
     material.gloss = gloss;
     material.seed = static_cast<std::uint32_t>(random.word());
     return material;
@@ -39,7 +35,7 @@ Material random_material(HashedRandom& random, double gloss) {
 class SceneBuilder {
  public:
     SceneBuilder(std::uint64_t seed, double gloss) : random_(seed, 1), gloss_(gloss) {
-        scene_.lighting.towards_lamp = {between(random_, -0.6, 0.6), -1.0, 0.7};
+        scene_.lighting.towards_lamp = {random_.between(-0.6, 0.6), -1.0, 0.7};
         scene_.lighting.contact_radius = 0.0;
     }
 
@@ -52,7 +48,7 @@ class SceneBuilder {
     }
     /// A little aslant: no surface is a plane of constant depth by chance.
     void add_wall() {
-        const double turn = between(random_, -0.15, 0.15);
+        const double turn = random_.between(-0.15, 0.15);
         add(Box{{{0, kWallDistance + 0.5, 0},
                  Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix()},
                 {20, 0.5, 20},
@@ -61,12 +57,12 @@ class SceneBuilder {
     void add_objects() {
         constexpr int kObjects = 6;
         for (int i = 0; i < kObjects; ++i) {
-            const double size = between(random_, 0.25, 0.45);
-            const double depth = between(random_, 0.6, 0.85) * kWallDistance;
-            const Eigen::Vector3d centre(depth * (0.16 * i - 0.4 + between(random_, -0.04, 0.04)),
-                                         depth, depth * between(random_, -0.28, 0.28));
+            const double size = random_.between(0.25, 0.45);
+            const double depth = random_.between(0.6, 0.85) * kWallDistance;
+            const Eigen::Vector3d centre(depth * (0.16 * i - 0.4 + random_.between(-0.04, 0.04)),
+                                         depth, depth * random_.between(-0.28, 0.28));
             const Placement turned{
-                centre, Eigen::AngleAxisd(between(random_, -0.8, 0.8), Eigen::Vector3d::UnitZ())
+                centre, Eigen::AngleAxisd(random_.between(-0.8, 0.8), Eigen::Vector3d::UnitZ())
                             .toRotationMatrix()};
             if (i % 2 == 0) {
                 add(Box{turned, Eigen::Vector3d(size, 0.6 * size, 0.8 * size), 0.0});
@@ -94,7 +90,7 @@ void add_bars(double width_px, SceneBuilder& builder) {
     constexpr int kBars = 8;
     constexpr double kDepth = 0.75 * kWallDistance;
     for (int i = 0; i < kBars; ++i) {
-        const double x = kDepth * (0.12 * i - 0.42 + between(builder.random(), -0.02, 0.02));
+        const double x = kDepth * (0.12 * i - 0.42 + builder.random().between(-0.02, 0.02));
         builder.add_board(x, 0, kDepth, width_px * kDepth / kFocalLengthPx, 20);
     }
 }
@@ -105,8 +101,8 @@ void add_steps(double step_px, SceneBuilder& builder) {
     const double depth = 1.0 / (1.0 / kWallDistance + step_px / disparity_px);
     for (const double column : {-0.3, 0.02, 0.34}) {
         for (const double row : {-0.22, 0.2}) {
-            const double x = depth * (column + between(builder.random(), -0.03, 0.03));
-            const double z = depth * (row + between(builder.random(), -0.03, 0.03));
+            const double x = depth * (column + builder.random().between(-0.03, 0.03));
+            const double z = depth * (row + builder.random().between(-0.03, 0.03));
             builder.add_board(x, z, depth, 0.18 * depth, 0.22 * depth);
         }
     }

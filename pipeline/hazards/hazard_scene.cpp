@@ -1,7 +1,6 @@
 #include "pipeline/hazards/hazard_scene.h"
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -21,7 +20,7 @@ constexpr int kPhotographs = 8;
 class Walk {
  public:
     explicit Walk(std::uint64_t seed)
-        : random_(seed, 2), focal_length_px_(random_between(random_, 0.85, 1.3) * kWidthPx) {}
+        : random_(seed, 2), focal_length_px_(random_.between(0.85, 1.3) * kWidthPx) {}
 
     void stand(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, double zoom = 1.0) {
         cameras_.push_back(pinhole_camera(kWidthPx, kHeightPx, zoom * focal_length_px_));

@@ -9,16 +9,12 @@ namespace lumi {
 namespace {
 
 LinearColor random_color(HashedRandom& random) {
-    return linear_from_srgb({static_cast<float>(random_between(random, 0.2, 0.95)),
-                             static_cast<float>(random_between(random, 0.2, 0.95)),
-                             static_cast<float>(random_between(random, 0.2, 0.95))});
+    return linear_from_srgb({static_cast<float>(random.between(0.2, 0.95)),
+                             static_cast<float>(random.between(0.2, 0.95)),
+                             static_cast<float>(random.between(0.2, 0.95))});
 }
 
 }  // namespace
-
-double random_between(HashedRandom& random, double low, double high) {
-    return low + (high - low) * random.uniform();
-}
 
 Material random_material(HashedRandom& random) {
     constexpr std::array<Pattern, 4> kPatterns{Pattern::kStone, Pattern::kMarble, Pattern::kBricks,
@@ -26,9 +22,9 @@ Material random_material(HashedRandom& random) {
     Material material;
     material.pattern = kPatterns[random.below(kPatterns.size())];
     for (LinearColor& color : material.colors) color = random_color(random);
-    material.feature_size = random_between(random, 0.35, 0.8);
-    material.detail_contrast = random_between(random, 0.4, 0.6);
-    material.detail_size = random_between(random, 0.2, 0.35);
+    material.feature_size = random.between(0.35, 0.8);
+    material.detail_contrast = random.between(0.4, 0.6);
+    material.detail_size = random.between(0.2, 0.35);
     material.seed = static_cast<std::uint32_t>(random.word());
     return material;
 }
@@ -40,7 +36,7 @@ Solid box_at(const Eigen::Vector3d& centre, const Eigen::Vector3d& size, double 
 }
 
 HazardScenery::HazardScenery(std::uint64_t seed) : random_(seed, 1) {
-    scene_.lighting.towards_lamp = {random_between(random_, -0.8, 0.8), -0.8, 1.0};
+    scene_.lighting.towards_lamp = {random_.between(-0.8, 0.8), -0.8, 1.0};
     scene_.lighting.contact_radius = 0.0;
 }
 
@@ -61,13 +57,13 @@ void HazardScenery::add_wall() {
 
 void HazardScenery::add_objects() {
     for (int index = 0; index < 11; ++index) {
-        const double x = -5.0 + index + random_between(random_, -0.3, 0.3);
-        const double y = random_between(random_, -0.5, 1.0);
-        const double size = random_between(random_, 0.4, 0.9);
+        const double x = -5.0 + index + random_.between(-0.3, 0.3);
+        const double y = random_.between(-0.5, 1.0);
+        const double size = random_.between(0.4, 0.9);
         const Placement upright{{x, y, 0.5 * size}, Eigen::Matrix3d::Identity()};
         const std::size_t kind = random_.below(3);
         Solid solid =
-            box_at({x, y, 0.5 * size}, {size, 0.8 * size, size}, random_between(random_, 0.0, 1.5));
+            box_at({x, y, 0.5 * size}, {size, 0.8 * size, size}, random_.between(0.0, 1.5));
         if (kind == 1) solid = Cylinder{upright, 0.35 * size, 0.5 * size, 0.0};
         if (kind == 2) {
             solid = Ellipsoid{upright, Eigen::Vector3d(0.45, 0.4, 0.5) * size};
@@ -80,8 +76,8 @@ void HazardScenery::add_surroundings() {
     add_floor();
     for (int index = 0; index < 9; ++index) {
         const double azimuth = 2 * std::numbers::pi * (index + random_.uniform()) / 9;
-        const double distance = random_between(random_, 1.9, 2.8);
-        const double size = random_between(random_, 0.4, 0.9);
+        const double distance = random_.between(1.9, 2.8);
+        const double size = random_.between(0.4, 0.9);
         add("object",
             box_at({distance * std::cos(azimuth), distance * std::sin(azimuth), 0.5 * size},
                    {size, 0.7 * size, size}, azimuth),
@@ -91,11 +87,10 @@ void HazardScenery::add_surroundings() {
 
 void HazardScenery::add_relief(double relief) {
     for (int index = 0; index < 40; ++index) {
-        const double depth = relief * random_between(random_, 0.3, 1.0);
-        const Eigen::Vector3d centre(random_between(random_, -3.2, 3.2), kWallY - 0.5 * depth,
-                                     random_between(random_, 0.2, 4.0));
-        const Eigen::Vector3d size(random_between(random_, 0.3, 0.8), depth,
-                                   random_between(random_, 0.3, 0.8));
+        const double depth = relief * random_.between(0.3, 1.0);
+        const Eigen::Vector3d centre(random_.between(-3.2, 3.2), kWallY - 0.5 * depth,
+                                     random_.between(0.2, 4.0));
+        const Eigen::Vector3d size(random_.between(0.3, 0.8), depth, random_.between(0.3, 0.8));
         const Material material = random_material(random_);
         if (relief > 0) add("relief", box_at(centre, size), material, false);
     }

@@ -9,9 +9,6 @@
 
 namespace lumi {
 
-/// Drawn by lot, evenly.
-[[nodiscard]] double random_between(HashedRandom& random, double low, double high);
-
 /// Rich in detail at the size of a few pixels from three units away.
 [[nodiscard]] Material random_material(HashedRandom& random);
 

@@ -26,6 +26,8 @@ class HashedRandom {
     [[nodiscard]] std::uint64_t word() { return state_ = mixed(state_); }
     /// In [0, 1).
     [[nodiscard]] double uniform() { return static_cast<double>(word() >> 11) * 0x1p-53; }
+    /// In [low, high).
+    [[nodiscard]] double between(double low, double high) { return low + (high - low) * uniform(); }
     /// In [-1, 1).
     [[nodiscard]] double symmetric() { return 2.0 * uniform() - 1.0; }
     /// Of mean 0 and variance 1 (Box and Muller 1958).
