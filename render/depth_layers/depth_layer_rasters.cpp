@@ -46,9 +46,8 @@ DepthLayerRasters::DepthLayerRasters(const std::vector<LumigraphView>& views,
                                      double max_inverse_depth)
     : views_(views), meshes_(std::move(meshes)), max_inverse_depth_(max_inverse_depth) {}
 
-const std::vector<float>& DepthLayerRasters::draw(const Eye& eye,
-                                                  const std::vector<DepthLayerDraw>& draws,
-                                                  int layers) {
+std::vector<float>& DepthLayerRasters::draw(const Eye& eye,
+                                            const std::vector<DepthLayerDraw>& draws, int layers) {
     aim(eye, draws);
     const int width = eye.camera.width_px;
     const int height = eye.camera.height_px;

@@ -21,10 +21,10 @@ class DepthLayerRasters {
                       double max_inverse_depth);
 
     /// The eye's picture, with rows from the bottom: kPacked numbers a texel, of which the first
-    /// `layers` are layers, and the others 1. What is returned stays until the next call.
-    [[nodiscard]] const std::vector<float>& draw(const Eye& eye,
-                                                 const std::vector<DepthLayerDraw>& draws,
-                                                 int layers);
+    /// `layers` are layers, and the others 1. What is returned stays until the next call, and may
+    /// be changed.
+    [[nodiscard]] std::vector<float>& draw(const Eye& eye, const std::vector<DepthLayerDraw>& draws,
+                                           int layers);
     static constexpr int kPacked = kMaxDepthViews;
 
  private:

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "calib/work/parallel_for.h"
+#include "render/depth_layers/lone_surfaces.h"
 #include "render/depth_mesh/view_depth_mesh.h"
 #include "render/gl/capabilities.h"
 
@@ -30,7 +31,9 @@ DepthLayers::DrawnBy DepthLayers::usually_drawn_by() {
 }
 
 DepthLayers::DepthLayers(const UploadedLumigraph& uploaded, int layers, DrawnBy drawn_by)
-    : max_inverse_depth_(nearest_inverse_depth(uploaded.layout)), layer_count_(layers) {
+    : uploaded_(uploaded),
+      max_inverse_depth_(nearest_inverse_depth(uploaded.layout)),
+      layer_count_(layers) {
     auto meshes = meshes_of(uploaded);
     for (const auto& mesh : meshes) kind_begins_.push_back(mesh->kind_begin);
     const std::vector<LumigraphView>& views = uploaded.layout.views;
@@ -40,9 +43,12 @@ DepthLayers::DepthLayers(const UploadedLumigraph& uploaded, int layers, DrawnBy 
         painter_.emplace(views, meshes, max_inverse_depth_);
 }
 
-double DepthLayers::buffer_difference(double inverse_depth_difference) const {
-    return std::min(kDepthKindWidth * inverse_depth_difference / max_inverse_depth_,
-                    0.5 * (kDepthKindStep - kDepthKindWidth));
+float DepthLayers::agreeing_depth_of(const Eye& eye, const std::vector<DepthViewSet>& sets) const {
+    const double agreeing =
+        agreeing_inverse_depth(uploaded_.layout, uploaded_.searched_views.geometries, sets,
+                               centre_in_world(eye.cam_from_world), kAgreeingDisparity_px);
+    return static_cast<float>(std::min(kDepthKindWidth * agreeing / max_inverse_depth_,
+                                       0.5 * (kDepthKindStep - kDepthKindWidth)));
 }
 
 void DepthLayers::resize(int width_px, int height_px) {
@@ -59,10 +65,12 @@ void DepthLayers::draw(const Eye& eye, const std::vector<DepthViewSet>& sets) {
     resize(camera.width_px, camera.height_px);
     const std::vector<DepthLayerDraw> draws =
         depth_layer_draws(sets, layer_count_, camera.width_px, kind_begins_);
-    if (is_packed())
-        layers_.upload(rasters_->draw(eye, draws, layer_count_));
-    else
-        painter_->draw(eye, draws, layers_);
+    agreeing_depth_ = agreeing_depth_of(eye, sets);
+    if (!is_packed()) return painter_->draw(eye, draws, layers_);
+    std::vector<float>& packed = rasters_->draw(eye, draws, layer_count_);
+    keep_lone_surfaces(uploaded_.layout.views, eye, sets, layer_count_, max_inverse_depth_,
+                       agreeing_depth_, packed);
+    layers_.upload(packed);
 }
 
 }  // namespace lumi

@@ -14,7 +14,8 @@ namespace lumi {
 /// A layer holds the nearest surface of the most reliable kind: each kind is drawn into a range of
 /// the depth buffer of its own, so that the depth test prefers what was seen to what was filled,
 /// and either to what is stretched over a tear, near or far. Surfaces seen from behind are not
-/// drawn.
+/// drawn. Of layers that are packed is taken away what lies behind lone surfaces
+/// (lone_surfaces.h); of others shaders/lone_surfaces.glsl takes it away.
 ///
 /// Where OpenGL works on the CPU they are drawn in memory (DepthLayerRasters) and handed to it,
 /// several in a texel, and else by OpenGL (DepthLayerPainter).
@@ -38,16 +39,20 @@ class DepthLayers {
     [[nodiscard]] bool is_packed() const { return rasters_.has_value(); }
     /// 1 / (nearest depth that can be drawn).
     [[nodiscard]] double max_inverse_depth() const { return max_inverse_depth_; }
-    /// A difference of inverse depths in units of the depth buffer, but no more than what keeps
-    /// kinds apart.
-    [[nodiscard]] double buffer_difference(double inverse_depth_difference) const;
+    /// What depths of one surface may differ by in the layers, in units of the depth buffer, but no
+    /// more than what keeps kinds apart.
+    [[nodiscard]] float agreeing_depth() const { return agreeing_depth_; }
 
  private:
     void resize(int width_px, int height_px);
+    [[nodiscard]] float agreeing_depth_of(const Eye& eye,
+                                          const std::vector<DepthViewSet>& sets) const;
 
+    const UploadedLumigraph& uploaded_;
     double max_inverse_depth_ = 1.0;
     std::vector<DepthKindBegins> kind_begins_;
     int layer_count_ = 0;
+    float agreeing_depth_ = 0.0F;
     TextureArray layers_;
     /// One of the two.
     std::optional<DepthLayerPainter> painter_;

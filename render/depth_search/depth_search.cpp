@@ -53,7 +53,10 @@ std::optional<RayHit> DepthSearch::first_hit(const Eigen::Vector2d& pixel,
             std::abs(hits[0]->inverse_depth - hits[1]->inverse_depth) <= agreeing_inverse_depth_)
             break;
     }
-    if (const std::optional<RayHit> seen = nearest_seen(hits)) return seen;
+    if (const std::optional<RayHit> seen = nearest_seen(hits)) {
+        const std::optional<RayHit> before = lone_hit_before(*seen, pixel, hits);
+        return before ? before : seen;
+    }
     const auto guess =
         std::find_if(hits.begin(), hits.end(), [](const auto& hit) { return hit.has_value(); });
     return guess == hits.end() ? std::nullopt : *guess;
@@ -81,6 +84,30 @@ std::optional<RayHit> DepthSearch::nearest_seen(
             chosen = merged;
     }
     return chosen;
+}
+
+std::optional<RayHit> DepthSearch::lone_hit_before(
+    const RayHit& agreed, const Eigen::Vector2d& pixel,
+    const std::array<std::optional<RayHit>, 3>& hits) const {
+    if (agreed.support < 2) return std::nullopt;
+    // Of three hits there is one at most beside two that agree.
+    const auto lone = std::find_if(hits.begin(), hits.end(), [&](const auto& hit) {
+        return hit && hit->kind == DepthKind::kSeen && is_before(*hit, agreed);
+    });
+    if (lone == hits.end()) return std::nullopt;
+    const auto end = agreed.views.begin() + agreed.support;
+    const bool is_imagined = std::any_of(agreed.views.begin(), end, [&](int view_index) {
+        return looks_past(pixel, (*lone)->inverse_depth, view_index);
+    });
+    return is_imagined ? std::nullopt : *lone;
+}
+
+bool DepthSearch::looks_past(const Eigen::Vector2d& pixel, double inverse_depth,
+                             int view_index) const {
+    const ViewSearch& asked = view(view_index);
+    const Eigen::Vector3d at = asked.line_of(pixel).at(inverse_depth);
+    if (at.z() <= 0 || asked.to_border_px(at.hnormalized()) < 0) return false;
+    return inverse_depth - at.z() * asked.surface_at(at).inverse_depth > agreeing_inverse_depth_;
 }
 
 double DepthSearch::inside(int view_index, const Eigen::Vector2d& view_pixel) const {

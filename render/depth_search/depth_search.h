@@ -37,7 +37,8 @@ class DepthSearch {
     DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views, const Eye& eye);
 
     /// What the ray through `pixel` meets first in the depth maps of three views (a view may be
-    /// named twice): of what they have seen the nearest that two agree on, or else the nearest.
+    /// named twice): of what they have seen the nearest that two agree on, or else the nearest. So
+    /// the nearest is, too, that one has seen alone, where neither of the two looks past it.
     /// Where none has seen anything it is the guess of the first view that has one: guesses of
     /// several views are as many surfaces, and the nearest of them is part of one and of another.
     /// The third is not asked when the first two have both seen it; the second always is: that it
@@ -98,6 +99,14 @@ class DepthSearch {
     /// The nearest that two have seen, or else the nearest that one has.
     [[nodiscard]] std::optional<RayHit> nearest_seen(
         const std::array<std::optional<RayHit>, 3>& hits) const;
+    /// The nearest hit, if it lies before what others agree on and none of these looks past it.
+    [[nodiscard]] std::optional<RayHit> lone_hit_before(
+        const RayHit& agreed, const Eigen::Vector2d& pixel,
+        const std::array<std::optional<RayHit>, 3>& hits) const;
+    /// Whether the view sees something behind the point on the eye's ray, where that lies in its
+    /// photograph.
+    [[nodiscard]] bool looks_past(const Eigen::Vector2d& pixel, double inverse_depth,
+                                  int view_index) const;
 
     double occlusion_tolerance_px_;
     double agreeing_inverse_depth_ = 0.0;

@@ -15,6 +15,7 @@
 #include "render/holes/hole_triangles.h"
 #include "render/shaders/shader_sources.h"
 #include "render/surroundings/empty_cells.h"
+#include "render/transfer/past_sight.h"
 #include "render/transfer/pixel_transfer.h"
 #include "render/transfer/scene_plane.h"
 #include "render/view_choice/depth_view_choice.h"
@@ -27,7 +28,8 @@ constexpr std::size_t kRowsPerView = 4;
 PictureProgram program_of(std::vector<std::string> definitions) {
     return {"per_pixel",
             {shader_source("drawn_pixels"), shader_source("face"), shader_source("agreed_depth"),
-             shader_source("point_in_views"), shader_source("per_pixel")},
+             shader_source("point_in_views"), shader_source("lone_surfaces"),
+             shader_source("per_pixel")},
             std::move(definitions)};
 }
 
@@ -37,6 +39,17 @@ static_assert(kSmoothTexelsPerPixel == kDepthBlockSide_px);
 /// The first of the fragments whose centre lies in this column of texels or beyond it.
 int first_fragment(int column, double texels_per_fragment) {
     return static_cast<int>(std::ceil(column / texels_per_fragment - 0.5));
+}
+
+/// The three that take (x, y, 1, inverse depth) in a window of this height to the target.
+void append_rows(const PixelTransfer& target_from_eye, int height_px,
+                 std::vector<glm::vec4>& rows) {
+    const Eigen::Matrix3d target_from_window =
+        target_from_eye.at_infinity * pixel_from_window(height_px);
+    for (Eigen::Index row = 0; row < 3; ++row)
+        rows.push_back(to_glm(
+            Eigen::Vector4d(target_from_window(row, 0), target_from_window(row, 1),
+                            target_from_window(row, 2), target_from_eye.per_inverse_depth[row])));
 }
 
 /// Silhouettes are not smooth where depth would not fit into a texture for it.
@@ -180,10 +193,7 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
                 static_cast<float>(options.correct_occlusion
                                        ? 1 / uploaded_.layout.drawing.occlusion_tolerance_px
                                        : 0.0));
-    const double agreeing =
-        agreeing_inverse_depth(uploaded_.layout, uploaded_.searched_views.geometries, asked.sets,
-                               centre_in_world(eye.cam_from_world), kAgreeingDisparity_px);
-    program.set("agreeing_depth", static_cast<float>(depth_.buffer_difference(agreeing)));
+    program.set("agreeing_depth", depth_.agreeing_depth());
     const auto& [depth_eye, texels_per_pixel] = asked.depth_eye;
     program.set("texels_per_pixel", static_cast<float>(texels_per_pixel));
     // Rows are counted from the top of either picture, window coordinates from the bottom.
@@ -238,6 +248,7 @@ std::size_t PerPixel::draw_faces(const Eye& eye, const RenderOptions& options,
         const Program& program = use(programs[unasked], drawn, options, fragments, asked);
         if (fade != Fade::kNone) set_fade(program, fade == Fade::kShell);
         set_layer_views(eye, layer_views, program);
+        if (!depth_.is_packed()) set_layer_samples(asked.depth_eye.eye, layer_views, program);
         triangles += faces_.draw_if(is_drawn);
     }
     return triangles;
@@ -252,6 +263,26 @@ void PerPixel::set_layer_views(const Eye& eye, const std::vector<int>& view_indi
     program.set("layer_views", rows);
 }
 
+/// Four vectors for each layer, as shaders/lone_surfaces.glsl expects them.
+void PerPixel::set_layer_samples(const Eye& depth_eye, const std::vector<int>& view_indices,
+                                 const Program& program) const {
+    std::vector<glm::vec4> rows;
+    for (const int index : view_indices) {
+        if (index == kNoView) {
+            rows.resize(rows.size() + kRowsPerView, glm::vec4(0.0F));
+            continue;
+        }
+        const auto view = static_cast<std::size_t>(index);
+        const PixelTransfer samples_from_eye =
+            PastSight(uploaded_.layout.views[view], depth_eye).samples_from_eye();
+        append_rows(samples_from_eye, depth_eye.camera.height_px, rows);
+        rows.emplace_back(uploaded_.depth_sizes_px[view].x(), uploaded_.depth_sizes_px[view].y(),
+                          index, 0.0F);
+    }
+    rows.resize(kRowsPerView * kMaxDepthViews, glm::vec4(0.0F));
+    program.set("layer_samples", rows);
+}
+
 void PerPixel::append_view(const Eye& eye, int view_index, std::vector<glm::vec4>& rows) const {
     if (view_index == kNoView) {
         rows.resize(rows.size() + kRowsPerView - 1);
@@ -261,12 +292,7 @@ void PerPixel::append_view(const Eye& eye, int view_index, std::vector<glm::vec4
     const LumigraphView& view = uploaded_.layout.views[static_cast<std::size_t>(view_index)];
     const PixelTransfer view_from_eye =
         pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world);
-    const Eigen::Matrix3d view_from_window =
-        view_from_eye.at_infinity * pixel_from_window(eye.camera.height_px);
-    for (Eigen::Index row = 0; row < 3; ++row)
-        rows.push_back(to_glm(Eigen::Vector4d(view_from_window(row, 0), view_from_window(row, 1),
-                                              view_from_window(row, 2),
-                                              view_from_eye.per_inverse_depth[row])));
+    append_rows(view_from_eye, eye.camera.height_px, rows);
     rows.emplace_back(view_index, 0.0F, 0.0F, 0.0F);
 }
 

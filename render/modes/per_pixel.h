@@ -85,6 +85,8 @@ class PerPixel : public DrawingMode {
                            const AskedDepth& asked, Fade fade, const std::vector<int>& layer_views);
     void set_layer_views(const Eye& eye, const std::vector<int>& view_indices,
                          const Program& program) const;
+    void set_layer_samples(const Eye& depth_eye, const std::vector<int>& view_indices,
+                           const Program& program) const;
     void append_view(const Eye& eye, int view_index, std::vector<glm::vec4>& rows) const;
 
     const UploadedLumigraph& uploaded_;

@@ -52,6 +52,7 @@ AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeome
             const auto mesh = depth_mesh_of(view, max_disparity_px(geometries[view_index]),
                                             depth_mesh_options(lumigraph));
             eye_depth_of_view_.emplace(index, rasterise(*mesh, view, depth_eye_.eye));
+            sights_.try_emplace(index, view, depth_eye_.eye);
         }
     }
 }
@@ -84,9 +85,15 @@ int AgreedDepth::column_of(const Eigen::Vector2d& pixel) const {
 std::vector<EyeDepth> AgreedDepth::depths_at(const Eigen::Vector2d& pixel) const {
     const int column = column_of(pixel);
     const auto row = static_cast<int>(pixel.y() * depth_eye_.texels_per_pixel);
+    const std::vector<int>& views = views_at(column);
     std::vector<EyeDepth> depths;
-    for (const int index : views_at(column))
+    for (const int index : views)
         depths.push_back(index == kNoView ? EyeDepth{} : eye_depth_of_view_.at(index)(column, row));
+    keep_lone_surface(
+        depths, agreeing_inverse_depth_, [&](std::size_t layer, double inverse_depth) {
+            return sights_.at(views[layer])
+                .is_past({column + 0.5, row + 0.5}, inverse_depth, agreeing_inverse_depth_);
+        });
     return depths;
 }
 

@@ -8,6 +8,7 @@
 #include "render/depth_layers/depth_layer_views.h"
 #include "render/frame/frame.h"
 #include "render/reference/depth_consensus.h"
+#include "render/transfer/past_sight.h"
 #include "render/transfer/view_geometry.h"
 
 namespace lumi {
@@ -40,7 +41,8 @@ class AgreedDepth {
  private:
     /// The views that are asked at a column of texels, kNoView among them.
     [[nodiscard]] const std::vector<int>& views_at(int column) const;
-    /// What each of the views there knows of the texel that a pixel's place lies in.
+    /// What each of the views there knows of the texel that a pixel's place lies in, lone surfaces
+    /// kept (keep_lone_surface).
     [[nodiscard]] std::vector<EyeDepth> depths_at(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] int column_of(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] AgreedPixelDepth agreed(const std::vector<EyeDepth>& depths,
@@ -51,6 +53,7 @@ class AgreedDepth {
     DepthLayerViews layer_views_;
     double agreeing_inverse_depth_;
     std::map<int, Image<EyeDepth>> eye_depth_of_view_;
+    std::map<int, PastSight> sights_;
 };
 
 }  // namespace lumi

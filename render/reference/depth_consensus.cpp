@@ -43,4 +43,34 @@ ConsensusDepth consensus_of(const std::vector<EyeDepth>& layers, double agreeing
     return chosen;
 }
 
+void keep_lone_surface(std::vector<EyeDepth>& layers, double agreeing_inverse_depth,
+                       const LooksPast& looks_past) {
+    const auto is_seen = [](const EyeDepth& depth) {
+        return depth.is_known() && depth.kind == DepthKind::kSeen;
+    };
+    const auto agreeing_with = [&](double inverse_depth) {
+        std::vector<std::size_t> agreeing;
+        for (std::size_t layer = 0; layer < layers.size(); ++layer)
+            if (is_seen(layers[layer]) &&
+                std::abs(layers[layer].inverse_depth - inverse_depth) <= agreeing_inverse_depth)
+                agreeing.push_back(layer);
+        return agreeing;
+    };
+    double nearest = -1;
+    double agreed = -1;
+    for (const EyeDepth& depth : layers) {
+        if (!is_seen(depth)) continue;
+        nearest = std::max(nearest, depth.inverse_depth);
+        if (agreeing_with(depth.inverse_depth).size() > 1)
+            agreed = std::max(agreed, depth.inverse_depth);
+    }
+    if (agreed < 0 || agreeing_with(nearest).size() > 1) return;
+    const std::vector<std::size_t> behind = agreeing_with(agreed);
+    const bool is_imagined = std::any_of(behind.begin(), behind.end(), [&](std::size_t layer) {
+        return looks_past(layer, nearest);
+    });
+    if (is_imagined) return;
+    for (const std::size_t layer : behind) layers[layer] = {};
+}
+
 }  // namespace lumi

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/depth_mesh/view_depth_mesh.h"
+#include "render/transfer/past_sight.h"
 #include "render/transfer/scene_plane.h"
 #include "render/transfer/view_geometry.h"
 #include "render/view_choice/depth_view_choice.h"
@@ -17,17 +18,22 @@ EyeDepths eye_depths(const Lumigraph& lumigraph, const Eye& eye, double toleranc
         agreeing_inverse_depth(lumigraph, geometries, result.view_indices,
                                centre_in_world(eye.cam_from_world), tolerance_px);
     std::vector<Image<EyeDepth>> layers;
+    std::vector<PastSight> sights;
     for (const int index : result.view_indices) {
         const auto view = static_cast<std::size_t>(index);
         const auto mesh = depth_mesh_of(lumigraph.views[view], max_disparity_px(geometries[view]),
                                         depth_mesh_options(lumigraph));
         layers.push_back(rasterise(*mesh, lumigraph.views[view], eye));
+        sights.emplace_back(lumigraph.views[view], eye);
     }
     std::vector<EyeDepth> depths(layers.size());
     for (int y = 0; y < eye.camera.height_px; ++y) {
         for (int x = 0; x < eye.camera.width_px; ++x) {
             for (std::size_t layer = 0; layer < layers.size(); ++layer)
                 depths[layer] = layers[layer](x, y);
+            keep_lone_surface(depths, agreeing, [&](std::size_t layer, double inverse_depth) {
+                return sights[layer].is_past({x + 0.5, y + 0.5}, inverse_depth, agreeing);
+            });
             result.depths(x, y) = consensus_of(depths, agreeing);
         }
     }

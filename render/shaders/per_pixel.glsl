@@ -1,11 +1,12 @@
 // Depth, weights and visibility at each pixel, or at each block of two by two pixels; colours at
 // each pixel.
 //
-// The depth is what the layers, one a view, agree on (agreed_depth.glsl). The point there is looked
-// up in the three views of the face; those that do not see it lose their weight to the others (the
-// paper, section 4, occlusion correction). When none sees it, the view that the depth came from
-// does. A view that was asked for depth has said what it sees along the eye's ray; of others the
-// depth maps tell. UNASKED_VIEWS: so many of the face's views were not asked, its last.
+// The depth is what the layers, one a view, agree on (agreed_depth.glsl, lone_surfaces.glsl). The
+// point there is looked up in the three views of the face; those that do not see it lose their
+// weight to the others (the paper, section 4, occlusion correction). When none sees it, the view
+// that the depth came from does. A view that was asked for depth has said what it sees along the
+// eye's ray; of others the depth maps tell. UNASKED_VIEWS: so many of the face's views were not
+// asked, its last.
 //
 // CHECKS_GUESSES: on the scene plane a photograph shows nothing that stands before it.
 //
@@ -162,10 +163,10 @@ float is_one_surface(vec4 a, vec4 b) {
 // one surface, at the mean of the samples that are of it.
 vec4 smooth_at(vec2 window) {
     ivec2 texel = texel_at(window - 0.25);
-    vec4 depth0 = layer_depths(texel);
-    vec4 depth1 = layer_depths(texel + ivec2(1, 0));
-    vec4 depth2 = layer_depths(texel + ivec2(0, 1));
-    vec4 depth3 = layer_depths(texel + ivec2(1, 1));
+    vec4 depth0 = kept_depths(texel);
+    vec4 depth1 = kept_depths(texel + ivec2(1, 0));
+    vec4 depth2 = kept_depths(texel + ivec2(0, 1));
+    vec4 depth3 = kept_depths(texel + ivec2(1, 1));
     vec4 left = vec4(1.0);  // 1 for samples that are not drawn yet
     vec4 sum = vec4(0.0);
     float count = 0.0;
@@ -196,7 +197,7 @@ void main() {
 #ifdef SMOOTH
     drawn = smooth_at(window);
 #else
-    Blend blend = blend_at(window, agreed_depth(layer_depths(texel_at(window))));
+    Blend blend = blend_at(window, agreed_depth(kept_depths(texel_at(window))));
     if (blend.is_unseen && blend.is_guess) discard;
 #ifdef BLOCKS
     drawn = drawn_at(blend, vec2(-0.5, -0.5));

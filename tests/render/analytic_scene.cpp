@@ -34,6 +34,19 @@ Hit hit_card_or_wall(const Eigen::Vector3d& from, const Eigen::Vector3d& directi
     return {to_wall, smooth_color(on_wall.x(), on_wall.y(), 0)};
 }
 
+Hit hit_posts_or_wall(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
+    struct Post {
+        double z, left, right, phase;
+    };
+    for (const auto& [z, left, right, phase] : {Post{3, 0.21, 0.33, 2}, Post{4.5, -0.1, 0.1, 1}}) {
+        const double to_post = (z - from.z()) / direction.z();
+        const Eigen::Vector3d at = from + to_post * direction;
+        if (to_post > 0 && at.x() > left && at.x() < right)
+            return {to_post, smooth_color(at.x(), at.y(), phase)};
+    }
+    return hit_card_or_wall(from, direction, {0, 0}, 0);
+}
+
 Hit hit_ball_or_sky(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
     const double a = direction.squaredNorm();
     const double b = from.dot(direction);
@@ -49,6 +62,7 @@ Hit hit_ball_or_sky(const Eigen::Vector3d& from, const Eigen::Vector3d& directio
 
 Hit hit(AnalyticScene scene, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
     if (scene == AnalyticScene::kBallInSky) return hit_ball_or_sky(from, direction);
+    if (scene == AnalyticScene::kPostBehindPost) return hit_posts_or_wall(from, direction);
     if (scene == AnalyticScene::kBarBeforeWall)
         return hit_card_or_wall(from, direction, {0.023, 0.8}, 0);
     return hit_card_or_wall(from, direction, {0.7, 0.5},
@@ -177,6 +191,14 @@ Lumigraph card_with_close_ups() {
     Lumigraph lumigraph = photographed(AnalyticScene::kPrintedCard, cameras);
     lumigraph.near_depth = 0.7;
     return lumigraph;
+}
+
+Lumigraph post_behind_post() {
+    std::vector<Eye> cameras;
+    for (const Eigen::Vector3d& place : {Eigen::Vector3d(-0.5, 0, 0), Eigen::Vector3d(0.8, -0.3, 0),
+                                         Eigen::Vector3d(0.85, 0.35, 0)})
+        cameras.push_back(eye_at(place, {0, 0, 4.5}, pinhole_camera(128, 96, 120)));
+    return photographed(AnalyticScene::kPostBehindPost, cameras);
 }
 
 Lumigraph ball_in_sky() {

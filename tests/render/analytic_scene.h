@@ -12,6 +12,7 @@ enum class AnalyticScene {
     kCardBeforeWall,  ///< A rectangle at z = 3 before a wall at z = 6.
     kPrintedCard,     ///< The same with a fine pattern on the card.
     kBarBeforeWall,   ///< A bar 0.046 wide and 1.6 long at z = 3 before the wall.
+    kPostBehindPost,  ///< Posts along y at z = 3 and z = 4.5 before the wall.
     kBallInSky,       ///< A ball of radius 1 around the origin before an infinitely far sky.
 };
 
@@ -33,6 +34,10 @@ enum class AnalyticScene {
 
 /// The same cameras before the printed card, and three close-ups of it, which are in a shell.
 [[nodiscard]] Lumigraph card_with_close_ups();
+
+/// Three cameras around the origin. Of what it sees along the z axis, at z = 4.5, the first alone
+/// sees anything: the nearer post hides it from the two others, which see the wall behind it.
+[[nodiscard]] Lumigraph post_behind_post();
 
 /// Twelve cameras all around the ball, at uneven distances (a closed mesh that is not convex).
 [[nodiscard]] Lumigraph ball_in_sky();

@@ -178,6 +178,22 @@ TEST(DepthSearch, TheNearestCountsWhereTwoViewsMeetDifferentSurfaces) {
     EXPECT_GT(differing, 100);
 }
 
+TEST(DepthSearch, WhatOneViewAloneSeesStaysWhereThoseThatAgreeDoNotLookPastIt) {
+    Lumigraph lumigraph = post_behind_post();
+    const Eye eye = eye_at({0, 0, 0}, {0, 0, 4}, pinhole_camera(61, 45, 60));
+    const Eigen::Vector2d along_axis(30.5, 22.5);
+    const auto depth_of = [&] {
+        const SearchedViews views = searched_views(lumigraph);
+        const auto hit = DepthSearch(lumigraph, views, eye).first_hit(along_axis, {0, 1, 2});
+        return hit ? 1 / hit->inverse_depth : 0.0;
+    };
+    EXPECT_NEAR(depth_of(), 4.5, 0.01);
+    // What the first imagines at z = 2 the others look past, to the near post and beside it.
+    for (float& inverse_depth : lumigraph.views[0].depth.inverse_depth.pixels())
+        inverse_depth = 0.5F;
+    EXPECT_NEAR(depth_of(), 6, 0.02);
+}
+
 TEST(DepthSearch, ViewsThatMeetAPointSeeIt) {
     const Lumigraph lumigraph = card_before_wall();
     const SearchedViews views = searched_views(lumigraph);

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "render/gl/framebuffer.h"
@@ -77,7 +78,7 @@ TEST(DepthLayersGlDeathTest, NeedNoMoreThanOpenGl33) {
     EXPECT_EXIT(draw_with_open_gl_3_3_alone(), testing::ExitedWithCode(0), "");
 }
 
-/// The frame of a mode, as the program sees it.
+/// The frame of a mode, as the program sees it: rows from the bottom.
 ColorImage frame_of(PerPixel& mode, const Eye& eye, const RenderOptions& options) {
     const int width = eye.camera.width_px;
     const int height = eye.camera.height_px;
@@ -110,6 +111,38 @@ TEST(PerPixelGl, DrawsTheSameWithDepthByOpenGlAndByTheCores) {
             const FrameDifference difference =
                 difference_between(frame_of(by_cores, eye, options), frame);
             EXPECT_LT(difference.mean, 0.1) << block_px << " " << is_smooth;
+        }
+    }
+}
+
+/// By how much a column is off at most, a few rows at its ends aside.
+int largest_error_in_column(int column, const ColorImage& rows_from_bottom,
+                            const ColorImage& truth) {
+    constexpr int kEnds = 5;
+    int largest = 0;
+    for (int y = kEnds; y < truth.height() - kEnds; ++y) {
+        const Rgb8& drawn = rows_from_bottom(column, truth.height() - 1 - y);
+        largest = std::max({largest, std::abs(drawn.r - truth(column, y).r),
+                            std::abs(drawn.g - truth(column, y).g)});
+    }
+    return largest;
+}
+
+TEST(PerPixelGl, DrawsWhatOneViewAloneSeesBeforeWhatOthersAgreeOn) {
+    const HeadlessContext context;
+    Lumigraph lumigraph = post_behind_post();
+    const Eye eye = eye_at({0, 0, 0}, {0, 0, 4}, pinhole_camera(61, 45, 60));
+    const ColorImage truth = ideal_photograph(AnalyticScene::kPostBehindPost, eye);
+    for (const double block_px : {kLeastDepthBlock_px, kMaxDepthBlock_px}) {
+        lumigraph.drawing.depth_block_px = block_px;
+        const UploadedLumigraph uploaded(lumigraph);
+        for (const auto drawn_by : {DepthLayers::DrawnBy::kOpenGl, DepthLayers::DrawnBy::kCores}) {
+            PerPixel mode(uploaded, drawn_by);
+            for (const bool is_smooth : {false, true}) {
+                const ColorImage frame = frame_of(mode, eye, {.smooth_silhouettes = is_smooth});
+                EXPECT_LT(largest_error_in_column(30, frame, truth), 4)
+                    << block_px << (drawn_by == DepthLayers::DrawnBy::kCores) << is_smooth;
+            }
         }
     }
 }

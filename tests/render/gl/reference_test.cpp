@@ -150,6 +150,24 @@ TEST(GlAgainstReference, PerPixelBeforeAWall) {
                                {.mode = RenderMode::kPerPixel}, GlApi::kAny);
 }
 
+TEST(GlAgainstReference, WhereOneViewAloneSeesAPost) {
+    const Lumigraph lumigraph = post_behind_post();
+    const Eigen::Vector3d centre(0, 0, 4.5);
+    const std::vector<NamedEye> eyes{{"before the far post", eye_at({0, 0, 0}, centre, kEyeCamera)},
+                                     {"aside", eye_at({0.1, 0.05, 0.1}, centre, kEyeCamera)},
+                                     {"nearer to two", eye_at({0.45, 0, 0}, centre, kEyeCamera)}};
+    for (const RenderMode mode : {RenderMode::kPerPixel, RenderMode::kAdaptive}) {
+        OffscreenRenderer renderer(lumigraph);
+        for (const auto& [name, eye] : eyes) {
+            const FrameDifference difference =
+                difference_between(renderer.draw(eye, {.mode = mode}).color,
+                                   draw_mode_reference(lumigraph, eye, {.mode = mode}).color);
+            EXPECT_LE(difference.mean, 1.0) << name;
+            EXPECT_LE(difference.share_beyond_two, 0.02) << name;
+        }
+    }
+}
+
 TEST(GlAgainstReference, PerPixelAroundABall) {
     const Lumigraph lumigraph = ball_in_sky();
     expect_gl_equals_reference(lumigraph, eyes_around_ball(lumigraph),

@@ -1,0 +1,35 @@
+#include "render/transfer/past_sight.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/render/analytic_scene.h"
+
+namespace lumi {
+namespace {
+
+constexpr double kLeastDifference = 0.01;
+
+TEST(PastSight, IsPastWhatAViewDoesNotSeeThoughNothingHidesIt) {
+    const Lumigraph lumigraph = post_behind_post();
+    const Eye eye = eye_at({0, 0, 0}, {0, 0, 4}, pinhole_camera(61, 45, 60));
+    const Eigen::Vector2d along_axis(30.5, 22.5);
+    const auto is_past = [&](std::size_t view, double z) {
+        return PastSight(lumigraph.views[view], eye).is_past(along_axis, 1 / z, kLeastDifference);
+    };
+    EXPECT_TRUE(is_past(0, 2));     // Nothing is there,
+    EXPECT_FALSE(is_past(0, 4.5));  // there it sees the far post,
+    EXPECT_FALSE(is_past(0, 6));    // which hides the wall.
+    EXPECT_TRUE(is_past(1, 2));
+    EXPECT_FALSE(is_past(1, 4.5));  // The near post hides the far one,
+    EXPECT_FALSE(is_past(1, 6));    // and there it sees the wall.
+    EXPECT_FALSE(is_past(1, 0.3));  // Outside of its photograph.
+}
+
+TEST(PastSight, IsNeverPastWhatLiesBehindTheView) {
+    const Lumigraph lumigraph = post_behind_post();
+    const Eye eye = eye_at({0, 0, -5}, {0, 0, 4}, pinhole_camera(61, 45, 60));
+    EXPECT_FALSE(PastSight(lumigraph.views[0], eye).is_past({30.5, 22.5}, 1.0, kLeastDifference));
+}
+
+}  // namespace
+}  // namespace lumi
