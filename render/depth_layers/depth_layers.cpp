@@ -68,8 +68,8 @@ void DepthLayers::draw(const Eye& eye, const std::vector<DepthViewSet>& sets) {
     agreeing_depth_ = agreeing_depth_of(eye, sets);
     if (!is_packed()) return painter_->draw(eye, draws, layers_);
     std::vector<float>& packed = rasters_->draw(eye, draws, layer_count_);
-    keep_lone_surfaces(uploaded_.layout.views, eye, sets, layer_count_, max_inverse_depth_,
-                       agreeing_depth_, packed);
+    settle_lone_surfaces(uploaded_.layout.views, eye, sets, layer_count_, max_inverse_depth_,
+                         agreeing_depth_, packed);
     layers_.upload(packed);
 }
 

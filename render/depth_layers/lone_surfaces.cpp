@@ -19,7 +19,7 @@ constexpr std::size_t kComponents = DepthLayerRasters::kPacked;
 constexpr auto kSeenEnds = static_cast<float>(kDepthKindStep);
 constexpr float kNothing = 1.0F;
 
-/// One texel: what the layers hold, those of them that are seen before all others.
+/// What the layers hold at one texel.
 class LayerTexel {
  public:
     LayerTexel(float* depths, float agreeing) : depths_(depths), agreeing_(agreeing) {}
@@ -50,7 +50,26 @@ class LayerTexel {
         return first;
     }
 
-    void take_away(std::size_t layer) { depths_[layer] = kNothing; }
+    /// Of the layers that agree on a depth.
+    template <class Condition>
+    [[nodiscard]] bool any_of_those_at(float depth, const Condition& condition) const {
+        for (std::size_t layer = 0; layer < kComponents; ++layer)
+            if (agrees(layer, depth) && condition(layer)) return true;
+        return false;
+    }
+
+    /// Of the layers that have seen something else.
+    template <class Condition>
+    [[nodiscard]] bool any_seen_beside(float depth, const Condition& condition) const {
+        for (std::size_t layer = 0; layer < kComponents; ++layer)
+            if (is_seen(layer) && !agrees(layer, depth) && condition(layer)) return true;
+        return false;
+    }
+
+    void take_away_those_at(float depth) {
+        for (std::size_t layer = 0; layer < kComponents; ++layer)
+            if (agrees(layer, depth)) depths_[layer] = kNothing;
+    }
 
  private:
     float* depths_;
@@ -80,29 +99,38 @@ class LoneSurfaces {
         }
     }
 
-    void keep_in_row(int row, float* texels) const {
+    void settle_row(int row, float* texels) const {
         int column = 0;
         for (std::size_t strip = 0; strip < strip_ends_.size(); ++strip)
             for (; column < strip_ends_[strip]; ++column)
-                keep_in(LayerTexel(texels + kComponents * static_cast<std::size_t>(column),
-                                   agreeing_depth_),
-                        {column + 0.5, height_ - row - 0.5}, sights_of_strips_[strip]);
+                settle(LayerTexel(texels + kComponents * static_cast<std::size_t>(column),
+                                  agreeing_depth_),
+                       {column + 0.5, height_ - row - 0.5}, sights_of_strips_[strip]);
     }
 
  private:
-    void keep_in(LayerTexel texel, const Eigen::Vector2d& pixel, const LayerSights& sights) const {
-        const float nearest = texel.nearest();
-        if (nearest >= kSeenEnds || texel.support_of(nearest) > 1) return;
-        const float agreed = texel.first_agreed();
-        if (agreed == kNothing) return;
-        const double inverse_depth = inverse_depth_of(nearest);
+    void settle(LayerTexel texel, const Eigen::Vector2d& pixel, const LayerSights& sights) const {
         const double difference = inverse_depth_of(0) - inverse_depth_of(agreeing_depth_);
-        for (std::size_t layer = 0; layer < kComponents; ++layer)
-            if (texel.agrees(layer, agreed) && sights[layer] != nullptr &&
-                sights[layer]->is_past(pixel, inverse_depth, difference))
+        while (true) {
+            const float nearest = texel.nearest();
+            if (nearest >= kSeenEnds || texel.support_of(nearest) > 1) return;
+            const auto past = [&](std::size_t layer) {
+                return sights[layer] == nullptr
+                           ? Past::kNot
+                           : sights[layer]->past(pixel, inverse_depth_of(nearest), difference);
+            };
+            const float agreed = texel.first_agreed();
+            if (agreed != kNothing) {
+                const bool is_imagined = texel.any_of_those_at(
+                    agreed, [&](std::size_t layer) { return past(layer) != Past::kNot; });
+                if (!is_imagined) texel.take_away_those_at(agreed);
                 return;
-        for (std::size_t layer = 0; layer < kComponents; ++layer)
-            if (texel.agrees(layer, agreed)) texel.take_away(layer);
+            }
+            const bool is_imagined = texel.any_seen_beside(
+                nearest, [&](std::size_t layer) { return past(layer) == Past::kSurely; });
+            if (!is_imagined) return;
+            texel.take_away_those_at(nearest);
+        }
     }
 
     /// Of what is seen.
@@ -120,17 +148,18 @@ class LoneSurfaces {
 
 }  // namespace
 
-void keep_lone_surfaces(const std::vector<LumigraphView>& views, const Eye& eye,
-                        const std::vector<DepthViewSet>& sets, int layers, double max_inverse_depth,
-                        float agreeing_depth, std::vector<float>& packed) {
+void settle_lone_surfaces(const std::vector<LumigraphView>& views, const Eye& eye,
+                          const std::vector<DepthViewSet>& sets, int layers,
+                          double max_inverse_depth, float agreeing_depth,
+                          std::vector<float>& packed) {
     const LoneSurfaces surfaces(views, eye, sets, layers, max_inverse_depth, agreeing_depth);
     const auto row_size = kComponents * static_cast<std::size_t>(eye.camera.width_px);
     constexpr std::size_t kRowsAtATime = 8;
     parallel_for_runs(static_cast<std::size_t>(eye.camera.height_px), kRowsAtATime, 0,
                       [&](std::size_t first, std::size_t end) {
                           for (std::size_t row = first; row < end; ++row)
-                              surfaces.keep_in_row(static_cast<int>(row),
-                                                   packed.data() + row * row_size);
+                              surfaces.settle_row(static_cast<int>(row),
+                                                  packed.data() + row * row_size);
                       });
 }
 

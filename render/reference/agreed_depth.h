@@ -42,7 +42,7 @@ class AgreedDepth {
     /// The views that are asked at a column of texels, kNoView among them.
     [[nodiscard]] const std::vector<int>& views_at(int column) const;
     /// What each of the views there knows of the texel that a pixel's place lies in, lone surfaces
-    /// kept (keep_lone_surface).
+    /// settled (depth_consensus.h).
     [[nodiscard]] std::vector<EyeDepth> depths_at(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] int column_of(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] AgreedPixelDepth agreed(const std::vector<EyeDepth>& depths,

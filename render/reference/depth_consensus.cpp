@@ -43,34 +43,44 @@ ConsensusDepth consensus_of(const std::vector<EyeDepth>& layers, double agreeing
     return chosen;
 }
 
-void keep_lone_surface(std::vector<EyeDepth>& layers, double agreeing_inverse_depth,
-                       const LooksPast& looks_past) {
+void settle_lone_surface(std::vector<EyeDepth>& layers, double agreeing_inverse_depth,
+                         const PastOfLayer& past) {
     const auto is_seen = [](const EyeDepth& depth) {
         return depth.is_known() && depth.kind == DepthKind::kSeen;
     };
-    const auto agreeing_with = [&](double inverse_depth) {
-        std::vector<std::size_t> agreeing;
-        for (std::size_t layer = 0; layer < layers.size(); ++layer)
-            if (is_seen(layers[layer]) &&
-                std::abs(layers[layer].inverse_depth - inverse_depth) <= agreeing_inverse_depth)
-                agreeing.push_back(layer);
-        return agreeing;
+    // Those that have seen something there, or elsewhere.
+    const auto seen = [&](bool there, double inverse_depth) {
+        std::vector<std::size_t> found;
+        for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+            const double difference = std::abs(layers[layer].inverse_depth - inverse_depth);
+            if (is_seen(layers[layer]) && (difference <= agreeing_inverse_depth) == there)
+                found.push_back(layer);
+        }
+        return found;
+    };
+    const auto take_away = [&](const std::vector<std::size_t>& taken) {
+        for (const std::size_t layer : taken) layers[layer] = {};
     };
     double nearest = -1;
     double agreed = -1;
     for (const EyeDepth& depth : layers) {
         if (!is_seen(depth)) continue;
         nearest = std::max(nearest, depth.inverse_depth);
-        if (agreeing_with(depth.inverse_depth).size() > 1)
+        if (seen(true, depth.inverse_depth).size() > 1)
             agreed = std::max(agreed, depth.inverse_depth);
     }
-    if (agreed < 0 || agreeing_with(nearest).size() > 1) return;
-    const std::vector<std::size_t> behind = agreeing_with(agreed);
-    const bool is_imagined = std::any_of(behind.begin(), behind.end(), [&](std::size_t layer) {
-        return looks_past(layer, nearest);
-    });
-    if (is_imagined) return;
-    for (const std::size_t layer : behind) layers[layer] = {};
+    if (nearest < 0 || seen(true, nearest).size() > 1) return;
+    const auto is_any_past = [&](const std::vector<std::size_t>& asked, Past least) {
+        return std::any_of(asked.begin(), asked.end(),
+                           [&](std::size_t layer) { return past(layer, nearest) >= least; });
+    };
+    if (agreed >= 0) {
+        const std::vector<std::size_t> behind = seen(true, agreed);
+        if (!is_any_past(behind, Past::kPerhaps)) take_away(behind);
+    } else if (is_any_past(seen(false, nearest), Past::kSurely)) {
+        take_away(seen(true, nearest));
+        settle_lone_surface(layers, agreeing_inverse_depth, past);
+    }
 }
 
 }  // namespace lumi

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/reference/depth_raster.h"
+#include "render/transfer/past_sight.h"
 
 namespace lumi {
 
@@ -22,14 +23,12 @@ struct ConsensusDepth {
 [[nodiscard]] ConsensusDepth consensus_of(const std::vector<EyeDepth>& layers,
                                           double agreeing_inverse_depth);
 
-/// Whether the view of a layer sees something behind the point at this inverse depth, where the
-/// point lies in it.
-using LooksPast = std::function<bool(std::size_t layer, double inverse_depth)>;
+/// Whether the view of a layer looks past the point at this inverse depth.
+using PastOfLayer = std::function<Past(std::size_t layer, double inverse_depth)>;
 
-/// What one view alone has seen before what two others agree on is there all the same where none of
-/// these looks past it: something else hides it from them (depth_layers/lone_surfaces.h). What they
-/// agree on is taken away, as if nothing were known.
-void keep_lone_surface(std::vector<EyeDepth>& layers, double agreeing_inverse_depth,
-                       const LooksPast& looks_past);
+/// Settles whether what one view alone has seen before all others is there or imagined
+/// (depth_layers/lone_surfaces.h). What is taken away is as if nothing were known.
+void settle_lone_surface(std::vector<EyeDepth>& layers, double agreeing_inverse_depth,
+                         const PastOfLayer& past);
 
 }  // namespace lumi

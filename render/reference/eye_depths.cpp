@@ -31,8 +31,8 @@ EyeDepths eye_depths(const Lumigraph& lumigraph, const Eye& eye, double toleranc
         for (int x = 0; x < eye.camera.width_px; ++x) {
             for (std::size_t layer = 0; layer < layers.size(); ++layer)
                 depths[layer] = layers[layer](x, y);
-            keep_lone_surface(depths, agreeing, [&](std::size_t layer, double inverse_depth) {
-                return sights[layer].is_past({x + 0.5, y + 0.5}, inverse_depth, agreeing);
+            settle_lone_surface(depths, agreeing, [&](std::size_t layer, double inverse_depth) {
+                return sights[layer].past({x + 0.5, y + 0.5}, inverse_depth, agreeing);
             });
             result.depths(x, y) = consensus_of(depths, agreeing);
         }

@@ -163,10 +163,10 @@ float is_one_surface(vec4 a, vec4 b) {
 // one surface, at the mean of the samples that are of it.
 vec4 smooth_at(vec2 window) {
     ivec2 texel = texel_at(window - 0.25);
-    vec4 depth0 = kept_depths(texel);
-    vec4 depth1 = kept_depths(texel + ivec2(1, 0));
-    vec4 depth2 = kept_depths(texel + ivec2(0, 1));
-    vec4 depth3 = kept_depths(texel + ivec2(1, 1));
+    vec4 depth0 = settled_depths(texel);
+    vec4 depth1 = settled_depths(texel + ivec2(1, 0));
+    vec4 depth2 = settled_depths(texel + ivec2(0, 1));
+    vec4 depth3 = settled_depths(texel + ivec2(1, 1));
     vec4 left = vec4(1.0);  // 1 for samples that are not drawn yet
     vec4 sum = vec4(0.0);
     float count = 0.0;
@@ -197,7 +197,7 @@ void main() {
 #ifdef SMOOTH
     drawn = smooth_at(window);
 #else
-    Blend blend = blend_at(window, agreed_depth(kept_depths(texel_at(window))));
+    Blend blend = blend_at(window, agreed_depth(settled_depths(texel_at(window))));
     if (blend.is_unseen && blend.is_guess) discard;
 #ifdef BLOCKS
     drawn = drawn_at(blend, vec2(-0.5, -0.5));

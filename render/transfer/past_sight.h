@@ -1,11 +1,22 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 
 #include "render/lumigraph/lumigraph.h"
 #include "render/transfer/pixel_transfer.h"
 
 namespace lumi {
+
+/// Of a sample of depth that several views agree on (DepthMap::confidence).
+inline constexpr std::uint8_t kAgreedConfidence = 255;
+
+/// Whether a view looks past a point.
+enum class Past {
+    kNot,      ///< It sees the point or something before it, or the point is not in its photograph.
+    kPerhaps,  ///< By what it alone has seen, or what was filled.
+    kSurely,   ///< Several views agree on what it sees behind the point.
+};
 
 /// A view, as it is asked whether it looks past points on the rays of one eye.
 class PastSight {
@@ -15,17 +26,16 @@ class PastSight {
 
     /// Whether the view's depth map has, where the point at `inverse_depth` on the eye's ray
     /// through `pixel` lies in it, something behind that point, by more than `least_difference` as
-    /// inverse depth of the eye. Not where something nearer hides the point, nor outside of the
-    /// photograph.
-    [[nodiscard]] bool is_past(const Eigen::Vector2d& pixel, double inverse_depth,
-                               double least_difference) const;
+    /// inverse depth of the eye.
+    [[nodiscard]] Past past(const Eigen::Vector2d& pixel, double inverse_depth,
+                            double least_difference) const;
 
     /// From the eye's pixels to samples of the depth map.
     [[nodiscard]] const PixelTransfer& samples_from_eye() const { return samples_from_eye_; }
 
  private:
     PixelTransfer samples_from_eye_;
-    const FloatImage* inverse_depth_;
+    const DepthMap* depth_;
 };
 
 }  // namespace lumi

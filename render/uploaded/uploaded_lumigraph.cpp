@@ -1,11 +1,15 @@
 #include "render/uploaded/uploaded_lumigraph.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
 #include <string>
 
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 #include "render/surroundings/surroundings.h"
+#include "render/transfer/past_sight.h"
 #include "render/uploaded/photograph_lod.h"
 #include "render/uploaded/photograph_opacity.h"
 
@@ -84,6 +88,19 @@ TextureArray upload_photographs(const Lumigraph& lumigraph) {
     return array;
 }
 
+/// The last bit of each sample tells whether several views agree on it. What is infinitely far gets
+/// the least inverse depth that no driver takes for zero.
+FloatImage with_agreed_marked(const DepthMap& depth) {
+    constexpr float kLeast = std::numeric_limits<float>::min();
+    FloatImage marked = depth.inverse_depth;
+    for (std::size_t i = 0; i < marked.pixels().size(); ++i) {
+        const auto bits = std::bit_cast<std::uint32_t>(std::max(kLeast, marked.pixels()[i]));
+        const std::uint32_t mark = depth.confidence.pixels()[i] == kAgreedConfidence ? 1 : 0;
+        marked.pixels()[i] = std::bit_cast<float>((bits & ~std::uint32_t{1}) | mark);
+    }
+    return marked;
+}
+
 TextureArray upload_depth_maps(const std::vector<LumigraphView>& views) {
     int width = 0;
     int height = 0;
@@ -96,8 +113,8 @@ TextureArray upload_depth_maps(const std::vector<LumigraphView>& views) {
                        static_cast<int>(views.size()));
     const FloatImage nothing_near(1, 1, 0.0F);
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const FloatImage& inverse_depth = views[i].depth.inverse_depth;
-        array.upload(static_cast<int>(i), inverse_depth.empty() ? nothing_near : inverse_depth);
+        array.upload(static_cast<int>(i),
+                     views[i].has_depth() ? with_agreed_marked(views[i].depth) : nothing_near);
     }
     return array;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "render/depth_layers/lone_surfaces.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/headless_context.h"
 #include "render/modes/per_pixel.h"
@@ -17,7 +18,7 @@ namespace {
 
 constexpr int kLayers = 3;
 
-/// Layer by layer.
+/// Four a texel, of which the first are the layers.
 std::vector<float> texels_of(const DepthLayers& layers) {
     const TextureArray& texture = layers.texture();
     std::vector<float> texels(texture.bytes() / sizeof(float));
@@ -25,11 +26,12 @@ std::vector<float> texels_of(const DepthLayers& layers) {
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glGetTexImage(GL_TEXTURE_2D_ARRAY, 0, layers.is_packed() ? GL_RGBA : GL_DEPTH_COMPONENT,
                   GL_FLOAT, texels.data());
-    if (!layers.is_packed()) return texels;
-    std::vector<float> in_layers;
-    for (std::size_t layer = 0; layer < kLayers; ++layer)
-        for (std::size_t i = layer; i < texels.size(); i += 4) in_layers.push_back(texels[i]);
-    return in_layers;
+    if (layers.is_packed()) return texels;
+    const std::size_t texels_a_layer = texels.size() / kLayers;
+    std::vector<float> packed(4 * texels_a_layer, 1.0F);
+    for (std::size_t i = 0; i < texels.size(); ++i)
+        packed[4 * (i % texels_a_layer) + i / texels_a_layer] = texels[i];
+    return packed;
 }
 
 void expect_same(const Lumigraph& lumigraph, const Eye& eye) {
@@ -39,7 +41,10 @@ void expect_same(const Lumigraph& lumigraph, const Eye& eye) {
     const std::vector<DepthViewSet> sets{{{0, 1, 2}, 0.6}, {{3, 1, 2}, 0.4}};
     by_open_gl.draw(eye, sets);
     by_cores.draw(eye, sets);
-    const std::vector<float> expected = texels_of(by_open_gl);
+    // Shaders settle lone surfaces when they look layers up, unless that is done before.
+    std::vector<float> expected = texels_of(by_open_gl);
+    settle_lone_surfaces(uploaded.layout.views, eye, sets, kLayers, by_open_gl.max_inverse_depth(),
+                         by_open_gl.agreeing_depth(), expected);
     const std::vector<float> texels = texels_of(by_cores);
     ASSERT_EQ(texels.size(), expected.size());
     std::size_t unlike = 0;
@@ -50,7 +55,7 @@ void expect_same(const Lumigraph& lumigraph, const Eye& eye) {
     }
     EXPECT_GT(known, texels.size() / 4);
     // Along the sides of triangles that end there.
-    EXPECT_LT(unlike, texels.size() / 200);
+    EXPECT_LT(unlike, texels.size() / 260);
 }
 
 TEST(DepthLayersGl, AreTheSameByOpenGlAndByTheCores) {

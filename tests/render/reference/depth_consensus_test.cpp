@@ -52,34 +52,51 @@ TEST(DepthConsensus, KnowsNothingFromNothing) {
     EXPECT_EQ(consensus_of({kNothing, kNothing}, 0.02).support, 0);
 }
 
-TEST(KeepLoneSurface, TakesAwayWhatLiesBehindUnlessAViewThatAgreesLooksPast) {
+TEST(SettleLoneSurface, TakesAwayWhatLiesBehindUnlessAViewThatAgreesLooksPast) {
     const std::vector<EyeDepth> asked{seen(0.9), seen(0.30), kNothing, seen(0.31)};
-    std::vector<EyeDepth> kept = asked;
-    keep_lone_surface(kept, 0.02, [](std::size_t layer, double inverse_depth) {
+    std::vector<EyeDepth> settled = asked;
+    settle_lone_surface(settled, 0.02, [](std::size_t layer, double inverse_depth) {
         EXPECT_TRUE(layer == 1 || layer == 3);
         EXPECT_EQ(inverse_depth, 0.9);
-        return false;
+        return Past::kNot;
     });
-    EXPECT_EQ(consensus_of(kept, 0.02).inverse_depth, 0.9);
-    EXPECT_FALSE(kept[1].is_known());
-    EXPECT_FALSE(kept[3].is_known());
-    kept = asked;
-    keep_lone_surface(kept, 0.02, [](std::size_t layer, double) { return layer == 3; });
-    EXPECT_NEAR(consensus_of(kept, 0.02).inverse_depth, 0.305, 1e-12);
+    EXPECT_EQ(consensus_of(settled, 0.02).inverse_depth, 0.9);
+    EXPECT_FALSE(settled[1].is_known());
+    EXPECT_FALSE(settled[3].is_known());
+    settled = asked;
+    settle_lone_surface(settled, 0.02, [](std::size_t layer, double) {
+        return layer == 3 ? Past::kPerhaps : Past::kNot;
+    });
+    EXPECT_NEAR(consensus_of(settled, 0.02).inverse_depth, 0.305, 1e-12);
 }
 
-TEST(KeepLoneSurface, LeavesWhatIsNotSeenOrNotAloneAsItIs) {
-    const LooksPast does_not = [](std::size_t, double) { return false; };
-    for (const std::vector<EyeDepth>& asked :
-         {std::vector<EyeDepth>{filled(0.9), seen(0.3), seen(0.3)},    // a fill before a surface
-          std::vector<EyeDepth>{seen(0.9), filled(0.3), filled(0.3)},  // a surface before fills
-          std::vector<EyeDepth>{seen(0.9), seen(0.9), seen(0.3), seen(0.3)},
-          std::vector<EyeDepth>{seen(0.9), seen(0.5), seen(0.3)},
-          std::vector<EyeDepth>{kNothing, kNothing}}) {
-        std::vector<EyeDepth> kept = asked;
-        keep_lone_surface(kept, 0.02, does_not);
-        for (std::size_t i = 0; i < asked.size(); ++i)
-            EXPECT_EQ(kept[i].inverse_depth, asked[i].inverse_depth);
+TEST(SettleLoneSurface, WhereNoTwoAgreeTakesAwayWhatOneSurelyLooksPast) {
+    const std::vector<EyeDepth> asked{seen(0.3), seen(0.9), seen(0.6)};
+    const auto settled = [&](Past of_first, Past of_last) {
+        std::vector<EyeDepth> layers = asked;
+        settle_lone_surface(layers, 0.02, [&](std::size_t layer, double) {
+            return layer == 0 ? of_first : layer == 2 ? of_last : Past::kSurely;
+        });
+        return consensus_of(layers, 0.02).inverse_depth;
+    };
+    EXPECT_EQ(settled(Past::kNot, Past::kPerhaps), 0.9);
+    EXPECT_EQ(settled(Past::kNot, Past::kSurely), 0.6);
+    EXPECT_EQ(settled(Past::kSurely, Past::kNot), 0.3);  // Past both.
+}
+
+TEST(SettleLoneSurface, LeavesWhatIsNotSeenOrNotAloneAsItIs) {
+    for (const Past past : {Past::kNot, Past::kSurely}) {
+        for (const std::vector<EyeDepth>& asked :
+             {std::vector<EyeDepth>{filled(0.9), seen(0.3), seen(0.3)},    // a fill before it
+              std::vector<EyeDepth>{seen(0.9), filled(0.3), filled(0.3)},  // fills behind it
+              std::vector<EyeDepth>{seen(0.9), seen(0.9), seen(0.3), seen(0.3)},
+              std::vector<EyeDepth>{seen(0.9), kNothing},
+              std::vector<EyeDepth>{kNothing, kNothing}}) {
+            std::vector<EyeDepth> settled = asked;
+            settle_lone_surface(settled, 0.02, [&](std::size_t, double) { return past; });
+            for (std::size_t i = 0; i < asked.size(); ++i)
+                EXPECT_EQ(settled[i].inverse_depth, asked[i].inverse_depth);
+        }
     }
 }
 

@@ -14,7 +14,8 @@ TEST(PastSight, IsPastWhatAViewDoesNotSeeThoughNothingHidesIt) {
     const Eye eye = eye_at({0, 0, 0}, {0, 0, 4}, pinhole_camera(61, 45, 60));
     const Eigen::Vector2d along_axis(30.5, 22.5);
     const auto is_past = [&](std::size_t view, double z) {
-        return PastSight(lumigraph.views[view], eye).is_past(along_axis, 1 / z, kLeastDifference);
+        return PastSight(lumigraph.views[view], eye).past(along_axis, 1 / z, kLeastDifference) !=
+               Past::kNot;
     };
     EXPECT_TRUE(is_past(0, 2));     // Nothing is there,
     EXPECT_FALSE(is_past(0, 4.5));  // there it sees the far post,
@@ -28,7 +29,20 @@ TEST(PastSight, IsPastWhatAViewDoesNotSeeThoughNothingHidesIt) {
 TEST(PastSight, IsNeverPastWhatLiesBehindTheView) {
     const Lumigraph lumigraph = post_behind_post();
     const Eye eye = eye_at({0, 0, -5}, {0, 0, 4}, pinhole_camera(61, 45, 60));
-    EXPECT_FALSE(PastSight(lumigraph.views[0], eye).is_past({30.5, 22.5}, 1.0, kLeastDifference));
+    EXPECT_EQ(PastSight(lumigraph.views[0], eye).past({30.5, 22.5}, 1.0, kLeastDifference),
+              Past::kNot);
+}
+
+TEST(PastSight, IsSureOfWhatSeveralViewsAgreeOn) {
+    Lumigraph lumigraph = post_behind_post();
+    LumigraphView& view = lumigraph.views[0];
+    const Eye eye = eye_at({0, 0, 0}, {0, 0, 4}, pinhole_camera(61, 45, 60));
+    const auto past = [&] {
+        return PastSight(view, eye).past({30.5, 22.5}, 0.5, kLeastDifference);
+    };
+    EXPECT_EQ(past(), Past::kSurely);
+    for (std::uint8_t& confidence : view.depth.confidence.pixels()) confidence = 128;
+    EXPECT_EQ(past(), Past::kPerhaps);
 }
 
 }  // namespace
