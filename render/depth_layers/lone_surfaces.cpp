@@ -28,6 +28,16 @@ class LayerTexel {
         return *std::min_element(depths_, depths_ + kComponents);
     }
 
+    /// Whether the nearest is seen, and no other agrees with it: at few texels. Without a branch.
+    [[nodiscard]] bool is_nearest_alone() const {
+        static_assert(kComponents == 4);
+        const auto [near_a, far_a] = std::minmax(depths_[0], depths_[1]);
+        const auto [near_b, far_b] = std::minmax(depths_[2], depths_[3]);
+        const float nearest = std::min(near_a, near_b);
+        const float next = std::min({std::max(near_a, near_b), far_a, far_b});
+        return nearest < kSeenEnds && next - nearest > agreeing_;
+    }
+
     [[nodiscard]] bool is_seen(std::size_t layer) const { return depths_[layer] < kSeenEnds; }
 
     [[nodiscard]] bool agrees(std::size_t layer, float depth) const {
@@ -87,7 +97,8 @@ class LoneSurfaces {
         : strip_ends_(strip_ends(sets, eye.camera.width_px)),
           height_(eye.camera.height_px),
           max_inverse_depth_(max_inverse_depth),
-          agreeing_depth_(agreeing_depth) {
+          agreeing_depth_(agreeing_depth),
+          agreeing_(inverse_depth_of(0) - inverse_depth_of(agreeing_depth)) {
         for (const std::vector<int>& of_set : depth_layer_views(sets, layers)) {
             LayerSights& sights = sights_of_strips_.emplace_back();
             for (std::size_t layer = 0; layer < of_set.size(); ++layer) {
@@ -101,23 +112,25 @@ class LoneSurfaces {
 
     void settle_row(int row, float* texels) const {
         int column = 0;
-        for (std::size_t strip = 0; strip < strip_ends_.size(); ++strip)
-            for (; column < strip_ends_[strip]; ++column)
-                settle(LayerTexel(texels + kComponents * static_cast<std::size_t>(column),
-                                  agreeing_depth_),
-                       {column + 0.5, height_ - row - 0.5}, sights_of_strips_[strip]);
+        for (std::size_t strip = 0; strip < strip_ends_.size(); ++strip) {
+            for (; column < strip_ends_[strip]; ++column) {
+                const LayerTexel texel(texels + kComponents * static_cast<std::size_t>(column),
+                                       agreeing_depth_);
+                if (texel.is_nearest_alone())
+                    settle(texel, {column + 0.5, height_ - row - 0.5}, sights_of_strips_[strip]);
+            }
+        }
     }
 
  private:
+    /// Of a texel whose nearest is alone.
     void settle(LayerTexel texel, const Eigen::Vector2d& pixel, const LayerSights& sights) const {
-        const double difference = inverse_depth_of(0) - inverse_depth_of(agreeing_depth_);
-        while (true) {
+        while (texel.is_nearest_alone()) {
             const float nearest = texel.nearest();
-            if (nearest >= kSeenEnds || texel.support_of(nearest) > 1) return;
             const auto past = [&](std::size_t layer) {
                 return sights[layer] == nullptr
                            ? Past::kNot
-                           : sights[layer]->past(pixel, inverse_depth_of(nearest), difference);
+                           : sights[layer]->past(pixel, inverse_depth_of(nearest), agreeing_);
             };
             const float agreed = texel.first_agreed();
             if (agreed != kNothing) {
@@ -144,6 +157,7 @@ class LoneSurfaces {
     int height_;
     double max_inverse_depth_;
     float agreeing_depth_;
+    double agreeing_;  ///< The same as inverse depth.
 };
 
 }  // namespace
