@@ -1,6 +1,13 @@
 #include "render/transfer/past_sight.h"
 
+#include <cstdint>
+
 namespace lumi {
+
+bool is_agreed_on(const DepthMap& depth, int x, int y) {
+    constexpr std::uint8_t kBySeveral = 255;
+    return depth.confidence(x, y) == kBySeveral && depth.inverse_depth(x, y) > 0;
+}
 
 PastSight::PastSight(const LumigraphView& view, const Eye& eye)
     : samples_from_eye_(
@@ -26,7 +33,7 @@ Past PastSight::past(const Eigen::Vector2d& pixel, double inverse_depth,
     const int row = static_cast<int>(y);
     const double behind = inverse_depth - at.z() * static_cast<double>(seen(column, row));
     if (behind <= least_difference) return Past::kNot;
-    return depth_->confidence(column, row) == kAgreedConfidence ? Past::kSurely : Past::kPerhaps;
+    return is_agreed_on(*depth_, column, row) ? Past::kSurely : Past::kPerhaps;
 }
 
 }  // namespace lumi

@@ -1,15 +1,15 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 
 #include "render/lumigraph/lumigraph.h"
 #include "render/transfer/pixel_transfer.h"
 
 namespace lumi {
 
-/// Of a sample of depth that several views agree on (DepthMap::confidence).
-inline constexpr std::uint8_t kAgreedConfidence = 255;
+/// Whether several views agree on a pixel of a depth map (DepthMap::confidence). Not on what is
+/// infinitely far: a mask may have put it there, which nobody has measured.
+[[nodiscard]] bool is_agreed_on(const DepthMap& depth, int x, int y);
 
 /// Whether a view looks past a point.
 enum class Past {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <string>
 
 #include "calib/work/error.h"
@@ -88,15 +87,15 @@ TextureArray upload_photographs(const Lumigraph& lumigraph) {
     return array;
 }
 
-/// The last bit of each sample tells whether several views agree on it. What is infinitely far gets
-/// the least inverse depth that no driver takes for zero.
+/// The last bit of each sample tells whether several views agree on it.
 FloatImage with_agreed_marked(const DepthMap& depth) {
-    constexpr float kLeast = std::numeric_limits<float>::min();
     FloatImage marked = depth.inverse_depth;
-    for (std::size_t i = 0; i < marked.pixels().size(); ++i) {
-        const auto bits = std::bit_cast<std::uint32_t>(std::max(kLeast, marked.pixels()[i]));
-        const std::uint32_t mark = depth.confidence.pixels()[i] == kAgreedConfidence ? 1 : 0;
-        marked.pixels()[i] = std::bit_cast<float>((bits & ~std::uint32_t{1}) | mark);
+    for (int y = 0; y < marked.height(); ++y) {
+        for (int x = 0; x < marked.width(); ++x) {
+            const auto bits = std::bit_cast<std::uint32_t>(marked(x, y));
+            const std::uint32_t mark = is_agreed_on(depth, x, y) ? 1 : 0;
+            marked(x, y) = std::bit_cast<float>((bits & ~std::uint32_t{1}) | mark);
+        }
     }
     return marked;
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 #include "tests/render/analytic_scene.h"
 
 namespace lumi {
@@ -43,6 +45,9 @@ TEST(PastSight, IsSureOfWhatSeveralViewsAgreeOn) {
     EXPECT_EQ(past(), Past::kSurely);
     for (std::uint8_t& confidence : view.depth.confidence.pixels()) confidence = 128;
     EXPECT_EQ(past(), Past::kPerhaps);
+    view.depth.confidence = GrayImage(128, 96, 255);
+    view.depth.inverse_depth = FloatImage(128, 96, 0.0F);
+    EXPECT_EQ(past(), Past::kPerhaps);  // Behind a mask.
 }
 
 }  // namespace
