@@ -9,21 +9,17 @@
 
 #include "render/depth_layers/depth_eye.h"
 #include "render/depth_layers/depth_layer_views.h"
+#include "render/depth_layers/layer_rows.h"
 #include "render/faces/asked_views.h"
-#include "render/gl/to_glm.h"
 #include "render/holes/hole_cells.h"
 #include "render/holes/hole_triangles.h"
 #include "render/shaders/shader_sources.h"
 #include "render/surroundings/empty_cells.h"
-#include "render/transfer/past_sight.h"
-#include "render/transfer/pixel_transfer.h"
 #include "render/transfer/scene_plane.h"
 #include "render/view_choice/depth_view_choice.h"
 
 namespace lumi {
 namespace {
-
-constexpr std::size_t kRowsPerView = 4;
 
 PictureProgram program_of(std::vector<std::string> definitions) {
     return {"per_pixel",
@@ -39,17 +35,6 @@ static_assert(kSmoothTexelsPerPixel == kDepthBlockSide_px);
 /// The first of the fragments whose centre lies in this column of texels or beyond it.
 int first_fragment(int column, double texels_per_fragment) {
     return static_cast<int>(std::ceil(column / texels_per_fragment - 0.5));
-}
-
-/// The three that take (x, y, 1, inverse depth) in a window of this height to the target.
-void append_rows(const PixelTransfer& target_from_eye, int height_px,
-                 std::vector<glm::vec4>& rows) {
-    const Eigen::Matrix3d target_from_window =
-        target_from_eye.at_infinity * pixel_from_window(height_px);
-    for (Eigen::Index row = 0; row < 3; ++row)
-        rows.push_back(to_glm(
-            Eigen::Vector4d(target_from_window(row, 0), target_from_window(row, 1),
-                            target_from_window(row, 2), target_from_eye.per_inverse_depth[row])));
 }
 
 /// Silhouettes are not smooth where depth would not fit into a texture for it.
@@ -247,53 +232,13 @@ std::size_t PerPixel::draw_faces(const Eye& eye, const RenderOptions& options,
         if (!faces_.has_any(is_drawn)) continue;
         const Program& program = use(programs[unasked], drawn, options, fragments, asked);
         if (fade != Fade::kNone) set_fade(program, fade == Fade::kShell);
-        set_layer_views(eye, layer_views, program);
-        if (!depth_.is_packed()) set_layer_samples(asked.depth_eye.eye, layer_views, program);
+        program.set("layer_views", pixel_rows(uploaded_.layout, eye, layer_views));
+        if (!depth_.is_packed())
+            program.set("layer_samples",
+                        sample_rows(uploaded_.layout, asked.depth_eye.eye, layer_views));
         triangles += faces_.draw_if(is_drawn);
     }
     return triangles;
-}
-
-/// Four vectors for each layer, as shaders/agreed_depth.glsl expects them.
-void PerPixel::set_layer_views(const Eye& eye, const std::vector<int>& view_indices,
-                               const Program& program) const {
-    std::vector<glm::vec4> rows;
-    for (const int view_index : view_indices) append_view(eye, view_index, rows);
-    while (rows.size() < kRowsPerView * kMaxDepthViews) append_view(eye, kNoView, rows);
-    program.set("layer_views", rows);
-}
-
-/// Four vectors for each layer, as shaders/lone_surfaces.glsl expects them.
-void PerPixel::set_layer_samples(const Eye& depth_eye, const std::vector<int>& view_indices,
-                                 const Program& program) const {
-    std::vector<glm::vec4> rows;
-    for (const int index : view_indices) {
-        if (index == kNoView) {
-            rows.resize(rows.size() + kRowsPerView, glm::vec4(0.0F));
-            continue;
-        }
-        const auto view = static_cast<std::size_t>(index);
-        const PixelTransfer samples_from_eye =
-            PastSight(uploaded_.layout.views[view], depth_eye).samples_from_eye();
-        append_rows(samples_from_eye, depth_eye.camera.height_px, rows);
-        rows.emplace_back(uploaded_.depth_sizes_px[view].x(), uploaded_.depth_sizes_px[view].y(),
-                          index, 0.0F);
-    }
-    rows.resize(kRowsPerView * kMaxDepthViews, glm::vec4(0.0F));
-    program.set("layer_samples", rows);
-}
-
-void PerPixel::append_view(const Eye& eye, int view_index, std::vector<glm::vec4>& rows) const {
-    if (view_index == kNoView) {
-        rows.resize(rows.size() + kRowsPerView - 1);
-        rows.emplace_back(kNoView, 0.0F, 0.0F, 0.0F);
-        return;
-    }
-    const LumigraphView& view = uploaded_.layout.views[static_cast<std::size_t>(view_index)];
-    const PixelTransfer view_from_eye =
-        pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world);
-    append_rows(view_from_eye, eye.camera.height_px, rows);
-    rows.emplace_back(view_index, 0.0F, 0.0F, 0.0F);
 }
 
 }  // namespace lumi

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <glm/vec4.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -83,11 +82,6 @@ class PerPixel : public DrawingMode {
     /// The uploaded faces, whose first views are the layers'.
     std::size_t draw_faces(const Eye& eye, const RenderOptions& options, const Fragments& fragments,
                            const AskedDepth& asked, Fade fade, const std::vector<int>& layer_views);
-    void set_layer_views(const Eye& eye, const std::vector<int>& view_indices,
-                         const Program& program) const;
-    void set_layer_samples(const Eye& depth_eye, const std::vector<int>& view_indices,
-                           const Program& program) const;
-    void append_view(const Eye& eye, int view_index, std::vector<glm::vec4>& rows) const;
 
     const UploadedLumigraph& uploaded_;
     SurroundingsPainter surroundings_;
