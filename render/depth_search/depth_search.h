@@ -37,13 +37,13 @@ class DepthSearch {
     DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views, const Eye& eye);
 
     /// What the ray through `pixel` meets first in the depth maps of three views (a view may be
-    /// named twice): of what they have seen the nearest that two agree on, or else the nearest. So
-    /// the nearest is, too, that one has seen alone, where neither of the two looks past it.
-    /// Where none has seen anything it is the guess of the first view that has one: guesses of
-    /// several views are as many surfaces, and the nearest of them is part of one and of another.
-    /// The third is not asked when the first two have both seen it; the second always is: that it
-    /// sees what the first one meets does not tell what it meets before. Empty when the ray meets
-    /// nothing in any of them.
+    /// named twice): of what they have seen the nearest that two agree on, or else the nearest.
+    /// What one has seen alone before that counts where neither of the two looks past it, as
+    /// something nearer hides it from both (depth_layers/lone_surfaces.h). Where none has seen
+    /// anything it is the guess of the first view that has one: guesses of several views are as
+    /// many surfaces, and the nearest of them is part of one and of another. The third is not asked
+    /// when the first two have both seen it; the second always is: that it sees what the first one
+    /// meets does not tell what it meets before. Empty when the ray meets nothing in any of them.
     [[nodiscard]] std::optional<RayHit> first_hit(const Eigen::Vector2d& pixel,
                                                   const std::array<int, 3>& view_indices) const;
 
