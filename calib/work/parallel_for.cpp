@@ -109,8 +109,9 @@ WaitingThreads& waiting_threads() {
 }  // namespace
 
 int resolve_threads(int threads) {
-    if (threads > 0) return threads;
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    // Asked once: the C library reads a file each time, and a frame would ask a dozen times.
+    static const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return threads > 0 ? threads : cores;
 }
 
 void parallel_for(int count, int threads, const std::function<void(int)>& body) {

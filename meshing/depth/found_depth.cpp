@@ -15,7 +15,7 @@
 #include "calib/work/stopwatch.h"
 #include "meshing/depth/finished_depth.h"
 #include "meshing/depth/held_out_points.h"
-#include "meshing/depth_scene/view_mask.h"
+#include "meshing/depth/subject.h"
 
 namespace lumi {
 namespace {
@@ -92,9 +92,8 @@ void confirm(const DepthScene& scene, const std::vector<DepthEstimate>& estimate
 
 /// Makes the estimates better, as often as the model does. Returns what they were.
 std::vector<DepthEstimate> refine(const DepthModel& model, const DepthScene& scene,
-                                  const std::vector<GrayImage>& masks,
-                                  std::vector<DepthEstimate>& estimates, DepthResult& result,
-                                  Progress& progress) {
+                                  const Subject& subject, std::vector<DepthEstimate>& estimates,
+                                  DepthResult& result, Progress& progress) {
     std::vector<DepthEstimate> first;
     for (int round = 0; round < model.refinements(); ++round) {
         std::vector<DepthEstimate> before =
@@ -103,7 +102,7 @@ std::vector<DepthEstimate> refine(const DepthModel& model, const DepthScene& sce
                       [&](int i) {
                           const auto index = static_cast<std::size_t>(i);
                           estimates[index] = model.refine(scene, before, i);
-                          claim_nothing_beyond(masks[index], estimates[index].map);
+                          subject.leave_claims_within(i, estimates[index]);
                       });
         if (round == 0) first = std::move(before);
     }
@@ -162,7 +161,7 @@ void tell_recession(double recession_px, Progress& progress) {
 /// Fills one view's confirmed map, and says what speaks for it.
 void finish(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
             const DepthEstimate& estimate, const Continuation& continuation, double recession_px,
-            const GrayImage& mask, int view_index, DepthMap& map, DepthEvidence& evidence) {
+            const Subject& subject, int view_index, DepthMap& map, DepthEvidence& evidence) {
     const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
     evidence.view_name = view.name;
     evidence.model = estimate.model;
@@ -173,7 +172,7 @@ void finish(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps
         fill_unknown_depth(scene, confirmed_maps, view_index, recession_px, map);
     }
     // After filling: what belongs to the scene is not continued from what does not.
-    evidence.background_share = separate_background(mask, map);
+    evidence.background_share = subject.separate_from_background(view_index, estimate, map);
     evidence.sparse_residual_px = sparse_residual_px(map, view);
 }
 
@@ -183,13 +182,14 @@ void find_depth(const DepthScene& scene, const std::vector<GrayImage>& masks,
                 std::unique_ptr<DepthModel> model, Progress& progress, DepthResult& result) {
     result.depth_maps.resize(scene.views.size());
     result.evidence.resize(scene.views.size());
+    const Subject subject(scene, masks);
     std::vector<DepthEstimate> estimates(scene.views.size());
     for_each_view("depth: matching", result, result.memory.views_matched, progress, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         estimates[index] = model->estimate(scene, i);
-        claim_nothing_beyond(masks[index], estimates[index].map);
+        subject.leave_claims_within(i, estimates[index]);
     });
-    std::vector<DepthEstimate> first = refine(*model, scene, masks, estimates, result, progress);
+    std::vector<DepthEstimate> first = refine(*model, scene, subject, estimates, result, progress);
     model.reset();  // And the memory it matched in.
     confirm(scene, estimates, result, progress);
     forget_maps(estimates);  // They have said what they knew.
@@ -206,7 +206,7 @@ void find_depth(const DepthScene& scene, const std::vector<GrayImage>& masks,
     for_each_view("depth: filling", result, result.memory.views_filled, progress, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         const Continuation continuation = std::exchange(recession.continuations[index], {});
-        finish(scene, confirmed_maps, estimates[index], continuation, recession_px, masks[index], i,
+        finish(scene, confirmed_maps, estimates[index], continuation, recession_px, subject, i,
                result.depth_maps[index], result.evidence[index]);
     });
     result.warning = doubt_about(result.evidence, estimates, scene);

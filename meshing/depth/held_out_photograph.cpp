@@ -6,7 +6,7 @@
 #include "calib/work/parallel_for.h"
 #include "meshing/depth/finished_depth.h"
 #include "meshing/depth/photograph_loss.h"
-#include "meshing/depth_scene/view_mask.h"
+#include "meshing/depth/subject.h"
 #include "meshing/depth_scene/views_far_apart.h"
 
 namespace lumi {
@@ -131,12 +131,13 @@ const std::vector<DepthEstimate>& HeldOutPhotograph::first_estimates(const Depth
                                                                      const Progress& progress) {
     std::vector<DepthEstimate>& estimates = first_estimates_[model.begins_as()];
     if (!estimates.empty()) return estimates;
+    const Subject subject(scene_, masks_);
     std::vector<DepthEstimate> found(scene_.views.size());
     parallel_for(predictors_, threads, [&](int i) {
         progress.throw_if_interrupted();
         const auto index = static_cast<std::size_t>(i);
         found[index] = model.estimate(scene_, i);
-        claim_nothing_beyond(masks_[index], found[index].map);
+        subject.leave_claims_within(i, found[index]);
     });
     estimates = std::move(found);
     return estimates;
@@ -146,13 +147,14 @@ const std::vector<DepthEstimate>& HeldOutPhotograph::first_estimates(const Depth
 std::vector<DepthEstimate> HeldOutPhotograph::refined(const DepthModel& model,
                                                       std::vector<DepthEstimate> estimates,
                                                       int threads, const Progress& progress) const {
+    const Subject subject(scene_, masks_);
     for (int round = 0; round < model.refinements(); ++round) {
         const std::vector<DepthEstimate> before = estimates;
         parallel_for(predictors_, threads, [&](int i) {
             progress.throw_if_interrupted();
             const auto index = static_cast<std::size_t>(i);
             estimates[index] = model.refine(scene_, before, i);
-            claim_nothing_beyond(masks_[index], estimates[index].map);
+            subject.leave_claims_within(i, estimates[index]);
         });
     }
     return estimates;
@@ -165,11 +167,12 @@ std::vector<DepthMap> HeldOutPhotograph::finished(const std::vector<DepthEstimat
         confirmed[static_cast<std::size_t>(i)] = confirmed_depth(scene_, estimates, i);
     });
     std::vector<DepthMap> maps(confirmed.begin(), confirmed.begin() + predictors_);
+    const Subject subject(scene_, masks_);
     parallel_for(predictors_, threads, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         if (!estimates[index].is_complete)
             fill_unknown_depth(scene_, confirmed, i, 0.0, maps[index]);
-        separate_background(masks_[index], maps[index]);
+        subject.separate_from_background(i, estimates[index], maps[index]);
     });
     return maps;
 }

@@ -1,0 +1,125 @@
+#include "meshing/agreement/visual_hull.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "meshing/depth_scene/views_around.h"
+#include "meshing/warp/inverse_depth_warp.h"
+#include "meshing/warp/pixel_in_picture.h"
+
+namespace lumi {
+namespace {
+
+constexpr std::size_t kMostAsked = 32;
+constexpr int kLeastAgainst = 2;
+
+/// 255 also where a pixel beside it is.
+GrayImage one_pixel_wider(const GrayImage& mask) {
+    GrayImage wider(mask.width(), mask.height());
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+            for (int row = y - 1; row <= y + 1; ++row) {
+                for (int column = x - 1; column <= x + 1; ++column) {
+                    if (mask.contains(column, row) && mask(column, row) != 0) wider(x, y) = 255;
+                }
+            }
+        }
+    }
+    return wider;
+}
+
+std::vector<int> views_to_ask(const DepthScene& scene, int view_index) {
+    std::vector<int> asked = views_around(scene, view_index);
+    asked.resize(std::min(asked.size(), kMostAsked));
+    const std::size_t count = scene.views.size();
+    const std::size_t places = std::min(kMostAsked - asked.size(), count);
+    for (std::size_t i = 0; i < places; ++i) {
+        const auto view = static_cast<int>(i * count / places);
+        const bool is_asked = std::find(asked.begin(), asked.end(), view) != asked.end();
+        if (view != view_index && !is_asked) asked.push_back(view);
+    }
+    return asked;
+}
+
+}  // namespace
+
+class VisualHull::Rays {
+ public:
+    Rays(const VisualHull& hull, int view_index) {
+        const DepthView& view = hull.scene_.views[static_cast<std::size_t>(view_index)];
+        for (const int i : views_to_ask(hull.scene_, view_index)) {
+            const GrayImage& mask = hull.wider_masks_[static_cast<std::size_t>(i)];
+            if (mask.empty()) continue;
+            const DepthView& other = hull.scene_.views[static_cast<std::size_t>(i)];
+            asked_.push_back({warp_b_from_a(view.camera, view.cam_from_world, other.camera,
+                                            other.cam_from_world),
+                              &mask});
+        }
+    }
+
+    /// Of the point at an inverse depth along the ray of pixel (x, y).
+    [[nodiscard]] bool is_outside(int x, int y, float inverse_depth) const {
+        int against = 0;
+        for (const Asked& other : asked_) {
+            const auto pixel = pixel_in_picture(
+                other.from_own({x + 0.5, y + 0.5}, static_cast<double>(inverse_depth)),
+                other.wider_mask->width(), other.wider_mask->height());
+            if (!pixel || (*other.wider_mask)(pixel->x(), pixel->y()) != 0) continue;
+            if (++against == kLeastAgainst) return true;
+        }
+        return false;
+    }
+
+ private:
+    struct Asked {
+        InverseDepthWarp from_own;
+        const GrayImage* wider_mask;
+    };
+    std::vector<Asked> asked_;
+};
+
+VisualHull::VisualHull(const DepthScene& scene, const std::vector<GrayImage>& masks)
+    : scene_(scene), masks_(masks) {
+    for (const GrayImage& mask : masks) wider_masks_.push_back(one_pixel_wider(mask));
+}
+
+void VisualHull::take_claims_outside(int view_index, DepthMap& map) const {
+    if (masks_[static_cast<std::size_t>(view_index)].empty()) return;
+    const Rays rays(*this, view_index);
+    for (int y = 0; y < map.confidence.height(); ++y) {
+        for (int x = 0; x < map.confidence.width(); ++x) {
+            std::uint8_t& confidence = map.confidence(x, y);
+            if (confidence != 0 && rays.is_outside(x, y, map.inverse_depth(x, y))) confidence = 0;
+        }
+    }
+}
+
+void VisualHull::move_fills_inside(int view_index, DepthMap& map) const {
+    const auto index = static_cast<std::size_t>(view_index);
+    const DepthView& view = scene_.views[index];
+    const GrayImage& mask = masks_[index];
+    if (mask.empty() || view.disparity_px_per_inverse_depth <= 0) return;
+    const auto step = static_cast<float>(1 / view.disparity_px_per_inverse_depth);
+    const auto far = static_cast<float>(view.range.far);
+    const auto near = static_cast<float>(view.range.near);
+    const Rays rays(*this, view_index);
+    const auto moved = [&](int x, int y, float filled) {
+        const auto is_inside = [&](float q) {
+            return q >= far && q <= near && !rays.is_outside(x, y, q);
+        };
+        for (float way = step; way <= near - far; way += step) {
+            if (is_inside(filled - way)) return filled - way;
+            if (is_inside(filled + way)) return filled + way;
+        }
+        return filled;
+    };
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+            float& filled = map.inverse_depth(x, y);
+            if (mask(x, y) != 0 && map.confidence(x, y) == 0 && rays.is_outside(x, y, filled))
+                filled = moved(x, y, filled);
+        }
+    }
+}
+
+}  // namespace lumi
