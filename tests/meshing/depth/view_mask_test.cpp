@@ -7,7 +7,6 @@
 
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
-#include "meshing/agreement/visual_hull.h"
 #include "meshing/depth/depth_stage.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
@@ -118,42 +117,6 @@ TEST(DepthStage, APlainPartOfTheSubjectIsNotContinuedFromTheBackground) {
         if (truth == 0) continue;
         ASSERT_NEAR(result.depth_maps[0].inverse_depth.pixels()[at], truth, 0.05F) << at;
         ASSERT_GT(result.depth_maps[0].confidence.pixels()[at], 0) << at;
-    }
-}
-
-TEST(DepthStage, NoPointOfTheSubjectIsWhereTwoViewsSeeTheBackground) {
-    const ScratchFolder folder;
-    // Two cards of one grey: nothing but their outlines tells how far they are.
-    const auto within = [](double x, double size) {
-        return [x, size](const Eigen::Vector3d& at) {
-            return std::abs(at.x() - x) < size && std::abs(at.y()) < size;
-        };
-    };
-    const auto gray = [](const Eigen::Vector3d&) { return 120.0; };
-    const KnownDepthScene known =
-        known_depth_scene({{{0, 0, 2}, {0, 0, 1}, within(-0.25, 0.2), gray},
-                           {{0, 0, 3}, {0, 0, 1}, within(0.45, 0.25), gray}},
-                          cross_of_centres(0.3), {0.1, 1.0});
-    const PosedPhotographs photographs = written(known, folder.path());
-    std::vector<GrayImage> masks;
-    for (std::size_t i = 0; i < photographs.capture.views.size(); ++i) {
-        GrayImage& mask = masks.emplace_back(240, 180, 255);
-        for (std::size_t at = 0; at < mask.pixels().size(); ++at) {
-            if (known.inverse_depths[i].pixels()[at] == 0) mask.pixels()[at] = 0;
-        }
-        write_png(folder.path() / "masks" / photographs.capture.views[i].name, mask);
-    }
-    SilentProgress progress;
-    DepthOptions options;
-    options.model = "sweep";
-    options.mask_folder = folder.path() / "masks";
-    const DepthResult result = estimate_depth(photographs, {0, 1, 2, 3, 4}, options, 2, progress);
-    const VisualHull hull(known.scene, masks);
-    for (int view = 0; view < 5; ++view) {
-        DepthMap map = result.depth_maps[static_cast<std::size_t>(view)];
-        map.confidence = masks[static_cast<std::size_t>(view)];
-        hull.take_claims_outside(view, map);
-        EXPECT_EQ(map.confidence.pixels(), masks[static_cast<std::size_t>(view)].pixels()) << view;
     }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "meshing/depth/subject.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
@@ -118,6 +119,32 @@ TEST(VisualHull, ChangesNothingInAViewWithoutAMask) {
     DepthMap filled = Card::saying(0.95F, 0);
     hull.move_fills_inside(0, filled);
     EXPECT_EQ(filled.inverse_depth(kCardX, kCardY), 0.95F);
+}
+
+TEST(Subject, TakesBackWhatIsBeyondItOrOutsideUnlessTheClaimIsFinal) {
+    const Card card;
+    const Subject subject(card.known.scene, card.masks);
+    for (const bool needs_confirmation : {true, false}) {
+        DepthEstimate estimate{Card::saying(0.95F, 255), "", needs_confirmation, false};
+        subject.leave_claims_within(0, estimate);
+        EXPECT_EQ(estimate.map.confidence(3, 3), 0);
+        EXPECT_EQ(estimate.map.confidence(kCardX, kCardY) == 0, needs_confirmation);
+    }
+}
+
+TEST(Subject, IsWithinItsOutlinesAndBeforeTheBackgroundWhenItIsFilled) {
+    const Card card;
+    const Subject subject(card.known.scene, card.masks);
+    for (const bool is_complete : {true, false}) {
+        DepthMap map = Card::saying(0.95F, 0);
+        const double background =
+            subject.separate_from_background(0, {{}, "", true, is_complete}, map);
+        EXPECT_NEAR(background, 1 - 44.0 * 44 / (240 * 180), 0.001);
+        EXPECT_EQ(map.inverse_depth(3, 3), 0.0F);
+        EXPECT_EQ(map.confidence(3, 3), 255);
+        EXPECT_EQ(map.confidence(kCardX, kCardY), 1);
+        EXPECT_EQ(map.inverse_depth(kCardX, kCardY) < 0.9F, !is_complete);
+    }
 }
 
 }  // namespace
