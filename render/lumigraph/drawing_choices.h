@@ -45,8 +45,9 @@ struct DrawingChoices {
     /// (render/holes/hole_triangles.h): worth its time where much is hidden from them.
     bool fills_holes = false;
     /// Whether, per pixel, a guess on the scene plane, where no depth is known, leaves out views
-    /// whose depth, seen or filled, has something kSurelyBefore_px before it: worth its time where
-    /// subjects stand alone.
+    /// whose depth, seen or filled, has something kSurelyBefore_px before it; and all but those
+    /// that have nothing there, infinitely far, if there are any: worth its time where subjects
+    /// stand alone.
     bool checks_guesses = false;
     /// How far from the right place `adaptive` may look up photographs before it splits triangles.
     double triangle_error_px = kTriangleError_px;

@@ -62,14 +62,22 @@ double PointInViews::visibility(int view_index, const RayPoint& point,
 }
 
 bool PointInViews::is_guess_hidden(int view_index, const RayPoint& point) const {
-    if (!lumigraph_.drawing.checks_guesses || !view(view_index).has_depth() ||
-        !is_inside(view_index, point))
-        return false;
+    if (!checks_guess_in(view_index, point)) return false;
     const Sight at = *sight(view_index, point);
     const double before_px = (*seen_by(view_index, at, {}) - at.inverse_depth) *
                              disparity_px_per_inverse_depth(
                                  geometries_[static_cast<std::size_t>(view_index)], eye_in_world_);
     return before_px > kSurelyBefore_px;
+}
+
+bool PointInViews::sees_past_guess(int view_index, const RayPoint& point) const {
+    return checks_guess_in(view_index, point) &&
+           *seen_by(view_index, *sight(view_index, point), {}) == 0;
+}
+
+bool PointInViews::checks_guess_in(int view_index, const RayPoint& point) const {
+    return lumigraph_.drawing.checks_guesses && view(view_index).has_depth() &&
+           is_inside(view_index, point);
 }
 
 double PointInViews::opacity(int view_index, const RayPoint& point) const {

@@ -46,6 +46,8 @@ class PointInViews {
     /// Whether the view's depth map has something surely before a point that is a guess
     /// (occlusion.h), if guesses are checked.
     [[nodiscard]] bool is_guess_hidden(int view_index, const RayPoint& point) const;
+    /// Whether it has nothing there at all, infinitely far, if guesses are checked.
+    [[nodiscard]] bool sees_past_guess(int view_index, const RayPoint& point) const;
     /// How much the photograph counts there, 0 to 255.
     [[nodiscard]] double opacity(int view_index, const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d color(int view_index, const RayPoint& point) const;
@@ -58,6 +60,7 @@ class PointInViews {
     /// has depth.
     [[nodiscard]] std::optional<double> seen_by(int view_index, const Sight& sight,
                                                 const std::map<int, EyeDepth>& asked) const;
+    [[nodiscard]] bool checks_guess_in(int view_index, const RayPoint& point) const;
     [[nodiscard]] const LumigraphView& view(int index) const {
         return lumigraph_.views[static_cast<std::size_t>(index)];
     }

@@ -50,6 +50,9 @@ class ReferenceFrame {
     void lay_over(DrawnPixel& drawn, const CameraMesh& shell, const KnownPoint& known) const;
     [[nodiscard]] std::array<double, 3> visibilities(const RayWeights& ray,
                                                      const KnownPoint& known) const;
+    /// Of a guess, where any views see past it.
+    void leave_to_those_that_see_past(const RayWeights& ray, const RayPoint& guess,
+                                      std::array<double, 3>& seen) const;
     [[nodiscard]] std::array<double, 3> opacities(const std::array<double, 3>& weights,
                                                   const RayWeights& ray,
                                                   const RayPoint& point) const;
@@ -105,7 +108,19 @@ std::array<double, 3> ReferenceFrame::visibilities(const RayWeights& ray,
         if (points_.depth() && known.depth.support == 0 && views_.is_guess_hidden(view, point))
             seen[i] = 0;
     }
+    if (points_.depth() && known.depth.support == 0) leave_to_those_that_see_past(ray, point, seen);
     return seen;
+}
+
+void ReferenceFrame::leave_to_those_that_see_past(const RayWeights& ray, const RayPoint& guess,
+                                                  std::array<double, 3>& seen) const {
+    std::array<double, 3> past = seen;
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!(past[i] > 0) || !views_.sees_past_guess(ray.view_indices[i], guess)) past[i] = 0;
+        sum += ray.weights[i] * past[i];
+    }
+    if (sum >= kLeastWeight) seen = past;
 }
 
 std::array<double, 3> ReferenceFrame::opacities(const std::array<double, 3>& weights,

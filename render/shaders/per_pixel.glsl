@@ -8,7 +8,8 @@
 // eye's ray; of others the depth maps tell. UNASKED_VIEWS: so many of the face's views were not
 // asked, its last.
 //
-// CHECKS_GUESSES: on the scene plane a photograph shows nothing that stands before it.
+// CHECKS_GUESSES: on the scene plane a photograph shows nothing that stands before it, and where one
+// shows what is infinitely far behind it, others show nothing.
 //
 // SMOOTH: a pixel has four samples of depth. Where they are of several surfaces, it is the mean of
 // what is drawn of each.
@@ -134,10 +135,8 @@ Blend blend_at(vec2 window, Depth depth) {
 #endif
     weights *= visibilities(view0, view1, view2, depth, q, blend.is_guess);
 #ifdef CHECKS_GUESSES
-    weights *= max(vec3(blend.is_guess ? 0.0 : 1.0),
-                   vec3(is_free_before(view0, view_size0, q, disparity_and_face.x),
-                        is_free_before(view1, view_size1, q, disparity_and_face.y),
-                        is_free_before(view2, view_size2, q, disparity_and_face.z)));
+    vec3 showing = showing_guess(view0, view1, view2, q, weights);
+    weights *= blend.is_guess ? showing : vec3(1.0);
 #endif
     blend.weights = weights;
     blend.sum = weights.x + weights.y + weights.z;

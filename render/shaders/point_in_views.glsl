@@ -100,10 +100,15 @@ vec3 visibilities(InView view0, InView view1, InView view2, Depth depth, float i
 }
 
 #ifdef CHECKS_GUESSES
-// 1 unless the view has something before a point that is a guess.
-float is_free_before(InView view, vec4 size, float inverse_depth, float disparity_px) {
-    float seen = sample_at(view, size);
-    return step((seen - inverse_depth * view.sight.z) * disparity_px, kSurelyBefore_px);
+// Which of the face's views may show a point that is a guess: those that have nothing before it;
+// of these, if any, those that see past it, infinitely far.
+vec3 showing_guess(InView view0, InView view1, InView view2, float inverse_depth, vec3 weights) {
+    vec3 seen = vec3(sample_at(view0, view_size0), sample_at(view1, view_size1),
+                     sample_at(view2, view_size2));
+    vec3 there = inverse_depth * vec3(view0.sight.z, view1.sight.z, view2.sight.z);
+    vec3 free = step((seen - there) * disparity_and_face.xyz, vec3(kSurelyBefore_px));
+    vec3 past = vec3(lessThanEqual(seen, vec3(0.0)));
+    return dot(weights, past) < kLeastWeight ? free : past;
 }
 #endif
 #endif

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "calib/work/error.h"
@@ -110,7 +111,8 @@ TextureArray upload_depth_maps(const std::vector<LumigraphView>& views) {
     if (width == 0) return {};
     TextureArray array(TexelFormat::kFloat, TexelFilter::kNearest, width, height,
                        static_cast<int>(views.size()));
-    const FloatImage nothing_near(1, 1, 0.0F);
+    // Not 0: a view without depth does not see past anything either (per_pixel.glsl).
+    const FloatImage nothing_near(1, 1, std::numeric_limits<float>::min());
     for (std::size_t i = 0; i < views.size(); ++i) {
         array.upload(static_cast<int>(i),
                      views[i].has_depth() ? with_agreed_marked(views[i].depth) : nothing_near);

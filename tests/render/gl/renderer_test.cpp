@@ -145,14 +145,15 @@ std::array<int, 2> guesses_of(const Lumigraph& lumigraph) {
     return counts;
 }
 
-/// Where no photograph shows the sky behind the ball, the ball does not stand beside itself.
-TEST(LumigraphRendererGl, CheckedGuessesShowNothingThatStandsBeforeThem) {
+/// Where no photograph shows the sky behind the ball, the ball does not stand beside itself: what
+/// stands before a guess hides it, and who sees past it, to the sky, tells what is there.
+TEST(LumigraphRendererGl, CheckedGuessesShowNoSubjectBesideItself) {
     Lumigraph lumigraph = red_ball();
     const auto [guesses, red_guesses] = guesses_of(lumigraph);
     lumigraph.drawing.checks_guesses = true;
     const auto [checked, red_checked] = guesses_of(lumigraph);
     EXPECT_GT(red_guesses, 500);
-    EXPECT_LT(red_checked, red_guesses / 2) << guesses << ' ' << checked;
+    EXPECT_LT(red_checked, red_guesses / 10) << guesses << ' ' << checked;
 }
 
 /// Around the ball there is sky that no camera nearby has seen, because the ball is before it.
