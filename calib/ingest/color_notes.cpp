@@ -84,8 +84,8 @@ std::vector<std::string> color_notes(const std::vector<Candidate>& candidates) {
         notes.push_back(
             photographs_text(hidden.count, "is", "are") +
             " cut out by an alpha channel, and black where it hides them: " + hidden.text() +
-            "; masks of what is left ([poses] masks, [depth] masks) keep features off "
-            "its outline, and depth out of the black");
+            "; what is left is the subject that depth is found of, unless [depth] masks or "
+            "background say otherwise");
     }
     return notes;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "calib/ingest/color_notes.h"
+#include "calib/ingest/cut_outs.h"
 #include "calib/ingest/duplicates.h"
 #include "calib/ingest/exif.h"
 #include "calib/ingest/overlay_removal.h"
@@ -66,7 +67,9 @@ Candidate ingest_file(const PhotographFile& file, const IngestOptions& options,
     Candidate candidate =
         make_working_copy(read.picture, file.name, options, copies_folder, number);
     candidate.conversion = std::move(read.conversion);
-    if (!candidate.left_out) add_exif(file, candidate.photograph);
+    if (candidate.left_out) return candidate;
+    add_exif(file, candidate.photograph);
+    if (!read.shown.empty()) write_cut_out(file.name, read.shown, copies_folder);
     return candidate;
 }
 
@@ -147,9 +150,12 @@ IngestResult ingest(const fs::path& photographs_or_video, const IngestOptions& o
     result.color_notes = color_notes(candidates);
     result.photographs = number_working_copies(candidates, copies_folder);
     refuse_too_few(result, options, photographs_or_video);
+    complete_cut_outs(result.photographs, copies_folder);
     if (!options.keep_overlays) {
+        IngestOptions removal = options;
+        removal.crop_bars &= cut_out_folder(copies_folder).empty();
         result.overlays =
-            remove_overlays(result.photographs, options, copies_folder, threads, progress);
+            remove_overlays(result.photographs, removal, copies_folder, threads, progress);
     }
     return result;
 }

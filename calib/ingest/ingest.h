@@ -22,6 +22,7 @@ struct IngestOptions {
     bool keep_overlays = false;
     /// Whether bars beside the picture are cut off: not where something was made for the raster
     /// with them, as known poses, a calibrated lens or masks.
+    /// Photographs that are cut out keep them in any case.
     bool crop_bars = true;
 };
 
@@ -66,7 +67,8 @@ struct IngestResult {
 /// video file, and writes canonical working copies `000001.png ...` into `copies_folder`; those of
 /// an earlier run are removed. What is unreadable, truncated, tiny, the same picture as another, or
 /// taken from the very place of the one before is left out with a reason, and the work goes on.
-/// Other numbers than 8-bit sRGB are converted (image_io.h). What was laid over all photographs is
+/// Other numbers than 8-bit sRGB are converted (image_io.h). Where an alpha channel cuts out
+/// photographs, masks lie beside the copies (cut_outs.h). What was laid over all photographs is
 /// taken out of the copies (overlay_removal.h). Throws Error: E-INGEST-NOFOLDER, E-INGEST-NOVIDEO,
 /// E-INGEST-TOOFEW.
 [[nodiscard]] IngestResult ingest(const std::filesystem::path& photographs_or_video,

@@ -107,13 +107,13 @@ std::vector<Candidate> ingest_video(const std::filesystem::path& video,
         StoredPicture stored;
         stored.raster = rgb_image_of(sharpest.bgr);
         stored.tags = color_tags;
-        const auto [raster, conversion] = srgb_of(std::move(stored));
-        candidates.push_back(make_working_copy(raster, frame_name(sharpest.number), options,
+        const SrgbPicture frame = srgb_of(std::move(stored));
+        candidates.push_back(make_working_copy(frame.picture, frame_name(sharpest.number), options,
                                                copies_folder, candidates.size() + 1));
         candidates.back().photograph.exif_orientation = orientation;
         candidates.back().photograph.camera_key =
-            camera_key_of({}, {raster.width(), raster.height()});
-        candidates.back().conversion = conversion;
+            camera_key_of({}, {frame.picture.width(), frame.picture.height()});
+        candidates.back().conversion = frame.conversion;
         sharpest = {};
     };
 

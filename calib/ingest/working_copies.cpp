@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "calib/ingest/cut_outs.h"
 #include "calib/ingest/duplicates.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
@@ -63,6 +64,7 @@ void clear_working_copies(const fs::path& folder) {
     std::error_code status;
     fs::create_directories(folder, status);
     if (status) refuse_folder(folder, status);
+    clear_cut_outs(folder);
     std::vector<fs::path> stale;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         if (is_of_working_copies(entry.path().filename().string())) stale.push_back(entry.path());

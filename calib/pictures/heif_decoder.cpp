@@ -150,10 +150,10 @@ StoredPicture decode_heif(std::span<const std::uint8_t> bytes, std::size_t max_p
     StoredPicture stored;
     if (is_deep) {
         stored.raster = before_black<Rgb16, std::uint16_t>(packed<std::uint16_t>(samples),
-                                                           samples.layout, stored.hidden_share);
+                                                           samples.layout, stored.shown);
     } else {
         stored.raster = before_black<Rgb8, std::uint8_t>(packed<std::uint8_t>(samples),
-                                                         samples.layout, stored.hidden_share);
+                                                         samples.layout, stored.shown);
     }
     stored.tags = color_tags_of(handle);
     refuse_pq(stored.tags, path);

@@ -18,6 +18,7 @@ struct ColorConversion {
 
 struct SrgbPicture {
     ColorImage picture;
+    GrayImage shown;  ///< 0 where the file is wholly transparent, else 255; empty: nowhere.
     ColorConversion conversion;
 };
 

@@ -44,7 +44,7 @@ cv::Mat decode(std::span<const std::uint8_t> bytes, int flags, std::size_t max_p
 
 /// Red first, as seen before black. `Sample`: of the pixel, and of the matrix.
 template <class Pixel, class Sample>
-Image<Pixel> rgb_of(const cv::Mat& decoded, double& hidden_share) {
+Image<Pixel> rgb_of(const cv::Mat& decoded, GrayImage& shown) {
     cv::Mat rgb;
     if (decoded.channels() == 4) {
         cv::cvtColor(decoded, rgb, cv::COLOR_BGRA2RGBA);
@@ -54,7 +54,7 @@ Image<Pixel> rgb_of(const cv::Mat& decoded, double& hidden_share) {
                                             .channels = 4,
                                             .alpha_channel = 3,
                                             .is_premultiplied = false},
-                                           hidden_share);
+                                           shown);
     }
     cv::cvtColor(decoded, rgb, decoded.channels() == 1 ? cv::COLOR_GRAY2RGB : cv::COLOR_BGR2RGB);
     return image_of<Pixel>(rgb);
@@ -112,9 +112,9 @@ StoredPicture decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pi
     const cv::Mat decoded = decode(bytes, cv::IMREAD_UNCHANGED, max_pixels, path);
     StoredPicture stored;
     if (decoded.depth() == CV_16U) {
-        stored.raster = rgb_of<Rgb16, std::uint16_t>(decoded, stored.hidden_share);
+        stored.raster = rgb_of<Rgb16, std::uint16_t>(decoded, stored.shown);
     } else {
-        stored.raster = rgb_of<Rgb8, std::uint8_t>(decoded, stored.hidden_share);
+        stored.raster = rgb_of<Rgb8, std::uint8_t>(decoded, stored.shown);
     }
     stored.is_grey = is_grey_png(bytes);
     stored.tags = png_color_tags(bytes);

@@ -75,13 +75,20 @@ std::shared_ptr<const ColorProfile> profile_of(const StoredPicture& stored,
     return nullptr;
 }
 
+double black_share(const GrayImage& mask) {
+    const auto& pixels = mask.pixels();
+    return static_cast<double>(std::count(pixels.begin(), pixels.end(), 0)) /
+           static_cast<double>(std::max<std::size_t>(1, pixels.size()));
+}
+
 }  // namespace
 
 SrgbPicture srgb_of(StoredPicture stored) {
     SrgbPicture result;
     ColorConversion& conversion = result.conversion;
     conversion.clipped_share = stored.clipped_share;
-    conversion.hidden_share = stored.hidden_share;
+    result.shown = std::move(stored.shown);
+    conversion.hidden_share = black_share(result.shown);
     const std::shared_ptr<const ColorProfile> profile = profile_of(stored, conversion);
     const bool converts = profile && !profile->is_srgb();
     if (converts) conversion.from = profile->name();

@@ -47,7 +47,7 @@ struct StoredPicture {
     bool is_grey = false;  ///< All three channels repeat the only one of the file.
     ColorTags tags;
     double clipped_share = 0.0;  ///< Of the pixels: brighter than what the raster can hold.
-    double hidden_share = 0.0;   ///< Of the pixels: wholly transparent.
+    GrayImage shown;             ///< 0 where it is wholly transparent, else 255; empty: nowhere.
 };
 
 }  // namespace lumi

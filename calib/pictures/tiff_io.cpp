@@ -80,7 +80,7 @@ StoredPicture stored_rgb(OIIO::ImageInput& input, const std::filesystem::path& p
     stored.is_grey = spec.nchannels < 3;
     if (spec.format.basesize() == 1) {
         const auto samples = read_samples<std::uint8_t>(input, OIIO::TypeDesc::UINT8, path);
-        stored.raster = before_black<Rgb8, std::uint8_t>(samples, layout, stored.hidden_share);
+        stored.raster = before_black<Rgb8, std::uint8_t>(samples, layout, stored.shown);
         return stored;
     }
     std::vector<std::uint16_t> samples;
@@ -91,7 +91,7 @@ StoredPicture stored_rgb(OIIO::ImageInput& input, const std::filesystem::path& p
     } else {
         samples = read_samples<std::uint16_t>(input, OIIO::TypeDesc::UINT16, path);
     }
-    stored.raster = before_black<Rgb16, std::uint16_t>(samples, layout, stored.hidden_share);
+    stored.raster = before_black<Rgb16, std::uint16_t>(samples, layout, stored.shown);
     return stored;
 }
 

@@ -74,7 +74,7 @@ StoredPicture decode_webp(ByteSpan bytes, std::size_t max_pixels,
         refuse_truncated_image(path, "the WebP ends early or is damaged");
     }
     StoredPicture stored;
-    stored.raster = before_black<Rgb8, std::uint8_t>(samples, layout, stored.hidden_share);
+    stored.raster = before_black<Rgb8, std::uint8_t>(samples, layout, stored.shown);
     stored.tags.icc_profile = chunk_of(bytes, "ICCP");
     return stored;
 }

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <nlohmann/json.hpp>
 
+#include "calib/ingest/cut_outs.h"
 #include "calib/work/content_hash.h"
 #include "calib/work/error_of_exception.h"
 #include "calib/work/whole_file.h"
@@ -137,8 +138,7 @@ class Line {
             append(inputs, content_of(file, threads_));
         }
         append(inputs, content_of(config_.depth.mask_folder, threads_));
-        if (!config_.depth.mask_folder.empty())
-            append(inputs, outputs_of("poses", "poses/sparse/"));
+        if (!depth_mask_folder().empty()) append(inputs, outputs_of("poses", "poses/sparse/"));
         inputs.push_back(held_out_entry());
         return {identity("depth", inputs),
                 [this](const fs::path& folder) {
@@ -187,9 +187,16 @@ class Line {
                               held_out_);
     }
 
+    /// As drawn; else what alpha channels leave of the photographs, if a background may be found.
+    [[nodiscard]] fs::path depth_mask_folder() const {
+        if (!config_.depth.mask_folder.empty() || config_.depth.background != "auto")
+            return config_.depth.mask_folder;
+        return cut_out_folder(workspace_.stage_folder("ingest"));
+    }
+
     [[nodiscard]] MaskedPhotographs masked_photographs() const {
         MaskedPhotographs masked{
-            config_.depth.mask_folder, workspace_.stage_folder("poses"), {}, held_out_};
+            depth_mask_folder(), workspace_.stage_folder("poses"), {}, held_out_};
         for (const Photograph& photograph : ingested_) masked.all_names.push_back(photograph.name);
         return masked;
     }

@@ -6,6 +6,7 @@
 #include "calib/pictures/image_io.h"
 #include "calib/pictures/tiff_io.h"
 #include "calib/work/whole_file.h"
+#include "tests/calib/cut_out_pictures.h"
 #include "tests/pipeline/box_line.h"
 #include "tests/pipeline/built_program.h"
 
@@ -107,6 +108,27 @@ TEST_F(EvaluateCommand, OneMeshOfTheSceneDrawsNearlyAsWellAsTheDepthMapsItIsMade
     EXPECT_THAT(read_whole_text(mesh), StartsWith("ply\n"));
     configure(held_out, "[depth]\nimport_mesh = \"" + mesh.string() + "\"\n");
     EXPECT_GT(psnr_db(), from_depth_maps - 2.0);
+}
+
+TEST_F(EvaluateCommand, WhatAlphaCutsOutIsTheBackgroundUnlessItIsToBeKept) {
+    constexpr int kHiddenRows = 30;
+    for (int i = 1; i <= 9; ++i) {
+        const std::string name = "IMG_000" + std::to_string(i) + ".png";
+        write_cut_out_png(scratch_ / "cut" / name,
+                          read_color_image(scene_->path() / "photos" / name), kHiddenRows);
+    }
+    for (const bool is_kept : {false, true}) {
+        write_whole_text(config_path(), "name = \"box\"\n[capture]\nphotos = \"cut\"\nimport = \"" +
+                                            (scene_->path() / "truth" / "sparse").string() +
+                                            "\"\n" + kSparseDepth +
+                                            (is_kept ? "background = \"keep\"\n" : "") +
+                                            kToldDrawing);
+        static_cast<void>(build());
+        const FloatImage inverse_depth =
+            read_float_tiff(workspace() / "depth" / "IMG_0001.inverse_depth.tif");
+        for (int y = 0; y < 120; ++y)
+            EXPECT_EQ(inverse_depth(80, y) == 0.0F, !is_kept && y < kHiddenRows) << y;
+    }
 }
 
 TEST_F(EvaluateCommand, MasksAreUsedByDepthDrawingAndEvaluation) {

@@ -1,11 +1,11 @@
 #include "calib/ingest/color_notes.h"
 
-#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 
 #include "calib/ingest/ingest.h"
 #include "calib/pictures/image_io.h"
 #include "tests/calib/color_profiles.h"
+#include "tests/calib/cut_out_pictures.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/calib/test_pictures.h"
 
@@ -19,24 +19,6 @@ using ::testing::IsEmpty;
 Bytes bytes_of_jpeg(const ScratchFolder& scratch, double shift_px) {
     write_jpeg(scratch / "some.jpg", wavy_picture(160, 120, shift_px), 95);
     return read_whole_file(scratch / "some.jpg");
-}
-
-/// The picture with an alpha channel of 0 in so many rows, of 255 below.
-void write_cut_out(const std::filesystem::path& path, const ColorImage& picture, int hidden_rows) {
-    std::vector<std::uint8_t> samples;
-    for (int y = 0; y < picture.height(); ++y) {
-        for (int x = 0; x < picture.width(); ++x) {
-            const Rgb8& pixel = picture(x, y);
-            const std::uint8_t alpha = y < hidden_rows ? 0 : 255;
-            samples.insert(samples.end(), {pixel.r, pixel.g, pixel.b, alpha});
-        }
-    }
-    OIIO::ImageSpec spec(picture.width(), picture.height(), 4, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    const auto output = OIIO::ImageOutput::create("png");
-    ASSERT_TRUE(output->open(path.string(), spec));
-    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, samples.data()));
-    ASSERT_TRUE(output->close());
 }
 
 TEST(ColorNotes, SayFromWhatPhotographsWereConverted) {
@@ -77,9 +59,9 @@ TEST(ColorNotes, SayWhatIsCutOffAndWhatAlphaHides) {
     for (int x = 0; x < 160; ++x) light(x, 0) = light(x, 1) = light(x, 2) = 2.0F;
     std::filesystem::create_directories(scratch / "photos");
     write_float_tiff(scratch / "photos/light.tif", light);
-    write_cut_out(scratch / "photos/half.png", wavy_picture(160, 120), 60);
-    write_cut_out(scratch / "photos/quarter.png", wavy_picture(160, 120, 9), 30);
-    write_cut_out(scratch / "photos/nothing.png", wavy_picture(160, 120, 18), 120);
+    write_cut_out_png(scratch / "photos/half.png", wavy_picture(160, 120), 60);
+    write_cut_out_png(scratch / "photos/quarter.png", wavy_picture(160, 120, 9), 30);
+    write_cut_out_png(scratch / "photos/nothing.png", wavy_picture(160, 120, 18), 120);
     SilentProgress progress;
     const IngestResult result = ingest(scratch / "photos", {}, scratch / "copies", 2, progress);
     EXPECT_THAT(

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "calib/capture/image.h"
+#include "calib/ingest/ingest.h"
+
+namespace lumi {
+
+/// Photographs that an alpha channel cuts out say themselves what belongs to the scene. Beside the
+/// working copies lie masks of it, as if they had been drawn (drawn_mask.h): NAME.png, black where
+/// a photograph is wholly transparent.
+
+/// Keeps the mask of one photograph, in the raster of its file.
+void write_cut_out(const std::string& name, const GrayImage& shown,
+                   const std::filesystem::path& copies_folder);
+
+/// Where any of the photographs is cut out, gives the others masks, all white. Masks of what is not
+/// among them are removed.
+void complete_cut_outs(const std::vector<Photograph>& photographs,
+                       const std::filesystem::path& copies_folder);
+
+/// Removes the masks of an earlier run.
+void clear_cut_outs(const std::filesystem::path& copies_folder);
+
+/// The folder of these masks; empty when no photograph is cut out.
+[[nodiscard]] std::filesystem::path cut_out_folder(const std::filesystem::path& copies_folder);
+
+}  // namespace lumi
