@@ -13,19 +13,15 @@ namespace {
 constexpr std::size_t kMostAsked = 32;
 constexpr int kLeastAgainst = 2;
 
-/// 255 also where a pixel beside it is.
-GrayImage one_pixel_wider(const GrayImage& mask) {
-    GrayImage wider(mask.width(), mask.height());
-    for (int y = 0; y < mask.height(); ++y) {
-        for (int x = 0; x < mask.width(); ++x) {
-            for (int row = y - 1; row <= y + 1; ++row) {
-                for (int column = x - 1; column <= x + 1; ++column) {
-                    if (mask.contains(column, row) && mask(column, row) != 0) wider(x, y) = 255;
-                }
-            }
+/// Whether nothing of the scene is within a pixel.
+bool is_surely_background(const GrayImage& mask, int x, int y) {
+    if (mask(x, y) != 0) return false;
+    for (int row = y - 1; row <= y + 1; ++row) {
+        for (int column = x - 1; column <= x + 1; ++column) {
+            if (mask.contains(column, row) && mask(column, row) != 0) return false;
         }
     }
-    return wider;
+    return true;
 }
 
 std::vector<int> views_to_ask(const DepthScene& scene, int view_index) {
@@ -48,7 +44,7 @@ class VisualHull::Rays {
     Rays(const VisualHull& hull, int view_index) {
         const DepthView& view = hull.scene_.views[static_cast<std::size_t>(view_index)];
         for (const int i : views_to_ask(hull.scene_, view_index)) {
-            const GrayImage& mask = hull.wider_masks_[static_cast<std::size_t>(i)];
+            const GrayImage& mask = hull.masks_[static_cast<std::size_t>(i)];
             if (mask.empty()) continue;
             const DepthView& other = hull.scene_.views[static_cast<std::size_t>(i)];
             asked_.push_back({warp_b_from_a(view.camera, view.cam_from_world, other.camera,
@@ -63,8 +59,8 @@ class VisualHull::Rays {
         for (const Asked& other : asked_) {
             const auto pixel = pixel_in_picture(
                 other.from_own({x + 0.5, y + 0.5}, static_cast<double>(inverse_depth)),
-                other.wider_mask->width(), other.wider_mask->height());
-            if (!pixel || (*other.wider_mask)(pixel->x(), pixel->y()) != 0) continue;
+                other.mask->width(), other.mask->height());
+            if (!pixel || !is_surely_background(*other.mask, pixel->x(), pixel->y())) continue;
             if (++against == kLeastAgainst) return true;
         }
         return false;
@@ -73,15 +69,13 @@ class VisualHull::Rays {
  private:
     struct Asked {
         InverseDepthWarp from_own;
-        const GrayImage* wider_mask;
+        const GrayImage* mask;
     };
     std::vector<Asked> asked_;
 };
 
 VisualHull::VisualHull(const DepthScene& scene, const std::vector<GrayImage>& masks)
-    : scene_(scene), masks_(masks) {
-    for (const GrayImage& mask : masks) wider_masks_.push_back(one_pixel_wider(mask));
-}
+    : scene_(scene), masks_(masks) {}
 
 void VisualHull::take_claims_outside(int view_index, DepthMap& map) const {
     if (masks_[static_cast<std::size_t>(view_index)].empty()) return;

@@ -34,7 +34,6 @@ class VisualHull {
 
     const DepthScene& scene_;
     const std::vector<GrayImage>& masks_;
-    std::vector<GrayImage> wider_masks_;  ///< By a pixel.
 };
 
 }  // namespace lumi

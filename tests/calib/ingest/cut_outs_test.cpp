@@ -32,7 +32,7 @@ TEST(CutOuts, MasksLieBesideTheCopiesAsIfTheyHadBeenDrawn) {
     write_cut_out_png(scratch / "photos/more/a.png", wavy_picture(kWidth, kHeight, 9), 30);
     write_jpeg(scratch / "photos/a.jpg", wavy_picture(kWidth, kHeight, 18), 95);  // Not cut out.
     SilentProgress progress;
-    const IngestOptions half_size{.max_width_px = kWidth / 2};
+    const IngestOptions half_size{.max_width_px = kWidth / 2, .min_width_px = 32};
     const IngestResult result =
         ingest(scratch / "photos", half_size, scratch / "copies", 2, progress);
     ASSERT_EQ(result.photographs.size(), 3U);
