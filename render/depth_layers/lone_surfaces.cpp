@@ -127,20 +127,25 @@ class LoneSurfaces {
     void settle(LayerTexel texel, const Eigen::Vector2d& pixel, const LayerSights& sights) const {
         while (texel.is_nearest_alone()) {
             const float nearest = texel.nearest();
-            const auto past = [&](std::size_t layer) {
+            const auto past = [&](std::size_t layer, double nearest_seen) {
                 return sights[layer] == nullptr
                            ? Past::kNot
-                           : sights[layer]->past(pixel, inverse_depth_of(nearest), agreeing_);
+                           : sights[layer]->past(pixel, inverse_depth_of(nearest), agreeing_,
+                                                 nearest_seen);
             };
             const float agreed = texel.first_agreed();
             if (agreed != kNothing) {
-                const bool is_imagined = texel.any_of_those_at(
-                    agreed, [&](std::size_t layer) { return past(layer) != Past::kNot; });
+                const double nearest_seen =
+                    nearest_seen_past_for(inverse_depth_of(agreed), agreeing_);
+                const bool is_imagined = texel.any_of_those_at(agreed, [&](std::size_t layer) {
+                    return past(layer, nearest_seen) != Past::kNot;
+                });
                 if (!is_imagined) texel.take_away_those_at(agreed);
                 return;
             }
-            const bool is_imagined = texel.any_seen_beside(
-                nearest, [&](std::size_t layer) { return past(layer) == Past::kSurely; });
+            const bool is_imagined = texel.any_seen_beside(nearest, [&](std::size_t layer) {
+                return past(layer, kAnywhere) == Past::kSurely;
+            });
             if (!is_imagined) return;
             texel.take_away_those_at(nearest);
         }

@@ -11,7 +11,8 @@ namespace lumi {
 ///
 /// - Where two others agree on something behind it, but neither looks past it, it is there: the
 ///   column of a portico hides the floor behind it from both, and they agree on what they see
-///   behind that floor. What they agree on is taken away.
+///   behind that floor. What they agree on is taken away. (Past it as far as nothing, where that is
+///   what they agree on: past_sight.h.)
 /// - Where no two agree, and one that sees something else surely looks past it, it is imagined, and
 ///   taken away itself.
 ///

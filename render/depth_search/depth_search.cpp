@@ -6,6 +6,7 @@
 
 #include "render/depth_search/occlusion.h"
 #include "render/faces/shell_opacity.h"
+#include "render/transfer/past_sight.h"
 
 namespace lumi {
 namespace {
@@ -96,18 +97,21 @@ std::optional<RayHit> DepthSearch::lone_hit_before(
     });
     if (lone == hits.end()) return std::nullopt;
     const auto end = agreed.views.begin() + agreed.support;
+    const double nearest_seen =
+        nearest_seen_past_for(agreed.inverse_depth, agreeing_inverse_depth_);
     const bool is_imagined = std::any_of(agreed.views.begin(), end, [&](int view_index) {
-        return looks_past(pixel, (*lone)->inverse_depth, view_index);
+        return looks_past(pixel, (*lone)->inverse_depth, nearest_seen, view_index);
     });
     return is_imagined ? std::nullopt : *lone;
 }
 
 bool DepthSearch::looks_past(const Eigen::Vector2d& pixel, double inverse_depth,
-                             int view_index) const {
+                             double nearest_seen, int view_index) const {
     const ViewSearch& asked = view(view_index);
     const Eigen::Vector3d at = asked.line_of(pixel).at(inverse_depth);
     if (at.z() <= 0 || asked.to_border_px(at.hnormalized()) < 0) return false;
-    return inverse_depth - at.z() * asked.surface_at(at).inverse_depth > agreeing_inverse_depth_;
+    const double seen = at.z() * asked.surface_at(at).inverse_depth;
+    return inverse_depth - seen > agreeing_inverse_depth_ && seen <= nearest_seen;
 }
 
 double DepthSearch::inside(int view_index, const Eigen::Vector2d& view_pixel) const {

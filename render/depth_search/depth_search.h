@@ -103,10 +103,10 @@ class DepthSearch {
     [[nodiscard]] std::optional<RayHit> lone_hit_before(
         const RayHit& agreed, const Eigen::Vector2d& pixel,
         const std::array<std::optional<RayHit>, 3>& hits) const;
-    /// Whether the view sees something behind the point on the eye's ray, where that lies in its
-    /// photograph.
+    /// Whether the view sees something behind the point on the eye's ray, at no more than
+    /// `nearest_seen` of the eye's inverse depth, where that lies in its photograph.
     [[nodiscard]] bool looks_past(const Eigen::Vector2d& pixel, double inverse_depth,
-                                  int view_index) const;
+                                  double nearest_seen, int view_index) const;
 
     double occlusion_tolerance_px_;
     double agreeing_inverse_depth_ = 0.0;

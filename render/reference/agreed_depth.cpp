@@ -89,11 +89,12 @@ std::vector<EyeDepth> AgreedDepth::depths_at(const Eigen::Vector2d& pixel) const
     std::vector<EyeDepth> depths;
     for (const int index : views)
         depths.push_back(index == kNoView ? EyeDepth{} : eye_depth_of_view_.at(index)(column, row));
-    settle_lone_surface(
-        depths, agreeing_inverse_depth_, [&](std::size_t layer, double inverse_depth) {
-            return sights_.at(views[layer])
-                .past({column + 0.5, row + 0.5}, inverse_depth, agreeing_inverse_depth_);
-        });
+    settle_lone_surface(depths, agreeing_inverse_depth_,
+                        [&](std::size_t layer, double inverse_depth, double nearest_seen) {
+                            return sights_.at(views[layer])
+                                .past({column + 0.5, row + 0.5}, inverse_depth,
+                                      agreeing_inverse_depth_, nearest_seen);
+                        });
     return depths;
 }
 

@@ -70,14 +70,17 @@ void settle_lone_surface(std::vector<EyeDepth>& layers, double agreeing_inverse_
             agreed = std::max(agreed, depth.inverse_depth);
     }
     if (nearest < 0 || seen(true, nearest).size() > 1) return;
-    const auto is_any_past = [&](const std::vector<std::size_t>& asked, Past least) {
-        return std::any_of(asked.begin(), asked.end(),
-                           [&](std::size_t layer) { return past(layer, nearest) >= least; });
+    const auto is_any_past = [&](const std::vector<std::size_t>& asked, Past least,
+                                 double nearest_seen) {
+        return std::any_of(asked.begin(), asked.end(), [&](std::size_t layer) {
+            return past(layer, nearest, nearest_seen) >= least;
+        });
     };
     if (agreed >= 0) {
         const std::vector<std::size_t> behind = seen(true, agreed);
-        if (!is_any_past(behind, Past::kPerhaps)) take_away(behind);
-    } else if (is_any_past(seen(false, nearest), Past::kSurely)) {
+        const double nearest_seen = nearest_seen_past_for(agreed, agreeing_inverse_depth);
+        if (!is_any_past(behind, Past::kPerhaps, nearest_seen)) take_away(behind);
+    } else if (is_any_past(seen(false, nearest), Past::kSurely, kAnywhere)) {
         take_away(seen(true, nearest));
         settle_lone_surface(layers, agreeing_inverse_depth, past);
     }

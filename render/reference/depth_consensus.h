@@ -23,8 +23,10 @@ struct ConsensusDepth {
 [[nodiscard]] ConsensusDepth consensus_of(const std::vector<EyeDepth>& layers,
                                           double agreeing_inverse_depth);
 
-/// Whether the view of a layer looks past the point at this inverse depth.
-using PastOfLayer = std::function<Past(std::size_t layer, double inverse_depth)>;
+/// Whether the view of a layer looks past the point at this inverse depth, at no more than
+/// `nearest_seen` of it (past_sight.h).
+using PastOfLayer =
+    std::function<Past(std::size_t layer, double inverse_depth, double nearest_seen)>;
 
 /// Settles whether what one view alone has seen before all others is there or imagined
 /// (depth_layers/lone_surfaces.h). What is taken away is as if nothing were known.

@@ -31,9 +31,11 @@ EyeDepths eye_depths(const Lumigraph& lumigraph, const Eye& eye, double toleranc
         for (int x = 0; x < eye.camera.width_px; ++x) {
             for (std::size_t layer = 0; layer < layers.size(); ++layer)
                 depths[layer] = layers[layer](x, y);
-            settle_lone_surface(depths, agreeing, [&](std::size_t layer, double inverse_depth) {
-                return sights[layer].past({x + 0.5, y + 0.5}, inverse_depth, agreeing);
-            });
+            settle_lone_surface(depths, agreeing,
+                                [&](std::size_t layer, double inverse_depth, double nearest_seen) {
+                                    return sights[layer].past({x + 0.5, y + 0.5}, inverse_depth,
+                                                              agreeing, nearest_seen);
+                                });
             result.depths(x, y) = consensus_of(depths, agreeing);
         }
     }

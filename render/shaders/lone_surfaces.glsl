@@ -10,13 +10,15 @@ vec4 settled_depths(ivec2 texel) { return layer_depths(texel); }
 // (x, y, 1, inverse depth) in texels, then (samples along x and y, layer of the depth map, unused).
 uniform vec4 layer_samples[16];
 
+#define kAgreeing (max_inverse_depth / kKindWidth * agreeing_depth)
+const float kAnywhere = 1e30;
 const int kNotPast = 0;
 const int kPerhapsPast = 1;
 const int kSurelyPast = 2;
 
 // As PastSight (past_sight.h). The last bit of a sample tells whether several views agree on it
 // (uploaded_lumigraph.cpp).
-int past(int layer, vec4 ray) {
+int past(int layer, vec4 ray, float nearest_seen) {
     vec3 at = vec3(dot(layer_samples[4 * layer], ray), dot(layer_samples[4 * layer + 1], ray),
                    dot(layer_samples[4 * layer + 2], ray));
     vec3 size_and_map = layer_samples[4 * layer + 3].xyz;
@@ -25,14 +27,14 @@ int past(int layer, vec4 ray) {
                      all(lessThan(place, size_and_map.xy));
     if (!is_inside) return kNotPast;
     float seen = texelFetch(depth_maps, ivec3(ivec2(place), int(size_and_map.z)), 0).r;
-    if (ray.w - at.z * seen <= max_inverse_depth / kKindWidth * agreeing_depth) return kNotPast;
+    if (ray.w - at.z * seen <= kAgreeing || at.z * seen > nearest_seen) return kNotPast;
     return (floatBitsToUint(seen) & 1u) != 0u ? kSurelyPast : kPerhapsPast;
 }
 
 // Whether the view of any of these layers looks past the ray's point, so surely at least.
-bool is_any_past(vec4 layers, vec4 ray, int least) {
+bool is_any_past(vec4 layers, vec4 ray, int least, float nearest_seen) {
     for (int layer = 0; layer < LAYERS; ++layer)
-        if (layers[layer] > 0.5 && past(layer, ray) >= least) return true;
+        if (layers[layer] > 0.5 && past(layer, ray, nearest_seen) >= least) return true;
     return false;
 }
 
@@ -47,10 +49,14 @@ vec4 settled_depths(ivec2 texel) {
         vec4 ray = vec4(vec2(texel) + 0.5, 1.0, max_inverse_depth * (1.0 - nearest / kKindWidth));
         if (first_agreed < 4.0) {
             vec4 behind = agree(depths, first_agreed);
-            return is_any_past(behind, ray, kPerhapsPast) ? depths
-                                                          : mix(depths, vec4(1.0), behind);
+            float agreed = max_inverse_depth * (1.0 - first_agreed / kKindWidth);
+            float nearest_seen = agreed <= kAgreeing ? kAgreeing : kAnywhere;
+            return is_any_past(behind, ray, kPerhapsPast, nearest_seen)
+                       ? depths
+                       : mix(depths, vec4(1.0), behind);
         }
-        if (!is_any_past(is_seen * (1.0 - at_nearest), ray, kSurelyPast)) return depths;
+        if (!is_any_past(is_seen * (1.0 - at_nearest), ray, kSurelyPast, kAnywhere))
+            return depths;
         depths = mix(depths, vec4(1.0), at_nearest);
     }
     return depths;

@@ -21,8 +21,8 @@ PastSight::PastSight(const LumigraphView& view, const Eye& eye)
         samples_per_pixel.cwiseProduct(samples_from_eye_.per_inverse_depth);
 }
 
-Past PastSight::past(const Eigen::Vector2d& pixel, double inverse_depth,
-                     double least_difference) const {
+Past PastSight::past(const Eigen::Vector2d& pixel, double inverse_depth, double least_difference,
+                     double nearest_seen) const {
     const Eigen::Vector3d at = samples_from_eye_.at(pixel, inverse_depth);
     if (at.z() <= 0) return Past::kNot;
     const double x = at.x() / at.z();
@@ -31,8 +31,9 @@ Past PastSight::past(const Eigen::Vector2d& pixel, double inverse_depth,
     if (!(x >= 0 && y >= 0 && x < seen.width() && y < seen.height())) return Past::kNot;
     const int column = static_cast<int>(x);
     const int row = static_cast<int>(y);
-    const double behind = inverse_depth - at.z() * static_cast<double>(seen(column, row));
-    if (behind <= least_difference) return Past::kNot;
+    const double seen_from_eye = at.z() * static_cast<double>(seen(column, row));
+    if (inverse_depth - seen_from_eye <= least_difference || seen_from_eye > nearest_seen)
+        return Past::kNot;
     return is_agreed_on(*depth_, column, row) ? Past::kSurely : Past::kPerhaps;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 #include "render/lumigraph/lumigraph.h"
 #include "render/transfer/pixel_transfer.h"
@@ -18,6 +19,16 @@ enum class Past {
     kSurely,   ///< Several views agree on what it sees behind the point.
 };
 
+/// As far away as a view may see past a point.
+inline constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+
+/// Where several agree that there is nothing, all but infinitely far, only a view that sees nothing
+/// either looks past what stands before that: one that sees another surface behind it does not say
+/// that the ray is free. `agreeing`: what inverse depths of one surface may differ by.
+[[nodiscard]] inline double nearest_seen_past_for(double agreed_inverse_depth, double agreeing) {
+    return agreed_inverse_depth <= agreeing ? agreeing : kAnywhere;
+}
+
 /// A view, as it is asked whether it looks past points on the rays of one eye.
 class PastSight {
  public:
@@ -26,9 +37,9 @@ class PastSight {
 
     /// Whether the view's depth map has, where the point at `inverse_depth` on the eye's ray
     /// through `pixel` lies in it, something behind that point, by more than `least_difference` as
-    /// inverse depth of the eye.
+    /// inverse depth of the eye, and at no more than `nearest_seen` of it.
     [[nodiscard]] Past past(const Eigen::Vector2d& pixel, double inverse_depth,
-                            double least_difference) const;
+                            double least_difference, double nearest_seen = kAnywhere) const;
 
     /// From the eye's pixels to samples of the depth map.
     [[nodiscard]] const PixelTransfer& samples_from_eye() const { return samples_from_eye_; }

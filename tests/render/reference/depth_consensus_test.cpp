@@ -55,7 +55,7 @@ TEST(DepthConsensus, KnowsNothingFromNothing) {
 TEST(SettleLoneSurface, TakesAwayWhatLiesBehindUnlessAViewThatAgreesLooksPast) {
     const std::vector<EyeDepth> asked{seen(0.9), seen(0.30), kNothing, seen(0.31)};
     std::vector<EyeDepth> settled = asked;
-    settle_lone_surface(settled, 0.02, [](std::size_t layer, double inverse_depth) {
+    settle_lone_surface(settled, 0.02, [](std::size_t layer, double inverse_depth, double) {
         EXPECT_TRUE(layer == 1 || layer == 3);
         EXPECT_EQ(inverse_depth, 0.9);
         return Past::kNot;
@@ -64,7 +64,7 @@ TEST(SettleLoneSurface, TakesAwayWhatLiesBehindUnlessAViewThatAgreesLooksPast) {
     EXPECT_FALSE(settled[1].is_known());
     EXPECT_FALSE(settled[3].is_known());
     settled = asked;
-    settle_lone_surface(settled, 0.02, [](std::size_t layer, double) {
+    settle_lone_surface(settled, 0.02, [](std::size_t layer, double, double) {
         return layer == 3 ? Past::kPerhaps : Past::kNot;
     });
     EXPECT_NEAR(consensus_of(settled, 0.02).inverse_depth, 0.305, 1e-12);
@@ -74,7 +74,7 @@ TEST(SettleLoneSurface, WhereNoTwoAgreeTakesAwayWhatOneSurelyLooksPast) {
     const std::vector<EyeDepth> asked{seen(0.3), seen(0.9), seen(0.6)};
     const auto settled = [&](Past of_first, Past of_last) {
         std::vector<EyeDepth> layers = asked;
-        settle_lone_surface(layers, 0.02, [&](std::size_t layer, double) {
+        settle_lone_surface(layers, 0.02, [&](std::size_t layer, double, double) {
             return layer == 0 ? of_first : layer == 2 ? of_last : Past::kSurely;
         });
         return consensus_of(layers, 0.02).inverse_depth;
@@ -82,6 +82,18 @@ TEST(SettleLoneSurface, WhereNoTwoAgreeTakesAwayWhatOneSurelyLooksPast) {
     EXPECT_EQ(settled(Past::kNot, Past::kPerhaps), 0.9);
     EXPECT_EQ(settled(Past::kNot, Past::kSurely), 0.6);
     EXPECT_EQ(settled(Past::kSurely, Past::kNot), 0.3);  // Past both.
+}
+
+TEST(SettleLoneSurface, WhereTwoSeeNothingAsksWhoSeesNothingPastItEither) {
+    constexpr double kAgreeing = 0.02;
+    constexpr double kSeenBehind = 0.2;  // By both, at the lone surface's place in their pictures.
+    for (const double agreed : {0.0, 0.01, 0.3}) {
+        std::vector<EyeDepth> settled{seen(0.9), seen(agreed), seen(agreed)};
+        settle_lone_surface(settled, kAgreeing, [](std::size_t, double, double nearest_seen) {
+            return kSeenBehind <= nearest_seen ? Past::kPerhaps : Past::kNot;
+        });
+        EXPECT_EQ(consensus_of(settled, kAgreeing).inverse_depth, agreed < 0.1 ? 0.9 : agreed);
+    }
 }
 
 TEST(SettleLoneSurface, LeavesWhatIsNotSeenOrNotAloneAsItIs) {
@@ -93,7 +105,7 @@ TEST(SettleLoneSurface, LeavesWhatIsNotSeenOrNotAloneAsItIs) {
               std::vector<EyeDepth>{seen(0.9), kNothing},
               std::vector<EyeDepth>{kNothing, kNothing}}) {
             std::vector<EyeDepth> settled = asked;
-            settle_lone_surface(settled, 0.02, [&](std::size_t, double) { return past; });
+            settle_lone_surface(settled, 0.02, [&](std::size_t, double, double) { return past; });
             for (std::size_t i = 0; i < asked.size(); ++i)
                 EXPECT_EQ(settled[i].inverse_depth, asked[i].inverse_depth);
         }

@@ -28,6 +28,17 @@ TEST(PastSight, IsPastWhatAViewDoesNotSeeThoughNothingHidesIt) {
     EXPECT_FALSE(is_past(1, 0.3));  // Outside of its photograph.
 }
 
+TEST(PastSight, IsPastAsFarAsItIsAskedFor) {
+    const Lumigraph lumigraph = post_behind_post();
+    const Eye eye = eye_at({0, 0, 0}, {0, 0, 4}, pinhole_camera(61, 45, 60));
+    const auto is_past_to = [&](double nearest_seen) {
+        return PastSight(lumigraph.views[0], eye)
+                   .past({30.5, 22.5}, 0.5, kLeastDifference, nearest_seen) != Past::kNot;
+    };
+    EXPECT_TRUE(is_past_to(kAnywhere));
+    EXPECT_FALSE(is_past_to(0.01));  // What it sees behind the point is no farther than the wall.
+}
+
 TEST(PastSight, IsNeverPastWhatLiesBehindTheView) {
     const Lumigraph lumigraph = post_behind_post();
     const Eye eye = eye_at({0, 0, -5}, {0, 0, 4}, pinhole_camera(61, 45, 60));
