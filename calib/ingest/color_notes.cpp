@@ -84,8 +84,8 @@ std::vector<std::string> color_notes(const std::vector<Candidate>& candidates) {
         notes.push_back(
             photographs_text(hidden.count, "is", "are") +
             " cut out by an alpha channel, and black where it hides them: " + hidden.text() +
-            "; what is left is the subject that depth is found of, unless [depth] masks or "
-            "background say otherwise");
+            "; unless all hide the same, or [depth] masks or background say otherwise, what is "
+            "left is the subject that depth is found of");
     }
     return notes;
 }

@@ -1,5 +1,7 @@
 #include "calib/ingest/cut_outs.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <set>
 #include <system_error>
 
@@ -17,6 +19,26 @@ fs::path file_of(const std::string& name, const fs::path& copies_folder) {
     return folder_in(copies_folder) / (name + ".png");
 }
 
+/// Of masks of one size, that of the first.
+bool all_hide_the_same(const std::vector<fs::path>& files) {
+    Image<std::size_t> hiding;
+    std::size_t masks = 0;
+    for (const fs::path& file : files) {
+        const GrayImage mask = read_gray_png(file);
+        if (masks == 0) hiding = Image<std::size_t>(mask.width(), mask.height(), 0);
+        if (mask.width() != hiding.width() || mask.height() != hiding.height()) continue;
+        ++masks;
+        for (std::size_t i = 0; i < mask.pixels().size(); ++i)
+            if (mask.pixels()[i] == 0) ++hiding.pixels()[i];
+    }
+    const auto hidden = [&](std::size_t least) {
+        return std::count_if(hiding.pixels().begin(), hiding.pixels().end(),
+                             [&](std::size_t count) { return count >= least; });
+    };
+    constexpr double kSame = 0.9;
+    return static_cast<double>(hidden(masks)) >= kSame * static_cast<double>(hidden(1));
+}
+
 }  // namespace
 
 void write_cut_out(const std::string& name, const GrayImage& shown, const fs::path& copies_folder) {
@@ -26,12 +48,17 @@ void write_cut_out(const std::string& name, const GrayImage& shown, const fs::pa
 void complete_cut_outs(const std::vector<Photograph>& photographs, const fs::path& copies_folder) {
     std::set<fs::path> wanted;
     std::vector<const Photograph*> opaque;
+    std::vector<fs::path> cut_out;
     for (const Photograph& photograph : photographs) {
         const fs::path file = file_of(photograph.name, copies_folder);
         wanted.insert(file);
-        if (!fs::exists(file)) opaque.push_back(&photograph);
+        if (fs::exists(file)) {
+            cut_out.push_back(file);
+        } else {
+            opaque.push_back(&photograph);
+        }
     }
-    if (opaque.size() == photographs.size()) return clear_cut_outs(copies_folder);
+    if (cut_out.empty() || all_hide_the_same(cut_out)) return clear_cut_outs(copies_folder);
     std::error_code status;
     std::vector<fs::path> stale;
     for (const auto& entry : fs::recursive_directory_iterator(folder_in(copies_folder)))

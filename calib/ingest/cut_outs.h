@@ -17,15 +17,16 @@ namespace lumi {
 void write_cut_out(const std::string& name, const GrayImage& shown,
                    const std::filesystem::path& copies_folder);
 
-/// Where any of the photographs is cut out, gives the others masks, all white. Masks of what is not
-/// among them are removed.
+/// Where photographs are cut out, gives the others masks, all white. Masks of what is not among
+/// them are removed; and all of them, where nine tenths of what any hides all hide: what
+/// straightening a lens left in the corners is no outline of a subject.
 void complete_cut_outs(const std::vector<Photograph>& photographs,
                        const std::filesystem::path& copies_folder);
 
 /// Removes the masks of an earlier run.
 void clear_cut_outs(const std::filesystem::path& copies_folder);
 
-/// The folder of these masks; empty when no photograph is cut out.
+/// The folder of these masks; empty when there are none.
 [[nodiscard]] std::filesystem::path cut_out_folder(const std::filesystem::path& copies_folder);
 
 }  // namespace lumi

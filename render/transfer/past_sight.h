@@ -19,7 +19,7 @@ enum class Past {
     kSurely,   ///< Several views agree on what it sees behind the point.
 };
 
-/// As far away as a view may see past a point.
+/// However near what a view sees behind a point is.
 inline constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
 /// Where several agree that there is nothing, all but infinitely far, only a view that sees nothing

@@ -48,7 +48,7 @@ TEST(CutOuts, MasksLieBesideTheCopiesAsIfTheyHadBeenDrawn) {
 TEST(CutOuts, AreForgottenWithThePhotographsThatHadThem) {
     const ScratchFolder scratch;
     write_cut_out_png(scratch / "photos/a.png", wavy_picture(kWidth, kHeight), 60);
-    write_cut_out_png(scratch / "photos/b.png", wavy_picture(kWidth, kHeight, 9), 60);
+    write_cut_out_png(scratch / "photos/b.png", wavy_picture(kWidth, kHeight, 9), 30);
     write_cut_out_png(scratch / "photos/same.png", wavy_picture(kWidth, kHeight), 60);
     SilentProgress progress;
     const IngestResult first = ingest(scratch / "photos", {}, scratch / "copies", 2, progress);
@@ -63,6 +63,17 @@ TEST(CutOuts, AreForgottenWithThePhotographsThatHadThem) {
     EXPECT_TRUE(cut_out_folder(scratch / "copies").empty());
 }
 
+TEST(CutOuts, WhatAllHideAlikeIsNoOutline) {
+    const ScratchFolder scratch;
+    for (int i = 0; i < 5; ++i)
+        write_cut_out_png(scratch / ("photos/" + std::to_string(i) + ".png"),
+                          wavy_picture(kWidth, kHeight, 9 * i), i == 0 ? 19 : 20);
+    SilentProgress progress;
+    const IngestResult result = ingest(scratch / "photos", {}, scratch / "copies", 2, progress);
+    EXPECT_EQ(result.photographs.size(), 5U);
+    EXPECT_TRUE(cut_out_folder(scratch / "copies").empty());
+}
+
 TEST(CutOuts, WhatIsHiddenInAllPhotographsIsNoBar) {
     for (const bool is_cut_out : {true, false}) {
         const ScratchFolder scratch;
@@ -70,7 +81,7 @@ TEST(CutOuts, WhatIsHiddenInAllPhotographsIsNoBar) {
             ColorImage picture = wavy_picture(kWidth, kHeight, 7 * i);
             for (int y = 0; y < 20; ++y) std::fill_n(picture.row(y), kWidth, Rgb8{});
             const auto path = scratch / ("photos/" + std::to_string(100 + i) + ".png");
-            write_cut_out_png(path, picture, is_cut_out ? 20 : 0);
+            write_cut_out_png(path, picture, is_cut_out ? 20 + 4 * (i % 5) : 0);
         }
         SilentProgress progress;
         const IngestResult result = ingest(scratch / "photos", {}, scratch / "copies", 2, progress);
