@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "render/depth_layers/lone_surfaces.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/headless_context.h"
 #include "render/modes/per_pixel.h"
+#include "render/reference/reference_renderer.h"
 #include "tests/render/analytic_scene.h"
 #include "tests/render/frame_difference.h"
 
@@ -155,6 +157,40 @@ void expect_far_post_drawn(GlApi api) {
 
 TEST(PerPixelGl, DrawsWhatOneViewAloneSeesBeforeWhatOthersAgreeOn) {
     for (const GlApi api : {GlApi::kCore, GlApi::kEs}) expect_far_post_drawn(api);
+}
+
+/// The ball, of which no two views beside each other agree how near it is.
+Lumigraph ball_of_three_depths() {
+    Lumigraph lumigraph = ball_in_sky();
+    for (std::size_t i = 0; i < lumigraph.views.size(); ++i)
+        for (float& inverse_depth : lumigraph.views[i].depth.inverse_depth.pixels())
+            inverse_depth *= 1.0F - 0.1F * static_cast<float>(i % 3);
+    return lumigraph;
+}
+
+ColorImage rows_from_bottom(const ColorImage& picture) {
+    ColorImage turned(picture.width(), picture.height());
+    for (int y = 0; y < picture.height(); ++y)
+        std::copy_n(picture.row(y), picture.width(), turned.row(picture.height() - 1 - y));
+    return turned;
+}
+
+/// Views agree on the sky, and look past what one of them sees of the ball at another's part of it.
+TEST(PerPixelGl, SettlesLoneSurfacesBeforeTheSkyAlikeByOpenGlByTheCoresAndInPlainCode) {
+    const HeadlessContext context;
+    const Lumigraph lumigraph = ball_of_three_depths();
+    const UploadedLumigraph uploaded(lumigraph);
+    PerPixel by_open_gl(uploaded, DepthLayers::DrawnBy::kOpenGl);
+    PerPixel by_cores(uploaded, DepthLayers::DrawnBy::kCores);
+    const RenderOptions options{.smooth_silhouettes = false};
+    for (double angle = 0; angle < 6.2; angle += 0.5) {
+        const Eye eye = eye_at({2.6 * std::cos(angle), 0.4, 2.6 * std::sin(angle)}, {0, 0, 0},
+                               pinhole_camera(80, 60, 60));
+        const ColorImage frame = frame_of(by_cores, eye, options);
+        EXPECT_LT(difference_between(frame_of(by_open_gl, eye, options), frame).mean, 0.1) << angle;
+        const ColorImage expected = draw_reference(lumigraph, eye, options).color;
+        EXPECT_LT(difference_between(frame, rows_from_bottom(expected)).mean, 0.3) << angle;
+    }
 }
 
 TEST(PerPixelGl, DrawsSilhouettesInStepsWhereTexturesAreTooSmallForOthers) {
