@@ -1,13 +1,11 @@
 #pragma once
 
-namespace cv {
-class Mat;
-}
+#include "calib/capture/image.h"
 
 namespace lumi {
 
 /// Variance of the Laplacian of the brightness: larger is sharper, comparable between frames of one
 /// scene only (Pech-Pacheco et al., Diatom autofocusing in brightfield microscopy, 2000).
-[[nodiscard]] double sharpness(const cv::Mat& bgr);
+[[nodiscard]] double sharpness(const ColorImage& picture);
 
 }  // namespace lumi

@@ -1,23 +1,22 @@
 #include "calib/ingest/video.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 #include <utility>
 
 #include "calib/ingest/exif.h"
 #include "calib/ingest/sharpness.h"
-#include "calib/ingest/video_colors.h"
+#include "calib/ingest/video_decoder.h"
 #include "calib/pictures/srgb_conversion.h"
 #include "calib/work/error.h"
+#include "calib/work/formatted.h"
 
 namespace lumi {
 namespace {
 
-struct Frame {
-    cv::Mat bgr;
+struct NumberedFrame {
+    ColorImage picture;
     double sharpness = -1.0;
     std::size_t number = 0;  ///< In the video, from 1.
 };
@@ -36,29 +35,10 @@ int exif_orientation_of(double rotation_deg) {
     }
 }
 
-cv::VideoCapture open_video(const std::filesystem::path& video) {
-    // FFmpeg by name: other back ends would take a single picture for a video.
-    cv::VideoCapture capture(video.string(), cv::CAP_FFMPEG);
-    if (!capture.isOpened()) {
-        throw Error(ErrorKind::kBadInput, "E-INGEST-NOVIDEO",
-                    video.string() + ": not a video that can be read",
-                    "give a folder of photographs, or a video that a player can show");
-    }
-    capture.set(cv::CAP_PROP_ORIENTATION_AUTO, 0);
-    return capture;
-}
-
-ColorImage rgb_image_of(const cv::Mat& bgr) {
-    ColorImage image(bgr.cols, bgr.rows);
-    cv::Mat rgb(bgr.rows, bgr.cols, CV_8UC3, image.row(0));
-    cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
-    return image;
-}
-
 /// What its colours mean, unless they are coded for HDR by PQ.
-ColorTags color_tags_of(const std::filesystem::path& video) {
+ColorTags color_tags_of(const VideoFacts& facts, const std::filesystem::path& video) {
     ColorTags tags;
-    tags.coded = coded_colors_of_video(video);
+    tags.coded = facts.coded;
     if (tags.coded && tags.coded->transfer == kPqTransfer) {
         throw Error(ErrorKind::kBadInput, "E-INGEST-HDR",
                     video.string() + ": coded for HDR by PQ (SMPTE ST 2084)",
@@ -75,15 +55,21 @@ std::string frame_name(std::size_t number) {
     return name;
 }
 
-/// A video that claims more frames than it shows was cut off; counts are estimates, so with room.
-void report_early_end(double frames_claimed, std::size_t frames_read,
-                      const std::filesystem::path& video, std::vector<Candidate>& candidates) {
+/// How long the frames of a video are seen.
+struct Shown {
+    double last_s = 0.0;         ///< When its last frame comes.
+    double longest_gap_s = 0.0;  ///< Between two frames: as long the last one may stay.
+};
+
+/// A video that claims to be longer than it is was cut off; durations are estimates, so with room.
+void report_early_end(double duration_s, const Shown& shown, const std::filesystem::path& video,
+                      std::vector<Candidate>& candidates) {
     constexpr double kShareThatIsWhole = 0.95;
-    if (static_cast<double>(frames_read) >= kShareThatIsWhole * frames_claimed) return;
+    if (shown.last_s + shown.longest_gap_s >= kShareThatIsWhole * duration_s) return;
     Candidate end;
     end.left_out = LeftOut{video.filename().string(), "E-INGEST-TRUNCATED",
-                           "the video ends after " + std::to_string(frames_read) + " of " +
-                               std::to_string(std::lround(frames_claimed)) + " frames"};
+                           formatted("the video ends after %.1f", shown.last_s) +
+                               formatted(" of %.1f seconds", duration_s)};
     candidates.push_back(std::move(end));
 }
 
@@ -93,24 +79,22 @@ std::vector<Candidate> ingest_video(const std::filesystem::path& video,
                                     const IngestOptions& options,
                                     const std::filesystem::path& copies_folder,
                                     Progress& progress) {
-    const ColorTags color_tags = color_tags_of(video);
-    cv::VideoCapture capture = open_video(video);
-    const int orientation = exif_orientation_of(capture.get(cv::CAP_PROP_ORIENTATION_META));
-    const double frames_claimed = capture.get(cv::CAP_PROP_FRAME_COUNT);
-    progress.begin("ingest video",
-                   frames_claimed > 0 ? static_cast<std::size_t>(frames_claimed) : 0);
+    VideoDecoder decoder(video);
+    const VideoFacts& facts = decoder.facts();
+    const ColorTags color_tags = color_tags_of(facts, video);
+    progress.begin("ingest video", facts.frames);
 
     std::vector<Candidate> candidates;
-    Frame sharpest;
+    NumberedFrame sharpest;
     const auto keep_sharpest = [&] {
-        if (sharpest.bgr.empty()) return;
+        if (sharpest.picture.empty()) return;
         StoredPicture stored;
-        stored.raster = rgb_image_of(sharpest.bgr);
+        stored.raster = std::move(sharpest.picture);
         stored.tags = color_tags;
         const SrgbPicture frame = srgb_of(std::move(stored));
         candidates.push_back(make_working_copy(frame.picture, frame_name(sharpest.number), options,
                                                copies_folder, candidates.size() + 1));
-        candidates.back().photograph.exif_orientation = orientation;
+        candidates.back().photograph.exif_orientation = exif_orientation_of(facts.rotation_deg);
         candidates.back().photograph.camera_key =
             camera_key_of({}, {frame.picture.width(), frame.picture.height()});
         candidates.back().conversion = frame.conversion;
@@ -118,23 +102,23 @@ std::vector<Candidate> ingest_video(const std::filesystem::path& video,
     };
 
     double interval = 0;
-    cv::Mat bgr;
-    std::size_t number = 0;
-    while (capture.read(bgr)) {
+    VideoFrame frame;
+    Shown shown;
+    for (std::size_t number = 1; decoder.next(frame); ++number) {
         progress.throw_if_interrupted();
         progress.advance();
-        ++number;
-        const double time_s = capture.get(cv::CAP_PROP_POS_MSEC) / 1000.0;
-        if (std::floor(time_s * options.video_fps) != interval) {
+        shown.longest_gap_s = std::max(shown.longest_gap_s, frame.time_s - shown.last_s);
+        shown.last_s = frame.time_s;
+        if (std::floor(frame.time_s * options.video_fps) != interval) {
             keep_sharpest();
-            interval = std::floor(time_s * options.video_fps);
+            interval = std::floor(frame.time_s * options.video_fps);
         }
-        if (const double value = sharpness(bgr); value > sharpest.sharpness) {
-            sharpest = {bgr.clone(), value, number};
+        if (const double value = sharpness(frame.picture); value > sharpest.sharpness) {
+            sharpest = {std::move(frame.picture), value, number};
         }
     }
     keep_sharpest();
-    report_early_end(frames_claimed, number, video, candidates);
+    report_early_end(facts.duration_s, shown, video, candidates);
     return candidates;
 }
 

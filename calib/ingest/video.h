@@ -10,7 +10,7 @@ namespace lumi {
 
 /// The sharpest frame of each 1 / `options.video_fps` seconds, named after its number in the video
 /// (`frame-000042.png`). Frames are as stored; the video's rotation goes into the EXIF orientation.
-/// What an MP4 or QuickTime file says of its colours, such as the HLG of telephones, becomes sRGB.
+/// What a video says of its colours, such as the HLG of telephones, becomes sRGB.
 /// A last candidate that is left out tells when the video ends early. Throws Error
 /// (E-INGEST-NOVIDEO, E-INGEST-HDR).
 [[nodiscard]] std::vector<Candidate> ingest_video(const std::filesystem::path& video,

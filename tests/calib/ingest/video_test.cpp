@@ -5,8 +5,8 @@
 #include <opencv2/videoio.hpp>
 
 #include "calib/ingest/ingest.h"
-#include "calib/ingest/video_colors.h"
 #include "calib/pictures/image_io.h"
+#include "calib/work/child_process.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"
@@ -67,60 +67,140 @@ TEST(Video, LeavesOutTinyFrames) {
     EXPECT_EQ(ingested_with({.min_width_px = 48, .video_fps = 1.0}).photographs.size(), 2U);
 }
 
-/// Behind a video of its own, as a movie header that says what colours mean and nothing else.
-void append_colors(const std::filesystem::path& path, std::uint8_t primaries,
-                   std::uint8_t transfer) {
-    const Bytes video = read_whole_file(path);
-    Bytes colors{0,   0,   0,   26,  'm', 'o', 'o', 'v', 0,         0, 0,        18, 'c',
-                 'o', 'l', 'r', 'n', 'c', 'l', 'c', 0,   primaries, 0, transfer, 0,  9};
-    colors.insert(colors.begin(), video.begin(), video.end());
-    std::filesystem::remove(path);
-    write_whole_file(path, colors);
+void run(const std::vector<std::string>& arguments) {
+    ChildCommand command;
+    command.arguments = arguments;
+    command.log_path = arguments.back() + ".log";
+    ASSERT_EQ(run_child(command, SilentProgress()).exit_status, 0);
 }
 
-void write_mp4(const std::filesystem::path& path) {
-    cv::VideoWriter writer(path.string(), cv::CAP_FFMPEG,
-                           cv::VideoWriter::fourcc('m', 'p', '4', 'v'), 10.0, {320, 240});
-    ASSERT_TRUE(writer.isOpened());
-    const cv::Mat green(240, 320, CV_8UC3, cv::Scalar(60, 180, 60));
-    for (int number = 1; number <= 20; ++number) writer.write(green);
+constexpr Rgb8 kGreen{20, 180, 40};
+
+/// Two seconds of green by the program ffmpeg, coded by the matrix of this name and tagged so.
+void write_green(const std::filesystem::path& path, const std::string& matrix,
+                 const std::vector<std::string>& tags, const std::string& size = "320x240") {
+    std::vector<std::string> arguments{"ffmpeg",
+                                       "-y",
+                                       "-f",
+                                       "lavfi",
+                                       "-i",
+                                       "color=c=0x14B428:s=" + size +
+                                           ":r=10:d=2,scale=out_color_matrix=" + matrix +
+                                           ":out_range=tv,format=yuv420p",
+                                       "-c:v",
+                                       "libx264",
+                                       "-qp",
+                                       "4"};
+    arguments.insert(arguments.end(), tags.begin(), tags.end());
+    arguments.push_back(path.string());
+    ASSERT_NO_FATAL_FAILURE(run(arguments));
+}
+
+std::vector<std::string> tags_of(const std::string& matrix, const std::string& primaries,
+                                 const std::string& transfer) {
+    return {"-colorspace", matrix,   "-color_primaries", primaries,
+            "-color_trc",  transfer, "-color_range",     "tv"};
+}
+
+struct Ingested {
+    Rgb8 color;
+    std::vector<std::string> notes;
+    std::string reasons;  ///< Of what was left out.
+};
+
+Ingested ingested(const std::filesystem::path& video, const std::filesystem::path& copies) {
+    SilentProgress progress;
+    const IngestResult result =
+        ingest(video, {.min_photographs = 1, .video_fps = 1.0}, copies, 1, progress);
+    Ingested found{read_color_image(result.photographs.at(0).picture_path)(100, 100),
+                   result.color_notes, ""};
+    for (const LeftOut& left_out : result.left_out) {
+        found.reasons += left_out.code + ": " + left_out.reason + "\n";
+    }
+    return found;
+}
+
+/// To what coding in 8 bits and H.264 leave; the other matrix is 24 levels off.
+void expect_color(Rgb8 found, Rgb8 expected) {
+    EXPECT_NEAR(found.r, expected.r, 4);
+    EXPECT_NEAR(found.g, expected.g, 4);
+    EXPECT_NEAR(found.b, expected.b, 4);
+}
+
+TEST(Video, ColoursAreDecodedByTheMatrixThatTheVideoNames) {
+    const ScratchFolder scratch;
+    for (const std::string matrix : {"bt709", "smpte170m"}) {
+        const auto tags = tags_of(matrix, "bt709", "bt709");
+        for (const std::string ending : {".mp4", ".mkv"}) {
+            write_green(scratch / (matrix + ending), matrix, tags);
+            const Ingested found = ingested(scratch / (matrix + ending), scratch / "copies");
+            expect_color(found.color, kGreen);
+            EXPECT_THAT(found.notes, testing::IsEmpty());
+        }
+    }
+}
+
+TEST(Video, ColoursWithoutAMatrixAreThoseOfPlayers) {
+    const ScratchFolder scratch;
+    write_green(scratch / "small.mp4", "smpte170m", {});
+    expect_color(ingested(scratch / "small.mp4", scratch / "copies").color, kGreen);
+    write_green(scratch / "large.mp4", "bt709", {}, "1280x720");
+    expect_color(ingested(scratch / "large.mp4", scratch / "copies").color, kGreen);
 }
 
 TEST(Video, HlgBecomesSrgbAndSaysSo) {
     const ScratchFolder scratch;
-    write_mp4(scratch / "walk.mp4");
-    SilentProgress progress;
-    EXPECT_FALSE(coded_colors_of_video(scratch / "walk.mp4").has_value());
-    const auto green_of = [&](const std::string& copies) {
-        const IngestResult result =
-            ingest(scratch / "walk.mp4", {.min_photographs = 1, .video_fps = 1.0}, scratch / copies,
-                   1, progress);
-        return std::pair(read_color_image(result.photographs.at(0).picture_path)(100, 100),
-                         result.color_notes);
-    };
-    const auto [plain, no_notes] = green_of("plain");
-    EXPECT_THAT(no_notes, testing::IsEmpty());
-    append_colors(scratch / "walk.mp4", 9, 18);
-    const auto [shown, notes] = green_of("hlg");
+    write_green(scratch / "walk.mp4", "bt2020nc", tags_of("bt2020nc", "bt2020", "arib-std-b67"));
+    const Ingested found = ingested(scratch / "walk.mp4", scratch / "copies");
     // The green of BT.2020 is wider: the same numbers are a stronger green.
-    EXPECT_LT(shown.r, plain.r - 10);
-    EXPECT_GE(shown.g, plain.g);
-    ASSERT_EQ(notes.size(), 1U);
-    EXPECT_THAT(notes[0], testing::HasSubstr("HLG (BT.2020)"));
+    EXPECT_LT(found.color.r, kGreen.r - 10);
+    EXPECT_GE(found.color.g, kGreen.g);
+    ASSERT_EQ(found.notes.size(), 1U);
+    EXPECT_THAT(found.notes[0], testing::HasSubstr("HLG (BT.2020)"));
 }
 
-TEST(Video, PqIsRefusedWithAWayOut) {
+TEST(Video, PqIsRefusedInAnyContainerWithAWayOut) {
     const ScratchFolder scratch;
-    write_mp4(scratch / "walk.mp4");
-    append_colors(scratch / "walk.mp4", 9, 16);
-    SilentProgress progress;
-    try {
-        static_cast<void>(ingest(scratch / "walk.mp4", {}, scratch / "copies", 1, progress));
-        FAIL() << "nothing thrown";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), "E-INGEST-HDR");
-        EXPECT_THAT(error.advice(), testing::HasSubstr("ffmpeg"));
+    for (const std::string name : {"walk.mp4", "walk.mkv"}) {
+        write_green(scratch / name, "bt2020nc", tags_of("bt2020nc", "bt2020", "smpte2084"));
+        SilentProgress progress;
+        try {
+            static_cast<void>(ingest(scratch / name, {}, scratch / "copies", 1, progress));
+            FAIL() << "nothing thrown";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-INGEST-HDR");
+            EXPECT_THAT(error.advice(), testing::HasSubstr("ffmpeg"));
+        }
     }
+}
+
+TEST(Video, ThatIsTurnedForDisplayKeepsItsRasterAndSaysSo) {
+    const ScratchFolder scratch;
+    write_green(scratch / "walk.mp4", "bt709", {});
+    run({"ffmpeg", "-y", "-i", (scratch / "walk.mp4").string(), "-c", "copy", "-metadata:s:v",
+         "rotate=270", (scratch / "turned.mp4").string()});
+    SilentProgress progress;
+    const IngestResult result =
+        ingest(scratch / "turned.mp4", {.min_photographs = 1}, scratch / "copies", 1, progress);
+    EXPECT_EQ(result.photographs.at(0).exif_orientation, 6);
+    EXPECT_EQ(result.photographs.at(0).width_px, 320);
+}
+
+TEST(Video, ThatWasTrimmedIsWholeAndOneThatWasCutOffIsNot) {
+    const ScratchFolder scratch;
+    write_green(scratch / "whole.mp4", "bt709", {"-movflags", "+faststart"});
+    run({"ffmpeg", "-y", "-ss", "1", "-i", (scratch / "whole.mp4").string(), "-c", "copy",
+         (scratch / "trimmed.mp4").string()});
+    for (const std::string name : {"whole.mp4", "trimmed.mp4"}) {
+        EXPECT_THAT(ingested(scratch / name, scratch / "copies").reasons,
+                    testing::Not(testing::HasSubstr("E-INGEST-TRUNCATED")));
+    }
+    write_video(scratch / "walk.avi");
+    Bytes bytes = read_whole_file(scratch / "walk.avi");
+    bytes.resize(bytes.size() / 2);
+    write_whole_file(scratch / "cut.avi", bytes);
+    EXPECT_THAT(ingested(scratch / "cut.avi", scratch / "copies").reasons,
+                testing::HasSubstr("E-INGEST-TRUNCATED: the video ends after 0.9 of 2.0 seconds"));
 }
 
 TEST(Video, RefusesAFileThatIsNone) {
