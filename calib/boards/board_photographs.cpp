@@ -159,7 +159,7 @@ std::vector<std::string> doubts_of_size(const BoardPhotographs& found,
 
 BoardPhotographs find_boards(const std::filesystem::path& folder, const BoardRequest& request,
                              int threads, Progress& progress) {
-    const PhotographFolder listed = list_photographs(folder, {});
+    const PhotographFolder listed = list_photographs(folder, {}, {});
     BoardPhotographs found;
     found.left_out = listed.left_out;
     ImageSize size;

@@ -115,6 +115,7 @@ Examination examine_capture(const fs::path& photographs_or_video,
     ingest_options.video_fps = options.video_fps;
     ingest_options.keep_overlays = options.keep_overlays;
     ingest_options.crop_bars = options.crop_bars;
+    ingest_options.other_folders = options.other_folders;
     IngestResult ingested =
         ingest(photographs_or_video, ingest_options, scratch_folder, threads, progress);
     for (Photograph& photograph : ingested.photographs) {

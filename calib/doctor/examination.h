@@ -22,8 +22,9 @@ struct ExaminationOptions {
     double video_fps = 2.0;      ///< Frames taken from each second of a video. > 0.
     bool keep_overlays = false;  ///< See IngestOptions.
     bool crop_bars = true;       ///< See IngestOptions.
-    std::filesystem::path mask_folder = {};  ///< See PoseOptions; empty: none.
-    bool lens_is_told_elsewhere = false;     ///< A build will know it: from boards, or with poses.
+    std::vector<std::filesystem::path> other_folders = {};  ///< See IngestOptions.
+    std::filesystem::path mask_folder = {};                 ///< See PoseOptions; empty: none.
+    bool lens_is_told_elsewhere = false;  ///< A build will know it: from boards, or with poses.
     std::optional<double> told_focal_length_px;  ///< For the size looked at, instead of EXIF's.
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "calib/capture/gray.h"
+#include "calib/pictures/srgb_curve.h"
 #include "calib/work/median.h"
 
 namespace lumi {
@@ -41,11 +42,6 @@ double noise_sigma_of(const cv::Mat& gray) {
         }
     }
     return static_cast<double>(quantile_of(std::move(of_blocks), kQuiet));
-}
-
-double linear_of(double level) {
-    const double srgb = level / 255.0;
-    return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
 }
 
 double standard_deviation(const cv::Mat& values) {
@@ -118,7 +114,7 @@ PhotographQuality quality_of(const ColorImage& picture) {
     bytes.convertTo(gray, CV_32F);
     std::size_t clipped = 0;
     for (const std::uint8_t level : levels.pixels()) {
-        quality.mean_linear += linear_of(level);
+        quality.mean_linear += light_of_srgb(level / 255.0);
         if (level <= 2 || level >= 253) ++clipped;
     }
     const double count = static_cast<double>(levels.pixels().size());

@@ -9,6 +9,7 @@
 
 #include "calib/pictures/heif_decoder.h"
 #include "calib/pictures/webp_decoder.h"
+#include "calib/work/printable.h"
 #include "calib/work/whole_file.h"
 
 namespace lumi {
@@ -52,12 +53,12 @@ std::optional<double> positive(double value) {
     return value;
 }
 
-/// Cameras pad these fields with blanks or zeros.
+/// Cameras pad these fields with blanks or zeros, and write names in encodings of their own.
 std::string trimmed(std::string text) {
     text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string::npos) return "";
-    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+    return printable(text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1));
 }
 
 std::optional<double> pixels_per_mm(const OIIO::ImageSpec& spec) {

@@ -136,7 +136,8 @@ IngestResult ingest(const fs::path& photographs_or_video, const IngestOptions& o
         clear_working_copies(copies_folder);
         candidates = ingest_video(photographs_or_video, options, copies_folder, progress);
     } else {
-        PhotographFolder folder = list_photographs(photographs_or_video, copies_folder);
+        PhotographFolder folder =
+            list_photographs(photographs_or_video, copies_folder, options.other_folders);
         result.left_out = std::move(folder.left_out);
         clear_working_copies(copies_folder);
         candidates = ingest_folder(folder, options, copies_folder, threads, progress);

@@ -24,6 +24,8 @@ struct IngestOptions {
     /// with them, as known poses, a calibrated lens or masks.
     /// Photographs that are cut out keep them in any case.
     bool crop_bars = true;
+    /// Of masks, boards or depth maps: no photographs, should they lie among these.
+    std::vector<std::filesystem::path> other_folders = {};
 };
 
 void validate(const IngestOptions& options);

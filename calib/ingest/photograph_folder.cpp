@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <map>
+#include <set>
 #include <string_view>
 
 #include "calib/work/error.h"
@@ -53,13 +55,21 @@ bool is_made_by_lumi(const fs::path& folder) {
 
 class FolderWalk {
  public:
-    FolderWalk(const fs::path& root, const fs::path& working_folder) {
+    FolderWalk(const fs::path& root, const fs::path& working_folder,
+               const std::vector<fs::path>& other_folders) {
         // Only the first step of the way there is needed: everything below it is lumi's own.
         const fs::path way =
             fs::weakly_canonical(working_folder).lexically_relative(fs::weakly_canonical(root));
         if (!way.empty() && *way.begin() != "..") working_branch_ = *way.begin();
         if (working_branch_ == ".") working_branch_.clear();
+        for (const fs::path& folder : other_folders) others_.insert(fs::weakly_canonical(folder));
+        others_.erase(fs::weakly_canonical(root));
         walk(root, "");
+        while (!links_.empty()) {
+            const auto [prefix, folder] = *links_.begin();
+            links_.erase(links_.begin());
+            walk(folder, prefix);
+        }
     }
 
     PhotographFolder take() {
@@ -72,20 +82,34 @@ class FolderWalk {
  private:
     void walk(const fs::path& folder, const std::string& prefix) {
         std::error_code status;
+        // Links may lead in a circle, or to a folder that lies here as well.
+        if (!walked_.insert(fs::weakly_canonical(folder, status)).second) return;
         fs::directory_iterator entry(folder, status);
         if (status) leave_out(prefix, "E-INGEST-UNREADABLE", "this folder may not be read");
         for (; !status && entry != fs::directory_iterator(); entry.increment(status)) {
             const std::string file_name = entry->path().filename().string();
             if (file_name.starts_with('.')) continue;
             std::error_code ignored;
-            if (!entry->is_directory(ignored)) {
+            if (entry->is_directory(ignored)) {
+                enter(*entry, prefix, file_name);
+            } else {
                 classify(entry->path(), prefix + file_name);
-            } else if (is_made_by_lumi(entry->path())) {
-                leave_out(prefix + file_name, "E-INGEST-OWN", "made by lumi: no photographs");
-            } else if (!entry->is_symlink(ignored) &&
-                       !(prefix.empty() && file_name == working_branch_)) {
-                walk(entry->path(), prefix + file_name + "/");
             }
+        }
+    }
+
+    void enter(const fs::directory_entry& folder, const std::string& prefix,
+               const std::string& file_name) {
+        std::error_code ignored;
+        if (is_made_by_lumi(folder.path())) {
+            leave_out(prefix + file_name, "E-INGEST-OWN", "made by lumi: no photographs");
+        } else if (others_.contains(fs::weakly_canonical(folder.path(), ignored))) {
+            leave_out(prefix + file_name, "E-INGEST-OWN",
+                      "the configuration names it for something else: no photographs");
+        } else if (folder.is_symlink(ignored)) {
+            links_.emplace(prefix + file_name + "/", folder.path());
+        } else if (!(prefix.empty() && file_name == working_branch_)) {
+            walk(folder.path(), prefix + file_name + "/");
         }
     }
 
@@ -127,17 +151,21 @@ class FolderWalk {
 
     PhotographFolder found_;
     std::string working_branch_;
+    std::set<fs::path> others_;
+    std::set<fs::path> walked_;
+    std::map<std::string, fs::path> links_;  ///< To be walked when all that lies here has been.
 };
 
 }  // namespace
 
-PhotographFolder list_photographs(const fs::path& folder, const fs::path& working_folder) {
+PhotographFolder list_photographs(const fs::path& folder, const fs::path& working_folder,
+                                  const std::vector<fs::path>& other_folders) {
     std::error_code status;
     if (!fs::is_directory(folder, status)) {
         throw Error(ErrorKind::kBadInput, "E-INGEST-NOFOLDER", folder.string() + ": no such folder",
                     "give the folder that holds the photographs, or a video file");
     }
-    return FolderWalk(folder, working_folder).take();
+    return FolderWalk(folder, working_folder, other_folders).take();
 }
 
 }  // namespace lumi

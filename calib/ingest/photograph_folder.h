@@ -21,11 +21,13 @@ struct PhotographFolder {
     std::vector<LeftOut> left_out;      ///< Pictures by their name that are none of the formats.
 };
 
-/// The photographs in `folder` and below. Links to files are followed, links to folders are not;
-/// hidden files and whatever neither is nor claims to be a picture are passed over in silence. The
-/// branch that leads to `working_folder` is passed over too, should it lie inside. Throws Error
-/// (E-INGEST-NOFOLDER).
-[[nodiscard]] PhotographFolder list_photographs(const std::filesystem::path& folder,
-                                                const std::filesystem::path& working_folder);
+/// The photographs in `folder` and below. Links are followed, to a folder that was walked before
+/// only once; hidden files and whatever neither is nor claims to be a picture are passed over in
+/// silence. The branch that leads to `working_folder` is passed over too, should it lie inside;
+/// `other_folders`, which hold masks or boards, are left out by name (E-INGEST-OWN), unless one is
+/// `folder` itself. Throws Error (E-INGEST-NOFOLDER).
+[[nodiscard]] PhotographFolder list_photographs(
+    const std::filesystem::path& folder, const std::filesystem::path& working_folder,
+    const std::vector<std::filesystem::path>& other_folders);
 
 }  // namespace lumi

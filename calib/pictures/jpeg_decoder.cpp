@@ -3,6 +3,7 @@
 #include <turbojpeg.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -58,20 +59,54 @@ bool is_about_padding(const std::string& warning, std::span<const std::uint8_t> 
            warning.ends_with("0xd9") && is_padded_before_end(bytes, count);
 }
 
-void decode_or_refuse(void* decoder, std::span<const std::uint8_t> bytes, const JpegHeader& header,
-                      TJPF pixel_format, std::uint8_t* pixels, const std::filesystem::path& path) {
+/// A JPEG whose scan does not say that it holds all coefficients, as it must where it is not
+/// progressive (ITU-T T.81, B.2.3): some telephones leave these bytes at 0. Here it says so.
+Bytes with_all_coefficients(std::span<const std::uint8_t> bytes) {
+    Bytes repaired(bytes.begin(), bytes.end());
+    constexpr std::array<std::uint8_t, 2> kStartOfScan{0xff, 0xda};
+    constexpr std::array<std::uint8_t, 3> kUnsaid{0, 0, 0};
+    constexpr std::array<std::uint8_t, 3> kAll{0, 63, 0};
+    auto scan = repaired.begin();
+    while (true) {
+        scan = std::search(scan, repaired.end(), kStartOfScan.begin(), kStartOfScan.end());
+        if (repaired.end() - scan < 4) return repaired;
+        const std::ptrdiff_t end = 2 + (scan[2] << 8 | scan[3]);
+        if (end >= 7 && end <= repaired.end() - scan &&
+            std::equal(kUnsaid.begin(), kUnsaid.end(), scan + end - 3)) {
+            std::copy(kAll.begin(), kAll.end(), scan + end - 3);
+        }
+        scan += 2;
+    }
+}
+
+bool is_about_scan_header(const std::string& warning) {
+    return warning.starts_with("Invalid SOS parameters for sequential JPEG");
+}
+
+/// Empty where every pixel is there, else what is wrong.
+std::string decode_into(void* decoder, std::span<const std::uint8_t> bytes,
+                        const JpegHeader& header, TJPF pixel_format, std::uint8_t* pixels) {
     const auto decode = [&](int flags) {
         return tjDecompress2(decoder, bytes.data(), bytes.size(), pixels, header.size.width_px, 0,
                              header.size.height_px, pixel_format, TJFLAG_ACCURATEDCT | flags);
     };
-    if (decode(TJFLAG_STOPONWARNING) == 0) return;
-    const std::string first_warning = tjGetErrorStr2(decoder);
-    if (tjGetErrorCode(decoder) != TJERR_WARNING || !is_about_padding(first_warning, bytes)) {
-        refuse_truncated_image(path, first_warning);
+    if (decode(TJFLAG_STOPONWARNING) == 0) return {};
+    const std::string warning = tjGetErrorStr2(decoder);
+    if (tjGetErrorCode(decoder) != TJERR_WARNING || !is_about_padding(warning, bytes)) {
+        return warning;
     }
-    // The decoder remembers its last warning only: when that is the first one, there was no other.
-    if (decode(0) == 0 || tjGetErrorStr2(decoder) == first_warning) return;
-    refuse_truncated_image(path, tjGetErrorStr2(decoder));
+    // Padding is the last thing in a file: no other warning can follow this one.
+    const bool is_decoded = decode(0) == 0 || tjGetErrorCode(decoder) == TJERR_WARNING;
+    return is_decoded ? std::string() : tjGetErrorStr2(decoder);
+}
+
+void decode_or_refuse(void* decoder, std::span<const std::uint8_t> bytes, const JpegHeader& header,
+                      TJPF pixel_format, std::uint8_t* pixels, const std::filesystem::path& path) {
+    std::string fault = decode_into(decoder, bytes, header, pixel_format, pixels);
+    if (is_about_scan_header(fault)) {
+        fault = decode_into(decoder, with_all_coefficients(bytes), header, pixel_format, pixels);
+    }
+    if (!fault.empty()) refuse_truncated_image(path, fault);
 }
 
 }  // namespace

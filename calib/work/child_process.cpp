@@ -38,7 +38,10 @@ std::optional<std::string> found_program(const std::string& name) {
         const std::size_t end = std::min(paths.find(':', begin), paths.size());
         const std::filesystem::path file =
             std::filesystem::path(paths.substr(begin, end - begin)) / name;
-        if (std::filesystem::is_regular_file(file) && ::access(file.c_str(), X_OK) == 0) {
+        std::error_code
+            unreachable;  // As a shell does, folders that may not be entered are passed.
+        if (std::filesystem::is_regular_file(file, unreachable) &&
+            ::access(file.c_str(), X_OK) == 0) {
             return file.string();
         }
         begin = end + 1;

@@ -31,7 +31,7 @@ int longest_side_px(const std::filesystem::path& photographs_or_video) {
     std::error_code status;
     if (!std::filesystem::is_directory(photographs_or_video, status)) return 0;
     int longest_px = 0;
-    for (const PhotographFile& file : list_photographs(photographs_or_video, {}).files) {
+    for (const PhotographFile& file : list_photographs(photographs_or_video, {}, {}).files) {
         try {
             const ImageSize size = read_image_size(file.path);
             longest_px = std::max({longest_px, size.width_px, size.height_px});

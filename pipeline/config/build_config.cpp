@@ -95,10 +95,31 @@ DrawingOptions read_drawing_options(const ConfigSection& render) {
 }
 
 /// Whether something beside the photographs was made for their raster: poses, a lens, masks, depth.
+/// What is named for something else, and may lie among the photographs. Poses may lie in one folder
+/// with them.
+std::vector<fs::path> folders_of_other_things(const BuildConfig& config) {
+    std::vector<fs::path> folders;
+    for (const fs::path& path : {config.boards, config.poses.mask_folder,
+                                 config.depth.import_folder, config.depth.mask_folder}) {
+        if (!path.empty()) folders.push_back(path);
+    }
+    return folders;
+}
+
 bool is_bound_to_raster(const BuildConfig& config) {
     return !config.imported_poses.empty() || config.given_lens || !config.boards.empty() ||
            !config.poses.mask_folder.empty() || !config.depth.mask_folder.empty() ||
            !config.depth.import_folder.empty();
+}
+
+/// A section as it decides a stage's result: what lies at a path counts by its content, which is
+/// among the stage's inputs, and the path only by being named.
+std::string parameters_of(const ConfigSection& section, const std::vector<std::string>& paths) {
+    std::string parameters = section.resolved_table(paths);
+    for (const std::string& path : paths) {
+        if (!section.path(path).empty()) parameters += path + " is named\n";
+    }
+    return parameters;
 }
 
 /// What is known when every section has been read.
@@ -113,10 +134,12 @@ void fill_in_stage_parameters(BuildConfig& config, const ConfigSection& document
         {"ingest", capture.resolved_table({"photos", "video", "import"}) +
                        (config.ingest.crop_bars ? "" : "crop_bars = false\n")},
         {"poses", config.imported_poses.empty()
-                      ? parameters("poses") + lens_parameters_text(config.given_lens)
+                      ? parameters_of(document.section("poses"), {"masks"}) +
+                            lens_parameters_text(config.given_lens)
                       : "import"},
         {"mesh", parameters("mesh")},
-        {"depth", parameters("depth")},
+        {"depth", parameters_of(document.section("depth"),
+                                {"import_folder", "import_mesh", "import_volume", "masks"})},
         // All else comes to packing as what other stages made; the configuration that a package
         // records may spell a path, or count threads, as when it was made.
         {"pack", "name = " + config.name + "\n[mesh]\n" + parameters("mesh") + "[package]\n" +
@@ -164,6 +187,7 @@ BuildConfig read_build_config(const ConfigSection& document, const std::string& 
     config.drawing = read_drawing_options(document.section("render"));
     config.hold_out = read_hold_out_options(document.section("evaluate"));
     config.ingest.crop_bars = !is_bound_to_raster(config);
+    config.ingest.other_folders = folders_of_other_things(config);
     // What to do with a capture beside building it; see `lumi chart` and `lumi stress`.
     for (const char* other : {"sweep", "growth", "stress"}) document.leave_to_others(other);
     document.expect_all_keys_known();
@@ -180,7 +204,7 @@ BuildConfig load_build_config(const fs::path& path) {
             "[capture]\n" + plain->key + " = " + literal_of_text(path.string()) + "\n";
         return read_build_config(ConfigSection::from_text(toml, "(defaults)"), plain->name);
     }
-    return read_build_config(ConfigSection::from_file(path), path.stem().string());
+    return ConfigDocument::open(path).build_config_with({});
 }
 
 }  // namespace lumi

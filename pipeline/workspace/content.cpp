@@ -64,12 +64,15 @@ std::vector<ContentEntry> content_of(const fs::path& file_or_folder, int threads
 }
 
 std::vector<ContentEntry> content_of_photographs(const fs::path& photographs_or_video,
-                                                 const fs::path& working_folder, int threads) {
+                                                 const fs::path& working_folder,
+                                                 const std::vector<fs::path>& other_folders,
+                                                 int threads) {
     std::error_code status;
     if (fs::is_regular_file(photographs_or_video, status)) {
         return content_of(photographs_or_video, threads);
     }
-    const PhotographFolder folder = list_photographs(photographs_or_video, working_folder);
+    const PhotographFolder folder =
+        list_photographs(photographs_or_video, working_folder, other_folders);
     std::vector<NamedFile> files;
     for (const PhotographFile& file : folder.files) files.push_back({file.name, file.path});
     std::vector<ContentEntry> entries = contents(files, threads);

@@ -21,10 +21,11 @@ struct ContentEntry {
 
 /// What of a video or a folder of photographs decides what is made of it: of a folder the
 /// photographs that list_photographs finds, and which pictures it leaves out and why. Whatever else
-/// lies there may come, go and change. Throws Error (E-FILE-READ, E-INGEST-NOFOLDER).
+/// lies there may come, go and change, and so may what `other_folders` hold. Throws Error
+/// (E-FILE-READ, E-INGEST-NOFOLDER).
 [[nodiscard]] std::vector<ContentEntry> content_of_photographs(
     const std::filesystem::path& photographs_or_video, const std::filesystem::path& working_folder,
-    int threads);
+    const std::vector<std::filesystem::path>& other_folders, int threads);
 
 /// One hash over names and contents.
 [[nodiscard]] std::string sha256_of_content(const std::vector<ContentEntry>& entries);

@@ -51,6 +51,17 @@ TEST(BuildConfig, BarsAreNotCutOffWhereSomethingWasMadeForTheRaster) {
     EXPECT_FALSE(crops_bars(photos + "[depth]\nimport_folder = \"d\"\n"));
 }
 
+TEST(BuildConfig, WhatItNamesForSomethingElseHoldsNoPhotographs) {
+    const IngestOptions ingest = read(
+                                     "[capture]\nphotos = \"photos\"\n"
+                                     "[poses]\nmasks = \"photos/m\"\n"
+                                     "[calibration]\nboards = \"photos/b\"\n")
+                                     .ingest;
+    ASSERT_EQ(ingest.other_folders.size(), 2U);
+    EXPECT_EQ(ingest.other_folders[0].filename(), "b");
+    EXPECT_EQ(ingest.other_folders[1].filename(), "m");
+}
+
 TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
     const std::string resolved = read("[capture]\nphotos = \"photos\"\n").resolved_toml;
     for (const char* key : {"name",

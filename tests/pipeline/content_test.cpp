@@ -30,7 +30,7 @@ class ContentOfPhotographs : public testing::Test {
         write_png(photos_ / "more" / "a.png", ColorImage(20, 10));
     }
     [[nodiscard]] std::string hash() const {
-        return sha256_of_content(content_of_photographs(photos_, working_folder_, 2));
+        return sha256_of_content(content_of_photographs(photos_, working_folder_, {}, 2));
     }
 
     ScratchFolder scratch_;
@@ -39,7 +39,8 @@ class ContentOfPhotographs : public testing::Test {
 };
 
 TEST_F(ContentOfPhotographs, IsOfPhotographsAlone) {
-    const std::vector<ContentEntry> content = content_of_photographs(photos_, working_folder_, 2);
+    const std::vector<ContentEntry> content =
+        content_of_photographs(photos_, working_folder_, {}, 2);
     ASSERT_EQ(content.size(), 2U);
     EXPECT_EQ(content[0].name, "b.png");
     EXPECT_EQ(content[1].name, "more/a.png");
@@ -77,10 +78,11 @@ TEST_F(ContentOfPhotographs, WhatIngestTellsOfCounts) {
 
 TEST_F(ContentOfPhotographs, AVideoIsItsFile) {
     write_whole_text(scratch_ / "walk.mp4", "a walk");
-    EXPECT_EQ(content_of_photographs(scratch_ / "walk.mp4", working_folder_, 1),
+    EXPECT_EQ(content_of_photographs(scratch_ / "walk.mp4", working_folder_, {}, 1),
               content_of(scratch_ / "walk.mp4", 1));
-    EXPECT_THROW(static_cast<void>(content_of_photographs(scratch_ / "none", working_folder_, 1)),
-                 Error);
+    EXPECT_THROW(
+        static_cast<void>(content_of_photographs(scratch_ / "none", working_folder_, {}, 1)),
+        Error);
 }
 
 }  // namespace

@@ -205,6 +205,26 @@ TEST(ImageIo, AJpegPaddedBeforeItsEndMarkerIsReadToTheSamePixels) {
     EXPECT_EQ(read_color_image(scratch / "padded.jpg"), read_color_image(scratch / "whole.jpg"));
 }
 
+/// As some telephones write it: the scan's header does not say which coefficients it holds.
+Bytes without_spectral_selection(Bytes jpeg) {
+    const std::array<std::uint8_t, 2> marker{0xff, 0xda};
+    const auto scan = std::search(jpeg.begin(), jpeg.end(), marker.begin(), marker.end());
+    const auto length = static_cast<std::ptrdiff_t>(scan[2]) << 8 | scan[3];
+    std::fill_n(scan + 2 + length - 3, 3, std::uint8_t{0});
+    return jpeg;
+}
+
+TEST(ImageIo, AJpegWhoseScanHeaderIsEmptyIsReadToTheSamePixelsUnlessItEndsEarly) {
+    const ScratchFolder scratch;
+    const Bytes whole = encoded(".jpg", test_matrix(CV_8UC3));
+    const Bytes odd = without_spectral_selection(whole);
+    ASSERT_NE(odd, whole);
+    scratch.put("whole.jpg", whole);
+    scratch.put("odd.jpg", odd);
+    EXPECT_EQ(read_color_image(scratch / "odd.jpg"), read_color_image(scratch / "whole.jpg"));
+    EXPECT_EQ(code_for(Bytes(odd.begin(), odd.end() - 100), scratch), "E-IMAGE-TRUNCATED");
+}
+
 TEST(ImageIo, AJpegThatIsPaddedAndDamagedIsRefused) {
     const ScratchFolder scratch;
     // Without its restart marker half the picture is taken for bytes too many.

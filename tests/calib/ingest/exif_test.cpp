@@ -69,6 +69,15 @@ TEST(Exif, ReadsWhatTheCameraWrote) {
     EXPECT_NEAR(focal_length_px_of(exif, {160, 120}).value(), 26 * 200 / 43.2666, 1e-3);
 }
 
+TEST(Exif, NamesOfCamerasInOtherEncodingsCanBeReported) {
+    const ScratchFolder scratch;
+    write_camera_jpeg(scratch / "photo.jpg", wavy_picture(160, 120), [](OIIO::ImageSpec& spec) {
+        spec.attribute("Make", "Maker");
+        spec.attribute("Model", "Cam\xe9ra 5");
+    });
+    EXPECT_EQ(read_exif(scratch / "photo.jpg", ImageFormat::kJpeg).model, "Cam\\xe9ra 5");
+}
+
 TEST(Exif, HeifAndWebPSayAsMuchAsAJpeg) {
     const ScratchFolder scratch;
     OIIO::ImageSpec spec;

@@ -104,6 +104,30 @@ TEST(Ingest, FollowsLinksToFilesAndNamesThoseThatLeadNowhere) {
     EXPECT_EQ(codes(result).at("broken.png"), "E-INGEST-UNREADABLE");
 }
 
+TEST(Ingest, FollowsLinksToFoldersOnceAndInNoCircle) {
+    const ScratchFolder scratch;
+    write_png(scratch / "real/1.png", wavy_picture(100, 80));
+    write_png(scratch / "real/deep/2.png", wavy_picture(100, 80, 11));
+    write_png(scratch / "photos/sub/3.png", wavy_picture(100, 80, 23));
+    std::filesystem::create_directory_symlink(scratch / "real", scratch / "photos/more");
+    std::filesystem::create_directory_symlink(scratch / "photos/sub", scratch / "photos/again");
+    std::filesystem::create_directory_symlink(scratch / "real", scratch / "real/deep/loop");
+    const IngestResult result = ingested(scratch);
+    EXPECT_THAT(names(result), ElementsAre("more/1.png", "more/deep/2.png", "sub/3.png"));
+    EXPECT_THAT(result.left_out, IsEmpty());
+}
+
+TEST(Ingest, LeavesOutFoldersThatHoldSomethingElse) {
+    const ScratchFolder scratch;
+    write_png(scratch / "photos/1.png", wavy_picture(100, 80));
+    write_png(scratch / "photos/2.png", wavy_picture(100, 80, 11));
+    write_png(scratch / "photos/masks/1.png", wavy_picture(100, 80, 23));
+    const IngestResult result =
+        ingested(scratch, {.other_folders = {scratch / "photos/./masks", scratch / "photos"}});
+    EXPECT_THAT(names(result), ElementsAre("1.png", "2.png"));
+    EXPECT_EQ(codes(result), (std::map<std::string, std::string>{{"masks", "E-INGEST-OWN"}}));
+}
+
 TEST(Ingest, PassesOverWhatIsNoPictureAndNamesWhatClaimsToBeOne) {
     const ScratchFolder scratch;
     write_png(scratch / "photos/1.png", wavy_picture(100, 80));

@@ -184,6 +184,17 @@ TEST_F(ChildProcess, MissingProgramIsNamedWithAdvice) {
     }
 }
 
+TEST_F(ChildProcess, IsFoundBehindFoldersOfThePathThatCannotBeReached) {
+    // A path longer than any can be is as unreachable to root as a closed folder is to others.
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", ("/" + std::string(5000, 'x') + ":" + path).c_str(), 1);
+    ChildCommand command;
+    command.arguments = {"true"};
+    command.log_path = folder_ / "log.txt";
+    EXPECT_EQ(run_child(command, SilentProgress()).exit_status, 0);
+    ::setenv("PATH", path.c_str(), 1);
+}
+
 TEST_F(ChildProcess, HasNoDisplay) {
     ::setenv("DISPLAY", ":77", 1);
     static_cast<void>(run_child(shell("echo \"[$DISPLAY] $QT_QPA_PLATFORM\""), progress_));
