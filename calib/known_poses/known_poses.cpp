@@ -90,6 +90,8 @@ KnownPoses read_known_poses(const fs::path& path) {
     stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
     beginning.resize(static_cast<std::size_t>(stream.gcount()));
     if (beginning.starts_with("\x93NUMPY")) return read_poses_bounds(path);
+    constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  // Editors on Windows write it.
+    if (beginning.starts_with(kByteOrderMark)) beginning.erase(0, 3);
     const std::size_t first = beginning.find_first_not_of(" \t\r\n");
     if (first != std::string::npos && beginning[first] == '{') return read_transforms_json(path);
     if (first != std::string::npos && std::isdigit(static_cast<unsigned char>(beginning[first]))) {

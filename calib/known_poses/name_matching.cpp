@@ -14,14 +14,20 @@ using Matches = std::vector<std::optional<std::size_t>>;
 
 std::string whole(const std::string& name) { return fs::path(name).lexically_normal().string(); }
 
-std::string file_name(const std::string& name) { return fs::path(name).filename().string(); }
+/// Windows divides folders by '\\', which a name may hold elsewhere: there `whole` finds it.
+fs::path path_of(std::string name) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    return fs::path(name).lexically_normal();
+}
+
+std::string file_name(const std::string& name) { return path_of(name).filename().string(); }
 
 std::string file_name_with_folder(const std::string& name) {
-    const fs::path path = fs::path(name).lexically_normal();
+    const fs::path path = path_of(name);
     return (path.parent_path().filename() / path.filename()).string();
 }
 
-std::string stem(const std::string& name) { return fs::path(name).stem().string(); }
+std::string stem(const std::string& name) { return path_of(name).stem().string(); }
 
 std::string last_word(const std::string& name) {
     const std::string file = file_name(name);

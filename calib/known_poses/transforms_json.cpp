@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "calib/known_poses/camera_axes.h"
@@ -162,6 +163,20 @@ Rigid3 pose_of(const Json& frame, const std::string& where) {
     return pose_from_axes(world_from_cam, world_from_gl.col(3), where);
 }
 
+/// Whether a frame before says the same of this photograph. One that says something else is wrong.
+bool is_repeated(const View& view, const std::map<std::string, View>& before,
+                 const std::string& where) {
+    const auto same_name = before.find(view.name);
+    if (same_name == before.end()) return false;
+    const View& other = same_name->second;
+    const bool is_same =
+        other.camera_index == view.camera_index &&
+        other.cam_from_world.rotation.coeffs() == view.cam_from_world.rotation.coeffs() &&
+        other.cam_from_world.translation == view.cam_from_world.translation;
+    if (is_same) return true;
+    refuse_json(where, "'" + view.name + "' has another pose or lens in a frame before");
+}
+
 }  // namespace
 
 KnownPoses read_transforms_json(const std::filesystem::path& path) {
@@ -172,6 +187,7 @@ KnownPoses read_transforms_json(const std::filesystem::path& path) {
     }
     KnownPoses known;
     known.format = "transforms.json";
+    std::map<std::string, View> by_name;
     for (std::size_t i = 0; i < frames->size(); ++i) {
         const Json& frame = (*frames)[i];
         const std::string where = path.string() + ": frames[" + std::to_string(i) + "]";
@@ -179,8 +195,11 @@ KnownPoses read_transforms_json(const std::filesystem::path& path) {
         const auto name = frame.find("file_path");
         if (name == frame.end() || !name->is_string()) refuse_json(where, "expected a file_path");
         const KnownLens lens = lens_of(LensFields(frame, file, where));
-        known.views.push_back(
-            {name->get<std::string>(), index_of_lens(known.lenses, lens), pose_of(frame, where)});
+        const View view{name->get<std::string>(), index_of_lens(known.lenses, lens),
+                        pose_of(frame, where)};
+        if (is_repeated(view, by_name, where)) continue;
+        by_name.emplace(view.name, view);
+        known.views.push_back(view);
     }
     return known;
 }

@@ -4,33 +4,62 @@
 #include "calib/known_poses/known_poses.h"
 #include "calib/known_poses/lens_for_photograph.h"
 #include "calib/known_poses/name_matching.h"
+#include "calib/poses/model_check.h"
 #include "calib/poses/pose_stage.h"
 #include "calib/work/error.h"
+#include "calib/work/printable.h"
 
 namespace lumi {
 namespace {
 
 using PhotographOfView = std::vector<std::optional<std::size_t>>;
 
+/// A picture that was there when the poses were found, though it is none of the photographs.
+bool may_have_a_pose(const LeftOut& left_out) { return left_out.code != "E-INGEST-OWN"; }
+
+std::string counted(std::size_t count, const char* what) {
+    return std::to_string(count) + " " + what;
+}
+
+[[noreturn]] void refuse_count(const KnownPoses& known, const std::vector<Photograph>& photographs,
+                               const std::vector<std::string>& left_out,
+                               const std::filesystem::path& path) {
+    std::string what = path.string() + ": " + counted(known.views.size(), "poses without names") +
+                       " for " + counted(photographs.size(), "photographs");
+    if (!left_out.empty()) {
+        what += " and " + counted(left_out.size(), "pictures that were left out") + ", such as " +
+                left_out.front();
+    }
+    throw Error(ErrorKind::kBadInput, "E-IMPORT-COUNT", what,
+                "give exactly the photographs that the poses were found with: this format "
+                "pairs them by order");
+}
+
+/// Poses of all pictures in the order of their names. Those that were left out had theirs, too.
 PhotographOfView match_in_order(const KnownPoses& known, const std::vector<Photograph>& photographs,
+                                const std::vector<LeftOut>& left_out,
                                 const std::filesystem::path& path) {
-    if (known.views.size() != photographs.size()) {
-        throw Error(ErrorKind::kBadInput, "E-IMPORT-COUNT",
-                    path.string() + ": " + std::to_string(known.views.size()) +
-                        " poses without names for " + std::to_string(photographs.size()) +
-                        " photographs",
-                    "give exactly the photographs that the poses were found with: this format "
-                    "pairs them by order");
+    std::vector<std::string> names_left_out;
+    std::map<std::string, std::optional<std::size_t>> pictures;
+    for (const LeftOut& picture : left_out) {
+        if (!may_have_a_pose(picture)) continue;
+        names_left_out.push_back(picture.name);
+        pictures.emplace(picture.name, std::nullopt);
+    }
+    for (std::size_t i = 0; i < photographs.size(); ++i) pictures[photographs[i].name] = i;
+    if (known.views.size() != pictures.size()) {
+        refuse_count(known, photographs, names_left_out, path);
     }
     PhotographOfView matches;
-    for (std::size_t i = 0; i < photographs.size(); ++i) matches.emplace_back(i);
+    for (const auto& [name, photograph] : pictures) matches.push_back(photograph);
     return matches;
 }
 
 PhotographOfView match_photographs(const KnownPoses& known,
                                    const std::vector<Photograph>& photographs,
+                                   const std::vector<LeftOut>& left_out,
                                    const std::filesystem::path& path) {
-    if (!known.has_names) return match_in_order(known, photographs, path);
+    if (!known.has_names) return match_in_order(known, photographs, left_out, path);
     std::vector<std::string> wanted;
     std::vector<std::string> available;
     for (const View& view : known.views) wanted.push_back(view.name);
@@ -40,7 +69,7 @@ PhotographOfView match_photographs(const KnownPoses& known,
         if (match) return matches;
     }
     const auto example = [](const std::vector<std::string>& names) {
-        return names.empty() ? std::string("nothing") : "'" + names.front() + "'";
+        return names.empty() ? std::string("nothing") : "'" + printable(names.front()) + "'";
     };
     throw Error(ErrorKind::kBadInput, "E-IMPORT-NAMES",
                 path.string() + ": it names none of the photographs; it has " + example(wanted) +
@@ -131,7 +160,7 @@ std::vector<LeftOut> unmatched(const KnownPoses& known, const std::vector<Photog
         if (photograph_of_view[i]) {
             has_pose[*photograph_of_view[i]] = true;
         } else {
-            left_out.push_back({known.views[i].name, "E-IMPORT-NOPHOTO",
+            left_out.push_back({printable(known.views[i].name), "E-IMPORT-NOPHOTO",
                                 "it has a pose, but no photograph of that name was taken in"});
         }
     }
@@ -163,9 +192,10 @@ double mean_reprojection_error_px(const Capture& capture) {
 }  // namespace
 
 PoseResult import_poses(const std::vector<Photograph>& photographs,
-                        const std::filesystem::path& poses) {
+                        const std::vector<LeftOut>& left_out, const std::filesystem::path& poses) {
     const KnownPoses known = read_known_poses(poses);
-    const PhotographOfView photograph_of_view = match_photographs(known, photographs, poses);
+    const PhotographOfView photograph_of_view =
+        match_photographs(known, photographs, left_out, poses);
     refuse_other_pictures(known, photographs, photograph_of_view, poses);
     PoseResult result;
     result.capture = CaptureImport(known, photographs, photograph_of_view).take();
@@ -180,6 +210,7 @@ PoseResult import_poses(const std::vector<Photograph>& photographs,
         evidence.observations += static_cast<int>(point.track.size());
     }
     evidence.mean_reprojection_error_px = mean_reprojection_error_px(result.capture);
+    evidence.median_triangulation_angle_deg = median_triangulation_angle_deg(result.capture);
     evidence.models_found = 1;
     evidence.start = "imported " + known.format;
     return result;

@@ -5,34 +5,35 @@
 #include <numeric>
 
 #include "calib/capture/colmap_model.h"
+#include "calib/known_poses/name_matching.h"
 #include "calib/known_poses/strecha_camera.h"
 #include "calib/work/error.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
 
 constexpr const char* kStrechaEnding = ".camera";
 
-/// The file name without folders and without its last ending.
-std::string stem_of(const std::string& name) { return std::filesystem::path(name).stem().string(); }
-
 struct MatchedPose {
     std::string name;
     PosePair pose;
 };
 
+std::vector<std::string> names_of(const NamedPoses& poses) {
+    std::vector<std::string> names;
+    for (const auto& [name, pose] : poses) names.push_back(name);
+    return names;
+}
+
 std::vector<MatchedPose> matched(const NamedPoses& a, const NamedPoses& b) {
-    std::map<std::string, const Rigid3*> b_by_stem;
-    for (const auto& [name, pose] : b) b_by_stem[stem_of(name)] = &pose;
+    const std::vector<std::string> names_of_b = names_of(b);
+    const auto index_in_b = matched_names(names_of(a), names_of_b);
     std::vector<MatchedPose> matches;
+    auto index = index_in_b.begin();
     for (const auto& [name, pose] : a) {
-        const auto same_name = b.find(name);
-        if (same_name != b.end()) {
-            matches.push_back({name, {pose, same_name->second}});
-        } else if (const auto same_stem = b_by_stem.find(stem_of(name));
-                   same_stem != b_by_stem.end()) {
-            matches.push_back({name, {pose, *same_stem->second}});
-        }
+        if (*index) matches.push_back({name, {pose, b.at(names_of_b[**index])}});
+        ++index;
     }
     return matches;
 }
@@ -45,12 +46,6 @@ PoseDifference difference(const MatchedPose& match, const Similarity3& b_from_a)
         match.pose.cam_from_a.rotation * b_from_a.rotation.conjugate();
     return {match.name, (centre - centre_in_world(match.pose.cam_from_b)).norm(),
             cam_from_b.angularDistance(match.pose.cam_from_b.rotation) * 180.0 / std::numbers::pi};
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 }  // namespace
@@ -88,11 +83,11 @@ PoseComparison compare_poses(const NamedPoses& a, const NamedPoses& b) {
         positions.push_back(comparison.views.back().position);
         rotations.push_back(comparison.views.back().rotation_deg);
     }
-    comparison.median_position = median(positions);
+    comparison.median_position = median_of(positions);
     comparison.mean_position = std::accumulate(positions.begin(), positions.end(), 0.0) /
                                static_cast<double>(positions.size());
     comparison.max_position = *std::max_element(positions.begin(), positions.end());
-    comparison.median_rotation_deg = median(rotations);
+    comparison.median_rotation_deg = median_of(rotations);
     comparison.max_rotation_deg = *std::max_element(rotations.begin(), rotations.end());
     return comparison;
 }

@@ -110,9 +110,12 @@ struct PoseResult {
 /// Poses from elsewhere instead: a COLMAP model folder, `transforms.json`, `poses_bounds.npy`, a
 /// Middlebury `*_par.txt` or a folder of Strecha `.camera` files, by content. Photographs are
 /// matched by name (or by stem where the format has none), lenses are rescaled to the working
-/// copies, and points without a track are kept. Throws Error (E-IMPORT-...) naming file and line;
-/// E-IMPORT-SIZE when the lens describes pictures of another shape than those on disk.
+/// copies, and points without a track are kept. Poses without names are those of all pictures in
+/// the order of their names, also of those that ingest has `left_out`. Throws Error (E-IMPORT-...)
+/// naming file and line; E-IMPORT-SIZE when the lens describes pictures of another shape than those
+/// on disk.
 [[nodiscard]] PoseResult import_poses(const std::vector<Photograph>& photographs,
+                                      const std::vector<LeftOut>& left_out,
                                       const std::filesystem::path& poses);
 
 }  // namespace lumi

@@ -6,6 +6,7 @@
 
 #include "calib/capture/colmap_model.h"
 #include "calib/pictures/undistortion.h"
+#include "calib/poses/imported_pose_check.h"
 #include "pipeline/stages/left_out_json.h"
 #include "pipeline/stages/lens_choice_json.h"
 #include "pipeline/stages/photograph_list.h"
@@ -18,10 +19,17 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-PoseResult find_poses(const std::vector<Photograph>& photographs, const PoseSource& source,
+PoseResult find_poses(const IngestResult& ingested, const PoseSource& source,
                       const fs::path& scratch_folder, int threads, Progress& progress) {
-    if (!source.imported_poses.empty()) return import_poses(photographs, source.imported_poses);
-    PoseResult result = estimate_poses(photographs, source.given_lens, source.options,
+    if (!source.imported_poses.empty()) {
+        PoseResult result =
+            import_poses(ingested.photographs, ingested.left_out, source.imported_poses);
+        const std::string warning = warning_of(
+            check_imported_poses(result.capture, ingested.photographs, threads, progress));
+        if (!warning.empty()) result.evidence.warnings.push_back(warning);
+        return result;
+    }
+    PoseResult result = estimate_poses(ingested.photographs, source.given_lens, source.options,
                                        scratch_folder, threads, progress);
     fs::remove_all(scratch_folder);
     return result;
@@ -115,9 +123,8 @@ Json timings_json(const PoseEvidence& evidence) {
 
 StageEvidence run_poses_stage(const fs::path& ingest_folder, const PoseSource& source,
                               const fs::path& folder, int threads, Progress& progress) {
-    const std::vector<Photograph> photographs = read_photograph_list(ingest_folder).photographs;
-    const PoseResult result =
-        find_poses(photographs, source, folder / "scratch", threads, progress);
+    const IngestResult ingested = read_photograph_list(ingest_folder);
+    const PoseResult result = find_poses(ingested, source, folder / "scratch", threads, progress);
     write_colmap_model_binary(result.capture, folder / "sparse");
     for (const std::string& warning : result.evidence.warnings) progress.note(warning);
     for (const LeftOut& left_out : result.not_registered) {
@@ -125,9 +132,10 @@ StageEvidence run_poses_stage(const fs::path& ingest_folder, const PoseSource& s
                       "): " + left_out.reason);
     }
     const fs::path pinhole_folder = folder / "pinhole";
-    write_posed_photographs(pinhole_folder,
-                            undistort(result.capture, working_copies(result.capture, photographs),
-                                      pinhole_folder, threads, progress));
+    write_posed_photographs(
+        pinhole_folder,
+        undistort(result.capture, working_copies(result.capture, ingested.photographs),
+                  pinhole_folder, threads, progress));
     return {json_text(facts_json(result)), json_text(timings_json(result.evidence))};
 }
 

@@ -23,7 +23,7 @@ class KnownPosesOfRealPhotographs : public testing::Test {
         SilentProgress progress;
         const IngestResult taken = ingest(photographs_folder() / photographs, {.max_width_px = 320},
                                           scratch_ / "copies", 0, progress);
-        return import_poses(taken.photographs, photographs_folder() / poses);
+        return import_poses(taken.photographs, {}, photographs_folder() / poses);
     }
     [[nodiscard]] Error refusal(const std::string& photographs, const std::string& poses) {
         try {

@@ -17,7 +17,7 @@ TEST(ImportPoses, AColmapModelComesBackAsItWas) {
     const ScratchFolder scratch;
     const Capture capture = truth();
     write_colmap_model_binary(capture, scratch / "sparse");
-    const PoseResult result = import_poses(photographs_of(capture), scratch / "sparse");
+    const PoseResult result = import_poses(photographs_of(capture), {}, scratch / "sparse");
     expect_poses(result.capture, capture, 1e-12);
     EXPECT_EQ(result.capture.cameras, capture.cameras);
     ASSERT_EQ(result.capture.points.size(), capture.points.size());
@@ -33,7 +33,7 @@ TEST(ImportPoses, LensesAndTracksFollowTheWorkingCopies) {
     write_colmap_model_text(capture, scratch / "sparse");
     // The model was made with 640x480; the photographs are twice that, the working copies half.
     const auto photographs = photographs_of(capture, 1280, 960, 320, 240);
-    const PoseResult result = import_poses(photographs, scratch / "sparse");
+    const PoseResult result = import_poses(photographs, {}, scratch / "sparse");
     expect_lens(result.capture.cameras.at(0), resized(true_camera(), 320, 240), 1e-12);
     EXPECT_LT(result.evidence.mean_reprojection_error_px, 1e-9);
     EXPECT_GT(result.evidence.observations, 40);
@@ -55,7 +55,7 @@ TEST(ImportPoses, MiddleburyIsCalibrationRotationTranslation) {
         text << "\n";
     }
     scratch.put_text("temple_par.txt", text.str());
-    const PoseResult result = import_poses(photographs_of(capture), scratch / "temple_par.txt");
+    const PoseResult result = import_poses(photographs_of(capture), {}, scratch / "temple_par.txt");
     expect_poses(result.capture, capture, 1e-12);
     expect_lens(result.capture.cameras.at(0), true_camera(), 1e-12);
     // The lens is for the photographs' own size: on quarter-size pictures it makes no sense.
@@ -79,7 +79,7 @@ TEST(ImportPoses, StrechaIsForItsStatedSizeAndRotatesWorldFromCamera) {
         text << axes.centre.transpose() << "\n1280 960\n";
         write_whole_text(scratch / ("cameras/" + view.name + ".camera"), text.str());
     }
-    const PoseResult result = import_poses(photographs_of(capture), scratch / "cameras");
+    const PoseResult result = import_poses(photographs_of(capture), {}, scratch / "cameras");
     expect_poses(result.capture, capture, 1e-12);
     expect_lens(result.capture.cameras.at(0), true_camera(), 1e-12);
 }
@@ -116,7 +116,7 @@ TEST(ImportPoses, NamesWhatHasNoPoseAndWhatHasNoPhotograph) {
     write_colmap_model_binary(capture, scratch / "sparse");
     auto photographs = photographs_of(capture);
     photographs[1].name = "another.jpg";
-    const PoseResult result = import_poses(photographs, scratch / "sparse");
+    const PoseResult result = import_poses(photographs, {}, scratch / "sparse");
     EXPECT_EQ(result.capture.views.size(), 3U);
     ASSERT_EQ(result.not_registered.size(), 2U);
     EXPECT_EQ(result.not_registered[0].name, "view 001.jpg");
@@ -174,6 +174,9 @@ TEST(NameMatching, FindsTheSamePhotographUnderTheNamesThatProgramsGiveIt) {
                             {"left/1.jpg", "right/1.jpg"}),
               (Matches{0, 1}));
     EXPECT_EQ(matched_names({"2021 20.23.45.jpg"}, {"20.23.45.jpg"}), (Matches{0}));
+    EXPECT_EQ(matched_names({".\\images\\left\\1.jpg", ".\\images\\right\\1.jpg"},
+                            {"left/1.jpg", "right/1.jpg"}),
+              (Matches{0, 1}));
     EXPECT_EQ(matched_names({"1.jpg"}, {"left/1.jpg", "right/1.jpg"}), (Matches{std::nullopt}));
 }
 

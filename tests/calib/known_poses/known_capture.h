@@ -41,7 +41,7 @@ inline std::vector<Photograph> photographs_of(const Capture& capture, int origin
 inline Error refusal(const std::vector<Photograph>& photographs,
                      const std::filesystem::path& poses) {
     try {
-        static_cast<void>(import_poses(photographs, poses));
+        static_cast<void>(import_poses(photographs, {}, poses));
     } catch (const Error& error) {
         return error;
     }

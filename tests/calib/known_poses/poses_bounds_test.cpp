@@ -54,12 +54,32 @@ TEST(PosesBounds, HasDownRightBackAxesAndPairsByOrder) {
     for (const std::string type : {"<f8", "<f4"}) {
         scratch.put("poses_bounds.npy", npy(type, "(3, 17)", llff_values(capture, 500)));
         const PoseResult result = import_poses(photographs_of(capture, kWidth, kHeight, 320, 240),
-                                               scratch / "poses_bounds.npy");
+                                               {}, scratch / "poses_bounds.npy");
         expect_poses(result.capture, capture, type == "<f8" ? 1e-12 : 1e-6);
         expect_lens(result.capture.cameras.at(0), pinhole_camera(320, 240, 250), 1e-12);
     }
     EXPECT_EQ(refusal(photographs_of(truth(4)), scratch / "poses_bounds.npy").code(),
               "E-IMPORT-COUNT");
+}
+
+TEST(PosesBounds, PicturesThatWereLeftOutHadPosesToo) {
+    const ScratchFolder scratch;
+    const Capture capture = truth(4);
+    scratch.put("poses_bounds.npy", npy("<f8", "(4, 17)", llff_values(capture, 500)));
+    auto photographs = photographs_of(capture);
+    const LeftOut damaged{photographs[1].name, "E-INGEST-TRUNCATED", "damaged"};
+    const LeftOut package{"a.lumi", "E-INGEST-OWN", "made by lumi"};
+    photographs.erase(photographs.begin() + 1);
+    const auto import = [&](const std::vector<LeftOut>& left_out) {
+        return import_poses(photographs, left_out, scratch / "poses_bounds.npy");
+    };
+    Capture without_damaged = capture;
+    without_damaged.views.erase(without_damaged.views.begin() + 1);
+    expect_poses(import({damaged, package}).capture, without_damaged, 1e-12);
+    // A photograph of later on beside a damaged one: as many as there are poses, of other pictures.
+    photographs.push_back(photographs.back());
+    photographs.back().name = "view 004.jpg";
+    EXPECT_THROW(static_cast<void>(import({damaged})), Error);
 }
 
 TEST(PosesBounds, RefusesArraysThatAreNotWhatTheyClaim) {

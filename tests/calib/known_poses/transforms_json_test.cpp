@@ -38,7 +38,8 @@ TEST(TransformsJson, HasOpenGlAxes) {
     const ScratchFolder scratch;
     const Capture capture = truth();
     scratch.put_text("transforms.json", transforms_json(capture, kPinholeJson));
-    const PoseResult result = import_poses(photographs_of(capture), scratch / "transforms.json");
+    const PoseResult result =
+        import_poses(photographs_of(capture), {}, scratch / "transforms.json");
     expect_poses(result.capture, capture, 1e-12);
     expect_lens(result.capture.cameras.at(0), true_camera(), 1e-12);
 }
@@ -50,7 +51,7 @@ TEST(TransformsJson, WithAnAngleOfViewUsesThePhotographsSize) {
     scratch.put_text("transforms.json",
                      transforms_json(capture, "\"camera_angle_x\": " + std::to_string(angle_rad)));
     const PoseResult result =
-        import_poses(photographs_of(capture, 1280, 960), scratch / "transforms.json");
+        import_poses(photographs_of(capture, 1280, 960), {}, scratch / "transforms.json");
     expect_lens(result.capture.cameras.at(0), pinhole_camera(kWidth, kHeight, 550), 1e-3);
 }
 
@@ -59,7 +60,7 @@ TEST(TransformsJson, KeepsTheDistortionOfEachModel) {
     const Capture capture = truth();
     const auto lens = [&](const std::string& more) {
         scratch.put_text("t.json", transforms_json(capture, std::string(kPinholeJson) + more));
-        return import_poses(photographs_of(capture), scratch / "t.json").capture.cameras.at(0);
+        return import_poses(photographs_of(capture), {}, scratch / "t.json").capture.cameras.at(0);
     };
     const auto distortion = [](const Camera& camera) {
         return std::vector<double>(camera.parameters.begin() + 4, camera.parameters.end());
@@ -82,7 +83,7 @@ TEST(TransformsJson, WithAnAngleOfViewKeepsTheRestOfTheLens) {
     const Capture capture = truth();
     const auto lens = [&](const std::string& more) {
         scratch.put_text("t.json", transforms_json(capture, R"("camera_angle_x": 1)" + more));
-        return import_poses(photographs_of(capture), scratch / "t.json").capture.cameras.at(0);
+        return import_poses(photographs_of(capture), {}, scratch / "t.json").capture.cameras.at(0);
     };
     const double focal_px = 0.5 * kWidth / std::tan(0.5);
     const Camera bent = lens(R"(, "cx": 300, "cy": 250, "k1": 0.1, "p2": 0.02)");
@@ -104,6 +105,32 @@ TEST(TransformsJson, WithAnAngleOfViewKeepsTheRestOfTheLens) {
     EXPECT_EQ(code(R"(, "cx": 700, "cy": 250)"), "E-IMPORT-SIZE");
 }
 
+TEST(TransformsJson, OfWindowsIsReadToo) {
+    const ScratchFolder scratch;
+    const Capture capture = truth();
+    std::string json = transforms_json(capture, kPinholeJson);
+    const std::string slashes = "./images/view";
+    for (auto at = json.find(slashes); at != std::string::npos; at = json.find(slashes)) {
+        json.replace(at, slashes.size(), R"(.\\images\\view)");
+    }
+    scratch.put_text("t.json", "\xEF\xBB\xBF" + json);
+    expect_poses(import_poses(photographs_of(capture), {}, scratch / "t.json").capture, capture,
+                 1e-12);
+}
+
+TEST(TransformsJson, MayNameAPhotographTwiceUnlessItContradictsItself) {
+    const ScratchFolder scratch;
+    Capture capture = truth();
+    capture.views.push_back(capture.views.front());
+    scratch.put_text("t.json", transforms_json(capture, kPinholeJson));
+    const PoseResult result = import_poses(photographs_of(truth()), {}, scratch / "t.json");
+    expect_poses(result.capture, truth(), 1e-12);
+    EXPECT_TRUE(result.not_registered.empty());
+    capture.views.back().cam_from_world.translation.x() += 1;
+    scratch.put_text("t.json", transforms_json(capture, kPinholeJson));
+    EXPECT_EQ(refusal(photographs_of(truth()), scratch / "t.json").code(), "E-IMPORT-JSON");
+}
+
 TEST(TransformsJson, RefusesHalfASize) {
     const ScratchFolder scratch;
     const Capture capture = truth(1);
@@ -122,7 +149,7 @@ TEST(TransformsJson, MayGiveALensForEachFrame) {
     json.replace(json.find(second), second.size(), second + R"(, "fl_x": 700, "fl_y": 710)");
     scratch.put_text("transforms.json", json);
     const Capture found =
-        import_poses(photographs_of(capture), scratch / "transforms.json").capture;
+        import_poses(photographs_of(capture), {}, scratch / "transforms.json").capture;
     ASSERT_EQ(found.cameras.size(), 2U);
     EXPECT_EQ(focal_length_px(camera_of(found, found.views[0])), Eigen::Vector2d(500, 510));
     EXPECT_EQ(focal_length_px(camera_of(found, found.views[1])), Eigen::Vector2d(700, 710));

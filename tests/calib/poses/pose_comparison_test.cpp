@@ -53,6 +53,20 @@ TEST(PoseComparison, FindsTheSimilarityBetweenTwoWorlds) {
     EXPECT_LT(comparison.max_rotation_deg, 1e-5);
 }
 
+TEST(PoseComparison, TwoCamerasThatNumberAlikeAreNotMixedUp) {
+    NamedPoses a;
+    NamedPoses b;
+    for (const auto& [name, pose] : truth()) {
+        const std::string half = a.size() % 2 == 0 ? "left/" : "right/";
+        const std::string number = std::to_string(a.size() / 2) + ".jpg";
+        a[half + number] = pose;
+        b["images/" + half + number] = pose;
+    }
+    const PoseComparison comparison = compare_poses(a, b);
+    EXPECT_EQ(comparison.views.size(), 8U);
+    EXPECT_LT(comparison.max_position, 1e-10);
+}
+
 TEST(PoseComparison, RotationErrorIsTheAngleByWhichACameraWasTurned) {
     NamedPoses turned = truth();
     Rigid3& pose = turned.at("view 003.jpg");
