@@ -5,12 +5,14 @@
 #include <optional>
 
 #include "meshing/warp/inverse_depth_warp.h"
+#include "meshing/warp/parallax.h"
 
 namespace lumi {
 namespace {
 
 constexpr double kMaxDisagreementPx = 1.0;
-constexpr double kMaxStepPx = 4.0;  // Disparity between neighbouring pixels of a steep floor.
+constexpr double kMaxOfFastestPx = 2.0;  // The same, as the fastest neighbour would see it.
+constexpr double kMaxStepPx = 4.0;       // Disparity between neighbouring pixels of a steep floor.
 
 /// The two directions between a view and its neighbour.
 struct RoundTrip {
@@ -18,6 +20,7 @@ struct RoundTrip {
     InverseDepthWarp there;
     InverseDepthWarp back;
     double max_step_there;  ///< Inverse depth by which pixels of one surface differ at most.
+    double max_disagreement_px;
 };
 
 /// Inverse depth at a pixel of a map: bilinear on one surface, the nearest pixel's at a jump. Empty
@@ -56,24 +59,40 @@ std::optional<double> confirmation(const RoundTrip& trip, const Eigen::Vector2d&
     if (!found) return std::nullopt;
     const Eigen::Vector3d back = trip.back(pixel_there, *found);
     if (back.z() <= 0) return std::nullopt;
-    constexpr double kMaxSquaredPx = kMaxDisagreementPx * kMaxDisagreementPx;
-    if ((back.hnormalized() - pixel).squaredNorm() > kMaxSquaredPx) return std::nullopt;
+    const double max_squared_px = trip.max_disagreement_px * trip.max_disagreement_px;
+    if ((back.hnormalized() - pixel).squaredNorm() > max_squared_px) return std::nullopt;
     return *found / back.z();
+}
+
+/// Of each of a view's neighbours, as a share of the fastest one's.
+std::vector<double> parallax_shares(const DepthScene& scene, const DepthView& view) {
+    std::vector<double> shares;
+    double fastest = 0.0;
+    for (const int j : view.neighbours) {
+        shares.push_back(
+            disparity_px_per_inverse_depth(view, scene.views[static_cast<std::size_t>(j)]));
+        fastest = std::max(fastest, shares.back());
+    }
+    for (double& share : shares) share = fastest > 0 ? share / fastest : 0.0;
+    return shares;
 }
 
 std::vector<RoundTrip> round_trips(const DepthScene& scene,
                                    const std::vector<DepthEstimate>& estimates,
                                    const DepthView& view) {
     std::vector<RoundTrip> trips;
-    for (const int j : view.neighbours) {
-        const auto index = static_cast<std::size_t>(j);
+    const std::vector<double> shares = parallax_shares(scene, view);
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        const auto index = static_cast<std::size_t>(view.neighbours[k]);
         const DepthView& other = scene.views[index];
         if (!estimates[index].needs_confirmation) continue;  // Not found from the photographs.
+        if (shares[k] < kLeastParallaxShare) continue;
         trips.push_back(
             {&estimates[index].map,
              warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world),
              warp_b_from_a(other.camera, other.cam_from_world, view.camera, view.cam_from_world),
-             kMaxStepPx / other.disparity_px_per_inverse_depth});
+             kMaxStepPx / other.disparity_px_per_inverse_depth,
+             std::min(kMaxDisagreementPx, kMaxOfFastestPx * shares[k])});
     }
     return trips;
 }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMostAsked = 32;
 constexpr int kLeastAgainst = 2;
+constexpr int kMostSteps = 4096;  // Along a ray, each way.
 
 /// Whether nothing of the scene is within a pixel.
 bool is_surely_background(const GrayImage& mask, int x, int y) {
@@ -93,15 +94,18 @@ void VisualHull::move_fills_inside(int view_index, DepthMap& map) const {
     const DepthView& view = scene_.views[index];
     const GrayImage& mask = masks_[index];
     if (mask.empty() || view.disparity_px_per_inverse_depth <= 0) return;
-    const auto step = static_cast<float>(1 / view.disparity_px_per_inverse_depth);
     const auto far = static_cast<float>(view.range.far);
     const auto near = static_cast<float>(view.range.near);
+    const float step = std::max(static_cast<float>(1 / view.disparity_px_per_inverse_depth),
+                                (near - far) / kMostSteps);
+    const auto steps = static_cast<int>((near - far) / step);
     const Rays rays(*this, view_index);
     const auto moved = [&](int x, int y, float filled) {
         const auto is_inside = [&](float q) {
             return q >= far && q <= near && !rays.is_outside(x, y, q);
         };
-        for (float way = step; way <= near - far; way += step) {
+        for (int k = 1; k <= steps; ++k) {
+            const float way = static_cast<float>(k) * step;
             if (is_inside(filled - way)) return filled - way;
             if (is_inside(filled + way)) return filled + way;
         }

@@ -24,8 +24,8 @@ class VisualHull {
     void take_claims_outside(int view_index, DepthMap& map) const;
 
     /// What belongs to the scene, is not known, and would be outside as it was filled, gets the
-    /// nearest inverse depth in the view's range, in steps of a pixel of disparity, at which it is
-    /// not; or stays, where there is none.
+    /// nearest inverse depth in the view's range, in steps of a pixel of disparity (or of a 4096th
+    /// of the range, if that is more), at which it is not; or stays, where there is none.
     void move_fills_inside(int view_index, DepthMap& map) const;
 
  private:

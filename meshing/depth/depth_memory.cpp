@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "calib/work/error.h"
+#include "meshing/matching/sweep_search.h"
 
 namespace lumi {
 namespace {
@@ -20,11 +21,10 @@ constexpr double kDistance = 2.5;
 constexpr double kFilling = 76;
 
 // A view that is matched takes its pictures, and so much for each plane that a pixel is compared
-// at; see kMaxCells of the sweep for the bound.
+// at, as far as the sweep may.
 constexpr double kPictures = 37;
 constexpr double kPlanes = 52;
 constexpr double kPlane = 3;
-constexpr double kMaxMatching = 3.0 * (std::uint64_t{96} << 20);
 // Planes, costs and packed neighbours of PatchMatch, which begins when the sweep's pictures are
 // gone.
 constexpr double kRefining = 52;
@@ -35,7 +35,8 @@ bool refines(const std::string& model) {
 }
 
 double matching_of(double pixels, const std::string& model) {
-    const double cells = std::min(kMaxMatching, kPlanes * kPlane * pixels);
+    const auto allowed = static_cast<double>(sweep_cells_allowed(static_cast<std::size_t>(pixels)));
+    const double cells = kPlane * std::min(allowed, kPlanes * pixels);
     if (model == "sweep") return kPictures * pixels + cells;
     if (refines(model)) return std::max(kPictures, kRefining) * pixels + cells;
     if (model == "pair_stereo") return kPair * pixels;

@@ -131,19 +131,20 @@ Recession fill_recession(const DepthScene& scene, const std::vector<GrayImage>& 
 }
 
 void fill_unknown_depth(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
-                        int view_index, double recession_px, DepthMap& map) {
+                        int view_index, double recession_px, DepthMap& map, bool is_exact) {
     const Continuation continuation = continued(scene, confirmed_maps, view_index, map);
     finish_continued_depth(scene.views[static_cast<std::size_t>(view_index)], continuation,
-                           recession_px, map);
+                           recession_px, map, is_exact);
 }
 
 void finish_continued_depth(const DepthView& view, const Continuation& continuation,
-                            double recession_px, DepthMap& map) {
+                            double recession_px, DepthMap& map, bool is_exact) {
     const double one_pixel = one_pixel_of(view);
+    const GrayImage given = is_exact ? map.confidence : GrayImage{};
     trust(Continuation::kAgreed, continuation.told, map);
     recede(recession_px, one_pixel, continuation.distance_px, map);
     smooth_filled_depth(map, view.photograph, one_pixel);
-    snap_edges(map, view.photograph, one_pixel);
+    snap_edges(map, view.photograph, one_pixel, given);
     trust(Continuation::kHides, continuation.told, map);
 }
 

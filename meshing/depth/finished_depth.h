@@ -52,12 +52,12 @@ struct Recession {
 /// it; or it is filled along the photograph's edges from what is known around it, or recedes from
 /// it by `recession_px`. Of what was filled, Continuation::kHides has confidence 128,
 /// too. What is known ends where the photograph does (depth_of_others.h,
-/// edge_aware_fill.h, edge_snapping.h).
+/// edge_aware_fill.h, edge_snapping.h), unless it `is_exact` (depth_estimate.h): then it stays.
 void fill_unknown_depth(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
-                        int view_index, double recession_px, DepthMap& map);
+                        int view_index, double recession_px, DepthMap& map, bool is_exact = false);
 
 /// The same of a map that is continued already.
 void finish_continued_depth(const DepthView& view, const Continuation& continuation,
-                            double recession_px, DepthMap& map);
+                            double recession_px, DepthMap& map, bool is_exact = false);
 
 }  // namespace lumi

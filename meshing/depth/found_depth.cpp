@@ -167,9 +167,9 @@ void finish(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps
     evidence.model = estimate.model;
     evidence.confident_share = confident_share(map);
     if (!continuation.distance_px.empty()) {
-        finish_continued_depth(view, continuation, recession_px, map);
+        finish_continued_depth(view, continuation, recession_px, map, estimate.is_exact);
     } else if (!estimate.is_complete) {
-        fill_unknown_depth(scene, confirmed_maps, view_index, recession_px, map);
+        fill_unknown_depth(scene, confirmed_maps, view_index, recession_px, map, estimate.is_exact);
     }
     // After filling: what belongs to the scene is not continued from what does not.
     evidence.background_share = subject.separate_from_background(view_index, estimate, map);

@@ -19,13 +19,17 @@ const DepthView& view_of(const DepthScene& scene, int view_index) {
     return scene.views[static_cast<std::size_t>(view_index)];
 }
 
+/// Of geometry made elsewhere.
+DepthEstimate exact(DepthMap map, const std::string& model) {
+    return {.map = std::move(map), .model = model, .is_exact = true};
+}
+
 class ImportedModel final : public DepthModel {
  public:
     ImportedModel(std::filesystem::path folder, double png_unit)
         : folder_(std::move(folder)), png_unit_(png_unit) {}
     [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
-        return {imported_depth(view_of(scene, view_index), folder_, png_unit_), "imported", false,
-                false};
+        return exact(imported_depth(view_of(scene, view_index), folder_, png_unit_), "imported");
     }
     [[nodiscard]] std::string begins_as() const override { return "imported"; }
 
@@ -38,7 +42,7 @@ class MeshModel final : public DepthModel {
  public:
     explicit MeshModel(TriangleMesh mesh) : mesh_(std::move(mesh)) {}
     [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
-        return {mesh_depth(view_of(scene, view_index), mesh_), "mesh", false, false};
+        return exact(mesh_depth(view_of(scene, view_index), mesh_), "mesh");
     }
     [[nodiscard]] std::string begins_as() const override { return "mesh"; }
 
@@ -50,7 +54,7 @@ class VolumeModel final : public DepthModel {
  public:
     explicit VolumeModel(BinaryVolume volume) : caster_(std::move(volume)) {}
     [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
-        return {caster_.depth(view_of(scene, view_index)), "volume", false, false};
+        return exact(caster_.depth(view_of(scene, view_index)), "volume");
     }
     [[nodiscard]] std::string begins_as() const override { return "volume"; }
 

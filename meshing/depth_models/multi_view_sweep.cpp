@@ -2,22 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <opencv2/imgproc.hpp>
 
 #include "calib/capture/gray.h"
 #include "meshing/depth_models/sparse_depth.h"
 #include "meshing/matching/cost_volume.h"
 #include "meshing/matching/semi_global_matching.h"
+#include "meshing/matching/sweep_search.h"
 #include "meshing/matching/tile_search.h"
 
 namespace lumi {
 namespace {
-
-constexpr int kCountUnit = 8;  // The path kernel works on this many planes at a time.
-constexpr std::size_t kMaxCells = std::size_t{96} << 20;
-constexpr std::size_t kMaxCellsPerPixel = 64;
-constexpr std::size_t kFreeCells = std::size_t{4} << 20;  // Of small pictures.
 
 int level_count(const Camera& camera) {
     constexpr int kMinWidth = 120;
@@ -64,85 +59,6 @@ SweepView at_level(const GrayView& full, int level) {
     return {resized(view.camera, width, height), view.cam_from_world, std::move(small)};
 }
 
-/// Planes `spacing_px` of disparity apart over the view's range, or farther: integers count them.
-SweepPlanes planes_over(const DepthView& view, double level_scale, double spacing_px) {
-    constexpr double kMostPlanes = 1 << 24;
-    const double span = view.range.near - view.range.far;
-    const double step = std::max(spacing_px / (view.disparity_px_per_inverse_depth * level_scale),
-                                 span / kMostPlanes);
-    const int needed = static_cast<int>(std::ceil(span / step)) + 1;
-    const int units = std::max(1, (needed + kCountUnit - 1) / kCountUnit);
-    return {view.range.far, step, units * kCountUnit};
-}
-
-/// The planes of a tile, rounded up to whole units within the sweep.
-TilePlanes planes_of(const InverseDepthRange& range, const Eigen::Vector2d& slope,
-                     const SweepPlanes& planes, double margin) {
-    const double low = std::floor(planes.plane_at(range.far) - margin);
-    const double high = std::ceil(planes.plane_at(range.near) + margin);
-    const auto first = static_cast<int>(std::clamp(low, 0.0, planes.count - 1.0));
-    const auto last = static_cast<int>(std::clamp(high, 1.0 * first, planes.count - 1.0));
-    const int units = (last - first + kCountUnit) / kCountUnit;
-    const int spare = units * kCountUnit - (last - first + 1);
-    const int begin = std::clamp(first - spare / 2, 0, planes.count - units * kCountUnit);
-    return {begin, units * kCountUnit, slope / planes.step};
-}
-
-std::size_t cells_of(const std::vector<TilePlanes>& tiles) {
-    std::size_t cells = 0;
-    for (const TilePlanes& tile : tiles) {
-        cells += static_cast<std::size_t>(tile.count) * kTileSide * kTileSide;
-    }
-    return cells;
-}
-
-struct Search {
-    SweepPlanes planes;
-    std::vector<TilePlanes> tiles;
-};
-
-std::size_t cells_allowed(std::size_t tiles) {
-    return std::clamp(tiles * kTileSide * kTileSide * kMaxCellsPerPixel, kFreeCells, kMaxCells);
-}
-
-/// Leaves the widest tiles their cores until `allowed` cells are enough, or all have.
-void narrow(const std::vector<TilePlanes>& cores, std::size_t allowed,
-            std::vector<TilePlanes>& tiles) {
-    std::vector<std::size_t> order(tiles.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto saved = [&](std::size_t i) { return tiles[i].count - cores[i].count; };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return saved(a) > saved(b); });
-    std::size_t cells = cells_of(tiles);
-    for (const std::size_t i : order) {
-        if (cells <= allowed || saved(i) <= 0) return;
-        cells -= static_cast<std::size_t>(saved(i)) * kTileSide * kTileSide;
-        tiles[i] = cores[i];
-    }
-}
-
-/// Where one level looks: as far around what was found, and then in as fine steps, as the memory
-/// allows.
-Search search_of(const DepthView& view, double level_scale, double spacing_px,
-                 const std::vector<TileSurface>& surfaces) {
-    constexpr double kMarginPx = 2.0;
-    constexpr double kCoarser = 1.25;
-    const std::size_t allowed = cells_allowed(surfaces.size());
-    for (;; spacing_px *= kCoarser) {
-        Search search{planes_over(view, level_scale, spacing_px), {}};
-        const double margin = std::max(2.0, kMarginPx / spacing_px);
-        std::vector<TilePlanes> cores;
-        for (const TileSurface& surface : surfaces) {
-            search.tiles.push_back(
-                planes_of(surface.at_centre, surface.slope, search.planes, margin));
-            cores.push_back(planes_of(surface.core, surface.slope, search.planes, margin));
-        }
-        narrow(cores, allowed, search.tiles);
-        const bool is_coarsest = search.planes.count == kCountUnit;
-        if (is_coarsest || cells_of(search.tiles) <= allowed) return search;
-    }
-}
-
 /// 255 where the chosen planes fit, and better than the others do by more than noise; both on
 /// average over a small window.
 GrayImage told_apart(const GrayImage& mean_costs, const GrayImage& chosen_costs) {
@@ -170,14 +86,17 @@ GrayImage told_apart(const GrayImage& mean_costs, const GrayImage& chosen_costs)
     return result;
 }
 
+/// `coarser`: what the level before found; of the coarsest, nothing.
 DepthMap match_level(const Compared& compared, int level, const std::vector<TileSurface>& surfaces,
-                     SweepMemory& memory) {
+                     const DepthMap& coarser, SweepMemory& memory) {
     const DepthView& view = *compared.own.view;
     const SweepView own = at_level(compared.own, level);
     std::vector<SweepView> others;
     for (const GrayView& other : compared.others) others.push_back(at_level(other, level));
     const double level_scale = static_cast<double>(own.camera.width_px) / view.camera.width_px;
-    Search search = search_of(view, level_scale, level == 0 ? 0.75 : 1.0, surfaces);
+    const bool has_coarser = !coarser.confidence.empty();
+    SweepSearch search =
+        sweep_search(view, level_scale, level == 0 ? 0.75 : 1.0, surfaces, has_coarser);
     CostVolume volume =
         sweep_costs(own, others, search.planes, std::move(search.tiles), std::move(memory.costs));
     MatchedPlanes matched =
@@ -187,7 +106,9 @@ DepthMap match_level(const Compared& compared, int level, const std::vector<Tile
         const double inverse_depth = search.planes.inverse_depth(static_cast<double>(plane));
         plane = static_cast<float>(std::max(0.0, inverse_depth));
     }
-    return {std::move(matched.plane), told_apart(volume.mean_seen_costs(), matched.cost)};
+    DepthMap found{std::move(matched.plane), told_apart(volume.mean_seen_costs(), matched.cost)};
+    if (search.keeps_coarser) keep_beyond_planes(volume, search.planes, coarser, found);
+    return found;
 }
 
 /// A smooth texture tells little on the finest level, whose ranges are narrow, but much on a
@@ -221,13 +142,14 @@ DepthMap match_coarsest(const Compared& compared, int level, SweepMemory& memory
     const int width = view.camera.width_px >> level;
     const int height = view.camera.height_px >> level;
     const double one_pixel = one_pixel_at(view, static_cast<double>(width) / view.camera.width_px);
-    DepthMap found = match_level(
-        compared, level, search_whole_range(view.range, width, height, slope_guide(view)), memory);
+    DepthMap found =
+        match_level(compared, level,
+                    search_whole_range(view.range, width, height, slope_guide(view)), {}, memory);
     for (int round = 0; round < kRounds; ++round) {
         std::vector<TileSurface> surfaces =
             search_around(found.inverse_depth, width, height, kFollowPx * one_pixel);
         for (TileSurface& surface : surfaces) surface.at_centre = surface.core = view.range;
-        found = match_level(compared, level, surfaces, memory);
+        found = match_level(compared, level, surfaces, {}, memory);
     }
     return found;
 }
@@ -243,7 +165,7 @@ DepthMap match_finer(const Compared& compared, int level, const DepthMap& coarse
     std::vector<TileSurface> surfaces =
         search_around(coarser.inverse_depth, width, height, kFollowPx * one_pixel_at(view, scale));
     include_points(view, scale, width, surfaces);
-    DepthMap finer = match_level(compared, level, surfaces, memory);
+    DepthMap finer = match_level(compared, level, surfaces, coarser, memory);
     add_coarser(finer.confidence, coarser.confidence);
     return finer;
 }

@@ -33,9 +33,8 @@ class SweepMemoryPool {
 /// apart in the fastest-moving neighbour, three quarters of one on the finest level.
 ///
 /// Confidence is 255 where the photographs tell one depth from another and 0 where any would do;
-/// whether other views agree is not asked here. Memory: at most 3 bytes for each of 64 cells a
-/// pixel, and of 96 million; where more are needed, the tiles with the widest ranges are searched
-/// around most of what was found in them, and if that is not enough, all in coarser steps.
+/// whether other views agree is not asked here. Memory: 3 bytes for each of so many costs as
+/// sweep_cells_allowed (sweep_search.h) says; where more are needed, less is searched.
 [[nodiscard]] DepthMap multi_view_sweep(const DepthScene& scene, int view_index,
                                         SweepMemory& memory);
 

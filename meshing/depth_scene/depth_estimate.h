@@ -15,6 +15,9 @@ struct DepthEstimate {
     bool needs_confirmation = false;
     /// True when the map says something of every pixel, also where its confidence is 0.
     bool is_complete = false;
+    /// True when what the map knows is given, not found: it then stays as it is, to the pixel, and
+    /// only what is unknown is filled.
+    bool is_exact = false;
 };
 
 }  // namespace lumi

@@ -3,10 +3,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "calib/work/median.h"
+#include "meshing/warp/parallax.h"
 
 namespace lumi {
 namespace {
@@ -24,23 +24,16 @@ std::vector<double> inverse_depths_inside(const DepthScene& scene, const DepthVi
     return inverse_depths;
 }
 
-/// Median over the views of the distance to the nearest other centre; coincident ones do not count.
+/// Median over the views of the distance to the nearest other centre that has parallax.
 double typical_baseline(const DepthScene& scene) {
     std::vector<Eigen::Vector3d> centres;
     for (const DepthView& view : scene.views) {
         centres.push_back(centre_in_world(view.cam_from_world));
     }
-    double extent = 0;
-    for (const Eigen::Vector3d& centre : centres) {
-        extent = std::max(extent, (centre - centres.front()).norm());
-    }
     std::vector<double> nearest;
-    for (const Eigen::Vector3d& a : centres) {
-        double distance = std::numeric_limits<double>::infinity();
-        for (const Eigen::Vector3d& b : centres) {
-            if ((a - b).norm() > 1e-6 * extent) distance = std::min(distance, (a - b).norm());
-        }
-        if (std::isfinite(distance)) nearest.push_back(distance);
+    for (const Eigen::Vector3d& centre : centres) {
+        const double distance = nearest_baseline(centre, centres);
+        if (distance > 0) nearest.push_back(distance);
     }
     return quantile_of(std::move(nearest), 0.5);
 }

@@ -66,26 +66,30 @@ void place_points_in_views(DepthScene& scene) {
 }
 
 double fastest_disparity(const DepthScene& scene, const DepthView& view) {
-    constexpr int kSide = 7;
     double fastest = 0.0;
     for (const int j : view.neighbours) {
-        const DepthView& other = scene.views[static_cast<std::size_t>(j)];
-        const InverseDepthWarp warp =
-            warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world);
-        std::vector<double> disparities;
-        for (int i = 0; i < kSide * kSide; ++i) {
-            const Eigen::Vector2d pixel((i % kSide + 0.5) * view.camera.width_px / kSide,
-                                        (i / kSide + 0.5) * view.camera.height_px / kSide);
-            const double middle = 0.5 * (view.range.far + view.range.near);
-            disparities.push_back(disparity_per_inverse_depth(
-                warp, pixel, comparable_inverse_depth(warp, pixel, middle)));
-        }
-        fastest = std::max(fastest, median_of(std::move(disparities)));
+        fastest = std::max(fastest, disparity_px_per_inverse_depth(
+                                        view, scene.views[static_cast<std::size_t>(j)]));
     }
     return fastest;
 }
 
 }  // namespace
+
+double disparity_px_per_inverse_depth(const DepthView& view, const DepthView& other) {
+    constexpr int kSide = 7;
+    const InverseDepthWarp warp =
+        warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world);
+    std::vector<double> disparities;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const Eigen::Vector2d pixel((i % kSide + 0.5) * view.camera.width_px / kSide,
+                                    (i / kSide + 0.5) * view.camera.height_px / kSide);
+        const double middle = 0.5 * (view.range.far + view.range.near);
+        disparities.push_back(disparity_per_inverse_depth(
+            warp, pixel, comparable_inverse_depth(warp, pixel, middle)));
+    }
+    return median_of(std::move(disparities));
+}
 
 Camera at_depth_map_size(const Camera& camera, int max_width_px) {
     if (camera.width_px <= max_width_px) return camera;

@@ -65,4 +65,8 @@ struct DepthSceneOptions {
                                           const DepthSceneOptions& options, int threads,
                                           Progress& progress);
 
+/// How far `other` sees a pixel of `view` move, per unit of inverse depth (median over the
+/// picture).
+[[nodiscard]] double disparity_px_per_inverse_depth(const DepthView& view, const DepthView& other);
+
 }  // namespace lumi

@@ -116,14 +116,16 @@ std::optional<std::array<int, 2>> better_source(const DepthMap& map, const Color
 
 }  // namespace
 
-void snap_edges(DepthMap& map, const ColorImage& photograph, double one_pixel) {
+void snap_edges(DepthMap& map, const ColorImage& photograph, double one_pixel,
+                const GrayImage& kept) {
+    if (one_pixel <= 0) return;
     const float jump = kJumpPx * static_cast<float>(one_pixel);
     const GrayImage band = band_of_jumps(map.inverse_depth, jump);
     const Extremes extremes = extremes_of(map.inverse_depth);
     const DepthMap before = map;
     for (int y = 0; y < map.confidence.height(); ++y) {
         for (int x = 0; x < map.confidence.width(); ++x) {
-            if (band(x, y) == 0) continue;
+            if (band(x, y) == 0 || (!kept.empty() && kept(x, y) != 0)) continue;
             const float nearest = extremes.nearest(x, y);
             const float farthest = extremes.farthest(x, y);
             const auto source =

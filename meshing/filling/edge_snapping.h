@@ -14,7 +14,10 @@ namespace lumi {
 /// nearest pixel that voted for it. Pixels away from jumps stay.
 ///
 /// A jump is more than three times `one_pixel`, the inverse depth that makes one pixel of
-/// disparity.
-void snap_edges(DepthMap& map, const ColorImage& photograph, double one_pixel);
+/// disparity. Where that is 0, no depth is known to jump, and all pixels stay.
+///
+/// So do those that `kept` has other than 0 (of the map's size; empty: none).
+void snap_edges(DepthMap& map, const ColorImage& photograph, double one_pixel,
+                const GrayImage& kept = {});
 
 }  // namespace lumi

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <vector>
 
+#include "meshing/exposure/color_match.h"
 #include "meshing/warp/instruction_sets.h"
 
 namespace lumi {
@@ -23,9 +23,7 @@ class EdgeWeights {
         }
     }
     [[nodiscard]] float between(const Rgb8& a, const Rgb8& b) const {
-        const int difference =
-            std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
-        return table_[static_cast<std::size_t>(difference)];
+        return table_[static_cast<std::size_t>(largest_difference(a, b))];
     }
 
  private:

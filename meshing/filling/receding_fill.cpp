@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 
 #include "calib/pictures/image_io.h"
+#include "meshing/exposure/color_match.h"
 #include "meshing/warp/inverse_depth_warp.h"
 #include "meshing/warp/pixel_in_picture.h"
 
@@ -37,10 +37,6 @@ struct Witness {
     double tolerance;  ///< Inverse depth within which surfaces are the same.
 };
 
-double color_difference(const Rgb8& a, const Rgb8& b) {
-    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
-}
-
 /// How far the colour of a pixel is from what the neighbour sees at this inverse depth, in 8-bit
 /// levels; empty where it cannot tell. What it knows to be empty there is another colour.
 std::optional<double> difference_in(const Witness& witness, const Eigen::Vector2d& pixel,
@@ -59,7 +55,7 @@ std::optional<double> difference_in(const Witness& witness, const Eigen::Vector2
     }
     const int x = std::min(found->x() / kCell, witness.picture.width() - 1);
     const int y = std::min(found->y() / kCell, witness.picture.height() - 1);
-    return std::min(kOtherColor, color_difference(color, witness.picture(x, y)));
+    return std::min(kOtherColor, 1.0 * largest_difference(color, witness.picture(x, y)));
 }
 
 /// Adds the differences in one neighbour, if it can tell at every slope.

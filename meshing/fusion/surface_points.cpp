@@ -8,6 +8,7 @@
 #include "calib/work/parallel_for.h"
 #include "meshing/fusion/surface_grid.h"
 #include "meshing/warp/inverse_depth_warp.h"
+#include "meshing/warp/parallax.h"
 #include "meshing/warp/pixel_in_picture.h"
 
 namespace lumi {
@@ -19,17 +20,8 @@ constexpr std::uint8_t kAgreed = 128;
 
 /// The camera of a view's depth map.
 Camera depth_camera(const PicturedView& view) {
-    const Camera& camera = view.camera;
-    const int width = view.depth->inverse_depth.width();
-    const int height = view.depth->inverse_depth.height();
-    const double scale_x = static_cast<double>(width) / camera.width_px;
-    const double scale_y = static_cast<double>(height) / camera.height_px;
-    const Eigen::Vector2d focal = focal_length_px(camera);
-    const Eigen::Vector2d centre = principal_point_px(camera);
-    return {width,
-            height,
-            LensModel::kPinhole,
-            {focal.x() * scale_x, focal.y() * scale_y, centre.x() * scale_x, centre.y() * scale_y}};
+    const FloatImage& inverse_depth = view.depth->inverse_depth;
+    return resized(view.camera, inverse_depth.width(), inverse_depth.height());
 }
 
 struct Neighbour {
@@ -39,6 +31,7 @@ struct Neighbour {
     double distance = 0.0;  ///< Between the cameras, world units.
 };
 
+/// Of those that have parallax.
 std::vector<Neighbour> nearest_neighbours(const std::vector<PicturedView>& views,
                                           std::size_t index) {
     const Eigen::Vector3d centre = centre_in_world(views[index].cam_from_world);
@@ -52,16 +45,19 @@ std::vector<Neighbour> nearest_neighbours(const std::vector<PicturedView>& views
     });
     std::stable_sort(others.begin(), others.end(),
                      [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
-    others.resize(std::min(others.size(), kMaxNeighbours));
+    others.resize(std::min(others.size(), 2 * kMaxNeighbours));
+    std::vector<double> distances;
+    for (const std::size_t other : others) distances.push_back(distance(other));
     std::vector<Neighbour> neighbours;
     const Camera own = depth_camera(views[index]);
-    for (const std::size_t other : others) {
+    for (const std::size_t k : with_parallax(distances, kMaxNeighbours)) {
+        const std::size_t other = others[k];
         const Camera camera = depth_camera(views[other]);
         neighbours.push_back(
             {views[other].depth,
              warp_b_from_a(own, views[index].cam_from_world, camera, views[other].cam_from_world),
              warp_b_from_a(camera, views[other].cam_from_world, own, views[index].cam_from_world),
-             distance(other)});
+             distances[k]});
     }
     return neighbours;
 }

@@ -32,13 +32,13 @@ struct SurfacePoints {
     double spacing_px = 0.0;             ///< As it came out.
 };
 
-/// Points from the depth of all views. A pixel counts where enough of the nearest views, when asked
-/// at the place that it has there, send it back to within a pixel of itself, and more of them than
-/// see through it; it is put where these views have it on average. Pixels that are seen at a slant
-/// of more than 80 degrees lie at the edge of something, between two surfaces. What falls into one
-/// cell of a grid is averaged; cells grow with the distance to the nearest camera, and faster where
-/// depth is less certain than pixels are wide, so that layers of noise do not become surfaces. The
-/// same points for any number of threads.
+/// Points from the depth of all views. A pixel counts where enough of the nearest views that have
+/// parallax (parallax.h), when asked at the place that it has there, send it back to within a pixel
+/// of itself, and more of them than see through it; it is put where these views have it on average.
+/// Pixels that are seen at a slant of more than 80 degrees lie at the edge of something, between
+/// two surfaces. What falls into one cell of a grid is averaged; cells grow with the distance to
+/// the nearest camera, and faster where depth is less certain than pixels are wide, so that layers
+/// of noise do not become surfaces. The same points for any number of threads.
 [[nodiscard]] SurfacePoints surface_points(const std::vector<PicturedView>& views,
                                            const SurfacePointOptions& options, int threads,
                                            Progress& progress);

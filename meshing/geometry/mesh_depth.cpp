@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
@@ -61,18 +64,31 @@ std::vector<Eigen::Vector3d> clipped(const std::array<Eigen::Vector3d, 3>& trian
     return polygon;
 }
 
+/// Where triangles are cut off before the camera: a millionth of the median depth of the corners
+/// ahead, which one stray vertex does not move. 0 where none is ahead.
+double near_plane(const std::vector<Eigen::Vector3d>& in_cam, const TriangleMesh& mesh) {
+    constexpr double kNearShare = 1e-6;
+    std::vector<bool> is_corner(in_cam.size());
+    for (const auto& face : mesh.faces) {
+        for (const std::uint32_t corner : face) is_corner[corner] = true;
+    }
+    std::vector<double> depths;
+    for (std::size_t i = 0; i < in_cam.size(); ++i) {
+        if (is_corner[i] && in_cam[i].z() > 0) depths.push_back(in_cam[i].z());
+    }
+    return kNearShare * median_of(std::move(depths));
+}
+
 }  // namespace
 
 DepthMap mesh_depth(const DepthView& view, const TriangleMesh& mesh) {
     DepthMap map{FloatImage(view.camera.width_px, view.camera.height_px),
                  GrayImage(view.camera.width_px, view.camera.height_px)};
     std::vector<Eigen::Vector3d> in_cam;
-    double farthest = 0;
     for (const Eigen::Vector3d& vertex : mesh.vertices) {
         in_cam.push_back(view.cam_from_world * vertex);
-        farthest = std::max(farthest, in_cam.back().z());
     }
-    const double near = 1e-6 * farthest;
+    const double near = near_plane(in_cam, mesh);
     if (near <= 0) return map;
     for (const auto& face : mesh.faces) {
         const std::vector<Eigen::Vector3d> polygon =

@@ -1,31 +1,29 @@
 #include "meshing/geometry/triangle_mesh_writing.h"
 
 #include <bit>
-#include <cfloat>
 #include <string>
 
 #include "calib/work/whole_file.h"
+#include "meshing/surface/places_in_floats.h"
 
 namespace lumi {
 namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-/// Whether floats hold places to a thousandth of the triangles' sides, on average.
-bool floats_hold_places(const TriangleMesh& mesh) {
-    constexpr double kHeldShare = 1e-3;
-    constexpr double kRoundingShare = 0.5 * static_cast<double>(FLT_EPSILON);
-    double errors = 0;
+/// To a thousandth of the triangles' sides, on average.
+bool floats_hold_places_of(const TriangleMesh& mesh) {
+    double distances = 0;
     double lengths = 0;
     for (const auto& face : mesh.faces) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const Eigen::Vector3d& a = mesh.vertices[face[corner]];
             const Eigen::Vector3d& b = mesh.vertices[face[(corner + 1) % 3]];
-            errors += kRoundingShare * a.norm();
+            distances += a.norm();
             lengths += (b - a).norm();
         }
     }
-    return errors <= kHeldShare * lengths;
+    return floats_hold_places(distances, lengths);
 }
 
 }  // namespace
@@ -35,7 +33,7 @@ void write_triangle_mesh_ply(const std::filesystem::path& path, const TriangleMe
     const bool has_colors = mesh.colors.size() == mesh.vertices.size();
     std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " +
                          std::to_string(mesh.vertices.size());
-    const bool are_floats = floats_hold_places(mesh);
+    const bool are_floats = floats_hold_places_of(mesh);
     for (const char* axis : {"x", "y", "z"}) {
         header += std::string("\nproperty ") + (are_floats ? "float " : "double ") + axis;
     }

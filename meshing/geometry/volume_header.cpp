@@ -126,6 +126,15 @@ std::size_t for_each_line(std::string_view text, const fs::path& path, const Lin
     refuse_volume(path, "its header does not end");
 }
 
+/// Of a NRRD's "endian".
+bool is_big(const std::string& endian, const fs::path& path) {
+    const std::string order = lower_case(endian);
+    if (order != "big" && order != "little") {
+        refuse_volume(path, "\"endian\": expected big or little, found " + endian);
+    }
+    return order == "big";
+}
+
 VolumeHeader parse_nrrd(std::string_view text, const fs::path& path) {
     Fields fields(path);
     VolumeHeader header;
@@ -148,7 +157,7 @@ VolumeHeader parse_nrrd(std::string_view text, const fs::path& path) {
     for (const char* skipped : {"lineskip", "byteskip"}) fields.expect_if_there(skipped, "0");
     header.size = cells_along_axes(fields, "sizes", path);
     header.type = type_named(fields.text("type"), path);
-    if (bytes_of(header.type) > 1) header.is_big_endian = fields.text("endian") == "big";
+    if (bytes_of(header.type) > 1) header.is_big_endian = is_big(fields.text("endian"), path);
     const std::string encoding = lower_case(fields.text("encoding"));
     header.is_compressed = encoding == "gzip" || encoding == "gz";
     if (!header.is_compressed && encoding != "raw") refuse_volume(path, "encoding " + encoding);

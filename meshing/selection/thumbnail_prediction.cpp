@@ -11,6 +11,7 @@
 #include "calib/pictures/image_io.h"
 #include "calib/work/median.h"
 #include "meshing/warp/inverse_depth_warp.h"
+#include "meshing/warp/parallax.h"
 
 namespace lumi {
 namespace {
@@ -50,18 +51,14 @@ void splat(FloatImage& nearest, const Eigen::Vector2d& place, float inverse_dept
 }
 
 /// The median over the views of what `kSameSurfacePx` pixels are worth, seen from the nearest other
-/// camera; infinite when all stand on one spot.
+/// camera that has parallax; infinite when all stand on one spot.
 double inverse_depth_of_same_surface(const std::vector<PicturedView>& views, double scale) {
+    std::vector<Eigen::Vector3d> centres;
+    for (const PicturedView& view : views) centres.push_back(centre_in_world(view.cam_from_world));
     std::vector<double> steps;
     for (const PicturedView& view : views) {
-        double nearest = std::numeric_limits<double>::infinity();
-        for (const PicturedView& other : views) {
-            const double distance =
-                (centre_in_world(view.cam_from_world) - centre_in_world(other.cam_from_world))
-                    .norm();
-            if (distance > 0) nearest = std::min(nearest, distance);
-        }
-        if (!std::isfinite(nearest)) continue;
+        const double nearest = nearest_baseline(centre_in_world(view.cam_from_world), centres);
+        if (nearest <= 0) continue;
         steps.push_back(kSameSurfacePx / (scale * nearest * focal_length_px(view.camera).x()));
     }
     return median_of(std::move(steps), std::numeric_limits<double>::infinity());

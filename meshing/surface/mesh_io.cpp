@@ -296,22 +296,4 @@ CameraMesh parse_camera_mesh_ply(const Bytes& bytes, const std::filesystem::path
     return mesh;
 }
 
-Bytes points_ply(const std::vector<ScenePoint>& points) {
-    std::ostringstream header;
-    header << "ply\nformat binary_little_endian 1.0\ncomment lumi scene points\nelement vertex "
-           << points.size()
-           << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
-              "property uchar green\nproperty uchar blue\nend_header\n";
-    Bytes bytes = header_bytes(header.str());
-    for (const ScenePoint& point : points) {
-        for (int axis = 0; axis < 3; ++axis) {
-            put(bytes, static_cast<float>(point.position_in_world[axis]));
-        }
-        put(bytes, point.color.r);
-        put(bytes, point.color.g);
-        put(bytes, point.color.b);
-    }
-    return bytes;
-}
-
 }  // namespace lumi

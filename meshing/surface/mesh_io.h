@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "calib/capture/capture.h"
 #include "calib/work/whole_file.h"
 #include "meshing/surface/camera_mesh.h"
 
@@ -19,8 +18,5 @@ void write_camera_mesh_ply(const std::filesystem::path& path, const CameraMesh& 
 [[nodiscard]] Bytes camera_mesh_ply(const CameraMesh& mesh);
 [[nodiscard]] CameraMesh parse_camera_mesh_ply(const Bytes& bytes,
                                                const std::filesystem::path& path);
-
-/// Scene points with colours, without their tracks.
-[[nodiscard]] Bytes points_ply(const std::vector<ScenePoint>& points);
 
 }  // namespace lumi

@@ -7,6 +7,7 @@
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/exposure/shared_colors.h"
+#include "meshing/warp/parallax.h"
 #include "meshing/warp/pixel_in_picture.h"
 
 namespace lumi {
@@ -94,17 +95,21 @@ std::vector<int> views_near(const std::vector<KnownView>& views, std::size_t vie
     return near;
 }
 
+/// For the fastest of the nearest that have parallax.
 double disparity_of(const std::vector<KnownView>& views, const KnownView& view) {
     constexpr std::size_t kNearest = 4;
-    double fastest = 0.0;
-    for (std::size_t k = 0; k < std::min(kNearest, view.near.size()); ++k) {
-        const InverseDepthWarp warp =
-            warp_between(views[static_cast<std::size_t>(view.near[k])], view);
+    std::vector<double> parallaxes;
+    for (const int j : view.near) {
+        const InverseDepthWarp warp = warp_between(views[static_cast<std::size_t>(j)], view);
         std::vector<double> disparities;
         for_known_places(view, [&](const Eigen::Vector2d& pixel, double inverse_depth) {
             disparities.push_back(disparity_per_inverse_depth(warp, pixel, inverse_depth));
         });
-        if (!disparities.empty()) fastest = std::max(fastest, median_of(std::move(disparities)));
+        parallaxes.push_back(median_of(std::move(disparities)));
+    }
+    double fastest = 0.0;
+    for (const std::size_t k : with_parallax(parallaxes, kNearest)) {
+        fastest = std::max(fastest, parallaxes[k]);
     }
     return fastest;
 }

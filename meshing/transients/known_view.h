@@ -24,8 +24,8 @@ struct KnownView {
     DepthMap known;         ///< Confidence 0 where it is a guess.
     ColorImage picture;     ///< Averaged (color_match.h).
     std::vector<int> near;  ///< Views that share most of its sight, the nearest first.
-    /// How far the fastest-moving of the nearest four sees a pixel move, per unit of inverse depth
-    /// (median over the picture). 0 where there are none.
+    /// How far the fastest-moving of the nearest four that have parallax (parallax.h) sees a pixel
+    /// move, per unit of inverse depth (median over the picture). 0 where there are none.
     double disparity_px_per_inverse_depth = 0.0;
 };
 

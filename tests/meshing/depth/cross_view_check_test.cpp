@@ -7,13 +7,15 @@
 namespace lumi {
 namespace {
 
-KnownDepthScene wall() {
+KnownDepthScene wall_from(const std::vector<Eigen::Vector3d>& centres) {
     return known_depth_scene({{{0, 0, 2},
                                {0.2, 0, 1},
                                [](const auto&) { return true; },
                                [](const auto&) { return 100.0; }}},
-                             cross_of_centres(0.1), {});
+                             centres, {});
 }
+
+KnownDepthScene wall() { return wall_from(cross_of_centres(0.1)); }
 
 std::vector<DepthEstimate> exact_estimates(const KnownDepthScene& known) {
     std::vector<DepthEstimate> estimates;
@@ -47,6 +49,40 @@ TEST(CrossViewCheck, OneOfTwoNeighboursGivesHalfTheConfidence) {
     const KnownDepthScene known = wall();
     std::vector<DepthEstimate> estimates = exact_estimates(known);
     for (const std::size_t j : {2U, 3U, 4U}) estimates[j].map.confidence = GrayImage(240, 180, 0);
+    EXPECT_EQ(cross_view_check(known.scene, estimates, 0).confidence(120, 90), 128);
+}
+
+void move_by(double pixels_of_disparity, DepthEstimate& estimate) {
+    const auto step = static_cast<float>(pixels_of_disparity / 22);
+    for (float& value : estimate.map.inverse_depth.pixels()) value += step;
+}
+
+TEST(CrossViewCheck, AViewInTheSamePlaceAgreesWithAnythingAndIsNoWitness) {
+    const KnownDepthScene known = wall_from({{0, 0, 0}, {1e-4, 0, 0}, {0.1, 0, 0}});
+    std::vector<DepthEstimate> estimates = exact_estimates(known);
+    EXPECT_EQ(cross_view_check(known.scene, estimates, 0).confidence(120, 90), 128)
+        << "the third view alone confirms what is right";
+    move_by(5, estimates[0]);
+    EXPECT_EQ(cross_view_check(known.scene, estimates, 0).confidence, GrayImage(240, 180, 0));
+    move_by(-3, estimates[1]);
+    EXPECT_EQ(cross_view_check(known.scene, estimates, 0).confidence, GrayImage(240, 180, 0));
+}
+
+TEST(CrossViewCheck, ANearNeighbourAgreesWithinTwoPixelsOfTheFastest) {
+    const KnownDepthScene known = wall_from({{0, 0, 0}, {0.01, 0, 0}, {0.1, 0, 0}});
+    for (const double off_px : {1.7, 2.3}) {
+        std::vector<DepthEstimate> estimates = exact_estimates(known);
+        move_by(off_px, estimates[0]);  // A fifth of a pixel as the near neighbour sees it.
+        EXPECT_EQ(cross_view_check(known.scene, estimates, 0).confidence(120, 90) != 0, off_px < 2)
+            << off_px;
+    }
+}
+
+TEST(CrossViewCheck, ANeighbourHalfAsFarAsideAgreesWithinAPixel) {
+    const KnownDepthScene known = wall_from({{0, 0, 0}, {0.05, 0, 0}, {0.1, 0, 0}});
+    std::vector<DepthEstimate> estimates = exact_estimates(known);
+    estimates[2].map.confidence = GrayImage(240, 180, 0);
+    move_by(1.9, estimates[0]);
     EXPECT_EQ(cross_view_check(known.scene, estimates, 0).confidence(120, 90), 128);
 }
 

@@ -46,6 +46,16 @@ TEST(DepthMemory, AModelThatDoesMoreTakesMore) {
     }
 }
 
+TEST(DepthMemory, ALargerMapTakesMoreToMatchForEachOfItsPixels) {
+    const auto matching = [](std::uint64_t pixels) {
+        const auto memory =
+            predicted_depth_memory({pixels}, "sweep", 1, 100'000 * kMiB, 150 * kMiB);
+        return memory.matching;
+    };
+    // As many costs a pixel as the sweep is sure to search, of three bytes, and the pictures.
+    EXPECT_EQ(matching(24'000'000) - matching(12'000'000), 12'000'000U * (3 * 32 + 37 + 3 + 5));
+}
+
 TEST(DepthMemory, OfAutoIsThatOfWhatItChoseOnceThatIsKnown) {
     const std::vector<std::uint64_t> pixels(16, kPixels);
     const DepthMemory at_most = predicted(16, 2, 100'000, "auto");

@@ -43,6 +43,25 @@ TEST(EdgeSnapping, LeavesAnEdgeThatThePhotographDoesNotShow) {
     }
 }
 
+TEST(EdgeSnapping, LeavesWhatIsToBeKept) {
+    FatEdge edge(3);
+    GrayImage kept(80, 60);
+    for (int x = 0; x < 80; ++x) kept(x, 30) = 255;
+    const DepthMap before = edge.map;
+    snap_edges(edge.map, edge.photograph, kPixelOfEdge, kept);
+    for (int x = 0; x < 80; ++x) {
+        ASSERT_EQ(edge.map.inverse_depth(x, 30), before.inverse_depth(x, 30)) << x;
+        ASSERT_EQ(edge.map.inverse_depth(x, 29), x < 40 ? 0.2F : 0.6F) << x;
+    }
+}
+
+TEST(EdgeSnapping, WithoutAPixelOfDisparityThereIsNoEdge) {
+    FatEdge edge(3);
+    const DepthMap before = edge.map;
+    snap_edges(edge.map, edge.photograph, 0.0);
+    EXPECT_EQ(edge.map.inverse_depth, before.inverse_depth);
+}
+
 TEST(EdgeSnapping, KeepsAThinPole) {
     DepthMap map{FloatImage(80, 60, 0.2F), GrayImage(80, 60, 255)};
     ColorImage photograph(80, 60, {60, 60, 60});

@@ -4,11 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "meshing/geometry/mesh_depth.h"
+#include "meshing/geometry/triangle_mesh.h"
 #include "tests/calib/noted_progress.h"
+#include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
 namespace {
@@ -139,6 +143,55 @@ TEST(FoundDepth, WhereRefinementLeavesTooFewToAskTheUnrefinedViewsTell) {
     EXPECT_LT(error_beyond_px(found.result), kSmoothed_px);
     EXPECT_EQ(found.result.depth_maps[2].confidence, GrayImage(kWallWidth_px, kWallHeight_px, 255))
         << "what was refined stays";
+}
+
+/// Railings before a wall with a hole in it, as OBJ.
+void write_railings(const std::filesystem::path& file) {
+    std::ofstream obj(file);
+    int vertices = 0;
+    const auto rectangle = [&](double left, double right, double z) {
+        obj << "v " << left << " -9 " << z << "\nv " << right << " -9 " << z << "\nv " << right
+            << " 9 " << z << "\nv " << left << " 9 " << z << "\nf " << vertices + 1 << " "
+            << vertices + 2 << " " << vertices + 3 << " " << vertices + 4 << "\n";
+        vertices += 4;
+    };
+    rectangle(-9, 0.6, 4);
+    rectangle(0.9, 9, 4);
+    for (int i = -4; i <= 4; ++i) rectangle(0.3 * i, 0.3 * i + 0.06, 2);  // Three pixels wide.
+}
+
+TEST(FoundDepth, LeavesEveryPixelOfGivenGeometryAndFillsTheRest) {
+    const ScratchFolder folder;
+    const std::filesystem::path file = folder.path() / "railings.obj";
+    write_railings(file);
+    const TriangleMesh mesh = read_triangle_mesh(file);
+    DepthScene scene = receding_wall();
+    const auto gray = noise_texture(2.0, 1);  // Of railings, too: no outline shows.
+    for (DepthView& view : scene.views) {
+        for (int y = 0; y < kWallHeight_px; ++y) {
+            for (int x = 0; x < kWallWidth_px; ++x) {
+                const auto level = static_cast<std::uint8_t>(gray({1.0 * x, 1.0 * y, 0.0}));
+                view.photograph(x, y) = {level, level, level};
+            }
+        }
+    }
+    DepthResult result;
+    NotedProgress progress;
+    find_depth(scene, std::vector<GrayImage>(kViews), mesh_depth_model(file), progress, result);
+    for (std::size_t i = 0; i < scene.views.size(); ++i) {
+        const DepthMap given = mesh_depth(scene.views[i], mesh);
+        int filled = 0;
+        for (std::size_t k = 0; k < given.confidence.pixels().size(); ++k) {
+            const float found = result.depth_maps[i].inverse_depth.pixels()[k];
+            if (given.confidence.pixels()[k] != 0) {
+                ASSERT_EQ(found, given.inverse_depth.pixels()[k]) << i << " " << k;
+            } else {
+                ++filled;
+                ASSERT_GT(found, 0.2F) << i << " " << k;
+            }
+        }
+        EXPECT_GT(filled, 0) << i << ": the hole";
+    }
 }
 
 TEST(FoundDepth, DoesNotRecedeWhereNobodyTells) {

@@ -134,6 +134,24 @@ TEST(InverseDepthRange, WithoutPointsHoldsWhatTheCamerasLookAt) {
     EXPECT_GT(range->near, 1 / 2.5);
 }
 
+TEST(InverseDepthRange, WithoutPointsIsThatOfOnePhotographAPlaceWhereBurstsWereTaken) {
+    DepthScene bursts = arc(24, 5.0, 2.5);
+    for (DepthView& view : bursts.views) {  // Parallel: nothing but the cameras' distance tells.
+        const Eigen::Vector3d centre = centre_in_world(view.cam_from_world);
+        view.cam_from_world = looking_ahead_from(centre);
+    }
+    const DepthScene singles = bursts;
+    for (const DepthView& single : singles.views) {
+        for (const double aside : {1e-4, 2e-4}) {
+            DepthView again = single;
+            again.cam_from_world.translation += Eigen::Vector3d(aside, 0, 0);
+            bursts.views.push_back(again);
+        }
+    }
+    const double near = inverse_depth_range(singles, 3)->near;
+    EXPECT_NEAR(inverse_depth_range(bursts, 3)->near, near, 0.01 * near);
+}
+
 TEST(InverseDepthRange, IsTheSameInAnyUnit) {
     const auto metres = inverse_depth_range(arc(8, 5.0, 10.0), 3);
     const auto micrometres = inverse_depth_range(arc(8, 5.0e6, 10.0), 3);

@@ -109,6 +109,25 @@ TEST(VisualHull, MovesNeitherWhatIsKnownNorWhatIsInside) {
     EXPECT_EQ(inside.inverse_depth(kCardX, kCardY), kCardInverseDepth);
 }
 
+TEST(VisualHull, ALookoutOverAnUnboundedRangeEnds) {
+    // Two views farther back on the axis have nothing but background all along the ray of one
+    // pixel.
+    DepthScene scene;
+    for (const double back : {0.0, 1.0, 2.0}) {
+        DepthView& view = scene.views.emplace_back();
+        view.camera = small_camera();
+        view.cam_from_world = looking_ahead_from({0, 0, -back});
+        view.disparity_px_per_inverse_depth = 40;
+        view.range = {0, 1e12};
+    }
+    scene.views[0].neighbours = {1, 2};
+    std::vector<GrayImage> masks(3, GrayImage(240, 180, 0));
+    masks[0](kCardX, kCardY) = 255;
+    DepthMap map = Card::saying(0.1F, 0);
+    VisualHull(scene, masks).move_fills_inside(0, map);
+    EXPECT_EQ(map.inverse_depth(kCardX, kCardY), 0.1F) << "there is no place inside";
+}
+
 TEST(VisualHull, ChangesNothingInAViewWithoutAMask) {
     Card card;
     card.masks[0] = {};

@@ -230,6 +230,22 @@ TEST(BinaryVolume, EveryKindOfFileSaysTheSame) {
     EXPECT_EQ(files_of_volume(file("a.nrrd")).size(), 1U);
 }
 
+TEST(BinaryVolume, ANrrdMayWriteItsByteOrderInCapitals) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "v.nrrd";
+    const std::string head = "NRRD0004\ndimension: 3\ntype: short\nsizes: 3 2 2\nencoding: raw\n";
+    std::vector<double> cells = kCells;
+    for (double& cell : cells) cell *= 2;  // 512 with its bytes swapped.
+    for (const char* order : {"big", "BIG", "Big", "little", "Little"}) {
+        const bool is_big = order[0] == 'b' || order[0] == 'B';
+        write_volume(path, head + "endian: " + order + "\n\n",
+                     bytes_of_cells<std::int16_t>(cells, is_big));
+        const BinaryVolume volume = read_binary_volume(path, 1.5);
+        EXPECT_EQ(volume.solid, std::vector<bool>(kCells.begin(), kCells.end())) << order;
+        EXPECT_THROW((void)read_binary_volume(path, 3), Error) << order << ": none is so solid";
+    }
+}
+
 TEST(BinaryVolume, RefusesWhatDoesNotFitItsHeader) {
     const ScratchFolder folder;
     const auto path = folder.path() / "v.nrrd";
@@ -260,6 +276,10 @@ TEST(BinaryVolume, RefusesWhatDoesNotFitItsHeader) {
     EXPECT_EQ(code_of("NRRD0004\ntype: short\nsizes: 3 2 1\nencoding: raw\n\n", cells),
               "E-VOLUME-READ")
         << "which byte comes first?";
+    EXPECT_EQ(code_of("NRRD0004\ndimension: 3\ntype: short\nsizes: 3 2 1\nendian: middle\n"
+                      "encoding: raw\n\n",
+                      cells),
+              "E-VOLUME-READ");
     EXPECT_EQ(code_of(head + "spacings: 1 0 1\nencoding: raw\n\n", cells), "E-VOLUME-READ");
     EXPECT_EQ(code_of(head + "spacings: 1 nan 1\nencoding: raw\n\n", cells), "E-VOLUME-READ");
     const std::string packed = head + "encoding: gzip\n\n";

@@ -206,5 +206,16 @@ TEST(MeshDepth, BesideTheMeshNothingIsKnown) {
     EXPECT_EQ(mesh_depth(view, mesh).confidence, GrayImage(240, 180)) << "behind the camera";
 }
 
+TEST(MeshDepth, OneStrayVertexFarAwayHidesNothing) {
+    DepthView view;
+    view.camera = small_camera();
+    TriangleMesh mesh;
+    mesh.vertices = {{-2, -2, 1}, {2, -2, 1}, {2, 2, 1}, {-2, 2, 1}, {0, 0, 1e9}};
+    mesh.faces = {{0, 1, 2}, {0, 2, 3}};
+    EXPECT_EQ(mesh_depth(view, mesh).confidence, GrayImage(240, 180, 255)) << "of no triangle";
+    mesh.faces.push_back({0, 1, 4});
+    EXPECT_EQ(mesh_depth(view, mesh).confidence, GrayImage(240, 180, 255)) << "of one";
+}
+
 }  // namespace
 }  // namespace lumi

@@ -98,6 +98,18 @@ TEST(ViewsByWorth, AreAllViewsOnceWhateverIsKnown) {
     }
 }
 
+TEST(ThumbnailPrediction, ASecondPhotographOfEachPlaceChangesNoPrediction) {
+    std::vector<Eigen::Vector3d> singles = grid_of_centres();
+    for (Eigen::Vector3d& centre : singles) centre *= 2;  // Card and wall are told apart.
+    std::vector<Eigen::Vector3d> doubled = singles;
+    for (const Eigen::Vector3d& centre : singles) {
+        doubled.push_back(centre + Eigen::Vector3d(1e-4, 0, 0));
+    }
+    const EnclosingViews from{{4, 6}, {0.5, 0.5}};
+    EXPECT_NEAR(ThumbnailPrediction(PhotographedWall(doubled).views()).loss_db(5, from),
+                ThumbnailPrediction(PhotographedWall(singles).views()).loss_db(5, from), 1e-6);
+}
+
 TEST(ThumbnailPrediction, LosesLittleFromNeighboursAndMuchFromNothing) {
     PhotographedWall wall(grid_of_centres());
     ThumbnailPrediction prediction(wall.views());

@@ -1,0 +1,36 @@
+#include "meshing/warp/parallax.h"
+
+#include <algorithm>
+
+namespace lumi {
+
+std::vector<std::size_t> with_parallax(const std::vector<double>& parallaxes, std::size_t most) {
+    std::vector<std::size_t> places;
+    if (parallaxes.empty()) return places;
+    const double least =
+        kLeastParallaxShare * *std::max_element(parallaxes.begin(), parallaxes.end());
+    for (std::size_t i = 0; i < parallaxes.size() && places.size() < most; ++i) {
+        if (parallaxes[i] >= least) places.push_back(i);
+    }
+    return places;
+}
+
+double nearest_baseline(const Eigen::Vector3d& centre,
+                        const std::vector<Eigen::Vector3d>& centres) {
+    constexpr std::ptrdiff_t kMostAround = 16;
+    constexpr double kSamePlace = 1e-6;  // Of the extent of all.
+    std::vector<double> distances;
+    double extent = 0.0;
+    for (const Eigen::Vector3d& other : centres) {
+        distances.push_back((other - centre).norm());
+        extent = std::max(extent, distances.back());
+    }
+    std::erase_if(distances, [&](double distance) { return distance <= kSamePlace * extent; });
+    const auto around = std::min(kMostAround, static_cast<std::ptrdiff_t>(distances.size()));
+    std::partial_sort(distances.begin(), distances.begin() + around, distances.end());
+    distances.resize(static_cast<std::size_t>(around));
+    const std::vector<std::size_t> first = with_parallax(distances, 1);
+    return first.empty() ? 0.0 : distances[first.front()];
+}
+
+}  // namespace lumi
