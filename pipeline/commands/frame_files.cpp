@@ -40,14 +40,17 @@ bool is_sequence_frame_name(const std::string& name) {
 
 bool names_video(const fs::path& out) { return lower_extension_of(out) == ".mp4"; }
 
-void check_picture_out(const fs::path& out) {
+fs::path frames_folder_of_video(const fs::path& video) { return video.string() + ".frames"; }
+
+void check_picture_out(const fs::path& out, const std::string& option) {
     if (lower_extension_of(out) == ".png") return;
     throw Error(ErrorKind::kUsage, "E-RENDER-OUT", out.string() + ": pictures are PNG files",
-                "let --out end in .png");
+                "let " + option + " end in .png");
 }
 
 void check_path_out(const fs::path& out) {
-    if (names_video(out)) return;
+    if (names_video(out))
+        return expect_only_files_of_ours(frames_folder_of_video(out), is_sequence_frame_name);
     const std::string extension = lower_extension_of(out);
     if (std::find(kOtherVideos.begin(), kOtherVideos.end(), extension) != kOtherVideos.end())
         throw Error(ErrorKind::kUsage, "E-RENDER-OUT", out.string() + ": videos are MP4 files",

@@ -15,8 +15,12 @@ namespace lumi {
 /// Whether frames of a path go to one video file there, instead of a folder.
 [[nodiscard]] bool names_video(const std::filesystem::path& out);
 
-/// To be called before anything is drawn: pictures are PNG files. Throws Error (E-RENDER-OUT).
-void check_picture_out(const std::filesystem::path& out);
+/// Where the frames of a video are drawn, and where they stay when it cannot be made of them.
+[[nodiscard]] std::filesystem::path frames_folder_of_video(const std::filesystem::path& video);
+
+/// To be called before anything is drawn: pictures are PNG files. `option` is what named the file.
+/// Throws Error (E-RENDER-OUT).
+void check_picture_out(const std::filesystem::path& out, const std::string& option = "--out");
 
 /// The same for the frames of a path: videos are MP4 files, and a folder of other things would be
 /// lost. Throws Error (E-RENDER-OUT, E-OUT-EXISTS).

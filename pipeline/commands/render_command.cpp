@@ -135,13 +135,14 @@ Json draw_to_file(const Job& job, const RenderRequest& request, const Draw& draw
     return Json{{"file", job.out.string()}, {"ms", ms}};
 }
 
-/// Draws a path into a folder of numbered frames or into a video; either whole or not at all.
+/// Draws a path into a folder of numbered frames or into a video (write_video); either whole or not
+/// at all.
 Json draw_path(const RenderRequest& request, const Lumigraph& lumigraph, const Draw& draw,
                const CommandContext& context) {
     const std::vector<Eye> path =
         eye_path(request.path, request.frames, request.size, lumigraph, request.video_fps);
     const bool is_video = names_video(request.out);
-    WholeFolder folder(is_video ? fs::path(request.out.string() + ".frames") : request.out);
+    WholeFolder folder(is_video ? frames_folder_of_video(request.out) : request.out);
     Json frames = Json::array();
     context.progress->begin("drawing", path.size());
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -154,8 +155,7 @@ Json draw_path(const RenderRequest& request, const Lumigraph& lumigraph, const D
         context.progress->advance();
     }
     if (is_video) {
-        write_video(folder.staging(), path.size(), request.video_fps, request.out,
-                    *context.progress);
+        write_video(folder, path.size(), request.video_fps, request.out, *context.progress);
     } else {
         folder.put_in_place();
     }
@@ -179,7 +179,10 @@ Json draw_jobs(const RenderRequest& request, const Eye& eye, const Lumigraph& lu
 }
 
 void run_render(const RenderRequest& request, const CommandContext& context) {
-    if (!request.path.empty()) check_path_out(request.out);
+    if (!request.path.empty()) {
+        check_path_out(request.out);
+        if (names_video(request.out)) check_video_programs(request.out, *context.progress);
+    }
     if (request.path.empty() && !request.all_views) check_picture_out(request.out);
     EyeFile at;
     if (!request.eye.empty()) at = read_eye_file(request.eye);

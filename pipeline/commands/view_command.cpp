@@ -6,6 +6,7 @@
 #include "calib/work/error.h"
 #include "calib/work/process_memory.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/frame_files.h"
 #include "pipeline/commands/frame_size.h"
 #include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/evaluate/held_out_beside.h"
@@ -80,6 +81,7 @@ void check_planned(const ViewRequest& request, const OpenedPackage& opened) {
 }
 
 void run_view(const ViewRequest& request, const CommandContext& context) {
+    if (!request.screenshot.empty()) check_picture_out(request.screenshot, "--screenshot");
     const WindowOptions options = window_options_of(request, context);
     OpenedPackage opened = options.load(request.package, options.exposures);
     check_planned(request, opened);

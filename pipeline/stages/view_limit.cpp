@@ -41,7 +41,7 @@ void ViewLimit::keep_to_size(Lumigraph& lumigraph) {
     const fs::path aside = folder_ / "weighed.lumi";
     for (;;) {
         make_depth_meshes(lumigraph, threads_, progress_);
-        write_package(aside, lumigraph, extras_);
+        write_package(aside, lumigraph, extras_, {.max_decoded_bytes = UINT64_MAX});
         const double mib = folder_mib(aside);
         fs::remove_all(aside);
         if (mib <= sources_.options.max_mib) return;

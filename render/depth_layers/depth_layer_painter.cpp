@@ -20,11 +20,8 @@ void set_depth_range(double near_depth, double far_depth) {
 }  // namespace
 
 DepthLayerPainter::DepthLayerPainter(const std::vector<LumigraphView>& views,
-                                     const std::vector<std::shared_ptr<const DepthMesh>>& meshes,
-                                     double max_inverse_depth)
-    : views_(views),
-      max_inverse_depth_(max_inverse_depth),
-      program_("depth_layer", {shader_source("depth_layer")}) {
+                                     const std::vector<std::shared_ptr<const DepthMesh>>& meshes)
+    : views_(views), program_("depth_layer", {shader_source("depth_layer")}) {
     static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
     meshes_.reserve(meshes.size());
     for (const auto& mesh : meshes) {
@@ -44,7 +41,7 @@ void DepthLayerPainter::clear(const TextureArray& layers) {
 }
 
 void DepthLayerPainter::draw(const Eye& eye, const std::vector<DepthLayerDraw>& draws,
-                             const TextureArray& layers) {
+                             double max_inverse_depth, const TextureArray& layers) {
     clear(layers);
     glViewport(0, 0, eye.camera.width_px, eye.camera.height_px);
     glEnable(GL_DEPTH_TEST);
@@ -63,7 +60,7 @@ void DepthLayerPainter::draw(const Eye& eye, const std::vector<DepthLayerDraw>& 
                   eye.camera.height_px);
         const double range_begin = kDepthKindStep * draw.kind;
         set_depth_range(range_begin, range_begin + kDepthKindWidth);
-        aim_at_view(eye, draw.view_index);
+        aim_at_view(eye, draw.view_index, max_inverse_depth);
         meshes_[static_cast<std::size_t>(draw.view_index)].draw(draw.first_index, draw.index_count);
     }
     set_depth_range(0.0, 1.0);
@@ -72,7 +69,8 @@ void DepthLayerPainter::draw(const Eye& eye, const std::vector<DepthLayerDraw>& 
     glDisable(GL_DEPTH_TEST);
 }
 
-void DepthLayerPainter::aim_at_view(const Eye& eye, int view_index) const {
+void DepthLayerPainter::aim_at_view(const Eye& eye, int view_index,
+                                    double max_inverse_depth) const {
     const LumigraphView& view = views_[static_cast<std::size_t>(view_index)];
     const PixelTransfer eye_from_view =
         pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
@@ -81,7 +79,7 @@ void DepthLayerPainter::aim_at_view(const Eye& eye, int view_index) const {
     transfer.topLeftCorner<3, 3>() = eye_from_view.at_infinity;
     transfer.topRightCorner<3, 1>() = eye_from_view.per_inverse_depth;
     const Eigen::Matrix4d clip =
-        clip_from_pixel(eye.camera.width_px, eye.camera.height_px, max_inverse_depth_);
+        clip_from_pixel(eye.camera.width_px, eye.camera.height_px, max_inverse_depth);
     program_.set("clip_from_view_pixel", to_glm(Eigen::Matrix4d(clip * transfer)));
 }
 

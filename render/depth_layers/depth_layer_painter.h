@@ -25,19 +25,18 @@ class DepthLayerPainter {
  public:
     /// Uploads the meshes, one for each of the views, which must stay.
     DepthLayerPainter(const std::vector<LumigraphView>& views,
-                      const std::vector<std::shared_ptr<const DepthMesh>>& meshes,
-                      double max_inverse_depth);
+                      const std::vector<std::shared_ptr<const DepthMesh>>& meshes);
 
-    /// Over all that was in the layers. Leaves another framebuffer bound, and the depth test and
-    /// face culling off.
-    void draw(const Eye& eye, const std::vector<DepthLayerDraw>& draws, const TextureArray& layers);
+    /// Over all that was in the layers; what is nearer than `max_inverse_depth` says is left out.
+    /// Leaves another framebuffer bound, and the depth test and face culling off.
+    void draw(const Eye& eye, const std::vector<DepthLayerDraw>& draws, double max_inverse_depth,
+              const TextureArray& layers);
 
  private:
     void clear(const TextureArray& layers);
-    void aim_at_view(const Eye& eye, int view_index) const;
+    void aim_at_view(const Eye& eye, int view_index, double max_inverse_depth) const;
 
     const std::vector<LumigraphView>& views_;
-    double max_inverse_depth_;
     Program program_;
     std::vector<VertexBuffer> meshes_;
     Framebuffer framebuffer_;

@@ -42,13 +42,13 @@ Eigen::Matrix4f window_from_view(const Eye& eye, const LumigraphView& view,
 }  // namespace
 
 DepthLayerRasters::DepthLayerRasters(const std::vector<LumigraphView>& views,
-                                     std::vector<std::shared_ptr<const DepthMesh>> meshes,
-                                     double max_inverse_depth)
-    : views_(views), meshes_(std::move(meshes)), max_inverse_depth_(max_inverse_depth) {}
+                                     std::vector<std::shared_ptr<const DepthMesh>> meshes)
+    : views_(views), meshes_(std::move(meshes)) {}
 
 std::vector<float>& DepthLayerRasters::draw(const Eye& eye,
-                                            const std::vector<DepthLayerDraw>& draws, int layers) {
-    aim(eye, draws);
+                                            const std::vector<DepthLayerDraw>& draws,
+                                            double max_inverse_depth, int layers) {
+    aim(eye, draws, max_inverse_depth);
     const int width = eye.camera.width_px;
     const int height = eye.camera.height_px;
     const std::size_t texels_a_layer =
@@ -86,7 +86,8 @@ void DepthLayerRasters::pack(int layers, std::size_t texels_a_layer) {
 }
 
 /// Transforms the vertices of all meshes that are drawn.
-void DepthLayerRasters::aim(const Eye& eye, const std::vector<DepthLayerDraw>& draws) {
+void DepthLayerRasters::aim(const Eye& eye, const std::vector<DepthLayerDraw>& draws,
+                            double max_inverse_depth) {
     struct Run {
         const DepthMesh* mesh;
         AimedMesh* aimed;
@@ -99,7 +100,7 @@ void DepthLayerRasters::aim(const Eye& eye, const std::vector<DepthLayerDraw>& d
         if (!is_new) continue;
         const auto view = static_cast<std::size_t>(draw.view_index);
         AimedMesh& aimed = found->second;
-        aimed.window_from_view = window_from_view(eye, views_[view], max_inverse_depth_);
+        aimed.window_from_view = window_from_view(eye, views_[view], max_inverse_depth);
         const DepthMesh& mesh = *meshes_[view];
         aimed.in_window.resize(mesh.vertices.size());
         for (std::size_t first = 0; first < mesh.vertices.size(); first += kVerticesAtATime)

@@ -17,14 +17,13 @@ class DepthLayerRasters {
  public:
     /// `meshes` are one for each of the views; the views must stay.
     DepthLayerRasters(const std::vector<LumigraphView>& views,
-                      std::vector<std::shared_ptr<const DepthMesh>> meshes,
-                      double max_inverse_depth);
+                      std::vector<std::shared_ptr<const DepthMesh>> meshes);
 
     /// The eye's picture, with rows from the bottom: kPacked numbers a texel, of which the first
-    /// `layers` are layers, and the others 1. What is returned stays until the next call, and may
-    /// be changed.
+    /// `layers` are layers, and the others 1. What is nearer than `max_inverse_depth` says is left
+    /// out. What is returned stays until the next call, and may be changed.
     [[nodiscard]] std::vector<float>& draw(const Eye& eye, const std::vector<DepthLayerDraw>& draws,
-                                           int layers);
+                                           double max_inverse_depth, int layers);
     static constexpr int kPacked = kMaxDepthViews;
 
  private:
@@ -32,14 +31,13 @@ class DepthLayerRasters {
         Eigen::Matrix4f window_from_view;
         std::vector<WindowVertex> in_window;
     };
-    void aim(const Eye& eye, const std::vector<DepthLayerDraw>& draws);
+    void aim(const Eye& eye, const std::vector<DepthLayerDraw>& draws, double max_inverse_depth);
     void pack(int layers, std::size_t texels_a_layer);
     void draw_band(const DepthLayerDraw& draw, const DepthBufferBox& band,
                    const DepthBuffer& buffer) const;
 
     const std::vector<LumigraphView>& views_;
     std::vector<std::shared_ptr<const DepthMesh>> meshes_;
-    double max_inverse_depth_;
     std::map<int, AimedMesh> aimed_;  ///< Of each view that is drawn.
     std::vector<float> texels_;       ///< Layer by layer.
     std::vector<float> packed_;

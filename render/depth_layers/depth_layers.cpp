@@ -5,12 +5,21 @@
 #include <utility>
 
 #include "calib/work/parallel_for.h"
+#include "render/depth_layers/depth_reach.h"
 #include "render/depth_layers/lone_surfaces.h"
 #include "render/depth_mesh/view_depth_mesh.h"
 #include "render/gl/capabilities.h"
 
 namespace lumi {
 namespace {
+
+/// Layers are drawn closer to what an eye can see where that is farther than this share of the
+/// usual limit says: ten times as far as the scene's near end is from the views.
+constexpr double kFarShare = 1e-3;
+/// Beyond what can be reached, so that rounding clips nothing.
+constexpr double kHeadroom = 2.0;
+/// In units of the depth buffer: with more, kinds would agree with one another.
+constexpr double kMostAgreeingDepth = 0.5 * (kDepthKindStep - kDepthKindWidth);
 
 std::vector<std::shared_ptr<const DepthMesh>> meshes_of(const UploadedLumigraph& uploaded) {
     const std::vector<LumigraphView>& views = uploaded.layout.views;
@@ -35,20 +44,32 @@ DepthLayers::DepthLayers(const UploadedLumigraph& uploaded, int layers, DrawnBy 
       max_inverse_depth_(nearest_inverse_depth(uploaded.layout)),
       layer_count_(layers) {
     auto meshes = meshes_of(uploaded);
-    for (const auto& mesh : meshes) kind_begins_.push_back(mesh->kind_begin);
+    for (const auto& mesh : meshes) {
+        kind_begins_.push_back(mesh->kind_begin);
+        mesh_boxes_.push_back(box_of(*mesh));
+    }
     const std::vector<LumigraphView>& views = uploaded.layout.views;
     if (drawn_by == DrawnBy::kCores)
-        rasters_.emplace(views, std::move(meshes), max_inverse_depth_);
+        rasters_.emplace(views, std::move(meshes));
     else
-        painter_.emplace(views, meshes, max_inverse_depth_);
+        painter_.emplace(views, meshes);
 }
 
-float DepthLayers::agreeing_depth_of(const Eye& eye, const std::vector<DepthViewSet>& sets) const {
-    const double agreeing =
-        agreeing_inverse_depth(uploaded_.layout, uploaded_.searched_views.geometries, sets,
-                               centre_in_world(eye.cam_from_world), kAgreeingDisparity_px);
-    return static_cast<float>(std::min(kDepthKindWidth * agreeing / max_inverse_depth_,
-                                       0.5 * (kDepthKindStep - kDepthKindWidth)));
+double DepthLayers::max_inverse_depth_of(const Eye& eye, const std::vector<DepthViewSet>& sets,
+                                         double agreeing) const {
+    const double usual = nearest_inverse_depth(uploaded_.layout);
+    double reach = 0;
+    for (const DepthViewSet& set : sets) {
+        for (const int index : set.view_indices) {
+            const auto view = static_cast<std::size_t>(index);
+            reach =
+                std::max(reach, depth_reach(uploaded_.layout.views[view], mesh_boxes_[view], eye));
+        }
+    }
+    if (reach == 0 || reach >= kFarShare * usual) return usual;
+    // What agrees must still fit between two kinds.
+    return std::min(usual,
+                    std::max(kHeadroom * reach, kDepthKindWidth / kMostAgreeingDepth * agreeing));
 }
 
 void DepthLayers::resize(int width_px, int height_px) {
@@ -65,9 +86,14 @@ void DepthLayers::draw(const Eye& eye, const std::vector<DepthViewSet>& sets) {
     resize(camera.width_px, camera.height_px);
     const std::vector<DepthLayerDraw> draws =
         depth_layer_draws(sets, layer_count_, camera.width_px, kind_begins_);
-    agreeing_depth_ = agreeing_depth_of(eye, sets);
-    if (!is_packed()) return painter_->draw(eye, draws, layers_);
-    std::vector<float>& packed = rasters_->draw(eye, draws, layer_count_);
+    const double agreeing =
+        agreeing_inverse_depth(uploaded_.layout, uploaded_.searched_views.geometries, sets,
+                               centre_in_world(eye.cam_from_world), kAgreeingDisparity_px);
+    max_inverse_depth_ = max_inverse_depth_of(eye, sets, agreeing);
+    agreeing_depth_ = static_cast<float>(
+        std::min(kDepthKindWidth * agreeing / max_inverse_depth_, kMostAgreeingDepth));
+    if (!is_packed()) return painter_->draw(eye, draws, max_inverse_depth_, layers_);
+    std::vector<float>& packed = rasters_->draw(eye, draws, max_inverse_depth_, layer_count_);
     settle_lone_surfaces(uploaded_.layout.views, eye, sets, layer_count_, max_inverse_depth_,
                          agreeing_depth_, packed);
     layers_.upload(packed);

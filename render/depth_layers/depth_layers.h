@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <optional>
 #include <vector>
 
@@ -37,7 +38,9 @@ class DepthLayers {
     /// Layer by layer; or packed: the layers are the components of a texel.
     [[nodiscard]] const TextureArray& texture() const { return layers_; }
     [[nodiscard]] bool is_packed() const { return rasters_.has_value(); }
-    /// 1 / (nearest depth that can be drawn).
+    /// 1 / (nearest depth that can be drawn for the eye): nearest_inverse_depth, but for eyes so
+    /// far away that what they see would be told apart by less than layers can hold; for these
+    /// little more than what the sets' depth meshes reach.
     [[nodiscard]] double max_inverse_depth() const { return max_inverse_depth_; }
     /// What depths of one surface may differ by in the layers, in units of the depth buffer, but no
     /// more than what keeps kinds apart.
@@ -45,12 +48,14 @@ class DepthLayers {
 
  private:
     void resize(int width_px, int height_px);
-    [[nodiscard]] float agreeing_depth_of(const Eye& eye,
-                                          const std::vector<DepthViewSet>& sets) const;
+    /// `agreeing`: as from agreeing_inverse_depth.
+    [[nodiscard]] double max_inverse_depth_of(const Eye& eye, const std::vector<DepthViewSet>& sets,
+                                              double agreeing) const;
 
     const UploadedLumigraph& uploaded_;
     double max_inverse_depth_ = 1.0;
     std::vector<DepthKindBegins> kind_begins_;
+    std::vector<Eigen::AlignedBox3d> mesh_boxes_;  ///< One for each view (depth_reach.h).
     int layer_count_ = 0;
     float agreeing_depth_ = 0.0F;
     TextureArray layers_;

@@ -17,21 +17,29 @@ struct PackageExtras {
     std::vector<ScenePoint> points;    ///< Written as points.ply.
 };
 
-/// Writes `NAME.lumi/` whole or not at all: a temporary sibling folder, every file flushed, then
-/// one exchange with what is there; an existing package is replaced at that moment and not before.
-/// The same bytes for the same input: no times, no machine paths, unless the extras hold any.
-/// Throws Error: E-PACKAGE-WRITE (something else stands there), E-PACKAGE-NAME (not UTF-8),
-/// E-PACKAGE-MANIFEST (the evidence is no JSON object), E-FILE-WRITE, and those of `validate`.
-void write_package(const std::filesystem::path& folder, const Lumigraph& lumigraph,
-                   const PackageExtras& extras);
+/// Memory that reading a package may take whatever the machine has.
+inline constexpr std::uint64_t kLeastMemoryOfPackages = std::uint64_t{8} << 30;
+
+/// As much as the machine has, but no less than that.
+[[nodiscard]] std::uint64_t most_memory_of_packages();
 
 /// Limits that a reader keeps to, whatever the package claims.
 struct PackageLimits {
-    std::uint64_t max_decoded_bytes = std::uint64_t{8} << 30;  ///< Files and decoded pictures.
+    /// While it is read: what is decoded, and files while they are held (package_memory.h).
+    std::uint64_t max_decoded_bytes = most_memory_of_packages();
     std::size_t max_views = 10'000;
     std::size_t max_manifest_bytes = std::size_t{16} << 20;
     int max_json_depth = 32;
 };
+
+/// Writes `NAME.lumi/` whole or not at all: a temporary sibling folder, every file flushed, then
+/// one exchange with what is there; an existing package is replaced at that moment and not before.
+/// The same bytes for the same input: no times, no machine paths, unless the extras hold any.
+/// Throws Error: E-PACKAGE-WRITE (something else stands there), E-PACKAGE-NAME (not UTF-8),
+/// E-PACKAGE-MANIFEST (the evidence is no JSON object), E-PACKAGE-BUDGET (a reader that keeps to
+/// `max_decoded_bytes` could not read it), E-FILE-WRITE, and those of `validate`.
+void write_package(const std::filesystem::path& folder, const Lumigraph& lumigraph,
+                   const PackageExtras& extras, const PackageLimits& limits = {});
 
 /// How the photographs of a package come into memory.
 enum class Exposures {

@@ -10,74 +10,13 @@
 #include "render/lumigraph/manifest.h"
 #include "render/lumigraph/package.h"
 #include "render/lumigraph/package_folder.h"
+#include "render/lumigraph/package_memory.h"
 #include "render/lumigraph/quantised_depth.h"
 
 namespace lumi {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::uint64_t kMaxPixelsPerPicture = std::uint64_t{1} << 28;
-
-/// Counts the bytes that the manifest announces before any of them is read.
-class ReadingBudget {
- public:
-    explicit ReadingBudget(std::uint64_t bytes) : left_(bytes) {}
-
-    void spend(std::uint64_t bytes, const fs::path& path) {
-        if (bytes > left_) {
-            throw Error(ErrorKind::kResources, "E-PACKAGE-BUDGET",
-                        path.string() + ": reading it would exceed the memory that is allowed",
-                        "use a smaller package, or raise the limit");
-        }
-        left_ -= bytes;
-    }
-    void spend_on_picture(int width_px, int height_px, std::uint64_t bytes_per_pixel,
-                          const fs::path& path) {
-        std::uint64_t pixels = 0;
-        std::uint64_t bytes = 0;
-        const bool overflows = __builtin_mul_overflow(width_px, height_px, &pixels) ||
-                               __builtin_mul_overflow(pixels, bytes_per_pixel, &bytes);
-        spend(overflows || pixels > kMaxPixelsPerPicture ? UINT64_MAX : bytes, path);
-    }
-
- private:
-    std::uint64_t left_;
-};
-
-void spend_on_mesh(const ManifestDepthMesh& mesh, const PackageFolder& package,
-                   ReadingBudget& budget) {
-    const fs::path path = package.path_of(mesh.file);
-    budget.spend(mesh.file.bytes, path);
-    budget.spend(mesh.code_bytes, path);
-    const auto bytes_of = [](int count, std::size_t each) {
-        return static_cast<std::uint64_t>(count) * each;
-    };
-    budget.spend(bytes_of(mesh.header.vertices, sizeof(Eigen::Vector3f)), path);
-    for (const int triangles : mesh.header.triangles)
-        budget.spend(bytes_of(triangles, 3 * sizeof(std::uint32_t)), path);
-}
-
-void expect_within_budget(const Manifest& manifest, const PackageFolder& package,
-                          std::uint64_t max_bytes) {
-    ReadingBudget budget(max_bytes);
-    for (const PackageFile* file : {&manifest.camera_mesh, &manifest.points, &manifest.config}) {
-        budget.spend(file->bytes, package.path_of(*file));
-    }
-    for (const ManifestView& view : manifest.views) {
-        const fs::path photograph = package.path_of(view.photograph);
-        budget.spend(view.photograph.bytes, photograph);
-        budget.spend_on_picture(view.camera.width_px, view.camera.height_px, sizeof(Rgb8),
-                                photograph);
-        if (!view.depth) continue;
-        const fs::path depth = package.path_of(view.depth->inverse_depth);
-        budget.spend(view.depth->inverse_depth.bytes, depth);
-        budget.spend(view.depth->confidence.bytes, package.path_of(view.depth->confidence));
-        budget.spend_on_picture(view.depth->width_px, view.depth->height_px,
-                                sizeof(float) + sizeof(std::uint8_t), depth);
-        if (view.depth->mesh) spend_on_mesh(*view.depth->mesh, package, budget);
-    }
-}
 
 /// The bytes of a PNG whose header states the size that the manifest states.
 Bytes read_png_bytes(const PackageFolder& package, const PackageFile& file, int width_px,
@@ -137,7 +76,7 @@ LumigraphView read_view(const PackageFolder& package, const ManifestView& entry)
 Lumigraph read_contents(const fs::path& folder, const PackageLimits& limits) {
     const PackageFolder package(folder);
     const Manifest manifest = read_manifest(package, limits);
-    expect_within_budget(manifest, package, limits.max_decoded_bytes);
+    expect_readable(manifest, folder, limits);
 
     Lumigraph lumigraph;
     lumigraph.name = manifest.name;

@@ -8,9 +8,11 @@
 #include "calib/work/whole_file.h"
 #include "calib/work/whole_folder.h"
 #include "meshing/surface/mesh_io.h"
+#include "meshing/surface/points_ply.h"
 #include "render/lumigraph/deflate.h"
 #include "render/lumigraph/manifest.h"
 #include "render/lumigraph/package.h"
+#include "render/lumigraph/package_memory.h"
 #include "render/lumigraph/quantised_depth.h"
 
 namespace lumi {
@@ -68,7 +70,8 @@ ManifestView write_view(const fs::path& root, std::size_t index, const Lumigraph
     return entry;
 }
 
-void write_contents(const fs::path& root, const Lumigraph& lumigraph, const PackageExtras& extras) {
+Manifest write_contents(const fs::path& root, const Lumigraph& lumigraph,
+                        const PackageExtras& extras) {
     Manifest manifest;
     manifest.name = lumigraph.name;
     manifest.near_depth = lumigraph.near_depth;
@@ -86,6 +89,7 @@ void write_contents(const fs::path& root, const Lumigraph& lumigraph, const Pack
     manifest.points = write_listed(root, "points.ply", points_ply(extras.points));
     manifest.config = write_listed(root, "config.toml", {config.begin(), config.end()});
     write_whole_text(root / kManifestName, manifest_text(manifest));
+    return manifest;
 }
 
 /// Only a package gives way to a package: a mistyped path must not cost a folder of photographs.
@@ -99,12 +103,12 @@ void expect_package_or_nothing(const fs::path& folder) {
 
 }  // namespace
 
-void write_package(const fs::path& folder, const Lumigraph& lumigraph,
-                   const PackageExtras& extras) {
+void write_package(const fs::path& folder, const Lumigraph& lumigraph, const PackageExtras& extras,
+                   const PackageLimits& limits) {
     validate(lumigraph, folder.string());
     expect_package_or_nothing(folder);
     WholeFolder package(folder);
-    write_contents(package.staging(), lumigraph, extras);
+    expect_readable(write_contents(package.staging(), lumigraph, extras), folder, limits);
     package.put_in_place();
 }
 

@@ -62,8 +62,12 @@ std::size_t LightField::draw_fading(const CameraMesh& mesh, const Eye& eye,
                                     const RenderOptions& options, bool is_shell) {
     const Eigen::Vector3d plane = plane_of(eye, options);
     set_fade(fading_.use(uploaded_, eye, options), is_shell);
-    faces_.upload(face_polygons(mesh, eye, is_shell ? kNoOverlap_px : kOverlap_px), eye, plane);
-    return faces_.draw();
+    const std::vector<FacePolygon> polygons =
+        face_polygons(mesh, eye, is_shell ? kNoOverlap_px : kOverlap_px);
+    faces_.upload(polygons, eye, plane);
+    const std::size_t triangles = faces_.draw();
+    if (options.debug_picture == DebugPicture::kGrid) grid_.draw(polygons, eye);
+    return triangles;
 }
 
 Eigen::Vector3d LightField::plane_of(const Eye& eye, const RenderOptions& options) const {
@@ -99,6 +103,7 @@ DrawStatistics LightField::draw_polygons(std::vector<FacePolygon> polygons, cons
     program_.use(uploaded_, eye, options);
     faces_.upload(exact_, eye, plane);
     statistics.triangles += faces_.draw();
+    if (options.debug_picture == DebugPicture::kGrid) grid_.draw(exact_, eye);
     return statistics;
 }
 

@@ -3,6 +3,7 @@
 #include "render/frame/drawing_mode.h"
 #include "render/painters/blend_painter.h"
 #include "render/painters/face_painter.h"
+#include "render/painters/grid_painter.h"
 #include "render/painters/picture_program.h"
 #include "render/painters/surroundings_painter.h"
 
@@ -33,6 +34,7 @@ class LightField : public DrawingMode {
     SurroundingsPainter surroundings_;
     BlendPainter blend_;
     FacePainter faces_;
+    GridPainter grid_;
     PictureProgram program_;
     PictureProgram fading_;
     BlendTriangles affine_;

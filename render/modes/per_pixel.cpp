@@ -155,9 +155,11 @@ std::size_t PerPixel::draw_shells(const Eye& eye, const RenderOptions& options,
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     std::size_t triangles = 0;
-    for (const CameraMesh& shell : uploaded_.layout.mesh.shells)
-        triangles += draw_strips(face_polygons(shell, eye, kNoOverlap_px), eye, options, {viewport},
-                                 asked, Fade::kShell);
+    for (const CameraMesh& shell : uploaded_.layout.mesh.shells) {
+        const std::vector<FacePolygon> polygons = face_polygons(shell, eye, kNoOverlap_px);
+        triangles += draw_strips(polygons, eye, options, {viewport}, asked, Fade::kShell);
+        if (options.debug_picture == DebugPicture::kGrid) grid_.draw(polygons, eye);
+    }
     glDisable(GL_BLEND);
     return triangles;
 }

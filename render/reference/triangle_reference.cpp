@@ -62,7 +62,8 @@ void draw_pixel(const std::array<const BlendVertex*, 3>& corners, const Eigen::V
             return (scale * Eigen::Vector3d(vertex.view_pixels[k][0], vertex.view_pixels[k][1], 1))
                 .eval();
         });
-        if (!(at.z() > 0)) continue;
+        // In a view's focal plane a corner has no place; it has no weight there either.
+        if (!(at.z() > 0) || !at.allFinite()) continue;
         const auto view = static_cast<std::size_t>(corners[0]->view_layers[k]);
         double& weight = weights[static_cast<Eigen::Index>(k)];
         if (photographs.places == PlaceInterpolation::kLinear)

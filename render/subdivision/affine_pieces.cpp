@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "render/transfer/pixel_transfer.h"
 #include "render/transfer/polygon_clipping.h"
 #include "render/transfer/polygon_extent.h"
 
@@ -18,8 +19,6 @@ using Box = Eigen::AlignedBox2d;
 /// Affine errors are not chased further than this.
 constexpr double kSmallest_px = 4.0;
 
-/// What is nearer to the view's focal plane than this share of its depth in the eye is behind it.
-constexpr double kLeastRatio = 1e-3;
 /// Added to weights, so that there are always some.
 constexpr float kNoWeight = 1e-12F;
 /// So far beyond its border a photograph counts nothing (uploaded_lumigraph.h).
@@ -73,7 +72,7 @@ class PieceCutter {
         if (polygon_.side_lines[k].isZero(0)) return cut_where_behind(corners, visible, k + 1);
         const PlaneView& view = views_[static_cast<std::size_t>(polygon_.view_indices[k])];
         const Eigen::Vector3d before =
-            view.view_from_eye.row(2).transpose() - kLeastRatio * Eigen::Vector3d::UnitZ();
+            view.view_from_eye.row(2).transpose() - kLeastDepthRatio * Eigen::Vector3d::UnitZ();
         cut_where_behind(clipped(corners, -before), visible, k + 1);
         visible[k] = true;
         cut_where_behind(clipped(corners, before), visible, k + 1);

@@ -62,7 +62,8 @@ class OnPlane {
             const bool is_sure =
                 std::all_of(corners.begin(), corners.end(), [&](const Eigen::Vector3d& at) {
                     const Eigen::Vector3d pixel = view_from_eye * at;
-                    return polygon.side_lines[k].dot(at) >= kSureSideProduct && pixel.z() > 0 &&
+                    return polygon.side_lines[k].dot(at) >= kSureSideProduct &&
+                           pixel.z() >= kLeastDepthRatio &&
                            is_inside(pixel.x() / pixel.z(), pixel.y() / pixel.z(), camera);
                 });
             if (is_sure) return true;

@@ -93,6 +93,20 @@ void toggle(DebugPicture picture, RenderOptions& render) {
     render.debug_picture = render.debug_picture == picture ? DebugPicture::kNone : picture;
 }
 
+/// All that moves the eye at once goes through here: a path that is replayed would carry it away.
+void stand(const Navigation& navigation, ViewerState& state) {
+    state.navigation = navigation;
+    state.replays_path = false;
+}
+
+/// The same, turning about the scene's centre from then on.
+void stand_about_centre(const Eye& eye, const Lumigraph& lumigraph, ViewerState& state) {
+    Navigation navigation = state.navigation;
+    navigation.eye = eye;
+    navigation.pivot_in_world = lumigraph.mesh.scene_centre_in_world;
+    stand(navigation, state);
+}
+
 /// Of all in their order, the first after the last.
 template <class Value>
 Value next_of(const std::vector<Value>& all, Value value) {
@@ -130,23 +144,22 @@ ViewerState state_after_opening(const Lumigraph& lumigraph, const ViewerState& s
 void go_to_photograph(int view_index, const Lumigraph& lumigraph, ViewerState& state) {
     const int count = static_cast<int>(lumigraph.views.size());
     state.view_index = (view_index % count + count) % count;
-    state.navigation = snap_to(state.navigation, lumigraph, state.view_index);
+    stand(snap_to(state.navigation, lumigraph, state.view_index), state);
 }
 
 void go_to_planned(int planned_index, const Lumigraph& lumigraph, ViewerState& state) {
     if (planned_index < 0 || planned_index >= static_cast<int>(state.planned.size())) return;
     state.planned_index = planned_index;
-    state.navigation.eye.cam_from_world =
-        state.planned[static_cast<std::size_t>(planned_index)].cam_from_world;
-    state.navigation.pivot_in_world = lumigraph.mesh.scene_centre_in_world;
+    stand_about_centre({state.navigation.eye.camera,
+                        state.planned[static_cast<std::size_t>(planned_index)].cam_from_world},
+                       lumigraph, state);
 }
 
 void go_to_held_out(int index, const std::vector<HeldOutView>& held_out, const Lumigraph& lumigraph,
                     ViewerState& state) {
     if (index < 0 || index >= static_cast<int>(held_out.size())) return;
     state.compared_index = index;
-    state.navigation.eye = held_out[static_cast<std::size_t>(index)].eye;
-    state.navigation.pivot_in_world = lumigraph.mesh.scene_centre_in_world;
+    stand_about_centre(held_out[static_cast<std::size_t>(index)].eye, lumigraph, state);
 }
 
 void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
@@ -173,7 +186,7 @@ void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
             go_to_photograph(nearest_view(lumigraph, state.navigation.eye), lumigraph, state);
             break;
         case Command::kFrameAll:
-            state.navigation = frame_all(state.navigation, bounds_of(lumigraph));
+            stand(frame_all(state.navigation, bounds_of(lumigraph)), state);
             break;
         case Command::kScreenshot:
             state.wants_screenshot = true;

@@ -82,13 +82,9 @@ Navigation orbit(const Navigation& from, const Eigen::Vector2d& drag_px) {
 Navigation look(const Navigation& from, const Eigen::Vector2d& drag_px) {
     const Eigen::Vector2d focal = focal_length_px(from.eye.camera);
     const Eigen::Vector3d eye_in_world = centre_in_world(from.eye.cam_from_world);
-    Navigation to = from;
     // Opposite to orbit: there the near side of the scene follows the cursor, here the far side.
-    to.eye = turned_about(from, eye_in_world, -std::atan2(drag_px.x(), focal.x()),
-                          -std::atan2(drag_px.y(), focal.y()));
-    const double distance = (from.pivot_in_world - eye_in_world).norm();
-    to.pivot_in_world = eye_in_world + distance * optical_axis_in_world(to.eye.cam_from_world);
-    return to;
+    return carried_to(from, turned_about(from, eye_in_world, -std::atan2(drag_px.x(), focal.x()),
+                                         -std::atan2(drag_px.y(), focal.y())));
 }
 
 Navigation pan(const Navigation& from, const Eigen::Vector2d& drag_px) {
@@ -107,6 +103,15 @@ Navigation zoom(const Navigation& from, double steps) {
 Navigation fly(const Navigation& from, const Eigen::Vector3d& move_in_cam) {
     const double distance = (centre_in_world(from.eye.cam_from_world) - from.pivot_in_world).norm();
     return moved(from, distance * move_in_cam);
+}
+
+Navigation carried_to(const Navigation& from, const Eye& eye) {
+    const double distance = (from.pivot_in_world - centre_in_world(from.eye.cam_from_world)).norm();
+    Navigation to = from;
+    to.eye = eye;
+    to.pivot_in_world =
+        centre_in_world(eye.cam_from_world) + distance * optical_axis_in_world(eye.cam_from_world);
+    return to;
 }
 
 Navigation snap_to(const Navigation& from, const Lumigraph& lumigraph, int view_index) {

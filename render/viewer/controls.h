@@ -34,6 +34,10 @@ struct Navigation {
 /// pivot, which moves along.
 [[nodiscard]] Navigation fly(const Navigation& from, const Eigen::Vector3d& move_in_cam);
 
+/// Stands where another eye does and turns about what is straight ahead of it, as far away as the
+/// pivot was.
+[[nodiscard]] Navigation carried_to(const Navigation& from, const Eye& eye);
+
 /// Stands where a photograph was taken and turns about what its middle shows. Throws
 /// std::out_of_range for a view that does not exist.
 [[nodiscard]] Navigation snap_to(const Navigation& from, const Lumigraph& lumigraph,

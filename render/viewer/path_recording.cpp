@@ -70,6 +70,8 @@ std::string PathRecording::end(const std::filesystem::path& folder) {
         return "wrote " + path.filename().string() + ": " + length_of(path_);
     } catch (const Error& error) {
         return error.what();
+    } catch (const std::filesystem::filesystem_error& error) {
+        return error.what();
     }
 }
 

@@ -24,7 +24,7 @@ class PathRecording {
     /// steady clock and grow. Returns what people are told.
     std::string append(const Eye& eye, int width_px, int height_px, double clock_s);
     /// Writes what was recorded into the folder. Returns what people are told: nothing where
-    /// nothing was recorded.
+    /// nothing was recorded, and why where it cannot be written.
     std::string end(const std::filesystem::path& folder);
     /// The path that was recorded last, whole once it has ended; empty before the first.
     [[nodiscard]] const std::vector<TimedEye>& path() const { return path_; }

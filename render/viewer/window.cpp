@@ -28,6 +28,8 @@ namespace {
 /// How long the eye must rest before the whole picture is drawn.
 constexpr double kRestBeforeWhole_s = 0.15;
 constexpr double kIdleWait_s = 0.1;
+/// Where screenshots and paths go: the working folder, which may be gone.
+constexpr const char* kWrittenInto = ".";
 
 ViewerState beginning(const OpenedPackage& opened, const WindowOptions& options) {
     ViewerState state = first_state(opened.lumigraph, options.render);
@@ -151,7 +153,7 @@ void ViewerWindow::Implementation::record_path() {
     const std::string message =
         state.records_path
             ? recording.append(state.navigation.eye, size_px.x(), size_px.y(), now_s())
-            : recording.end(std::filesystem::current_path());
+            : recording.end(kWrittenInto);
     if (!message.empty()) statistics.message = message;
     state.has_path = !state.records_path && !recording.path().empty();
 }
@@ -162,7 +164,7 @@ void ViewerWindow::Implementation::replay_path() {
     last_motion_s = now_s();
     if (!replay_began_s) replay_began_s = last_motion_s;
     const double time_s = last_motion_s - *replay_began_s;
-    state.navigation.eye = eye_at_time(recording.path(), time_s);
+    state.navigation = carried_to(state.navigation, eye_at_time(recording.path(), time_s));
     if (time_s < recording.path().back().time_s) return;
     state.replays_path = false;
     replay_began_s.reset();
@@ -217,11 +219,13 @@ void ViewerWindow::Implementation::write_screenshot_to(const std::filesystem::pa
 
 void ViewerWindow::Implementation::take_wished_screenshot() {
     if (!std::exchange(state.wants_screenshot, false)) return;
-    const auto path = next_screenshot_path(std::filesystem::current_path());
     try {
+        const auto path = next_screenshot_path(kWrittenInto);
         write_screenshot_to(path);
         statistics.message = "wrote " + path.filename().string();
     } catch (const Error& error) {
+        statistics.message = error.what();
+    } catch (const std::filesystem::filesystem_error& error) {
         statistics.message = error.what();
     }
 }

@@ -50,13 +50,13 @@ bool is_same(const EyeDepth& a, const EyeDepth& b) {
 double unlike_share(const Lumigraph& lumigraph, const Eye& eye) {
     constexpr int kLayers = 2;
     const auto meshes = meshes_of(lumigraph);
-    DepthLayerRasters rasters(lumigraph.views, meshes, kMaxInverseDepth);
+    DepthLayerRasters rasters(lumigraph.views, meshes);
     const int width = eye.camera.width_px;
     const int height = eye.camera.height_px;
     std::vector<DepthLayerDraw> draws;
     for (int view = 0; view < kLayers; ++view)
         append_draws(view, view, width, *meshes[static_cast<std::size_t>(view)], draws);
-    const std::vector<float>& texels = rasters.draw(eye, draws, kLayers);
+    const std::vector<float>& texels = rasters.draw(eye, draws, kMaxInverseDepth, kLayers);
     int unlike = 0;
     for (int view = 0; view < kLayers; ++view) {
         const auto v = static_cast<std::size_t>(view);
@@ -94,15 +94,15 @@ TEST(DepthLayerRasters, AreWhatPlainCodeDraws) {
 TEST(DepthLayerRasters, HaveNothingInLayersThatAreNotDrawn) {
     const Lumigraph wall = card_before_wall();
     const auto meshes = meshes_of(wall);
-    DepthLayerRasters rasters(wall.views, meshes, kMaxInverseDepth);
+    DepthLayerRasters rasters(wall.views, meshes);
     const Eye eye = eye_at({0.2, 0.1, 0}, {0, 0, 4}, pinhole_camera(20, 15, 18));
     std::vector<DepthLayerDraw> draws;
     append_draws(1, 1, 20, *meshes[1], draws);
     std::vector<DepthLayerDraw> last_layer;
     append_draws(1, 3, 20, *meshes[1], last_layer);
     for (const int layers : {4, 2, 3}) {
-        static_cast<void>(rasters.draw(eye, last_layer, 4));
-        const std::vector<float>& texels = rasters.draw(eye, draws, layers);
+        static_cast<void>(rasters.draw(eye, last_layer, kMaxInverseDepth, 4));
+        const std::vector<float>& texels = rasters.draw(eye, draws, kMaxInverseDepth, layers);
         ASSERT_EQ(texels.size(), 20U * 15U * 4U);
         for (std::size_t i = 0; i < texels.size(); ++i) {
             if (i % 4 != 1) {

@@ -67,6 +67,8 @@ TEST(DepthLayersGl, AreTheSameByOpenGlAndByTheCores) {
     expect_same(card_before_wall(), eye_at({0.3, 0.2, 0.2}, {0, 0, 4}, camera));
     expect_same(card_before_wall(), eye_at({0.4, 0.3, 2.6}, {0, 0, 4}, camera));
     expect_same(ball_in_sky(), eye_at({0.3, 0.2, 2.2}, {0, 0, 0.2}, camera));
+    expect_same(card_before_wall(),
+                eye_at({0.05, 0.03, -800}, {0.05, 0.03, 4}, pinhole_camera(97, 71, 60'000)));
 }
 
 /// A fresh process, because Mesa reads its environment once.

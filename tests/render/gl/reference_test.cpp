@@ -168,6 +168,22 @@ TEST(GlAgainstReference, WhereOneViewAloneSeesAPost) {
     }
 }
 
+TEST(GlAgainstReference, FromFarAwayThroughALongLens) {
+    const Lumigraph lumigraph = card_before_wall();
+    OffscreenRenderer renderer(lumigraph);
+    for (const double times_farther : {20.0, 200.0, 1500.0}) {
+        const Eye eye = eye_at({0.05, 0.03, -4 * times_farther}, {0.05, 0.03, 4},
+                               pinhole_camera(80, 60, 300 * times_farther));
+        for (const RenderMode mode : {RenderMode::kPerPixel, RenderMode::kLightField}) {
+            const FrameDifference difference =
+                difference_between(renderer.draw(eye, {.mode = mode}).color,
+                                   draw_mode_reference(lumigraph, eye, {.mode = mode}).color);
+            EXPECT_LE(difference.mean, 1.0) << times_farther << ' ' << name_of(mode);
+            EXPECT_LE(difference.share_beyond_two, 0.02) << times_farther << ' ' << name_of(mode);
+        }
+    }
+}
+
 TEST(GlAgainstReference, PerPixelAroundABall) {
     const Lumigraph lumigraph = ball_in_sky();
     expect_gl_equals_reference(lumigraph, eyes_around_ball(lumigraph),

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/render/analytic_scene.h"
 
 namespace lumi {
@@ -39,6 +41,33 @@ TEST(TriangleReference, DrawsPixelsOnSharedEdgesOnce) {
     const Frame drawn =
         draw_reference(triangles, lumigraph, camera, PlaceInterpolation::kProjective);
     for (const Rgb8& color : drawn.color.pixels()) EXPECT_EQ(color, (Rgb8{100, 50, 25}));
+}
+
+TEST(TriangleReference, LooksNothingUpInAPhotographThatHasNoPlaceForACorner) {
+    const Camera camera = pinhole_camera(9, 9, 10);
+    Lumigraph lumigraph;
+    BlendTriangles triangles;
+    for (int view = 0; view < 2; ++view) {
+        lumigraph.views.emplace_back().camera = camera;
+        lumigraph.views.back().photograph = ColorImage(9, 9, {200, 100, 50});
+    }
+    for (const auto& [x, y] : {std::pair{-9.0F, -9.0F}, {30.0F, -9.0F}, {-9.0F, 30.0F}}) {
+        BlendVertex& corner = triangles.vertices.emplace_back();
+        corner.pixel = {x, y};
+        corner.depth = 1;
+        corner.view_layers = {0, 1, 1};
+        // Infinitely far to one side or the other.
+        const float far = x * std::numeric_limits<float>::infinity();
+        corner.view_pixels = {{{4.5F, 4.5F}, {far, 4.5F}, {}}};
+        corner.depth_ratios = {1, 0, 0};
+        corner.weights = {1, 0, 0};
+        corner.opacity = 1;
+        triangles.indices.push_back(static_cast<std::uint32_t>(triangles.indices.size()));
+    }
+    for (const auto places : {PlaceInterpolation::kLinear, PlaceInterpolation::kProjective}) {
+        const Frame drawn = draw_reference(triangles, lumigraph, camera, places);
+        for (const Rgb8& color : drawn.color.pixels()) EXPECT_EQ(color, (Rgb8{200, 100, 50}));
+    }
 }
 
 }  // namespace

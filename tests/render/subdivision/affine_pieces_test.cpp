@@ -118,9 +118,8 @@ TEST(AffinePieces, KeepToTheErrorWhereAPhotographEndsAndOthersCountForIt) {
         card_before_wall(), eye_at({1.2, 0.3, 0.2}, {0, 0, 4}, pinhole_camera(320, 240, 260)));
 }
 
-TEST(AffinePieces, AndExactOnesTogetherCoverWhatPhotographsSee) {
-    const Lumigraph lumigraph = card_before_wall();
-    const Eye eye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, pinhole_camera(64, 48, 90));
+/// Of affine and exact pieces, in square pixels.
+double area_of_pieces(const Lumigraph& lumigraph, const Eye& eye) {
     const std::vector<FacePolygon> polygons = face_polygons(lumigraph.mesh, eye);
     const Pieces pieces = pieces_of(lumigraph, eye, polygons, {});
     double area = 0;
@@ -136,8 +135,23 @@ TEST(AffinePieces, AndExactOnesTogetherCoverWhatPhotographsSee) {
         for (std::size_t c = 1; c + 1 < piece.corners_px.size(); ++c)
             area +=
                 0.5 * twice_area(piece.corners_px[0], piece.corners_px[c], piece.corners_px[c + 1]);
-    // The narrow eye sees only what photographs show; faces overlap by a hundredth of a pixel.
-    EXPECT_NEAR(area, 64 * 48, 8);
+    return area;
+}
+
+// These narrow eyes see only what photographs show; faces overlap by a hundredth of a pixel.
+
+TEST(AffinePieces, AndExactOnesTogetherCoverWhatPhotographsSee) {
+    const Eye eye = eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, pinhole_camera(64, 48, 90));
+    EXPECT_NEAR(area_of_pieces(card_before_wall(), eye), 64 * 48, 8);
+}
+
+TEST(AffinePieces, CoverWhatIsSeenThroughALongLensFromFarAway) {
+    // For photographs depths are a thousandth, a hundred thousandth of what they are for the eye.
+    for (const double times_farther : {1e2, 1e3, 2e3, 1e5}) {
+        const Eye eye = eye_at({0.21, 0.13, -4 * times_farther}, {0.1, 0.1, 4},
+                               pinhole_camera(64, 48, 800 * times_farther));
+        EXPECT_NEAR(area_of_pieces(card_before_wall(), eye), 64 * 48, 8) << times_farther;
+    }
 }
 
 TEST(AffinePieces, LeaveOutWhatNoPhotographSees) {

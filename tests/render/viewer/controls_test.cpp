@@ -155,6 +155,17 @@ TEST(Fly, MovesAlongTheEyesOwnAxesByTheDistanceToThePivot) {
     EXPECT_NEAR(distance(forward), distance(before), 1e-12);
 }
 
+TEST(CarriedTo, TurnsAboutWhatIsStraightAheadAsFarAwayAsBefore) {
+    const Navigation before = some_navigation();
+    Eye eye = before.eye;
+    eye.cam_from_world = {Eigen::Quaterniond(Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitY())),
+                          {7.0, -3.0, 1.0}};
+    const Navigation after = carried_to(before, eye);
+    EXPECT_LT((place(after) - centre_in_world(eye.cam_from_world)).norm(), 1e-12);
+    EXPECT_NEAR(distance(after), distance(before), 1e-9);
+    EXPECT_LT(angle(after.pivot_in_world - place(after), gaze(after)), 1e-9);
+}
+
 TEST(SnapTo, StandsWhereThePhotographWasTaken) {
     const Lumigraph lumigraph = tiny_lumigraph();
     for (int i = 0; i < 3; ++i) {

@@ -8,7 +8,9 @@
 #include "calib/work/whole_file.h"
 #include "render/lumigraph/package.h"
 #include "render/lumigraph/same_eye.h"
+#include "render/paths/photograph_eye.h"
 #include "render/viewer/window.h"
+#include "render/viewer/window_input.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/render/viewer/xvfb_display.h"
 #include "tests/truth/textured_box_scene.h"
@@ -156,6 +158,55 @@ TEST_F(LongLivedWindow, RecordsThePathAndReplaysItToItsEnd) {
     EXPECT_LT((centre_in_world(state.navigation.eye.cam_from_world) - begun_at).norm(), 1e-9);
     while (state.replays_path) ASSERT_TRUE(window.step());
     EXPECT_LT((centre_in_world(state.navigation.eye.cam_from_world) - ended_at).norm(), 1e-9);
+}
+
+/// Of the pivot from the eye's optical axis, as a share of its distance.
+double pivot_off_axis(const Navigation& navigation) {
+    const Rigid3& cam_from_world = navigation.eye.cam_from_world;
+    const Eigen::Vector3d to_pivot = navigation.pivot_in_world - centre_in_world(cam_from_world);
+    return to_pivot.normalized().cross(optical_axis_in_world(cam_from_world)).norm();
+}
+
+TEST_F(LongLivedWindow, LeavesAReplayForThePhotographThatIsWished) {
+    ViewerWindow window({shown_box()}, window_of_320x240());
+    ViewerState& state = window.state();
+    state.records_path = true;
+    ASSERT_TRUE(window.step());
+    for (int i = 0; i < 20; ++i) {
+        state.navigation = orbit(state.navigation, {6, 2});
+        ASSERT_TRUE(window.step());
+    }
+    state.records_path = false;
+    ASSERT_TRUE(window.step());
+
+    go_to_photograph(6, shown_box(), state);
+    state.replays_path = true;
+    ASSERT_TRUE(window.step());
+    EXPECT_LT(pivot_off_axis(state.navigation), 1e-9) << "and not another photograph's";
+    ASSERT_TRUE(state.replays_path);
+    WindowInput input;
+    input.commands = {Command::kNextPhotograph};
+    ASSERT_TRUE(window.step(&input));
+    EXPECT_FALSE(state.replays_path);
+    EXPECT_TRUE(is_same_eye(state.navigation.eye, eye_at(shown_box().views[7])));
+}
+
+TEST_F(LongLivedWindow, SaysThatItsFolderIsGoneAndStays) {
+    const fs::path gone = scratch_ / "gone";
+    fs::create_directory(gone);
+    fs::current_path(gone);
+    fs::remove(gone);
+    ViewerWindow window({shown_box()}, window_of_320x240());
+    ViewerState& state = window.state();
+    ASSERT_TRUE(window.step());
+    state.wants_screenshot = true;
+    ASSERT_TRUE(window.step());
+    EXPECT_NE(window.statistics().message.find("lumi-0001.png"), std::string::npos);
+    state.records_path = true;
+    ASSERT_TRUE(window.step());
+    state.records_path = false;
+    ASSERT_TRUE(window.step());
+    EXPECT_NE(window.statistics().message.find("lumi-path-0001.json"), std::string::npos);
 }
 
 TEST_F(LongLivedWindow, WritesThePathThatIsRecordedWhenItIsClosed) {

@@ -183,6 +183,28 @@ TEST_F(ViewerStateTest, APathIsReplayedWhereThereIsOne) {
     EXPECT_FALSE(state_.replays_path);
 }
 
+TEST_F(ViewerStateTest, WhatMovesTheEyeOtherwiseEndsAReplay) {
+    state_.has_path = true;
+    for (const Command command : {Command::kPreviousPhotograph, Command::kNextPhotograph,
+                                  Command::kNearestPhotograph, Command::kFrameAll}) {
+        state_.replays_path = true;
+        apply_command(command);
+        EXPECT_FALSE(state_.replays_path) << static_cast<int>(command);
+    }
+    state_.planned = {{Rigid3{}, "go left"}};
+    state_.replays_path = true;
+    go_to_planned(0, lumigraph_, state_);
+    EXPECT_FALSE(state_.replays_path);
+    state_.replays_path = true;
+    go_to_held_out(0, {{"kept back", state_.navigation.eye, {}}}, lumigraph_, state_);
+    EXPECT_FALSE(state_.replays_path);
+
+    state_.replays_path = true;
+    apply_command(Command::kShowDepth);
+    go_to_planned(7, lumigraph_, state_);
+    EXPECT_TRUE(state_.replays_path) << "the eye did not move";
+}
+
 TEST(WindowSize, IsThatOfThePictureWhereItHoldsThePanelAndFitsOnAScreen) {
     const auto size = [](int width_px, int height_px) {
         return window_size_px(pinhole_camera(width_px, height_px, 500));
