@@ -95,8 +95,8 @@ std::string conditions(const ChartResult& result) {
            html_escaped(
                "All are compared with the same " + std::to_string(result.shared_views.size()) +
                " held-out photographs at " + std::to_string(result.reference_width_px) +
-               " pixels, whatever size they were made from; bars are 95 % bootstrap "
-               "intervals over views. " +
+               " pixels, whatever size they were made from; bars, where "
+               "six and more were compared, are 95 % bootstrap intervals over views. " +
                number_text(100.0 * result.work.cached_share(), 0) +
                " % of the work came from the cache (" + number_text(result.work.done_cpu_s, 0) +
                " instead of " + number_text(result.work.alone_cpu_s, 0) + " CPU s)." +

@@ -14,18 +14,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json interval_json(const std::optional<Interval>& interval) {
+    return interval ? Json{interval->low, interval->high} : Json();
+}
+
 Json comparison_json(const std::vector<ModeComparison>& comparisons) {
     Json modes = Json::object();
     for (const ModeComparison& mode : comparisons) {
         Json metrics = Json::object();
         for (const MetricComparison& metric : mode.metrics) {
-            metrics[metric.metric] = {
-                {"a", optional_json(metric.mean_a)},
-                {"b", optional_json(metric.mean_b)},
-                {"difference", optional_json(metric.mean_difference)},
-                {"interval",
-                 metric.interval ? Json{metric.interval->low, metric.interval->high} : Json()},
-                {"b_is", judgement_of(metric)}};
+            metrics[metric.metric] = {{"a", optional_json(metric.mean_a)},
+                                      {"b", optional_json(metric.mean_b)},
+                                      {"difference", optional_json(metric.mean_difference)},
+                                      {"interval", interval_json(metric.interval)},
+                                      {"range", interval_json(metric.range)},
+                                      {"ratio", optional_json(metric.ratio)},
+                                      {"b_is", judgement_of(metric)}};
         }
         modes[mode.mode] = {{"views", mode.shared_views}, {"metrics", std::move(metrics)}};
     }
@@ -34,6 +38,17 @@ Json comparison_json(const std::vector<ModeComparison>& comparisons) {
 
 std::string number_or_dash(const std::optional<double>& value) {
     return value ? number_text(*value, 4) : "-";
+}
+
+std::string from_to(const Interval& interval) {
+    return number_text(interval.low, 4) + " to " + number_text(interval.high, 4);
+}
+
+/// How far a difference can be trusted.
+std::string spread_text(const MetricComparison& metric) {
+    if (metric.ratio) return "   B / A " + number_text(*metric.ratio, 3);
+    if (metric.interval) return "   " + from_to(*metric.interval) + "  " + judgement_of(metric);
+    return "   range " + from_to(*metric.range) + "  " + judgement_of(metric);
 }
 
 std::string comparison_text(const std::vector<ModeComparison>& comparisons) {
@@ -47,12 +62,8 @@ std::string comparison_text(const std::vector<ModeComparison>& comparisons) {
             text += "  " + padded_right(metric.metric, 20) +
                     padded_left(number_or_dash(metric.mean_a), 12) +
                     padded_left(number_or_dash(metric.mean_b), 12) +
-                    padded_left(number_or_dash(metric.mean_difference), 12);
-            if (metric.interval) {
-                text += "   " + number_text(metric.interval->low, 4) + " to " +
-                        number_text(metric.interval->high, 4) + "  " + judgement_of(metric);
-            }
-            text += "\n";
+                    padded_left(number_or_dash(metric.mean_difference), 12) + spread_text(metric) +
+                    "\n";
         }
     }
     return text;

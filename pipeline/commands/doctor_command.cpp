@@ -14,6 +14,7 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/config/build_config.h"
 #include "pipeline/line/line.h"
+#include "pipeline/line/named_paths.h"
 #include "pipeline/stages/left_out_json.h"
 #include "pipeline/stages/overlays_json.h"
 #include "pipeline/text/number_text.h"
@@ -172,6 +173,7 @@ std::string examination_text(const Examination& seen, double depth_mib, const fs
 /// The lens for the size the doctor looks at is scaled by the stage itself.
 void run_doctor(const DoctorRequest& request, CommandContext& context) {
     const BuildConfig config = load_build_config(request.config);
+    expect_named_paths(config, "pack");
     const WorkspaceLayout layout = request.workspace.empty()
                                        ? workspace_of(config)
                                        : WorkspaceLayout(request.workspace, config.name);
@@ -180,6 +182,7 @@ void run_doctor(const DoctorRequest& request, CommandContext& context) {
     options.video_fps = config.ingest.video_fps;
     options.keep_overlays = config.ingest.keep_overlays;
     options.crop_bars = config.ingest.crop_bars;
+    options.other_folders = config.ingest.other_folders;
     options.mask_folder = config.poses.mask_folder;
     options.build_width_px = config.ingest.max_width_px;
     options.lens_is_told_elsewhere = !config.boards.empty() || !config.imported_poses.empty();

@@ -44,15 +44,35 @@ std::string score_line(const std::string& mode, const ViewScore& score) {
            " ms  CPU " + number_text(score.cpu_ms, 1) + " ms\n";
 }
 
-std::string interval_text(const std::vector<ViewScore>& views) {
-    std::string text;
+/// How far the means can be trusted: by intervals, or by how far few views lie apart.
+std::string certainty_text(const std::vector<ViewScore>& views) {
+    std::string intervals;
+    std::string ranges;
     for (const ScoreMetric& metric : score_metrics()) {
-        if (const auto interval = interval_of(metric, views)) {
-            text += "  " + std::string(metric.name) + " " + number_text(interval->low, 4) + " to " +
-                    number_text(interval->high, 4);
-        }
+        const auto interval = interval_of(metric, views);
+        const auto told = interval ? interval : range_of(metric, views);
+        if (!told) continue;
+        (interval ? intervals : ranges) += "  " + std::string(metric.name) + " " +
+                                           number_text(told->low, 4) + " to " +
+                                           number_text(told->high, 4);
     }
-    return text.empty() ? text : "  95 % intervals of the means:" + text + "\n";
+    std::string text;
+    if (!intervals.empty()) text += "  95 % intervals of the means:" + intervals + "\n";
+    if (!ranges.empty() && views.size() > 1)
+        text += "  ranges over the views, too few for intervals:" + ranges + "\n";
+    return text;
+}
+
+/// Which held-out photographs are no part of the means.
+std::string not_judged_text(const Evaluation& evaluation) {
+    const std::vector<std::string>& missing = evaluation.not_judged;
+    if (missing.empty()) return {};
+    const std::size_t judged = evaluation.modes.front().views.size();
+    std::string text = std::to_string(judged) + " of " + std::to_string(judged + missing.size()) +
+                       " held-out photographs judged; ";
+    for (std::size_t i = 0; i < missing.size(); ++i)
+        text += (i == 0 ? "" : ", ") + printable(missing[i]);
+    return text + (missing.size() == 1 ? " has" : " have") + " no pose\n";
 }
 
 void print_rivals(const RivalEvaluation& rivals, const CommandContext& context) {
@@ -69,6 +89,7 @@ void print_rivals(const RivalEvaluation& rivals, const CommandContext& context) 
 }
 
 void print_scores(const Evaluation& evaluation, const CommandContext& context) {
+    context.print_result(not_judged_text(evaluation));
     if (!evaluation.subject_from.empty()) {
         context.print_result("subject: told from the rest by " + evaluation.subject_from + '\n');
     }
@@ -76,7 +97,7 @@ void print_scores(const Evaluation& evaluation, const CommandContext& context) {
         const std::string mode = name_of(scores.mode);
         for (const ViewScore& view : scores.views) context.print_result(score_line(mode, view));
         context.print_result(score_line(mode, mean_score(scores.views)));
-        context.print_result(interval_text(scores.views));
+        context.print_result(certainty_text(scores.views));
         if (scores.ghost_between_blocks) {
             context.print_result("  ghost energy against the true error, rank correlation " +
                                  number_text(*scores.ghost_between_blocks, 2) + " over blocks\n");
@@ -91,6 +112,10 @@ std::vector<RenderMode> modes_of(const EvaluateRequest& request) {
     const bool has_heigl = std::find(modes.begin(), modes.end(), RenderMode::kHeigl) != modes.end();
     if (request.rivals && !has_heigl) modes.push_back(RenderMode::kHeigl);
     return modes;
+}
+
+Exposures chosen_exposures(const EvaluateRequest& request) {
+    return request.as_taken ? Exposures::kAsTaken : Exposures::kEvened;
 }
 
 nlohmann::ordered_json leave_one_out_json(const LeaveOneOut& result) {
@@ -109,9 +134,11 @@ void run_leave_one_out(const EvaluateRequest& request, const CommandContext& con
     const BuildConfig config = document.build_config_with({});
     const std::filesystem::path folder = workspace_of(config).folder().string() + "-leave-one-out";
     const int threads = context.threads > 0 ? context.threads : config.threads;
-    const LeaveOneOut result = leave_one_out(document, modes_of(request), !request.keep_depth,
-                                             folder, threads, *context.progress);
-    const nlohmann::ordered_json json = leave_one_out_json(result);
+    const LeaveOneOut result =
+        leave_one_out(document, modes_of(request), chosen_exposures(request), !request.keep_depth,
+                      folder, threads, *context.progress);
+    nlohmann::ordered_json json = leave_one_out_json(result);
+    json["exposures"] = name_of(chosen_exposures(request));
     write_json_file(folder / "leave-one-out.json", json);
     if (context.json) {
         context.print_result(json);
@@ -129,7 +156,7 @@ void run_evaluate(const EvaluateRequest& request, const CommandContext& context)
     options.ghost_energy = !request.without_ghost_energy;
     options.modes = modes_of(request);
     options.rivals = request.rivals;
-    options.exposures = request.as_taken ? Exposures::kAsTaken : Exposures::kEvened;
+    options.exposures = chosen_exposures(request);
     const Workspace workspace(find_workspace(request.workspace));
     const Evaluation evaluation = evaluate_workspace(
         workspace, options, code_version_of("evaluate"), context.threads, *context.progress);
@@ -157,8 +184,8 @@ void add_evaluate_command(CLI::App& app, CommandContext& context) {
     command.add_option("--mode", request->modes, "As in lumi render; may be repeated")
         ->allow_extra_args(false)
         ->capture_default_str();
-    command.add_flag("--no-ghost-energy", request->without_ghost_energy,
-                     "Leave out what takes one renderer a camera class");
+    CLI::Option* no_ghosts = command.add_flag("--no-ghost-energy", request->without_ghost_energy,
+                                              "Leave out what takes one renderer a camera class");
     command.add_flag("--as-taken", request->as_taken,
                      "Draw without evening exposure and white balance out");
     CLI::Option* rivals = command.add_flag(
@@ -166,12 +193,15 @@ void add_evaluate_command(CLI::App& app, CommandContext& context) {
         "Also the methods that the paper is compared with: Heigl et al. 1999, unstructured "
         "lumigraph, view-dependent texture, forward warping, two-plane and spherical; takes "
         "minutes");
+    CLI::Option* leave_one_out =
+        command.add_flag("--leave-one-out", request->leave_one_out,
+                         "WORKSPACE is a configuration: every photograph is left out in turn, "
+                         "without ghost energy");
+    leave_one_out->excludes(rivals)->excludes(no_ghosts);
     command
-        .add_flag("--leave-one-out", request->leave_one_out,
-                  "WORKSPACE is a configuration: every photograph is left out in turn")
-        ->excludes(rivals);
-    command.add_flag("--keep-depth", request->keep_depth,
-                     "With --leave-one-out: only where depth is not found anew");
+        .add_flag("--keep-depth", request->keep_depth,
+                  "With --leave-one-out: only where depth is not found anew")
+        ->needs(leave_one_out);
     command.callback([request, &context] {
         context.chosen = [request, &context] {
             request->leave_one_out ? run_leave_one_out(*request, context)

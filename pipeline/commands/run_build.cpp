@@ -2,10 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "calib/work/config_section.h"
 #include "calib/work/error.h"
-#include "calib/work/printable.h"
-#include "pipeline/config/plain_capture.h"
+#include "pipeline/commands/chosen_workspace.h"
 #include "pipeline/line/line.h"
 #include "pipeline/line/placed_photographs.h"
 #include "pipeline/line/stages_file.h"
@@ -15,8 +13,6 @@
 
 namespace lumi {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string seconds_table(const std::vector<FinishedStage>& stages) {
     std::string table = "stage      state        seconds      CPU s   peak MiB\n";
@@ -36,32 +32,6 @@ std::string evidence_text(const std::vector<FinishedStage>& stages) {
         text += stage.name + ": " + stage.evidence.facts_json;
     }
     return text;
-}
-
-/// Folders of one name, each given without a configuration, would take each other's place.
-void expect_no_other_capture(const WorkspaceLayout& layout, const BuildConfig& config) {
-    std::error_code status;
-    if (!fs::exists(layout.config_path(), status)) return;
-    ConfigSection capture = ConfigSection::from_file(layout.config_path()).section("capture");
-    for (const char* source : {"photos", "video"}) {
-        const fs::path before = capture.text(source, "");
-        if (before.empty() || !fs::exists(before, status) ||
-            fs::equivalent(before, config.photographs_or_video, status))
-            continue;
-        throw Error(
-            ErrorKind::kUsage, "E-WORKSPACE-OTHER",
-            layout.folder().string() + ": holds what was made of " + printable(before.string()),
-            "name another folder with --workspace");
-    }
-}
-
-Workspace open_workspace(const BuildRequest& request, const BuildConfig& config) {
-    if (request.workspace.empty()) {
-        const WorkspaceLayout layout = workspace_of(config);
-        if (plain_capture(request.config)) expect_no_other_capture(layout, config);
-        return Workspace(layout);
-    }
-    return Workspace(WorkspaceLayout(request.workspace, config.name));
 }
 
 /// A report that tells why is worth most when there is no package; but what ended the line must not
@@ -106,7 +76,7 @@ void refuse_partial(const std::vector<FinishedStage>& stages, const WorkspaceLay
 void run_build(const BuildRequest& request, const std::string& last_stage,
                const CommandContext& context) {
     const BuildConfig config = load_build_config(request.config);
-    const Workspace workspace = open_workspace(request, config);
+    const Workspace workspace(layout_for(request.workspace, config, context.threads));
     const std::vector<FinishedStage> stages =
         run_and_report(config, workspace, last_stage, context);
 

@@ -5,8 +5,9 @@
 #include "calib/work/error.h"
 #include "pipeline/chart/chart_files.h"
 #include "pipeline/chart/run_sweep.h"
+#include "pipeline/commands/chosen_workspace.h"
 #include "pipeline/config/config_variant.h"
-#include "pipeline/line/line.h"
+#include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/report/workspace_report.h"
 #include "pipeline/target/candidates.h"
 #include "pipeline/target/deliver.h"
@@ -38,9 +39,7 @@ void run_target(const BuildRequest& request, const std::string& wish,
                     request.config.string() + ": no photograph is held out to measure with",
                     "set hold_out_every = 8 under [evaluate] in the configuration");
     }
-    const WorkspaceLayout layout = request.workspace.empty()
-                                       ? workspace_of(config)
-                                       : WorkspaceLayout(request.workspace, config.name);
+    const WorkspaceLayout layout = layout_for(request.workspace, config, context.threads);
     const fs::path chart_folder = layout.folder().string() + "-chart";
     const int threads = context.threads > 0 ? context.threads : config.threads;
     const ChartResult chart =
@@ -49,7 +48,9 @@ void run_target(const BuildRequest& request, const std::string& wish,
     write_chart_files(chart_folder, chart, *context.progress);
     const Delivery delivery =
         deliver(wanted, chart, chart_folder, layout, threads, *context.progress);
-    write_json_file(layout.folder() / "target.json", delivery_json(delivery));
+    nlohmann::ordered_json told_to_report = delivery_json(delivery);
+    told_to_report["package_sha256"] = package_sha256(layout);
+    write_json_file(layout.folder() / "target.json", told_to_report);
     write_workspace_report(layout);
 
     if (context.json) {

@@ -129,6 +129,13 @@ std::vector<ConfigChange> ConfigDocument::changes_of(const std::string& section)
 }
 
 BuildConfig ConfigDocument::build_config_with(const std::vector<ConfigChange>& changes) const {
+    if (has_tables("scene")) {
+        throw Error(ErrorKind::kUsage, "E-CONFIG-DATASET",
+                    name_ + ": a dataset of scenes ([[scene]]), where one capture is expected",
+                    "`lumi build " + name_ +
+                        "` builds all its scenes, without --target; elsewhere "
+                        "name the configuration of one scene");
+    }
     return read_build_config(ConfigSection::from_text(document_->text, name_, folder_, changes),
                              default_build_name_);
 }

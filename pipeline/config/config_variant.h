@@ -50,7 +50,8 @@ class ConfigDocument {
     [[nodiscard]] std::vector<ConfigChange> changes_of(const std::string& section) const;
 
     /// The configuration with settings changed. Throws Error (E-CONFIG-...) that names the line of
-    /// the file, or what was changed: "fountain.toml with depth.model = ...".
+    /// the file, or what was changed: "fountain.toml with depth.model = ..."; E-CONFIG-DATASET for
+    /// a dataset file (dataset/dataset.h).
     [[nodiscard]] BuildConfig build_config_with(const std::vector<ConfigChange>& changes) const;
 
  private:

@@ -20,6 +20,12 @@ std::string default_scene_name(const fs::path& config, const fs::path& photos) {
     return (is_folder ? named.filename() : named.stem()).string();
 }
 
+/// All keys of a scene are known once they were asked for.
+void name_known_keys(const ConfigSection& scene) {
+    for (const char* key : {"config", "photos", "name"}) static_cast<void>(scene.text(key, ""));
+    scene.leave_to_others("settings");
+}
+
 DatasetScene read_scene(const ConfigSection& section, std::vector<ConfigChange> changes) {
     const fs::path config = section.path("config");
     const fs::path photos = section.path("photos");
@@ -59,8 +65,9 @@ Dataset read_dataset(const fs::path& path) {
     const std::vector<ConfigChange> for_all = document.changes_of("settings");
     std::set<std::string> names;
     const std::vector<ConfigSection> sections = file.sections("scene");
+    for (const ConfigSection& section : sections) name_known_keys(section);
+    file.expect_all_keys_known();  // Before a scene is found to lack what is misspelt.
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        sections[i].leave_to_others("settings");
         std::vector<ConfigChange> changes = for_all;
         for (ConfigChange& change :
              document.changes_of("scene[" + std::to_string(i) + "].settings")) {
@@ -73,7 +80,6 @@ Dataset read_dataset(const fs::path& path) {
                         "give one of them another name = \"...\"");
         }
     }
-    file.expect_all_keys_known();
     return dataset;
 }
 

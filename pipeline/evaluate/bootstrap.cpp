@@ -20,7 +20,7 @@ double quantile(const std::vector<double>& sorted, double share) {
 
 std::optional<Interval> bootstrap_interval(const std::vector<double>& values,
                                            const BootstrapOptions& options) {
-    if (values.size() < 2) return std::nullopt;
+    if (values.size() < kFewestForInterval) return std::nullopt;
     // Distributions of the standard library differ between libraries, its generators do not.
     std::mt19937_64 random(options.seed);
     std::vector<double> means;
@@ -32,6 +32,12 @@ std::optional<Interval> bootstrap_interval(const std::vector<double>& values,
     std::sort(means.begin(), means.end());
     const double tail = (1.0 - options.level) / 2.0;
     return Interval{quantile(means, tail), quantile(means, 1.0 - tail)};
+}
+
+std::optional<Interval> range_of(const std::vector<double>& values) {
+    if (values.empty()) return std::nullopt;
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    return Interval{*least, *greatest};
 }
 
 }  // namespace lumi

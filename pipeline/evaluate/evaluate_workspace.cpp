@@ -1,10 +1,12 @@
 #include "pipeline/evaluate/evaluate_workspace.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "calib/pictures/image_io.h"
+#include "calib/work/content_hash.h"
 #include "calib/work/whole_folder.h"
 #include "pipeline/evaluate/comparison_strip.h"
 #include "pipeline/evaluate/evaluation_file.h"
@@ -12,6 +14,7 @@
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/evaluate/held_out_subject.h"
 #include "pipeline/stages/file_stems.h"
+#include "pipeline/stages/photograph_list.h"
 #include "pipeline/stages/used_views.h"
 #include "pipeline/workspace/json_file.h"
 #include "render/lumigraph/package.h"
@@ -63,6 +66,40 @@ void write_pictures(const fs::path& folder, const PictureNames& names, RenderMod
     }
 }
 
+std::vector<std::string> names_without_pose(const PackRecord& record, const Capture& posed) {
+    std::vector<std::string> with_pose = view_names(posed);
+    std::sort(with_pose.begin(), with_pose.end());
+    std::vector<std::string> without;
+    std::set_difference(record.held_out.begin(), record.held_out.end(), with_pose.begin(),
+                        with_pose.end(), std::back_inserter(without));
+    return without;
+}
+
+std::string sha256_of_pixels(const fs::path& picture) {
+    const ColorImage image = read_color_image(picture);
+    static_assert(sizeof(Rgb8) == 3);
+    return sha256_hex({reinterpret_cast<const std::uint8_t*>(image.pixels().data()),
+                       image.pixels().size() * sizeof(Rgb8)});
+}
+
+/// Notes with each view which photograph it was compared with, by its working copy: what was
+/// compared with is that copy as a lens straightens it, which is found anew where poses are.
+void name_photographs(const WorkspaceLayout& workspace, Evaluation& evaluation) {
+    std::map<std::string, std::string> sha256_of;
+    for (const ViewScore& view : evaluation.modes.front().views) sha256_of[view.name] = "";
+    for (const Photograph& photograph :
+         read_photograph_list(workspace.stage_folder("ingest")).photographs) {
+        const auto wanted = sha256_of.find(photograph.name);
+        if (wanted != sha256_of.end()) wanted->second = sha256_of_pixels(photograph.picture_path);
+    }
+    const auto note = [&](std::vector<ViewScore>& views) {
+        for (ViewScore& view : views) view.photograph_sha256 = sha256_of[view.name];
+    };
+    for (ModeScores& mode : evaluation.modes) note(mode.views);
+    if (!evaluation.rivals) return;
+    for (RivalScores& rival : evaluation.rivals->methods) note(rival.views);
+}
+
 /// Where each view's pictures lie, in evaluation.json.
 void name_pictures(nlohmann::ordered_json& views, const PictureNames& names, RenderMode mode) {
     for (auto& view : views) {
@@ -77,7 +114,8 @@ void name_pictures(nlohmann::ordered_json& views, const PictureNames& names, Ren
 
 Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOptions& options,
                               const std::string& code_version, int threads, Progress& progress) {
-    const PosedPhotographs held_out = held_out_photographs(workspace, threads);
+    const PackRecord record = finished_pack(workspace);
+    const PosedPhotographs held_out = held_out_photographs(workspace, record, threads);
     const Lumigraph lumigraph = read_package(workspace.package_folder(), {}, options.exposures);
     const PictureNames names(held_out.capture, options.modes.front());
     const EvaluationOptions with_subject = judging_subject(options, workspace);
@@ -97,6 +135,9 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
             },
             progress);
     }
+
+    evaluation.not_judged = names_without_pose(record, held_out.capture);
+    name_photographs(workspace, evaluation);
 
     nlohmann::ordered_json json = evaluation_json(evaluation);
     json["package_sha256"] = package_sha256(workspace);

@@ -27,6 +27,7 @@ struct Evaluation {
     std::string subject_from;  ///< Of EvaluationOptions.
     std::vector<ModeScores> modes;
     std::optional<RivalEvaluation> rivals = {};  ///< Empty when they were not asked for.
+    std::vector<std::string> not_judged = {};    ///< Held-out photographs without a pose.
 };
 
 struct EvaluationOptions {

@@ -44,13 +44,40 @@ MetricComparison compare_metric(const ScoreMetric& metric, const std::vector<std
         b.push_back(value_b.get<double>());
         differences.push_back(b.back() - a.back());
     }
-    MetricComparison comparison{metric.name, {}, {}, {}, {}, metric.higher_is_better};
+    MetricComparison comparison{metric.name, {}, {}, {}, {}, {}, {}, metric.higher_is_better};
     if (a.empty()) return comparison;
     comparison.mean_a = mean_of(a);
     comparison.mean_b = mean_of(b);
     comparison.mean_difference = mean_of(differences);
-    comparison.interval = bootstrap_interval(differences);
+    comparison.range = range_of(differences);
+    if (metric.is_time) {
+        comparison.ratio = *comparison.mean_b / *comparison.mean_a;
+    } else {
+        comparison.interval = bootstrap_interval(differences);
+    }
     return comparison;
+}
+
+/// What an evaluation of an early version does not say is not compared.
+bool differ(const Json& view_a, const Json& view_b, const char* key) {
+    const Json a = view_a.value(key, Json());
+    const Json b = view_b.value(key, Json());
+    return !a.is_null() && !b.is_null() && a != b;
+}
+
+std::string pixels_text(const Json& view) {
+    return view.at("width_px").dump() + " x " + view.at("height_px").dump();
+}
+
+void expect_same_photograph(const std::string& name, const Json& view_a, const Json& view_b) {
+    const auto refuse = [&](const std::string& reason) {
+        throw Error(ErrorKind::kBadInput, "E-EVAL-DISJOINT", name + ": " + reason,
+                    "compare evaluations of the same photographs at the same size");
+    };
+    if (differ(view_a, view_b, "width_px") || differ(view_a, view_b, "height_px"))
+        refuse(pixels_text(view_a) + " pixels in A and " + pixels_text(view_b) + " in B");
+    if (differ(view_a, view_b, "photograph_sha256"))
+        refuse("another photograph in A than in B, of the same name");
 }
 
 std::vector<ModeComparison> compare(const Json& a, const Json& b) {
@@ -62,7 +89,10 @@ std::vector<ModeComparison> compare(const Json& a, const Json& b) {
         if (views_b == modes_b.end()) continue;
         ModeComparison comparison{mode, {}, {}};
         for (const auto& [name, view] : views_a) {
-            if (views_b->second.contains(name)) comparison.shared_views.push_back(name);
+            const auto other = views_b->second.find(name);
+            if (other == views_b->second.end()) continue;
+            expect_same_photograph(name, view, other->second);
+            comparison.shared_views.push_back(name);
         }
         if (comparison.shared_views.empty()) continue;
         for (const ScoreMetric& metric : score_metrics()) {
@@ -94,7 +124,11 @@ std::vector<ModeComparison> compare_evaluations(const Json& a, const Json& b) {
 }
 
 std::string judgement_of(const MetricComparison& comparison) {
-    if (!comparison.interval) return "same";
+    if (comparison.ratio) return "not judged";
+    const bool is_equal =
+        !comparison.range || (comparison.range->low == 0.0 && comparison.range->high == 0.0);
+    if (is_equal) return "same";
+    if (!comparison.interval) return "too few views";
     const Interval& interval = *comparison.interval;
     if (interval.low <= 0.0 && interval.high >= 0.0) return "same";
     return (interval.low > 0.0) == comparison.higher_is_better ? "better" : "worse";

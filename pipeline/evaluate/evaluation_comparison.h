@@ -16,7 +16,11 @@ struct MetricComparison {
     std::optional<double> mean_b;
     std::optional<double> mean_difference;  ///< B - A, view by view.
     /// Bootstrap interval of that mean: when it does not hold 0, the difference is beyond chance.
+    /// Empty for few views, and for times: how these differ from view to view says nothing of how
+    /// they differ from run to run.
     std::optional<Interval> interval;
+    std::optional<Interval> range;  ///< Of the differences.
+    std::optional<double> ratio;    ///< Of times: mean B over mean A.
     bool higher_is_better = true;
 };
 
@@ -27,11 +31,13 @@ struct ModeComparison {
 };
 
 /// Compares two results of `lumi evaluate` mode by mode, over views of equal names. Throws Error
-/// (E-EVAL-DISJOINT) when they have no view of any mode in common, and E-JSON-READ.
+/// (E-EVAL-DISJOINT) when they have no view of any mode in common, or different photographs under
+/// one name, and E-JSON-READ.
 [[nodiscard]] std::vector<ModeComparison> compare_evaluations(const nlohmann::ordered_json& a,
                                                               const nlohmann::ordered_json& b);
 
-/// "better", "worse" or "same": what B is beside A, as far as the views can tell.
+/// "better", "worse" or "same": what B is beside A, as far as the views can tell; "too few views"
+/// where they cannot (kFewestForInterval), "not judged" of times.
 [[nodiscard]] std::string judgement_of(const MetricComparison& comparison);
 
 }  // namespace lumi

@@ -21,6 +21,10 @@ Json view_json(const ViewScore& score) {
     json["ms_range"] = {score.fastest_ms, score.slowest_ms};
     json["gain"] = score.gain;
     json["subject_share"] = optional_json(score.subject_share);
+    json["width_px"] = score.width_px > 0 ? Json(score.width_px) : Json();
+    json["height_px"] = score.height_px > 0 ? Json(score.height_px) : Json();
+    json["photograph_sha256"] =
+        score.photograph_sha256.empty() ? Json() : Json(score.photograph_sha256);
     return json;
 }
 
@@ -80,6 +84,22 @@ void expect_known_version(const Json& evaluation, const fs::path& path) {
                 path.string() + ": no evaluation of schema version " +
                     std::to_string(kEvaluationSchemaVersion),
                 "run `lumi evaluate` again with this version of lumi");
+}
+
+bool is_of_package(const Json& evaluation, const WorkspaceLayout& workspace) {
+    std::error_code status;
+    return fs::is_directory(workspace.package_folder(), status) &&
+           says(evaluation, "package_sha256", package_sha256(workspace));
+}
+
+Json evaluation_of_workspace(const WorkspaceLayout& workspace) {
+    const fs::path path = workspace.evaluation_folder() / "evaluation.json";
+    Json evaluation = read_json_file(path);
+    expect_known_version(evaluation, path);
+    if (is_of_package(evaluation, workspace)) return evaluation;
+    throw Error(ErrorKind::kBadInput, "E-EVAL-STALE",
+                path.string() + ": of another package than the one that stands there now",
+                "run `lumi evaluate " + workspace.folder().string() + "` again");
 }
 
 /// Null when it cannot be read.
@@ -146,6 +166,7 @@ Json evaluation_json(const Evaluation& evaluation) {
         {"mode", name_of(evaluation.modes.front().mode)},
         {"gl", evaluation.gl_description},
         {"subject_from", evaluation.subject_from.empty() ? Json() : Json(evaluation.subject_from)},
+        {"not_judged", evaluation.not_judged},
         {"bootstrap",
          {{"level", bootstrap.level},
           {"resamples", bootstrap.resamples},
@@ -160,11 +181,15 @@ Json evaluation_json(const Evaluation& evaluation) {
     return json;
 }
 
+std::string name_of(Exposures exposures) {
+    return exposures == Exposures::kEvened ? "evened" : "as taken";
+}
+
 Json made_with_json(const EvaluationOptions& options, const std::string& code_version) {
     Json modes = Json::array();
     for (const RenderMode mode : options.modes) modes.push_back(name_of(mode));
     return Json{{"modes", std::move(modes)},
-                {"exposures", options.exposures == Exposures::kEvened ? "evened" : "as taken"},
+                {"exposures", name_of(options.exposures)},
                 {"ghost_energy", options.ghost_energy},
                 {"rivals", options.rivals},
                 {"code", code_version}};
@@ -176,24 +201,20 @@ std::string package_sha256(const WorkspaceLayout& workspace) {
 
 Json read_evaluation(const fs::path& file_or_folder) {
     std::error_code status;
-    const fs::path path = fs::is_directory(file_or_folder, status)
-                              ? file_or_folder / "evaluation" / "evaluation.json"
-                              : file_or_folder;
-    Json evaluation = read_json_file(path);
-    expect_known_version(evaluation, path);
+    if (fs::is_directory(file_or_folder, status))
+        return evaluation_of_workspace(find_workspace(file_or_folder));
+    Json evaluation = read_json_file(file_or_folder);
+    expect_known_version(evaluation, file_or_folder);
     return evaluation;
 }
 
 Json read_current_evaluation(const WorkspaceLayout& workspace) {
     const fs::path path = workspace.evaluation_folder() / "evaluation.json";
     std::error_code status;
-    if (!fs::is_regular_file(path, status) ||
-        !fs::is_directory(workspace.package_folder(), status)) {
-        return nullptr;
-    }
+    if (!fs::is_regular_file(path, status)) return nullptr;
     const Json evaluation = json_or_null(path);
     const bool is_current = says(evaluation, "schema_version", kEvaluationSchemaVersion) &&
-                            says(evaluation, "package_sha256", package_sha256(workspace));
+                            is_of_package(evaluation, workspace);
     return is_current ? evaluation : Json();
 }
 

@@ -1,11 +1,9 @@
 #include "pipeline/evaluate/held_out_photographs.h"
 
 #include "calib/work/error.h"
-#include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/evaluate/stale_package.h"
 #include "pipeline/stages/posed_files.h"
 #include "pipeline/stages/used_views.h"
-#include "pipeline/workspace/content.h"
-#include "pipeline/workspace/stage_outputs.h"
 
 namespace lumi {
 
@@ -29,33 +27,14 @@ PackRecord finished_pack(const WorkspaceLayout& workspace) {
     return record;
 }
 
-namespace {
-
-/// What the package's record holds, if nothing changed since. Working copies, too: they bear
-/// numbers, which move where a photograph goes or comes.
-std::string pictures_sha256(const WorkspaceLayout& workspace, int threads) {
-    std::vector<ContentEntry> all;
-    for (const char* folder : {"ingest", "poses/pinhole"}) {
-        for (ContentEntry& entry : content_of(workspace.folder() / folder, threads)) {
-            if (entry.name != kDoneMarkerName)
-                all.push_back({std::string(folder) + '/' + entry.name, std::move(entry.sha256)});
-        }
-    }
-    return sha256_of_content(all);
-}
-
-}  // namespace
-
 PosedPhotographs packed_photographs(const WorkspaceLayout& workspace, const PackRecord& record,
                                     int threads) {
-    const auto refuse = [&](const char* reason) {
-        throw Error(ErrorKind::kBadInput, "E-EVAL-STALE", workspace.folder().string() + reason,
+    const std::string reason = why_package_is_stale(workspace, record, threads);
+    if (!reason.empty()) {
+        throw Error(ErrorKind::kBadInput, "E-EVAL-STALE",
+                    workspace.folder().string() + ": " + reason,
                     "run `lumi build CONFIG.toml` again");
-    };
-    if (package_sha256(workspace) != record.package_sha256)
-        refuse(": the package is not the one that was recorded, as by a run that did not end");
-    if (pictures_sha256(workspace, threads) != record.pictures_sha256)
-        refuse(": the package was made from other photographs or poses");
+    }
     return read_posed_photographs(workspace.stage_folder("poses") / "pinhole");
 }
 

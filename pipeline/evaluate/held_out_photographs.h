@@ -10,7 +10,8 @@ namespace lumi {
 /// E-EVAL-NOHOLDOUT).
 [[nodiscard]] PackRecord finished_pack(const WorkspaceLayout& workspace);
 
-/// All photographs with poses, as the package was made from them. Throws Error (E-EVAL-STALE).
+/// All photographs with poses, as the package was made from them. Throws Error (E-EVAL-STALE:
+/// stale_package.h).
 [[nodiscard]] PosedPhotographs packed_photographs(const WorkspaceLayout& workspace,
                                                   const PackRecord& record, int threads);
 

@@ -76,6 +76,8 @@ JudgedView judged_view(const PosedPhotographs& held_out, std::size_t index, cons
     judged.score.place =
         place_of_view(mesh, camera_of(held_out.capture, view), view.cam_from_world);
     judged.photograph = read_color_image(held_out.picture_paths[index]);
+    judged.score.width_px = judged.photograph.width();
+    judged.score.height_px = judged.photograph.height();
     if (subject_mask) judged.subject = subject_mask(judged.score.name, judged.photograph);
     judged.rendering = std::move(rendering);
     score_picture(judged);

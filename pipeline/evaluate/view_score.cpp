@@ -22,8 +22,8 @@ const std::vector<ScoreMetric>& score_metrics() {
         {"flip_subject", [](const ViewScore& s) { return s.flip_subject; }, false},
         {"subject_coverage", [](const ViewScore& s) { return s.subject_coverage; }, true},
         {"coverage", [](const ViewScore& s) -> Value { return s.coverage; }, true},
-        {"ms", [](const ViewScore& s) -> Value { return s.ms; }, false},
-        {"cpu_ms", [](const ViewScore& s) -> Value { return s.cpu_ms; }, false}};
+        {"ms", [](const ViewScore& s) -> Value { return s.ms; }, false, true},
+        {"cpu_ms", [](const ViewScore& s) -> Value { return s.cpu_ms; }, false, true}};
     return metrics;
 }
 
@@ -44,6 +44,10 @@ std::optional<double> mean_of(const ScoreMetric& metric, const std::vector<ViewS
 std::optional<Interval> interval_of(const ScoreMetric& metric,
                                     const std::vector<ViewScore>& views) {
     return bootstrap_interval(values_of(metric, views));
+}
+
+std::optional<Interval> range_of(const ScoreMetric& metric, const std::vector<ViewScore>& views) {
+    return range_of(values_of(metric, views));
 }
 
 ViewScore mean_score(const std::vector<ViewScore>& views) {

@@ -34,6 +34,11 @@ struct ViewScore {
     ViewPlace place = ViewPlace::kInterior;
     double fastest_ms = 0.0;  ///< Of the repeated frames.
     double slowest_ms = 0.0;
+    int width_px = 0;  ///< Of the photograph and the rendering; 0 in evaluations of early versions.
+    int height_px = 0;
+    /// Which photograph it is, by its working copy, however that was straightened; "" where that is
+    /// not known.
+    std::string photograph_sha256 = {};
 };
 
 /// A figure of a view's score, by the name it has in JSON.
@@ -41,6 +46,7 @@ struct ScoreMetric {
     const char* name;
     std::optional<double> (*value)(const ViewScore& score);
     bool higher_is_better;
+    bool is_time = false;  ///< Differs from run to run, by what else the machine does.
 };
 
 /// All figures that are averaged over views, in the order in which they are told.
@@ -53,6 +59,10 @@ struct ScoreMetric {
                                             const std::vector<ViewScore>& views);
 [[nodiscard]] std::optional<Interval> interval_of(const ScoreMetric& metric,
                                                   const std::vector<ViewScore>& views);
+
+/// From the view where it is least to the one where it is greatest.
+[[nodiscard]] std::optional<Interval> range_of(const ScoreMetric& metric,
+                                               const std::vector<ViewScore>& views);
 
 /// The mean over views; for what not every view has, over those that have it. `name` is "mean".
 [[nodiscard]] ViewScore mean_score(const std::vector<ViewScore>& views);

@@ -7,13 +7,15 @@
 #include "calib/ingest/cut_outs.h"
 #include "calib/work/content_hash.h"
 #include "calib/work/error_of_exception.h"
-#include "calib/work/whole_file.h"
 #include "meshing/geometry/binary_volume.h"
 #include "pipeline/evaluate/asked_efforts.h"
 #include "pipeline/evaluate/view_curve.h"
 #include "pipeline/line/code_version.h"
 #include "pipeline/line/external_tools.h"
+#include "pipeline/line/finished_stages.h"
+#include "pipeline/line/named_paths.h"
 #include "pipeline/line/stages_file.h"
+#include "pipeline/line/told_configuration.h"
 #include "pipeline/stages/calibrate_stage.h"
 #include "pipeline/stages/depth_stage.h"
 #include "pipeline/stages/ingest_stage.h"
@@ -44,14 +46,24 @@ class Line {
           workspace_(workspace),
           threads_(threads),
           progress_(progress),
-          store_(store) {}
+          store_(store),
+          configuration_sha256_(configuration_sha256(config)) {}
 
     [[nodiscard]] const std::vector<FinishedStage>& finished() const { return finished_; }
+
+    /// So far: what an earlier run wrote down does not outlast the beginning of this one.
+    void write_down() const {
+        write_stages_file(workspace_.stages_path(), finished_, configuration_sha256_);
+    }
+    void write_down(const std::string& failed_stage, const Error& failure) const {
+        write_stages_file(workspace_.stages_path(), finished_, configuration_sha256_, failed_stage,
+                          failure);
+    }
 
     void bring_up_to_date(const std::string& name) {
         finished_.push_back(
             lumi::bring_up_to_date(workspace_, stage_named(name), threads_, progress_, store_));
-        write_stages_file(workspace_.stages_path(), finished_);
+        write_down();
     }
 
  private:
@@ -72,8 +84,9 @@ class Line {
     }
 
     [[nodiscard]] Stage ingest_stage() const {
-        const std::vector<ContentEntry> inputs = content_of_photographs(
-            config_.photographs_or_video, workspace_.stage_folder("ingest"), threads_);
+        const std::vector<ContentEntry> inputs =
+            content_of_photographs(config_.photographs_or_video, workspace_.stage_folder("ingest"),
+                                   config_.ingest.other_folders, threads_);
         return {identity("ingest", inputs),
                 [this](const fs::path& folder) {
                     return run_ingest_stage(config_.photographs_or_video, config_.ingest, folder,
@@ -83,7 +96,7 @@ class Line {
     }
 
     [[nodiscard]] Stage calibrate_stage() const {
-        return {identity("calibrate", content_of_photographs(config_.boards, {}, threads_)),
+        return {identity("calibrate", content_of_photographs(config_.boards, {}, {}, threads_)),
                 [this](const fs::path& folder) {
                     return run_calibrate_stage(config_.boards, folder, threads_, progress_);
                 },
@@ -154,13 +167,15 @@ class Line {
             append(inputs, outputs_of(stage, ""));
         }
         inputs.push_back(held_out_entry());
-        inputs.push_back({"facts of all stages", sha256_hex(facts_of_all_stages())});
+        inputs.push_back({"facts of all stages", sha256_hex(facts_of(finished_))});
         return {identity("pack", inputs),
                 [this](const fs::path& folder) {
                     return run_pack_stage(
                         {config_.name, used_, ingested_, held_out_, workspace_.stage_folder("mesh"),
                          workspace_.stage_folder("depth"), sha256_of_content(pictures_and_poses()),
-                         config_.resolved_toml, facts_of_all_stages(), config_.package,
+                         sha256_of_content(outputs_of("mesh", "")),
+                         sha256_of_content(outputs_of("depth", "")), configuration_sha256_,
+                         config_.resolved_toml, facts_of(finished_), config_.package,
                          config_.drawing, config_.mesh,
                          [this](const Lumigraph& lumigraph, const Capture& capture) {
                              return sufficient_views(lumigraph, capture, config_.mesh, progress_);
@@ -209,15 +224,7 @@ class Line {
     /// What a finished stage wrote, where the name begins with `prefix`.
     [[nodiscard]] std::vector<ContentEntry> outputs_of(const std::string& stage,
                                                        const std::string& prefix) const {
-        const auto finished =
-            std::find_if(finished_.begin(), finished_.end(),
-                         [&](const FinishedStage& candidate) { return candidate.name == stage; });
-        assert(finished != finished_.end());
-        std::vector<ContentEntry> outputs;
-        for (const ContentEntry& output : finished->outputs) {
-            if (output.name.starts_with(prefix)) outputs.push_back(output);
-        }
-        return outputs;
+        return lumi::outputs_of(finished_, stage, prefix);
     }
 
     /// Pictures that needed no undistortion are the working copies themselves.
@@ -227,29 +234,17 @@ class Line {
         return inputs;
     }
 
-    [[nodiscard]] std::string facts_of_all_stages() const {
-        Json facts = Json::object();
-        for (const FinishedStage& stage : finished_) {
-            facts[stage.name] = Json::parse(stage.evidence.facts_json);
-        }
-        return facts.dump();
-    }
-
     const BuildConfig& config_;
     const Workspace& workspace_;
     int threads_;
     Progress& progress_;
     const StageStore* store_;
+    std::string configuration_sha256_;
     std::vector<FinishedStage> finished_;
     std::vector<Photograph> ingested_;
     std::vector<std::string> held_out_;
     PosedPhotographs used_;
 };
-
-/// What the names of keys do not tell.
-constexpr const char* kConfigNotes =
-    "# max_width_px limits, in [capture], the longer side of photographs, whichever that is, and, "
-    "in [depth], the\n# width of depth maps.\n";
 
 /// What ended a stage, with what the line knows of the way on.
 std::optional<Error> failure_of_stage(const std::exception& exception) {
@@ -278,16 +273,17 @@ const std::vector<std::string>& stages_of_line() {
 std::vector<FinishedStage> run_line(const BuildConfig& config, const Workspace& workspace,
                                     const std::string& last_stage, int threads, Progress& progress,
                                     const StageStore* store) {
-    write_whole_text(workspace.config_path(),
-                     std::string(kWorkspaceConfigHeader) + kConfigNotes + config.movable_toml);
+    expect_named_paths(config, last_stage);
+    write_configuration(workspace, config);
     Line line(config, workspace, threads, progress, store);
+    line.write_down();
     for (const std::string& stage : stages_for(config)) {
         try {
             line.bring_up_to_date(stage);
         } catch (const std::exception& exception) {
             const std::optional<Error> failure = failure_of_stage(exception);
             if (!failure) throw;
-            write_stages_file(workspace.stages_path(), line.finished(), stage, *failure);
+            line.write_down(stage, *failure);
             throw *failure;
         }
         if (stage == last_stage) break;

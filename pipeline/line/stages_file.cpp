@@ -21,6 +21,12 @@ Json stage_json(const FinishedStage& stage) {
                 {"timings", Json::parse(stage.evidence.timings_json)}};
 }
 
+Json run_json(const std::vector<FinishedStage>& stages, const std::string& configuration_sha256) {
+    Json json = stages_json(stages);
+    json["configuration_sha256"] = configuration_sha256;
+    return json;
+}
+
 }  // namespace
 
 Json stages_json(const std::vector<FinishedStage>& stages) {
@@ -29,14 +35,15 @@ Json stages_json(const std::vector<FinishedStage>& stages) {
     return Json{{"schema_version", 1}, {"stages", std::move(list)}};
 }
 
-void write_stages_file(const std::filesystem::path& path,
-                       const std::vector<FinishedStage>& stages) {
-    write_json_file(path, stages_json(stages));
+void write_stages_file(const std::filesystem::path& path, const std::vector<FinishedStage>& stages,
+                       const std::string& configuration_sha256) {
+    write_json_file(path, run_json(stages, configuration_sha256));
 }
 
 void write_stages_file(const std::filesystem::path& path, const std::vector<FinishedStage>& stages,
-                       const std::string& failed_stage, const Error& failure) {
-    Json json = stages_json(stages);
+                       const std::string& configuration_sha256, const std::string& failed_stage,
+                       const Error& failure) {
+    Json json = run_json(stages, configuration_sha256);
     json["failure"] = {{"stage", failed_stage},
                        {"code", failure.code()},
                        {"what", printable(failure.what())},

@@ -30,9 +30,10 @@ void append(Evaluation& all, Evaluation one) {
 class LeavingOneOut {
  public:
     LeavingOneOut(const ConfigDocument& document, const std::vector<RenderMode>& modes,
-                  const fs::path& folder, int threads, Progress& progress)
+                  Exposures exposures, const fs::path& folder, int threads, Progress& progress)
         : document_(document),
-          options_{.modes = modes, .ghost_energy = false, .timed_frames = 1},
+          options_{
+              .modes = modes, .ghost_energy = false, .timed_frames = 1, .exposures = exposures},
           folder_(folder),
           threads_(threads),
           progress_(progress) {}
@@ -48,7 +49,7 @@ class LeavingOneOut {
                         "fewer than three photographs have a place: none can be left out",
                         "take more photographs");
         }
-        const Lumigraph lumigraph = read_package(whole.package_folder());
+        const Lumigraph lumigraph = read(whole);
         const EvaluationOptions options = judging_subject(options_, whole);
         for (const std::string& name : result.photographs) {
             append(result.depth_kept, judge_with_depth_kept(lumigraph, all, name, options));
@@ -74,6 +75,10 @@ class LeavingOneOut {
         return workspace;
     }
 
+    [[nodiscard]] Lumigraph read(const WorkspaceLayout& workspace) const {
+        return read_package(workspace.package_folder(), {}, options_.exposures);
+    }
+
     [[nodiscard]] Evaluation judge(const Lumigraph& lumigraph, const PosedPhotographs& held_out,
                                    const EvaluationOptions& options) const {
         return evaluate_held_out(
@@ -94,8 +99,7 @@ class LeavingOneOut {
     [[nodiscard]] Evaluation judge_without(const std::string& name,
                                            const std::string& folder) const {
         const WorkspaceLayout workspace = build(folder, "[" + literal_of_text(name) + "]");
-        return judge(read_package(workspace.package_folder()),
-                     held_out_photographs(workspace, threads_),
+        return judge(read(workspace), held_out_photographs(workspace, threads_),
                      judging_subject(options_, workspace));
     }
 
@@ -109,9 +113,9 @@ class LeavingOneOut {
 }  // namespace
 
 LeaveOneOut leave_one_out(const ConfigDocument& document, const std::vector<RenderMode>& modes,
-                          bool remove_depth, const fs::path& folder, int threads,
-                          Progress& progress) {
-    return LeavingOneOut(document, modes, folder, threads, progress).run(remove_depth);
+                          Exposures exposures, bool remove_depth, const fs::path& folder,
+                          int threads, Progress& progress) {
+    return LeavingOneOut(document, modes, exposures, folder, threads, progress).run(remove_depth);
 }
 
 }  // namespace lumi

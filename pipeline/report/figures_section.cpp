@@ -1,3 +1,4 @@
+#include "pipeline/evaluate/view_score.h"
 #include "pipeline/report/sections.h"
 #include "pipeline/text/html.h"
 #include "pipeline/text/number_text.h"
@@ -46,10 +47,32 @@ Json bound_of(const Json& interval, std::size_t side) {
     return bound;
 }
 
+/// The range of every figure over the views, as an interval of it.
+Json ranges_of(const Json& views) {
+    Json ranges = Json::object();
+    for (const ScoreMetric& metric : score_metrics()) {
+        std::vector<double> values;
+        for (const Json& view : views) {
+            const Json& value = view.at(metric.name);
+            if (!value.is_null()) values.push_back(value.get<double>());
+        }
+        const auto range = range_of(values);
+        ranges[metric.name] = range ? Json{range->low, range->high} : Json();
+    }
+    return ranges;
+}
+
 TableRows summary_rows(const Json& scores, bool has_subject) {
-    TableRows rows{row_of("mean", scores.at("mean"), has_subject),
-                   row_of("95 %, from", bound_of(scores.at("interval"), 0), has_subject),
-                   row_of("95 %, to", bound_of(scores.at("interval"), 1), has_subject)};
+    TableRows rows{row_of("mean", scores.at("mean"), has_subject)};
+    const Json& views = scores.at("views");
+    if (views.size() >= kFewestForInterval) {
+        rows.push_back(row_of("95 %, from", bound_of(scores.at("interval"), 0), has_subject));
+        rows.push_back(row_of("95 %, to", bound_of(scores.at("interval"), 1), has_subject));
+    } else if (views.size() > 1) {
+        const Json ranges = ranges_of(views);
+        rows.push_back(row_of("least", bound_of(ranges, 0), has_subject));
+        rows.push_back(row_of("greatest", bound_of(ranges, 1), has_subject));
+    }
     for (const char* place : {"interior", "border"}) {
         const Json& group = scores.at(place);
         const auto count = group.at("views").get<int>();
@@ -111,8 +134,9 @@ std::string figures_section(const ReportSources& sources) {
     }
     html += ghost_remark(evaluation) + "<p>Drawn with " +
             html_escaped(text_of(evaluation.at("gl"))) +
-            ". Intervals are bootstrap intervals of the mean over views. Interior: between "
-            "cameras; border: continued beyond the outermost ones.</p>\n";
+            ". Intervals are bootstrap intervals of the mean over views; fewer than six views "
+            "are told by their least and greatest. Interior: between cameras; border: continued "
+            "beyond the outermost ones.</p>\n";
     return html_section("How close it comes", html);
 }
 

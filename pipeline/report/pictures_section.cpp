@@ -24,6 +24,16 @@ std::string map_figure(const fs::path& folder, const Json& view, const char* key
                        caption);
 }
 
+/// What else the photographs were good for, beside judging.
+std::string part_taken(const ReportSources& sources) {
+    if (sources.target.is_null())
+        return "These photographs took part in finding the cameras and in nothing else: depth, "
+               "camera mesh and pictures were made without them.";
+    return "These photographs took part in finding the cameras, and settings were chosen by these "
+           "photographs, so that others may be reproduced less well; depth, camera mesh and "
+           "pictures were made without them.";
+}
+
 std::string view_pictures(const fs::path& folder, const Json& view) {
     const ComparisonPanels panels =
         panels_of(read_color_image(folder / view.at("picture").get<std::string>()));
@@ -50,9 +60,7 @@ std::string view_pictures(const fs::path& folder, const Json& view) {
 std::string pictures_section(const ReportSources& sources) {
     if (sources.evaluation.is_null()) return {};
     const Json& views = sources.evaluation.at("views");
-    std::string html =
-        "<p>These photographs took part in finding the cameras and in nothing else: depth, camera "
-        "mesh and pictures were made without them.</p>\n";
+    std::string html = "<p>" + part_taken(sources) + "</p>\n";
     for (const std::size_t index : spread(views.size(), kMaxViews)) {
         html += view_pictures(sources.workspace.evaluation_folder(), views.at(index));
     }

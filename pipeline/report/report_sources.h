@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/report/standing_package.h"
 #include "pipeline/workspace/workspace.h"
 
 namespace lumi {
@@ -11,8 +12,11 @@ namespace lumi {
 /// What a report is made from.
 struct ReportSources {
     WorkspaceLayout workspace;
-    nlohmann::ordered_json stages;      ///< As in stages.json.
-    nlohmann::ordered_json evaluation;  ///< As in evaluation.json; null when there is none.
+    nlohmann::ordered_json stages;  ///< As in stages.json.
+    StandingPackage package;
+    /// As in evaluation.json; null when there is none of a package that the configuration asks for.
+    nlohmann::ordered_json evaluation;
+    nlohmann::ordered_json target;  ///< As in target.json; the same.
 };
 
 /// Rows of a table, cell by cell.

@@ -11,6 +11,8 @@ namespace lumi {
 
 /// How it went, in colour.
 [[nodiscard]] std::string verdict_section(const ReportSources& sources);
+/// What `lumi build --target` was to reach, what it chose and what came of it.
+[[nodiscard]] std::string target_section(const ReportSources& sources);
 /// Held-out photographs beside what was drawn in their place.
 [[nodiscard]] std::string pictures_section(const ReportSources& sources);
 /// How close they come: figures with intervals, in every mode.

@@ -22,6 +22,11 @@ void judge_ingest(Verdict& verdict, const Json& evidence) {
     }
 }
 
+std::string remark_on_former(const StandingPackage& package) {
+    return "What was measured of the package that stands here is left out, as " +
+           package.stale_because + ": run lumi build to its end, and lumi evaluate again.";
+}
+
 void judge_poses(Verdict& verdict, const Json& evidence) {
     const std::size_t lost = evidence.at("not_registered").size();
     if (lost > 0) {
@@ -34,6 +39,15 @@ void judge_poses(Verdict& verdict, const Json& evidence) {
     }
 }
 
+/// Those without a pose are no part of the mean.
+std::string judged_photographs(const Json& evaluation) {
+    const std::size_t not_judged = evaluation.value("not_judged", Json::array()).size();
+    if (not_judged == 0) return "Held-out photographs are";
+    const std::size_t judged = evaluation.at("views").size();
+    return std::to_string(judged) + " of " + std::to_string(judged + not_judged) +
+           " held-out photographs " + (judged == 1 ? "is" : "are");
+}
+
 void judge_evaluation(Verdict& verdict, const Json& evaluation) {
     if (evaluation.is_null()) {
         verdict.remarks.emplace_back(
@@ -41,7 +55,7 @@ void judge_evaluation(Verdict& verdict, const Json& evaluation) {
         return;
     }
     const Json& mean = evaluation.at("mean");
-    verdict.headline += " Held-out photographs are reproduced at " +
+    verdict.headline += " " + judged_photographs(evaluation) + " reproduced at " +
                         number_text(mean.at("psnr_db").get<double>(), 1) + " dB, " +
                         number_text(100.0 * mean.at("coverage").get<double>(), 1) +
                         " % of the frame covered.";
@@ -49,7 +63,7 @@ void judge_evaluation(Verdict& verdict, const Json& evaluation) {
 
 }  // namespace
 
-Verdict verdict_of(const Json& stages, const Json& evaluation) {
+Verdict verdict_of(const Json& stages, const StandingPackage& package, const Json& evaluation) {
     Verdict verdict;
     if (stages.contains("failure")) {
         const Json& failure = stages.at("failure");
@@ -57,6 +71,7 @@ Verdict verdict_of(const Json& stages, const Json& evaluation) {
         verdict.headline =
             failure.at("code").get<std::string>() + ": " + failure.at("what").get<std::string>();
         verdict.remarks = {failure.at("advice").get<std::string>()};
+        if (package.is_former()) verdict.remarks.push_back(remark_on_former(package));
         return verdict;
     }
     bool is_packed = false;
@@ -65,12 +80,18 @@ Verdict verdict_of(const Json& stages, const Json& evaluation) {
         if (stage.at("name") == "poses") judge_poses(verdict, stage.at("evidence"));
         is_packed = is_packed || stage.at("name") == "pack";
     }
-    if (!is_packed) {
+    if (!package.exists) {
         verdict.headline = "The line was not run to its end: there is no package yet.";
         verdict.level = Verdict::Level::kFair;
         return verdict;
     }
-    verdict.headline = "The package is finished.";
+    if (package.is_former()) {
+        verdict.headline = "The line was not run to its end.";
+        add_remark(verdict, remark_on_former(package));
+        return verdict;
+    }
+    verdict.headline = is_packed ? "The package is finished."
+                                 : "The package is finished, by a run before the last one.";
     judge_evaluation(verdict, evaluation);
     return verdict;
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/report/standing_package.h"
+
 namespace lumi {
 
 /// How a run went, in words.
@@ -15,8 +17,10 @@ struct Verdict {
 };
 
 /// Bad: the line ended early. Fair: something was left out or is missing. Good: all there. `stages`
-/// is what stages.json says; `evaluation` what evaluation.json says, null when there is none.
+/// is what stages.json says; `evaluation` what evaluation.json says of the package that stands
+/// there, null when there is none.
 [[nodiscard]] Verdict verdict_of(const nlohmann::ordered_json& stages,
+                                 const StandingPackage& package,
                                  const nlohmann::ordered_json& evaluation);
 
 }  // namespace lumi

@@ -5,7 +5,7 @@
 namespace lumi {
 
 std::string verdict_section(const ReportSources& sources) {
-    const Verdict verdict = verdict_of(sources.stages, sources.evaluation);
+    const Verdict verdict = verdict_of(sources.stages, sources.package, sources.evaluation);
     const char* style = verdict.level == Verdict::Level::kGood   ? "good"
                         : verdict.level == Verdict::Level::kFair ? "fair"
                                                                  : "bad";

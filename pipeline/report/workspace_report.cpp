@@ -1,5 +1,6 @@
 #include "pipeline/report/workspace_report.h"
 
+#include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/report/sections.h"
@@ -7,14 +8,45 @@
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Null when it is of another package, of none that it names, or damaged.
+Json current_target(const WorkspaceLayout& workspace) {
+    const auto path = workspace.folder() / "target.json";
+    std::error_code status;
+    if (!std::filesystem::is_regular_file(path, status)) return nullptr;
+    try {
+        const Json target = read_json_file(path);
+        const auto of_package = target.find("package_sha256");
+        const bool is_current =
+            of_package != target.end() && *of_package == package_sha256(workspace);
+        return is_current ? target : Json();
+    } catch (const Error&) {
+        return nullptr;
+    }
+}
+
+/// Figures of a package that the settings beside them did not make would mislead.
+ReportSources sources_of(const WorkspaceLayout& workspace) {
+    Json stages = read_json_file(workspace.stages_path());
+    const StandingPackage package = standing_package(workspace, stages);
+    ReportSources sources{workspace, std::move(stages), package, {}, {}};
+    if (!package.exists || package.is_former()) return sources;
+    sources.evaluation = read_current_evaluation(workspace);
+    sources.target = current_target(workspace);
+    return sources;
+}
+
+}  // namespace
 
 void write_workspace_report(const WorkspaceLayout& workspace) {
-    const ReportSources sources{workspace, read_json_file(workspace.stages_path()),
-                                read_current_evaluation(workspace)};
+    const ReportSources sources = sources_of(workspace);
     std::string body;
-    for (const auto section :
-         {&verdict_section, &pictures_section, &charts_section, &cameras_section, &depth_section,
-          &figures_section, &photographs_section, &seconds_section, &repetition_section}) {
+    for (const auto section : {&verdict_section, &target_section, &pictures_section,
+                               &charts_section, &cameras_section, &depth_section, &figures_section,
+                               &photographs_section, &seconds_section, &repetition_section}) {
         body += section(sources);
     }
     write_whole_text(workspace.report_path(), html_page(workspace.name(), body));

@@ -104,6 +104,17 @@ PackageExtras extras_of(const PackSources& sources) {
             .points = sources.photographs.capture.points};
 }
 
+void write_pack_record(const fs::path& folder, const PackSources& sources,
+                       const fs::path& package_folder) {
+    write_json_file(record_path(folder),
+                    Json{{"held_out", sources.held_out},
+                         {"pictures_sha256", sources.pictures_sha256},
+                         {"mesh_sha256", sources.mesh_sha256},
+                         {"depth_sha256", sources.depth_sha256},
+                         {"configuration_sha256", sources.configuration_sha256},
+                         {"package_sha256", sha256_hex_of_file(package_folder / kManifestName)}});
+}
+
 /// With depth meshes as fine as is asked for.
 DepthMeshEffort make_asked_depth_meshes(const PackSources& sources, Lumigraph& lumigraph,
                                         int threads, Progress& progress) {
@@ -146,10 +157,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     choose(efforts, lumigraph.drawing);
     progress.begin("writing the package", 0);
     write_package(package_folder, lumigraph, extras);
-    write_json_file(record_path(folder),
-                    Json{{"held_out", sources.held_out},
-                         {"pictures_sha256", sources.pictures_sha256},
-                         {"package_sha256", sha256_hex_of_file(package_folder / kManifestName)}});
+    write_pack_record(folder, sources, package_folder);
 
     const Json facts{{"views", lumigraph.views.size()},
                      {"views_in_use", views_in_use},
@@ -169,7 +177,12 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
 PackRecord read_pack_record(const fs::path& pack_folder) {
     const Json json = read_json_file(record_path(pack_folder));
     try {
-        return {json.at("held_out"), json.at("pictures_sha256"), json.at("package_sha256")};
+        return {json.at("held_out"),
+                json.at("pictures_sha256"),
+                json.at("package_sha256"),
+                json.value("mesh_sha256", ""),
+                json.value("depth_sha256", ""),
+                json.value("configuration_sha256", "")};
     } catch (const Json::exception& error) {
         refuse_json(record_path(pack_folder), error.what());
     }

@@ -22,7 +22,10 @@ struct PackSources {
     std::vector<std::string> held_out;
     std::filesystem::path mesh_folder;
     std::filesystem::path depth_folder;
-    std::string pictures_sha256;  ///< Of all pictures, and of the poses stage's pinhole model.
+    std::string pictures_sha256;       ///< Of all pictures, and of the poses stage's pinhole model.
+    std::string mesh_sha256;           ///< Of what the mesh stage wrote.
+    std::string depth_sha256;          ///< Of what the depth stage wrote.
+    std::string configuration_sha256;  ///< As in stages.json (line/told_configuration.h).
     std::string resolved_config_toml;
     std::string evidence_json;
     PackageOptions options;
@@ -52,6 +55,10 @@ struct PackRecord {
     std::vector<std::string> held_out;  ///< Views it was made without, sorted by name.
     std::string pictures_sha256;        ///< As in PackSources.
     std::string package_sha256;         ///< Of its manifest: that of another package is none of it.
+    /// As in PackSources; "" in records of early versions.
+    std::string mesh_sha256 = {};
+    std::string depth_sha256 = {};
+    std::string configuration_sha256 = {};
 };
 /// Throws Error (E-JSON-READ).
 [[nodiscard]] PackRecord read_pack_record(const std::filesystem::path& pack_folder);

@@ -129,6 +129,7 @@ TEST_F(BuildCommand, FoldersOfOneNameDoNotTakeEachOthersPlace) {
     for (const char* parent : {"a", "b"}) fs::create_directory(scratch_ / parent);
     fs::copy(scene_->path() / "photos", scratch_ / "a/photos", fs::copy_options::recursive);
     fs::copy(scene_->path() / "photos", scratch_ / "b/photos", fs::copy_options::recursive);
+    fs::remove(scratch_ / "b/photos/IMG_0009.png");
     EXPECT_EQ(build_folder(scratch_ / "a/photos").exit_code, 0);
     const Outcome refused = build_folder(scratch_ / "b/photos");
     EXPECT_EQ(refused.exit_code, 2);
@@ -143,6 +144,56 @@ TEST_F(BuildCommand, FoldersOfOneNameDoNotTakeEachOthersPlace) {
     const Json stages =
         Json::parse(read_whole_text(scratch_ / "work" / "photos" / "stages.json")).at("stages");
     EXPECT_EQ(stages.at(0).at("evidence").at("photographs"), 9);
+}
+
+TEST_F(BuildCommand, ConfigurationsOfOneNameDoNotTakeEachOthersPlace) {
+    const auto ingest = [&](const std::string& parent) {
+        return lumi("ingest " + quoted(scratch_ / parent / "lumi.toml"),
+                    "cd " + quoted(scratch_.path()) + " &&");
+    };
+    for (const char* parent : {"a", "b"}) {
+        fs::create_directory(scratch_ / parent);
+        fs::copy(scene_->path() / "photos", scratch_ / parent / "p", fs::copy_options::recursive);
+        write_whole_text(scratch_ / parent / "lumi.toml", "[capture]\nphotos = \"p\"\n");
+    }
+    EXPECT_EQ(ingest("a").exit_code, 0);
+    EXPECT_EQ(ingest("b").exit_code, 0) << "copies elsewhere make the same";
+    fs::remove(scratch_ / "b/p/IMG_0009.png");
+    EXPECT_EQ(ingest("b").exit_code, 0) << "a folder may lose photographs";
+    const Outcome refused = ingest("a");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.talk, HasSubstr("E-WORKSPACE-OTHER"));
+    EXPECT_THAT(refused.talk, HasSubstr((scratch_ / "b/p").string()));
+    // Where they were moved, there is nothing to take the place of.
+    fs::rename(scratch_ / "b/p", scratch_ / "b/moved");
+    write_whole_text(scratch_ / "b/lumi.toml", "[capture]\nphotos = \"moved\"\n");
+    EXPECT_EQ(ingest("b").exit_code, 0);
+    // Whoever names a folder says where.
+    write_whole_text(scratch_ / "a/lumi.toml",
+                     "workspace = \"../work/lumi\"\n[capture]\nphotos = \"p\"\n");
+    EXPECT_EQ(ingest("a").exit_code, 0);
+}
+
+TEST_F(BuildCommand, WhatIsNamedAndMissingIsSaidBeforeAnythingIsDone) {
+    const auto refusal = [&](const std::string& command) {
+        const Outcome outcome =
+            lumi(command + " " + quoted(config_path()) + " --workspace " + quoted(workspace()));
+        EXPECT_EQ(outcome.exit_code, 3) << outcome.talk;
+        EXPECT_THAT(outcome.talk, HasSubstr("error E-CONFIG-PATH"));
+        EXPECT_FALSE(fs::exists(workspace() / "ingest"));
+        return outcome.talk;
+    };
+    configure("", "[depth]\nimport_folder = \"nothing\"\n");
+    EXPECT_THAT(refusal("build"), HasSubstr("`depth.import_folder`: no such folder: " +
+                                            (scratch_ / "nothing").string()));
+    EXPECT_THAT(refusal("doctor"), HasSubstr("`depth.import_folder`"));
+    configure("[poses]\nmasks = \"gone\"\n");
+    EXPECT_THAT(refusal("build"), HasSubstr("`poses.masks`: no such folder"));
+    configure("", "[depth]\nimport_mesh = \".\"\n");
+    EXPECT_THAT(refusal("build"), HasSubstr("`depth.import_mesh`: no such file"));
+    // Depth maps may well be made from the poses that are found here.
+    configure("", "[depth]\nimport_folder = \"later\"\n");
+    EXPECT_EQ(build("poses"), "rr");
 }
 
 TEST_F(BuildCommand, PacksNoMoreViewsThanAreWanted) {

@@ -5,6 +5,7 @@
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "pipeline/config/config_variant.h"
 #include "pipeline/dataset/dataset.h"
 #include "pipeline/dataset/dataset_files.h"
 #include "tests/calib/scratch_folder.h"
@@ -67,6 +68,37 @@ TEST_F(DatasetFile, IsReadStrictly) {
           "nmae = \"x\"\n[[scene]]\nconfig = \"one.toml\"\n",
           "[[scene]]\nconfig = \"one.toml\"\nsetings.depth.model = \"sparse\"\n"}) {
         EXPECT_THROW(static_cast<void>(read(wrong)), Error) << wrong;
+    }
+}
+
+TEST_F(DatasetFile, AMisspeltKeyOfASceneComesWithASuggestion) {
+    for (const char* wrong :
+         {"[[scene]]\nconfg = \"one.toml\"\n",
+          "[[scene]]\nconfig = \"one.toml\"\n[[scene]]\ncnofig = \"one.toml\"\n"}) {
+        try {
+            static_cast<void>(read(wrong));
+            FAIL() << wrong;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-CONFIG-KEY") << wrong;
+            EXPECT_THAT(error.advice(), HasSubstr("did you mean `config`?")) << wrong;
+        }
+    }
+}
+
+TEST_F(DatasetFile, IsToldFromAConfigurationWhereOneCaptureIsExpected) {
+    static_cast<void>(read("[[scene]]\nconfig = \"one.toml\"\n"));
+    for (const auto& load :
+         {+[](const std::filesystem::path& file) { return load_build_config(file); },
+          +[](const std::filesystem::path& file) {
+              return ConfigDocument::open(file).build_config_with({});
+          }}) {
+        try {
+            static_cast<void>(load(path()));
+            FAIL();
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-CONFIG-DATASET");
+            EXPECT_THAT(error.what(), HasSubstr("a dataset of scenes"));
+        }
     }
 }
 

@@ -3,8 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/capture/colmap_model.h"
 #include "calib/pictures/image_io.h"
 #include "calib/pictures/tiff_io.h"
+#include "calib/poses/registration.h"
 #include "calib/work/whole_file.h"
 #include "tests/calib/cut_out_pictures.h"
 #include "tests/pipeline/box_line.h"
@@ -61,28 +63,62 @@ TEST_F(EvaluateCommand, EvaluateSaysWhatToSetWhenNothingIsHeldOut) {
     EXPECT_THAT(outcome.talk, HasSubstr("hold_out_every = 8"));
 }
 
-TEST_F(EvaluateCommand, ScoresAreOfThePackageThatWasRecorded) {
-    configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
-    ASSERT_EQ(build(), "rrrrr");
-    const fs::path record = workspace() / "pack" / "pack.json";
-    const std::string of_first = read_whole_text(record);
-    configure("[evaluate]\nhold_out = [\"IMG_0004.png\"]\n");
-    ASSERT_EQ(build(), "uurrr");
-    const std::string evaluate =
-        "evaluate --mode perpixel --no-ghost-energy " + quoted(workspace());
-    const auto expect_stale = [&] {
-        const Outcome outcome = lumi(evaluate);
-        EXPECT_EQ(outcome.exit_code, 3);
-        EXPECT_THAT(outcome.talk, HasSubstr("E-EVAL-STALE"));
+TEST_F(EvaluateCommand, PhotographsWithoutAPoseAreCountedAndNamed) {
+    Capture capture = read_colmap_model(scene_->path() / "truth" / "sparse");
+    std::vector<char> is_dropped(capture.views.size(), 0);
+    is_dropped.back() = 1;
+    drop_views(capture, is_dropped);
+    fs::create_directory(scratch_ / "sparse");
+    write_colmap_model_text(capture, scratch_ / "sparse");
+    write_whole_text(config_path(),
+                     "name = \"box\"\n[capture]\nphotos = \"" +
+                         (scene_->path() / "photos").string() +
+                         "\"\nimport = \"sparse\"\n[evaluate]\nhold_out = [\"IMG_0005.png\", "
+                         "\"IMG_0009.png\"]\n" +
+                         kSparseDepth + kToldDrawing);
+    static_cast<void>(build());
+    const Outcome outcome =
+        lumi("evaluate --mode lightfield --no-ghost-energy " + quoted(workspace()));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    EXPECT_THAT(outcome.out,
+                HasSubstr("1 of 2 held-out photographs judged; IMG_0009.png has no pose\n"));
+    const Json evaluation =
+        Json::parse(read_whole_text(workspace() / "evaluation" / "evaluation.json"));
+    EXPECT_EQ(evaluation.at("not_judged"), Json({"IMG_0009.png"}));
+    EXPECT_THAT(read_whole_text(workspace() / "report.html"),
+                HasSubstr("1 of 2 held-out photographs is reproduced at "));
+}
+
+TEST_F(EvaluateCommand, SaysOfWhichPhotographsItIs) {
+    configure("max_width_px = 120\n[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
+    const auto view_of_evaluation = [&] {
+        static_cast<void>(build());
+        const Outcome outcome =
+            lumi("evaluate --json --mode lightfield --no-ghost-energy " + quoted(workspace()));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.talk;
+        return Json::parse(outcome.out).at("views").at(0);
     };
-    const std::string of_second = read_whole_text(record);
-    write_whole_text(record, of_first);  // As if the second run had ended before it was recorded.
-    expect_stale();
-    write_whole_text(record, of_second);
-    EXPECT_EQ(lumi(evaluate).exit_code, 0);
-    configure("max_width_px = 120\n[evaluate]\nhold_out = [\"IMG_0004.png\"]\n");
-    ASSERT_EQ(build("ingest"), "r");
-    expect_stale();
+    const Json small = view_of_evaluation();
+    fs::copy_file(workspace() / "evaluation" / "evaluation.json", scratch_ / "small.json");
+    EXPECT_EQ(small.at("width_px"), 120);
+    EXPECT_EQ(small.at("height_px"), 90);
+    configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
+    const Json large = view_of_evaluation();
+    EXPECT_EQ(large.at("width_px"), 160);
+    EXPECT_NE(large.at("photograph_sha256"), small.at("photograph_sha256"));
+    EXPECT_EQ(view_of_evaluation().at("photograph_sha256"), large.at("photograph_sha256"));
+    const Outcome refused =
+        lumi("compare-evaluations " + quoted(scratch_ / "small.json") + " " + quoted(workspace()));
+    EXPECT_EQ(refused.exit_code, 3);
+    EXPECT_THAT(refused.talk, HasSubstr("E-EVAL-DISJOINT: IMG_0005.png: 120 x 90 pixels in A"));
+}
+
+TEST_F(EvaluateCommand, OptionsThatDoNotApplyAreRefused) {
+    configure("");
+    for (const char* options :
+         {"--keep-depth ", "--leave-one-out --no-ghost-energy ", "--leave-one-out --rivals "})
+        EXPECT_EQ(lumi("evaluate " + std::string(options) + quoted(config_path())).exit_code, 2)
+            << options;
 }
 
 TEST_F(EvaluateCommand, OneMeshOfTheSceneDrawsNearlyAsWellAsTheDepthMapsItIsMadeFrom) {

@@ -65,6 +65,23 @@ TEST_F(CurrentEvaluation, OneThatIsNamedIsRefusedWhenItIsDamaged) {
     }
 }
 
+TEST_F(CurrentEvaluation, OneThatIsNamedByItsWorkspaceIsOfThePackageThatStandsThere) {
+    write_whole_text(layout_.config_path(), "name = \"box\"\n");
+    static_cast<void>(read_back(evaluation().dump()));
+    EXPECT_EQ(read_evaluation(layout_.folder()), evaluation());
+    write_whole_text(layout_.package_folder() / "lumigraph.json", "{\"other\": 1}");
+    try {
+        static_cast<void>(read_evaluation(layout_.folder()));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-EVAL-STALE");
+        EXPECT_NE(error.advice().find("lumi evaluate"), std::string::npos);
+    }
+    // The file alone may be kept to compare with what comes after it.
+    EXPECT_NO_THROW(
+        static_cast<void>(read_evaluation(layout_.evaluation_folder() / "evaluation.json")));
+}
+
 TEST(EvaluationMadeWith, TellsEverythingThatDecidesFiguresApart) {
     EvaluationOptions one_mode;
     one_mode.modes = {RenderMode::kLightField};

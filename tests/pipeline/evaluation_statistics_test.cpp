@@ -24,18 +24,46 @@ ColorImage waves(int width, int height, double contrast) {
 }
 
 TEST(Bootstrap, IsTheSameForTheSameSeed) {
-    const std::vector<double> values{1, 5, 2, 8, 3};
+    const std::vector<double> values{1, 5, 2, 8, 3, 9};
     const Interval first = *bootstrap_interval(values, {.seed = 7});
     const Interval again = *bootstrap_interval(values, {.seed = 7});
     EXPECT_EQ(first.low, again.low);
     EXPECT_EQ(first.high, again.high);
 }
 
-TEST(Bootstrap, OneValueHasNoSpread) {
-    EXPECT_FALSE(bootstrap_interval({3.0}).has_value());
-    const Interval equal = *bootstrap_interval({3.0, 3.0, 3.0});
+TEST(Bootstrap, EqualValuesHaveNoSpread) {
+    const Interval equal = *bootstrap_interval(std::vector<double>(kFewestForInterval, 3.0));
     EXPECT_EQ(equal.low, 3.0);
     EXPECT_EQ(equal.high, 3.0);
+}
+
+TEST(Bootstrap, TellsNoIntervalOfFewerValuesThanItHoldsFor) {
+    EXPECT_FALSE(bootstrap_interval({}).has_value());
+    EXPECT_FALSE(bootstrap_interval({3.0}).has_value());
+    EXPECT_FALSE(bootstrap_interval({1.0, 2.0}).has_value());
+    EXPECT_FALSE(bootstrap_interval({1.0, 2.0, 3.0, 4.0, 5.0}).has_value());
+    EXPECT_TRUE(bootstrap_interval({1.0, 2.0, 3.0, 4.0, 5.0, 6.0}).has_value());
+}
+
+TEST(Bootstrap, OfTheFewestHoldsTheTrueMeanNearlyAsOftenAsItSays) {
+    std::mt19937 random(6);
+    std::normal_distribution<double> values(10.0, 2.0);
+    int held = 0;
+    constexpr int kTrials = 1000;
+    for (int trial = 0; trial < kTrials; ++trial) {
+        std::vector<double> sample(kFewestForInterval);
+        for (double& value : sample) value = values(random);
+        const Interval interval = *bootstrap_interval(sample, {.resamples = 300});
+        if (interval.low <= 10.0 && interval.high >= 10.0) ++held;
+    }
+    EXPECT_GT(held, kTrials * 0.82);
+}
+
+TEST(Range, IsFromTheLeastToTheGreatest) {
+    EXPECT_FALSE(range_of(std::vector<double>()).has_value());
+    const Interval range = *range_of({2.0, -1.0, 5.0, 3.0});
+    EXPECT_EQ(range.low, -1.0);
+    EXPECT_EQ(range.high, 5.0);
 }
 
 TEST(Bootstrap, HoldsTheTrueMeanAsOftenAsItSays) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "calib/pictures/image_io.h"
-#include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "meshing/surface/nearest_cameras.h"
 #include "pipeline/evaluate/evaluation.h"
@@ -351,37 +350,6 @@ TEST(EvaluationFile, OfRivalsConformsToItsSchemaAndIsCompared) {
     const auto comparisons = compare_evaluations(json, json);
     ASSERT_EQ(comparisons.size(), 2U);
     EXPECT_EQ(comparisons[0].mode, "forward warping");
-}
-
-TEST(EvaluationComparison, IsViewByViewAndSaysWhatIsBeyondChance) {
-    Evaluation a;
-    a.modes = {{RenderMode::kPerPixel, {}, {}, {}}};
-    Evaluation b = a;
-    for (int i = 0; i < 8; ++i) {
-        ViewScore view;
-        view.name = std::to_string(i);
-        view.psnr_db = 20.0 + i;
-        view.ssim = 0.5 + 0.01 * i;
-        a.modes[0].views.push_back(view);
-        view.psnr_db += 0.5 + 0.01 * i;        // Better in every view, though views differ by more.
-        view.ssim += i % 2 == 0 ? 0.1 : -0.1;  // Up and down.
-        if (i > 0) b.modes[0].views.push_back(view);
-    }
-    const auto comparisons = compare_evaluations(evaluation_json(a), evaluation_json(b));
-    ASSERT_EQ(comparisons.size(), 1U);
-    EXPECT_EQ(comparisons[0].shared_views.size(), 7U);
-    EXPECT_NEAR(*comparisons[0].metrics[0].mean_difference, 0.54, 1e-9);
-    EXPECT_EQ(judgement_of(comparisons[0].metrics[0]), "better");
-    EXPECT_EQ(judgement_of(comparisons[0].metrics[2]), "same");
-}
-
-TEST(EvaluationComparison, NothingInCommonIsAnError) {
-    Evaluation a;
-    a.modes = {{RenderMode::kPerPixel, {ViewScore{.name = "x"}}, {}, {}}};
-    Evaluation b;
-    b.modes = {{RenderMode::kPerPixel, {ViewScore{.name = "y"}}, {}, {}}};
-    EXPECT_THROW(static_cast<void>(compare_evaluations(evaluation_json(a), evaluation_json(b))),
-                 Error);
 }
 
 }  // namespace

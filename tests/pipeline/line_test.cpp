@@ -55,6 +55,29 @@ TEST_F(LineRun, WhatDecidesNothingIsNoReasonToRun) {
     EXPECT_EQ(build("", "photos", few), kAllUpToDate);
 }
 
+TEST_F(LineRun, HowAPathIsSpeltIsNoReasonToRun) {
+    const auto build_from = [&](const std::string& folder) {
+        write_whole_text(scratch_ / "box.toml",
+                         "[capture]\nphotos = \"photos\"\nimport = \"truth/sparse\"\n"
+                         "[depth]\nimport_folder = \"" +
+                             folder + "\"\n" + kToldDrawing);
+        const BuildConfig config = load_build_config(scratch_ / "box.toml");
+        const Workspace workspace(WorkspaceLayout(workspace_folder_, config.name));
+        SilentProgress progress;
+        Reasons reasons;
+        for (const FinishedStage& stage : run_line(config, workspace, "pack", 0, progress))
+            reasons.push_back(stage.reason);
+        return reasons;
+    };
+    EXPECT_EQ(build_from("truth/depth"), Reasons(5, "not done before"));
+    EXPECT_EQ(build_from("./truth/../truth/depth/"), kAllUpToDate);
+    EXPECT_EQ(build_from((scratch_ / "truth" / "depth").string()), kAllUpToDate);
+    // By what lies there the stage's result is decided.
+    fs::rename(scratch_ / "truth" / "depth", scratch_ / "moved");
+    EXPECT_EQ(build_from("moved"), kAllUpToDate);
+    EXPECT_EQ(build("", "photos", "").at(3), "parameters changed");
+}
+
 TEST_F(LineRun, AStageTellsWhetherItsParametersOrItsInputsChanged) {
     const std::string few = "[package]\nmax_views = 3\n";
     static_cast<void>(build("", "photos", few));

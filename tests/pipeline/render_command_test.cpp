@@ -185,5 +185,63 @@ TEST_F(RenderCommand, FramesOfAPathReplaceNothingButFrames) {
     EXPECT_TRUE(fs::is_regular_file(video));
 }
 
+/// A program that says its version and does nothing else.
+void write_useless_program(const fs::path& file) {
+    write_whole_text(file, "#!/bin/sh\n[ \"$1\" = -version ] || { echo no encoder; exit 1; }\n");
+    fs::permissions(file, fs::perms::owner_all);
+}
+
+TEST_F(RenderCommand, WithoutTheProgramsOfVideosNothingIsReadOrDrawn) {
+    const fs::path programs = scratch_ / "programs";
+    fs::create_directory(programs);
+    const auto fly = [&](const fs::path& out) {
+        return lumi(
+            "render " + quoted(scratch_ / "missing.lumi") + " --path views --out " + quoted(out),
+            "PATH=" + quoted(programs));
+    };
+    const Outcome without = fly(scratch_ / "tour.mp4");
+    EXPECT_EQ(without.exit_code, 7);
+    EXPECT_THAT(without.talk, HasSubstr("E-CHILD-MISSING"));
+    EXPECT_THAT(without.talk, HasSubstr("ffmpeg"));
+    write_useless_program(programs / "ffmpeg");
+    EXPECT_THAT(fly(scratch_ / "tour.mp4").talk, HasSubstr("ffprobe"));
+    // Folders of frames need neither.
+    EXPECT_THAT(fly(scratch_ / "tour").talk, HasSubstr("missing.lumi"));
+}
+
+TEST_F(RenderCommand, KeepsTheFramesOfAVideoThatCannotBeMade) {
+    configure("");
+    ASSERT_EQ(build(), "rrrrr");
+    const fs::path programs = scratch_ / "programs";
+    write_useless_program(programs / "ffmpeg");
+    write_useless_program(programs / "ffprobe");
+    const fs::path video = scratch_ / "tour.mp4";
+    const fs::path kept = scratch_ / "tour.mp4.frames";
+    const auto fly = [&] {
+        return lumi("render " + quoted(package()) + " --path views --frames 3 --size 48x32 --out " +
+                        quoted(video),
+                    "PATH=" + quoted(programs));
+    };
+    const Outcome outcome = fly();
+    EXPECT_EQ(outcome.exit_code, 7);
+    EXPECT_THAT(outcome.talk, HasSubstr("E-VIDEO-WRITE"));
+    EXPECT_THAT(outcome.talk, HasSubstr(kept.string()));
+    EXPECT_FALSE(fs::exists(video));
+    EXPECT_EQ(read_color_image(kept / "frame-000003.png").width(), 48);
+    EXPECT_EQ(std::distance(fs::directory_iterator(kept), fs::directory_iterator()), 3);
+
+    write_whole_text(kept / "IMG_1.jpg", "the user's own");
+    EXPECT_THAT(fly().talk, HasSubstr("E-OUT-EXISTS"));
+}
+
+TEST_F(RenderCommand, AWindowsScreenshotIsAPngToo) {
+    // Its pose goes to a file of the same name that ends in .json.
+    const Outcome outcome = lumi("view " + quoted(scratch_ / "missing.lumi") + " --screenshot " +
+                                 quoted(scratch_ / "shot.json"));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.talk, HasSubstr("E-RENDER-OUT"));
+    EXPECT_THAT(outcome.talk, HasSubstr("let --screenshot end in .png"));
+}
+
 }  // namespace
 }  // namespace lumi

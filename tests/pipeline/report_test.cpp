@@ -5,11 +5,13 @@
 #include "calib/work/error.h"
 #include "pipeline/evaluate/comparison_strip.h"
 #include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/report/sections.h"
 #include "pipeline/report/spread.h"
 #include "pipeline/report/verdict.h"
 #include "pipeline/stages/color_scale.h"
 #include "pipeline/text/html.h"
 #include "pipeline/text/number_text.h"
+#include "tests/calib/scratch_folder.h"
 
 namespace lumi {
 namespace {
@@ -135,21 +137,23 @@ Json stages_of_a_good_run() {
         {"name": "pack", "evidence": {}}]})");
 }
 
+const StandingPackage kMade{true, {}};
+
 TEST(Verdict, IsGoodWhenNothingIsMissing) {
-    EXPECT_EQ(verdict_of(stages_of_a_good_run(), nullptr).level, Verdict::Level::kGood);
+    EXPECT_EQ(verdict_of(stages_of_a_good_run(), kMade, nullptr).level, Verdict::Level::kGood);
 }
 
 TEST(Verdict, IsFairWhenAPhotographFoundNoPlace) {
     Json stages = stages_of_a_good_run();
     stages["stages"][1]["evidence"]["not_registered"] = {
         {{"name", "a"}, {"code", "E"}, {"reason", "r"}}};
-    EXPECT_EQ(verdict_of(stages, nullptr).level, Verdict::Level::kFair);
+    EXPECT_EQ(verdict_of(stages, kMade, nullptr).level, Verdict::Level::kFair);
 }
 
 TEST(Verdict, PassesWarningsOfThePosesOn) {
     Json stages = stages_of_a_good_run();
     stages["stages"][1]["evidence"]["warnings"] = {"the scene looks flat"};
-    const Verdict verdict = verdict_of(stages, nullptr);
+    const Verdict verdict = verdict_of(stages, kMade, nullptr);
     EXPECT_EQ(verdict.level, Verdict::Level::kFair);
     EXPECT_EQ(verdict.remarks.at(0), "the scene looks flat");
 }
@@ -157,10 +161,66 @@ TEST(Verdict, PassesWarningsOfThePosesOn) {
 TEST(Verdict, IsBadWhenTheLineEndedEarlyAndSaysWhy) {
     Json stages = stages_of_a_good_run();
     stages["failure"] = {{"code", "E-POSES-FEW"}, {"what", "3 of 9"}, {"advice", "go slower"}};
-    const Verdict verdict = verdict_of(stages, nullptr);
+    const Verdict verdict = verdict_of(stages, kMade, nullptr);
     EXPECT_EQ(verdict.level, Verdict::Level::kBad);
     EXPECT_NE(verdict.headline.find("E-POSES-FEW"), std::string::npos);
     EXPECT_EQ(verdict.remarks.at(0), "go slower");
+}
+
+TEST(Verdict, SaysThatAPackageOfAnEarlierRunStandsThere) {
+    const StandingPackage former{true, "the package is of an earlier configuration"};
+    Json stages = stages_of_a_good_run();
+    stages["failure"] = {{"code", "E-POSES-FEW"}, {"what", "3 of 9"}, {"advice", "go slower"}};
+    EXPECT_NE(verdict_of(stages, former, nullptr).remarks.at(1).find("earlier configuration"),
+              std::string::npos);
+    stages.erase("failure");
+    stages["stages"].erase(2);
+    const Verdict verdict = verdict_of(stages, former, nullptr);
+    EXPECT_EQ(verdict.level, Verdict::Level::kFair);
+    EXPECT_EQ(verdict.headline, "The line was not run to its end.");
+    EXPECT_NE(verdict.remarks.at(0).find("earlier configuration"), std::string::npos);
+    EXPECT_EQ(verdict_of(stages, {}, nullptr).headline,
+              "The line was not run to its end: there is no package yet.");
+    EXPECT_EQ(verdict_of(stages, kMade, nullptr).headline,
+              "The package is finished, by a run before the last one.");
+}
+
+TEST(Verdict, CountsThePhotographsThatWereJudged) {
+    Json evaluation{{"mean", {{"psnr_db", 30.0}, {"coverage", 1.0}}},
+                    {"views", Json::array({"a"})},
+                    {"not_judged", Json::array()}};
+    const auto headline = [&] {
+        return verdict_of(stages_of_a_good_run(), kMade, evaluation).headline;
+    };
+    EXPECT_NE(headline().find("Held-out photographs are reproduced at 30.0 dB"), std::string::npos);
+    evaluation["not_judged"] = {"b"};
+    EXPECT_NE(headline().find("1 of 2 held-out photographs is reproduced at 30.0 dB"),
+              std::string::npos);
+    evaluation.erase("not_judged");  // As in files of early versions.
+    EXPECT_NE(headline().find("Held-out photographs are"), std::string::npos);
+}
+
+TEST(Report, SaysWhereSettingsWereChosenByTheHeldOutPhotographs) {
+    const ScratchFolder scratch;
+    ReportSources sources{WorkspaceLayout(scratch.path(), "box"),
+                          stages_of_a_good_run(),
+                          kMade,
+                          {{"views", Json::array()}},
+                          nullptr};
+    EXPECT_EQ(target_section(sources), "");
+    EXPECT_NE(pictures_section(sources).find("in nothing else"), std::string::npos);
+    const Json measured{
+        {"psnr_db", 21.5}, {"frames_per_second", 9.0}, {"package_mib", 1.0}, {"build_s", 2.0}};
+    sources.target = {
+        {"wish", "20dB"},     {"is_met", true},       {"settings", {"depth.model = <b>"}},
+        {"mode", "perpixel"}, {"promised", measured}, {"delivered", measured}};
+    EXPECT_EQ(pictures_section(sources).find("in nothing else"), std::string::npos);
+    EXPECT_NE(pictures_section(sources).find("settings were chosen by these photographs"),
+              std::string::npos);
+    const std::string html = target_section(sources);
+    for (const char* told : {"20dB was wished for, and is met", "perpixel",
+                             "depth.model = &lt;b&gt;", "21.5", "promised", "measured"})
+        EXPECT_NE(html.find(told), std::string::npos) << told;
 }
 
 }  // namespace

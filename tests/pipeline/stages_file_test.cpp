@@ -15,7 +15,7 @@ TEST(StagesFile, AFailureInAFolderWithAnOddNameIsWrittenDownAsItWas) {
     const ScratchFolder scratch;
     const Error failure(ErrorKind::kResources, "E-FILE-WRITE", "caf\xe9/poses: no space left",
                         "make room beside caf\xe9");
-    write_stages_file(scratch / "stages.json", {}, "poses", failure);
+    write_stages_file(scratch / "stages.json", {}, "", "poses", failure);
     const nlohmann::ordered_json told = read_json_file(scratch / "stages.json").at("failure");
     EXPECT_EQ(told.at("code"), "E-FILE-WRITE");
     EXPECT_EQ(told.at("what"), "caf\\xe9/poses: no space left");

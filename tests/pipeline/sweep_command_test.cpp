@@ -124,6 +124,12 @@ TEST_F(Sweeps, ATargetIsMetByWhatIsDeliveredOrTheNearestIsTold) {
     EXPECT_GE(delivery.at("delivered").at("psnr_db").get<double>(), 15.0);
     EXPECT_THAT(met.talk, HasSubstr("1 dearer variants are not needed"));
     EXPECT_EQ(lumi("validate work/box/box.lumi").exit_code, 0);
+    ASSERT_EQ(lumi("evaluate work/box --mode lightfield --no-ghost-energy").exit_code, 0);
+    const auto report = [&] {
+        return read_whole_text(scratch_.path() / "work" / "box" / "report.html");
+    };
+    EXPECT_THAT(report(), HasSubstr("15dB was wished for, and is met"));
+    EXPECT_THAT(report(), HasSubstr("settings were chosen by these photographs"));
 
     const Outcome missed = lumi("--json build box.toml --target 90dB");
     EXPECT_EQ(missed.exit_code, 5);
@@ -131,7 +137,13 @@ TEST_F(Sweeps, ATargetIsMetByWhatIsDeliveredOrTheNearestIsTold) {
     EXPECT_FALSE(nearest.at("is_met").get<bool>());
     EXPECT_EQ(nearest.at("error").at("code"), "E-TARGET-MISSED");
     EXPECT_THAT(missed.talk, HasSubstr("error E-TARGET-MISSED"));
+    EXPECT_THAT(report(), HasSubstr("90dB was wished for, and is out of reach"));
     EXPECT_EQ(lumi("build box.toml --target fast").exit_code, 2);
+
+    // What is built later as its configuration says was wished for by nobody.
+    configure("box", kSparseDepth);
+    ASSERT_EQ(lumi("build box.toml").exit_code, 0);
+    EXPECT_THAT(report(), testing::Not(HasSubstr("was wished for")));
 }
 
 TEST_F(Sweeps, ADatasetBuildsWhatItCanAndOnlyWhatIsMissing) {
@@ -203,6 +215,25 @@ TEST_F(Sweeps, LeaveOneOutJudgesEveryPhotographWithAndWithoutItsDepth) {
     const Json held_out = Json::parse(lumi("--json evaluate work/box --mode perpixel").out);
     EXPECT_EQ(result.at("depth_removed").at("views").at(4).at("psnr_db"),
               held_out.at("mean").at("psnr_db"));
+}
+
+TEST_F(Sweeps, LeaveOneOutDrawsPhotographsAsTakenWhereThatIsAsked) {
+    SceneDescription of_many_exposures = textured_box_description();
+    of_many_exposures.sensor.exposure_drift_stops = 0.7;
+    SilentProgress progress;
+    synthesize_into(scratch_.path(), of_many_exposures, 0, progress);
+    write_whole_text(scratch_ / "box.toml",
+                     "[capture]\nphotos = \"photos\"\nimport = \"truth/sparse\"\n[depth]\n"
+                     "import_folder = \"truth/depth\"\n" +
+                         std::string(kToldDrawing));
+    const auto middle_psnr_db = [&](const std::string& options) {
+        const Outcome outcome =
+            lumi("--json evaluate box.toml --leave-one-out --keep-depth --mode perpixel" + options);
+        const Json result = Json::parse(outcome.out);
+        EXPECT_EQ(result.at("exposures"), options.empty() ? "evened" : "as taken");
+        return result.at("depth_kept").at("views").at(4).at("psnr_db").get<double>();
+    };
+    EXPECT_GT(std::abs(middle_psnr_db("") - middle_psnr_db(" --as-taken")), 0.1);
 }
 
 TEST_F(Sweeps, StressTakesAConfigurationAWorkspaceOrAPackage) {

@@ -1,0 +1,62 @@
+#include "pipeline/commands/chosen_workspace.h"
+
+#include "calib/work/config_section.h"
+#include "calib/work/error.h"
+#include "calib/work/printable.h"
+#include "pipeline/line/line.h"
+#include "pipeline/workspace/stage_outputs.h"
+
+namespace lumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the configuration in the workspace is of; empty where there is none.
+fs::path capture_before(const WorkspaceLayout& layout) {
+    std::error_code status;
+    if (!fs::is_regular_file(layout.config_path(), status)) return {};
+    const ConfigSection capture = ConfigSection::from_file(layout.config_path()).section("capture");
+    const std::string photos = capture.text("photos", "");
+    return photos.empty() ? capture.text("video", "") : photos;
+}
+
+/// Copies elsewhere make the same.
+bool was_made_of_equal_files(const WorkspaceLayout& layout, const BuildConfig& config,
+                             int threads) {
+    const fs::path folder = layout.stage_folder("ingest");
+    const auto ingest = read_done_marker(folder / kDoneMarkerName);
+    if (!ingest) return false;
+    try {
+        return sha256_of_content(content_of_photographs(config.photographs_or_video, folder,
+                                                        config.ingest.other_folders, threads)) ==
+               ingest->identity.inputs;
+    } catch (const Error&) {
+        return false;  // The ingest stage says what is wrong with them.
+    }
+}
+
+void expect_no_other_capture(const WorkspaceLayout& layout, const BuildConfig& config,
+                             int threads) {
+    std::error_code status;
+    const fs::path before = capture_before(layout);
+    if (before.empty() || !fs::exists(before, status) ||
+        !fs::exists(config.photographs_or_video, status) ||
+        fs::equivalent(before, config.photographs_or_video, status) ||
+        was_made_of_equal_files(layout, config, threads))
+        return;
+    throw Error(ErrorKind::kUsage, "E-WORKSPACE-OTHER",
+                layout.folder().string() + ": holds what was made of " + printable(before.string()),
+                "name another folder with --workspace, or give the configuration another name = "
+                "\"...\"");
+}
+
+}  // namespace
+
+WorkspaceLayout layout_for(const fs::path& named_folder, const BuildConfig& config, int threads) {
+    if (!named_folder.empty()) return {named_folder, config.name};
+    const WorkspaceLayout layout = workspace_of(config);
+    if (config.workspace.empty()) expect_no_other_capture(layout, config, threads);
+    return layout;
+}
+
+}  // namespace lumi
