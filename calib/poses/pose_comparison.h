@@ -33,7 +33,8 @@ struct PoseComparison {
 };
 
 /// How far poses A are from poses B after the similarity that fits A's centres onto B's
-/// (fit_centres). Views are matched by name, however much of it each has kept (matched_names). Throws Error (E-COMPARE-FEW) when fewer than three views match.
+/// (fit_centres). Views are matched by name, however much of it each has kept (matched_names).
+/// Throws Error (E-COMPARE-FEW) when fewer than three views match.
 [[nodiscard]] PoseComparison compare_poses(const NamedPoses& a, const NamedPoses& b);
 
 }  // namespace lumi
