@@ -18,7 +18,7 @@ namespace {
 
 // Of a picture's diagonal: ten times what depth can be found with.
 constexpr double kDeniedShare = 0.005;
-constexpr int kLeastPairs = 4;
+constexpr int kLeastPairs = 3;
 
 double diagonal_px(const Camera& camera) {
     return std::hypot(static_cast<double>(camera.width_px), static_cast<double>(camera.height_px));
@@ -199,12 +199,8 @@ PoseCheck check_imported_poses(const Capture& capture, const std::vector<Photogr
 
 std::string warning_of(const PoseCheck& check) {
     const std::string of_pairs = " of " + std::to_string(check.pairs) + " pairs of neighbours ";
-    if (check.pairs < kLeastPairs) {
-        return "nothing confirms the imported poses: " + std::to_string(check.pairs) + " of " +
-               std::to_string(check.pairs_asked) +
-               " pairs of photographs that are neighbours by them show the same things";
-    }
-    if (2 * check.pairs_turned > check.pairs) {
+    const bool is_told = check.pairs >= kLeastPairs;
+    if (is_told && 2 * check.pairs_turned > check.pairs) {
         throw Error(ErrorKind::kBadInput, "E-IMPORT-TURNED",
                     std::to_string(check.pairs_turned) + of_pairs +
                         "fit the imported poses only when they are turned on the spot: the other "
@@ -212,15 +208,20 @@ std::string warning_of(const PoseCheck& check) {
                     "give the photographs as that program wrote them, or let lumi estimate the "
                     "poses");
     }
-    if (check.pairs_denied == 0) return {};
-    const std::string what =
+    const std::string denied =
         std::to_string(check.pairs_denied) + of_pairs + "deny the imported poses: " +
         formatted("half of all matches are %.0f px or more from where they would have to be",
                   check.median_error_px);
-    if (2 * check.pairs_denied <= check.pairs) return what;
-    throw Error(ErrorKind::kBadInput, "E-IMPORT-DENIED", what,
-                "give the photographs that the poses were found with, poses in the axes of their "
-                "format, or let lumi estimate the poses");
+    if (is_told && 2 * check.pairs_denied > check.pairs) {
+        throw Error(ErrorKind::kBadInput, "E-IMPORT-DENIED", denied,
+                    "give the photographs that the poses were found with, poses in the axes of "
+                    "their format, or let lumi estimate the poses");
+    }
+    if (is_told && check.pairs_denied > 0) return denied;
+    if (2 * check.pairs >= check.pairs_asked) return {};
+    return "little confirms the imported poses: " + std::to_string(check.pairs) + " of " +
+           std::to_string(check.pairs_asked) +
+           " pairs of photographs that are neighbours by them show the same things";
 }
 
 }  // namespace lumi

@@ -40,8 +40,8 @@ struct PoseCheck {
                                              const std::vector<Photograph>& photographs,
                                              int threads, Progress& progress);
 
-/// A sentence where some pairs deny the poses, or too few tell; else empty.
-/// Throws Error where more than half of at least four pairs do: E-IMPORT-TURNED where turned
+/// A sentence where some pairs deny the poses, or fewer than half tell; else empty.
+/// Throws Error where more than half of at least three pairs do: E-IMPORT-TURNED where turned
 /// pictures would do (what is turned by half a turn seems to be itself, inside out), else
 /// E-IMPORT-DENIED.
 [[nodiscard]] std::string warning_of(const PoseCheck& check);
