@@ -3,16 +3,13 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "calib/capture/gray.h"
-
 namespace lumi {
 
-double sharpness(const ColorImage& picture) {
-    const GrayImage gray = gray_of(picture);
-    const cv::Mat brightness(gray.height(), gray.width(), CV_8UC1,
-                             const_cast<std::uint8_t*>(gray.row(0)));
+double sharpness(const GrayImage& brightness) {
+    const cv::Mat gray(brightness.height(), brightness.width(), CV_8UC1,
+                       const_cast<std::uint8_t*>(brightness.row(0)));
     cv::Mat laplacian;
-    cv::Laplacian(brightness, laplacian, CV_16S);
+    cv::Laplacian(gray, laplacian, CV_16S);
     cv::Scalar mean;
     cv::Scalar deviation;
     cv::meanStdDev(laplacian, mean, deviation);

@@ -102,19 +102,19 @@ std::vector<Candidate> ingest_video(const std::filesystem::path& video,
     };
 
     double interval = 0;
-    VideoFrame frame;
     Shown shown;
-    for (std::size_t number = 1; decoder.next(frame); ++number) {
+    for (std::size_t number = 1; decoder.next(); ++number) {
         progress.throw_if_interrupted();
         progress.advance();
-        shown.longest_gap_s = std::max(shown.longest_gap_s, frame.time_s - shown.last_s);
-        shown.last_s = frame.time_s;
-        if (std::floor(frame.time_s * options.video_fps) != interval) {
+        const double time_s = decoder.time_s();
+        shown.longest_gap_s = std::max(shown.longest_gap_s, time_s - shown.last_s);
+        shown.last_s = time_s;
+        if (std::floor(time_s * options.video_fps) != interval) {
             keep_sharpest();
-            interval = std::floor(frame.time_s * options.video_fps);
+            interval = std::floor(time_s * options.video_fps);
         }
-        if (const double value = sharpness(frame.picture); value > sharpest.sharpness) {
-            sharpest = {std::move(frame.picture), value, number};
+        if (const double value = sharpness(decoder.brightness()); value > sharpest.sharpness) {
+            sharpest = {decoder.picture(), value, number};
         }
     }
     keep_sharpest();

@@ -96,7 +96,7 @@ int matrix_of(const AVFrame& frame, bool is_jpeg) {
 
 class VideoDecoder::Stream {
  public:
-    explicit Stream(const std::filesystem::path& video) {
+    explicit Stream(const std::filesystem::path& video) : path_(video) {
         av_log_set_level(AV_LOG_QUIET);  // What is wrong with a file is said in lumi's words.
         AVFormatContext* format = nullptr;
         // Or else a name with a colon would be an address.
@@ -121,12 +121,27 @@ class VideoDecoder::Stream {
 
     [[nodiscard]] const VideoFacts& facts() const { return facts_; }
 
-    [[nodiscard]] bool next(VideoFrame& frame) {
+    [[nodiscard]] bool next() {
         do {
             if (!decode()) return false;
-        } while (is_damaged() || !convert(frame.picture));
-        frame.time_s = time_s();
+        } while (is_damaged());
+        take_time();
         return true;
+    }
+
+    [[nodiscard]] double time_s() const { return time_s_; }
+
+    [[nodiscard]] ColorImage picture() {
+        ColorImage picture(frame_->width, frame_->height);
+        convert(color_scaler_, AV_PIX_FMT_RGB24, reinterpret_cast<std::uint8_t*>(picture.row(0)),
+                3 * frame_->width);
+        return picture;
+    }
+
+    [[nodiscard]] GrayImage brightness() {
+        GrayImage picture(frame_->width, frame_->height);
+        convert(gray_scaler_, AV_PIX_FMT_GRAY8, picture.row(0), frame_->width);
+        return picture;
     }
 
  private:
@@ -152,8 +167,8 @@ class VideoDecoder::Stream {
         avcodec_send_packet(codec_.get(), nullptr);
     }
 
-    /// Of the present frame; without a time stamp, by the rate.
-    [[nodiscard]] double time_s() {
+    /// Without a time stamp, by the rate.
+    void take_time() {
         const AVStream& stream = *format_->streams[index_];
         if (const std::int64_t time = frame_->best_effort_timestamp; time != AV_NOPTS_VALUE) {
             if (!start_) start_ = time;
@@ -161,32 +176,36 @@ class VideoDecoder::Stream {
         } else if (stream.avg_frame_rate.num > 0) {
             time_s_ += 1.0 / av_q2d(stream.avg_frame_rate);
         }
-        return time_s_;
     }
 
     [[nodiscard]] bool is_damaged() const {
         return (frame_->flags & AV_FRAME_FLAG_CORRUPT) != 0 || frame_->decode_error_flags != 0;
     }
 
-    [[nodiscard]] bool convert(ColorImage& picture) {
+    struct FreeScaler {
+        void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
+    };
+    using Scaler = std::unique_ptr<SwsContext, FreeScaler>;
+
+    void convert(Scaler& scaler, AVPixelFormat to, std::uint8_t* rows, int bytes_per_row) {
         const auto of_full_range = format_of_full_range(frame_->format);
-        const auto format = of_full_range.value_or(static_cast<AVPixelFormat>(frame_->format));
+        const auto from = of_full_range.value_or(static_cast<AVPixelFormat>(frame_->format));
         constexpr int kExact = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT;
-        scaler_.reset(sws_getCachedContext(scaler_.release(), frame_->width, frame_->height, format,
-                                           frame_->width, frame_->height, AV_PIX_FMT_RGB24, kExact,
-                                           nullptr, nullptr, nullptr));
-        if (!scaler_) return false;
+        const int width = frame_->width;
+        const int height = frame_->height;
+        scaler.reset(sws_getCachedContext(scaler.release(), width, height, from, width, height, to,
+                                          kExact, nullptr, nullptr, nullptr));
+        if (!scaler) refuse_video(path_);
         const bool is_full_range = of_full_range || frame_->color_range == AVCOL_RANGE_JPEG;
         const int* matrix = sws_getCoefficients(matrix_of(*frame_, of_full_range.has_value()));
         constexpr int kUnchanged = 1 << 16;
         // What is RGB already has no matrix, and says so by failing.
-        sws_setColorspaceDetails(scaler_.get(), matrix, is_full_range ? 1 : 0, matrix, 1, 0,
+        sws_setColorspaceDetails(scaler.get(), matrix, is_full_range ? 1 : 0, matrix, 1, 0,
                                  kUnchanged, kUnchanged);
-        picture = ColorImage(frame_->width, frame_->height);
-        std::uint8_t* const rows[1] = {reinterpret_cast<std::uint8_t*>(picture.row(0))};
-        const int bytes_per_row[1] = {3 * frame_->width};
-        return sws_scale(scaler_.get(), frame_->data, frame_->linesize, 0, frame_->height, rows,
-                         bytes_per_row) == frame_->height;
+        if (sws_scale(scaler.get(), frame_->data, frame_->linesize, 0, height, &rows,
+                      &bytes_per_row) != height) {
+            refuse_video(path_);
+        }
     }
 
     struct CloseFormat {
@@ -201,15 +220,14 @@ class VideoDecoder::Stream {
     struct FreeFrame {
         void operator()(AVFrame* frame) const { av_frame_free(&frame); }
     };
-    struct FreeScaler {
-        void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
-    };
 
     std::unique_ptr<AVFormatContext, CloseFormat> format_;
     std::unique_ptr<AVCodecContext, FreeCodec> codec_;
     std::unique_ptr<AVPacket, FreePacket> packet_{av_packet_alloc()};
     std::unique_ptr<AVFrame, FreeFrame> frame_{av_frame_alloc()};
-    std::unique_ptr<SwsContext, FreeScaler> scaler_;
+    Scaler color_scaler_;
+    Scaler gray_scaler_;
+    std::filesystem::path path_;
     int index_ = -1;
     std::optional<std::int64_t> start_;
     double time_s_ = 0.0;
@@ -223,6 +241,12 @@ VideoDecoder::~VideoDecoder() = default;
 
 const VideoFacts& VideoDecoder::facts() const { return stream_->facts(); }
 
-bool VideoDecoder::next(VideoFrame& frame) { return stream_->next(frame); }
+bool VideoDecoder::next() { return stream_->next(); }
+
+double VideoDecoder::time_s() const { return stream_->time_s(); }
+
+ColorImage VideoDecoder::picture() { return stream_->picture(); }
+
+GrayImage VideoDecoder::brightness() { return stream_->brightness(); }
 
 }  // namespace lumi

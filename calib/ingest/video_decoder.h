@@ -17,12 +17,6 @@ struct VideoFacts {
     std::optional<CodedColors> coded;  ///< Empty where nothing is said of colours.
 };
 
-/// A frame as it is stored, not turned.
-struct VideoFrame {
-    ColorImage picture;   ///< By the video's own primaries and curve.
-    double time_s = 0.0;  ///< From the first frame on.
-};
-
 /// The frames of a video's best stream of pictures, one after the other, in the order of display,
 /// by FFmpeg's libraries.
 ///
@@ -38,8 +32,14 @@ class VideoDecoder {
     VideoDecoder& operator=(const VideoDecoder&) = delete;
 
     [[nodiscard]] const VideoFacts& facts() const;
-    /// False at the end, or where nothing further can be read.
-    [[nodiscard]] bool next(VideoFrame& frame);
+    /// Goes on to the next frame. False at the end, or where nothing further can be read.
+    [[nodiscard]] bool next();
+    /// Of the present frame, from the first one on.
+    [[nodiscard]] double time_s() const;
+    /// The present frame as it is stored, not turned, by the video's own primaries and curve.
+    [[nodiscard]] ColorImage picture();
+    /// Its brightness alone, which is found sooner.
+    [[nodiscard]] GrayImage brightness();
 
  private:
     class Stream;
