@@ -49,10 +49,12 @@ std::vector<RayPair> widest_pairs(std::span<const Sighting> sightings) {
     }
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const RayPair& a, const RayPair& b) { return a.cosine < b.cosine; });
-    // Wide pairs share their rays: every so many gives each ray its turn.
+    // Wide pairs share their rays: every so many gives each ray its turn. None is taken from before
+    // `index`, where others have been put already.
     if (pairs.size() > kProposals) {
+        const std::size_t spread = std::max(pairs.size(), 2 * kProposals);
         for (std::size_t index = 0; index < kProposals; ++index) {
-            pairs[index] = pairs[index * pairs.size() / (2 * kProposals)];
+            pairs[index] = pairs[index * spread / (2 * kProposals)];
         }
         pairs.resize(kProposals);
     }

@@ -119,15 +119,28 @@ std::vector<std::pair<int, int>> pairs_to_check(const Capture& capture) {
     return {pairs.begin(), pairs.end()};
 }
 
-/// The features of those views that a pair has, in the order of all views.
+std::set<int> views_of(const std::vector<std::pair<int, int>>& pairs) {
+    std::set<int> views;
+    for (const auto& [first, second] : pairs) views.insert({first, second});
+    return views;
+}
+
+std::set<int> views_to_compare(const Capture& capture) {
+    constexpr int kViews = 64;
+    const int count = static_cast<int>(capture.views.size());
+    std::set<int> views;
+    for (int number = 0; number < std::min(kViews, count); ++number) {
+        views.insert(number * count / std::min(kViews, count));
+    }
+    return views;
+}
+
+/// Of these views, in the order of all.
 std::vector<Features> features_of(const Capture& capture, const std::vector<Photograph>& all,
-                                  const std::vector<std::pair<int, int>>& pairs, int threads,
-                                  Progress& progress) {
+                                  const std::set<int>& views, int threads, Progress& progress) {
     constexpr int kMostFeatures = 2048;
     std::map<std::string, const Photograph*> by_name;
     for (const Photograph& photograph : all) by_name[photograph.name] = &photograph;
-    std::set<int> views;
-    for (const auto& [first, second] : pairs) views.insert({first, second});
     std::vector<Photograph> photographs;
     for (const int view : views) {
         photographs.push_back(*by_name.at(capture.views[static_cast<std::size_t>(view)].name));
@@ -138,6 +151,25 @@ std::vector<Features> features_of(const Capture& capture, const std::vector<Phot
     auto next = found.begin();
     for (const int view : views) features[static_cast<std::size_t>(view)] = std::move(*next++);
     return features;
+}
+
+/// Matches that an epipolar geometry holds for against the poses. It is found from what is seen
+/// alone, without the lens: that may be what is wrong.
+PoseCheck check_matches(const Capture& capture, const std::vector<Features>& features,
+                        const std::vector<PairMatches>& matches, int min_inliers, int threads,
+                        Progress& progress) {
+    std::vector<ColmapCamera> cameras;
+    for (const Camera& camera : capture.cameras) cameras.push_back({camera, true});
+    std::vector<ColmapPhotograph> keypoints;
+    for (std::size_t view = 0; view < capture.views.size(); ++view) {
+        keypoints.push_back({capture.views[view].camera_index, {}});
+        for (const Keypoint& keypoint : features[view].keypoints) {
+            keypoints.back().keypoints_px.push_back(keypoint.pixel);
+        }
+    }
+    return check_poses(capture, keypoints,
+                       verify_pairs(matches, cameras, keypoints, false,
+                                    {.min_inliers = min_inliers}, threads, progress));
 }
 
 }  // namespace
@@ -177,28 +209,25 @@ PoseCheck check_poses(const Capture& capture, const std::vector<ColmapPhotograph
 PoseCheck check_imported_poses(const Capture& capture, const std::vector<Photograph>& photographs,
                                int threads, Progress& progress) {
     const std::vector<std::pair<int, int>> pairs = pairs_to_check(capture);
-    const std::vector<Features> features =
-        features_of(capture, photographs, pairs, threads, progress);
-    std::vector<ColmapCamera> cameras;
-    for (const Camera& camera : capture.cameras) cameras.push_back({camera, true});
-    std::vector<ColmapPhotograph> keypoints;
-    for (std::size_t view = 0; view < capture.views.size(); ++view) {
-        keypoints.push_back({capture.views[view].camera_index, {}});
-        for (const Keypoint& keypoint : features[view].keypoints) {
-            keypoints.back().keypoints_px.push_back(keypoint.pixel);
-        }
-    }
-    const std::vector<PairMatches> matches = match_pairs(features, pairs, {}, threads, progress);
-    // By what is seen alone, without the lens: that may be what is wrong.
+    std::vector<Features> features =
+        features_of(capture, photographs, views_of(pairs), threads, progress);
     PoseCheck check =
-        check_poses(capture, keypoints,
-                    verify_pairs(matches, cameras, keypoints, false, {}, threads, progress));
+        check_matches(capture, features, match_pairs(features, pairs, {}, threads, progress),
+                      PairVerificationOptions{}.min_inliers, threads, progress);
     check.pairs_asked = static_cast<int>(pairs.size());
-    return check;
+    if (2 * check.pairs >= check.pairs_asked) return check;
+    // Photographs that surely show the same things tell whether it is the poses that are wrong.
+    constexpr int kSurelyTheSame = 40;
+    features = features_of(capture, photographs, views_to_compare(capture), threads, progress);
+    PoseCheck by_look =
+        check_matches(capture, features, match_photographs(features, threads, progress),
+                      kSurelyTheSame, threads, progress);
+    by_look.pairs_asked = check.pairs_asked;
+    return by_look.pairs_denied > 0 ? by_look : check;
 }
 
 std::string warning_of(const PoseCheck& check) {
-    const std::string of_pairs = " of " + std::to_string(check.pairs) + " pairs of neighbours ";
+    const std::string of_pairs = " of " + std::to_string(check.pairs) + " pairs of photographs ";
     const bool is_told = check.pairs >= kLeastPairs;
     if (is_told && 2 * check.pairs_turned > check.pairs) {
         throw Error(ErrorKind::kBadInput, "E-IMPORT-TURNED",

@@ -12,10 +12,9 @@ namespace lumi {
 /// What photographs say of poses that they did not give.
 struct PoseCheck {
     int pairs_asked = 0;   ///< Neighbours by the poses.
-    int pairs = 0;         ///< Of these: they show the same things, by an epipolar geometry.
+    int pairs = 0;         ///< That show the same things, by an epipolar geometry.
     int pairs_denied = 0;  ///< Of these: for half of their matches the poses are far off.
-    int pairs_turned =
-        0;  ///< Of these: matches fit better to pictures that are turned on the spot.
+    int pairs_turned = 0;  ///< Of these: the poses fit better to pictures that are turned.
     /// By how much half of all matches are off, in pixels of the working copies.
     double median_error_px = 0.0;
 };
@@ -35,7 +34,8 @@ struct PoseCheck {
                                     const std::vector<VerifiedPair>& pairs);
 
 /// The same of eight views, spread over the capture, and their neighbours, whose working copies
-/// are matched for it.
+/// are matched for it; where fewer than half of these show the same things, of photographs that do
+/// so by their look, if they deny the poses.
 [[nodiscard]] PoseCheck check_imported_poses(const Capture& capture,
                                              const std::vector<Photograph>& photographs,
                                              int threads, Progress& progress);

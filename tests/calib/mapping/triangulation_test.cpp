@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "tests/calib/synthetic_capture.h"
@@ -35,6 +36,22 @@ TEST(Triangulation, LeavesOutTheSightingThatContradicts) {
     ASSERT_TRUE(found.has_value());
     EXPECT_LT((found->position_in_world - kPoint).norm(), 1e-10);
     EXPECT_EQ(found->is_inlier, (std::vector<char>{1, 0, 1, 1}));
+}
+
+TEST(Triangulation, LeavesOutTheSightingThatContradictsHoweverManyOthersThereAre) {
+    for (int others = 3; others <= 12; ++others) {
+        // Seen from the far left, and so in the pairs of rays that differ most.
+        std::vector<Sighting> sightings{sighting_from({-5, 0, -5})};
+        sightings[0].ray += Eigen::Vector2d(0, 0.3);
+        for (int other = 0; other < others; ++other) {
+            sightings.push_back(sighting_from({3.0 * (other + 1) / others, 0.1 * other, -5}));
+        }
+        const auto found = triangulate(sightings, {});
+        ASSERT_TRUE(found.has_value()) << others;
+        EXPECT_LT((found->position_in_world - kPoint).norm(), 1e-10) << others;
+        EXPECT_EQ(std::count(found->is_inlier.begin(), found->is_inlier.end(), 1), others);
+        EXPECT_EQ(found->is_inlier.front(), 0) << others;
+    }
 }
 
 TEST(Triangulation, HasNoPointForRaysThatAreNearlyParallel) {
