@@ -100,8 +100,12 @@ class Elimination {
         const auto inverse = (condition.rows * spread).completeOrthogonalDecomposition();
         values_ -= spread * inverse.solve(difference(condition));
         covariance_ -= spread * inverse.solve(spread.transpose());
+        // Exactly: what rounding leaves of either, the next condition would spread.
         for (std::size_t index = 0; index < condition.held.size(); ++index) {
-            values_[condition.held[index]] = condition.neutral[static_cast<Eigen::Index>(index)];
+            const int held = condition.held[index];
+            values_[held] = condition.neutral[static_cast<Eigen::Index>(index)];
+            covariance_.row(held).setZero();
+            covariance_.col(held).setZero();
         }
         if (condition.held.empty()) square_pixels_ = true;
         held_.insert(held_.end(), condition.held.begin(), condition.held.end());

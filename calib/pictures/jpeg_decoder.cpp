@@ -35,7 +35,10 @@ JpegHeader read_header(void* decoder, std::span<const std::uint8_t> bytes,
     const int failed =
         tjDecompressHeader3(decoder, bytes.data(), bytes.size(), &header.size.width_px,
                             &header.size.height_px, &subsampling, &header.color_space);
-    if (failed != 0) refuse_truncated_image(path, tjGetErrorStr2(decoder));
+    // TurboJPEG has no name for every subsampling that it decodes, and has read the rest by then.
+    const bool is_only_unnamed = subsampling < 0 && header.color_space >= 0 &&
+                                 header.size.width_px > 0 && header.size.height_px > 0;
+    if (failed != 0 && !is_only_unnamed) refuse_truncated_image(path, tjGetErrorStr2(decoder));
     return header;
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace lumi {
 namespace {
 
@@ -65,6 +67,24 @@ TEST(SupportedLens, SquarePixelsNeedOneFocalLength) {
     const SupportedLens kept = supported_lens(oblong, all_free(lens.model), covariance);
     // SIMPLE_RADIAL has one focal length: OPENCV stays, with what it lacks support for held at 0.
     EXPECT_EQ(kept.form, (LensForm{LensModel::kOpenCv, {5, 6, 7}}));
+}
+
+TEST(SupportedLens, WhatWentStaysGoneWhateverItIsCorrelatedWith) {
+    constexpr int kParameters = 8;
+    const Camera lens{640, 480, LensModel::kOpenCv, {500, 500, 320, 240, -0.1, 3e-4, 2e-4, -1e-4}};
+    const std::vector<double> sigmas{1, 1, 1, 1, 0.01, 1e-3, 1e-3, 1e-3};
+    Eigen::MatrixXd covariance = variances(sigmas);
+    for (int row = 0; row < kParameters; ++row) {
+        for (int column = 0; column < row; ++column) {
+            const double correlation = 0.7 / (1 + 0.37 * (row - column));
+            covariance(row, column) = covariance(column, row) =
+                correlation * std::sqrt(covariance(row, row) * covariance(column, column));
+        }
+    }
+    const SupportedLens supported =
+        supported_lens(lens, with_principal_point_held(lens.model), covariance);
+    EXPECT_EQ(supported.dropped.size(), 4u);
+    EXPECT_EQ(supported.form, with_principal_point_held(LensModel::kSimpleRadial));
 }
 
 TEST(SupportedLens, AllOfAHeldLensStays) {

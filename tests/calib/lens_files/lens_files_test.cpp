@@ -52,6 +52,22 @@ TEST(LensFiles, EveryFormatIsReadBack) {
     EXPECT_EQ(round_trips, 34);
 }
 
+TEST(LensFiles, AnEditorOfWindowsMayHaveSavedThem) {
+    const ScratchFolder folder;
+    const Camera lens = lenses()[4];
+    for (const LensFormat format : kLensFormats) {
+        std::string text = "\xef\xbb\xbf";
+        for (const char letter : lens_text(lens, format, {"a remark"})) {
+            if (letter == '\n') text += '\r';
+            text += letter;
+        }
+        const auto path = folder / std::string(usual_file_name(format));
+        write_whole_text(path, text);
+        SCOPED_TRACE(name_of(format));
+        expect_same(read_lens_file(path), lens);
+    }
+}
+
 TEST(LensFiles, TomlAndColmapKeepEveryBit) {
     const ScratchFolder folder;
     for (const Camera& lens : lenses()) {
