@@ -81,6 +81,29 @@ std::string doubt_about(const std::vector<DepthEvidence>& evidence,
            "free of noise?";
 }
 
+/// What is given says where it is, and the scene points say so, too: by how much its unit of length
+/// differs from that of the poses shows in the median of all.
+std::string doubt_about_unit(const DepthScene& scene, const std::vector<DepthEstimate>& estimates,
+                             const std::vector<DepthMap>& maps) {
+    constexpr double kMostTimes = 1.5;
+    std::vector<double> times_as_far;
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        if (!estimates[i].is_exact) continue;
+        for (const SparsePoint& point : scene.views[i].points) {
+            const auto x = static_cast<int>(point.pixel.x());
+            const auto y = static_cast<int>(point.pixel.y());
+            const auto given = static_cast<double>(maps[i].inverse_depth(x, y));
+            if (maps[i].confidence(x, y) == 0 || given <= 0) continue;
+            times_as_far.push_back(point.inverse_depth / given);
+        }
+    }
+    if (times_as_far.size() < kMinTrialPoints) return "";
+    const double times = median_of(std::move(times_as_far));
+    if (times <= kMostTimes && times >= 1 / kMostTimes) return "";
+    return "depth is doubtful: what was imported lies " + formatted("%.4g", times) +
+           " times as far away as the scene points. Is its unit of length that of the poses?";
+}
+
 /// Leaves in `result` what the views confirm of each other's estimates.
 void confirm(const DepthScene& scene, const std::vector<DepthEstimate>& estimates,
              DepthResult& result, Progress& progress) {
@@ -210,6 +233,9 @@ void find_depth(const DepthScene& scene, const std::vector<GrayImage>& masks,
                result.depth_maps[index], result.evidence[index]);
     });
     result.warning = doubt_about(result.evidence, estimates, scene);
+    if (result.warning.empty()) {
+        result.warning = doubt_about_unit(scene, estimates, result.depth_maps);
+    }
     if (!result.warning.empty()) progress.note(result.warning);
 }
 

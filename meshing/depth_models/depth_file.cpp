@@ -125,6 +125,17 @@ int depth_channel(const OIIO::ImageSpec& spec, const fs::path& path) {
     return 0;
 }
 
+/// OpenEXR stores the part of a picture that is not empty, if its writer wants so.
+void require_whole_picture(const OIIO::ImageSpec& spec, const fs::path& path) {
+    if (spec.x == spec.full_x && spec.y == spec.full_y && spec.width == spec.full_width &&
+        spec.height == spec.full_height) {
+        return;
+    }
+    refuse(path,
+           "its data window is not its display window: it holds another part of the scene "
+           "than the whole photograph");
+}
+
 FloatImage read_exr(const fs::path& path) {
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("openexr");
     OIIO::ImageSpec spec;
@@ -132,6 +143,7 @@ FloatImage read_exr(const fs::path& path) {
         refuse(path, input ? input->geterror() : OIIO::geterror());
     }
     check_size(spec.width, spec.height, path);
+    require_whole_picture(spec, path);
     const int channel = depth_channel(spec, path);
     FloatImage image(spec.width, spec.height);
     const bool read =

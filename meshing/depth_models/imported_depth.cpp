@@ -32,7 +32,8 @@ void check_size(const FloatImage& depth, const Camera& camera, const fs::path& p
     const double stretch = static_cast<double>(depth.width()) * camera.height_px /
                            (static_cast<double>(depth.height()) * camera.width_px);
     // Rounding of the smaller side to whole pixels.
-    const double tolerance = 1.0 / std::min(depth.height(), camera.height_px);
+    const double tolerance =
+        1.0 / std::min({depth.width(), depth.height(), camera.width_px, camera.height_px});
     if (std::abs(stretch - 1) <= tolerance) return;
     throw Error(ErrorKind::kBadInput, "E-DEPTH-SIZE",
                 path.string() + ": " + std::to_string(depth.width()) + "x" +

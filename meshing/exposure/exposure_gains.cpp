@@ -169,6 +169,14 @@ double median_size(const LogRatios& log_ratios) {
     return median_of({sizes.data(), sizes.data() + sizes.size()});
 }
 
+/// Whether it is exposure that photographs differ by: gains leave next to nothing of what the usual
+/// pair differs by, however wrong others are; or of what all do, where so few photographs are
+/// exposed in another way that the usual pair does not differ at all.
+bool is_explained(const LogRatios& log_ratios, const LogRatios& left) {
+    return median_size(left) <= kMostLeft * median_size(log_ratios) ||
+           rms_of(left) <= kMostLeft * rms_of(log_ratios);
+}
+
 LogRatios mean_ratios(const std::vector<ExposureRatio>& ratios) {
     return 0.5 * (fold_of(ratios, 0) + fold_of(ratios, 1));
 }
@@ -200,7 +208,7 @@ ExposureGains exposure_gains(int view_count, const std::vector<ExposureRatio>& r
     const LogGains gains = fitted(view_count, ratios, log_ratios, trial.model);
     if (trial.model == ExposureModel::kNone || !is_told(gains, trial.noise)) return result;
     const LogRatios left = residuals(ratios, log_ratios, gains);
-    if (median_size(left) > kMostLeft * median_size(log_ratios)) return result;
+    if (!is_explained(log_ratios, left)) return result;
     result.model = trial.model;
     result.remaining_stops = stops_per_log * rms_of(left);
     result.largest_stops = stops_per_log * gains.cwiseAbs().maxCoeff();

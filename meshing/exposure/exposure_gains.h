@@ -39,8 +39,8 @@ struct ExposureGains {
 /// error exceeds the least by no more than one standard error (Breiman et al. 1984). Gains that are
 /// less than twice what the two fits differ by, or less than half an 8-bit step of a mid grey (1 %
 /// of its light), are none; and so are those that leave more than 15 % of what pairs differ
-/// by (medians): then it is not exposure that they mostly differ by, but how surfaces shine. Views
-/// that no ratio speaks of keep gain 1.
+/// by, in the median and in the root mean square: then it is not exposure that they mostly differ
+/// by, but how surfaces shine. Views that no ratio speaks of keep gain 1.
 [[nodiscard]] ExposureGains exposure_gains(int view_count,
                                            const std::vector<ExposureRatio>& ratios);
 

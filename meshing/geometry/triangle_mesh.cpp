@@ -78,7 +78,8 @@ TriangleMesh parse_obj(std::string_view text, const fs::path& path) {
     TriangleMesh mesh;
     std::vector<std::uint32_t> polygon;
     for (Lines lines(text); !lines.at_end();) {
-        Words words(lines.next());
+        const std::string_view line = lines.next();
+        Words words(line.substr(0, line.find('#')));  // The rest is a comment.
         const std::string_view kind = words.next();
         if (kind == "v") {
             Eigen::Vector3d vertex;
@@ -277,7 +278,8 @@ TriangleMesh read_triangle_mesh(const fs::path& path) {
     const Bytes bytes = read_whole_file(path);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const bool is_ply = text.starts_with("ply\n") || text.starts_with("ply\r");
-    if (!is_ply && path.extension() != ".obj") refuse(path, "neither a PLY nor an OBJ file");
+    const bool is_obj = path.extension() == ".obj" || path.extension() == ".OBJ";
+    if (!is_ply && !is_obj) refuse(path, "neither a PLY nor an OBJ file");
     TriangleMesh mesh = is_ply ? parse_ply(text, path) : parse_obj(text, path);
     check(mesh, path);
     return mesh;

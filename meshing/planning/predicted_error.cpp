@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "calib/work/median.h"
+#include "meshing/cameras/border.h"
 #include "meshing/cameras/spherical_triangulation.h"
 
 namespace lumi {
@@ -84,9 +85,21 @@ Eigen::Vector3d middle_of(const std::array<Eigen::Vector3d, 3>& corners) {
     return circumcentre;
 }
 
+/// Of three directions, or of more on one circle, there is no hull: they are then triangulated as
+/// those of cameras that see the scene from one side.
+std::vector<std::array<int, 3>> triangles_between(const std::vector<Eigen::Vector3d>& directions) {
+    constexpr double kLeastMean = 1e-6;  // Below that no side is opposite to them.
+    auto faces = spherical_triangulation(directions);
+    if (!faces.empty()) return faces;
+    const Eigen::Vector3d sum =
+        std::accumulate(directions.begin(), directions.end(), Eigen::Vector3d(0, 0, 0));
+    if (sum.norm() < kLeastMean * static_cast<double>(directions.size())) return faces;
+    return open_triangulation(directions, -sum.normalized());
+}
+
 std::vector<Hole> holes_of_surface(const CameraStar& star, const DepthUncertainty& uncertainty) {
     std::vector<Hole> holes;
-    for (const auto& face : spherical_triangulation(star.directions)) {
+    for (const auto& face : triangles_between(star.directions)) {
         std::array<Eigen::Vector3d, 3> corners;
         for (std::size_t i = 0; i < 3; ++i) {
             corners[i] = star.directions[static_cast<std::size_t>(face[i])];

@@ -50,32 +50,31 @@ void splat(FloatImage& nearest, const Eigen::Vector2d& place, float inverse_dept
     }
 }
 
-/// The median over the views of what `kSameSurfacePx` pixels are worth, seen from the nearest other
-/// camera that has parallax; infinite when all stand on one spot.
-double inverse_depth_of_same_surface(const std::vector<PicturedView>& views, double scale) {
+double thumbnail_scale(const Camera& camera) {
+    const double pixels = 1.0 * camera.width_px * camera.height_px;
+    return std::min(1.0, std::sqrt(kPixels / pixels));
+}
+
+/// The median over the views of what `kSameSurfacePx` pixels of its thumbnail are worth, seen from
+/// the nearest other camera that has parallax; infinite when all stand on one spot.
+double inverse_depth_of_same_surface(const std::vector<PicturedView>& views) {
     std::vector<Eigen::Vector3d> centres;
     for (const PicturedView& view : views) centres.push_back(centre_in_world(view.cam_from_world));
     std::vector<double> steps;
     for (const PicturedView& view : views) {
         const double nearest = nearest_baseline(centre_in_world(view.cam_from_world), centres);
         if (nearest <= 0) continue;
+        const double scale = thumbnail_scale(view.camera);
         steps.push_back(kSameSurfacePx / (scale * nearest * focal_length_px(view.camera).x()));
     }
     return median_of(std::move(steps), std::numeric_limits<double>::infinity());
-}
-
-double thumbnail_scale(const Camera& camera) {
-    const double pixels = 1.0 * camera.width_px * camera.height_px;
-    return std::min(1.0, std::sqrt(kPixels / pixels));
 }
 
 }  // namespace
 
 ThumbnailPrediction::ThumbnailPrediction(const std::vector<PicturedView>& views) {
     for (const PicturedView& view : views) thumbnails_.push_back(thumbnail_of(view));
-    if (views.empty()) return;
-    same_surface_ =
-        inverse_depth_of_same_surface(views, thumbnail_scale(views[views.size() / 2].camera));
+    same_surface_ = inverse_depth_of_same_surface(views);
 }
 
 ThumbnailPrediction::Thumbnail ThumbnailPrediction::thumbnail_of(const PicturedView& view) {

@@ -136,9 +136,9 @@ std::vector<Witness> witnesses_of(const std::vector<KnownView>& views, int view_
     std::vector<Witness> witnesses;
     if (own.disparity_px_per_inverse_depth <= 0) return witnesses;
     const auto one_pixel = static_cast<float>(1 / own.disparity_px_per_inverse_depth);
-    const int step = std::max(1, own.picture.width() / 100);
     for (const int other_index : own.near) {
         const KnownView& other = views[static_cast<std::size_t>(other_index)];
+        const int step = std::max(1, other.picture.width() / 100);  // It is asked pixel by pixel.
         const InverseDepthWarp own_from_other = warp_between(own, other);
         const auto match =
             color_match(shared_colors({own.known, own.picture}, {other.known, other.picture},

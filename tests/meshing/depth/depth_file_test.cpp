@@ -76,6 +76,21 @@ TEST(DepthFile, EveryFormatSaysTheSame) {
     }
 }
 
+TEST(DepthFile, RefusesAnExrThatHoldsAPartOfThePhotograph) {
+    const ScratchFolder folder;
+    const std::filesystem::path path = folder.path() / "part.exr";
+    OIIO::ImageSpec spec(5, 3, 1, OIIO::TypeDesc::FLOAT);
+    spec.channelnames = {"Z"};
+    spec.x = 2;
+    spec.full_width = 10;
+    spec.full_height = 6;
+    const auto output = OIIO::ImageOutput::create("openexr");
+    ASSERT_TRUE(output && output->open(path.string(), spec));
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, ramp().pixels().data()));
+    ASSERT_TRUE(output->close());
+    EXPECT_EQ(code_of_reading(path), "E-DEPTH-FORMAT");
+}
+
 TEST(DepthFile, RefusesHeadersThatPromiseMoreThanThereIs) {
     const ScratchFolder folder;
     write_with_header(folder.path() / "a.bin", "5000000&5000000&1&", {1, 2});

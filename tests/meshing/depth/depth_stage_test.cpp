@@ -178,6 +178,26 @@ TEST(DepthStage, TakesImportedDepthInsteadOfItsOwn) {
     EXPECT_EQ(result.depth_maps[1].inverse_depth(7, 7), 0.2F);
 }
 
+TEST(DepthStage, WarnsWhereImportedDepthIsInAnotherUnitThanThePoses) {
+    const ScratchFolder folder;
+    const KnownDepthScene known = board_and_wall();
+    PosedPhotographs photographs = written(known, folder.path());
+    add_points(known, {0, 1}, photographs.capture);
+    DepthOptions options;
+    options.import_folder = folder.path();
+    const auto warning_for = [&](float unit) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            FloatImage depth = known.inverse_depths[i];
+            for (float& value : depth.pixels()) value = unit / value;
+            write_float_tiff(folder.path() / (known.scene.views[i].name + ".tiff"), depth);
+        }
+        return depth_of(photographs, {0, 1}, options).warning;
+    };
+    EXPECT_EQ(warning_for(1.0F), "");
+    EXPECT_THAT(warning_for(1000.0F), testing::HasSubstr(" lies 1000 times as far away"));
+    EXPECT_THAT(warning_for(0.25F), testing::HasSubstr(" lies 0.25 times as far away"));
+}
+
 TEST(DepthStage, MapsAreNoWiderThanAsked) {
     const ScratchFolder folder;
     const KnownDepthScene known = board_and_wall();

@@ -45,6 +45,14 @@ TEST(ImportedDepth, IsTheInverseOfWhatTheFileSays) {
     EXPECT_EQ(map.inverse_depth(25, 20), 0.0F);
 }
 
+TEST(ImportedDepth, OfATallPhotographMayBeRoundedInWidth) {
+    const ScratchFolder folder;
+    DepthView view = view_named("one.jpg");
+    view.camera = pinhole_camera(333, 1000, 900.0);
+    write_float_tiff(folder.path() / "one.tiff", FloatImage(17, 50, 2.0F));  // Of 16.65 pixels.
+    EXPECT_EQ(imported_depth(view, folder.path()).inverse_depth(332, 999), 0.5F);
+}
+
 TEST(ImportedDepth, RefusesWhatIsMissingMisshapenOrNegative) {
     const ScratchFolder folder;
     expect_refused(view_named("one.jpg"), folder.path(), "E-DEPTH-MISSING");

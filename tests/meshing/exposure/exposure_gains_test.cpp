@@ -129,6 +129,18 @@ TEST(ExposureGains, UndoWhiteBalanceToOnePercentInSpiteOfHighlights) {
     expect_recovered(wall, true, ExposureModel::kChannelGains);
 }
 
+TEST(ExposureGains, UndoTheExposureOfAFewAmongMany) {
+    ExposedWall wall(kViews);
+    wall.add_noise(2.0);
+    for (const int view : {2, 5}) wall.expose(view, Eigen::Array3d::Constant(0.5));
+    const ExposureGains found = wall.gains();
+    EXPECT_NE(found.model, ExposureModel::kNone);
+    EXPECT_LT(found.remaining_stops, 0.1 * found.difference_stops);
+    for (const std::size_t view : {2U, 5U}) {
+        EXPECT_NEAR(found.gains[view][1] / found.gains[0][1], 2.0, 0.05) << view;
+    }
+}
+
 TEST(ExposureGains, AreNoneWherePhotographsDoNotDiffer) {
     ExposedWall plain(kViews);
     EXPECT_EQ(plain.gains().model, ExposureModel::kNone);

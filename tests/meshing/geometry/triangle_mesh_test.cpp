@@ -127,6 +127,15 @@ TEST(TriangleMesh, ReadsTextPlyAndObjWithPolygons) {
     }
 }
 
+TEST(TriangleMesh, ReadsObjWithCommentsBehindItsNumbersAndANameInCapitals) {
+    const ScratchFolder folder;
+    write_whole_text(folder.path() / "M.OBJ",
+                     "v 0 0 1 # first\nv 1 0 1\nv 0 1 1\nf 1 2 3 # the only one\n");
+    const TriangleMesh mesh = read_triangle_mesh(folder.path() / "M.OBJ");
+    EXPECT_EQ(mesh.vertices.size(), 3);
+    EXPECT_EQ(mesh.faces, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}));
+}
+
 TEST(TriangleMesh, RefusesWhatLies) {
     const ScratchFolder folder;
     const auto path = folder.path() / "m.ply";

@@ -67,6 +67,14 @@ TEST(CapturePlan, PlacesAViewIntoTheGapOfARow) {
     EXPECT_EQ(nearest[0] + nearest[1], 3 + 4);
 }
 
+TEST(CapturePlan, PlacesAViewBetweenThreePhotographs) {
+    const Capture capture = around({{3, -0.5, -0.3}, {3, 0.5, -0.3}, {3, 0, 0.6}});
+    const CapturePlan plan = plan_capture(capture, all_views(capture), {.suggestions = 1});
+    ASSERT_EQ(plan.suggestions.size(), 1U);
+    const Eigen::Vector3d place = centre_in_world(plan.suggestions[0].cam_from_world);
+    EXPECT_LT(angle_between(place, Eigen::Vector3d::UnitX()), 2 * kRadiansPerDegree);
+}
+
 /// error = focal length * deviation of inverse depth * distance across the hole.
 TEST(PredictedError, IsThatOfItsFormulaOverAnOctahedron) {
     Points centres;
@@ -84,6 +92,18 @@ TEST(PredictedError, IsThatOfItsFormulaOverAnOctahedron) {
         EXPECT_NEAR(hole.radius_rad, std::acos(1 / std::sqrt(3.0)), 1e-12);
         EXPECT_NEAR(hole.error_px, 500 * 0.01 * 2 * 2 * std::sqrt(2.0 / 3), 1e-9);
         EXPECT_EQ(hole.view_indices.size(), 3U);
+    }
+}
+
+TEST(PredictedError, IsThatInTheMiddleOfASquareOfCameras) {
+    const Capture capture = around({{3, -1, -1}, {3, 1, -1}, {3, -1, 1}, {3, 1, 1}});
+    const auto star =
+        camera_star(optical_axes(capture, all_views(capture)), Eigen::Vector3d::Zero());
+    const auto holes = holes_between(star, false, Eigen::Vector3d::UnitZ(), {500, 0.01});
+    ASSERT_EQ(holes.size(), 2U);
+    for (const Hole& hole : holes) {
+        EXPECT_LT(angle_between(hole.direction, Eigen::Vector3d::UnitX()), 1e-6);
+        EXPECT_NEAR(hole.radius_rad, std::atan(std::sqrt(2.0) / 3), 1e-9);
     }
 }
 

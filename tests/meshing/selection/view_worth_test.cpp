@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "meshing/selection/enclosing_views.h"
@@ -142,6 +143,31 @@ TEST(EnclosingViews, AreTheDelaunayTriangleWithBarycentricWeights) {
     EXPECT_NEAR(beyond.weights[0], 0.5, 1e-9);
     EXPECT_EQ(enclosing_views(towards(0, 0), directions, {3}).views, std::vector<int>{3});
     EXPECT_TRUE(enclosing_views(towards(0, 0), directions, {}).views.empty());
+}
+
+TEST(ThumbnailPrediction, BlendsWhatIsWithinTwoPixelsOfItsThumbnailsWhateverTheirPhotographsSizes) {
+    constexpr std::array<std::uint8_t, 3> kGrays{100, 110, 120};
+    std::vector<ColorImage> photographs;
+    std::vector<DepthMap> depths;
+    std::vector<PicturedView> views;
+    for (std::size_t i = 0; i < kGrays.size(); ++i) {
+        const int times = i == 1 ? 1 : 16;  // A small photograph between two large ones.
+        const std::uint8_t gray = kGrays[i];
+        photographs.emplace_back(80 * times, 60 * times, Rgb8{gray, gray, gray});
+        // Half a pixel apart, as far as the next camera.
+        depths.push_back({FloatImage(80, 60, i == 0 ? 0.25F : 0.3F), GrayImage(80, 60, 255)});
+        PicturedView& view = views.emplace_back();
+        view.camera = pinhole_camera(80 * times, 60 * times, 80.0 * times);
+        view.cam_from_world.translation = {-0.1 * static_cast<double>(i), 0, 0};
+    }
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        views[i].photograph = &photographs[i];
+        views[i].depth = &depths[i];
+    }
+    ThumbnailPrediction prediction(views);
+    // In the mean of both but for a column or two at either side; of the nearer alone it would
+    // be 20.
+    EXPECT_LT(prediction.loss_db(1, {{0, 2}, {0.5, 0.5}}), 10);
 }
 
 }  // namespace

@@ -35,5 +35,19 @@ TEST(KnownViews, OfABurstSeeWhatThoseOfOtherPlacesSeeMove) {
     EXPECT_NEAR(disparity_in_the_middle(5), kStep * kFocalPx, 0.2);
 }
 
+TEST(KnownViews, OfSmallPhotographsAreWitnessesForLargeOnes) {
+    const DepthMap large_map{FloatImage(800, 600, 0.25F), GrayImage(800, 600, 255)};
+    const DepthMap small_map{FloatImage(64, 48, 0.25F), GrayImage(64, 48, 255)};
+    const ColorImage large_photograph(800, 600, {90, 80, 70});
+    const ColorImage small_photograph(64, 48, {90, 80, 70});
+    const Rigid3 aside{Eigen::Quaterniond::Identity(), {-kStep, 0, 0}};
+    const std::vector<PicturedView> views{
+        {&large_photograph, pinhole_camera(800, 600, 800), {}, &large_map},
+        {&small_photograph, pinhole_camera(64, 48, 64), aside, &small_map}};
+    const std::vector<KnownView> known = known_views(views, 800, 1);
+    EXPECT_EQ(witnesses_of(known, 0).size(), 1U);
+    EXPECT_EQ(witnesses_of(known, 1).size(), 1U);
+}
+
 }  // namespace
 }  // namespace lumi
