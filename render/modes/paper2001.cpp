@@ -34,7 +34,9 @@ void Paper2001::draw_passes(const BlendTriangles& triangles, const Eye& eye,
     program.set("layer_size",
                 glm::vec2(uploaded_.photographs.width_px(), uploaded_.photographs.height_px()));
     glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE, GL_ONE, GL_ONE);
+    // Weights add up to 1 and no further: patches overlap by a little (face_polygons.h), and pixels
+    // there would be twice as bright.
+    glBlendFuncSeparate(GL_SRC_ALPHA_SATURATE, GL_ONE, GL_ONE, GL_ONE);
     for (const glm::vec3& chosen : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)}) {
         program.set("chosen", chosen);
         triangles_.draw(0, triangles.indices.size());

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
+#include <limits>
 
-#include "calib/work/median.h"
 #include "render/transfer/pixels_per_unit.h"
 
 namespace lumi {
@@ -25,16 +23,38 @@ double level_for(double texels_per_pixel) {
     return std::max(0.0, finer + share_of_coarser);
 }
 
+/// Squared, of directions from the scene's centre: views this near to the eye count alike, and
+/// neighbours of a view, which lie ten times as far apart, hardly count where the eye is at it.
+constexpr double kNear = 1e-4;
+
+/// The mean of logarithms over the views, in which those count most that see the scene from the
+/// eye's direction; minus infinity where all stand in it.
+double log2_pixels_per_unit(const Lumigraph& lumigraph, const Eigen::Vector3d& eye_in_world) {
+    const Eigen::Vector3d& centre = lumigraph.mesh.scene_centre_in_world;
+    const Eigen::Vector3d to_eye = (eye_in_world - centre).normalized();
+    double sum = 0;
+    double weights = 0;
+    for (const LumigraphView& view : lumigraph.views) {
+        const double of_view = pixels_per_unit(view.camera, view.cam_from_world, centre);
+        if (!(of_view > 0)) continue;
+        const Eigen::Vector3d to_view =
+            (centre_in_world(view.cam_from_world) - centre).normalized();
+        const double weight = 1 / ((to_view - to_eye).squaredNorm() + kNear);
+        sum += weight * std::log2(of_view);
+        weights += weight;
+    }
+    return weights > 0 ? sum / weights : -std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 double photograph_lod(const Lumigraph& lumigraph, const Eye& eye, double samples_across_pixel) {
     const Eigen::Vector3d& centre = lumigraph.mesh.scene_centre_in_world;
     const double of_eye = pixels_per_unit(eye.camera, eye.cam_from_world, centre);
     if (!(of_eye > 0)) return 0.0;
-    std::vector<double> of_views;
-    for (const LumigraphView& view : lumigraph.views)
-        of_views.push_back(pixels_per_unit(view.camera, view.cam_from_world, centre));
-    return level_for(samples_across_pixel * median_of(std::move(of_views)) / of_eye);
+    const double of_views =
+        std::exp2(log2_pixels_per_unit(lumigraph, centre_in_world(eye.cam_from_world)));
+    return of_views > 0 ? level_for(samples_across_pixel * of_views / of_eye) : 0.0;
 }
 
 }  // namespace lumi

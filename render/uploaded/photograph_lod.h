@@ -5,9 +5,10 @@
 namespace lumi {
 
 /// The mip level that photographs are looked up at for an eye, 0 the finest, by how many pixels of
-/// a photograph fall on one of the eye's, at the distance of the scene's centre and for the median
-/// view. One level a frame: all photographs of a scene are about as large from far away. Where the
-/// eye has several samples across a pixel, a photograph is looked up for the whole pixel.
+/// a photograph fall on one of the eye's, at the distance of the scene's centre. One level a frame:
+/// all that one is drawn from is about as large. Where photographs are not, by their size or lens,
+/// those count that see the scene from the eye's direction. Where the eye has several samples
+/// across a pixel, a photograph is looked up for the whole pixel.
 ///
 /// Mostly it is a whole number, and one level is looked up instead of two: the finest up to 2
 /// texels a pixel, the next from 3 to 4, the third from 6 to 8. In smaller frames that costs

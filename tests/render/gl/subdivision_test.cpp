@@ -119,6 +119,33 @@ TEST(SubdivisionGl, AdaptiveFadesBeyondTheCapture) {
 TEST(SubdivisionGl, DrawsWhatThePlainCodeDraws) { expect_gl_equals_reference(GlApi::kAny); }
 TEST(SubdivisionGl, DrawsTheSameOnOpenGlEs) { expect_gl_equals_reference(GlApi::kEs); }
 
+/// Pixels that both show, and in which the one is half as bright again as the other, or brighter.
+int count_brighter(const Frame& drawn, const Frame& expected) {
+    int brighter = 0;
+    for (int y = 0; y < expected.color.height(); ++y) {
+        for (int x = 0; x < expected.color.width(); ++x) {
+            const int green = expected.color(x, y).g;
+            if (expected.coverage(x, y) == 255 && 2 * drawn.color(x, y).g > 3 * green + 20)
+                ++brighter;
+        }
+    }
+    return brighter;
+}
+
+TEST(SubdivisionGl, NoPixelIsBrighterWherePatchesOfPaper2001Meet) {
+    const Lumigraph lumigraph = card_before_wall();
+    OffscreenRenderer renderer(lumigraph);
+    const RenderOptions options{.mode = RenderMode::kPaper2001};
+    int brighter = 0;
+    for (const double behind : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0}) {
+        const Eye eye =
+            eye_at({0.1, 0.05, -behind}, {0, 0, 4}, pinhole_camera(480, 360, 300 + 90 * behind));
+        brighter += count_brighter(renderer.draw(eye, options),
+                                   draw_mode_reference(lumigraph, eye, options));
+    }
+    EXPECT_LE(brighter, 2);
+}
+
 TEST(SubdivisionGl, AFrameDoesNotDependOnHowTheEyeCameThere) {
     const Lumigraph lumigraph = card_before_wall();
     OffscreenRenderer travelled(lumigraph);

@@ -43,5 +43,31 @@ TEST(PhotographLod, SamplesOfAPixelAreLookedUpForAllOfIt) {
     EXPECT_DOUBLE_EQ(lod_at(1.2, 2.0), lod_at(2.4));
 }
 
+/// Cameras in a row before the scene, of alternating focal lengths in pixels.
+Lumigraph row_of(int count, double first_px, double second_px) {
+    Lumigraph lumigraph;
+    lumigraph.mesh.scene_centre_in_world = {0, 0, 3};
+    for (int i = 0; i < count; ++i) {
+        LumigraphView view;
+        view.camera = pinhole_camera(640, 480, i % 2 == 0 ? first_px : second_px);
+        view.cam_from_world.translation = {-0.3 * (i - count / 2), 0, 0};
+        lumigraph.views.push_back(std::move(view));
+    }
+    return lumigraph;
+}
+
+TEST(PhotographLod, AtAPhotographOfMixedSizesItIsTheFinest) {
+    const Lumigraph lumigraph = row_of(9, 2400, 300);
+    for (const LumigraphView& view : lumigraph.views)
+        EXPECT_EQ(photograph_lod(lumigraph, {view.camera, view.cam_from_world}), 0.0)
+            << focal_length_px(view.camera).x();
+}
+
+TEST(PhotographLod, BetweenPhotographsOfMixedSizesItIsOfTheirMean) {
+    const Lumigraph lumigraph = row_of(8, 1200, 300);
+    const Eye eye{pinhole_camera(640, 480, 600 / 3.5), {{}, {0.15, 0, 0}}};
+    EXPECT_EQ(photograph_lod(lumigraph, eye), 1.0);
+}
+
 }  // namespace
 }  // namespace lumi
