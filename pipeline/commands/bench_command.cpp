@@ -10,6 +10,7 @@
 #include "pipeline/bench/frame_rate_sweep.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/eye_path.h"
+#include "pipeline/commands/number_checks.h"
 #include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/evaluate/held_out_beside.h"
 #include "pipeline/text/number_text.h"
@@ -241,7 +242,7 @@ void add_bench_command(CLI::App& app, CommandContext& context) {
                     "comes of it: frames a second, triangles, dB of the held-out photographs that "
                     "lie beside the package")
         ->delimiter(',')
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->excludes(size, path, mode, frames, share);
     command.callback([request, &context] {
         context.chosen = [request, &context] {

@@ -8,6 +8,7 @@
 #include "pipeline/bench/arrangement_benchmark.h"
 #include "pipeline/bench/mesh_benchmark.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/number_checks.h"
 #include "pipeline/text/number_text.h"
 #include "pipeline/text/padded.h"
 
@@ -200,6 +201,7 @@ void run_bench_mesh(const MeshBenchmarkOptions& options, const std::filesystem::
                     const CommandContext& context) {
     if (!pictures.empty()) {
         draw_arrangements(pictures, options.seed);
+        if (context.json) context.print_result(Json{{"pictures", pictures.string()}});
         context.say(pictures.string() + "\n");
         return;
     }
@@ -232,10 +234,10 @@ void add_bench_mesh_command(CLI::App& app, CommandContext& context) {
         ->check(CLI::Range(1, 1000000000))
         ->capture_default_str();
     command.add_option("--roughness", options->roughness, "Share by which distances vary")
-        ->check(CLI::Range(0.0, 0.9))
+        ->check(number_from_to(0.0, 0.9))
         ->capture_default_str();
     command.add_option("--scene", options->scene_share, "Radius of the scene over the distance")
-        ->check(CLI::Range(0.01, 0.99))
+        ->check(number_from_to(0.01, 0.99))
         ->capture_default_str();
     command
         .add_option("--most-cameras", options->most_cameras_timed,

@@ -8,6 +8,7 @@
 #include "calib/work/process_memory.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/frame_size.h"
+#include "pipeline/commands/number_checks.h"
 #include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/text/number_text.h"
 #include "pipeline/workspace/optional_json.h"
@@ -115,12 +116,12 @@ void add_bench_orbit_command(CLI::App& app, CommandContext& context) {
     const auto request = std::make_shared<BenchOrbitRequest>();
     command.add_option("PACKAGE", request->package, "Folder NAME.lumi")->required();
     command.add_option("--minutes", request->minutes, "In all")
-        ->check(CLI::Range(0.01, 10000.0))
+        ->check(number_from_to(0.01, 10000.0))
         ->capture_default_str();
     command
         .add_option("--warm-up", request->warm_up_minutes,
                     "Minutes whose growth of memory is not counted")
-        ->check(CLI::Range(0.0, 10000.0))
+        ->check(number_from_to(0.0, 10000.0))
         ->capture_default_str();
     command.add_option("--size", request->size, "Of the window")->capture_default_str();
     command

@@ -128,7 +128,7 @@ void run_bench_poses(const BenchPosesRequest& request, const CommandContext& con
             if (one != means.front()) means.push_back(std::move(one));
         }
     }
-    BenchPosesReport report{time_matching(kMatchedFeatures), {}};
+    BenchPosesReport report{time_matching(kMatchedFeatures, *context.progress), {}};
     const std::size_t beside = request.with_colmap ? 1 : 0;
     for (const PoseMeans& one : means) {
         report.trials.push_back(try_poses(setting, one, *context.progress));

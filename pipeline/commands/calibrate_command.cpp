@@ -8,6 +8,7 @@
 #include "calib/work/error.h"
 #include "calib/work/stopwatch.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/number_checks.h"
 #include "pipeline/stages/calibration_files.h"
 #include "pipeline/stages/calibration_json.h"
 #include "pipeline/text/number_text.h"
@@ -146,7 +147,7 @@ void add_calibrate_command(CLI::App& app, CommandContext& context) {
         .add_option("--square-ratio", request->square_ratio,
                     "Side of a square or marker, or diameter of a disc, to the distance between "
                     "neighbours (default: estimated)")
-        ->check(CLI::Range(0.05, 0.99));
+        ->check(number_from_to(0.05, 0.99));
     command
         .add_option("--models", request->models,
                     "Lens models to choose among, separated by commas (default: all seven)")

@@ -15,6 +15,7 @@ namespace lumi {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 struct ChartRequest {
     fs::path config;
@@ -40,8 +41,9 @@ std::string front_table(const ChartResult& result) {
 /// Where this program lies, to run stages in processes of their own.
 fs::path this_program() { return fs::read_symlink("/proc/self/exe"); }
 
-void measure_growth_if_wanted(const ChartRequest& request, const fs::path& folder,
-                              const CommandContext& context) {
+/// Its samples and exponents; null where none is wanted.
+Json measured_growth(const ChartRequest& request, const fs::path& folder,
+                     const CommandContext& context) {
     const ConfigDocument document = ConfigDocument::open(request.config);
     const GrowthPlan plan = read_growth_plan(document);
     if (plan.is_empty() && request.growth_alone) {
@@ -49,26 +51,37 @@ void measure_growth_if_wanted(const ChartRequest& request, const fs::path& folde
                     request.config.string() + ": nothing to measure",
                     "add a table [growth] with photographs = [10, 30, 100]");
     }
-    if (plan.is_empty()) return;
+    if (plan.is_empty()) return {};
     const GrowthResult growth = measure_growth(document, plan, this_program(), folder / "growth",
                                                context.threads, *context.progress);
     write_growth_files(folder, document.build_config_with({}).name, growth, *context.progress);
     context.say((folder / "growth.html").string() + "\n");
+    return growth_json(growth);
 }
 
 void run_chart(const ChartRequest& request, const CommandContext& context) {
     const Sweep sweep = read_sweep(request.config);
     const fs::path folder =
         request.out.empty() ? fs::path("work") / (sweep.name + "-chart") : request.out;
-    if (request.growth_alone) return measure_growth_if_wanted(request, folder, context);
+    if (request.growth_alone) {
+        const Json growth = measured_growth(request, folder, context);
+        if (context.json) context.print_result(Json{{"growth", growth}});
+        return;
+    }
     const ChartResult result = run_sweep(sweep, folder, context.threads, *context.progress);
     write_chart_files(folder, result, *context.progress);
+    Json object = chart_json(result);
+    // Told before growth is measured, which takes long and may be stopped.
     if (context.json) {
-        context.print_result(chart_json(result));
+        context.print_result(object);
     } else {
         context.print_result(front_table(result));
     }
-    measure_growth_if_wanted(request, folder, context);
+    if (Json growth = measured_growth(request, folder, context);
+        !growth.is_null() && context.json) {
+        object["growth"] = std::move(growth);
+        context.print_result(object);
+    }
     context.say(number_text(100.0 * result.work.cached_share(), 0) +
                 " % of the work came from the cache\n" + (folder / "chart.html").string() + "\n");
 }

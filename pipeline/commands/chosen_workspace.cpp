@@ -46,8 +46,8 @@ void expect_no_other_capture(const WorkspaceLayout& layout, const BuildConfig& c
         return;
     throw Error(ErrorKind::kUsage, "E-WORKSPACE-OTHER",
                 layout.folder().string() + ": holds what was made of " + printable(before.string()),
-                "name another folder with --workspace, or give the configuration another name = "
-                "\"...\"");
+                "give the configuration another name = \"...\", or build in another folder with "
+                "--workspace");
 }
 
 }  // namespace

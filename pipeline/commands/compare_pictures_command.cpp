@@ -4,6 +4,7 @@
 
 #include "calib/pictures/image_io.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/frame_files.h"
 #include "pipeline/evaluate/edge_sharpness.h"
 #include "pipeline/evaluate/flip.h"
 #include "pipeline/evaluate/gain_fit.h"
@@ -24,6 +25,7 @@ struct PictureComparison {
 
 /// The figures of a held-out view (see ViewScore) for any two pictures; null is what has no value.
 Json comparison_json(const PictureComparison& comparison) {
+    if (!comparison.flip_map.empty()) check_picture_out(comparison.flip_map, "--flip-map");
     const ColorImage reference = read_color_image(comparison.reference);
     const ColorImage test = read_color_image(comparison.test);
     const FloatImage flip = flip_error_map(reference, test);
@@ -46,7 +48,10 @@ std::string comparison_text(const Json& figures) {
     std::string text;
     for (const auto& [name, value] : figures.items()) {
         text += name + std::string(22 - name.size(), ' ') +
-                (value.is_null() ? "-" : number_text(value.get<double>(), 7)) + "\n";
+                (value.is_null()             ? "-"
+                 : value.is_number_integer() ? std::to_string(value.get<int>())
+                                             : number_text(value.get<double>(), 7)) +
+                "\n";
     }
     return text;
 }

@@ -57,8 +57,8 @@ void add_compare_poses_command(CLI::App& app, CommandContext& context) {
     command.add_option("B", *b, "The same; what A is measured against")->required();
     command.callback([a, b, &context] {
         context.chosen = [a, b, &context] {
-            const PoseComparison comparison =
-                compare_poses(read_named_poses(*a), read_named_poses(*b));
+            const NamedPoses poses = read_named_poses(*a);
+            const PoseComparison comparison = compare_poses(poses, read_named_poses(*b));
             if (context.json) {
                 context.print_result(comparison_json(comparison));
             } else {

@@ -1,6 +1,7 @@
 #include "pipeline/commands/drawing_request.h"
 
 #include "calib/work/error.h"
+#include "pipeline/commands/number_checks.h"
 #include "pipeline/commands/render_mode_argument.h"
 
 namespace lumi {
@@ -29,7 +30,7 @@ void add_drawing_options(CLI::App& command, DrawingRequest& request) {
     command
         .add_option("--focal-depth", request.focal_depth,
                     "For modes without depth: distance of the plane that is sharp, world units")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number());
     command.add_flag("--supersample", request.supersample,
                      "Four samples a pixel: smooth edges, about four times the work");
     command.add_flag("--jagged", request.jagged,

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/number_checks.h"
 #include "pipeline/plan/plan_workspace.h"
 #include "pipeline/text/number_text.h"
 
@@ -46,7 +47,7 @@ void add_plan_command(CLI::App& app, CommandContext& context) {
     command
         .add_option("--wish", options->wished_error_px,
                     "Predicted error in pixels that is to be reached everywhere")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number());
     command.callback([folder, options, &context] {
         context.chosen = [folder, options, &context] { run_plan(*folder, *options, context); };
     });

@@ -13,6 +13,7 @@
 #include "pipeline/commands/eye_file.h"
 #include "pipeline/commands/eye_path.h"
 #include "pipeline/commands/frame_files.h"
+#include "pipeline/commands/number_checks.h"
 #include "pipeline/commands/stereo_pair.h"
 #include "pipeline/commands/video_file.h"
 #include "pipeline/evaluate/held_out_beside.h"
@@ -236,13 +237,13 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     command
         .add_option("--video-fps", request->video_fps,
                     "Frames a second of a video, and along a recorded path")
-        ->check(CLI::Range(1.0, 240.0))
+        ->check(number_from_to(1.0, 240.0))
         ->capture_default_str();
     CLI::Option* stereo =
         command
             .add_option("--stereo", request->stereo_baseline,
                         "A pair side by side, left eye first, this far apart in world units")
-            ->check(CLI::PositiveNumber);
+            ->check(positive_number());
     add_drawing_options(command, request->drawing);
     CLI::Option* size = command.add_option(
         "--size", request->size,

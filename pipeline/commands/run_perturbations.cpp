@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/commands/chosen_workspace.h"
 #include "pipeline/config/config_variant.h"
 #include "pipeline/line/line.h"
 #include "pipeline/stress/stress_files.h"
@@ -44,8 +45,8 @@ StressTask task_of(const fs::path& path, const CommandContext& context) {
     const ConfigDocument document = ConfigDocument::open(path);
     StressOptions options = read_stress_options(document.options_of("stress"));
     const BuildConfig config = document.build_config_with({});
-    const Workspace workspace(workspace_of(config));
     const int threads = context.threads > 0 ? context.threads : config.threads;
+    const Workspace workspace(layout_for({}, config, threads));
     static_cast<void>(run_line(config, workspace, "pack", threads, *context.progress));
     return {subject_of_workspace(workspace, threads), std::move(options),
             workspace.folder() / "stress"};

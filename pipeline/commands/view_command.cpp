@@ -8,6 +8,7 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/frame_files.h"
 #include "pipeline/commands/frame_size.h"
+#include "pipeline/commands/number_checks.h"
 #include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/evaluate/held_out_beside.h"
 #include "pipeline/plan/planned_views.h"
@@ -122,7 +123,7 @@ void add_view_command(CLI::App& app, CommandContext& context) {
         .add_option("--fps", request->frames_per_second,
                     "While the eye moves, keep so many frames a second by coarser frames and, in "
                     "adaptive, fewer triangles (default: 30, by coarser frames alone)")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number());
     command
         .add_option("--planned", request->planned,
                     "Begin where this photograph of `lumi plan` would be taken: 1, 2, ...")

@@ -87,7 +87,7 @@ PoseTrial try_poses(const PoseTrialSetting& setting, const PoseMeans& means, Pro
     return trial;
 }
 
-std::vector<MatchingCost> time_matching(int features) {
+std::vector<MatchingCost> time_matching(int features, const Progress& progress) {
     constexpr int kRuns = 5;
     const std::vector<Descriptor> first = random_descriptors(features, 1);
     const std::vector<Descriptor> second = random_descriptors(features, 2);
@@ -95,6 +95,7 @@ std::vector<MatchingCost> time_matching(int features) {
     for (const DescriptorInstructions instructions : descriptor_instructions_here()) {
         MatchingCost cost{std::string(name_of(instructions)), 0};
         for (int run = 0; run < kRuns; ++run) {
+            progress.throw_if_interrupted();
             const Stopwatch stopwatch;
             const NearestBothWays nearest = nearest_descriptors(first, second, instructions);
             const double cpu_s = stopwatch.elapsed().cpu_s;

@@ -59,6 +59,6 @@ struct MatchingCost {
     std::string instructions;
     double cpu_s = 0;
 };
-[[nodiscard]] std::vector<MatchingCost> time_matching(int features);
+[[nodiscard]] std::vector<MatchingCost> time_matching(int features, const Progress& progress);
 
 }  // namespace lumi

@@ -6,6 +6,7 @@
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "calib/work/whole_folder.h"
+#include "render/lumigraph/manifest.h"
 
 namespace lumi {
 namespace {
@@ -91,6 +92,12 @@ std::filesystem::path folder_around(const std::filesystem::path& package_folder)
 WorkspaceLayout find_workspace(const fs::path& folder) {
     const fs::path config_path = WorkspaceLayout(folder, "").config_path();
     std::error_code status;
+    // A package has a config.toml, too: that of its workspace.
+    if (fs::is_regular_file(folder / kManifestName, status)) {
+        throw Error(ErrorKind::kBadInput, "E-WORKSPACE-NONE",
+                    folder.string() + ": is a package, where a workspace is expected",
+                    "name the folder that `lumi build` made it in, such as work/NAME");
+    }
     if (!fs::is_regular_file(config_path, status)) {
         throw Error(ErrorKind::kBadInput, "E-WORKSPACE-NONE",
                     folder.string() + ": no workspace of lumi (it has no config.toml)",

@@ -49,6 +49,13 @@ TEST(BenchCommands, MeasuresTheRivalsOnAPaperScene) {
     EXPECT_EQ(lumi("bench-rivals --scene pepsi").exit_code, 2);
 }
 
+TEST(BenchCommands, TellsMachinesWherePicturesOfCameraMeshesAre) {
+    const ScratchFolder scratch;
+    const Outcome drawn = lumi("bench-mesh --json --pictures " + quoted(scratch.path()));
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.talk;
+    EXPECT_EQ(Json::parse(drawn.out).at("pictures"), scratch.path().string());
+}
+
 TEST(BenchCommands, MeasuresTheCameraMeshOverRandomCaptures) {
     const Outcome outcome = lumi("bench-mesh --json --captures 3 --rays 300 --most-cameras 1000");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;

@@ -164,6 +164,10 @@ TEST_F(BuildCommand, ConfigurationsOfOneNameDoNotTakeEachOthersPlace) {
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.talk, HasSubstr("E-WORKSPACE-OTHER"));
     EXPECT_THAT(refused.talk, HasSubstr((scratch_ / "b/p").string()));
+    const Outcome stressed =
+        lumi("stress " + quoted(scratch_ / "a/lumi.toml"), "cd " + quoted(scratch_.path()) + " &&");
+    EXPECT_EQ(stressed.exit_code, 2);
+    EXPECT_THAT(stressed.talk, HasSubstr("E-WORKSPACE-OTHER"));
     // Where they were moved, there is nothing to take the place of.
     fs::rename(scratch_ / "b/p", scratch_ / "b/moved");
     write_whole_text(scratch_ / "b/lumi.toml", "[capture]\nphotos = \"moved\"\n");

@@ -53,6 +53,23 @@ TEST(CommandLine, AWrongCommandLineIsUsage) {
     EXPECT_EQ(lumi("bench-orbit --minutes 1 --warm-up 1 no.lumi").exit_code, 2);
 }
 
+TEST(CommandLine, WhatIsNoNumberIsUsage) {
+    for (const char* line :
+         {"plan w --wish nan", "plan w --wish inf", "plan w --wish 0", "bench p.lumi --fps nan",
+          "render p.lumi --view a --out a.png --focal-depth nan",
+          "render p.lumi --path views --out a.mp4 --video-fps nan", "view p.lumi --fps nan",
+          "bench-orbit p.lumi --minutes nan", "bench-mesh --roughness nan",
+          "bench-mesh --scene 1.5", "calibrate p --square-ratio nan"}) {
+        const Outcome outcome = lumi(line);
+        EXPECT_EQ(outcome.exit_code, 2) << line;
+        EXPECT_THAT(outcome.talk, HasSubstr(": expected ")) << line;
+    }
+    EXPECT_THAT(lumi("plan w --wish inf").talk,
+                HasSubstr("--wish: expected a number above 0, found inf\n"));
+    EXPECT_THAT(lumi("bench-mesh --roughness nan").talk,
+                HasSubstr("--roughness: expected 0 to 0.9, found nan\n"));
+}
+
 TEST(CommandLine, VersionNamesWhatLumiIsBuiltFrom) {
     const Outcome version = lumi("--version");
     EXPECT_EQ(version.exit_code, 0);
@@ -110,8 +127,22 @@ TEST(CommandLine, AMissingInputIsBadInput) {
     EXPECT_EQ(lumi("build " + quoted(scratch / "no.toml")).exit_code, 3);
     EXPECT_EQ(lumi("evaluate " + quoted(scratch.path())).exit_code, 3);
     EXPECT_EQ(lumi("validate " + quoted(scratch / "no.lumi")).exit_code, 3);
-    EXPECT_EQ(
-        lumi("compare-poses " + quoted(scratch / "a") + " " + quoted(scratch / "b")).exit_code, 3);
+    const Outcome poses =
+        lumi("compare-poses " + quoted(scratch / "a") + " " + quoted(scratch / "b"));
+    EXPECT_EQ(poses.exit_code, 3);
+    EXPECT_THAT(poses.talk, HasSubstr((scratch / "a").string() + ": "));
+}
+
+TEST(CommandLine, APackageIsNoWorkspace) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "lumigraph.json", "{}");
+    write_whole_text(scratch / "config.toml", "name = \"cat\"\n");
+    for (const char* command : {"plan ", "select ", "evaluate ", "regression "}) {
+        const Outcome outcome = lumi(command + quoted(scratch.path()));
+        EXPECT_EQ(outcome.exit_code, 3) << command;
+        EXPECT_THAT(outcome.talk, HasSubstr("E-WORKSPACE-NONE")) << command;
+        EXPECT_THAT(outcome.talk, HasSubstr(": is a package, ")) << command;
+    }
 }
 
 TEST(CommandLine, PicturesAreComparedByAllFigures) {
@@ -128,7 +159,14 @@ TEST(CommandLine, PicturesAreComparedByAllFigures) {
     EXPECT_GT(figures.at("flip").get<double>(), 0.0);
     EXPECT_TRUE(figures.at("edge_sharpness").is_null());
     EXPECT_EQ(read_color_image(scratch / "map.png").width(), 64);
-    EXPECT_THAT(lumi("compare-pictures" + a + a).out, HasSubstr("flip                  0.0"));
+    const std::string table = lumi("compare-pictures" + a + a).out;
+    EXPECT_THAT(table, HasSubstr("width_px              64\n"));
+    EXPECT_THAT(table, HasSubstr("flip                  0.0"));
+    const Outcome other_ending =
+        lumi("compare-pictures" + a + a + " --flip-map " + quoted(scratch / "map.jpg"));
+    EXPECT_EQ(other_ending.exit_code, 2);
+    EXPECT_THAT(other_ending.talk, HasSubstr("let --flip-map end in .png"));
+    EXPECT_FALSE(std::filesystem::exists(scratch / "map.jpg"));
     const Outcome refused = lumi("compare-pictures" + a + " " + quoted(scratch / "small.png"));
     EXPECT_EQ(refused.exit_code, 3);
     EXPECT_THAT(refused.talk, HasSubstr("E-EVAL-SIZE"));

@@ -65,10 +65,17 @@ TEST(PoseBench, ChartWithoutTruthShowsWhatWasNotPlaced) {
 }
 
 TEST(PoseBench, MatchingIsTimedForEveryInstructionSetHere) {
-    const auto costs = time_matching(64);
+    SilentProgress progress;
+    const auto costs = time_matching(64, progress);
     ASSERT_FALSE(costs.empty());
     EXPECT_EQ(costs.front().instructions, "portable");
     for (const MatchingCost& cost : costs) EXPECT_GE(cost.cpu_s, 0);
+}
+
+TEST(PoseBench, TimingOfMatchingCanBeInterrupted) {
+    SilentProgress progress;
+    progress.interrupt();
+    EXPECT_THROW(static_cast<void>(time_matching(64, progress)), Error);
 }
 
 }  // namespace

@@ -49,6 +49,15 @@ TEST_F(ViewCommands, DrawsTheCurveOfViewsAgainstError) {
 }
 
 /// Sixteen views of the box so close together that not all are needed.
+TEST_F(ViewCommands, AChartTellsMachinesHowTimeAndMemoryGrow) {
+    configure("[growth]\nphotographs = [5, 8]\n");
+    const Outcome outcome = lumi("chart --json --growth-alone " + quoted(config_path()) +
+                                 " --out " + quoted(scratch_ / "chart"));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    EXPECT_EQ(Json::parse(outcome.out).at("growth"),
+              Json::parse(read_whole_text(scratch_ / "chart" / "growth.json")));
+}
+
 TEST_F(ViewCommands, AutoPacksAsManyViewsAsAreEnough) {
     SceneDescription scene = textured_box_description();
     scene.path.count = 16;
