@@ -11,9 +11,9 @@
 #include "calib/work/process_memory.h"
 #include "calib/work/whole_file.h"
 #include "meshing/depth/depth_memory.h"
+#include "pipeline/commands/chosen_workspace.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/config/build_config.h"
-#include "pipeline/line/line.h"
 #include "pipeline/line/named_paths.h"
 #include "pipeline/stages/left_out_json.h"
 #include "pipeline/stages/overlays_json.h"
@@ -174,10 +174,8 @@ std::string examination_text(const Examination& seen, double depth_mib, const fs
 void run_doctor(const DoctorRequest& request, CommandContext& context) {
     const BuildConfig config = load_build_config(request.config);
     expect_named_paths(config, "pack");
-    const WorkspaceLayout layout = request.workspace.empty()
-                                       ? workspace_of(config)
-                                       : WorkspaceLayout(request.workspace, config.name);
-    const fs::path folder = layout.folder() / "doctor";
+    const int threads = context.threads > 0 ? context.threads : config.threads;
+    const fs::path folder = layout_for(request.workspace, config, threads).folder() / "doctor";
     ExaminationOptions options;
     options.video_fps = config.ingest.video_fps;
     options.keep_overlays = config.ingest.keep_overlays;
@@ -186,7 +184,6 @@ void run_doctor(const DoctorRequest& request, CommandContext& context) {
     options.mask_folder = config.poses.mask_folder;
     options.build_width_px = config.ingest.max_width_px;
     options.lens_is_told_elsewhere = !config.boards.empty() || !config.imported_poses.empty();
-    const int threads = context.threads > 0 ? context.threads : config.threads;
     const Examination seen =
         examine_capture(config.photographs_or_video, config.given_lens, options, folder / "scratch",
                         threads, *context.progress);

@@ -164,10 +164,12 @@ TEST_F(BuildCommand, ConfigurationsOfOneNameDoNotTakeEachOthersPlace) {
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.talk, HasSubstr("E-WORKSPACE-OTHER"));
     EXPECT_THAT(refused.talk, HasSubstr((scratch_ / "b/p").string()));
-    const Outcome stressed =
-        lumi("stress " + quoted(scratch_ / "a/lumi.toml"), "cd " + quoted(scratch_.path()) + " &&");
-    EXPECT_EQ(stressed.exit_code, 2);
-    EXPECT_THAT(stressed.talk, HasSubstr("E-WORKSPACE-OTHER"));
+    for (const std::string command : {"stress ", "doctor "}) {
+        const Outcome other = lumi(command + quoted(scratch_ / "a/lumi.toml"),
+                                   "cd " + quoted(scratch_.path()) + " &&");
+        EXPECT_EQ(other.exit_code, 2) << command;
+        EXPECT_THAT(other.talk, HasSubstr("E-WORKSPACE-OTHER")) << command;
+    }
     // Where they were moved, there is nothing to take the place of.
     fs::rename(scratch_ / "b/p", scratch_ / "b/moved");
     write_whole_text(scratch_ / "b/lumi.toml", "[capture]\nphotos = \"moved\"\n");
