@@ -1,6 +1,8 @@
 #include "render/rivals/heigl.h"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 
 #include "render/rivals/planar_delaunay.h"
 #include "render/transfer/pixel_transfer.h"
@@ -10,7 +12,8 @@ namespace lumi {
 
 namespace {
 
-/// Of the distance to what is nearest: so close to a camera the eye is there.
+/// Of the distance to what is nearest: so close to a camera the eye is there, and so close to its
+/// plane the eye is no closer.
 constexpr double kAtCamera = 1e-6;
 
 /// The corners of the eye's picture.
@@ -42,11 +45,13 @@ std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& e
     for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
         const Rigid3& cam_from_world = lumigraph.views[i].cam_from_world;
         if (optical_axis_in_world(cam_from_world).dot(eye_axis_in_world) <= 0) continue;
-        const Eigen::Vector3d in_eye = eye.cam_from_world * centre_in_world(cam_from_world);
-        if (in_eye.norm() < kAtCamera * scene_distance)
-            return {picture_of(static_cast<int>(i), eye)};
+        Eigen::Vector3d in_eye = eye.cam_from_world * centre_in_world(cam_from_world);
+        const double closest = kAtCamera * scene_distance;
+        if (in_eye.norm() < closest) return {picture_of(static_cast<int>(i), eye)};
+        // In the eye's plane a centre has no place in the picture. Where all are, as of a planar
+        // rig, both sides of it come to the same triangle and weights.
+        in_eye.z() = std::copysign(std::max(std::abs(in_eye.z()), closest), in_eye.z());
         // Centres before the eye and behind it: what counts is the line through both.
-        if (std::abs(in_eye.z()) < 1e-9 * in_eye.norm()) continue;
         pixels.emplace_back((pixel_from_eye * in_eye).hnormalized());
         view_of_point.push_back(static_cast<int>(i));
     }

@@ -10,7 +10,8 @@ namespace lumi {
 /// weights. What lies outside of all triangles is not drawn. The same ray seen from another place
 /// may be blended from other views, which the paper's static mesh avoids. Views that face the other
 /// way are left out. Where the eye is at a camera, which has no place in the picture, all of it is
-/// that camera's.
+/// that camera's. An eye in a camera's plane is taken to be a millionth of the scene's distance
+/// beside it.
 [[nodiscard]] std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& eye);
 
 /// The light field on the scene plane, or on a focal surface, with these polygons in the place of

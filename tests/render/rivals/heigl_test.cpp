@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 
 #include "meshing/surface/camera_mesh.h"
@@ -85,6 +86,25 @@ TEST(Heigl, GivesACameraAllTheWeightWhereItStands) {
     const Eigen::Vector3d camera = centre_in_world(lumigraph.views[0].cam_from_world);
     const Eye eye = eye_at({0.1, 0.05, -2}, camera, pinhole_camera(64, 48, 60));
     EXPECT_NEAR(weights_of_views(heigl_polygons(lumigraph, eye), {32, 24})[0], 1, 1e-6);
+}
+
+TEST(Heigl, DrawsInThePlaneOfAllCamerasWhatItDrawsBesideIt) {
+    std::vector<Eye> cameras;
+    for (const double x : {-1.0, 0.1, 1.0})
+        for (const double y : {-1.0, 0.05, 1.0})
+            cameras.push_back(eye_at({x, y, 0}, {x, y, 5}, pinhole_camera(64, 48, 60)));
+    const Lumigraph lumigraph = photographed(AnalyticScene::kCardBeforeWall, cameras);
+    const auto weights_at_z = [&](double z) {
+        const Eye eye = eye_at({0.4, 0.3, z}, {0.4, 0.3, 5}, pinhole_camera(64, 48, 60));
+        return weights_of_views(heigl_polygons(lumigraph, eye), {30, 20});
+    };
+    const auto in_plane = weights_at_z(0);
+    EXPECT_NEAR(std::accumulate(in_plane.begin(), in_plane.end(), 0.0), 1, 1e-6);
+    for (const double z : {-1e-5, -1e-7, -1e-10, 1e-12, 1e-8, 1e-5}) {
+        const auto beside = weights_at_z(z);
+        for (std::size_t view = 0; view < in_plane.size(); ++view)
+            EXPECT_NEAR(beside[view], in_plane[view], 1e-3) << view << " at " << z;
+    }
 }
 
 TEST(Heigl, LeavesOutViewsThatFaceTheOtherWay) {
