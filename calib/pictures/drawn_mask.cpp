@@ -30,7 +30,8 @@ GrayImage read_drawn_mask(const std::string& name, int width_px, int height_px,
     GrayImage mask = read_gray_png(path);
     const double stretch = static_cast<double>(mask.width()) * height_px /
                            (static_cast<double>(mask.height()) * width_px);
-    if (std::abs(stretch - 1) > 1.0 / std::min(mask.height(), height_px)) {
+    if (std::abs(stretch - 1) >
+        1.0 / std::min({mask.width(), mask.height(), width_px, height_px})) {
         throw Error(ErrorKind::kBadInput, "E-MASK-SIZE",
                     path.string() + ": " + std::to_string(mask.width()) + "x" +
                         std::to_string(mask.height()) + " has not the shape of its photograph",

@@ -39,5 +39,14 @@ TEST(DrawnMask, RefusesWhatIsMissingMisshapenOrEmpty) {
     EXPECT_EQ(code(), "none");
 }
 
+TEST(DrawnMask, MayBeRoundedByAPixelInEitherSide) {
+    const ScratchFolder folder;
+    for (const auto& [width_px, height_px] : {std::pair{180, 241}, {181, 240}, {180, 240}}) {
+        write_png(folder.path() / "one.png", GrayImage(width_px, height_px, 255));
+        EXPECT_NO_THROW((void)drawn_mask("one.jpg", 180, 240, folder.path()))
+            << width_px << "x" << height_px;
+    }
+}
+
 }  // namespace
 }  // namespace lumi
