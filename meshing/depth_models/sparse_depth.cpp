@@ -1,13 +1,13 @@
 #include "meshing/depth_models/sparse_depth.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "calib/work/median.h"
 #include "meshing/depth_scene/point_triangulation.h"
 #include "meshing/filling/guided_smoothing.h"
+#include "meshing/geometry/triangle_pixels.h"
 
 namespace lumi {
 namespace {
@@ -50,35 +50,6 @@ std::vector<SparsePoint> border_points(const std::vector<SparsePoint>& points,
         add(0, 1 - share);
     }
     return border;
-}
-
-double twice_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-    return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
-}
-
-/// Writes the affine function through three points to the pixels inside their triangle.
-void draw_triangle(const SparsePoint& a, const SparsePoint& b, const SparsePoint& c,
-                   FloatImage& inverse_depth) {
-    const double area = twice_area(a.pixel, b.pixel, c.pixel);
-    if (area <= 0) return;
-    const Eigen::Vector2d low = a.pixel.cwiseMin(b.pixel).cwiseMin(c.pixel);
-    const Eigen::Vector2d high = a.pixel.cwiseMax(b.pixel).cwiseMax(c.pixel);
-    const int x_begin = std::max(0, static_cast<int>(std::floor(low.x() - 0.5)));
-    const int y_begin = std::max(0, static_cast<int>(std::floor(low.y() - 0.5)));
-    const int x_end = std::min(inverse_depth.width(), static_cast<int>(std::ceil(high.x() + 0.5)));
-    const int y_end = std::min(inverse_depth.height(), static_cast<int>(std::ceil(high.y() + 0.5)));
-    for (int y = y_begin; y < y_end; ++y) {
-        for (int x = x_begin; x < x_end; ++x) {
-            const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
-            const double wa = twice_area(pixel, b.pixel, c.pixel);
-            const double wb = twice_area(a.pixel, pixel, c.pixel);
-            const double wc = twice_area(a.pixel, b.pixel, pixel);
-            // A pixel on an edge belongs to both triangles, which agree there.
-            if (wa < 0 || wb < 0 || wc < 0) continue;
-            inverse_depth(x, y) = static_cast<float>(
-                (wa * a.inverse_depth + wb * b.inverse_depth + wc * c.inverse_depth) / area);
-        }
-    }
 }
 
 GrayImage nearness(const std::vector<SparsePoint>& points, int width, int height) {
@@ -145,8 +116,12 @@ DepthMap sparse_depth(const DepthView& view) {
     const std::vector<SparsePoint> border = border_points(points, view.camera);
     points.insert(points.end(), border.begin(), border.end());
     for (const auto& [a, b, c] : triangulate(points).triangles) {
-        draw_triangle(points[static_cast<std::size_t>(a)], points[static_cast<std::size_t>(b)],
-                      points[static_cast<std::size_t>(c)], map.inverse_depth);
+        for_each_pixel_in_triangle(points[static_cast<std::size_t>(a)],
+                                   points[static_cast<std::size_t>(b)],
+                                   points[static_cast<std::size_t>(c)], width, height,
+                                   [&map](int x, int y, double inverse_depth) {
+                                       map.inverse_depth(x, y) = static_cast<float>(inverse_depth);
+                                   });
     }
     return map;
 }

@@ -1,10 +1,9 @@
 #include "meshing/geometry/mesh_depth.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "calib/work/median.h"
+#include "meshing/geometry/triangle_pixels.h"
 
 namespace lumi {
 namespace {
@@ -15,39 +14,16 @@ struct Corner {
     double inverse_depth = 0.0;
 };
 
-double twice_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-    return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
-}
-
-/// Inverse depth is affine in the picture, so that it is interpolated without division.
+/// The nearest surface counts.
 void draw(const Corner& a, const Corner& b, const Corner& c, DepthMap& map) {
-    const double area = twice_area(a.pixel, b.pixel, c.pixel);
-    if (area == 0) return;
-    const Eigen::Vector2d low = a.pixel.cwiseMin(b.pixel).cwiseMin(c.pixel);
-    const Eigen::Vector2d high = a.pixel.cwiseMax(b.pixel).cwiseMax(c.pixel);
-    const auto first = [](double low_px, int size) {
-        return static_cast<int>(std::clamp(std::ceil(low_px - 0.5), 0.0, 1.0 * size));
+    const auto keep_nearest = [&map](int x, int y, double inverse_depth) {
+        const auto value = static_cast<float>(inverse_depth);
+        if (map.confidence(x, y) != 0 && value <= map.inverse_depth(x, y)) return;
+        map.inverse_depth(x, y) = value;
+        map.confidence(x, y) = 255;
     };
-    const auto end = [](double high_px, int size) {
-        return static_cast<int>(std::clamp(std::floor(high_px - 0.5) + 1, 0.0, 1.0 * size));
-    };
-    const int width = map.inverse_depth.width();
-    const int height = map.inverse_depth.height();
-    for (int y = first(low.y(), height); y < end(high.y(), height); ++y) {
-        for (int x = first(low.x(), width); x < end(high.x(), width); ++x) {
-            const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
-            const double wa = twice_area(pixel, b.pixel, c.pixel) / area;
-            const double wb = twice_area(a.pixel, pixel, c.pixel) / area;
-            const double wc = 1 - wa - wb;
-            constexpr double kOnEdge = -1e-9;  // A pixel on an edge belongs to both triangles.
-            if (wa < kOnEdge || wb < kOnEdge || wc < kOnEdge) continue;
-            const auto inverse_depth = static_cast<float>(
-                wa * a.inverse_depth + wb * b.inverse_depth + wc * c.inverse_depth);
-            if (map.confidence(x, y) != 0 && inverse_depth <= map.inverse_depth(x, y)) continue;
-            map.inverse_depth(x, y) = inverse_depth;
-            map.confidence(x, y) = 255;
-        }
-    }
+    for_each_pixel_in_triangle(a, b, c, map.inverse_depth.width(), map.inverse_depth.height(),
+                               keep_nearest);
 }
 
 /// The part of a triangle that lies beyond the near plane, as a polygon of up to four corners.

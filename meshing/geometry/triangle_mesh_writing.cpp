@@ -1,18 +1,14 @@
 #include "meshing/geometry/triangle_mesh_writing.h"
 
-#include <bit>
 #include <string>
 
-#include "calib/work/whole_file.h"
-#include "meshing/surface/places_in_floats.h"
+#include "meshing/surface/ply_places.h"
 
 namespace lumi {
 namespace {
 
-static_assert(std::endian::native == std::endian::little);
-
-/// To a thousandth of the triangles' sides, on average.
-bool floats_hold_places_of(const TriangleMesh& mesh) {
+/// By the triangles' sides, on average.
+PlyPlaces places_of(const TriangleMesh& mesh) {
     double distances = 0;
     double lengths = 0;
     for (const auto& face : mesh.faces) {
@@ -23,7 +19,7 @@ bool floats_hold_places_of(const TriangleMesh& mesh) {
             lengths += (b - a).norm();
         }
     }
-    return floats_hold_places(distances, lengths);
+    return {distances, lengths};
 }
 
 }  // namespace
@@ -31,35 +27,22 @@ bool floats_hold_places_of(const TriangleMesh& mesh) {
 void write_triangle_mesh_ply(const std::filesystem::path& path, const TriangleMesh& mesh) {
     const bool has_normals = mesh.normals.size() == mesh.vertices.size();
     const bool has_colors = mesh.colors.size() == mesh.vertices.size();
+    const PlyPlaces places = places_of(mesh);
     std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " +
-                         std::to_string(mesh.vertices.size());
-    const bool are_floats = floats_hold_places_of(mesh);
-    for (const char* axis : {"x", "y", "z"}) {
-        header += std::string("\nproperty ") + (are_floats ? "float " : "double ") + axis;
-    }
-    header += "\n";
+                         std::to_string(mesh.vertices.size()) + "\n" + places.properties();
     if (has_normals) header += "property float nx\nproperty float ny\nproperty float nz\n";
     if (has_colors) header += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     header += "element face " + std::to_string(mesh.faces.size()) +
               "\nproperty list uchar uint vertex_indices\nend_header\n";
     Bytes bytes(header.begin(), header.end());
-    const auto append = [&](const void* data, std::size_t size) {
-        const auto* begin = static_cast<const std::uint8_t*>(data);
-        bytes.insert(bytes.end(), begin, begin + size);
-    };
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        if (are_floats) {
-            const Eigen::Vector3f place = mesh.vertices[i].cast<float>();
-            append(place.data(), 3 * sizeof(float));
-        } else {
-            append(mesh.vertices[i].data(), 3 * sizeof(double));
-        }
-        if (has_normals) append(mesh.normals[i].data(), 3 * sizeof(float));
-        if (has_colors) append(&mesh.colors[i], sizeof(Rgb8));
+        places.append(mesh.vertices[i], bytes);
+        if (has_normals) append_to_ply(mesh.normals[i], bytes);
+        if (has_colors) append_to_ply(mesh.colors[i], bytes);
     }
     for (const auto& face : mesh.faces) {
         bytes.push_back(3);
-        append(face.data(), 3 * sizeof(std::uint32_t));
+        append_to_ply(face, bytes);
     }
     write_whole_file(path, bytes);
 }

@@ -1,18 +1,16 @@
 #include "meshing/surface/mesh_io.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <optional>
 #include <sstream>
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "meshing/surface/ply_places.h"
 
 namespace lumi {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "PLY is written little-endian");
 
 constexpr const char* kVertexLayout =
     "property double x\nproperty double y\nproperty double z\nproperty int view\n";
@@ -23,12 +21,6 @@ constexpr const char* kSightLayout =
     "property double sight_x\nproperty double sight_y\nproperty double sight_z\n";
 constexpr std::size_t kPlaceBytes = 3 * sizeof(double) + sizeof(std::int32_t);
 constexpr std::size_t kFaceBytes = 1 + 3 * sizeof(std::int32_t);
-
-template <class Value>
-void put(Bytes& bytes, Value value) {
-    const auto* begin = reinterpret_cast<const std::uint8_t*>(&value);
-    bytes.insert(bytes.end(), begin, begin + sizeof(Value));
-}
 
 template <class Value>
 Value take(const Bytes& bytes, std::size_t& offset) {
@@ -77,7 +69,7 @@ std::string camera_mesh_header(const CameraMesh& mesh) {
 }
 
 void put_vector(Bytes& bytes, const Eigen::Vector3d& vector) {
-    for (int axis = 0; axis < 3; ++axis) put(bytes, vector[axis]);
+    for (int axis = 0; axis < 3; ++axis) append_to_ply(vector[axis], bytes);
 }
 
 Eigen::Vector3d take_vector(const Bytes& bytes, std::size_t& offset) {
@@ -89,17 +81,18 @@ Eigen::Vector3d take_vector(const Bytes& bytes, std::size_t& offset) {
 void put_vertices(Bytes& bytes, const CameraMesh& mesh, bool with_lines_of_sight) {
     for (const CameraMesh::Vertex& vertex : mesh.vertices) {
         put_vector(bytes, vertex.position_in_world);
-        put(bytes, static_cast<std::int32_t>(vertex.view_index));
-        put(bytes, static_cast<std::uint8_t>(vertex.is_virtual ? 1 : 0));
+        append_to_ply(static_cast<std::int32_t>(vertex.view_index), bytes);
+        append_to_ply(static_cast<std::uint8_t>(vertex.is_virtual ? 1 : 0), bytes);
         if (with_lines_of_sight) put_vector(bytes, vertex.line_of_sight_in_world);
     }
 }
 
 void put_faces(Bytes& bytes, const CameraMesh& mesh, std::size_t first_vertex) {
     for (const CameraMesh::Face& face : mesh.faces) {
-        put(bytes, std::uint8_t{3});
+        append_to_ply(std::uint8_t{3}, bytes);
         for (const int index : face) {
-            put(bytes, static_cast<std::int32_t>(index) + static_cast<std::int32_t>(first_vertex));
+            append_to_ply(
+                static_cast<std::int32_t>(index) + static_cast<std::int32_t>(first_vertex), bytes);
         }
     }
 }
