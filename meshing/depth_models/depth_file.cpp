@@ -14,6 +14,7 @@
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "meshing/surface/file_ending.h"
 
 namespace lumi {
 namespace {
@@ -52,6 +53,9 @@ class HeaderReader {
         at_ += end + 1;
         return found;
     }
+    void skip(std::string_view characters) {
+        at_ = std::min(text_.find_first_not_of(characters, at_), text_.size());
+    }
     template <class Number>
     [[nodiscard]] Number number(std::string_view ends) {
         const std::string_view text = field(ends);
@@ -70,12 +74,16 @@ class HeaderReader {
     const fs::path& path_;
 };
 
+std::size_t bytes_of_floats(int width, int height) {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * sizeof(float);
+}
+
 /// The floats after a header, which must be all that is left.
 FloatImage floats_after(std::size_t position, int width, int height, const Bytes& bytes,
                         const fs::path& path) {
     check_size(width, height, path);
     FloatImage image(width, height);
-    const std::size_t needed = image.pixels().size() * sizeof(float);
+    const std::size_t needed = bytes_of_floats(width, height);
     if (bytes.size() - position != needed) {
         refuse(path, "expected " + std::to_string(needed) + " bytes after its header, found " +
                          std::to_string(bytes.size() - position));
@@ -90,10 +98,18 @@ FloatImage read_pfm(const fs::path& path) {
     HeaderReader header(bytes, path);
     constexpr std::string_view kSpace = " \t\n\r";
     if (header.field(kSpace) != "Pf") refuse(path, "expected a PFM file of one channel (\"Pf\")");
+    header.skip(kSpace);
     const int width = header.number<int>(kSpace);
+    header.skip(kSpace);
     const int height = header.number<int>(kSpace);
+    header.skip(kSpace);
     const double scale = header.number<double>(kSpace);
-    const FloatImage upside_down = floats_after(header.position(), width, height, bytes, path);
+    check_size(width, height, path);
+    std::size_t begin = header.position();
+    // A line may end in two characters; but after one the second may be the picture's first byte.
+    const bool is_one_longer = bytes.size() - begin == bytes_of_floats(width, height) + 1;
+    if (is_one_longer && bytes[begin - 1] == '\r' && bytes[begin] == '\n') ++begin;
+    const FloatImage upside_down = floats_after(begin, width, height, bytes, path);
     FloatImage image(width, height);
     for (int y = 0; y < height; ++y) {
         std::copy_n(upside_down.row(height - 1 - y), width, image.row(y));
@@ -169,7 +185,7 @@ const std::vector<std::string>& depth_file_endings() {
 }
 
 FloatImage read_depth_file(const fs::path& path, double png_unit) {
-    const std::string extension = path.extension().string();
+    const std::string extension = lower_case_ending(path);
     if (extension == ".tiff" || extension == ".tif") return read_float_tiff(path);
     if (extension == ".exr") return read_exr(path);
     if (extension == ".pfm") return read_pfm(path);

@@ -8,9 +8,9 @@
 
 namespace lumi {
 
-/// What a name of a depth map may end with, in the order in which files are looked for: float TIFF
-/// (.tiff, .tif), OpenEXR (.exr: the channel Z, or Y, or the only one), PFM (.pfm), 16-bit PNG
-/// (.png), and COLMAP's dense maps (.geometric.bin, .photometric.bin).
+/// What a name of a depth map may end with in lower case, in the order in which files are looked
+/// for: float TIFF (.tiff, .tif), OpenEXR (.exr: the channel Z, or Y, or the only one), PFM (.pfm),
+/// 16-bit PNG (.png), and COLMAP's dense maps (.geometric.bin, .photometric.bin).
 [[nodiscard]] const std::vector<std::string>& depth_file_endings();
 
 /// Depth along the optical axis in world units, as the file has it: 0 or NaN where it is unknown. A

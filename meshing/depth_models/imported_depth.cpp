@@ -1,6 +1,7 @@
 #include "meshing/depth_models/imported_depth.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "calib/work/error.h"
@@ -11,16 +12,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string upper_case(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return text;
+}
+
 fs::path depth_file_of(const DepthView& view, const fs::path& folder) {
     const fs::path whole_name = folder / view.name;
+    const fs::path stem = fs::path(whole_name).replace_extension();
     for (const std::string& ending : depth_file_endings()) {
-        fs::path by_stem = whole_name;
-        by_stem.replace_extension();
-        by_stem += ending;
-        if (fs::is_regular_file(by_stem)) return by_stem;
-        fs::path appended = whole_name;
-        appended += ending;
-        if (fs::is_regular_file(appended)) return appended;
+        for (const std::string& written : {ending, upper_case(ending)}) {
+            for (fs::path file : {stem, whole_name}) {
+                file += written;
+                if (fs::is_regular_file(file)) return file;
+            }
+        }
     }
     throw Error(
         ErrorKind::kBadInput, "E-DEPTH-MISSING",

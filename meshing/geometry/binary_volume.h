@@ -26,11 +26,12 @@ struct BinaryVolume {
 /// .mhd beside its data; compressed or not) of three dimensions and one number a cell, whole or
 /// floating, of at most 2^30 cells. A cell is solid where its number is at least `threshold`.
 ///
-/// Both formats give the place of the centre of the first cell (NRRD "space origin" or "axis mins",
-/// MetaImage Offset) and the steps from cell to cell (NRRD "space directions" or "spacings",
-/// MetaImage ElementSpacing and TransformMatrix): these are taken as coordinates and units of the
-/// poses' world, whatever the file calls its space. Without them a cell is one unit wide and the
-/// centre of the first at 0.
+/// Both formats give the place of the first cell (NRRD "space origin", its centre, or "axis mins",
+/// its border where "centers" does not say that samples are nodes; MetaImage Offset, its centre)
+/// and the steps from cell to cell (NRRD "space directions", "spacings" or "axis maxs"; MetaImage
+/// ElementSpacing or ElementSize, and TransformMatrix): these are taken as coordinates and units of
+/// the poses' world, whatever the file calls its space. Without them a cell is one unit wide and
+/// the centre of the first at 0.
 ///
 /// Throws Error: E-VOLUME-READ (header that is not of these kinds, or at odds with the size of the
 /// data), E-VOLUME-EMPTY (no cell reaches the threshold), E-VOLUME-FULL (every cell does).

@@ -11,6 +11,7 @@
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "meshing/surface/file_ending.h"
 
 namespace lumi {
 namespace {
@@ -75,6 +76,8 @@ void add_fan(const std::vector<std::uint32_t>& polygon, TriangleMesh& mesh) {
 }
 
 TriangleMesh parse_obj(std::string_view text, const fs::path& path) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // Editors on Windows write it.
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     TriangleMesh mesh;
     std::vector<std::uint32_t> polygon;
     for (Lines lines(text); !lines.at_end();) {
@@ -278,7 +281,7 @@ TriangleMesh read_triangle_mesh(const fs::path& path) {
     const Bytes bytes = read_whole_file(path);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const bool is_ply = text.starts_with("ply\n") || text.starts_with("ply\r");
-    const bool is_obj = path.extension() == ".obj" || path.extension() == ".OBJ";
+    const bool is_obj = lower_case_ending(path) == ".obj";
     if (!is_ply && !is_obj) refuse(path, "neither a PLY nor an OBJ file");
     TriangleMesh mesh = is_ply ? parse_ply(text, path) : parse_obj(text, path);
     check(mesh, path);

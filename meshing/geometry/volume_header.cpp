@@ -1,6 +1,7 @@
 #include "meshing/geometry/volume_header.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <string>
 
 #include "calib/work/error.h"
+#include "meshing/surface/file_ending.h"
 
 namespace lumi {
 namespace {
@@ -135,6 +137,47 @@ bool is_big(const std::string& endian, const fs::path& path) {
     return order == "big";
 }
 
+/// Which axes have their samples on nodes, by a NRRD's "centers": the others have them in cells,
+/// as the format's library takes samples that nothing is said of.
+std::array<bool, 3> axes_of_nodes(const Fields& fields) {
+    std::array<bool, 3> are_nodes{};
+    for (const char* name : {"centers", "centerings"}) {
+        if (!fields.has(name)) continue;
+        const std::string centers = lower_case(fields.text(name));
+        std::size_t at = 0;
+        for (bool& is_node : are_nodes) {
+            at = std::min(centers.find_first_not_of(" \t", at), centers.size());
+            is_node = centers.substr(at).starts_with("node");
+            at = std::min(centers.find_first_of(" \t", at), centers.size());
+        }
+    }
+    return are_nodes;
+}
+
+/// Of a NRRD whose axes are those of the world: "axis mins" and "axis maxs" are the outer borders
+/// of cells, but the places of nodes.
+void place_along_axes(const Fields& fields, VolumeHeader& header) {
+    const std::array<bool, 3> are_nodes = axes_of_nodes(fields);
+    const bool has_mins = fields.has("axismins");
+    const Eigen::Vector3d mins = has_mins ? fields.vector("axismins") : Eigen::Vector3d::Zero();
+    if (fields.has("spacings")) {
+        header.steps = fields.vector("spacings").asDiagonal();
+    } else if (has_mins && fields.has("axismaxs")) {
+        const Eigen::Vector3d extent = fields.vector("axismaxs") - mins;
+        for (int axis = 0; axis < 3; ++axis) {
+            const int steps =
+                header.size[axis] - (are_nodes[static_cast<std::size_t>(axis)] ? 1 : 0);
+            header.steps(axis, axis) = extent[axis] / steps;
+        }
+    }
+    if (!has_mins) return;
+    header.centre_of_first_cell = mins;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!are_nodes[static_cast<std::size_t>(axis)])
+            header.centre_of_first_cell[axis] += 0.5 * header.steps(axis, axis);
+    }
+}
+
 VolumeHeader parse_nrrd(std::string_view text, const fs::path& path) {
     Fields fields(path);
     VolumeHeader header;
@@ -164,12 +207,10 @@ VolumeHeader parse_nrrd(std::string_view text, const fs::path& path) {
     if (is_detached) header.data_file = fields.text("datafile");
     if (fields.has("spacedirections")) {
         header.steps = Eigen::Matrix3d(fields.numbers("spacedirections", 9).data());
-    } else if (fields.has("spacings")) {
-        header.steps = fields.vector("spacings").asDiagonal();
+    } else {
+        place_along_axes(fields, header);
     }
-    for (const char* origin : {"axismins", "spaceorigin"}) {
-        if (fields.has(origin)) header.centre_of_first_cell = fields.vector(origin);
-    }
+    if (fields.has("spaceorigin")) header.centre_of_first_cell = fields.vector("spaceorigin");
     return header;
 }
 
@@ -196,12 +237,12 @@ VolumeHeader parse_meta_image(std::string_view text, const fs::path& path) {
         fields.has("compresseddata") && lower_case(fields.text("compresseddata")) == "true";
     const std::string data = fields.text("elementdatafile");
     if (data != "LOCAL") header.data_file = data;
-    if (fields.has("transformmatrix")) {
-        header.steps = Eigen::Matrix3d(fields.numbers("transformmatrix", 9).data());
+    for (const char* matrix : {"orientation", "rotation", "transformmatrix"}) {
+        if (fields.has(matrix)) header.steps = Eigen::Matrix3d(fields.numbers(matrix, 9).data());
     }
-    if (fields.has("elementspacing")) {
-        header.steps = header.steps * fields.vector("elementspacing").asDiagonal();
-    }
+    // Cells touch where nothing is said of what lies between their centres.
+    const char* const spacing = fields.has("elementspacing") ? "elementspacing" : "elementsize";
+    if (fields.has(spacing)) header.steps = header.steps * fields.vector(spacing).asDiagonal();
     for (const char* origin : {"origin", "position", "offset"}) {
         if (fields.has(origin)) header.centre_of_first_cell = fields.vector(origin);
     }
@@ -235,7 +276,8 @@ void refuse_volume(const fs::path& path, const std::string& what) {
 
 VolumeHeader parse_volume_header(std::string_view text, const fs::path& path) {
     const bool is_nrrd = text.starts_with("NRRD");
-    if (!is_nrrd && path.extension() != ".mhd" && path.extension() != ".mha") {
+    const std::string ending = lower_case_ending(path);
+    if (!is_nrrd && ending != ".mhd" && ending != ".mha") {
         refuse_volume(path, "neither a NRRD file nor a MetaImage");
     }
     VolumeHeader header = is_nrrd ? parse_nrrd(text, path) : parse_meta_image(text, path);

@@ -230,6 +230,60 @@ TEST(BinaryVolume, EveryKindOfFileSaysTheSame) {
     EXPECT_EQ(files_of_volume(file("a.nrrd")).size(), 1U);
 }
 
+/// As the format's own library has it (teem, nrrdOriginCalculate): samples stand in cells unless
+/// the file says that they stand on nodes, and "axis mins" is where the first cell begins, or the
+/// first node.
+TEST(BinaryVolume, AxisMinsAreBordersOfCellsOrPlacesOfNodes) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "v.nrrd";
+    const std::string head = "NRRD0004\ndimension: 3\ntype: uchar\nsizes: 3 2 2\nencoding: raw\n";
+    const auto read = [&](const std::string& fields) {
+        write_volume(path, head + fields + "\n", bytes_of_cells<std::uint8_t>(kCells));
+        return read_binary_volume(path, 0.5).world_from_grid;
+    };
+    const Eigen::Vector3d first(0.5, 0.5, 0.5);
+    const Eigen::Vector3d last(2.5, 1.5, 1.5);
+    const Eigen::Vector3d mins(10, 20, 30);
+    const std::string at = "axis mins: 10 20 30\n";
+    for (const char* cells : {"", "centers: cell cell cell\n", "centerings: cell cell cell\n"}) {
+        const auto world = read(at + "spacings: 2 4 6\n" + cells);
+        EXPECT_TRUE((world * first).isApprox(mins + Eigen::Vector3d(1, 2, 3))) << cells;
+        EXPECT_TRUE((world * Eigen::Vector3d::Zero()).isApprox(mins)) << cells;
+        const auto by_maxs = read(at + "axis maxs: 16 28 42\n" + cells);
+        EXPECT_TRUE(by_maxs.matrix().isApprox(world.matrix())) << cells;
+        const auto of_one_unit = read(at + cells);
+        EXPECT_TRUE((of_one_unit * first).isApprox(mins + first)) << cells;
+    }
+    const std::string nodes = "centers: node node node\n";
+    const auto world = read(at + "spacings: 2 4 6\n" + nodes);
+    EXPECT_TRUE((world * first).isApprox(mins));
+    EXPECT_TRUE((world * last).isApprox(mins + Eigen::Vector3d(4, 4, 6)));
+    EXPECT_TRUE(read(at + "axis maxs: 14 24 36\n" + nodes).matrix().isApprox(world.matrix()));
+    const auto mixed = read(at + "spacings: 2 4 6\ncenters: node cell node\n");
+    EXPECT_TRUE((mixed * first).isApprox(mins + Eigen::Vector3d(0, 2, 0)));
+    // The origin of an oriented grid is the centre of its first cell in any case.
+    const auto oriented = read(
+        "space: left-posterior-superior\nspace directions: (2,0,0) (0,4,0) (0,0,6)\n"
+        "space origin: (10,20,30)\ncenters: cell cell cell\n");
+    EXPECT_TRUE((oriented * first).isApprox(mins));
+}
+
+TEST(BinaryVolume, AMetaImageWithoutElementSpacingHasItsElementSize) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "V.MHA";
+    const std::string head = "ObjectType = Image\nNDims = 3\nDimSize = 3 2 2\n";
+    const std::string tail = "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+    const auto step_of = [&](const std::string& fields) {
+        write_volume(path, head + fields + tail, bytes_of_cells<std::uint8_t>(kCells));
+        return Eigen::Vector3d(read_binary_volume(path, 0.5).world_from_grid.linear().diagonal());
+    };
+    EXPECT_EQ(step_of(""), Eigen::Vector3d(1, 1, 1));
+    EXPECT_EQ(step_of("ElementSize = 2 3 4\n"), Eigen::Vector3d(2, 3, 4));
+    EXPECT_EQ(step_of("ElementSpacing = 5 6 7\nElementSize = 2 3 4\n"), Eigen::Vector3d(5, 6, 7));
+    EXPECT_EQ(step_of("Orientation = 1 0 0 0 1 0 0 0 -1\nElementSize = 2 3 4\n"),
+              Eigen::Vector3d(2, 3, -4));
+}
+
 TEST(BinaryVolume, ANrrdMayWriteItsByteOrderInCapitals) {
     const ScratchFolder folder;
     const auto path = folder.path() / "v.nrrd";
@@ -302,8 +356,8 @@ TEST(DepthStage, TakesAVolumeAndRefusesOneThatNoViewSees) {
     options.import_volume = folder.path() / "wall.nrrd";
     // Two layers of one cell each, 8 wide: nothing before the wall at z = 2, and the wall.
     const std::string header =
-        "NRRD0004\ntype: uchar\nsizes: 1 1 2\nencoding: raw\nspacings: 8 8 1\naxis mins: 0 0 ";
-    write_volume(options.import_volume, header + "1.5\n\n", {0, 1});
+        "NRRD0004\ntype: uchar\nsizes: 1 1 2\nencoding: raw\nspacings: 8 8 1\naxis mins: -4 -4 ";
+    write_volume(options.import_volume, header + "1\n\n", {0, 1});
     const DepthResult result = estimate_depth(photographs, {0, 1}, options, 1, progress);
     EXPECT_EQ(result.evidence[0].model, "volume");
     for (const float value : result.depth_maps[0].inverse_depth.pixels()) {

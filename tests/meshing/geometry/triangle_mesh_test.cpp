@@ -136,6 +136,15 @@ TEST(TriangleMesh, ReadsObjWithCommentsBehindItsNumbersAndANameInCapitals) {
     EXPECT_EQ(mesh.faces, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}));
 }
 
+TEST(TriangleMesh, AnObjFileMayBeginWithAByteOrderMark) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "m.Obj";
+    write_whole_text(path, "\xEF\xBB\xBFv 1 2 3\nv 4 5 6\nv 7 8 10\nv 0 0 1\nf 1 2 3\n");
+    const TriangleMesh mesh = read_triangle_mesh(path);
+    ASSERT_EQ(mesh.vertices.size(), 4U);
+    EXPECT_EQ(mesh.vertices[0], Eigen::Vector3d(1, 2, 3));
+}
+
 TEST(TriangleMesh, RefusesWhatLies) {
     const ScratchFolder folder;
     const auto path = folder.path() / "m.ply";
