@@ -1,9 +1,7 @@
 #include "meshing/cameras/camera_mesh_builder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -16,10 +14,13 @@
 #include "meshing/cameras/construction.h"
 #include "meshing/cameras/forward_motion.h"
 #include "meshing/cameras/kernel.h"
+#include "meshing/cameras/mesh_explanation.h"
+#include "meshing/cameras/own_rays.h"
 #include "meshing/cameras/preconditions.h"
 #include "meshing/cameras/repair.h"
 #include "meshing/cameras/scene_centre.h"
 #include "meshing/cameras/scene_hull.h"
+#include "meshing/cameras/stray_cameras.h"
 
 namespace lumi {
 namespace {
@@ -117,48 +118,6 @@ void judge_kernel(const CameraMesh& mesh, const std::vector<Eigen::Vector3d>& sc
     evidence.scene_share_in_kernel = static_cast<double>(inside) / static_cast<double>(all.size());
 }
 
-std::string percent(double share, int digits = 1) {
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%.*f %%", digits, 100 * share);
-    return text.data();
-}
-
-std::string repairs_text(const CameraMeshEvidence& evidence) {
-    std::string text;
-    if (evidence.edges_flipped > 0) {
-        text += "; " + std::to_string(evidence.edges_flipped) +
-                (evidence.edges_flipped == 1 ? " edge was" : " edges were") + " flipped for that";
-    }
-    if (evidence.cameras_slid > 0) {
-        text += "; the weights of " + std::to_string(evidence.cameras_slid) +
-                (evidence.cameras_slid == 1 ? " camera" : " cameras") +
-                " are those of a place up to " + percent(evidence.largest_slide_share) +
-                " nearer or farther, and of their own rays they leave up to " +
-                percent(evidence.worst_epipole_loss) + " to others (" +
-                percent(evidence.rms_epipole_loss) + " rms over all cameras)";
-    }
-    return text;
-}
-
-/// "closed: the cameras surround the scene ...; 48 of 48 cameras are vertices of the mesh; ..."
-std::string explain(const CameraMesh& mesh, const Arrangement& arrangement, bool convex,
-                    bool has_scene, const CameraMeshEvidence& evidence) {
-    std::string text = name_of(mesh.construction);
-    if (arrangement.inside_out) text += ", inside out (the cameras look away from their middle)";
-    text += ": " + arrangement.reason + "; " + std::to_string(evidence.cameras_kept) + " of " +
-            std::to_string(evidence.cameras_total) + " cameras are vertices of the mesh";
-    if (evidence.cameras_kept < evidence.cameras_total) {
-        text += convex ? ", the others stand within the convex hull"
-                       : ", the others stand behind or before one of them as seen from the scene";
-    }
-    if (has_scene) {
-        text += "; " +
-                std::to_string(std::lround(std::floor(100 * evidence.scene_share_in_kernel))) +
-                " % of the scene's points lie in its kernel, where no ray crosses two faces";
-    }
-    return text + repairs_text(evidence) + ".";
-}
-
 void note_repair(const RepairReport& repair, CameraMeshEvidence& evidence) {
     evidence.edges_flipped = repair.edges_flipped;
     evidence.cameras_slid = repair.slide.cameras_slid;
@@ -208,12 +167,16 @@ BuiltSurface build_surface(const Capture& capture, const std::vector<OpticalAxis
     evidence.cameras_total = static_cast<int>(axes.size());
     evidence.cameras_kept = distinct_views(built.mesh);
     judge_kernel(built.mesh, scene, rules.scene_hull_in_world, evidence);
-    evidence.explanation = explain(built.mesh, rules.arrangement, rules.convex,
-                                   !scene.empty() && !built.mesh.faces.empty(), evidence);
     // Seen from within, a ray is blended from the cameras it leaves through: inside is outside.
     if (rules.arrangement.inside_out) {
         for (CameraMesh::Face& face : built.mesh.faces) std::swap(face[1], face[2]);
     }
+    if (!built.mesh.faces.empty()) {
+        evidence.own_ray_share =
+            own_ray_share(capture, built.mesh, rules.arrangement.inside_out ? points : scene);
+    }
+    evidence.explanation = mesh_explanation(built.mesh, rules.arrangement, rules.convex,
+                                            !scene.empty() && !built.mesh.faces.empty(), evidence);
     BuiltSurface surface{std::move(built), rules.arrangement.inside_out, {}};
     if (!surface.built.mesh.faces.empty()) {
         SurfacePreconditions preconditions;
@@ -238,7 +201,7 @@ BuiltCameraMesh without_surface(const std::vector<OpticalAxis>& axes, const Buil
     built.evidence.kernel_radius_over_scene_radius =
         surface.built.evidence.kernel_radius_over_scene_radius;
     built.evidence.explanation =
-        explain(built.mesh, rules.arrangement, false, false, built.evidence);
+        mesh_explanation(built.mesh, rules.arrangement, false, false, built.evidence);
     return built;
 }
 
@@ -280,19 +243,10 @@ void add_shells(const Capture& capture, const std::vector<OpticalAxis>& axes,
                             (evidence.shells == 1 ? " shell." : " shells.");
 }
 
-}  // namespace
-
-BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>& view_indices,
-                                  const CameraMeshOptions& options) {
-    validate(options);
-    if (view_indices.empty()) {
-        throw Error(ErrorKind::kDegenerateCapture, "E-MESH-NOVIEW",
-                    "no view is left to build the camera mesh from",
-                    "register more photographs, or hold fewer of them out");
-    }
-    const std::vector<OpticalAxis> axes = optical_axes(capture, view_indices);
-    const std::vector<Eigen::Vector3d> points =
-        visible_points(capture, view_indices, kMaxScenePoints);
+/// The mesh over these cameras, of close-ups in shells.
+BuiltCameraMesh build_over(const Capture& capture, const std::vector<OpticalAxis>& axes,
+                           const std::vector<Eigen::Vector3d>& points,
+                           const CameraMeshOptions& options) {
     std::vector<CloseUpGroup> groups;
     if (options.shells && options.shape != "convex" && !has_no_faces(axes, options))
         groups = find_close_ups(capture, axes, points);
@@ -306,6 +260,38 @@ BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>
         return without_surface(axes, surface);
     add_shells(capture, axes, groups, points, surface.built);
     return std::move(surface.built);
+}
+
+void note_left_out(std::size_t strays, CameraMeshEvidence& evidence) {
+    evidence.cameras_total += static_cast<int>(strays);
+    evidence.explanation.pop_back();
+    evidence.explanation += "; left out: " + std::to_string(strays) +
+                            " at less than half or more than twice the usual distance, for no "
+                            "surface would hold all.";
+}
+
+}  // namespace
+
+BuiltCameraMesh build_camera_mesh(const Capture& capture, const std::vector<int>& view_indices,
+                                  const CameraMeshOptions& options) {
+    validate(options);
+    if (view_indices.empty()) {
+        throw Error(ErrorKind::kDegenerateCapture, "E-MESH-NOVIEW",
+                    "no view is left to build the camera mesh from",
+                    "register more photographs, or hold fewer of them out");
+    }
+    const std::vector<OpticalAxis> axes = optical_axes(capture, view_indices);
+    const std::vector<Eigen::Vector3d> points =
+        visible_points(capture, view_indices, kMaxScenePoints);
+    BuiltCameraMesh built = build_over(capture, axes, points, options);
+    if (built.mesh.construction != MeshConstruction::kNearest || options.construction != "auto")
+        return built;
+    const std::vector<OpticalAxis> others = without_strays(axes);
+    if (others.size() == axes.size()) return built;
+    BuiltCameraMesh without = build_over(capture, others, points, options);
+    if (without.mesh.faces.empty()) return built;
+    note_left_out(axes.size() - others.size(), without.evidence);
+    return without;
 }
 
 }  // namespace lumi

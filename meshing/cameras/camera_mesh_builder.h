@@ -36,6 +36,8 @@ struct CameraMeshEvidence {
     int cameras_slid = 0;                          ///< The second; weights only.
     double largest_slide_share = 0.0;              ///< Of a camera's distance from the centre.
     double rms_slide_share = 0.0;
+    /// Of the weight on cameras' rays to the scene, what these cameras have (own_rays.h).
+    double own_ray_share = 1.0;
     /// Of its own weight that a slid camera loses on its rays to the scene.
     double worst_epipole_loss = 0.0;
     double rms_epipole_loss = 0.0;         ///< Over all cameras, each with its worst ray.
@@ -55,8 +57,9 @@ struct BuiltCameraMesh {
 /// not: the whole scene if that can be had, else the largest inner part of it. Close-ups that see a
 /// part of the scene only are no vertices of it, but of shells (close_ups.h). Where cameras walk
 /// forward, or a surface would not lie between them and the scene (preconditions.h), all are
-/// vertices and there are no faces. Vertices name views by their index in capture.views. Throws
-/// Error (E-MESH-NOVIEW) when `view_indices` is empty.
+/// vertices and there are no faces; but not because of few strays (stray_cameras.h), which are left
+/// out. Vertices name views by their index in capture.views. Throws Error (E-MESH-NOVIEW) when
+/// `view_indices` is empty.
 [[nodiscard]] BuiltCameraMesh build_camera_mesh(const Capture& capture,
                                                 const std::vector<int>& view_indices,
                                                 const CameraMeshOptions& options);

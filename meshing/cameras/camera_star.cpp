@@ -8,13 +8,9 @@ namespace lumi {
 namespace {
 
 constexpr double kSameDirection_rad = 1e-6;
-
-/// Whether camera `a` rather than `b` stands for the direction that both share.
-bool stands_before(const CameraStar& star, std::size_t a, std::size_t b, double usual_distance) {
-    const double off_a = std::abs(star.distances[a] - usual_distance);
-    const double off_b = std::abs(star.distances[b] - usual_distance);
-    return off_a != off_b ? off_a < off_b : a < b;
-}
+/// Distances are compared in steps of this share of the usual one: poses of one place that are
+/// turned differently are rounded differently.
+constexpr double kDistanceStep = 1e-9;
 
 /// Pairs within kSameDirection_rad, found along an axis that no usual row of cameras is
 /// perpendicular to.
@@ -58,9 +54,18 @@ CameraStar camera_star(const std::vector<OpticalAxis>& axes,
     const double usual_distance = median_distance(axes, centre_in_world);
     std::vector<char> keep(axes.size(), 1);
     for (const auto& [a, b] : pairs_in_one_direction(all.directions)) {
-        keep[stands_before(all, a, b, usual_distance) ? b : a] = 0;
+        keep[stands_for_both(all, a, b, usual_distance) ? b : a] = 0;
     }
     return kept_cameras(all, keep);
+}
+
+bool stands_for_both(const CameraStar& star, std::size_t a, std::size_t b, double usual_distance) {
+    const auto steps_off = [&](std::size_t camera) {
+        return std::round(std::abs(star.distances[camera] / usual_distance - 1) / kDistanceStep);
+    };
+    const double off_a = steps_off(a);
+    const double off_b = steps_off(b);
+    return off_a != off_b ? off_a < off_b : a < b;
 }
 
 double largest_distance(const CameraStar& star) {

@@ -22,6 +22,11 @@ struct CameraStar {
 [[nodiscard]] CameraStar camera_star(const std::vector<OpticalAxis>& axes,
                                      const Eigen::Vector3d& centre_in_world);
 
+/// Whether camera `a` of the star rather than `b` is kept by that rule: the nearer to the usual
+/// distance; of those that are equally near, up to rounding, the first.
+[[nodiscard]] bool stands_for_both(const CameraStar& star, std::size_t a, std::size_t b,
+                                   double usual_distance);
+
 [[nodiscard]] double largest_distance(const CameraStar& star);
 
 /// The star without the cameras whose entry in `keep` is 0; they count as hidden.

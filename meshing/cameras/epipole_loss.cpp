@@ -72,12 +72,6 @@ double radius_of(const CameraMesh& mesh, const std::vector<Eigen::Vector3d>& sce
     return radius;
 }
 
-/// A strip's pair of vertices stands beside its camera, which then has no vertex to be bounded by.
-bool is_surface(const CameraMesh& mesh) {
-    return mesh.construction == MeshConstruction::kClosed ||
-           mesh.construction == MeshConstruction::kOpen;
-}
-
 }  // namespace
 
 double epipole_loss_bound(const CameraMesh& mesh, std::size_t vertex_index,
@@ -123,6 +117,7 @@ EpipoleLoss epipole_loss(const CameraMesh& mesh,
         }
         squares += loss * loss;
         result.worst = std::max(result.worst, loss);
+        // A strip's pair of vertices stands beside its camera: no vertex is there to be bounded.
         double bound = is_surface(mesh) ? 0.0 : 1.0;
         for (const std::size_t vertex : place.vertices) {
             if (!is_surface(mesh) || mesh.vertices[vertex].is_virtual) continue;

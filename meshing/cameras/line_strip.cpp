@@ -57,9 +57,6 @@ Chain chain_by_azimuth(const CameraStar& star, const Eigen::Vector3d& normal) {
     });
 
     const double usual_distance = median_distance(star.axes, star.centre_in_world);
-    const auto off_usual = [&](std::size_t camera) {
-        return std::abs(star.distances[camera] - usual_distance);
-    };
     Chain chain;
     for (const std::size_t camera : order) {
         const bool hidden = !chain.cameras.empty() &&
@@ -67,7 +64,7 @@ Chain chain_by_azimuth(const CameraStar& star, const Eigen::Vector3d& normal) {
         if (!hidden) {
             chain.cameras.push_back(camera);
             chain.azimuths_rad.push_back(azimuths_rad[camera]);
-        } else if (off_usual(camera) < off_usual(chain.cameras.back())) {
+        } else if (stands_for_both(star, camera, chain.cameras.back(), usual_distance)) {
             chain.cameras.back() = camera;
         }
     }
@@ -75,7 +72,7 @@ Chain chain_by_azimuth(const CameraStar& star, const Eigen::Vector3d& normal) {
     const double over_the_end_rad =
         chain.azimuths_rad.front() + kFullTurn - chain.azimuths_rad.back();
     if (over_the_end_rad <= kSameAzimuth_rad) {
-        if (off_usual(chain.cameras.back()) < off_usual(chain.cameras.front())) {
+        if (stands_for_both(star, chain.cameras.back(), chain.cameras.front(), usual_distance)) {
             chain.cameras.front() = chain.cameras.back();
         }
         chain.cameras.pop_back();

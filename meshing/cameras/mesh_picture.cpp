@@ -118,17 +118,12 @@ void draw_points(std::string& svg, const Panel& panel, const Drawing& drawing) {
     }
 }
 
-/// A strip's vertices stand far above and below its cameras.
-bool is_strip(const CameraMesh& mesh) {
-    return mesh.construction == MeshConstruction::kLine ||
-           mesh.construction == MeshConstruction::kPair;
-}
-
 void draw_faces(std::string& svg, const Panel& panel, const CameraMesh& mesh, const char* stroke) {
     const auto vertex = [&mesh](int index) -> const CameraMesh::Vertex& {
         return mesh.vertices[static_cast<std::size_t>(index)];
     };
     for (const CameraMesh::Face& face : mesh.faces) {
+        // A strip's vertices stand far above and below its cameras.
         const bool pale = is_strip(mesh) || std::any_of(face.begin(), face.end(), [&](int index) {
                               return vertex(index).is_virtual;
                           });

@@ -10,11 +10,6 @@ namespace {
 /// Parts of the scene that are tried in turn.
 constexpr double kScenePartShares[] = {1.0, 0.8, 0.5};
 
-bool has_surface(const CameraMesh& mesh) {
-    return mesh.construction == MeshConstruction::kClosed ||
-           mesh.construction == MeshConstruction::kOpen;
-}
-
 }  // namespace
 
 RepairReport repair_kernel(CameraMesh& mesh, const RepairRules& rules) {
@@ -23,7 +18,7 @@ RepairReport repair_kernel(CameraMesh& mesh, const RepairRules& rules) {
     for (const double part : kScenePartShares) {
         const std::vector<Eigen::Vector3d> hull = scene_hull(rules.scene_in_world, part);
         if (scene_clearance(mesh, hull) >= 0) return report;
-        if (part == 1.0 && has_surface(mesh)) {
+        if (part == 1.0 && is_surface(mesh)) {
             report.edges_flipped = flip_edges_for_room(mesh, hull, 0.0);
             if (scene_clearance(mesh, hull) >= 0) return report;
         }

@@ -22,11 +22,6 @@ constexpr double kNotable = 1e-6;
 constexpr double kNearestVirtual = 0.25;
 constexpr double kFarthestVirtual = 4.0;
 
-bool is_strip(const CameraMesh& mesh) {
-    return mesh.construction == MeshConstruction::kLine ||
-           mesh.construction == MeshConstruction::kPair;
-}
-
 /// What moves as one: a vertex of a surface, or the pair of vertices of one camera in a strip.
 struct Stand {
     std::vector<std::size_t> vertices;

@@ -75,6 +75,16 @@ std::optional<MeshConstruction> mesh_construction_named(const std::string& name)
     return std::nullopt;
 }
 
+bool is_surface(const CameraMesh& mesh) {
+    return mesh.construction == MeshConstruction::kClosed ||
+           mesh.construction == MeshConstruction::kOpen;
+}
+
+bool is_strip(const CameraMesh& mesh) {
+    return mesh.construction == MeshConstruction::kLine ||
+           mesh.construction == MeshConstruction::kPair;
+}
+
 Eigen::Vector3d side_products(const CameraMesh& mesh, const CameraMesh::Face& face,
                               const Eigen::Vector3d& point_in_world,
                               const Eigen::Vector3d& direction) {

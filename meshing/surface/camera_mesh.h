@@ -50,6 +50,11 @@ struct CameraMesh {
     std::vector<CameraMesh> shells;
 };
 
+/// Of triangles between cameras: closed or open.
+[[nodiscard]] bool is_surface(const CameraMesh& mesh);
+/// Of quadrilaterals between pairs of vertices, one above and one below each camera: line or pair.
+[[nodiscard]] bool is_strip(const CameraMesh& mesh);
+
 /// Which views a ray is blended from, and how much of each; the weights sum to 1.
 struct RayWeights {
     int face_index = -1;

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <numbers>
+#include <set>
 
 #include "calib/capture/rigid3.h"
 #include "calib/work/error.h"
@@ -127,6 +129,49 @@ TEST(CameraMeshBuilder, DoesNotDependOnTheUnitOfLength) {
                         built.evidence.kernel_radius_over_scene_radius,
                         1e-6 * built.evidence.kernel_radius_over_scene_radius)
                 << stand.name;
+        }
+    }
+}
+
+std::set<int> views_of(const CameraMesh& mesh) {
+    std::set<int> views;
+    for (const CameraMesh::Vertex& vertex : mesh.vertices) views.insert(vertex.view_index);
+    return views;
+}
+
+TEST(CameraMeshBuilder, KeepsTheSameCamerasHoweverTheWorldIsTurnedAndWhereverItBegins) {
+    std::vector<Stand> all = stands();
+    Points arc;
+    for (const double azimuth : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+        for (int twin = 0; twin < 3; ++twin)
+            arc.emplace_back(3 * std::cos(azimuth), 3 * std::sin(azimuth), 0.5);
+    }
+    all.push_back({"an arc of three on each spot", arc, MeshConstruction::kLine, 5});
+    for (const Stand& stand : all) {
+        Capture capture = capture_at(stand.centres);
+        for (View& view : capture.views) {  // Twins are held differently, and round differently.
+            const auto index = static_cast<double>(&view - capture.views.data());
+            const Eigen::AngleAxisd roll(0.37 * index, Eigen::Vector3d::UnitZ());
+            view.cam_from_world.rotation = roll * view.cam_from_world.rotation;
+            view.cam_from_world.translation = roll * view.cam_from_world.translation;
+        }
+        const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
+        for (const double turn_rad : {0.3, 1.1, 2.9}) {
+            const Eigen::Quaterniond turn(
+                Eigen::AngleAxisd(turn_rad, Eigen::Vector3d(1, 2, 3).normalized()));
+            const Eigen::Vector3d shift(500, -300, 80);
+            Capture moved = capture;
+            for (View& view : moved.views) {
+                const Eigen::Vector3d centre = turn * centre_in_world(view.cam_from_world) + shift;
+                view.cam_from_world.rotation = view.cam_from_world.rotation * turn.inverse();
+                view.cam_from_world.translation = -(view.cam_from_world.rotation * centre);
+            }
+            for (ScenePoint& point : moved.points)
+                point.position_in_world = turn * point.position_in_world + shift;
+            const BuiltCameraMesh again = build_camera_mesh(moved, all_views(moved), {});
+            EXPECT_EQ(again.mesh.construction, built.mesh.construction) << stand.name;
+            EXPECT_EQ(views_of(again.mesh), views_of(built.mesh)) << stand.name;
+            EXPECT_EQ(again.mesh.faces.size(), built.mesh.faces.size()) << stand.name;
         }
     }
 }
