@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "calib/work/error.h"
+#include "calib/work/median.h"
 #include "meshing/cameras/arrangement.h"
 #include "meshing/cameras/forward_motion.h"
 #include "meshing/cameras/preconditions.h"
@@ -15,10 +17,9 @@ namespace {
 
 constexpr double kLeastStep = 0.01;
 
-/// Looks at `target` with "up" in the picture as near to `up` as that allows.
-Rigid3 upright_pose(const Eigen::Vector3d& centre, const Eigen::Vector3d& target,
+/// Looks along `forward` (of length one) with "up" in the picture as near to `up` as that allows.
+Rigid3 upright_pose(const Eigen::Vector3d& centre, const Eigen::Vector3d& forward,
                     const Eigen::Vector3d& up) {
-    const Eigen::Vector3d forward = (target - centre).normalized();
     Eigen::Vector3d rightward = forward.cross(up);
     if (rightward.norm() < 1e-6) rightward = forward.unitOrthogonal();
     rightward.normalize();
@@ -76,8 +77,8 @@ class Planner {
     }
 
     void add(const Hole& hole) {
-        axes_.push_back({static_cast<int>(capture_.views.size()), place_of(hole), -hole.direction,
-                         hole.distance});
+        axes_.push_back({static_cast<int>(capture_.views.size()), place_of(hole), sight_at(hole),
+                         subject_distance(hole)});
     }
 
     [[nodiscard]] SuggestedView suggestion_at(const Hole& hole) const {
@@ -97,13 +98,26 @@ class Planner {
             up -= pose_of(view).rotation.conjugate() * Eigen::Vector3d::UnitY();
             suggested.nearest_views[static_cast<std::size_t>(i)] = view;
             suggested.steps[static_cast<std::size_t>(i)] =
-                steps_in_words(pose_of(view), place, hole.distance);
+                steps_in_words(pose_of(view), place, subject_distance(hole));
         }
-        suggested.cam_from_world = upright_pose(place, centre_, up);
+        suggested.cam_from_world = upright_pose(place, sight_at(hole), up);
         return suggested;
     }
 
  private:
+    /// Where a photograph from there looks, of length one.
+    [[nodiscard]] Eigen::Vector3d sight_at(const Hole& hole) const {
+        return arrangement_.inside_out ? hole.direction : Eigen::Vector3d(-hole.direction);
+    }
+    /// Inside out the subject lies beyond the cameras, where the usual one sees it.
+    [[nodiscard]] double subject_distance(const Hole& hole) const {
+        if (!arrangement_.inside_out) return hole.distance;
+        std::vector<double> depths;
+        for (const OpticalAxis& axis : axes_) {
+            if (axis.depth > 0) depths.push_back(axis.depth);
+        }
+        return depths.empty() ? hole.distance : median_of(std::move(depths));
+    }
     [[nodiscard]] bool in_a_row() const {
         return arrangement_.construction == MeshConstruction::kLine ||
                arrangement_.construction == MeshConstruction::kPair;

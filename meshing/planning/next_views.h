@@ -11,7 +11,8 @@ namespace lumi {
 
 /// Where one more photograph would help most.
 struct SuggestedView {
-    Rigid3 cam_from_world;              ///< Looks at the scene centre, upright like its neighbours.
+    /// Looks at the scene centre, or away from it where the others do; upright like its neighbours.
+    Rigid3 cam_from_world;
     double error_px = 0.0;              ///< Predicted there without it.
     double worst_error_after_px = 0.0;  ///< The worst that is left with it and those before it.
     std::array<int, 2> nearest_views{-1, -1};  ///< The two nearest photographs.

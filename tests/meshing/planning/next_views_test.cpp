@@ -5,7 +5,9 @@
 #include <Eigen/Geometry>
 
 #include "calib/capture/degrees.h"
+#include "calib/capture/rigid3.h"
 #include "calib/work/error.h"
+#include "calib/work/median.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
 
 namespace lumi {
@@ -52,6 +54,44 @@ TEST(CapturePlan, PlacesTheFirstViewIntoTheGapOfAnAllAroundCapture) {
             before = view.error_px;
         }
     }
+}
+
+/// From the middle of a room of radius 6: what is missing is photographed outwards, and the subject
+/// is the wall.
+TEST(CapturePlan, LooksOutwardsWhereTheOthersDo) {
+    Points centres = all_around_with_gap(80, 40);
+    for (Eigen::Vector3d& centre : centres) centre *= 0.4 / 3;
+    std::mt19937 random(3);
+    Points walls;
+    for (int i = 0; i < 400; ++i) walls.push_back(6 * random_direction(random));
+    Capture capture = capture_of(centres, Eigen::Vector3d::Zero(), walls);
+    for (View& view : capture.views) {
+        const Eigen::Vector3d centre = centre_in_world(view.cam_from_world);
+        view.cam_from_world.rotation = turn_between(centre, Eigen::Vector3d::UnitZ());
+        view.cam_from_world.translation = -(view.cam_from_world.rotation * centre);
+    }
+    for (ScenePoint& point : capture.points) {
+        std::erase_if(point.track, [&](const Observation& seen) {
+            const auto view = static_cast<std::size_t>(seen.view_index);
+            return (capture.views[view].cam_from_world * point.position_in_world).z() < 4;
+        });
+    }
+    const CapturePlan plan = plan_capture(capture, all_views(capture), {});
+    ASSERT_FALSE(plan.suggestions.empty());
+    const SuggestedView& first = plan.suggestions.front();
+    const Eigen::Vector3d place = centre_in_world(first.cam_from_world);
+    EXPECT_LT(angle_between(place, Eigen::Vector3d::UnitX()), 20 * kRadiansPerDegree);
+    EXPECT_NEAR(place.norm(), 0.4, 0.05);
+    EXPECT_LT(angle_between(optical_axis_in_world(first.cam_from_world), place), 0.1);
+    // Steps are shares of the way to the wall.
+    std::vector<double> depths;
+    for (const OpticalAxis& axis : optical_axes(capture, all_views(capture)))
+        depths.push_back(axis.depth);
+    const double to_wall = median_of(depths);
+    EXPECT_GT(to_wall, 4);
+    const auto nearest = static_cast<std::size_t>(first.nearest_views[0]);
+    EXPECT_EQ(first.steps[0],
+              steps_in_words(capture.views[nearest].cam_from_world, place, to_wall));
 }
 
 TEST(CapturePlan, PlacesAViewIntoTheGapOfARow) {
