@@ -29,8 +29,14 @@ SurfaceGrid::SurfaceGrid(std::vector<Acuity> views, double spacing_px)
 
 void SurfaceGrid::add(const SurfaceSample& sample) {
     double wanted = std::numeric_limits<double>::infinity();
+    double squared_reach = wanted;  // In focal lengths of a view that wants less.
     for (const Acuity& view : views_) {
+        // No view wants cells smaller than its pixels are wide there: most need no square root.
+        const double squared_distance = (sample.position - view.centre_in_world).squaredNorm();
+        if (squared_distance >= squared_reach * view.focal_length_px * view.focal_length_px)
+            continue;
         wanted = std::min(wanted, view.cell_size(sample.position, spacing_px_));
+        squared_reach = std::pow(wanted / spacing_px_, 2);
     }
     const double level = std::round(std::log2(wanted));
     if (!std::isfinite(level)) return;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/fusion/surface_grid.h"
 #include "meshing/warp/inverse_depth_warp.h"
@@ -86,12 +88,13 @@ Answer answer_of(const Neighbour& neighbour, const Eigen::Vector2d& pixel, doubl
 /// Takes the samples of one view.
 class ViewSampler {
  public:
-    ViewSampler(const std::vector<PicturedView>& views, std::size_t index, int min_agreeing)
-        : view_(views[index]),
-          camera_(depth_camera(view_)),
-          world_from_cam_(inverse(view_.cam_from_world)),
-          neighbours_(nearest_neighbours(views, index)),
-          min_agreeing_(std::min(min_agreeing, static_cast<int>(neighbours_.size()))) {}
+    ViewSampler(const PicturedView& view, const std::vector<Neighbour>& neighbours,
+                int min_agreeing)
+        : view_(view),
+          camera_(depth_camera(view)),
+          world_from_cam_(inverse(view.cam_from_world)),
+          neighbours_(neighbours),
+          min_agreeing_(min_agreeing) {}
 
     [[nodiscard]] int height() const { return camera_.height_px; }
 
@@ -121,9 +124,7 @@ class ViewSampler {
             ++agreeing;
             sum += answer.inverse_depth;
         }
-        if (agreeing < std::max(1, min_agreeing_) || agreeing <= seeing_through) {
-            return std::nullopt;
-        }
+        if (agreeing < min_agreeing_ || agreeing <= seeing_through) return std::nullopt;
         return sum / (agreeing + 1);
     }
 
@@ -159,19 +160,38 @@ class ViewSampler {
     const PicturedView& view_;
     Camera camera_;
     Rigid3 world_from_cam_;
-    std::vector<Neighbour> neighbours_;
+    const std::vector<Neighbour>& neighbours_;
     int min_agreeing_;
 };
 
-std::vector<Acuity> acuities_of(const std::vector<PicturedView>& views) {
+/// Of each view; of one without depth none.
+std::vector<std::vector<Neighbour>> neighbours_of_all(const std::vector<PicturedView>& views) {
+    std::vector<std::vector<Neighbour>> neighbours(views.size());
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (!views[i].depth->inverse_depth.empty()) neighbours[i] = nearest_neighbours(views, i);
+    }
+    return neighbours;
+}
+
+void require_agreement(int min_agreeing, const std::vector<std::vector<Neighbour>>& neighbours) {
+    std::size_t most = 1;
+    for (const std::vector<Neighbour>& some : neighbours) most = std::max(most, some.size());
+    if (static_cast<std::size_t>(min_agreeing) <= most) return;
+    throw Error(ErrorKind::kUsage, "E-FUSE-OPTION",
+                "agreeing views: " + std::to_string(min_agreeing) +
+                    " others were to see the same surface, but no view has more than " +
+                    std::to_string(most) + " that are asked",
+                "ask for at most as many");
+}
+
+std::vector<Acuity> acuities_of(const std::vector<PicturedView>& views,
+                                const std::vector<std::vector<Neighbour>>& neighbours) {
     std::vector<Acuity> acuities;
     for (std::size_t i = 0; i < views.size(); ++i) {
-        if (views[i].depth->inverse_depth.empty()) continue;
-        const std::vector<Neighbour> neighbours = nearest_neighbours(views, i);
-        if (neighbours.empty()) continue;
+        if (neighbours[i].empty()) continue;
         acuities.push_back({centre_in_world(views[i].cam_from_world),
                             focal_length_px(depth_camera(views[i])).x(),
-                            neighbours.back().distance});
+                            neighbours[i].back().distance});
     }
     return acuities;
 }
@@ -195,7 +215,9 @@ std::vector<SurfaceSample> samples_of_view(const ViewSampler& sampler, int threa
 SurfacePoints surface_points(const std::vector<PicturedView>& views,
                              const SurfacePointOptions& options, int threads, Progress& progress) {
     constexpr double kCoarser = 2.0;  // Cells come in powers of two.
-    const std::vector<Acuity> acuities = acuities_of(views);
+    const std::vector<std::vector<Neighbour>> neighbours = neighbours_of_all(views);
+    require_agreement(options.min_agreeing_views, neighbours);
+    const std::vector<Acuity> acuities = acuities_of(views, neighbours);
     for (SurfacePoints result{{}, 0, 0, options.spacing_px};; result.spacing_px *= kCoarser) {
         SurfaceGrid grid(acuities, result.spacing_px);
         result.confident_pixels = 0;
@@ -205,7 +227,7 @@ SurfacePoints surface_points(const std::vector<PicturedView>& views,
             progress.throw_if_interrupted();
             progress.advance();
             if (views[i].depth->inverse_depth.empty()) continue;
-            const ViewSampler sampler(views, i, options.min_agreeing_views);
+            const ViewSampler sampler(views[i], neighbours[i], options.min_agreeing_views);
             const std::vector<SurfaceSample> samples =
                 samples_of_view(sampler, threads, result.confident_pixels);
             result.agreeing_pixels += samples.size();

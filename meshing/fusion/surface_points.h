@@ -22,7 +22,7 @@ struct SurfacePointOptions {
     /// Cells in which pixels are averaged to one point, in pixels of the camera nearest to them.
     double spacing_px = 2.0;  ///< >= 1. Grows where there would be more points than `max_points`.
     int max_points = 250000;  ///< >= 1000.
-    int min_agreeing_views = 1;  ///< Others that see the same surface; >= 1.
+    int min_agreeing_views = 1;  ///< Others that see the same surface; 1 to 8, the nearest ones.
 };
 
 struct SurfacePoints {
@@ -38,7 +38,8 @@ struct SurfacePoints {
 /// Pixels that are seen at a slant of more than 80 degrees lie at the edge of something, between
 /// two surfaces. What falls into one cell of a grid is averaged; cells grow with the distance to
 /// the nearest camera, and faster where depth is less certain than pixels are wide, so that layers
-/// of noise do not become surfaces. The same points for any number of threads.
+/// of noise do not become surfaces. The same points for any number of threads. Throws Error
+/// (E-FUSE-OPTION) where more views are to agree than any view has neighbours with parallax.
 [[nodiscard]] SurfacePoints surface_points(const std::vector<PicturedView>& views,
                                            const SurfacePointOptions& options, int threads,
                                            Progress& progress);

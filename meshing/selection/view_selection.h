@@ -25,7 +25,7 @@ struct ViewSelection {
 
 /// Tries the first views of an order (view_worth.h), ascending, in each of the sizes, which fall,
 /// and chooses the fewest whose loss cannot be told from the least (one_standard_error.h). `sizes`
-/// must not be empty.
+/// must not be empty. Throws Error (E-SELECT-SIZE) where one is less than 1 or more than there are.
 [[nodiscard]] ViewSelection select_views(const std::vector<int>& by_worth,
                                          const std::vector<int>& sizes,
                                          const HeldOutLosses& losses_of);

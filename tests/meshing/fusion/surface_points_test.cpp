@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calib/work/error.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
@@ -34,6 +35,34 @@ TEST(SurfacePoints, PhotographsOfOneBurstDoNotConfirmEachOther) {
     ASSERT_FALSE(found.points.empty());
     for (const SurfacePoint& point : found.points) {
         ASSERT_NEAR(point.position.z(), 2, 0.01) << point.position.transpose();
+    }
+}
+
+/// A wall seen by five cameras: each has four others to agree with.
+TEST(SurfacePoints, OfAsManyAgreeingViewsAsThereAreAndNoMore) {
+    const KnownDepthScene known = known_depth_scene(
+        {{{0, 0, 2}, {0, 0, 1}, [](const auto&) { return true; }, noise_texture(0.1, 5)}},
+        {{0, 0, 0}, {0.06, 0, 0}, {-0.06, 0, 0}, {-0.12, 0, 0}, {0.12, 0, 0}}, {});
+    std::vector<DepthMap> maps;
+    std::vector<PicturedView> views;
+    for (const FloatImage& truth : known.inverse_depths) {
+        maps.push_back({truth, GrayImage(truth.width(), truth.height(), 255)});
+    }
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const DepthView& view = known.scene.views[i];
+        views.push_back({&view.photograph, view.camera, view.cam_from_world, &maps[i]});
+    }
+    SilentProgress progress;
+    EXPECT_FALSE(surface_points(views, {.min_agreeing_views = 4}, 1, progress).points.empty());
+    for (const int agreeing : {5, 9}) {
+        try {
+            (void)surface_points(views, {.min_agreeing_views = agreeing}, 1, progress);
+            ADD_FAILURE() << "accepted " << agreeing;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-FUSE-OPTION");
+            EXPECT_NE(std::string(error.what()).find(std::to_string(agreeing)), std::string::npos);
+            EXPECT_NE(std::string(error.what()).find("4"), std::string::npos);
+        }
     }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "calib/work/error.h"
 #include "meshing/selection/view_worth.h"
 #include "tests/meshing/cameras/synthetic_cameras.h"
 
@@ -104,6 +105,20 @@ TEST(SelectViews, FindsTheSizeBelowWhichTheLossRises) {
         EXPECT_LE(chosen, 1.5 * needed + 1);
         EXPECT_EQ(selection.curve.front().views.size(), 100U);
     }
+}
+
+TEST(SelectViews, RefuseASizeThatTheViewsDoNotComeTo) {
+    const auto losses_of = [](const std::vector<int>&) { return std::vector<double>{1.0}; };
+    for (const int size : {4, 0, -2}) {
+        try {
+            (void)select_views({2, 0, 1}, {3, size}, losses_of);
+            ADD_FAILURE() << "accepted " << size;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-SELECT-SIZE");
+            EXPECT_NE(std::string(error.what()).find(std::to_string(size)), std::string::npos);
+        }
+    }
+    EXPECT_EQ(select_views({2, 0, 1}, {3, 1}, losses_of).curve.back().views, std::vector<int>{2});
 }
 
 }  // namespace
