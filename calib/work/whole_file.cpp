@@ -25,6 +25,17 @@ fs::path folder_of(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
+/// Throws for `path` unless files can be made in `folder`, or it in the nearest one that exists.
+void require_room_in(const fs::path& folder, const fs::path& path) {
+    std::error_code status;
+    fs::path nearest = fs::absolute(folder, status);
+    if (status) refuse_write(path, status.value());
+    while (!fs::exists(nearest, status) && nearest.has_relative_path())
+        nearest = nearest.parent_path();
+    if (!fs::is_directory(nearest, status)) refuse_write(path, ENOTDIR);
+    if (::access(nearest.c_str(), W_OK | X_OK) != 0) refuse_write(path, errno);
+}
+
 /// Hidden, and unlike any name that somebody gives to a copy.
 std::string sibling_prefix(const fs::path& target) {
     return "." + target.filename().string() + ".new-";
@@ -136,6 +147,14 @@ void write_whole_file(const fs::path& path, std::span<const std::uint8_t> bytes)
     temporary.rename_into_place();
     flush_folder(folder);
 }
+
+void require_writable_file(const fs::path& path) {
+    std::error_code status;
+    if (!path.has_filename() || fs::is_directory(path, status)) refuse_write(path, EISDIR);
+    require_room_in(folder_of(path), path);
+}
+
+void require_writable_folder(const fs::path& folder) { require_room_in(folder, folder); }
 
 void put_whole_file(const fs::path& made, const fs::path& path) {
     const int descriptor = ::open(made.c_str(), O_RDONLY | O_CLOEXEC);

@@ -24,6 +24,12 @@ using Bytes = std::vector<std::uint8_t>;
 void write_whole_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_whole_text(const std::filesystem::path& path, std::string_view text);
 
+/// For before long work: throws what write_whole_file would, as far as that can be told by now,
+/// and makes nothing.
+void require_writable_file(const std::filesystem::path& path);
+/// The same for files of any name in a folder, which may have to be made.
+void require_writable_folder(const std::filesystem::path& folder);
+
 /// Puts a file that another program made on the same file system in its place: flushed and renamed.
 /// Throws Error (E-FILE-WRITE) and leaves what was there before untouched.
 void put_whole_file(const std::filesystem::path& made, const std::filesystem::path& path);

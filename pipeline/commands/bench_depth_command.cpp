@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/error.h"
+#include "calib/work/whole_file.h"
 #include "meshing/depth_models/depth_model.h"
 #include "meshing/surface/mesh_io.h"
 #include "pipeline/commands/commands.h"
@@ -151,6 +152,7 @@ void run(BenchDepthRequest request, const CommandContext& context) {
     if (request.models.empty()) {
         request.models = request.stability ? depth_model_names() : model_names();
     }
+    require_writable_folder(request.out);
     if (request.stability) {
         run_stability(request, context);
     } else {

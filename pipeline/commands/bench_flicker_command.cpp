@@ -7,6 +7,7 @@
 
 #include "calib/work/error.h"
 #include "calib/work/median.h"
+#include "calib/work/whole_file.h"
 #include "pipeline/bench/flicker_files.h"
 #include "pipeline/bench/rival_scenes.h"
 #include "pipeline/commands/commands.h"
@@ -76,6 +77,7 @@ void run_bench_flicker(const BenchFlickerRequest& request, const CommandContext&
         throw Error(ErrorKind::kUsage, "E-FLICKER-INPUT",
                     "a package or a scene is wanted, one of them",
                     "lumi bench-flicker work/demo/demo.lumi, or lumi bench-flicker --scene coke");
+    if (!request.out.empty()) require_writable_folder(request.out);
     const std::vector<FlickerFigures> all = measured(request, context);
     if (!request.out.empty()) {
         write_flicker_files(request.out, all, *context.progress);

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/error.h"
+#include "calib/work/whole_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/hazards/hazard_report.h"
 
@@ -65,6 +66,7 @@ std::vector<HazardSetting> wanted_settings(const HazardsRequest& request) {
 }
 
 void run_hazards(const HazardsRequest& request, const CommandContext& context) {
+    require_writable_folder(request.out);
     TrialOptions options;
     options.with_colmap = !request.without_colmap;
     options.threads = context.threads > 0 ? context.threads : 1;

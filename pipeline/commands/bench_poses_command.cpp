@@ -110,6 +110,7 @@ void write_chart(const BenchPosesRequest& request, const BenchPosesReport& repor
 }
 
 void run_bench_poses(const BenchPosesRequest& request, const CommandContext& context) {
+    if (!request.chart_folder.empty()) require_writable_folder(request.chart_folder);
     const BuildConfig config = load_build_config(request.config);
     PoseTrialSetting setting{config.photographs_or_video,
                              config.ingest,

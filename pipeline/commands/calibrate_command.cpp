@@ -7,6 +7,7 @@
 #include "calib/boards/board_detection.h"
 #include "calib/work/error.h"
 #include "calib/work/stopwatch.h"
+#include "calib/work/whole_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/number_checks.h"
 #include "pipeline/stages/calibration_files.h"
@@ -101,6 +102,7 @@ std::string result_text(const BoardPhotographs& found, const BoardCalibration& c
 }
 
 void run_calibrate(const CalibrateRequest& request, const CommandContext& context) {
+    if (!request.out.empty()) require_writable_folder(request.out);
     const Stopwatch stopwatch;
     const BoardRequest board = board_request(request);
     const BoardCalibrationOptions options = calibration_options(request);

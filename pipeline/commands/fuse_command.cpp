@@ -3,8 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/stopwatch.h"
+#include "calib/work/whole_file.h"
 #include "meshing/fusion/fused_mesh.h"
 #include "meshing/geometry/triangle_mesh_writing.h"
+#include "meshing/surface/file_ending.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/text/number_text.h"
@@ -23,12 +25,13 @@ struct FuseRequest {
 };
 
 void run_fuse(const FuseRequest& request, const CommandContext& context) {
-    if (request.out.extension() != ".ply") {
+    if (lower_case_ending(request.out) != ".ply") {
         throw Error(ErrorKind::kUsage, "E-FUSE-OUT",
                     request.out.string() + ": meshes are written as PLY files",
                     "let --out end in .ply");
     }
     validate(request.options);
+    require_writable_file(request.out);
     const Lumigraph lumigraph = read_package(request.package);
     const Stopwatch stopwatch;
     const FusedMesh fused =

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/whole_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/gallery/gallery.h"
 
@@ -17,6 +18,7 @@ void add_gallery_command(CLI::App& app, CommandContext& context) {
     command.add_option("--out", *out, "Where pictures, charts and gallery.md go")->required();
     command.callback([workspace, out, &context] {
         context.chosen = [workspace, out, &context] {
+            require_writable_folder(*out);
             write_gallery(find_workspace(*workspace), *out, *context.progress);
             const std::string page = (*out / "gallery.md").string();
             if (context.json) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "calib/work/whole_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/regression/version_figures.h"
 #include "pipeline/text/number_text.h"
@@ -73,6 +74,7 @@ void compare(const VersionFigures& before, const VersionFigures& now, const fs::
 }
 
 void run_regression(const RegressionRequest& request, const CommandContext& context) {
+    if (!request.write.empty()) require_writable_file(request.write);
     const WorkspaceLayout workspace = find_workspace(request.workspace);
     // Read before anything is written: figures may take the place of those they are compared with.
     std::optional<VersionFigures> baseline;

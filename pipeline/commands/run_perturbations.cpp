@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/whole_file.h"
 #include "pipeline/commands/chosen_workspace.h"
 #include "pipeline/config/config_variant.h"
 #include "pipeline/line/line.h"
@@ -69,8 +70,10 @@ std::string table_of(const StressResult& result) {
 }  // namespace
 
 void run_perturbations(const PerturbationRequest& request, const CommandContext& context) {
+    if (!request.out.empty()) require_writable_folder(request.out);
     const StressTask task = task_of(request.subject, context);
     const fs::path out = request.out.empty() ? task.out : request.out;
+    require_writable_folder(out);
     StressResult result;
     result.name = task.subject.lumigraph.name;
     result.seed = task.options.seed;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "calib/work/whole_file.h"
 #include "pipeline/chart/view_curve_plots.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/evaluate/held_out_photographs.h"
@@ -52,7 +53,8 @@ std::string curve_text(const ViewCurve& curve) {
 
 void run_select(const std::filesystem::path& folder, const ViewCurveOptions& options,
                 const std::filesystem::path& chart, const CommandContext& context) {
-    const Workspace workspace(find_workspace(folder));
+    if (!chart.empty()) require_writable_folder(chart);
+    const WorkspaceLayout workspace = find_workspace(folder);
     const PackRecord record = finished_pack(workspace);
     const Lumigraph lumigraph = read_package(workspace.package_folder());
     std::vector<std::string> names;

@@ -83,7 +83,7 @@ void draw_random_choices(ViewCurvePoint& point, std::size_t all_views,
 std::vector<int> sizes_to_try(int all_views, const ViewCurveOptions& options) {
     if (options.sizes.empty()) return selection_sizes(all_views, options.least_views);
     std::vector<int> sizes = options.sizes;
-    std::erase_if(sizes, [&](int size) { return size >= all_views; });
+    std::erase(sizes, all_views);
     sizes.push_back(all_views);
     std::sort(sizes.rbegin(), sizes.rend());
     return sizes;

@@ -133,6 +133,24 @@ TEST(CommandLine, AMissingInputIsBadInput) {
     EXPECT_THAT(poses.talk, HasSubstr((scratch / "a").string() + ": "));
 }
 
+TEST(CommandLine, WhatCannotBeWrittenIsRefusedBeforeTheWork) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "file", "no folder");
+    const std::string out = quoted(scratch / "file/out");
+    // Nothing that they read exists: where results go is looked at first.
+    for (const std::string& line :
+         {"fuse no.lumi --out " + quoted(scratch / "file/out.ply"), "stress no.lumi --out " + out,
+          "bench-flicker no.lumi --out " + out, "bench-depth no-workspace --out " + out,
+          "bench-hazards --out " + out, "bench-poses no.toml --chart " + out,
+          "regression no-workspace --write " + out, "select no-workspace --chart " + out,
+          "gallery no-workspace --out " + out, "calibrate no-boards --out " + out}) {
+        const Outcome outcome = lumi(line);
+        EXPECT_EQ(outcome.exit_code, 3) << line;
+        EXPECT_THAT(outcome.talk, HasSubstr("error E-FILE-WRITE")) << line;
+    }
+    EXPECT_EQ(read_whole_text(scratch / "file"), "no folder");
+}
+
 TEST(CommandLine, APackageIsNoWorkspace) {
     const ScratchFolder scratch;
     write_whole_text(scratch / "lumigraph.json", "{}");

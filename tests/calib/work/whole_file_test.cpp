@@ -74,6 +74,49 @@ TEST(WholeFile, PutsWhatAnotherProgramMadeInPlace) {
     EXPECT_EQ(read_whole_text(scratch / "video.mp4"), "new");
 }
 
+TEST(WholeFile, WhatCannotBeWrittenIsRefusedBeforehand) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "file.txt", "what was there");
+    EXPECT_NO_THROW(require_writable_file(scratch / "file.txt"));
+    EXPECT_NO_THROW(require_writable_file(scratch / "new/folder/file.txt"));
+    EXPECT_NO_THROW(require_writable_folder(scratch.path()));
+    EXPECT_NO_THROW(require_writable_folder(scratch / "new/folder/"));
+    EXPECT_THROW(require_writable_file(scratch.path()), Error);
+    EXPECT_THROW(require_writable_file(scratch / "new/"), Error);
+    EXPECT_THROW(require_writable_file(scratch / "file.txt/file.txt"), Error);
+    EXPECT_THROW(require_writable_folder(scratch / "file.txt"), Error);
+    EXPECT_THROW(require_writable_folder(scratch / "file.txt/new/folder"), Error);
+    EXPECT_EQ(files_in(scratch.path()), 1U) << "asking has made something";
+    EXPECT_EQ(read_whole_text(scratch / "file.txt"), "what was there");
+}
+
+/// As somebody who is not root, in a child process: whether a folder without the right to write in
+/// it is refused.
+bool refuses_without_the_right(const std::filesystem::path& folder) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        constexpr uid_t kNobody = 65534;
+        if (::geteuid() == 0 && ::setuid(kNobody) != 0) ::_exit(2);
+        try {
+            require_writable_file(folder / "file.txt");
+        } catch (const Error& error) {
+            ::_exit(error.code() == "E-FILE-WRITE" ? 0 : 3);
+        }
+        ::_exit(1);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+TEST(WholeFile, AFolderThatOnlyOthersMayWriteInIsRefusedBeforehand) {
+    const ScratchFolder scratch;
+    std::filesystem::create_directory(scratch / "theirs");
+    std::filesystem::permissions(scratch.path(), std::filesystem::perms{0755});
+    std::filesystem::permissions(scratch / "theirs", std::filesystem::perms{0555});
+    EXPECT_TRUE(refuses_without_the_right(scratch / "theirs"));
+}
+
 TEST(WholeFile, WhatWasThereSurvivesAWriteThatFails) {
     const ScratchFolder scratch;
     write_whole_text(scratch / "file.txt", "what was there");
