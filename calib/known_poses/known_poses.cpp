@@ -9,6 +9,7 @@
 #include "calib/known_poses/strecha_camera.h"
 #include "calib/known_poses/transforms_json.h"
 #include "calib/work/error.h"
+#include "calib/work/whole_file.h"
 
 namespace lumi {
 namespace {
@@ -90,11 +91,10 @@ KnownPoses read_known_poses(const fs::path& path) {
     stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
     beginning.resize(static_cast<std::size_t>(stream.gcount()));
     if (beginning.starts_with("\x93NUMPY")) return read_poses_bounds(path);
-    constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  // Editors on Windows write it.
-    if (beginning.starts_with(kByteOrderMark)) beginning.erase(0, 3);
-    const std::size_t first = beginning.find_first_not_of(" \t\r\n");
-    if (first != std::string::npos && beginning[first] == '{') return read_transforms_json(path);
-    if (first != std::string::npos && std::isdigit(static_cast<unsigned char>(beginning[first]))) {
+    const std::string_view text = without_byte_order_mark(beginning);
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first != std::string_view::npos && text[first] == '{') return read_transforms_json(path);
+    if (first != std::string_view::npos && std::isdigit(static_cast<unsigned char>(text[first]))) {
         return read_middlebury_par(path);
     }
     refuse_format(path, "not a file of poses in a known format");

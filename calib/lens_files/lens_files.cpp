@@ -41,10 +41,7 @@ Camera read_lens_file(const std::filesystem::path& path) {
     const std::string ending = path.extension().string();
     if (ending == ".toml") return read_lens_toml(path);
     constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
-    std::string text = read_whole_text(path, kMaxBytes);
-    // Editors of Windows begin files with a byte order mark.
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-    if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+    const std::string text = read_whole_text(path, kMaxBytes);
     if (ending == ".txt") return read_lens_colmap(text, path.string());
     if (ending == ".yaml" || ending == ".yml") return read_lens_yaml(text, path.string());
     throw Error(ErrorKind::kBadInput, "E-LENS-FILE",

@@ -7,8 +7,29 @@
 #include "calib/work/error.h"
 
 namespace lumi {
+namespace {
 
 namespace fs = std::filesystem;
+
+/// A picture of any channels that is grey; what is transparent is black.
+GrayImage read_gray_picture(const fs::path& path) {
+    constexpr int kGrayWithin = 8;  // 8-bit levels: profiles are converted with rounding.
+    const ColorImage colors = read_color_image(path);
+    GrayImage gray(colors.width(), colors.height());
+    for (std::size_t i = 0; i < gray.pixels().size(); ++i) {
+        const auto [low, high] =
+            std::minmax({colors.pixels()[i].r, colors.pixels()[i].g, colors.pixels()[i].b});
+        if (high - low > kGrayWithin) {
+            throw Error(ErrorKind::kBadInput, "E-MASK-COLOR",
+                        path.string() + ": a mask is black and white, and this has colours",
+                        "paint white what counts, and black what does not");
+        }
+        gray.pixels()[i] = colors.pixels()[i].g;
+    }
+    return gray;
+}
+
+}  // namespace
 
 fs::path mask_file_of(const std::string& name, const fs::path& folder) {
     fs::path by_stem = folder / name;
@@ -27,7 +48,7 @@ GrayImage read_drawn_mask(const std::string& name, int width_px, int height_px,
                     folder.string() + ": no mask for photograph " + name,
                     "name masks like their photographs, with .png as extension");
     }
-    GrayImage mask = read_gray_png(path);
+    GrayImage mask = read_gray_picture(path);
     const double stretch = static_cast<double>(mask.width()) * height_px /
                            (static_cast<double>(mask.height()) * width_px);
     if (std::abs(stretch - 1) >

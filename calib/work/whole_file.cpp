@@ -133,7 +133,14 @@ Bytes read_whole_file(const fs::path& path, std::size_t max_bytes) {
 
 std::string read_whole_text(const fs::path& path, std::size_t max_bytes) {
     const Bytes bytes = read_whole_file(path, max_bytes);
-    return {bytes.begin(), bytes.end()};
+    const auto* begin = reinterpret_cast<const char*>(bytes.data());
+    return std::string(without_byte_order_mark({begin, bytes.size()}));
+}
+
+std::string_view without_byte_order_mark(std::string_view text) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    return text;
 }
 
 void write_whole_file(const fs::path& path, std::span<const std::uint8_t> bytes) {

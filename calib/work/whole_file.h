@@ -15,8 +15,12 @@ using Bytes = std::vector<std::uint8_t>;
 /// The bytes of a regular file. Throws Error (E-FILE-READ, E-FILE-TOOBIG) naming the path.
 [[nodiscard]] Bytes read_whole_file(const std::filesystem::path& path,
                                     std::size_t max_bytes = std::size_t{4} << 30);
+/// The same as text, without a byte order mark.
 [[nodiscard]] std::string read_whole_text(const std::filesystem::path& path,
                                           std::size_t max_bytes = std::size_t{1} << 30);
+
+/// UTF-8 text without the mark that editors on Windows let it begin with.
+[[nodiscard]] std::string_view without_byte_order_mark(std::string_view text);
 
 /// Writes a file whole or not at all: a hidden temporary sibling, fsync, rename, fsync of the
 /// folder. Missing parent folders are made. Throws Error (E-FILE-WRITE; kind kResources when the

@@ -76,11 +76,9 @@ void add_fan(const std::vector<std::uint32_t>& polygon, TriangleMesh& mesh) {
 }
 
 TriangleMesh parse_obj(std::string_view text, const fs::path& path) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // Editors on Windows write it.
-    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     TriangleMesh mesh;
     std::vector<std::uint32_t> polygon;
-    for (Lines lines(text); !lines.at_end();) {
+    for (Lines lines(without_byte_order_mark(text)); !lines.at_end();) {
         const std::string_view line = lines.next();
         Words words(line.substr(0, line.find('#')));  // The rest is a comment.
         const std::string_view kind = words.next();

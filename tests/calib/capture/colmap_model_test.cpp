@@ -64,6 +64,15 @@ TEST(ColmapModel, BothFormsKeepEveryBit) {
     expect_equal_to_the_bit(read_colmap_model(scratch / "text"), capture);
 }
 
+TEST(ColmapModel, TextMayBeginWithAByteOrderMark) {
+    const ScratchFolder scratch;
+    const Capture capture = small_capture();
+    write_colmap_model_text(capture, scratch.path());
+    for (const char* name : {"cameras.txt", "images.txt", "points3D.txt"})
+        write_whole_text(scratch / name, "\xEF\xBB\xBF" + read_whole_text(scratch / name));
+    expect_equal_to_the_bit(read_colmap_model(scratch.path()), capture);
+}
+
 TEST(ColmapModel, KeepsNamesWithBlanksFoldersAndUnicode) {
     const ScratchFolder scratch;
     Capture capture = small_capture(4);

@@ -39,6 +39,24 @@ TEST(DrawnMask, RefusesWhatIsMissingMisshapenOrEmpty) {
     EXPECT_EQ(code(), "none");
 }
 
+TEST(DrawnMask, MayHaveThreeEqualChannelsButNoColors) {
+    const ScratchFolder folder;
+    ColorImage drawn(240, 180, {255, 255, 255});
+    drawn(10, 3) = {0, 0, 0};
+    write_png(folder.path() / "one.png", drawn);
+    const GrayImage mask = drawn_mask("one.jpg", 240, 180, folder.path());
+    EXPECT_EQ(mask(10, 3), 0);
+    EXPECT_EQ(mask(11, 3), 255);
+    drawn(20, 3) = {255, 0, 0};
+    write_png(folder.path() / "one.png", drawn);
+    try {
+        (void)drawn_mask("one.jpg", 240, 180, folder.path());
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-MASK-COLOR");
+    }
+}
+
 TEST(DrawnMask, MayBeRoundedByAPixelInEitherSide) {
     const ScratchFolder folder;
     for (const auto& [width_px, height_px] : {std::pair{180, 241}, {181, 240}, {180, 240}}) {

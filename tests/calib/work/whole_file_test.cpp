@@ -64,6 +64,15 @@ TEST(WholeFile, RemovesWhatKilledRunsLeftBesideAFileAndNothingElse) {
     EXPECT_FALSE(std::filesystem::exists(scratch / ".config.toml.new-a1B2c3"));
 }
 
+TEST(WholeFile, TextIsReadWithoutAByteOrderMark) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "windows.txt", "\xEF\xBB\xBF# cameras\n");
+    EXPECT_EQ(read_whole_text(scratch / "windows.txt"), "# cameras\n");
+    EXPECT_EQ(read_whole_file(scratch / "windows.txt").size(), 13U) << "bytes are bytes";
+    write_whole_text(scratch / "short.txt", "\xEF\xBB");
+    EXPECT_EQ(read_whole_text(scratch / "short.txt"), "\xEF\xBB");
+}
+
 TEST(WholeFile, PutsWhatAnotherProgramMadeInPlace) {
     const ScratchFolder scratch;
     write_whole_text(scratch / "video.mp4", "old");
