@@ -62,23 +62,25 @@ std::string picture_trouble_text(CaptureReason reason, const CaptureEvidence& ev
         return median_of(std::move(values));
     };
     const std::string share =
-        formatted("%zu of %zu photographs ", concerned, evidence.photographs.size());
+        formatted(": %zu of %zu photographs", concerned, evidence.photographs.size());
     switch (reason) {
         case CaptureReason::kExposure:
-            return share + formatted("are mostly black or white (%.0f %% of the middle one)",
-                                     100 * median([](const auto& q) { return q.clipped_share; }));
+            return "mostly black or white" + share +
+                   formatted(" (%.0f %% of the middle one)",
+                             100 * median([](const auto& q) { return q.clipped_share; }));
         case CaptureReason::kNoise:
-            return share + formatted("are noisy: %.0f grey levels of noise in the middle one",
-                                     median([](const auto& q) { return q.noise_sigma; }));
+            return "noisy" + share +
+                   formatted(", %.0f grey levels of noise in the middle one",
+                             median([](const auto& q) { return q.noise_sigma; }));
         case CaptureReason::kTexture:
-            return share + formatted(
-                               "show hardly any pattern: contrast of %.1f grey levels in the "
-                               "middle one",
-                               median([](const auto& q) { return q.contrast(); }));
+            return "hardly any pattern" + share +
+                   formatted(", a contrast of %.1f grey levels in the middle one",
+                             median([](const auto& q) { return q.contrast(); }));
         default:
-            return share + formatted("are blurred by about %.1f pixels at a width of %d",
-                                     median([](const auto& q) { return q.blur_sigma_px; }),
-                                     evidence.width_px);
+            return "blurred" + share +
+                   formatted(", by about %.1f pixels at a width of %d",
+                             median([](const auto& q) { return q.blur_sigma_px; }),
+                             evidence.width_px);
     }
 }
 

@@ -156,9 +156,10 @@ std::string examination_text(const Examination& seen, double depth_mib, const fs
                 "): " + left_out.reason + "\n";
     }
     const CaptureEvidence& evidence = seen.evidence;
-    text += std::to_string(evidence.photographs.size()) + " photographs, " +
-            std::to_string(evidence.pairs.size()) + " pairs that show the same things; rays meet " +
-            "at " + number_text(median_angle_deg(evidence), 1) + " degrees in the middle pair\n";
+    text += "photographs: " + std::to_string(evidence.photographs.size()) +
+            ", pairs of them that show the same things: " + std::to_string(evidence.pairs.size()) +
+            "; rays meet " + "at " + number_text(median_angle_deg(evidence), 1) +
+            " degrees in the middle pair\n";
     if (seen.verdict() == Severity::kHopeless) {
         text += "a build will be refused, or place a small part of the photographs";
     } else {
