@@ -8,18 +8,18 @@
 #include <utility>
 
 #include "calib/work/error.h"
+#include "calib/work/error_of_exception.h"
 #include "calib/work/process_memory.h"
 #include "calib/work/stopwatch.h"
 #include "render/gl/capabilities.h"
-#include "render/paths/photograph_eye.h"
 #include "render/viewer/comparison.h"
 #include "render/viewer/glfw_window.h"
 #include "render/viewer/panels.h"
 #include "render/viewer/path_recording.h"
 #include "render/viewer/recent_packages.h"
 #include "render/viewer/screenshot.h"
+#include "render/viewer/window_beginning.h"
 #include "render/viewer/window_picture.h"
-#include "render/viewer/window_size.h"
 
 namespace lumi {
 
@@ -30,26 +30,6 @@ constexpr double kRestBeforeWhole_s = 0.15;
 constexpr double kIdleWait_s = 0.1;
 /// Where screenshots and paths go: the working folder, which may be gone.
 constexpr const char* kWrittenInto = ".";
-
-ViewerState beginning(const OpenedPackage& opened, const WindowOptions& options) {
-    ViewerState state = first_state(opened.lumigraph, options.render);
-    state.render.fade_beyond_capture = opened.fade_beyond_capture;
-    const std::string& name = options.view_name;
-    if (!name.empty())
-        go_to_photograph(index_of_view(opened.lumigraph, name), opened.lumigraph, state);
-    state.frames_per_second = options.frames_per_second;
-    state.package = options.package;
-    state.exposures = options.exposures;
-    state.planned = opened.planned;
-    go_to_planned(options.planned_index, opened.lumigraph, state);
-    return state;
-}
-
-Eigen::Vector2i first_size_px(const WindowOptions& options, const Camera& camera) {
-    if (options.width_px > 0 && options.height_px > 0) return {options.width_px, options.height_px};
-    if (!options.screenshot_path.empty()) return {camera.width_px, camera.height_px};
-    return window_size_px(camera);
-}
 
 std::string title_of(const Lumigraph& lumigraph) { return "lumi - " + lumigraph.name; }
 
@@ -62,7 +42,7 @@ std::filesystem::path folder_of_package(const std::filesystem::path& package) {
 
 struct ViewerWindow::Implementation {
     Implementation(OpenedPackage opened, const WindowOptions& options)
-        : state(beginning(opened, options)),
+        : state(state_at_beginning(opened, options)),
           lumigraph(std::move(opened.lumigraph)),
           size_px(first_size_px(options, state.navigation.eye.camera)),
           window(size_px.x(), size_px.y(), title_of(lumigraph), options.screenshot_path.empty()),
@@ -181,8 +161,10 @@ bool ViewerWindow::Implementation::show_read(const std::filesystem::path& packag
         state.render.fade_beyond_capture = opened.fade_beyond_capture;
         statistics.message = "opened " + lumigraph.name;
         if (!opened.message.empty()) statistics.message += ": " + opened.message;
-    } catch (const Error& error) {
-        statistics.message = std::string(error.what()) + " - " + error.advice();
+    } catch (const std::exception& exception) {
+        const auto error = error_of_exception(exception);
+        if (!error) throw;
+        statistics.message = std::string(error->what()) + " - " + error->advice();
         return false;
     }
     state.package = package;
@@ -223,10 +205,10 @@ void ViewerWindow::Implementation::take_wished_screenshot() {
         const auto path = next_screenshot_path(kWrittenInto);
         write_screenshot_to(path);
         statistics.message = "wrote " + path.filename().string();
-    } catch (const Error& error) {
-        statistics.message = error.what();
-    } catch (const std::filesystem::filesystem_error& error) {
-        statistics.message = error.what();
+    } catch (const std::exception& exception) {
+        const auto error = error_of_exception(exception);
+        if (!error) throw;
+        statistics.message = error->what();
     }
 }
 

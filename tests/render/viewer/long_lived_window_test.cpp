@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -82,6 +83,21 @@ TEST_F(LongLivedWindow, OpensAnotherPackageAndKeepsTheOldOneWhenItCannot) {
     };
     EXPECT_EQ(name_in("old.json"), shown_box().name);
     EXPECT_EQ(name_in("new.json"), "other\\x1b");
+}
+
+TEST_F(LongLivedWindow, StaysWhereMemoryOrTheFileSystemFailsWhatIsOpened) {
+    WindowOptions options = window_of_320x240();
+    options.load = [](const fs::path& package, Exposures) -> OpenedPackage {
+        if (package == "large.lumi") throw std::bad_alloc();
+        throw fs::filesystem_error("cannot look into", package,
+                                   std::make_error_code(std::errc::permission_denied));
+    };
+    ViewerWindow window({shown_box()}, options);
+    window.open_package("large.lumi");
+    EXPECT_NE(window.statistics().message.find("memory"), std::string::npos);
+    window.open_package("locked.lumi");
+    EXPECT_NE(window.statistics().message.find("locked.lumi"), std::string::npos);
+    EXPECT_TRUE(window.step());
 }
 
 TEST_F(LongLivedWindow, OpensFurtherPackagesAsTheFirstWithWhatLiesBesideThem) {
