@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/stopwatch.h"
+#include "calib/work/whole_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/synth/synthesize.h"
 
@@ -13,6 +14,7 @@ using Json = nlohmann::ordered_json;
 
 void run_synth(const std::filesystem::path& scene, const std::filesystem::path& out,
                const CommandContext& context) {
+    require_writable_folder(out);
     const SceneDescription description = scene.empty()
                                              ? read_scene_description(ConfigSection::from_text(
                                                    demo_scene_toml(), "the demo scene within lumi"))

@@ -4,6 +4,8 @@
 #include <array>
 #include <fstream>
 
+#include "calib/work/error.h"
+
 namespace lumi {
 namespace {
 
@@ -22,6 +24,12 @@ bool has_zero_byte_at_its_beginning(const fs::path& file) {
 std::optional<PlainCapture> plain_capture(const fs::path& path) {
     std::error_code status;
     if (fs::is_directory(path, status)) {
+        if (fs::exists(path / "lumigraph.json", status)) {
+            throw Error(
+                ErrorKind::kBadInput, "E-CONFIG-PACKAGE",
+                path.string() + ": is a package, expected photographs",
+                "see it with lumi view; to build it again give its workspace's config.toml");
+        }
         const fs::path folder = fs::absolute(path).lexically_normal();
         const fs::path named = folder.has_filename() ? folder : folder.parent_path();
         return PlainCapture{"photos", named.filename().string()};

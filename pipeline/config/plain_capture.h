@@ -13,7 +13,8 @@ struct PlainCapture {
 };
 
 /// None where the path names a configuration, or nothing: a file that is not named *.toml and has
-/// a zero byte in its first four KiB, as every video has, is taken for a video.
+/// a zero byte in its first four KiB, as every video has, is taken for a video. Throws Error
+/// (E-CONFIG-PACKAGE) for the folder of a package, whose pictures are no capture.
 [[nodiscard]] std::optional<PlainCapture> plain_capture(const std::filesystem::path& path);
 
 }  // namespace lumi

@@ -143,7 +143,8 @@ TEST(CommandLine, WhatCannotBeWrittenIsRefusedBeforeTheWork) {
           "bench-flicker no.lumi --out " + out, "bench-depth no-workspace --out " + out,
           "bench-hazards --out " + out, "bench-poses no.toml --chart " + out,
           "regression no-workspace --write " + out, "select no-workspace --chart " + out,
-          "gallery no-workspace --out " + out, "calibrate no-boards --out " + out}) {
+          "gallery no-workspace --out " + out, "calibrate no-boards --out " + out,
+          "synth no.toml --out " + out}) {
         const Outcome outcome = lumi(line);
         EXPECT_EQ(outcome.exit_code, 3) << line;
         EXPECT_THAT(outcome.talk, HasSubstr("error E-FILE-WRITE")) << line;
@@ -160,6 +161,16 @@ TEST(CommandLine, APackageIsNoWorkspace) {
         EXPECT_EQ(outcome.exit_code, 3) << command;
         EXPECT_THAT(outcome.talk, HasSubstr("E-WORKSPACE-NONE")) << command;
         EXPECT_THAT(outcome.talk, HasSubstr(": is a package, ")) << command;
+    }
+}
+
+TEST(CommandLine, APackageIsNoFolderOfPhotographs) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "cat.lumi/lumigraph.json", "{}");
+    for (const char* command : {"build ", "doctor ", "ingest "}) {
+        const Outcome outcome = lumi(command + quoted(scratch / "cat.lumi"));
+        EXPECT_EQ(outcome.exit_code, 3) << command;
+        EXPECT_THAT(outcome.talk, HasSubstr("E-CONFIG-PACKAGE")) << command;
     }
 }
 
