@@ -1,7 +1,6 @@
 #include "meshing/cameras/own_rays.h"
 
 #include <algorithm>
-#include <optional>
 #include <set>
 
 namespace lumi {
@@ -19,8 +18,7 @@ struct OwnRay {
 bool is_in_picture(const Capture& capture, const OwnRay& ray) {
     const View& view = capture.views[static_cast<std::size_t>(ray.view_index)];
     const Camera& camera = camera_of(capture, view);
-    const Eigen::Vector3d in_view = view.cam_from_world * ray.point_in_world;
-    const auto pixel = in_view.z() > 0 ? project(camera, in_view) : std::nullopt;
+    const auto pixel = project(camera, view.cam_from_world * ray.point_in_world);
     return pixel && is_inside(camera, *pixel);
 }
 

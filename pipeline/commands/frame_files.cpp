@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdio>
 
 #include "calib/work/error.h"
 #include "calib/work/whole_folder.h"
+#include "meshing/surface/file_ending.h"
 
 namespace lumi {
 namespace {
@@ -16,13 +16,6 @@ namespace fs = std::filesystem;
 /// Nobody calls a folder so.
 constexpr std::array<const char*, 7> kOtherVideos{".avi", ".gif", ".m4v", ".mkv",
                                                   ".mov", ".mpg", ".webm"};
-
-std::string lower_extension_of(const fs::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
 
 }  // namespace
 
@@ -38,12 +31,12 @@ bool is_sequence_frame_name(const std::string& name) {
            name == sequence_frame_name(number - 1);
 }
 
-bool names_video(const fs::path& out) { return lower_extension_of(out) == ".mp4"; }
+bool names_video(const fs::path& out) { return lower_case_ending(out) == ".mp4"; }
 
 fs::path frames_folder_of_video(const fs::path& video) { return video.string() + ".frames"; }
 
 void check_picture_out(const fs::path& out, const std::string& option) {
-    if (lower_extension_of(out) == ".png") return;
+    if (lower_case_ending(out) == ".png") return;
     throw Error(ErrorKind::kUsage, "E-RENDER-OUT", out.string() + ": pictures are PNG files",
                 "let " + option + " end in .png");
 }
@@ -51,7 +44,7 @@ void check_picture_out(const fs::path& out, const std::string& option) {
 void check_path_out(const fs::path& out) {
     if (names_video(out))
         return expect_only_files_of_ours(frames_folder_of_video(out), is_sequence_frame_name);
-    const std::string extension = lower_extension_of(out);
+    const std::string extension = lower_case_ending(out);
     if (std::find(kOtherVideos.begin(), kOtherVideos.end(), extension) != kOtherVideos.end())
         throw Error(ErrorKind::kUsage, "E-RENDER-OUT", out.string() + ": videos are MP4 files",
                     "let --out end in .mp4, or name a folder for PNG files");

@@ -33,6 +33,7 @@ StageEvidence run_mesh_stage(const Capture& capture, const CameraMeshOptions& op
         {"cameras_slid", evidence.cameras_slid},
         {"largest_slide_share", evidence.largest_slide_share},
         {"rms_slide_share", evidence.rms_slide_share},
+        {"own_ray_share", evidence.own_ray_share},
         {"worst_epipole_loss", evidence.worst_epipole_loss},
         {"rms_epipole_loss", evidence.rms_epipole_loss},
         {"epipole_loss_bound", evidence.epipole_loss_bound},
