@@ -93,23 +93,6 @@ class TextFile {
     std::string_view line_;
 };
 
-void read_cameras(TextFile file, ColmapRecords& records) {
-    while (file.advance()) {
-        if (file.blank()) continue;
-        TextLine line = file.line();
-        const auto id = line.next<std::uint32_t>();
-        const std::string_view name = line.next_word();
-        const auto model = lens_model_named(name);
-        if (!model) line.refuse("lens model '" + std::string(name) + "' is not known to lumi");
-        Camera camera;
-        camera.model = *model;
-        camera.width_px = line.next<int>();
-        camera.height_px = line.next<int>();
-        while (!line.at_end()) camera.parameters.push_back(line.next<double>());
-        if (!records.cameras.emplace(id, camera).second) line.refuse("a camera id stands twice");
-    }
-}
-
 std::vector<Eigen::Vector2d> read_keypoints(TextLine line) {
     std::vector<Eigen::Vector2d> keypoints;
     while (!line.at_end()) {
@@ -242,9 +225,29 @@ void refuse_names_that_text_cannot_carry(const Capture& capture) {
 
 }  // namespace
 
+std::map<std::uint32_t, Camera> read_colmap_cameras(const std::filesystem::path& cameras_txt) {
+    std::map<std::uint32_t, Camera> cameras;
+    TextFile file(cameras_txt);
+    while (file.advance()) {
+        if (file.blank()) continue;
+        TextLine line = file.line();
+        const auto id = line.next<std::uint32_t>();
+        const std::string_view name = line.next_word();
+        const auto model = lens_model_named(name);
+        if (!model) line.refuse("lens model '" + std::string(name) + "' is not known to lumi");
+        Camera camera;
+        camera.model = *model;
+        camera.width_px = line.next<int>();
+        camera.height_px = line.next<int>();
+        while (!line.at_end()) camera.parameters.push_back(line.next<double>());
+        if (!cameras.emplace(id, camera).second) line.refuse("a camera id stands twice");
+    }
+    return cameras;
+}
+
 ColmapRecords read_colmap_text(const std::filesystem::path& folder) {
     ColmapRecords records;
-    read_cameras(TextFile(folder / "cameras.txt"), records);
+    records.cameras = read_colmap_cameras(folder / "cameras.txt");
     read_images(TextFile(folder / "images.txt"), records);
     if (std::filesystem::exists(folder / "points3D.txt")) {
         read_points(TextFile(folder / "points3D.txt"), records);

@@ -12,6 +12,7 @@
 #include "calib/ingest/video.h"
 #include "calib/ingest/working_copies.h"
 #include "calib/pictures/image_io.h"
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 
@@ -112,9 +113,9 @@ std::vector<Candidate> ingest_folder(const PhotographFolder& folder, const Inges
 void refuse_too_few(const IngestResult& result, const IngestOptions& options,
                     const fs::path& source) {
     if (static_cast<int>(result.photographs.size()) >= options.min_photographs) return;
-    std::string what = source.string() + ": " + std::to_string(result.photographs.size()) +
-                       " usable photographs, expected at least " +
-                       std::to_string(options.min_photographs);
+    std::string what = source.string() + ": " +
+                       counted(result.photographs.size(), "usable photograph") +
+                       ", expected at least " + std::to_string(options.min_photographs);
     constexpr std::size_t kMaxNamed = 5;
     for (std::size_t i = 0; i < std::min(kMaxNamed, result.left_out.size()); ++i) {
         what += "; " + result.left_out[i].name + ": " + result.left_out[i].reason;

@@ -7,6 +7,7 @@
 
 #include "calib/known_poses/camera_axes.h"
 #include "calib/work/error.h"
+#include "calib/work/json_fault.h"
 #include "calib/work/whole_file.h"
 
 namespace lumi {
@@ -14,9 +15,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-[[noreturn]] void refuse_json(const std::string& where, const std::string& what) {
-    throw Error(ErrorKind::kBadInput, "E-IMPORT-JSON", where + ": " + what,
+[[noreturn]] void refuse_json(const std::string& where_and_what) {
+    throw Error(ErrorKind::kBadInput, "E-IMPORT-JSON", where_and_what,
                 "write transforms.json again with the program it comes from");
+}
+
+[[noreturn]] void refuse_json(const std::string& where, const std::string& what) {
+    refuse_json(where + ": " + what);
 }
 
 [[noreturn]] void refuse_lens(const std::string& where, const std::string& what) {
@@ -34,7 +39,7 @@ Json parse(const std::filesystem::path& path) {
     try {
         return Json::parse(read_whole_text(path, kMaxBytes), bounded);
     } catch (const Json::exception& exception) {
-        refuse_json(path.string(), exception.what());
+        refuse_json(json_fault(path.string(), exception));
     }
 }
 

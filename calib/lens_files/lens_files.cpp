@@ -40,10 +40,10 @@ void write_lens_file(const std::filesystem::path& path, const Camera& lens, Lens
 Camera read_lens_file(const std::filesystem::path& path) {
     const std::string ending = path.extension().string();
     if (ending == ".toml") return read_lens_toml(path);
+    if (ending == ".txt") return read_lens_colmap(path);
     constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
-    const std::string text = read_whole_text(path, kMaxBytes);
-    if (ending == ".txt") return read_lens_colmap(text, path.string());
-    if (ending == ".yaml" || ending == ".yml") return read_lens_yaml(text, path.string());
+    if (ending == ".yaml" || ending == ".yml")
+        return read_lens_yaml(read_whole_text(path, kMaxBytes), path.string());
     throw Error(ErrorKind::kBadInput, "E-LENS-FILE",
                 path.string() +
                     ": a lens file ends in .toml, .txt (COLMAP's cameras.txt), .yaml "

@@ -145,10 +145,11 @@ std::vector<ConfigSection> ConfigSection::sections(const std::string& key) const
 
 void ConfigSection::refuse(const std::string& key, const std::string& expected) const {
     const toml::node* node = has(key) ? table_->toml->get(key) : nullptr;
-    throw Error(ErrorKind::kUsage, "E-CONFIG-VALUE",
-                place(document_->name, node) + ": `" + joined(table_->path, key) + "`: expected " +
-                    expected,
-                "correct this key, or remove it to use the default");
+    throw Error(
+        ErrorKind::kUsage, "E-CONFIG-VALUE",
+        place(document_->name, node) + ": `" + joined(table_->path, key) + "`: expected " +
+            expected,
+        node != nullptr ? "correct this key, or remove it to use the default" : "add this key");
 }
 
 double ConfigSection::number(const std::string& key, double fallback) const {

@@ -113,7 +113,10 @@ void flush_folder(const fs::path& folder) {
 
 Bytes read_whole_file(const fs::path& path, std::size_t max_bytes) {
     std::error_code status;
-    if (!fs::is_regular_file(path, status)) refuse_read(path, "not a file");
+    const fs::file_status found = fs::status(path, status);
+    if (!fs::status_known(found)) refuse_read(path, status.message());
+    if (!fs::exists(found)) refuse_read(path, "there is nothing at this path");
+    if (!fs::is_regular_file(found)) refuse_read(path, "not a file");
     const std::uintmax_t size = fs::file_size(path, status);
     if (status) refuse_read(path, status.message());
     if (size > max_bytes) {

@@ -70,6 +70,10 @@ void move_into_place(const fs::path& fresh, const fs::path& target) {
 
 }  // namespace
 
+void require_writable_whole_folder(const fs::path& target) {
+    require_writable_folder(settled(target).parent_path());
+}
+
 void clean_up_after_killed_runs(const fs::path& unsettled_target) {
     const fs::path target = settled(unsettled_target);
     std::error_code ignored;

@@ -33,6 +33,10 @@ class WholeFolder {
     int lock_ = -1;  ///< The open staging folder, locked: this run is alive.
 };
 
+/// For before long work: throws what a WholeFolder of `target` would, as far as that can be told by
+/// now, and makes nothing.
+void require_writable_whole_folder(const std::filesystem::path& target);
+
 /// Removes what killed runs left beside `target`; the next WholeFolder does so, too. Folders of
 /// runs that are still alive are left alone.
 void clean_up_after_killed_runs(const std::filesystem::path& target);

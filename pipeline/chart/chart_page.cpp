@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "calib/work/counted.h"
 #include "calib/work/median.h"
 #include "pipeline/chart/sweep_plots.h"
 #include "pipeline/text/html.h"
@@ -92,15 +93,16 @@ std::string on_repetitions(const ChartResult& result) {
 
 std::string conditions(const ChartResult& result) {
     return "<p>" +
-           html_escaped(
-               "All are compared with the same " + std::to_string(result.shared_views.size()) +
-               " held-out photographs at " + std::to_string(result.reference_width_px) +
-               " pixels, whatever size they were made from; bars, where "
-               "six and more were compared, are 95 % bootstrap intervals over views. " +
-               number_text(100.0 * result.work.cached_share(), 0) +
-               " % of the work came from the cache (" + number_text(result.work.done_cpu_s, 0) +
-               " instead of " + number_text(result.work.alone_cpu_s, 0) + " CPU s)." +
-               on_repetitions(result) + " Drawn with " + result.gl_description + ".") +
+           html_escaped("All are compared with the same " +
+                        counted(result.shared_views.size(), "held-out photograph") + " at " +
+                        std::to_string(result.reference_width_px) +
+                        " pixels, whatever size they were made from; bars, where "
+                        "six and more were compared, are 95 % bootstrap intervals over views. " +
+                        number_text(100.0 * result.work.cached_share(), 0) +
+                        " % of the work came from the cache (" +
+                        number_text(result.work.done_cpu_s, 0) + " instead of " +
+                        number_text(result.work.alone_cpu_s, 0) + " CPU s)." +
+                        on_repetitions(result) + " Drawn with " + result.gl_description + ".") +
            "</p>\n";
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "calib/work/child_process.h"
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/line/line.h"
@@ -69,7 +70,7 @@ class GrowthRun {
     GrowthResult measure(const GrowthPlan& plan) {
         GrowthResult result;
         for (const int count : plan.photographs) {
-            const std::string name = std::to_string(count) + " photographs";
+            const std::string name = counted(count, "photograph");
             attempt(name, result, [&] {
                 const std::string photos = literal_of_text(first_photographs(count).string());
                 append(result.by_photographs, sample("photographs-" + std::to_string(count),

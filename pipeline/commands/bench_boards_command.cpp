@@ -34,7 +34,8 @@ void add_deviation(const Camera& reference, const BoardCalibration& calibration,
 }
 
 Json row_for(const fs::path& folder, int threads, Progress& progress) {
-    Json row{{"set", folder.filename().string()}};
+    const fs::path named = folder.has_filename() ? folder : folder.parent_path();
+    Json row{{"set", named.filename().string()}};
     const Stopwatch stopwatch;
     try {
         const BoardPhotographs found = find_boards(folder, {}, threads, progress);

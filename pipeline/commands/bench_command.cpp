@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "calib/work/process_memory.h"
 #include "pipeline/bench/frame_rate_sweep.h"
@@ -115,9 +116,9 @@ std::string report_text(const FrameTimingReport& report, const LookupCounts& loo
     constexpr double kBytesPerKibibyte = 1024.0;
     constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
     std::string text =
-        std::to_string(report.frames) + " frames of " + std::to_string(report.width_px) + "x" +
+        counted(report.frames, "frame") + " of " + std::to_string(report.width_px) + "x" +
         std::to_string(report.height_px) + " on " + report.gl_description + ", " +
-        std::to_string(report.threads) + " threads, " +
+        counted(report.threads, "thread") + ", " +
         number_text(static_cast<double>(report.texture_bytes) / kBytesPerMebibyte, 0) +
         " MiB of textures\n" + padded_right("medians", 24) + padded_left("CPU ms", 8) +
         padded_left("95 %", 9) + padded_left("wall ms", 9) + padded_left("95 %", 9) +

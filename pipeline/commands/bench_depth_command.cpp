@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "calib/work/error.h"
@@ -189,6 +190,7 @@ void add_bench_depth_command(CLI::App& app, CommandContext& context) {
         ->check(CLI::IsMember(hazard_names()))
         ->needs(stability);
     command.add_option("--seed", request->seeds, "One scene each")
+        ->check(CLI::Range(0, std::numeric_limits<int>::max()))
         ->capture_default_str()
         ->needs(stability);
     command.add_flag("--quick", request->quick, "Every other strength")->needs(stability);

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "calib/work/error.h"
@@ -101,7 +102,9 @@ void add_bench_hazards_command(CLI::App& app, CommandContext& context) {
     command.add_option("--out", request->out, "Folder for hazards.json, hazards.csv, hazards.svg")
         ->required();
     command.add_option("--hazard", request->hazards, "Only these: " + known_hazards());
-    command.add_option("--seed", request->seeds, "One scene each")->capture_default_str();
+    command.add_option("--seed", request->seeds, "One scene each")
+        ->check(CLI::Range(0, std::numeric_limits<int>::max()))
+        ->capture_default_str();
     command.add_option("--step", request->steps, "Only these strengths, 0: harmless");
     command.add_flag("--without-colmap", request->without_colmap, "Leaves out COLMAP alone");
     command.callback([request, &context] {

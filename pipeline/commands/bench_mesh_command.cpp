@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/bench/arrangement_benchmark.h"
@@ -244,7 +245,9 @@ void add_bench_mesh_command(CLI::App& app, CommandContext& context) {
                     "Up to which number of cameras time is taken")
         ->check(CLI::Range(1000, 10000000))
         ->capture_default_str();
-    command.add_option("--seed", options->seed, "Of all randomness")->capture_default_str();
+    command.add_option("--seed", options->seed, "Of all randomness")
+        ->check(CLI::Range(0, std::numeric_limits<int>::max()))
+        ->capture_default_str();
     const auto pictures = std::make_shared<std::filesystem::path>();
     command.add_option("--pictures", *pictures,
                        "Measure nothing: draw the mesh of every arrangement into this folder");

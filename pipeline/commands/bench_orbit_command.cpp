@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "calib/work/process_memory.h"
 #include "pipeline/commands/commands.h"
@@ -66,12 +67,13 @@ Json report_json(const OrbitReport& report, const OrbitOptions& options) {
 
 std::string report_text(const OrbitReport& report, const OrbitOptions& options) {
     const std::optional<double> growth = growth_mib(report, options);
-    return std::to_string(report.frames) + " frames in " + number_text(report.seconds, 0) +
+    return counted(report.frames, "frame") + " in " + number_text(report.seconds, 0) +
            " s; while moving a median of " + number_text(report.median_frame_ms, 1) +
            " ms, 95 % within " + number_text(report.p95_frame_ms, 1) + " ms, all within " +
-           number_text(report.longest_frame_ms, 0) + " ms\n" + std::to_string(report.gl_errors) +
-           " OpenGL errors\n" + number_text(mebibytes(report.memory.back().bytes), 1) +
-           " MiB at rest at the end, " + (growth ? number_text(*growth, 2) : "an unknown amount") +
+           number_text(report.longest_frame_ms, 0) + " ms\n" +
+           counted(report.gl_errors, "OpenGL error") + "\n" +
+           number_text(mebibytes(report.memory.back().bytes), 1) + " MiB at rest at the end, " +
+           (growth ? number_text(*growth, 2) : "an unknown amount") +
            " more than after the first " + number_text(options.warm_up_s, 0) + " s; " +
            number_text(mebibytes(most_while_moving(report)), 1) + " at most while moving\n";
 }

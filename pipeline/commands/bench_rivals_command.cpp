@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/counted.h"
 #include "calib/work/process_memory.h"
 #include "pipeline/bench/rival_benchmark.h"
 #include "pipeline/bench/rival_scenes.h"
@@ -68,8 +69,8 @@ std::string row_text(const RivalFigures& rival) {
 std::string report_text(const std::vector<RivalScene>& scenes) {
     std::string text;
     for (const RivalScene& scene : scenes) {
-        text += scene.name + ": " + std::to_string(scene.photographs) +
-                " photographs (the paper: " + scene.paper + ")\n";
+        text += scene.name + ": " + counted(scene.photographs, "photograph") +
+                " (the paper: " + scene.paper + ")\n";
         std::string head = "method";
         head.resize(38, ' ');
         text += head +

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/error.h"
+#include "calib/work/whole_file.h"
 #include "pipeline/chart/chart_files.h"
 #include "pipeline/chart/growth_files.h"
 #include "pipeline/chart/run_sweep.h"
@@ -63,6 +64,7 @@ void run_chart(const ChartRequest& request, const CommandContext& context) {
     const Sweep sweep = read_sweep(request.config);
     const fs::path folder =
         request.out.empty() ? fs::path("work") / (sweep.name + "-chart") : request.out;
+    require_writable_folder(folder);
     if (request.growth_alone) {
         const Json growth = measured_growth(request, folder, context);
         if (context.json) context.print_result(Json{{"growth", growth}});

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/counted.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/evaluate/evaluation_comparison.h"
 #include "pipeline/evaluate/evaluation_file.h"
@@ -54,7 +55,7 @@ std::string spread_text(const MetricComparison& metric) {
 std::string comparison_text(const std::vector<ModeComparison>& comparisons) {
     std::string text;
     for (const ModeComparison& mode : comparisons) {
-        text += mode.mode + ", " + std::to_string(mode.shared_views.size()) + " views\n";
+        text += mode.mode + ", " + counted(mode.shared_views.size(), "view") + "\n";
         text += padded_right("", 22) + padded_left("A", 12) + padded_left("B", 12) +
                 padded_left("B - A", 12) + "   95 % interval\n";
         for (const MetricComparison& metric : mode.metrics) {

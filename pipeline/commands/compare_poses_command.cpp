@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/poses/pose_comparison.h"
+#include "calib/work/counted.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/text/number_text.h"
 
@@ -35,7 +36,7 @@ std::string comparison_text(const PoseComparison& comparison) {
         text += view.name + "  position " + number_text(view.position, 6) + "  rotation " +
                 number_text(view.rotation_deg, 4) + " deg\n";
     }
-    return text + std::to_string(comparison.views.size()) + " views, in the units of B: position" +
+    return text + counted(comparison.views.size(), "view") + ", in the units of B: position" +
            " median " + number_text(comparison.median_position, 6) + " mean " +
            number_text(comparison.mean_position, 6) + " max " +
            number_text(comparison.max_position, 6) + "; rotation median " +

@@ -36,11 +36,14 @@ void add_drawing_options(CLI::App& command, DrawingRequest& request) {
     command.add_flag("--jagged", request.jagged,
                      "One sample a pixel also where depth is as fine as the frame: silhouettes in "
                      "steps, less work (perpixel)");
-    command.add_flag("--fade", request.fade,
-                     "Fade to black what lies beyond the capture instead of guessing (perpixel, "
-                     "adaptive, lightfield)");
-    command.add_flag("--no-fade", request.no_fade,
-                     "Do not, though the package was built with [render] fade_beyond_capture");
+    CLI::Option* fade = command.add_flag(
+        "--fade", request.fade,
+        "Fade to black what lies beyond the capture instead of guessing (perpixel, "
+        "adaptive, lightfield)");
+    command
+        .add_flag("--no-fade", request.no_fade,
+                  "Do not, though the package was built with [render] fade_beyond_capture")
+        ->excludes(fade);
     command.add_flag("--black-surroundings", request.black_surroundings,
                      "Leave black what no photograph shows instead of going on with the colours "
                      "next to it");

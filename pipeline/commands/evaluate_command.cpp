@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/printable.h"
+#include "calib/work/whole_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/config/config_variant.h"
@@ -133,6 +134,7 @@ void run_leave_one_out(const EvaluateRequest& request, const CommandContext& con
     const ConfigDocument document = ConfigDocument::open(request.workspace);
     const BuildConfig config = document.build_config_with({});
     const std::filesystem::path folder = workspace_of(config).folder().string() + "-leave-one-out";
+    require_writable_folder(folder);
     const int threads = context.threads > 0 ? context.threads : config.threads;
     const LeaveOneOut result =
         leave_one_out(document, modes_of(request), chosen_exposures(request), !request.keep_depth,

@@ -87,7 +87,7 @@ EyeFile read_eye_file(const std::filesystem::path& path) {
     try {
         return {eye_from(json, path), drawn_from(json, path)};
     } catch (const Json::exception& error) {
-        refuse_json(path, error.what());
+        refuse_json(path, error);
     }
 }
 
@@ -110,7 +110,7 @@ std::vector<TimedEye> read_path_file(const std::filesystem::path& path,
         }
         return timed;
     } catch (const Json::exception& error) {
-        refuse_json(path, error.what());
+        refuse_json(path, error);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "calib/work/error.h"
+#include "calib/work/whole_file.h"
 #include "calib/work/whole_folder.h"
 #include "meshing/surface/file_ending.h"
 
@@ -36,19 +37,23 @@ bool names_video(const fs::path& out) { return lower_case_ending(out) == ".mp4";
 fs::path frames_folder_of_video(const fs::path& video) { return video.string() + ".frames"; }
 
 void check_picture_out(const fs::path& out, const std::string& option) {
-    if (lower_case_ending(out) == ".png") return;
-    throw Error(ErrorKind::kUsage, "E-RENDER-OUT", out.string() + ": pictures are PNG files",
-                "let " + option + " end in .png");
+    if (lower_case_ending(out) != ".png")
+        throw Error(ErrorKind::kUsage, "E-RENDER-OUT", out.string() + ": pictures are PNG files",
+                    "let " + option + " end in .png");
+    require_writable_file(out);
 }
 
 void check_path_out(const fs::path& out) {
-    if (names_video(out))
-        return expect_only_files_of_ours(frames_folder_of_video(out), is_sequence_frame_name);
+    if (names_video(out)) {
+        expect_only_files_of_ours(frames_folder_of_video(out), is_sequence_frame_name);
+        return require_writable_file(out);
+    }
     const std::string extension = lower_case_ending(out);
     if (std::find(kOtherVideos.begin(), kOtherVideos.end(), extension) != kOtherVideos.end())
         throw Error(ErrorKind::kUsage, "E-RENDER-OUT", out.string() + ": videos are MP4 files",
                     "let --out end in .mp4, or name a folder for PNG files");
     expect_only_files_of_ours(out, is_sequence_frame_name);
+    require_writable_whole_folder(out);
 }
 
 }  // namespace lumi

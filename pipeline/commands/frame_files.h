@@ -19,11 +19,11 @@ namespace lumi {
 [[nodiscard]] std::filesystem::path frames_folder_of_video(const std::filesystem::path& video);
 
 /// To be called before anything is drawn: pictures are PNG files. `option` is what named the file.
-/// Throws Error (E-RENDER-OUT).
+/// Throws Error (E-RENDER-OUT, E-FILE-WRITE).
 void check_picture_out(const std::filesystem::path& out, const std::string& option = "--out");
 
 /// The same for the frames of a path: videos are MP4 files, and a folder of other things would be
-/// lost. Throws Error (E-RENDER-OUT, E-OUT-EXISTS).
+/// lost. Throws Error (E-RENDER-OUT, E-OUT-EXISTS, E-FILE-WRITE).
 void check_path_out(const std::filesystem::path& out);
 
 }  // namespace lumi

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/counted.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/stages/drawing_effort.h"
 #include "pipeline/text/number_text.h"
@@ -57,12 +58,13 @@ std::string gain_text(const LumigraphView& view) {
 
 std::string package_text(const Lumigraph& lumigraph) {
     std::string text =
-        lumigraph.name + ": " + std::to_string(lumigraph.views.size()) + " views, depth " +
+        lumigraph.name + ": " + counted(lumigraph.views.size(), "view") + ", depth " +
         number_text(lumigraph.near_depth, 3) + " to " + number_text(lumigraph.far_depth, 3) +
         ", camera mesh " + name_of(lumigraph.mesh.construction) + " with " +
-        std::to_string(lumigraph.mesh.vertices.size()) + " vertices and " +
-        std::to_string(lumigraph.mesh.faces.size()) + " faces, depth compared from " +
-        std::to_string(lumigraph.drawing.depth_views) + " views for " +
+        std::to_string(lumigraph.mesh.vertices.size()) +
+        (lumigraph.mesh.vertices.size() == 1 ? " vertex and " : " vertices and ") +
+        counted(lumigraph.mesh.faces.size(), "face") + ", depth compared from " +
+        counted(lumigraph.drawing.depth_views, "view") + " for " +
         text_of_depth_blocks(lumigraph.drawing.depth_block_px) +
         ", views blended unless they see something else by " +
         number_text(lumigraph.drawing.occlusion_tolerance_px, 1) + " px" +

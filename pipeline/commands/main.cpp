@@ -54,6 +54,17 @@ void add_commands(CLI::App& app, lumi::CommandContext& context) {
     lumi::add_synth_command(app, context);
 }
 
+/// An empty text comes of a variable of the shell that is not set: no option means anything by it.
+void refuse_empty_texts(CLI::App& app) {
+    const auto complaint = [](const std::string& text) -> std::string {
+        return text.empty() ? "expected a value, found an empty one" : "";
+    };
+    for (CLI::Option* option : app.get_options()) {
+        if (option->get_items_expected_max() > 0) option->check(complaint);
+    }
+    for (CLI::App* below : app.get_subcommands({})) refuse_empty_texts(*below);
+}
+
 [[noreturn]] void refuse_line(const CLI::App& app, const std::string& reason) {
     if (const auto unknown = lumi::error_of_unknown_word(app)) throw *unknown;
     throw lumi::Error(lumi::ErrorKind::kUsage, "E-USAGE", reason,
@@ -75,6 +86,7 @@ int main(int argc, char** argv) {
     app.fallthrough();
     add_global_options(app, context);
     add_commands(app, context);
+    refuse_empty_texts(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& wrong) {

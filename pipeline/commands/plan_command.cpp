@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/counted.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/number_checks.h"
 #include "pipeline/plan/plan_workspace.h"
@@ -16,7 +17,7 @@ std::string wish_text(const CapturePlan& plan, double wished_error_px) {
     if (plan.photographs_for_wish < 0) {
         return wish + " cannot be had with " + std::to_string(kMostPlanned) + " more photographs\n";
     }
-    return wish + " takes " + std::to_string(plan.photographs_for_wish) + " more photographs\n";
+    return wish + " takes " + counted(plan.photographs_for_wish, "more photograph") + "\n";
 }
 
 void run_plan(const std::filesystem::path& folder, const CapturePlanOptions& options,

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "calib/work/counted.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/regression/version_figures.h"
@@ -46,7 +47,7 @@ Json regression_json(const VersionFigures& now, const FigureComparison& comparis
 }
 
 std::string regression_text(const FigureComparison& comparison) {
-    std::string text = std::to_string(comparison.compared) + " figures compared, " +
+    std::string text = counted(comparison.compared, "figure") + " compared, " +
                        std::to_string(comparison.moves.size()) + " moved beyond noise\n";
     for (const FigureMove& move : comparison.moves) {
         text += padded_right(move.name, 40) + padded_left(number_text(move.before, 4), 10) + " ->" +

@@ -7,6 +7,7 @@
 #include "calib/work/error.h"
 #include "calib/work/process_memory.h"
 #include "calib/work/stopwatch.h"
+#include "calib/work/whole_file.h"
 #include "calib/work/whole_folder.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/drawing_request.h"
@@ -184,6 +185,7 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
         check_path_out(request.out);
         if (names_video(request.out)) check_video_programs(request.out, *context.progress);
     }
+    if (request.all_views) require_writable_folder(request.out);
     if (request.path.empty() && !request.all_views) check_picture_out(request.out);
     EyeFile at;
     if (!request.eye.empty()) at = read_eye_file(request.eye);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "pipeline/dataset/dataset_files.h"
 #include "pipeline/dataset/run_dataset.h"
@@ -19,8 +20,8 @@ std::string table_of(const std::vector<SceneOutcome>& outcomes) {
                         "\n";
     for (const SceneOutcome& outcome : outcomes) {
         table += padded_right(outcome.name, 24);
-        if (!outcome.failure_code.empty()) {
-            table += "  " + outcome.failure_code + ": " + outcome.failure + "\n";
+        if (outcome.failure) {
+            table += "  " + failure_text(*outcome.failure) + "\n";
             continue;
         }
         table += padded_left(number_text(outcome.cpu_s, 1), 9) +
@@ -40,19 +41,18 @@ void refuse_partial(const std::vector<SceneOutcome>& outcomes) {
     int concerned = 0;
     for (const SceneOutcome& outcome : outcomes) {
         const PlacedPhotographs& photographs = outcome.photographs;
-        const bool has_failed = !outcome.failure_code.empty();
-        if (!has_failed && !photographs.is_partial()) continue;
+        if (!outcome.failure && !photographs.is_partial()) continue;
         missing += (missing.empty() ? "" : ", ") + outcome.name + " (" +
-                   (has_failed ? outcome.failure_code
-                               : std::to_string(photographs.placed) + " of " +
-                                     std::to_string(photographs.total) + " photographs") +
+                   (outcome.failure ? outcome.failure->code()
+                                    : std::to_string(photographs.placed) + " of " +
+                                          counted(photographs.total, "photograph")) +
                    ")";
         ++concerned;
     }
     if (concerned == 0) return;
     throw Error(ErrorKind::kPartialResult, "E-DATASET-PARTIAL",
-                std::to_string(concerned) + " of " + std::to_string(outcomes.size()) +
-                    " scenes could not be built, or only in part: " + missing,
+                std::to_string(concerned) + " of " + counted(outcomes.size(), "scene") +
+                    " could not be built, or only in part: " + missing,
                 "mend them and run the same command again: the others are kept");
 }
 

@@ -73,7 +73,7 @@ void run_perturbations(const PerturbationRequest& request, const CommandContext&
     if (!request.out.empty()) require_writable_folder(request.out);
     const StressTask task = task_of(request.subject, context);
     const fs::path out = request.out.empty() ? task.out : request.out;
-    require_writable_folder(out);
+    if (request.out.empty()) require_writable_folder(out);
     StressResult result;
     result.name = task.subject.lumigraph.name;
     result.seed = task.options.seed;

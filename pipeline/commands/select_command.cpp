@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "calib/work/counted.h"
+#include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/view_curve_plots.h"
 #include "pipeline/commands/commands.h"
@@ -46,9 +48,18 @@ std::string curve_text(const ViewCurve& curve) {
         }
         text += "\n";
     }
-    return text + "enough by the one-standard-error rule: " + std::to_string(curve.auto_views) +
-           " views; within 0.3 dB of the best: " + std::to_string(curve.third_db_views) +
-           " views\n";
+    return text + "enough by the one-standard-error rule: " + counted(curve.auto_views, "view") +
+           "; within 0.3 dB of the best: " + counted(curve.third_db_views, "view") + "\n";
+}
+
+void check_sizes(const std::vector<int>& sizes, std::size_t views) {
+    for (const int size : sizes) {
+        if (static_cast<std::size_t>(size) <= views) continue;
+        throw Error(
+            ErrorKind::kUsage, "E-SELECT-SIZE",
+            "--size " + std::to_string(size) + ": the package has " + counted(views, "view"),
+            "ask for at most all of them");
+    }
 }
 
 void run_select(const std::filesystem::path& folder, const ViewCurveOptions& options,
@@ -57,6 +68,7 @@ void run_select(const std::filesystem::path& folder, const ViewCurveOptions& opt
     const WorkspaceLayout workspace = find_workspace(folder);
     const PackRecord record = finished_pack(workspace);
     const Lumigraph lumigraph = read_package(workspace.package_folder());
+    check_sizes(options.sizes, lumigraph.views.size());
     std::vector<std::string> names;
     for (const LumigraphView& view : lumigraph.views) names.push_back(view.name);
     std::sort(names.begin(), names.end());

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "pipeline/commands/commands.h"
 #include "render/lumigraph/package.h"
@@ -18,7 +19,7 @@ void run_validate(const std::filesystem::path& package, const CommandContext& co
         if (context.json) {
             context.print_result(Json{{"valid", true}, {"views", lumigraph.views.size()}});
         } else {
-            context.print_result("valid: " + std::to_string(lumigraph.views.size()) + " views\n");
+            context.print_result("valid: " + counted(lumigraph.views.size(), "view") + "\n");
         }
     } catch (const Error&) {
         if (context.json) context.print_result(Json{{"valid", false}});

@@ -76,8 +76,8 @@ WindowOptions window_options_of(const ViewRequest& request, const CommandContext
 void check_planned(const ViewRequest& request, const OpenedPackage& opened) {
     if (request.planned <= static_cast<int>(opened.planned.size())) return;
     throw Error(ErrorKind::kUsage, "E-VIEW-PLAN",
-                "photograph " + std::to_string(request.planned) + " of a plan was asked for, " +
-                    std::to_string(opened.planned.size()) + " are planned",
+                "photograph " + std::to_string(request.planned) + " of a plan was asked for, of " +
+                    std::to_string(opened.planned.size()) + " that are planned",
                 "run `lumi plan` on the workspace first");
 }
 
@@ -108,11 +108,14 @@ void add_view_command(CLI::App& app, CommandContext& context) {
     command.add_option("--mode", request->mode, "As in lumi render")->capture_default_str();
     command.add_option("--size", request->size,
                        "Such as 1280x720 (default: the photograph's, where it holds the panel)");
-    command.add_flag("--fade", request->fade,
-                     "Fade to black what lies beyond the capture instead of guessing (perpixel, "
-                     "adaptive, lightfield)");
-    command.add_flag("--no-fade", request->no_fade,
-                     "Do not, though the package was built with [render] fade_beyond_capture");
+    CLI::Option* fade = command.add_flag(
+        "--fade", request->fade,
+        "Fade to black what lies beyond the capture instead of guessing (perpixel, "
+        "adaptive, lightfield)");
+    command
+        .add_flag("--no-fade", request->no_fade,
+                  "Do not, though the package was built with [render] fade_beyond_capture")
+        ->excludes(fade);
     command.add_flag("--black-surroundings", request->black_surroundings,
                      "Leave black what no photograph shows instead of going on with the colours "
                      "next to it");
@@ -127,7 +130,7 @@ void add_view_command(CLI::App& app, CommandContext& context) {
     command
         .add_option("--planned", request->planned,
                     "Begin where this photograph of `lumi plan` would be taken: 1, 2, ...")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 100));
     command.add_option("--screenshot", request->screenshot,
                        "Write one frame to this PNG file, its eye beside it, and end");
     command.callback([request, &context] {

@@ -166,7 +166,7 @@ BuildConfig read_build_config(const ConfigSection& document, const std::string& 
     if (config.threads < 0) document.refuse("threads", "0 (all cores) or more");
 
     const ConfigSection capture = document.section("capture");
-    config.photographs_or_video = read_source(capture);
+    for (const char* source : {"photos", "video"}) static_cast<void>(capture.path(source));
     config.imported_poses = capture.path("import");
     config.ingest = read_ingest_options(capture);
     const ConfigSection calibration = document.section("calibration");
@@ -190,7 +190,8 @@ BuildConfig read_build_config(const ConfigSection& document, const std::string& 
     config.ingest.other_folders = folders_of_other_things(config);
     // What to do with a capture beside building it; see `lumi chart` and `lumi stress`.
     for (const char* other : {"sweep", "growth", "stress"}) document.leave_to_others(other);
-    document.expect_all_keys_known();
+    document.expect_all_keys_known();  // Before what is misspelt is found to be missing.
+    config.photographs_or_video = read_source(capture);
 
     config.resolved_toml = document.resolved();
     config.movable_toml = document.resolved_for_any_folder();

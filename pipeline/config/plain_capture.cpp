@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 
+#include "calib/work/config_section.h"
 #include "calib/work/error.h"
 
 namespace lumi {
@@ -19,6 +20,15 @@ bool has_zero_byte_at_its_beginning(const fs::path& file) {
     return std::find(beginning.begin(), end, '\0') != end;
 }
 
+/// Whether the folder is a workspace, and not among the photographs that it was made of.
+bool is_workspace_of_another_capture(const fs::path& folder) {
+    std::error_code status;
+    const fs::path config = folder / "config.toml";
+    if (!fs::exists(config, status) || !fs::exists(folder / "stages.json", status)) return false;
+    const fs::path photos = ConfigSection::from_file(config).section("capture").path("photos");
+    return !fs::equivalent(photos, folder, status);
+}
+
 }  // namespace
 
 std::optional<PlainCapture> plain_capture(const fs::path& path) {
@@ -29,6 +39,12 @@ std::optional<PlainCapture> plain_capture(const fs::path& path) {
                 ErrorKind::kBadInput, "E-CONFIG-PACKAGE",
                 path.string() + ": is a package, expected photographs",
                 "see it with lumi view; to build it again give its workspace's config.toml");
+        }
+        if (is_workspace_of_another_capture(path)) {
+            throw Error(ErrorKind::kBadInput, "E-CONFIG-WORKSPACE",
+                        path.string() + ": is a workspace of lumi, expected photographs",
+                        "give its configuration, " + (path / "config.toml").string() +
+                            "; with --workspace " + path.string() + " lumi builds there again");
         }
         const fs::path folder = fs::absolute(path).lexically_normal();
         const fs::path named = folder.has_filename() ? folder : folder.parent_path();

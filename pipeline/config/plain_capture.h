@@ -14,7 +14,8 @@ struct PlainCapture {
 
 /// None where the path names a configuration, or nothing: a file that is not named *.toml and has
 /// a zero byte in its first four KiB, as every video has, is taken for a video. Throws Error
-/// (E-CONFIG-PACKAGE) for the folder of a package, whose pictures are no capture.
+/// (E-CONFIG-PACKAGE, E-CONFIG-WORKSPACE) for the folder of a package and for a workspace, whose
+/// pictures are no capture, unless its photographs lie in that folder, too.
 [[nodiscard]] std::optional<PlainCapture> plain_capture(const std::filesystem::path& path);
 
 }  // namespace lumi

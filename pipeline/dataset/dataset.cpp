@@ -41,8 +41,7 @@ DatasetScene read_scene(const ConfigSection& section, std::vector<ConfigChange> 
         scene.config =
             ConfigDocument::open(config.empty() ? photos : config).build_config_with(changes);
     } catch (const Error& error) {
-        scene.failure_code = error.code();
-        scene.failure = error.what();
+        scene.failure = error;
     }
     return scene;
 }

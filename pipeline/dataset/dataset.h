@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "calib/work/error.h"
 #include "pipeline/config/build_config.h"
 
 namespace lumi {
@@ -12,8 +14,7 @@ namespace lumi {
 struct DatasetScene {
     std::string name;  ///< Of its folder and of its package, whatever its own file calls it.
     BuildConfig config;
-    std::string failure_code;  ///< Empty when the configuration could be read.
-    std::string failure;
+    std::optional<Error> failure;  ///< Empty when the configuration could be read.
 };
 
 /// Several scenes that are built with one command:

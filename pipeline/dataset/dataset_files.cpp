@@ -18,8 +18,8 @@ using Rows = std::vector<std::vector<std::string>>;
 
 std::vector<std::string> row_of(const SceneOutcome& outcome) {
     std::vector<std::string> row{outcome.name};
-    if (!outcome.failure_code.empty()) {
-        row.push_back(outcome.failure_code + ": " + outcome.failure);
+    if (outcome.failure) {
+        row.push_back(failure_text(*outcome.failure));
         row.resize(9);
         return row;
     }
@@ -65,7 +65,7 @@ Plot plot_of(const std::string& name, const std::vector<SceneOutcome>& outcomes)
 std::string page_of(const std::string& name, const std::vector<SceneOutcome>& outcomes,
                     const std::string& svg) {
     const auto failed = std::count_if(outcomes.begin(), outcomes.end(),
-                                      [](const auto& o) { return !o.failure_code.empty(); });
+                                      [](const auto& o) { return o.failure.has_value(); });
     Rows rows;
     for (const SceneOutcome& outcome : outcomes) rows.push_back(row_of(outcome));
     std::string body = "<div class=\"verdict " + std::string(failed == 0 ? "good" : "fair") +
@@ -82,8 +82,9 @@ Json dataset_json(const std::string& name, const std::vector<SceneOutcome>& outc
     Json scenes = Json::array();
     for (const SceneOutcome& outcome : outcomes) {
         Json scene{{"name", outcome.name},
-                   {"failure_code", outcome.failure_code},
-                   {"failure", outcome.failure},
+                   {"failure_code", outcome.failure ? outcome.failure->code() : ""},
+                   {"failure", outcome.failure ? outcome.failure->what() : ""},
+                   {"failure_advice", outcome.failure ? outcome.failure->advice() : ""},
                    {"photographs", outcome.photographs.total},
                    {"placed", outcome.photographs.placed},
                    {"cpu_s", outcome.cpu_s},

@@ -79,6 +79,10 @@ bool ends_all_scenes(const Error& error) {
 
 }  // namespace
 
+std::string failure_text(const Error& failure) {
+    return failure.code() + ": " + failure.what() + " -> " + failure.advice();
+}
+
 std::vector<SceneOutcome> run_dataset(const Dataset& dataset, const fs::path& folder, int threads,
                                       Progress& progress) {
     std::vector<SceneOutcome> outcomes;
@@ -87,17 +91,14 @@ std::vector<SceneOutcome> run_dataset(const Dataset& dataset, const fs::path& fo
                       std::to_string(dataset.scenes.size()) + ": " + scene.name);
         SceneOutcome outcome;
         outcome.name = scene.name;
-        outcome.failure_code = scene.failure_code;
         outcome.failure = scene.failure;
-        if (outcome.failure_code.empty()) {
+        if (!outcome.failure) {
             try {
                 build(scene, folder, threads, outcome, progress);
             } catch (const std::exception& exception) {
-                const std::optional<Error> error = error_of_exception(exception);
-                if (!error || ends_all_scenes(*error)) throw;
-                outcome.failure_code = error->code();
-                outcome.failure = error->what();
-                progress.note(scene.name + ": " + error->code() + ": " + error->what());
+                outcome.failure = error_of_exception(exception);
+                if (!outcome.failure || ends_all_scenes(*outcome.failure)) throw;
+                progress.note(scene.name + ": " + failure_text(*outcome.failure));
             }
         }
         outcomes.push_back(std::move(outcome));

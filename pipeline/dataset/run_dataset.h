@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "calib/work/error.h"
 #include "calib/work/progress.h"
 #include "pipeline/dataset/dataset.h"
 #include "pipeline/evaluate/view_score.h"
@@ -15,8 +16,7 @@ namespace lumi {
 /// What became of a scene.
 struct SceneOutcome {
     std::string name;
-    std::string failure_code;  ///< Empty when it was built.
-    std::string failure;
+    std::optional<Error> failure;  ///< Empty when it was built.
     PlacedPhotographs photographs;
     double cpu_s = 0.0;  ///< Of all stages, whenever they were run.
     double wall_s = 0.0;
@@ -24,6 +24,9 @@ struct SceneOutcome {
     std::optional<ViewScore> mean;  ///< Empty when nothing was held out.
     std::optional<Interval> flip_interval;
 };
+
+/// A scene's failure and what to do about it, in one line.
+[[nodiscard]] std::string failure_text(const Error& failure);
 
 /// Builds every scene in FOLDER/NAME, evaluates those with held-out photographs, all alike, and
 /// writes their reports. What is up to date is not made again. A scene that fails does not stop the

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/error.h"
+#include "calib/work/json_fault.h"
 #include "calib/work/mean.h"
 #include "pipeline/evaluate/view_score.h"
 
@@ -112,7 +113,7 @@ std::vector<ModeComparison> compare_evaluations(const Json& a, const Json& b) {
         comparisons = compare(a, b);
     } catch (const Json::exception& error) {
         throw Error(ErrorKind::kBadInput, "E-JSON-READ",
-                    std::string("an evaluation lacks what it should say: ") + error.what(),
+                    json_fault("an evaluation lacks what it should say", error),
                     "run `lumi evaluate` again");
     }
     if (comparisons.empty()) {

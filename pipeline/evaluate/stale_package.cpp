@@ -47,7 +47,7 @@ std::string why_last_run_left_it(const WorkspaceLayout& workspace, const PackRec
         const bool says_nothing = configuration.empty() || record.configuration_sha256.empty();
         if (came_to_it || says_nothing || configuration == record.configuration_sha256) return {};
     } catch (const Json::exception& error) {
-        refuse_json(workspace.stages_path(), error.what());
+        refuse_json(workspace.stages_path(), error);
     }
     return "the package is of an earlier configuration";
 }

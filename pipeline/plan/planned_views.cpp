@@ -47,7 +47,7 @@ std::vector<PlannedView> planned_views_beside(const std::filesystem::path& packa
             }
         }
     } catch (const Json::exception& error) {
-        refuse_json(file, error.what());
+        refuse_json(file, error);
     } catch (const std::out_of_range&) {
         refuse_json(file, "a suggested pose is incomplete");
     }

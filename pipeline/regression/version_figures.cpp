@@ -117,7 +117,7 @@ VersionFigures read_version_figures(const std::filesystem::path& path) {
             figures[name] = {figure.at("value"), figure.at("noise"), figure.at("higher_is_better")};
         }
     } catch (const Json::exception& error) {
-        refuse_json(path, error.what());
+        refuse_json(path, error);
     }
     return figures;
 }

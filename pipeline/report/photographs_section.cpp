@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "calib/pictures/image_io.h"
+#include "calib/work/counted.h"
 #include "pipeline/report/sections.h"
 #include "pipeline/report/spread.h"
 #include "pipeline/stages/photograph_list.h"
@@ -97,7 +98,9 @@ std::string photographs_section(const ReportSources& sources) {
     const Json ingest = evidence_of(sources.stages, "ingest");
     if (ingest.is_null()) return {};
     const Json poses = evidence_of(sources.stages, "poses");
-    std::string html = "<p>" + text_of(ingest.at("photographs")) + " photographs were read";
+    const int photographs = ingest.at("photographs").get<int>();
+    std::string html = "<p>" + counted(photographs, "photograph") +
+                       (photographs == 1 ? " was" : " were") + " read";
     if (!poses.is_null()) {
         html += ", " + text_of(poses.at("photographs_registered")) + " of them found their place";
     }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/counted.h"
 #include "pipeline/text/number_text.h"
 
 namespace lumi {
@@ -17,8 +18,8 @@ void add_remark(Verdict& verdict, const std::string& remark) {
 void judge_ingest(Verdict& verdict, const Json& evidence) {
     const std::size_t left_out = evidence.at("left_out").size();
     if (left_out > 0) {
-        add_remark(verdict, std::to_string(left_out) +
-                                " files were left out; the reasons are listed below.");
+        add_remark(verdict, counted(left_out, "file") + (left_out == 1 ? " was" : " were") +
+                                " left out; the reasons are listed below.");
     }
 }
 

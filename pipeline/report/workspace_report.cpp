@@ -1,6 +1,9 @@
 #include "pipeline/report/workspace_report.h"
 
+#include <nlohmann/json.hpp>
+
 #include "calib/work/error.h"
+#include "calib/work/json_fault.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/report/sections.h"
@@ -39,17 +42,29 @@ ReportSources sources_of(const WorkspaceLayout& workspace) {
     return sources;
 }
 
-}  // namespace
-
-void write_workspace_report(const WorkspaceLayout& workspace) {
-    const ReportSources sources = sources_of(workspace);
+std::string body_of(const ReportSources& sources) {
     std::string body;
     for (const auto section : {&verdict_section, &target_section, &pictures_section,
                                &charts_section, &cameras_section, &depth_section, &figures_section,
                                &photographs_section, &seconds_section, &repetition_section}) {
         body += section(sources);
     }
-    write_whole_text(workspace.report_path(), html_page(workspace.name(), body));
+    return body;
+}
+
+}  // namespace
+
+void write_workspace_report(const WorkspaceLayout& workspace) {
+    try {
+        const std::string body = body_of(sources_of(workspace));
+        write_whole_text(workspace.report_path(), html_page(workspace.name(), body));
+    } catch (const Json::exception& fault) {
+        throw Error(ErrorKind::kBadInput, "E-JSON-READ",
+                    json_fault(workspace.folder().string() +
+                                   ": stages.json or what was measured lacks what it should say",
+                               fault),
+                    "run `lumi build` again, to its end, and then `lumi evaluate`");
+    }
 }
 
 }  // namespace lumi

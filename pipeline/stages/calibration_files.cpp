@@ -5,6 +5,7 @@
 
 #include "calib/boards/calibration_picture.h"
 #include "calib/lens_files/lens_files.h"
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/stages/calibration_json.h"
@@ -18,12 +19,12 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> remarks_of(const BoardPhotographs& found,
                                     const BoardCalibration& calibration) {
-    std::vector<std::string> remarks{
-        "Calibrated by lumi from " + std::to_string(calibration.views.size()) +
-            " photographs of a board (" + std::string(name_of(found.kind)) + "): RMS " +
-            number_text(calibration.rms_px, 3) + " px, held out " + held_out_text(calibration) +
-            ".",
-        "One standard deviation and 95 % interval of each parameter:"};
+    std::vector<std::string> remarks{"Calibrated by lumi from " +
+                                         counted(calibration.views.size(), "photograph") +
+                                         " of a board (" + std::string(name_of(found.kind)) +
+                                         "): RMS " + number_text(calibration.rms_px, 3) +
+                                         " px, held out " + held_out_text(calibration) + ".",
+                                     "One standard deviation and 95 % interval of each parameter:"};
     for (const LensParameter& parameter : calibration.parameters) {
         remarks.push_back("  " + parameter_text(parameter));
     }

@@ -3,11 +3,21 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "calib/work/counted.h"
 #include "pipeline/text/number_text.h"
 
 namespace lumi {
 
 using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// The beginning of what was measured on them.
+std::string drawn_photographs(int pictures) {
+    return counted(pictures, "photograph") + (pictures == 1 ? " is drawn " : " are drawn ");
+}
+
+}  // namespace
 
 void choose(const OcclusionEffort& effort, DrawingChoices& drawing) {
     drawing.occlusion_tolerance_px = effort.tolerance_px;
@@ -40,8 +50,8 @@ std::string text_of_depth_blocks(double block_px) {
 std::string text_of(const DepthEffort& effort) {
     if (effort.pictures == 0) return "";
     return std::to_string(effort.views) + " views' depth is compared at " +
-           text_of_depth_blocks(effort.block_px) + ": " + std::to_string(effort.pictures) +
-           " photographs are drawn " + number_text(effort.fewer_views_lose_db, 2) + " +- " +
+           text_of_depth_blocks(effort.block_px) + ": " + drawn_photographs(effort.pictures) +
+           number_text(effort.fewer_views_lose_db, 2) + " +- " +
            number_text(effort.standard_error_db, 2) + " dB better with " +
            std::to_string(kMaxDepthViews) + " views than with " + std::to_string(kLeastDepthViews) +
            ", " + number_text(effort.blocks_lose_db, 2) + " dB better pixel by pixel, " +
@@ -55,8 +65,8 @@ std::string text_of(const DepthEffort& effort) {
 std::string text_of(const DepthMeshEffort& effort) {
     if (effort.pictures == 0) return "";
     return "depth is followed to " + number_text(effort.noisy_error_px, 2) +
-           " px where its samples tell noise: " + std::to_string(effort.pictures) +
-           " photographs are drawn " + number_text(effort.coarsest_lose_db, 2) + " +- " +
+           " px where its samples tell noise: " + drawn_photographs(effort.pictures) +
+           number_text(effort.coarsest_lose_db, 2) + " +- " +
            number_text(effort.standard_error_db, 2) +
            " dB better with the finest meshes than with " + number_text(kNoisyDepthError_px, 1) +
            " px, and " + number_text(effort.loses_db, 2) + " dB better than so";
@@ -65,10 +75,9 @@ std::string text_of(const DepthMeshEffort& effort) {
 std::string text_of(const OcclusionEffort& effort) {
     if (effort.pictures == 0) return "";
     return "views are blended unless they see something else by " +
-           number_text(effort.tolerance_px, 1) + " px: " + std::to_string(effort.pictures) +
-           " photographs are drawn " + number_text(effort.gains_db, 2) + " +- " +
-           number_text(effort.standard_error_db, 2) + " dB better than with " +
-           number_text(effort.beside_px, 1);
+           number_text(effort.tolerance_px, 1) + " px: " + drawn_photographs(effort.pictures) +
+           number_text(effort.gains_db, 2) + " +- " + number_text(effort.standard_error_db, 2) +
+           " dB better than with " + number_text(effort.beside_px, 1);
 }
 
 std::string text_of(const TriangleEffort& effort) {
@@ -79,7 +88,7 @@ std::string text_of(const TriangleEffort& effort) {
                                            number_text(effort.loses_db, 2) + " dB better, and "
                                      : "";
     return "triangles may err by " + number_text(effort.error_px, 2) +
-           " px: " + std::to_string(effort.pictures) + " photographs are drawn " + of_error +
+           " px: " + drawn_photographs(effort.pictures) + of_error +
            number_text(effort.thin_gains_db, 2) + " +- " +
            number_text(effort.thin_standard_error_db, 2) +
            " dB better with what is thinner drawn over them, " +

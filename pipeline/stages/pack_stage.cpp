@@ -184,7 +184,7 @@ PackRecord read_pack_record(const fs::path& pack_folder) {
                 json.value("depth_sha256", ""),
                 json.value("configuration_sha256", "")};
     } catch (const Json::exception& error) {
-        refuse_json(record_path(pack_folder), error.what());
+        refuse_json(record_path(pack_folder), error);
     }
 }
 

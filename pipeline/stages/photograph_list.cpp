@@ -63,7 +63,7 @@ IngestResult read_photograph_list(const fs::path& ingest_folder) {
         result.left_out = left_out_from(json.at("left_out"));
         return result;
     } catch (const Json::exception& error) {
-        refuse_json(list_path(ingest_folder), error.what());
+        refuse_json(list_path(ingest_folder), error);
     }
 }
 

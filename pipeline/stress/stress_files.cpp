@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "calib/work/counted.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/plot.h"
 #include "pipeline/stress/perturbation.h"
@@ -83,11 +84,10 @@ std::string page_of(const StressResult& result, const std::vector<std::string>& 
             "Each curve starts at the package as it is. Dashed lines are where a "
             "mode has lost " +
             number_text(result.max_loss_db, 1) + " dB. Compared with " +
-            std::to_string(result.views.size()) +
-            (result.views_are_held_out
-                 ? " held-out photographs."
-                 : " photographs that were left out of the drawing; the depth of the "
-                   "others was found with them.")) +
+            (result.views_are_held_out ? counted(result.views.size(), "held-out photograph") + "."
+                                       : counted(result.views.size(), "photograph") +
+                                             " left out of the drawing; the depth of the "
+                                             "others was found with them.")) +
         "</p>\n";
     const std::vector<std::string> names = perturbations_of(result);
     for (std::size_t i = 0; i < drawings.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "pipeline/stress/stress_subject.h"
 
 #include "calib/pictures/image_io.h"
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/protocol/view_subset.h"
@@ -25,8 +26,8 @@ StressSubject subject_of_package(const std::filesystem::path& package) {
     Lumigraph whole = read_package(package);
     if (whole.views.size() <= kEvery) {
         throw Error(ErrorKind::kDegenerateCapture, "E-STRESS-FEW",
-                    package.string() + ": " + std::to_string(whole.views.size()) +
-                        " views, too few to leave some out",
+                    package.string() + ": " + counted(whole.views.size(), "view") +
+                        ", too few to leave some out",
                     "stress a package of at least five views, or a workspace with held-out "
                     "photographs");
     }

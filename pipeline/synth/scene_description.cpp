@@ -94,7 +94,6 @@ Scene read_scene(const ConfigSection& root, std::uint64_t seed) {
     for (const ConfigSection& section : root.sections("body")) {
         append_bodies(section, scene);
     }
-    if (scene.bodies.empty()) root.refuse("body", "at least one [[body]]");
     return scene;
 }
 
@@ -125,7 +124,8 @@ SceneDescription read_scene_description(const ConfigSection& root) {
     description.truth_points = truth.integer("points", description.truth_points);
     if (description.truth_points < 0) truth.refuse("points", "0 or more");
     description.scene = read_scene(root, description.seed);
-    root.expect_all_keys_known();
+    root.expect_all_keys_known();  // Before what is misspelt is found to be missing.
+    if (description.scene.bodies.empty()) root.refuse("body", "at least one [[body]]");
     description.resolved_toml = root.resolved();
     return description;
 }

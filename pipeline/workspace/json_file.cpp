@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/error.h"
+#include "calib/work/json_fault.h"
 #include "calib/work/whole_file.h"
 
 namespace lumi {
@@ -13,8 +14,8 @@ using Json = nlohmann::ordered_json;
 constexpr int kMaxDepth = 64;  // Far beyond what lumi writes, far below what overflows the stack.
 constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
-[[noreturn]] void refuse(const std::string& where, const std::string& reason) {
-    throw Error(ErrorKind::kBadInput, "E-JSON-READ", where + ": " + reason,
+[[noreturn]] void refuse(const std::string& what_and_where) {
+    throw Error(ErrorKind::kBadInput, "E-JSON-READ", what_and_where,
                 "the file is damaged or was edited: make it again");
 }
 
@@ -22,18 +23,22 @@ constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
 Json parse_json(const std::string& text, const std::string& where) {
     const auto limit_depth = [&](int depth, Json::parse_event_t, Json&) {
-        if (depth > kMaxDepth) refuse(where, "nested too deeply");
+        if (depth > kMaxDepth) refuse(where + ": nested too deeply");
         return true;
     };
     try {
         return Json::parse(text, limit_depth);
     } catch (const Json::exception& error) {
-        refuse(where, error.what());
+        refuse(json_fault(where, error));
     }
 }
 
 void refuse_json(const std::filesystem::path& path, const std::string& reason) {
-    refuse(path.string(), reason);
+    refuse(path.string() + ": " + reason);
+}
+
+void refuse_json(const std::filesystem::path& path, const std::exception& fault) {
+    refuse(json_fault(path.string(), fault));
 }
 
 Json read_json_file(const std::filesystem::path& path) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -12,6 +13,8 @@ namespace lumi {
 
 /// Throws Error (E-JSON-READ): the file parses, but `reason` is wrong with it.
 [[noreturn]] void refuse_json(const std::filesystem::path& path, const std::string& reason);
+/// The same of what the JSON library threw.
+[[noreturn]] void refuse_json(const std::filesystem::path& path, const std::exception& fault);
 
 /// Indented UTF-8, keys in the order they were added; whole or not at all. Throws Error
 /// (E-JSON-TEXT) when a text in it is not UTF-8, and E-FILE-WRITE.

@@ -6,6 +6,7 @@
 
 #include "calib/work/error.h"
 #include "calib/work/formatted.h"
+#include "calib/work/json_fault.h"
 #include "calib/work/printable.h"
 
 namespace lumi {
@@ -13,9 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-[[noreturn]] void refuse_manifest(const std::string& where, const std::string& what) {
-    throw Error(ErrorKind::kBadInput, "E-PACKAGE-MANIFEST", where + ": " + printable(what),
+[[noreturn]] void refuse_manifest(const std::string& where_and_what) {
+    throw Error(ErrorKind::kBadInput, "E-PACKAGE-MANIFEST", printable(where_and_what),
                 "the package is damaged: copy it again, or build it again with `lumi build`");
+}
+
+[[noreturn]] void refuse_manifest(const std::string& where, const std::string& what) {
+    refuse_manifest(where + ": " + what);
 }
 
 double finite_number(const Json& value, const StrictJsonObject& object, const std::string& key) {
@@ -46,7 +51,7 @@ Json parse_bounded(std::string_view text, int max_depth, const std::string& wher
     try {
         return Json::parse(text, check);
     } catch (const Json::exception& exception) {
-        refuse_manifest(where, exception.what());
+        refuse_manifest(json_fault(where, exception));
     }
 }
 

@@ -2,9 +2,12 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
-#include "calib/work/error.h"
+#include "calib/work/counted.h"
+#include "calib/work/error_of_exception.h"
+#include "calib/work/formatted.h"
 #include "calib/work/whole_file.h"
 #include "render/lumigraph/same_eye.h"
 #include "render/paths/photograph_eye.h"
@@ -15,9 +18,7 @@ namespace lumi {
 namespace {
 
 std::string length_of(const std::vector<TimedEye>& path) {
-    char text[64];
-    std::snprintf(text, sizeof(text), "%zu eyes, %.1f s", path.size(), path.back().time_s);
-    return text;
+    return counted(path.size(), "eye") + formatted(", %.1f s", path.back().time_s);
 }
 
 }  // namespace
@@ -68,10 +69,10 @@ std::string PathRecording::end(const std::filesystem::path& folder) {
         const std::filesystem::path path = next_path_file(folder);
         write_path_file(path, path_);
         return "wrote " + path.filename().string() + ": " + length_of(path_);
-    } catch (const Error& error) {
-        return error.what();
-    } catch (const std::filesystem::filesystem_error& error) {
-        return error.what();
+    } catch (const std::exception& exception) {
+        const std::optional<Error> error = error_of_exception(exception);
+        if (!error) throw;
+        return std::string(error->what()) + " - " + error->advice();
     }
 }
 

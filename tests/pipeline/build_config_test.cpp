@@ -29,6 +29,16 @@ Error refusal_of(const std::string& toml) {
     return {ErrorKind::kUsage, "accepted", toml, ""};
 }
 
+TEST(BuildConfig, AMisspeltSourceComesWithASuggestionBeforeItIsMissed) {
+    for (const std::string wrong : {"photoz", "fotos", "vidoe"}) {
+        const Error error = refusal_of("[capture]\n" + wrong + " = \"p\"\n");
+        EXPECT_EQ(error.code(), "E-CONFIG-KEY") << wrong;
+        EXPECT_THAT(error.what(), HasSubstr("test.toml:2: unknown key `capture." + wrong + "`"));
+        EXPECT_THAT(error.advice(), HasSubstr("did you mean `")) << wrong;
+    }
+    EXPECT_EQ(refusal_of("[capture]\n").code(), "E-CONFIG-VALUE");
+}
+
 TEST(BuildConfig, NeedsNothingButPhotographs) {
     const BuildConfig config = read("[capture]\nphotos = \"photos\"\n");
     EXPECT_EQ(config.name, "test");

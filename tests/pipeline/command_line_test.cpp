@@ -137,6 +137,10 @@ TEST(CommandLine, WhatCannotBeWrittenIsRefusedBeforeTheWork) {
     const ScratchFolder scratch;
     write_whole_text(scratch / "file", "no folder");
     const std::string out = quoted(scratch / "file/out");
+    write_whole_text(scratch / "sweep.toml",
+                     "[capture]\nphotos = \"no\"\n[sweep]\ndepth.model = [\"plane\"]\n");
+    write_whole_text(scratch / "inside.toml",
+                     "workspace = \"file/out\"\n[capture]\nphotos = \"no\"\n");
     // Nothing that they read exists: where results go is looked at first.
     for (const std::string& line :
          {"fuse no.lumi --out " + quoted(scratch / "file/out.ply"), "stress no.lumi --out " + out,
@@ -144,12 +148,62 @@ TEST(CommandLine, WhatCannotBeWrittenIsRefusedBeforeTheWork) {
           "bench-hazards --out " + out, "bench-poses no.toml --chart " + out,
           "regression no-workspace --write " + out, "select no-workspace --chart " + out,
           "gallery no-workspace --out " + out, "calibrate no-boards --out " + out,
-          "synth no.toml --out " + out}) {
+          "synth no.toml --out " + out, "chart " + quoted(scratch / "sweep.toml") + " --out " + out,
+          "evaluate --leave-one-out " + quoted(scratch / "inside.toml"),
+          "render no.lumi --view a --out " + quoted(scratch / "file/out.png"),
+          "render no.lumi --all-views --out " + out, "render no.lumi --path views --out " + out,
+          "view no.lumi --screenshot " + quoted(scratch / "file/out.png"),
+          "compare-pictures no.png no.png --flip-map " + quoted(scratch / "file/out.png")}) {
         const Outcome outcome = lumi(line);
         EXPECT_EQ(outcome.exit_code, 3) << line;
         EXPECT_THAT(outcome.talk, HasSubstr("error E-FILE-WRITE")) << line;
     }
     EXPECT_EQ(read_whole_text(scratch / "file"), "no folder");
+}
+
+TEST(CommandLine, AnEmptyTextIsUsage) {
+    for (const char* line :
+         {"build ''", "doctor ''", "evaluate ''", "render p.lumi --eye '' --out a.png",
+          "render p.lumi --path '' --out a", "render p.lumi --view a --out ''", "synth --out ''",
+          "build photos --workspace ''"}) {
+        const Outcome outcome = lumi(line);
+        EXPECT_EQ(outcome.exit_code, 2) << line;
+        EXPECT_THAT(outcome.talk, HasSubstr(": expected a value, found an empty one")) << line;
+    }
+}
+
+TEST(CommandLine, WhatContradictsItselfIsUsage) {
+    for (const char* line :
+         {"render p.lumi --view a --out a.png --fade --no-fade", "view p.lumi --no-fade --fade",
+          "bench-mesh --seed -1", "bench-hazards --out h --seed -1"}) {
+        const Outcome outcome = lumi(line);
+        EXPECT_EQ(outcome.exit_code, 2) << line;
+        EXPECT_THAT(outcome.talk, HasSubstr("error E-USAGE")) << line;
+    }
+}
+
+TEST(CommandLine, AWorkspaceIsNoFolderOfPhotographs) {
+    const ScratchFolder scratch;
+    for (const char* file : {"config.toml", "stages.json"}) write_whole_text(scratch / file, "");
+    for (const char* command : {"build ", "doctor ", "chart ", "evaluate --leave-one-out "}) {
+        const Outcome outcome = lumi(command + quoted(scratch.path()));
+        EXPECT_EQ(outcome.exit_code, 3) << command;
+        EXPECT_THAT(outcome.talk, HasSubstr("E-CONFIG-WORKSPACE")) << command;
+        EXPECT_THAT(outcome.talk, HasSubstr((scratch / "config.toml").string())) << command;
+    }
+    write_whole_text(scratch / "config.toml", "[capture]\nphotos = \".\"\n");
+    EXPECT_THAT(
+        lumi("doctor --workspace " + quoted(scratch / "w") + " " + quoted(scratch.path())).talk,
+        HasSubstr("E-INGEST"))
+        << "photographs beside what was made of them";
+}
+
+TEST(CommandLine, APathWithNothingThereIsCalledSo) {
+    for (const char* line : {"doctor nope", "build nope.toml", "poses nope", "chart nope.toml"}) {
+        const Outcome outcome = lumi(line);
+        EXPECT_EQ(outcome.exit_code, 3) << line;
+        EXPECT_THAT(outcome.talk, HasSubstr("there is nothing at this path")) << line;
+    }
 }
 
 TEST(CommandLine, APackageIsNoWorkspace) {

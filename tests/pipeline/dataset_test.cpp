@@ -8,6 +8,7 @@
 #include "pipeline/config/config_variant.h"
 #include "pipeline/dataset/dataset.h"
 #include "pipeline/dataset/dataset_files.h"
+#include "pipeline/workspace/json_file.h"
 #include "tests/calib/scratch_folder.h"
 
 namespace lumi {
@@ -56,9 +57,11 @@ TEST_F(DatasetFile, ASceneThatCannotBeReadIsThatScenesFailure) {
     const Dataset dataset = read(
         "[[scene]]\nconfig = \"bad.toml\"\n[[scene]]\nconfig = \"none.toml\"\n[[scene]]\nconfig = "
         "\"one.toml\"\n");
-    EXPECT_THAT(dataset.scenes[0].failure_code, HasSubstr("E-CONFIG"));
-    EXPECT_EQ(dataset.scenes[1].failure_code, "E-FILE-READ");
-    EXPECT_EQ(dataset.scenes[2].failure_code, "");
+    ASSERT_TRUE(dataset.scenes[0].failure && dataset.scenes[1].failure);
+    EXPECT_EQ(dataset.scenes[0].failure->code(), "E-CONFIG-KEY");
+    EXPECT_THAT(dataset.scenes[0].failure->advice(), HasSubstr("photos"));
+    EXPECT_EQ(dataset.scenes[1].failure->code(), "E-FILE-READ");
+    EXPECT_FALSE(dataset.scenes[2].failure);
 }
 
 TEST_F(DatasetFile, IsReadStrictly) {
@@ -147,14 +150,17 @@ TEST(DatasetFiles, TellFailuresBesideResultsAndEscapeThem) {
     good.mean->flip = 0.125;
     SceneOutcome bad;
     bad.name = "<b>bad";
-    bad.failure_code = "E-POSES-ROTATION";
-    bad.failure = "only turned, on the spot";
+    bad.failure = Error(ErrorKind::kDegenerateCapture, "E-POSES-ROTATION",
+                        "only turned, on the spot", "step <i>sideways</i>");
     const SilentProgress progress;
     write_dataset_files(scratch.path(), "set", {good, bad}, progress);
     const std::string page = read_whole_text(scratch / "dataset.html");
     EXPECT_THAT(page, HasSubstr("1 of 2 scenes"));
     EXPECT_THAT(page, HasSubstr("E-POSES-ROTATION"));
+    EXPECT_THAT(page, HasSubstr("step &lt;i&gt;sideways"));
     EXPECT_THAT(page, Not(HasSubstr("<b>bad")));
+    EXPECT_EQ(read_json_file(scratch / "dataset.json").at("scenes").at(1).at("failure_advice"),
+              "step <i>sideways</i>");
     EXPECT_THAT(read_whole_text(scratch / "dataset.csv"), HasSubstr("\"E-POSES-ROTATION: only"));
     EXPECT_THAT(read_whole_text(scratch / "dataset.svg"), HasSubstr("</svg>"));
 }

@@ -13,6 +13,8 @@ namespace lumi {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 const std::string kEyeAlone =
     R"("camera": {"model": "PINHOLE", "width_px": 4, "height_px": 3, "parameters": [5, 6, 2, 1]},
@@ -55,6 +57,25 @@ TEST(EyeFile, MayBeAnEyeAlone) {
     const EyeFile read = read_eye_file(scratch / "eye.json");
     EXPECT_EQ(read.eye.cam_from_world.translation, Eigen::Vector3d(1, 2, 3));
     EXPECT_FALSE(read.drawn.mode || read.drawn.debug_picture || read.drawn.as_taken);
+}
+
+TEST(EyeFile, WhatIsNoJsonIsSaidWithItsPlaceAndWithoutTheParsersNames) {
+    const ScratchFolder scratch;
+    const auto said_of = [&](const std::string& text) -> std::string {
+        write_whole_text(scratch / "eye.json", text);
+        try {
+            (void)read_eye_file(scratch / "eye.json");
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    const std::string file = (scratch / "eye.json").string();
+    EXPECT_THAT(said_of("{\n  \"camera\": 3,\n}"), StartsWith(file + ":3:1: unexpected '}'"));
+    EXPECT_THAT(said_of(""), StartsWith(file + ":1:1: unexpected end of input"));
+    EXPECT_EQ(said_of("{}"), file + ": key 'camera' not found");
+    for (const char* wrong : {"{", "nul", "{}", "[1e999]", "{\"camera\": [3]}", "[]"})
+        EXPECT_THAT(said_of(wrong), Not(HasSubstr("json.exception"))) << wrong;
 }
 
 TEST(EyeFile, AModeThatThereIsNoneOfIsRefusedByName) {

@@ -1,14 +1,18 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "calib/work/error.h"
+#include "calib/work/whole_file.h"
 #include "pipeline/evaluate/comparison_strip.h"
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/report/sections.h"
 #include "pipeline/report/spread.h"
 #include "pipeline/report/verdict.h"
+#include "pipeline/report/workspace_report.h"
 #include "pipeline/stages/color_scale.h"
+#include "pipeline/stages/drawing_effort.h"
 #include "pipeline/text/html.h"
 #include "pipeline/text/number_text.h"
 #include "tests/calib/scratch_folder.h"
@@ -42,6 +46,27 @@ TEST(Html, NoTextBecomesMarkup) {
           html_figure(ColorImage(4, 4), 4, hostile), html_page(hostile, "")}) {
         EXPECT_EQ(html.find("<script"), std::string::npos);
         EXPECT_NE(html.find("&lt;script"), std::string::npos);
+    }
+}
+
+TEST(DrawingEffort, OnePhotographIsCountedInTheSingular) {
+    OcclusionEffort effort;
+    effort.pictures = 1;
+    EXPECT_THAT(text_of(effort), testing::HasSubstr(" px: 1 photograph is drawn "));
+    effort.pictures = 2;
+    EXPECT_THAT(text_of(effort), testing::HasSubstr(" px: 2 photographs are drawn "));
+}
+
+TEST(Report, OfADamagedWorkspaceIsRefusedInWords) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "stages.json", R"({"stages": [{"name": "ingest"}]})");
+    try {
+        write_workspace_report(WorkspaceLayout(scratch.path(), "x"));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-JSON-READ");
+        EXPECT_THAT(error.what(), testing::StartsWith(scratch.path().string() + ": stages.json"));
+        EXPECT_THAT(error.what(), testing::EndsWith("key 'evidence' not found"));
     }
 }
 

@@ -1,5 +1,6 @@
 #include "pipeline/dataset/run_dataset.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -9,12 +10,17 @@
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/workspace/workspace.h"
+#include "tests/calib/noted_progress.h"
 #include "tests/calib/scratch_folder.h"
 
 namespace lumi {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::Contains;
+using testing::EndsWith;
+using testing::IsEmpty;
+using testing::Not;
 
 /// Does something when the first stage of the first scene begins.
 class TroubleAtTheStart final : public Progress {
@@ -30,6 +36,11 @@ class TroubleAtTheStart final : public Progress {
     std::function<void()> trouble_;
     bool is_first_ = true;
 };
+
+/// Empty of a scene that was built.
+std::string code_of(const SceneOutcome& outcome) {
+    return outcome.failure ? outcome.failure->code() : "";
+}
 
 /// Two scenes without a photograph: that which is begun ends with an error of its photographs.
 class DatasetRun : public testing::Test {
@@ -50,7 +61,7 @@ class DatasetRun : public testing::Test {
     [[nodiscard]] std::vector<std::string> failures_after(const Exception& exception) const {
         TroubleAtTheStart progress([&] { throw exception; });
         std::vector<std::string> codes;
-        for (const SceneOutcome& outcome : run(progress)) codes.push_back(outcome.failure_code);
+        for (const SceneOutcome& outcome : run(progress)) codes.push_back(code_of(outcome));
         return codes;
     }
 
@@ -73,8 +84,17 @@ TEST_F(DatasetRun, AWorkspaceThatAnotherRunHoldsDoesNotEndTheOthers) {
     SilentProgress progress;
     const std::vector<SceneOutcome> outcomes = run(progress);
     ASSERT_EQ(outcomes.size(), 2U);
-    EXPECT_EQ(outcomes[0].failure_code, "E-WORKSPACE-BUSY");
-    EXPECT_TRUE(outcomes[1].failure_code.starts_with("E-INGEST")) << outcomes[1].failure_code;
+    EXPECT_EQ(code_of(outcomes[0]), "E-WORKSPACE-BUSY");
+    EXPECT_TRUE(code_of(outcomes[1]).starts_with("E-INGEST")) << code_of(outcomes[1]);
+}
+
+TEST_F(DatasetRun, WhatToDoAboutAFailureIsToldWithIt) {
+    NotedProgress progress;
+    for (const SceneOutcome& outcome : run(progress)) {
+        ASSERT_TRUE(outcome.failure);
+        EXPECT_THAT(outcome.failure->advice(), Not(IsEmpty()));
+        EXPECT_THAT(progress.notes, Contains(EndsWith(" -> " + outcome.failure->advice())));
+    }
 }
 
 TEST_F(DatasetRun, AFileSystemsOrAMemorysErrorIsThatOfItsScene) {

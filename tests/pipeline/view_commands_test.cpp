@@ -46,6 +46,10 @@ TEST_F(ViewCommands, DrawsTheCurveOfViewsAgainstError) {
     const Json two = Json::parse(lumi("select --json --size 4 " + quoted(workspace())).out);
     ASSERT_EQ(two.at("curve").size(), 2U);
     EXPECT_EQ(two.at("curve").at(1).at("views"), 4);
+    const Outcome beyond = lumi("select --size 4 --size 8 " + quoted(workspace()));
+    EXPECT_EQ(beyond.exit_code, 2);
+    EXPECT_THAT(beyond.talk, HasSubstr("--size 8: the package has 7 views"));
+    EXPECT_THAT(beyond.talk, testing::Not(HasSubstr("drawing")));
 }
 
 /// Sixteen views of the box so close together that not all are needed.

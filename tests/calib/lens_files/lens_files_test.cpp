@@ -216,7 +216,7 @@ TEST(LensFiles, WhatContradictsItselfIsRefused) {
     EXPECT_EQ(code_of(folder, "cameras.txt", "# nothing\n"), "E-LENS-FILE");
     EXPECT_EQ(code_of(folder, "cameras.txt", "1 PINHOLE 6 4 5 5 3\n"), "E-CAMERA-INVALID");
     EXPECT_EQ(code_of(folder, "cameras.txt", "1 THIN_PRISM 6 4 5 5 3 2\n"), "E-LENS-FILE");
-    EXPECT_EQ(code_of(folder, "cameras.txt", "1 PINHOLE 6 4 5 nan 3 2\n"), "E-CAMERA-INVALID");
+    EXPECT_EQ(code_of(folder, "cameras.txt", "1 PINHOLE 6 4 5 nan 3 2\n"), "E-LENS-FILE");
     EXPECT_EQ(code_of(folder, "cameras.txt", "1 PINHOLE 6 4 5 5 3 2\n2 PINHOLE 6 4 5 5 3 2\n"),
               "E-LENS-FILE");
     EXPECT_EQ(code_of(folder, "lens.json", "{}"), "E-LENS-FILE");

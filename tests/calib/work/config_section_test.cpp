@@ -134,6 +134,15 @@ TEST(ConfigSection, AChangeKeepsTheLinesOfAllElse) {
     EXPECT_THAT(said("b", "absent"), StartsWith("c.toml: `b.absent`"));
 }
 
+TEST(ConfigSection, WhatIsMissingIsToBeAddedAndWhatIsThereToBeCorrected) {
+    const auto file = ConfigSection::from_text("x = 1\n", "c.toml");
+    const auto advice = [&](const std::string& key) {
+        return error_of([&] { file.refuse(key, "something else"); }).advice();
+    };
+    EXPECT_EQ(advice("absent"), "add this key");
+    EXPECT_THAT(advice("x"), StartsWith("correct this key"));
+}
+
 TEST(ConfigSection, ListsTablesOfAnArrayInOrder) {
     const auto file = ConfigSection::from_text("[[box]]\nx = 1\n[[box]]\nx = 2\ny = 3\n", "c.toml");
     const auto boxes = file.sections("box");

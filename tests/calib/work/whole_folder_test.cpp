@@ -79,6 +79,14 @@ TEST(WholeFolder, OnlyFoldersOfOurOwnFilesAreReplaced) {
     }
 }
 
+TEST(WholeFolder, WhatCannotBePutInPlaceIsRefusedBeforehand) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "file", "no folder");
+    EXPECT_NO_THROW(require_writable_whole_folder(scratch / "new/folder/"));
+    EXPECT_THROW(require_writable_whole_folder(scratch / "file/folder"), Error);
+    EXPECT_FALSE(std::filesystem::exists(scratch / "new"));
+}
+
 TEST(WholeFolder, ReplacesInTwoStepsWhereThereIsNoExchange) {
     const ScratchFolder scratch;
     write_whole_text(scratch / "result/a.txt", "old");

@@ -48,7 +48,7 @@ TEST(PathRecording, DoesNotLetTheEyeCreepWhereItRested) {
 
 TEST(PathRecording, GoesOnInTheSizeOfItsBeginningWhenTheWindowIsResized) {
     PathRecording recording;
-    EXPECT_EQ(append_to(recording, 0.0, 0.0), "recording: 1 eyes, 0.0 s");
+    EXPECT_EQ(append_to(recording, 0.0, 0.0), "recording: 1 eye, 0.0 s");
     EXPECT_EQ(recording.append(eye_from(0.1), 80, 90, 0.5),
               "recording: 2 eyes, 0.5 s, in the size of its beginning: 64 x 48");
     append_to(recording, 0.2, 1.0);
@@ -65,7 +65,7 @@ TEST(PathRecording, BeginsAnewOnceItHasEnded) {
     EXPECT_EQ(recording.end(scratch.path()), "");
     EXPECT_EQ(recording.path().size(), 1U) << "to be replayed";
     recording.append(eye_from(0.1), 80, 48, 9.0);
-    EXPECT_EQ(recording.end(scratch.path()), "wrote lumi-path-0002.json: 1 eyes, 0.0 s");
+    EXPECT_EQ(recording.end(scratch.path()), "wrote lumi-path-0002.json: 1 eye, 0.0 s");
     EXPECT_EQ(recording.path().front().eye.camera.width_px, 80);
 }
 
@@ -74,7 +74,9 @@ TEST(PathRecording, SaysWhatCannotBeWritten) {
     PathRecording recording;
     append_to(recording, 0.0, 0.0);
     write_whole_text(scratch / "a file", "");
-    EXPECT_NE(recording.end(scratch / "a file").find("a file"), std::string::npos);
+    const std::string words = recording.end(scratch / "a file");
+    EXPECT_NE(words.find("a file"), std::string::npos) << words;
+    EXPECT_NE(words.find(" - check that"), std::string::npos) << words << ": what to do about it";
 }
 
 }  // namespace
