@@ -7,17 +7,20 @@
 #include <limits>
 #include <optional>
 
+#include "calib/boards/board_copies.h"
+#include "calib/boards/board_lens_choice.h"
 #include "calib/boards/board_outliers.h"
 #include "calib/boards/board_pose.h"
 #include "calib/boards/board_start.h"
 #include "calib/boards/calibration_evidence.h"
 #include "calib/boards/disc_bias.h"
-#include "calib/lens/lens_support.h"
+#include "calib/work/formatted.h"
+#include "calib/work/median.h"
 
 namespace lumi {
 namespace {
 
-void expect_enough(const BoardViews& board) {
+void expect_enough(const BoardViews& board, std::size_t copies) {
     constexpr std::size_t kLeastViews = 3;
     std::size_t points = 0;
     for (const BoardView& view : board.views) points += view.points.size();
@@ -25,8 +28,9 @@ void expect_enough(const BoardViews& board) {
     if (board.views.size() >= kLeastViews && 2 * points > unknowns) return;
     throw Error(ErrorKind::kDegenerateCapture, "E-BOARDS-TOOFEW",
                 "a board is seen in " + std::to_string(board.views.size()) + " photographs (" +
-                    std::to_string(points) + " points): too few for a lens, " +
-                    std::to_string(kLeastViews) + " are the least",
+                    std::to_string(points) + " points" +
+                    (copies > 0 ? "; " + std::to_string(copies) + " more are copies" : "") +
+                    "): too few for a lens, " + std::to_string(kLeastViews) + " are the least",
                 "photograph the board ten to twenty times, tilted by 20 to 50 degrees in different "
                 "directions, also in the corners of the picture");
 }
@@ -89,136 +93,6 @@ CleanedBoard best_cleaned(const BoardViews& board, const BoardCalibrationOptions
     return std::move(*best);
 }
 
-LensTrial trial_of(const BoardViews& board, const LensFit& fit) {
-    LensTrial trial;
-    trial.form = fit.solution.form;
-    trial.lens = fit.solution.lens;
-    trial.sigma.assign(trial.lens.parameters.size(), 0.0);
-    trial.residual_sum_px2 = fit.residual_sum_px2;
-    trial.residuals = fit.residuals;
-    if (!fit.is_usable) {
-        trial.residual_sum_px2 = std::numeric_limits<double>::infinity();
-        trial.not_predicted = "the fit failed";
-        return trial;
-    }
-    trial.not_predicted = fault_within(board, fit.solution.lens);
-    if (!trial.not_predicted.empty()) return trial;
-    const std::vector<ReducedView> views = reduced_views(board, fit.solution);
-    const LensCertainty certainty = lens_certainty(views, fit.solution.form);
-    if (certainty.covariance.size() == 0) {
-        trial.not_predicted = "not determined";
-        return trial;
-    }
-    for (std::size_t index = 0; index < trial.sigma.size(); ++index) {
-        const auto diagonal = static_cast<Eigen::Index>(index);
-        trial.sigma[index] = std::sqrt(certainty.covariance(diagonal, diagonal));
-    }
-    trial.folds = held_out_photographs(views);
-    if (trial.folds.empty()) trial.not_predicted = "not determined without every photograph";
-    return trial;
-}
-
-BoardSolution in_form(const BoardSolution& solution, const LensForm& form, const Camera& start) {
-    BoardSolution result = solution;
-    result.form = form;
-    result.lens = start;
-    return result;
-}
-
-struct FittedModels {
-    LensChoice choice;
-    std::vector<BoardSolution> solutions;  ///< In the order of the models that were asked for.
-};
-
-/// Every model, each from the simpler one before it.
-FittedModels fit_models(const CleanedBoard& cleaned, const BoardCalibrationOptions& options,
-                        Progress& progress) {
-    std::vector<LensTrial> trials;
-    FittedModels fitted;
-    BoardSolution nearest = cleaned.solution;
-    for (const LensModel model : options.models) {
-        progress.throw_if_interrupted();
-        const bool same_family = (model == LensModel::kOpenCvFisheye) ==
-                                 (nearest.lens.model == LensModel::kOpenCvFisheye);
-        const BoardSolution& from = same_family ? nearest : cleaned.solution;
-        const LensFit fit =
-            fit_lens(cleaned.board, in_form(from, all_free(model), in_model(from.lens, model)));
-        trials.push_back(trial_of(cleaned.board, fit));
-        fitted.solutions.push_back(fit.solution);
-        if (fit.is_usable && model != LensModel::kOpenCvFisheye) nearest = fit.solution;
-        progress.advance();
-    }
-    fitted.choice = choose_lens(std::move(trials));
-    return fitted;
-}
-
-const BoardSolution& chosen_solution(const FittedModels& fitted) {
-    return *std::find_if(fitted.solutions.begin(), fitted.solutions.end(),
-                         [&](const BoardSolution& solution) {
-                             return solution.form == fitted.choice.choice().form;
-                         });
-}
-
-/// A form with fewer parameters, fitted from `start`; none when that fails.
-std::optional<BoardSolution> refitted(const BoardViews& board, const BoardSolution& solution,
-                                      const LensForm& form, const Camera& start) {
-    const LensFit fit = fit_lens(board, in_form(solution, form, start));
-    if (!fit.is_usable || !fault_within(board, fit.solution.lens).empty()) return std::nullopt;
-    return fit.solution;
-}
-
-/// The form without its hold on the principal point.
-LensForm with_principal_point_free(LensForm form) {
-    const int cx = *parameter_named(form.model, "cx");
-    std::erase_if(form.held, [&](int index) { return index == cx || index == cx + 1; });
-    return form;
-}
-
-/// Without the parameters that measurement cannot tell from nothing, as far as photographs that
-/// took no part are predicted as well without them. Nothing puts a principal point in the middle
-/// of the picture by right: holding it there is a step of its own.
-BoardSolution supported(const BoardViews& board, const BoardSolution& solution,
-                        std::vector<std::string>& dropped) {
-    const LensCertainty certainty = lens_certainty(reduced_views(board, solution), solution.form);
-    if (certainty.covariance.size() == 0) return solution;
-    const SupportedLens left = supported_lens(solution.lens, solution.form, certainty.covariance);
-    if (left.form == solution.form) return solution;
-    std::vector<BoardSolution> candidates{solution};
-    const LensForm with_centre = with_principal_point_free(left.form);
-    if (with_centre != left.form && with_centre != solution.form) {
-        const auto fitted = refitted(board, solution, with_centre, left.start);
-        if (fitted) candidates.push_back(*fitted);
-    }
-    if (const auto fitted = refitted(board, solution, left.form, left.start)) {
-        candidates.push_back(*fitted);
-    }
-    std::vector<LensTrial> trials;
-    for (const BoardSolution& candidate : candidates) {
-        LensFit fit;
-        fit.solution = candidate;
-        fit.is_usable = true;
-        for (const ReducedView& view : reduced_views(board, candidate)) {
-            fit.residual_sum_px2 += view.residual_sum_px2;
-            fit.residuals += view.residuals;
-        }
-        trials.push_back(trial_of(board, fit));
-    }
-    const LensForm chosen = choose_lens(std::move(trials)).choice().form;
-    for (const BoardSolution& candidate : candidates) {
-        if (candidate.form != chosen) continue;
-        const bool keeps_centre = !is_held(chosen, *parameter_named(chosen.model, "cx"));
-        const bool is_changed = chosen != solution.form;
-        for (const std::string& drop : left.dropped) {
-            // What is left may need a model with two focal lengths all the same.
-            const bool stays = (keeps_centre && drop.starts_with("cx cy")) ||
-                               (!has_one_focal_length(chosen.model) && drop.starts_with("fy - fx"));
-            if (is_changed && !stays) dropped.push_back(drop);
-        }
-        return candidate;
-    }
-    return solution;
-}
-
 std::vector<LensParameter> parameters_of(const BoardSolution& solution,
                                          const LensCertainty& certainty, std::size_t views) {
     std::vector<LensParameter> parameters;
@@ -251,6 +125,10 @@ void expect_known_focal_length(const CleanedBoard& cleaned, const BoardSolution&
     }
     constexpr double kLeastTilt_deg = 5.0;
     if (is_determined && uncertainty <= max_uncertainty && steepest_deg >= kLeastTilt_deg) return;
+    // Tilted boards that disagree have another fault than boards that face the camera.
+    constexpr double kStrongDisagreement = 4;
+    const bool disagree = is_determined && steepest_deg >= 2 * kLeastTilt_deg &&
+                          certainty.disagreement > kStrongDisagreement;
     throw Error(
         ErrorKind::kDegenerateCapture, "E-BOARDS-FOCAL",
         "these photographs do not tell the focal length: the board is turned by at most " +
@@ -258,18 +136,78 @@ void expect_known_focal_length(const CleanedBoard& cleaned, const BoardSolution&
             std::to_string(cleaned.board.views.size()) + " photographs, and " +
             (is_determined ? "the focal length is uncertain by " +
                                  std::to_string(std::lround(100 * uncertainty)) + " %"
-                           : "the equations have no single solution"),
-        "add photographs with the board tilted by 20 to 50 degrees, left, right, up and down");
+                           : "the equations have no single solution") +
+            (disagree ? "; photographs disagree about it more than their points' errors explain"
+                      : ""),
+        disagree ? "check that all show one flat board, taken with one lens at one zoom and focus; "
+                   "add photographs with the board tilted by 20 to 50 degrees"
+                 : "add photographs with the board tilted by 20 to 50 degrees, left, right, up and "
+                   "down");
+}
+
+/// Median distance between neighbours of the board, as seen.
+double median_pitch_px(const BoardSolution& solution) {
+    std::vector<double> pitches_px;
+    for (const BoardPose& pose : solution.cam_from_board) {
+        const double depth = Eigen::Map<const Eigen::Vector3d>(pose.data() + 3).norm();
+        pitches_px.push_back(focal_length_px(solution.lens).mean() / depth);
+    }
+    return median_of(std::move(pitches_px));
+}
+
+/// What is left unexplained, to the distance between neighbours: doubtful beyond what finding
+/// points in sharp photographs leaves, as of a print that is bent by a hundredth of its width, and
+/// a refusal where what was seen cannot be the board that it was taken for. Returns the doubt, or
+/// nothing.
+std::string doubt_of_fit(const BoardViews& board, const BoardSolution& solution) {
+    const double pitch_px = median_pitch_px(solution);
+    const double sigma_px = robust_sigma_px(board, solution);
+    constexpr double kDoubtful_px = 0.5;
+    constexpr double kDoubtfulShare = 0.005;
+    constexpr double kRefused_px = 1.0;
+    constexpr double kRefusedShare = 0.015;
+    if (sigma_px <= std::max(kDoubtful_px, kDoubtfulShare * pitch_px)) return "";
+    const std::string off = "points lie " + formatted("%.1f", sigma_px) +
+                            " px (one standard deviation) from where a board with neighbours " +
+                            formatted("%.0f", pitch_px) + " px apart would have them";
+    if (sigma_px <= std::max(kRefused_px, kRefusedShare * pitch_px)) {
+        return off +
+               ": if it is bent or was printed stretched, the lens may be farther off than "
+               "its intervals say; fix it to a flat plate";
+    }
+    throw Error(
+        ErrorKind::kDegenerateCapture, "E-BOARDS-NOFIT",
+        off + ", in " + std::to_string(board.views.size()) + " photographs: too far for a lens",
+        "say what the board is with --board, and check that it is flat, printed without "
+        "stretching, and that all photographs were taken with one lens at one zoom");
+}
+
+/// Which half of the photographs belongs to the lens that is wanted, nobody can tell.
+void expect_most_explained(const CleanedBoard& cleaned, std::size_t views) {
+    const std::size_t kept = cleaned.board.views.size();
+    if (2 * kept > views) return;
+    const std::string example =
+        cleaned.left_out.empty()
+            ? ""
+            : " (" + cleaned.left_out.front().name + ": " + cleaned.left_out.front().reason + ")";
+    throw Error(ErrorKind::kDegenerateCapture, "E-BOARDS-SEVERAL",
+                "no lens explains more than " + std::to_string(kept) + " of " +
+                    std::to_string(views) + " photographs" + example,
+                "check that all show one flat board, sharp, taken with one lens at one zoom; "
+                "calibrate each zoom from a folder of its own");
 }
 
 }  // namespace
 
-BoardCalibration calibrate_boards(const BoardViews& board, const BoardCalibrationOptions& options,
-                                  Progress& progress) {
-    expect_enough(board);
+BoardCalibration calibrate_boards(const BoardViews& seen_board,
+                                  const BoardCalibrationOptions& options, Progress& progress) {
+    BoardViews board = seen_board;
+    const std::vector<LeftOut> copies = remove_copies(board);
+    expect_enough(board, copies.size());
     progress.begin("calibrating", options.models.size() + 2);
     CleanedBoard cleaned = best_cleaned(board, options);
-    expect_enough(cleaned.board);
+    expect_most_explained(cleaned, board.views.size());
+    expect_enough(cleaned.board, copies.size());
     progress.advance();
     if (board.are_discs) {
         const BoardViews seen = cleaned.board;
@@ -279,10 +217,12 @@ BoardCalibration calibrate_boards(const BoardViews& board, const BoardCalibratio
             cleaned.solution = fit_lens(cleaned.board, cleaned.solution).solution;
         }
     }
-    FittedModels fitted = fit_models(cleaned, options, progress);
+    FittedModels fitted = fit_models(cleaned, options.models, progress);
     BoardCalibration result;
     const BoardSolution solution =
         supported(cleaned.board, chosen_solution(fitted), result.dropped);
+    const std::string doubt = doubt_of_fit(cleaned.board, solution);
+    if (!doubt.empty()) result.warnings.push_back(doubt);
     const std::vector<ReducedView> reduced = reduced_views(cleaned.board, solution);
     result.certainty = lens_certainty(reduced, solution.form);
     expect_known_focal_length(cleaned, solution, result.certainty, options.max_focal_uncertainty);
@@ -292,7 +232,8 @@ BoardCalibration calibrate_boards(const BoardViews& board, const BoardCalibratio
     result.choice = std::move(fitted.choice);
     result.size_per_pitch = solution.size_per_pitch;
     result.parameters = parameters_of(solution, result.certainty, cleaned.board.views.size());
-    result.left_out = cleaned.left_out;
+    result.left_out = copies;
+    result.left_out.insert(result.left_out.end(), cleaned.left_out.begin(), cleaned.left_out.end());
     result.removed_points = cleaned.removed_points;
     add_evidence(cleaned.board, solution, held_out_photographs(reduced), result);
     progress.advance();

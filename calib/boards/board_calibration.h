@@ -61,7 +61,7 @@ struct BoardCalibration {
     LensCertainty certainty;
     std::vector<CalibratedView> views;
     std::vector<BoardResidual> residuals;
-    std::vector<LeftOut> left_out;  ///< Photographs whose points agree with no pose.
+    std::vector<LeftOut> left_out;  ///< Copies, and photographs whose points agree with no pose.
     std::size_t removed_points = 0;
     double covered_radius = 0.0;  ///< Of the farthest point, as a share of the half diagonal.
     double covered_area = 0.0;    ///< Share of the picture's tenths by tenths with a point.
@@ -72,8 +72,9 @@ struct BoardCalibration {
 /// removed, every model fitted, and the one kept that predicts photographs it has not seen as well
 /// as the best and with the fewest parameters (see choose_lens); parameters within two standard
 /// deviations of nothing go (see supported_lens). Throws Error: E-BOARDS-TOOFEW (photographs or
-/// points), E-BOARDS-NOSTART, E-BOARDS-FOCAL (they cannot tell the focal length, such as when
-/// every board faces the camera), E-INTERRUPTED.
+/// points), E-BOARDS-NOSTART, E-BOARDS-NOFIT (points lie too far from where the board would have
+/// them), E-BOARDS-SEVERAL (no lens explains more than half of them), E-BOARDS-FOCAL (they cannot
+/// tell the focal length, such as when every board faces the camera), E-INTERRUPTED.
 [[nodiscard]] BoardCalibration calibrate_boards(const BoardViews& board,
                                                 const BoardCalibrationOptions& options,
                                                 Progress& progress);

@@ -62,7 +62,7 @@ struct BoardPhotographs {
 /// from a sample of them. Photographs are taken as stored, whatever their EXIF orientation says.
 /// Throws Error: E-INGEST-NOFOLDER, E-BOARDS-NOPHOTOS, E-BOARDS-SIZES (photographs of several
 /// sizes), E-BOARDS-NOTFOUND (no board in any photograph; the reasons are in the message),
-/// E-INTERRUPTED.
+/// E-BOARDS-LARGER (only boards that are larger than what was said), E-INTERRUPTED.
 [[nodiscard]] BoardPhotographs find_boards(const std::filesystem::path& folder,
                                            const BoardRequest& request, int threads,
                                            Progress& progress);

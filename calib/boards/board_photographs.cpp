@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <map>
 #include <opencv2/core.hpp>
 
@@ -73,12 +74,28 @@ std::vector<BoardAnswer> answers_for(const std::vector<PhotographFile>& files, B
     return answers;
 }
 
-std::size_t points_in(const std::vector<BoardAnswer>& answers) {
+/// What speaks for a way of looking, the weightiest first.
+struct WayScore {
+    /// Photographs in which markers agree with their places, if most do: chance does not do that,
+    /// while the dark cells of a chessboard and the markers between them pass for a grid of
+    /// squares.
+    std::size_t with_markers = 0;
+    std::size_t found = 0;
     std::size_t points = 0;
+
+    auto operator<=>(const WayScore&) const = default;
+};
+
+WayScore score_of(const std::vector<BoardAnswer>& answers) {
+    WayScore score;
     for (const BoardAnswer& answer : answers) {
-        if (answer.board) points += answer.board->view.points.size();
+        if (!answer.board) continue;
+        ++score.found;
+        if (!answer.board->markers.empty()) ++score.with_markers;
+        score.points += answer.board->view.points.size();
     }
-    return points;
+    if (2 * score.with_markers <= score.found) score.with_markers = 0;
+    return score;
 }
 
 /// The way of looking that finds a board in most of a sample of the photographs; of those that
@@ -91,14 +108,11 @@ BoardKind kind_in_sample(const std::vector<PhotographFile>& files, const BoardRe
     for (std::size_t index = 0; index < files.size(); index += step) sample.push_back(files[index]);
     progress.begin("which board", sample.size() * kWaysOfLooking.size());
     BoardKind best = kWaysOfLooking.front();
-    std::pair<std::size_t, std::size_t> best_score{0, 0};
+    WayScore best_score;
     for (const BoardKind kind : kWaysOfLooking) {
         const std::vector<BoardAnswer> answers =
             answers_for(sample, kind, request, threads, progress);
-        const auto found = static_cast<std::size_t>(
-            std::count_if(answers.begin(), answers.end(),
-                          [](const BoardAnswer& answer) { return answer.board.has_value(); }));
-        const std::pair<std::size_t, std::size_t> score{found, points_in(answers)};
+        const WayScore score = score_of(answers);
         if (score > best_score) {
             best_score = score;
             best = kind;
@@ -142,16 +156,28 @@ std::vector<std::string> doubts_of_size(const BoardPhotographs& found,
             " of it: parts are used as well, but check that it is this board"};
 }
 
-[[noreturn]] void refuse_without_board(const BoardPhotographs& found) {
+[[noreturn]] void refuse_without_board(const BoardPhotographs& found, const BoardRequest& request) {
     std::string examples;
     constexpr std::size_t kExamples = 3;
     for (std::size_t index = 0; index < std::min(kExamples, found.left_out.size()); ++index) {
         examples += "; " + found.left_out[index].name + ": " + found.left_out[index].reason;
     }
+    const std::string photographs = std::to_string(found.photographs) + " photographs";
+    const auto larger =
+        std::find_if(found.left_out.begin(), found.left_out.end(),
+                     [](const LeftOut& left_out) { return left_out.code == "E-BOARD-LARGER"; });
+    if (larger != found.left_out.end()) {
+        throw Error(ErrorKind::kBadInput, "E-BOARDS-LARGER",
+                    "none of " + photographs + " shows a board as small as the one described; " +
+                        larger->name + ": " + larger->reason,
+                    "leave out --size, or give the columns and rows of inner corners (not of "
+                    "cells), discs, squares or markers");
+    }
     throw Error(ErrorKind::kDegenerateCapture, "E-BOARDS-NOTFOUND",
-                "no board was found in any of " + std::to_string(found.photographs) +
-                    " photographs" + examples,
-                "say what the board is with --board (" + board_kind_names() +
+                "no board was found in any of " + photographs + examples,
+                std::string(request.kind ? "leave out --board or name another kind"
+                                         : "say what the board is with --board") +
+                    " (" + board_kind_names() +
                     "), and photograph it sharp, evenly lit and large in the picture");
 }
 
@@ -180,7 +206,7 @@ BoardPhotographs find_boards(const std::filesystem::path& folder, const BoardReq
             found.left_out.push_back(std::move(answer.left_out));
         }
     }
-    if (found.detections.empty()) refuse_without_board(found);
+    if (found.detections.empty()) refuse_without_board(found, request);
     found.kind = most_frequent_kind(found.detections);
     // A square lattice read as a hexagonal one, or the other way round, has another geometry.
     std::erase_if(found.detections, [&](const BoardDetection& detection) {

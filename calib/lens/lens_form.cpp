@@ -55,6 +55,12 @@ LensForm with_principal_point_held(LensModel model) {
     return {model, {first, first + 1}};
 }
 
+LensForm focal_length_alone(LensModel model) {
+    LensForm form = all_held(model);
+    form.held.erase(form.held.begin(), form.held.begin() + (has_one_focal_length(model) ? 1 : 2));
+    return form;
+}
+
 LensForm all_held(LensModel model) {
     LensForm form{model, std::vector<int>(parameter_count(model))};
     std::iota(form.held.begin(), form.held.end(), 0);

@@ -20,6 +20,8 @@ struct LensForm {
 [[nodiscard]] LensForm all_free(LensModel model);
 /// Every parameter but the principal point.
 [[nodiscard]] LensForm with_principal_point_held(LensModel model);
+/// The focal length (both of them, where the model has two).
+[[nodiscard]] LensForm focal_length_alone(LensModel model);
 /// None: the lens is taken as it is.
 [[nodiscard]] LensForm all_held(LensModel model);
 

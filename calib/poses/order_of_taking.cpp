@@ -14,6 +14,7 @@
 #include "calib/matching/photograph_matching.h"
 #include "calib/poses/firm_joints.h"
 #include "calib/poses/pair_agreement.h"
+#include "calib/poses/stated_uncertainty.h"
 #include "calib/work/error.h"
 #include "calib/work/formatted.h"
 

@@ -11,10 +11,12 @@
 #include "calib/poses/model_check.h"
 #include "calib/poses/model_doubts.h"
 #include "calib/poses/order_of_taking.h"
+#include "calib/poses/own_focal_lengths.h"
 #include "calib/poses/own_lenses.h"
 #include "calib/poses/point_colors.h"
 #include "calib/poses/refinement.h"
 #include "calib/poses/registration.h"
+#include "calib/poses/stated_uncertainty.h"
 #include "calib/work/error.h"
 
 namespace lumi {
@@ -166,6 +168,13 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
     if (auto in_order = find_model_in_order(job, matched, policy, result.capture))
         take(std::move(*in_order));
     if (auto own = find_own_lenses(job, matched, policy, result.capture)) take(std::move(*own));
+    if (auto own = find_own_focal_lengths(job, policy, *mapped, result.capture)) {
+        own->joint_trouble = joint_trouble;
+        take(std::move(*own));
+    }
+    for (std::string& warning : warnings_of_uncertainty(result.capture, result.evidence.views)) {
+        result.evidence.warnings.push_back(std::move(warning));
+    }
     std::move(told.begin(), told.end(), std::back_inserter(result.evidence.warnings));
     settle_doubts(job, matched, *mapped, result.capture);
     if (!joint_trouble.empty()) {

@@ -2,25 +2,18 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "calib/adjust/adjustment_covariance.h"
 #include "calib/adjust/bundle_adjustment.h"
-#include "calib/doctor/capture_reason.h"
 #include "calib/lens/lens_support.h"
-#include "calib/poses/pose_shift.h"
 #include "calib/poses/registration.h"
 #include "calib/poses/residual_pattern.h"
 #include "calib/work/formatted.h"
 
 namespace lumi {
 namespace {
-
-/// Ghosts begin to show where surfaces of two photographs are blended that far apart.
-constexpr double kMaxJitter_px = 0.3;
 
 std::vector<int> views_of_cameras(const Capture& capture) {
     std::vector<int> count(capture.cameras.size(), 0);
@@ -35,6 +28,8 @@ LensForm first_form(LensPolicy policy, LensModel model) {
             return with_principal_point_held(LensModel::kRadial);
         case LensPolicy::kNamed:
             return with_principal_point_held(model);
+        case LensPolicy::kFocalLength:
+            return focal_length_alone(model);
         case LensPolicy::kGiven:
         case LensPolicy::kHeld:
             return all_held(model);
@@ -176,12 +171,7 @@ class Refinement {
         for (std::size_t camera = 0; camera < capture_.cameras.size(); ++camera) {
             evidence_.lenses[camera].views = views[camera];
         }
-        if (!covariance) {
-            evidence_.warnings.emplace_back(
-                "how certain poses and lenses are is not known: there are too many photographs, or "
-                "too little speaks for them");
-            return;
-        }
+        if (!covariance) return;
         evidence_.noise_px = covariance->noise_px;
         for (std::size_t camera = 0; camera < capture_.cameras.size(); ++camera) {
             const Eigen::VectorXd variance = covariance->lenses[camera].diagonal();
@@ -193,8 +183,6 @@ class Refinement {
             evidence_.views.push_back(uncertainty_of(capture_.views[view], covariance->poses[view],
                                                      covariance->jitter_px[view]));
         }
-        warn_of_jitter();
-        warn_of_uncertain_places();
     }
 
     static ViewUncertainty uncertainty_of(const View& view, const Matrix6& covariance,
@@ -209,37 +197,6 @@ class Refinement {
                 std::sqrt(std::max(0.0, turn_variance)) * 180.0 / std::numbers::pi};
     }
 
-    void warn_of_jitter() {
-        const auto uncertain =
-            std::count_if(evidence_.views.begin(), evidence_.views.end(),
-                          [](const auto& view) { return view.jitter_px > kMaxJitter_px; });
-        if (uncertain == 0) return;
-        const auto worst = std::max_element(
-            evidence_.views.begin(), evidence_.views.end(),
-            [](const auto& a, const auto& b) { return a.jitter_px < b.jitter_px; });
-        std::array<char, 32> jitter{};
-        std::snprintf(jitter.data(), jitter.size(), "%.2g", worst->jitter_px);
-        evidence_.warnings.push_back(
-            std::to_string(uncertain) + " of " + std::to_string(evidence_.views.size()) +
-            " photographs are placed to no better than 0.3 px (" + worst->name + ": " +
-            jitter.data() +
-            " px): blended pictures may show ghosts. Add photographs that overlap "
-            "more, or calibrate the lens with a board");
-    }
-
-    void warn_of_uncertain_places() {
-        const auto [uncertain, worst] = place_uncertainty(capture_, evidence_.views);
-        if (uncertain == 0) return;
-        evidence_.warnings.push_back(
-            std::string(code_of(CaptureReason::kUncertain)) +
-            formatted(": %d of %zu photographs may have been taken elsewhere by as much as %.0f %% "
-                      "of the cameras' spread, or turned by %.1f degrees; ",
-                      uncertain, evidence_.views.size(), 100 * worst.position_share,
-                      worst.rotation_deg) +
-            std::string(advice_for(CaptureReason::kUncertain)) +
-            ", or calibrate the lens with a board and give it ([calibration])");
-    }
-
     Capture& capture_;
     LensPolicy policy_;
     int threads_;
@@ -249,22 +206,6 @@ class Refinement {
 };
 
 }  // namespace
-
-PlaceUncertainty place_uncertainty(const Capture& capture,
-                                   const std::vector<ViewUncertainty>& views) {
-    constexpr double kDeviations = 2.0;  // 95 of 100 errors are smaller.
-    const double spread = spread_of_centres(named_poses(capture));
-    PlaceUncertainty uncertainty;
-    for (const ViewUncertainty& view : views) {
-        const PoseShift shift{1, kDeviations * view.position_sigma / spread,
-                              kDeviations * view.rotation_sigma_deg};
-        uncertainty.views += shift.matters() ? 1 : 0;
-        PoseShift& worst = uncertainty.worst;
-        worst.position_share = std::max(worst.position_share, shift.position_share);
-        worst.rotation_deg = std::max(worst.rotation_deg, shift.rotation_deg);
-    }
-    return uncertainty;
-}
 
 LensPolicy lens_policy(bool is_given, const PoseOptions& options) {
     if (is_given) return options.refine_lens ? LensPolicy::kGiven : LensPolicy::kHeld;

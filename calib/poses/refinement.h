@@ -5,7 +5,6 @@
 
 #include "calib/adjust/lens_selection.h"
 #include "calib/capture/capture.h"
-#include "calib/poses/pose_shift.h"
 #include "calib/poses/pose_stage.h"
 
 namespace lumi {
@@ -15,19 +14,11 @@ enum class LensPolicy {
     kAuto,   ///< Unknown: the simplest form that the photographs cannot tell from a richer one.
     kNamed,  ///< Unknown: the model of the mapping, its principal point in the middle.
     kGiven,  ///< Calibrated: refined only as far as the photographs predict better by it.
-    kHeld,   ///< Calibrated: as it is.
+    kFocalLength,  ///< Known but for the focal length: nothing else is adjusted.
+    kHeld,         ///< Calibrated: as it is.
 };
 
 [[nodiscard]] LensPolicy lens_policy(bool is_given, const PoseOptions& options);
-
-/// How far two standard deviations move cameras.
-struct PlaceUncertainty {
-    int views = 0;    ///< Such that are moved by more than poses may be off (PoseShift::matters).
-    PoseShift worst;  ///< Of all.
-};
-
-[[nodiscard]] PlaceUncertainty place_uncertainty(const Capture& capture,
-                                                 const std::vector<ViewUncertainty>& views);
 
 /// Poses, points and lenses as the photographs support them.
 ///
@@ -35,12 +26,11 @@ struct PlaceUncertainty {
 /// off as outliers; drops views that see too little; chooses the form of each lens by prediction of
 /// held-out views (select_lens); adjusts again; drops parameters within two standard deviations of
 /// nothing (supported_lens), and then adjusts for the last time. Writes what speaks for the result
-/// into `evidence` (lenses, noise, uncertainty of views, warnings). Throws Error as adjust_bundle.
+/// into `evidence` (lenses, noise, uncertainty of views). Throws Error as adjust_bundle.
 ///
 /// Errors that go through whole pictures, as residual_pattern shows them, count twice: a principal
 /// point is then kept in the middle unless held-out views surely ask for it, and uncertainties are
-/// those of noise with a variance so much larger. Warns (E-POSES-UNCERTAIN) where two standard
-/// deviations of a camera's place or attitude are more than poses may be off (PoseShift::matters).
+/// those of noise with a variance so much larger.
 void refine(Capture& capture, LensPolicy policy, const PoseOptions& options, int threads,
             PoseEvidence& evidence, Progress& progress);
 

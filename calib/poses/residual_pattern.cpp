@@ -22,35 +22,53 @@ struct Regression {
         square += residual.squaredNorm();
         rows += 2;
     }
-    [[nodiscard]] double explained() const {
-        const Eigen::LDLT<Eigen::Matrix<double, kParameters, kParameters>> solver(normal);
-        if (rows < 4 * kParameters || solver.info() != Eigen::Success) return 0.0;
-        return moment.dot(solver.solve(moment));
+    [[nodiscard]] bool is_usable() const { return rows >= 4 * kParameters; }
+    /// The squares that the first parameters take away.
+    [[nodiscard]] double explained_by_first(int count) const {
+        if (count == 0) return 0.0;
+        const Eigen::LDLT<Eigen::MatrixXd> solver(normal.topLeftCorner(count, count));
+        if (solver.info() != Eigen::Success) return 0.0;
+        return moment.head(count).dot(solver.solve(moment.head(count)));
     }
 };
 
+/// Of the parameters after the first `given`, which are free in any case.
 template <int kParameters>
-double variance_ratio(const std::vector<Regression<kParameters>>& views) {
+double variance_ratio(const std::vector<Regression<kParameters>>& views, int given) {
     double explained = 0;
     double left = 0;
     int rows = 0;
     int parameters = 0;
     for (const Regression<kParameters>& view : views) {
-        if (view.rows < 4 * kParameters) continue;
-        explained += view.explained();
-        left += view.square - view.explained();
-        rows += view.rows;
-        parameters += kParameters;
+        if (!view.is_usable()) continue;
+        const double by_all = view.explained_by_first(kParameters);
+        explained += by_all - view.explained_by_first(given);
+        left += view.square - by_all;
+        rows += view.rows - given;
+        parameters += kParameters - given;
     }
     if (parameters == 0 || rows <= parameters || !(left > 0)) return 1.0;
     return (explained / parameters) / (left / (rows - parameters));
+}
+
+/// How the picture of a point, in focal lengths, moves with the camera: the first three columns by
+/// a turn about its axes (a small one moves the point by turn x point), the others by a step along
+/// them. Distortion matters little to the slope.
+Eigen::Matrix<double, 2, 6> slope_by_pose(const Eigen::Vector3d& in_cam) {
+    const double x = in_cam.x() / in_cam.z();
+    const double y = in_cam.y() / in_cam.z();
+    const double nearness = 1 / in_cam.z();
+    Eigen::Matrix<double, 2, 6> slope;
+    slope << -x * y, 1 + x * x, -y, nearness, 0, -x * nearness,  //
+        -(1 + y * y), x * y, x, 0, nearness, -y * nearness;
+    return slope;
 }
 
 }  // namespace
 
 ResidualPattern residual_pattern(const Capture& capture) {
     std::vector<Regression<3>> shutter(capture.views.size());
-    std::vector<Regression<1>> zoom(capture.views.size());
+    std::vector<Regression<7>> zoom(capture.views.size());
     for (const ScenePoint& point : capture.points) {
         for (const Observation& seen : point.track) {
             const auto index = static_cast<std::size_t>(seen.view_index);
@@ -60,20 +78,16 @@ ResidualPattern residual_pattern(const Capture& capture) {
             const auto pixel = project(camera, in_cam);
             if (!pixel) continue;
             const Eigen::Vector2d residual = seen.pixel - *pixel;
-            // A small turn moves the point by turn x point; distortion matters little to the slope.
-            const double x = in_cam.x() / in_cam.z();
-            const double y = in_cam.y() / in_cam.z();
-            const Eigen::Vector2d focal = focal_length_px(camera);
-            Eigen::Matrix<double, 2, 3> by_turn;
-            by_turn << -x * y, 1 + x * x, -y, -(1 + y * y), x * y, x;
-            by_turn.row(0) *= focal.x();
-            by_turn.row(1) *= focal.y();
+            const Eigen::Matrix<double, 2, 6> by_pose =
+                focal_length_px(camera).asDiagonal() * slope_by_pose(in_cam);
             const double time = seen.pixel.y() / camera.height_px - 0.5;
-            shutter[index].add(time * by_turn, residual);
-            zoom[index].add(*pixel - principal_point_px(camera), residual);
+            shutter[index].add(time * by_pose.leftCols<3>(), residual);
+            Eigen::Matrix<double, 2, 7> by_pose_and_zoom;
+            by_pose_and_zoom << by_pose, *pixel - principal_point_px(camera);
+            zoom[index].add(by_pose_and_zoom, residual);
         }
     }
-    return {variance_ratio(shutter), variance_ratio(zoom)};
+    return {variance_ratio(shutter, 0), variance_ratio(zoom, 6)};
 }
 
 std::size_t count_observations(const Capture& capture) {

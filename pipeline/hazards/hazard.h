@@ -25,6 +25,7 @@ enum class Hazard {
     kSteps,       ///< Such a box without a mark, walked around in wider and wider steps.
     kFocalPrior,  ///< EXIF tells a wrong focal length.
     kZoom,        ///< Every other photograph is zoomed, and nothing tells.
+    kFocus,       ///< Focal lengths differ from photograph to photograph, as where the focus moves.
     kDuplicates,  ///< Fewer and fewer places, photographed again and again.
     kForward,     ///< The camera walks towards the scene, ever straighter.
     kFisheye,     ///< The lens sees more and more, and nothing tells that it bends what it sees.

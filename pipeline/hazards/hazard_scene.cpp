@@ -178,6 +178,18 @@ HazardScene forward(std::uint64_t seed, double sideways_share) {
     return walk.with(room(seed));
 }
 
+/// By a lens whose focal length the focus makes longer, by up to so many per cent, at random.
+HazardScene through_moving_focus(HazardScene scene, double most_percent, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> percent(0.0, most_percent);
+    for (Camera& camera : scene.cameras) {
+        const double focal_px = focal_length_px(camera).mean();
+        camera = pinhole_camera(camera.width_px, camera.height_px,
+                                focal_px * (1 + (most_percent > 0 ? percent(random) : 0.0) / 100));
+    }
+    return scene;
+}
+
 /// By a lens that bends angles evenly, to so many degrees in the corners.
 HazardScene through_fisheye(HazardScene scene, double corner_deg) {
     for (Camera& camera : scene.cameras) {
@@ -213,6 +225,8 @@ HazardScene hazard_scene(Hazard hazard, double strength, std::uint64_t seed) {
             return through_fisheye(good_path(seed), strength);
         case Hazard::kZoom:
             return good_path(seed, strength);
+        case Hazard::kFocus:
+            return through_moving_focus(good_path(seed), strength, seed);
         case Hazard::kDuplicates:
             return good_path(seed, 1.0, static_cast<int>(strength));
         case Hazard::kTexture:

@@ -5,6 +5,8 @@
 
 #include "calib/boards/board_calibration.h"
 #include "calib/boards/board_detection.h"
+#include "calib/pictures/image_io.h"
+#include "tests/calib/scratch_folder.h"
 
 namespace lumi {
 namespace {
@@ -71,6 +73,17 @@ TEST(Charuco, APartOfTheBoardIsEnough) {
     ASSERT_TRUE(answer.board) << answer.left_out.reason;
     EXPECT_EQ(answer.board->kind, BoardKind::kCharuco);
     EXPECT_LT(answer.board->view.points.size(), 40u);
+}
+
+TEST(Charuco, LargeMarkersAreNotTakenForAGridOfSquares) {
+    const ScratchFolder folder;
+    int index = 0;
+    for (const BoardPose& pose : hand_held_poses(kMarkerLens, 10, 7, 4, 40, 21)) {
+        write_png(folder.path() / (std::to_string(index++) + ".png"),
+                  photograph_of(printed_charuco(11, 8, 0.8, false), kMarkerLens, pose));
+    }
+    SilentProgress progress;
+    EXPECT_EQ(name_of(find_boards(folder.path(), {}, 0, progress).kind), "charuco");
 }
 
 struct GridPrint {

@@ -32,6 +32,17 @@ Eigen::Vector2d seen_at(const Camera& lens, double x, double y) {
     return project(lens, {x, y, 1.0}).value();
 }
 
+TEST(LensForm, OfTheFocalLengthAloneLeavesThePrincipalPointAndTheDistortion) {
+    for (const LensModel model : kModels) {
+        const LensForm form = focal_length_alone(model);
+        const std::vector<std::string> names = parameter_names(model);
+        for (int index = 0; index < static_cast<int>(names.size()); ++index) {
+            EXPECT_EQ(is_held(form, index), names[static_cast<std::size_t>(index)][0] != 'f')
+                << text_of(form);
+        }
+    }
+}
+
 TEST(LensForm, ANestedModelShowsEveryPointAtTheSamePixel) {
     for (const LensModel simpler : kModels) {
         for (const LensModel richer : kModels) {

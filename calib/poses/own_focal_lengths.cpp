@@ -1,0 +1,182 @@
+#include "calib/poses/own_focal_lengths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "calib/doctor/capture_reason.h"
+#include "calib/poses/residual_pattern.h"
+#include "calib/work/formatted.h"
+
+namespace lumi {
+namespace {
+
+double mean_focal_length_px(const Camera& lens) { return focal_length_px(lens).mean(); }
+
+/// The lens with `zoom` times its focal length.
+Camera zoomed(Camera lens, double zoom) {
+    lens.parameters[0] *= zoom;
+    if (!has_one_focal_length(lens.model)) lens.parameters[1] *= zoom;
+    return lens;
+}
+
+/// By the name of a view, its focal length over the geometric mean of those that share its lens.
+using Zooms = std::map<std::string, double>;
+
+/// Lenses that views share but for the focal length, from one model of them to the next.
+class SharedLenses {
+ public:
+    explicit SharedLenses(const Capture& shared) : lenses_(shared.cameras) {
+        for (const View& view : shared.views) lens_of_view_[view.name] = view.camera_index;
+    }
+
+    /// The index of the shared lens.
+    [[nodiscard]] int of(const View& view) const { return lens_of_view_.at(view.name); }
+
+    [[nodiscard]] Zooms zooms_of(const Capture& own) const {
+        std::map<int, double> log_sum;
+        std::map<int, int> count;
+        for (const View& view : own.views) {
+            log_sum[of(view)] += std::log(mean_focal_length_px(camera_of(own, view)));
+            ++count[of(view)];
+        }
+        Zooms zooms;
+        for (const View& view : own.views) {
+            const double mean_px = std::exp(log_sum[of(view)] / count[of(view)]);
+            zooms[view.name] = mean_focal_length_px(camera_of(own, view)) / mean_px;
+        }
+        return zooms;
+    }
+
+    /// Scales each view's picture about its principal point as if it had been taken with
+    /// `factor_of` times the focal length. As distortion bends directions, the lens stays the same
+    /// otherwise.
+    template <class FactorOf>
+    void scale_pictures(Capture& capture, const FactorOf& factor_of) const {
+        for (ScenePoint& point : capture.points) {
+            for (Observation& seen : point.track) {
+                const View& view = capture.views[static_cast<std::size_t>(seen.view_index)];
+                const Eigen::Vector2d middle_px =
+                    principal_point_px(lenses_[static_cast<std::size_t>(of(view))]);
+                seen.pixel = middle_px + factor_of(view) * (seen.pixel - middle_px);
+            }
+        }
+    }
+
+    /// With the lenses shared again, each of the mean focal length.
+    [[nodiscard]] Capture with_shared_cameras(Capture own, const Zooms& zooms) const {
+        std::vector<Camera> shared = lenses_;
+        for (View& view : own.views) {
+            shared[static_cast<std::size_t>(of(view))] =
+                zoomed(camera_of(own, view), 1 / zooms.at(view.name));
+            view.camera_index = of(view);
+        }
+        own.cameras = std::move(shared);
+        return own;
+    }
+
+ private:
+    std::vector<Camera> lenses_;
+    std::map<std::string, int> lens_of_view_;
+};
+
+/// Each view with a camera of its own: the one that it shares, zoomed.
+Capture with_own_cameras(Capture shared, const Zooms& zooms) {
+    std::vector<Camera> own;
+    for (View& view : shared.views) {
+        const auto zoom = zooms.find(view.name);
+        own.push_back(zoomed(camera_of(shared, view), zoom == zooms.end() ? 1.0 : zoom->second));
+        view.camera_index = static_cast<int>(own.size()) - 1;
+    }
+    shared.cameras = std::move(own);
+    return shared;
+}
+
+int focal_lengths(const Capture& capture) {
+    int count = 0;
+    for (const Camera& lens : capture.cameras) count += has_one_focal_length(lens.model) ? 1 : 2;
+    return count;
+}
+
+/// Whether own focal lengths are worth their number. Each point counts once: errors within a track
+/// go together.
+bool are_worth_it(const Capture& mapped, const Capture& shared, const Capture& own,
+                  double limit_px) {
+    const std::size_t observations = count_observations(mapped);
+    return explains_better(truncated_cost_px2(shared, observations, limit_px),
+                           truncated_cost_px2(own, observations, limit_px),
+                           focal_lengths(own) - focal_lengths(shared), mapped.points.size());
+}
+
+/// What was compared is told with the first view of each lens.
+void tell_of_lenses(PoseEvidence& evidence, const SharedLenses& shared, const Capture& own,
+                    PoseEvidence of_own, const PoseEvidence& of_shared) {
+    std::set<int> told;
+    for (std::size_t view = 0; view < own.views.size(); ++view) {
+        const int lens = shared.of(own.views[view]);
+        if (!told.insert(lens).second) continue;
+        LensEvidence& first = of_own.lenses[view];
+        first.choice = of_shared.lenses[static_cast<std::size_t>(lens)].choice;
+        first.dropped = of_shared.lenses[static_cast<std::size_t>(lens)].dropped;
+    }
+    evidence.lenses = std::move(of_own.lenses);
+    evidence.views = std::move(of_own.views);
+    evidence.noise_px = of_own.noise_px;
+}
+
+std::string warning_of(const Zooms& zooms) {
+    const auto [least, most] =
+        std::minmax_element(zooms.begin(), zooms.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; });
+    return std::string(code_of(CaptureReason::kZoom)) +
+           formatted(
+               ": focal lengths differ by up to %.1f %% between photographs that share a "
+               "lens, as where the focus moves; each was given its own. Next time, lock the "
+               "focus",
+               100 * (most->second / least->second - 1));
+}
+
+}  // namespace
+
+std::optional<SecondModel> find_own_focal_lengths(const MappingJob& job, LensPolicy policy,
+                                                  const Capture& mapped, const Capture& refined) {
+    if (!job.options.shared_lens || policy == LensPolicy::kHeld ||
+        !residual_pattern(refined).is_zoomed()) {
+        return std::nullopt;
+    }
+    job.progress.begin("asking whether the focus moved between photographs", 0);
+    const auto refined_by = [&](LensPolicy by, Capture capture, PoseEvidence& evidence) {
+        refine(capture, by, job.options, job.threads, evidence, job.progress);
+        return capture;
+    };
+    SecondModel model;
+    model.mapped = mapped;
+    model.mapped.cameras = refined.cameras;
+    const SharedLenses lenses(model.mapped);
+
+    PoseEvidence of_first;
+    const Capture first =
+        refined_by(LensPolicy::kFocalLength, with_own_cameras(model.mapped, {}), of_first);
+    if (!are_worth_it(mapped, refined, first, job.options.max_reprojection_error_px)) {
+        return std::nullopt;
+    }
+    const Zooms zooms = lenses.zooms_of(first);
+    Capture steady = lenses.with_shared_cameras(first, zooms);
+    lenses.scale_pictures(steady, [&](const View& view) { return 1 / zooms.at(view.name); });
+    PoseEvidence of_steady;
+    steady = refined_by(policy, std::move(steady), of_steady);
+    lenses.scale_pictures(steady, [&](const View& view) { return zooms.at(view.name); });
+
+    PoseEvidence of_own;
+    model.refined =
+        refined_by(LensPolicy::kFocalLength, with_own_cameras(std::move(steady), zooms), of_own);
+    tell_of_lenses(job.evidence, lenses, model.refined, std::move(of_own), of_steady);
+    model.warning = warning_of(lenses.zooms_of(model.refined));
+    return model;
+}
+
+}  // namespace lumi

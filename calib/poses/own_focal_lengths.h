@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "calib/capture/capture.h"
+#include "calib/poses/mapping.h"
+#include "calib/poses/refinement.h"
+#include "calib/poses/second_model.h"
+
+namespace lumi {
+
+/// Whether the focus zoomed: a lens that moves to focus changes its focal length by a per cent or
+/// two from photograph to photograph (focus breathing), while everything else of it stays.
+///
+/// Asked where residuals (of `refined`) look like it (ResidualPattern::is_zoomed). `mapped` is the
+/// model before the refinement, with the observations that it dropped. Each view is given the
+/// shared lens with a focal length of its own; pictures are then scaled about their principal
+/// points as if all had been taken with the mean focal length, which is exact: distortion is a
+/// matter of directions. Of those, lenses are chosen as ever (refine with `policy`), and focal
+/// lengths adjusted once more. Returns that model, and `job.evidence` tells of it, when the
+/// information criterion prefers it over all observations of `mapped`; empty otherwise. Its cameras
+/// are one for each view. Throws Error as refine.
+[[nodiscard]] std::optional<SecondModel> find_own_focal_lengths(const MappingJob& job,
+                                                                LensPolicy policy,
+                                                                const Capture& mapped,
+                                                                const Capture& refined);
+
+}  // namespace lumi
