@@ -10,6 +10,7 @@
 
 #include "calib/doctor/capture_reason.h"
 #include "calib/poses/residual_pattern.h"
+#include "calib/poses/supposed_adjustment.h"
 #include "calib/work/formatted.h"
 
 namespace lumi {
@@ -96,32 +97,34 @@ Capture with_own_cameras(Capture shared, const Zooms& zooms) {
     return shared;
 }
 
-int focal_lengths(const Capture& capture) {
-    int count = 0;
-    for (const Camera& lens : capture.cameras) count += has_one_focal_length(lens.model) ? 1 : 2;
-    return count;
-}
-
-/// Whether own focal lengths are worth their number. Each point counts once: errors within a track
-/// go together.
-bool are_worth_it(const Capture& mapped, const Capture& shared, const Capture& own,
-                  double limit_px) {
-    const std::size_t observations = count_observations(mapped);
-    return explains_better(truncated_cost_px2(shared, observations, limit_px),
-                           truncated_cost_px2(own, observations, limit_px),
-                           focal_lengths(own) - focal_lengths(shared), mapped.points.size());
+/// Whether own focal lengths are worth their number (each point counts once, as errors within a
+/// track go together), and a camera that turned while the rows were read out does not explain more.
+bool are_worth_it(const MappingJob& job, const Capture& mapped) {
+    const auto adjusted = [&](Supposition supposition) {
+        return adjust_supposing(supposition, mapped, job.lens_is_calibrated,
+                                job.options.max_reprojection_error_px, job.progress);
+    };
+    const SupposedAdjustment steady = adjusted(Supposition::kSteady);
+    const SupposedAdjustment zoomed = adjusted(Supposition::kZoomed);
+    if (!explains_better(steady.cost_px2, zoomed.cost_px2, zoomed.parameters,
+                         mapped.points.size())) {
+        return false;
+    }
+    const SupposedAdjustment turning = adjusted(Supposition::kTurning);
+    return !explains_better(zoomed.cost_px2, turning.cost_px2,
+                            turning.parameters - zoomed.parameters, turning.observations);
 }
 
 /// What was compared is told with the first view of each lens.
 void tell_of_lenses(PoseEvidence& evidence, const SharedLenses& shared, const Capture& own,
                     PoseEvidence of_own, const PoseEvidence& of_shared) {
     std::set<int> told;
-    for (std::size_t view = 0; view < own.views.size(); ++view) {
-        const int lens = shared.of(own.views[view]);
-        if (!told.insert(lens).second) continue;
-        LensEvidence& first = of_own.lenses[view];
-        first.choice = of_shared.lenses[static_cast<std::size_t>(lens)].choice;
-        first.dropped = of_shared.lenses[static_cast<std::size_t>(lens)].dropped;
+    for (const View& view : own.views) {
+        if (!told.insert(shared.of(view)).second) continue;
+        const LensEvidence& of_all = of_shared.lenses[static_cast<std::size_t>(shared.of(view))];
+        LensEvidence& first = of_own.lenses[static_cast<std::size_t>(view.camera_index)];
+        first.choice = of_all.choice;
+        first.dropped = of_all.dropped;
     }
     evidence.lenses = std::move(of_own.lenses);
     evidence.views = std::move(of_own.views);
@@ -158,12 +161,10 @@ std::optional<SecondModel> find_own_focal_lengths(const MappingJob& job, LensPol
     model.mapped.cameras = refined.cameras;
     const SharedLenses lenses(model.mapped);
 
+    if (!are_worth_it(job, model.mapped)) return std::nullopt;
     PoseEvidence of_first;
     const Capture first =
         refined_by(LensPolicy::kFocalLength, with_own_cameras(model.mapped, {}), of_first);
-    if (!are_worth_it(mapped, refined, first, job.options.max_reprojection_error_px)) {
-        return std::nullopt;
-    }
     const Zooms zooms = lenses.zooms_of(first);
     Capture steady = lenses.with_shared_cameras(first, zooms);
     lenses.scale_pictures(steady, [&](const View& view) { return 1 / zooms.at(view.name); });

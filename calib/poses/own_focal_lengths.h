@@ -13,13 +13,14 @@ namespace lumi {
 /// two from photograph to photograph (focus breathing), while everything else of it stays.
 ///
 /// Asked where residuals (of `refined`) look like it (ResidualPattern::is_zoomed). `mapped` is the
-/// model before the refinement, with the observations that it dropped. Each view is given the
-/// shared lens with a focal length of its own; pictures are then scaled about their principal
-/// points as if all had been taken with the mean focal length, which is exact: distortion is a
-/// matter of directions. Of those, lenses are chosen as ever (refine with `policy`), and focal
-/// lengths adjusted once more. Returns that model, and `job.evidence` tells of it, when the
-/// information criterion prefers it over all observations of `mapped`; empty otherwise. Its cameras
-/// are one for each view. Throws Error as refine.
+/// model before the refinement, with the observations that it dropped. Own scales have to explain
+/// it better than none, by the information criterion, and a turning camera no better than they
+/// (adjust_supposing). Then each view is given the shared lens with a focal length of its own;
+/// pictures are then scaled about their principal points as if all had been taken with the mean
+/// focal length, which is exact: distortion is a matter of directions. Of those, lenses are chosen
+/// as ever (refine with `policy`), and focal lengths adjusted once more. Returns that model, of
+/// which `job.evidence` then tells, with a camera for each view; empty where nothing tells of a
+/// zoom. Throws Error as refine.
 [[nodiscard]] std::optional<SecondModel> find_own_focal_lengths(const MappingJob& job,
                                                                 LensPolicy policy,
                                                                 const Capture& mapped,

@@ -15,6 +15,23 @@ namespace {
 
 constexpr int kPointsAPhotograph = 400;
 
+bool has_own_scale(Supposition supposition) {
+    return supposition == Supposition::kZoomed || supposition == Supposition::kShifted;
+}
+
+int parameters_of_view(Supposition supposition) {
+    switch (supposition) {
+        case Supposition::kSteady:
+            return 0;
+        case Supposition::kZoomed:
+            return 1;
+        case Supposition::kTurning:
+        case Supposition::kShifted:
+            return 3;
+    }
+    return 0;
+}
+
 /// What a view has of its own: the turn from the first row to the last (rad, about the camera's
 /// axes), the place of the principal point (px, from where the lens has it), and the logarithm of
 /// the scale. What the supposition leaves out stays zero.
@@ -181,8 +198,10 @@ class Fit {
             const double of_angle = kWeight * focal_px;
             free_or_hold(problem, turn, supposition_ == Supposition::kTurning,
                          {of_angle, of_angle, of_angle});
-            free_or_hold(problem, crop, supposition_ == Supposition::kShifted,
-                         {kWeight, kWeight, of_angle});
+            free_or_hold(problem, crop, has_own_scale(supposition_), {kWeight, kWeight, of_angle});
+            if (supposition_ == Supposition::kZoomed) {
+                problem.SetManifold(crop, new ceres::SubsetManifold(3, {0, 1}));
+            }
             if (lenses_are_held_) {
                 problem.SetParameterBlockConstant(zoom);
                 problem.SetParameterBlockConstant(radial);
@@ -255,7 +274,7 @@ SupposedAdjustment adjust_supposing(Supposition supposition, const Capture& capt
             fit.truncated_cost_px2(limit_px),
             fit.effect_px(),
             fit.common_px(),
-            supposition == Supposition::kSteady ? 0 : 3 * static_cast<int>(capture.views.size()),
+            parameters_of_view(supposition) * static_cast<int>(capture.views.size()),
             fit.observations()};
 }
 

@@ -10,6 +10,7 @@ namespace lumi {
 /// What may be true of photographs that one lens in cameras that stood still does not explain.
 enum class Supposition {
     kSteady,   ///< Nothing: the lens is the same, and all rows were taken at one moment.
+    kZoomed,   ///< Each picture has a scale of its own, as where the focus moves.
     kTurning,  ///< The camera turned evenly while the rows were read out, from top to bottom.
     /// Each picture has a principal point and a scale of its own: it was cropped or straightened,
     /// or the lens was moved by its stabiliser or its focus.
@@ -37,9 +38,9 @@ struct SupposedAdjustment {
 };
 
 /// Adjusts poses, points, lenses (focal length and radial distortion besides that of the lens,
-/// unless `lenses_are_held`) and three parameters of each view's own by robust least squares, over
-/// a few hundred points a photograph, those with the longest tracks: a turning rate (Hedborg et
-/// al., Rolling shutter bundle adjustment, CVPR 2012, for rotation alone, which moves pictures
+/// unless `lenses_are_held`) and up to three parameters of each view's own by robust least squares,
+/// over a few hundred points a photograph, those with the longest tracks: a turning rate (Hedborg
+/// et al., Rolling shutter bundle adjustment, CVPR 2012, for rotation alone, which moves pictures
 /// most), or a principal point and a scale. A weak prior holds those that nothing determines; turns
 /// that have something in common, in the axes of the cameras or of the world, are not found:
 /// bent points and poses, and lenses, do the same (Albl, Sugimoto, Pajdla, Degeneracies in rolling

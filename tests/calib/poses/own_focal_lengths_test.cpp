@@ -50,7 +50,9 @@ class OwnFocalLengths : public testing::Test {
     void refine_shared(const Capture& seen, LensPolicy policy = LensPolicy::kNamed) {
         policy_ = policy;
         mapped_ = seen;
-        mapped_.cameras[0] = {1000, 800, LensModel::kSimpleRadial, {860, 500, 400, 0}};
+        if (policy == LensPolicy::kNamed || policy == LensPolicy::kAuto) {
+            mapped_.cameras[0] = {1000, 800, LensModel::kSimpleRadial, {860, 500, 400, 0}};
+        }
         refined_ = mapped_;
         refine(refined_, policy, {}, 1, evidence_, progress_);
     }
@@ -119,6 +121,14 @@ TEST_F(OwnFocalLengths, KeepTheDistortionThatAllShare) {
             1000, 800, LensModel::kSimpleRadial, {focal_length_px(lens).mean(), 500, 400, -0.08}};
         EXPECT_LT((*project(lens, far) - *project(true_lens, far)).norm(), 1.0);
     }
+}
+
+TEST_F(OwnFocalLengths, AreFoundOfACalibratedLensUnlessItIsHeld) {
+    const Breathing breathing = breathing_capture(0.02, 1);
+    refine_shared(breathing.truth, LensPolicy::kGiven);
+    EXPECT_TRUE(asked().has_value());
+    refine_shared(breathing.truth, LensPolicy::kHeld);
+    EXPECT_FALSE(asked().has_value());
 }
 
 TEST_F(OwnFocalLengths, AreNotAskedForWhereOneFocusExplainsThePictures) {
