@@ -97,8 +97,9 @@ Capture with_own_cameras(Capture shared, const Zooms& zooms) {
     return shared;
 }
 
-/// Whether own focal lengths are worth their number (each point counts once, as errors within a
-/// track go together), and a camera that turned while the rows were read out does not explain more.
+/// Whether own focal lengths are worth their number: each point counts once, as errors within a
+/// track go together. A camera that turned while the rows were read out stretches its pictures,
+/// too; then three parameters of that kind explain more than three of a lens that moved.
 bool are_worth_it(const MappingJob& job, const Capture& mapped) {
     const auto adjusted = [&](Supposition supposition) {
         return adjust_supposing(supposition, mapped, job.lens_is_calibrated,
@@ -106,13 +107,9 @@ bool are_worth_it(const MappingJob& job, const Capture& mapped) {
     };
     const SupposedAdjustment steady = adjusted(Supposition::kSteady);
     const SupposedAdjustment zoomed = adjusted(Supposition::kZoomed);
-    if (!explains_better(steady.cost_px2, zoomed.cost_px2, zoomed.parameters,
-                         mapped.points.size())) {
-        return false;
-    }
-    const SupposedAdjustment turning = adjusted(Supposition::kTurning);
-    return !explains_better(zoomed.cost_px2, turning.cost_px2,
-                            turning.parameters - zoomed.parameters, turning.observations);
+    return explains_better(steady.cost_px2, zoomed.cost_px2, zoomed.parameters,
+                           mapped.points.size()) &&
+           adjusted(Supposition::kShifted).cost_px2 < adjusted(Supposition::kTurning).cost_px2;
 }
 
 /// What was compared is told with the first view of each lens.

@@ -14,12 +14,12 @@ namespace lumi {
 ///
 /// Asked where residuals (of `refined`) look like it (ResidualPattern::is_zoomed). `mapped` is the
 /// model before the refinement, with the observations that it dropped. Own scales have to explain
-/// it better than none, by the information criterion, and a turning camera no better than they
-/// (adjust_supposing). Then each view is given the shared lens with a focal length of its own;
-/// pictures are then scaled about their principal points as if all had been taken with the mean
-/// focal length, which is exact: distortion is a matter of directions. Of those, lenses are chosen
-/// as ever (refine with `policy`), and focal lengths adjusted once more. Returns that model, of
-/// which `job.evidence` then tells, with a camera for each view; empty where nothing tells of a
+/// it better than none, by the information criterion, and a lens that moved better than a camera
+/// that turned (adjust_supposing). Then each view is given the shared lens with a focal length of
+/// its own; pictures are then scaled about their principal points as if all had been taken with the
+/// mean focal length, which is exact: distortion is a matter of directions. Of those, lenses are
+/// chosen as ever (refine with `policy`), and focal lengths adjusted once more. Returns that model,
+/// of which `job.evidence` then tells, with a camera for each view; empty where nothing tells of a
 /// zoom. Throws Error as refine.
 [[nodiscard]] std::optional<SecondModel> find_own_focal_lengths(const MappingJob& job,
                                                                 LensPolicy policy,
