@@ -15,6 +15,7 @@
 #include "render/surroundings/triangle_surroundings.h"
 #include "render/transfer/polygon_extent.h"
 #include "render/transfer/scene_plane.h"
+#include "render/uploaded/photograph_lod.h"
 #include "render/view_choice/depth_view_choice.h"
 
 namespace lumi {
@@ -152,7 +153,7 @@ DrawStatistics Adaptive::draw(const Eye& eye, const RenderOptions& options, cons
         made_for_ = Request{eye, options};
     }
     const bool has_surroundings = are_surroundings_drawn(options);
-    if (has_surroundings) draw_surroundings(eye);
+    if (has_surroundings) draw_surroundings(eye, options);
     DrawStatistics statistics;
     Behind behind = options.fade_beyond_capture ? Behind::kBlack
                     : has_surroundings          ? Behind::kSurroundings
@@ -166,11 +167,12 @@ DrawStatistics Adaptive::draw(const Eye& eye, const RenderOptions& options, cons
 }
 
 /// Beyond the mesh they are drawn, within it the triangles know them.
-void Adaptive::draw_surroundings(const Eye& eye) {
+void Adaptive::draw_surroundings(const Eye& eye, const RenderOptions& options) {
     PictureCells cells(eye.camera);
     mark_beyond_mesh(uploaded_.layout.mesh, eye, cells);
     surroundings_.draw(cells, eye);
-    set_surroundings(uploaded_.layout, uploaded_.small_photographs, eye, layers_.front());
+    set_surroundings(uploaded_.layout, uploaded_.small_photographs, eye, layers_.front(),
+                     unsure_border_px(uploaded_.lod_of(eye, options)));
 }
 
 }  // namespace lumi

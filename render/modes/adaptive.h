@@ -41,7 +41,7 @@ class Adaptive : public DrawingMode {
         Eye eye;
         RenderOptions options;
     };
-    void draw_surroundings(const Eye& eye);
+    void draw_surroundings(const Eye& eye, const RenderOptions& options);
     [[nodiscard]] bool is_made_for(const Eye& eye, const RenderOptions& options) const;
 
     const UploadedLumigraph& uploaded_;

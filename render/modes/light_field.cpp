@@ -8,6 +8,7 @@
 #include "render/transfer/pixel_transfer.h"
 #include "render/transfer/polygon_clipping.h"
 #include "render/transfer/scene_plane.h"
+#include "render/uploaded/photograph_lod.h"
 
 namespace lumi {
 namespace {
@@ -84,7 +85,8 @@ DrawStatistics LightField::draw_polygons(std::vector<FacePolygon> polygons, cons
     if (are_surroundings_drawn(options)) {
         PictureCells cells(eye.camera);
         mark_beyond_mesh(layout.mesh, eye, cells);
-        mark_where_none_may_be_shown(polygons, layout.views, eye, plane, cells);
+        mark_where_none_may_be_shown(polygons, layout.views, eye, plane, cells,
+                                     unsure_border_px(uploaded_.lod_of(eye, options)));
         surroundings_.draw(cells, eye);
     }
     affine_.clear();

@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/surroundings/empty_cells.h"
-
 namespace lumi {
 namespace {
 
@@ -78,7 +76,7 @@ BlendVertex arranged(const BlendVertex& vertex, const Lookups& lookups) {
 }  // namespace
 
 TrianglesByLookups sorted_by_lookups(const BlendTriangles& triangles,
-                                     const std::vector<LumigraphView>& views) {
+                                     const std::vector<LumigraphView>& views, double border_px) {
     TrianglesByLookups sorted;
     std::array<std::array<std::vector<std::uint32_t>, 2>, kViews> indices;
     std::array<std::vector<std::uint32_t>, kWays> places;  // Of vertices, where there are any.
@@ -90,7 +88,7 @@ TrianglesByLookups sorted_by_lookups(const BlendTriangles& triangles,
                                                         &triangles.vertices[corner[2]]};
         const Lookups lookups = lookups_on(corners);
         std::vector<std::uint32_t>& among =
-            indices[count_of(lookups) - 1][may_show_none(corners, views) ? 1 : 0];
+            indices[count_of(lookups) - 1][may_show_none(corners, views, border_px) ? 1 : 0];
         std::vector<std::uint32_t>& place = places[number_of(lookups)];
         if (place.empty()) place.assign(triangles.vertices.size(), kNone);
         for (std::size_t k = 0; k < 3; ++k) {

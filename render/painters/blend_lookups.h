@@ -5,6 +5,7 @@
 
 #include "render/lumigraph/lumigraph.h"
 #include "render/subdivision/blend_triangles.h"
+#include "render/surroundings/empty_cells.h"
 
 namespace lumi {
 
@@ -26,8 +27,9 @@ struct TrianglesByLookups {
 /// The same picture with fewer look-ups, which are most of what a blend costs: where one photograph
 /// stands for two cameras of a face (meshes of a line name cameras twice) it is looked up once, and
 /// one that has no weight on a triangle (most often because it does not see the point) not at all.
-/// `views` are those that the vertices name as layers.
+/// `views` are those that the vertices name as layers; `border_px` is their unsure border.
 [[nodiscard]] TrianglesByLookups sorted_by_lookups(const BlendTriangles& triangles,
-                                                   const std::vector<LumigraphView>& views);
+                                                   const std::vector<LumigraphView>& views,
+                                                   double border_px = kFinestBorder_px);
 
 }  // namespace lumi

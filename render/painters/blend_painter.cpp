@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "render/shaders/shader_sources.h"
+#include "render/uploaded/photograph_lod.h"
 
 namespace lumi {
 
@@ -44,7 +45,8 @@ BlendPainter::BlendPainter(const UploadedLumigraph& uploaded, float least_confid
 void BlendPainter::draw(const BlendTriangles& triangles, const Eye& eye,
                         const RenderOptions& options, Behind behind) {
     if (triangles.indices.empty()) return;
-    const TrianglesByLookups sorted = sorted_by_lookups(triangles, uploaded_.layout.views);
+    const TrianglesByLookups sorted = sorted_by_lookups(
+        triangles, uploaded_.layout.views, unsure_border_px(uploaded_.lod_of(eye, options)));
     const std::vector<BlendVertex>& vertices = sorted.triangles.vertices;
     triangles_.upload(vertices.data(), vertices.size() * sizeof(BlendVertex),
                       sorted.triangles.indices);

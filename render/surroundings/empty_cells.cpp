@@ -11,14 +11,15 @@
 namespace lumi {
 namespace {
 
-/// A photograph with this weight shows something at each of its pixels that lies inside by a pixel:
-/// times the least opacity (photograph_opacity.h) it still counts.
+/// A photograph with this weight shows something at each of its pixels that lies inside by its
+/// unsure border: times the least opacity (photograph_opacity.h) it still counts.
 constexpr double kSureWeight = 0.05;
 /// Of a side product, whose sum is 3 at most.
 constexpr double kSureSideProduct = 3 * kSureWeight;
 
-bool is_inside(double x, double y, const Camera& camera) {
-    return x >= 1 && y >= 1 && x <= camera.width_px - 1 && y <= camera.height_px - 1;
+bool is_inside(double x, double y, const Camera& camera, double border_px) {
+    return x >= border_px && y >= border_px && x <= camera.width_px - border_px &&
+           y <= camera.height_px - border_px;
 }
 
 using CellCorners = std::array<Eigen::Vector3d, 4>;  ///< Homogeneous pixels.
@@ -43,8 +44,9 @@ PictureCells::Block touched_by(const FacePolygon& polygon, const PictureCells& c
 /// What is seen through the faces, on the plane and infinitely far beyond its horizon.
 class OnPlane {
  public:
-    OnPlane(const std::vector<LumigraphView>& views, const Eye& eye, const Eigen::Vector3d& plane)
-        : views_(views), plane_(plane) {
+    OnPlane(const std::vector<LumigraphView>& views, const Eye& eye, const Eigen::Vector3d& plane,
+            double border_px)
+        : views_(views), plane_(plane), border_px_(border_px) {
         for (const LumigraphView& view : views)
             transfers_.push_back(
                 pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world));
@@ -64,7 +66,8 @@ class OnPlane {
                     const Eigen::Vector3d pixel = view_from_eye * at;
                     return polygon.side_lines[k].dot(at) >= kSureSideProduct &&
                            pixel.z() >= kLeastDepthRatio &&
-                           is_inside(pixel.x() / pixel.z(), pixel.y() / pixel.z(), camera);
+                           is_inside(pixel.x() / pixel.z(), pixel.y() / pixel.z(), camera,
+                                     border_px_);
                 });
             if (is_sure) return true;
         }
@@ -80,13 +83,14 @@ class OnPlane {
 
     const std::vector<LumigraphView>& views_;
     Eigen::Vector3d plane_;
+    double border_px_;
     std::vector<PixelTransfer> transfers_;
 };
 
 }  // namespace
 
 bool may_show_none(const std::array<const BlendVertex*, 3>& corners,
-                   const std::vector<LumigraphView>& views) {
+                   const std::vector<LumigraphView>& views, double border_px) {
     // Places vary projectively on a triangle: what is inside at the corners is inside between them.
     for (std::size_t k = 0; k < 3; ++k) {
         const Camera& camera = views[static_cast<std::size_t>(corners[0]->view_layers[k])].camera;
@@ -94,7 +98,7 @@ bool may_show_none(const std::array<const BlendVertex*, 3>& corners,
             std::all_of(corners.begin(), corners.end(), [&](const BlendVertex* corner) {
                 return static_cast<double>(corner->weights[k]) >= kSureWeight &&
                        is_inside(static_cast<double>(corner->view_pixels[k][0]),
-                                 static_cast<double>(corner->view_pixels[k][1]), camera);
+                                 static_cast<double>(corner->view_pixels[k][1]), camera, border_px);
             });
         if (is_sure) return false;
     }
@@ -102,7 +106,8 @@ bool may_show_none(const std::array<const BlendVertex*, 3>& corners,
 }
 
 void mark_where_none_may_be_shown(const BlendTriangles& triangles,
-                                  const std::vector<LumigraphView>& views, PictureCells& cells) {
+                                  const std::vector<LumigraphView>& views, PictureCells& cells,
+                                  double border_px) {
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
         std::array<const BlendVertex*, 3> corners{};
         Eigen::Matrix<double, 2, 3> pixels;
@@ -110,7 +115,7 @@ void mark_where_none_may_be_shown(const BlendTriangles& triangles,
             corners[k] = &triangles.vertices[triangles.indices[i + k]];
             pixels.col(static_cast<Eigen::Index>(k)) << corners[k]->pixel[0], corners[k]->pixel[1];
         }
-        if (!may_show_none(corners, views)) continue;
+        if (!may_show_none(corners, views, border_px)) continue;
         const PictureCells::Block block =
             cells.touched_by(pixels.rowwise().minCoeff(), pixels.rowwise().maxCoeff());
         for (int row = block.begin_row; row < block.end_row; ++row)
@@ -121,8 +126,9 @@ void mark_where_none_may_be_shown(const BlendTriangles& triangles,
 
 void mark_where_none_may_be_shown(const std::vector<FacePolygon>& polygons,
                                   const std::vector<LumigraphView>& views, const Eye& eye,
-                                  const Eigen::Vector3d& plane, PictureCells& cells) {
-    const OnPlane on_plane(views, eye, plane);
+                                  const Eigen::Vector3d& plane, PictureCells& cells,
+                                  double border_px) {
+    const OnPlane on_plane(views, eye, plane, border_px);
     for (const FacePolygon& polygon : polygons) {
         if (polygon.corners_px.empty()) continue;
         const PictureCells::Block block = touched_by(polygon, cells);

@@ -5,9 +5,9 @@
 namespace lumi {
 
 void set_surroundings(const Lumigraph& lumigraph, const SmallPhotographs& small, const Eye& eye,
-                      BlendTriangles& triangles) {
+                      BlendTriangles& triangles, double border_px) {
     PictureCells cells(eye.camera);
-    mark_where_none_may_be_shown(triangles, lumigraph.views, cells);
+    mark_where_none_may_be_shown(triangles, lumigraph.views, cells, border_px);
     if (!cells.is_any_marked()) return;
     const ColorGrid colors = surrounding_colors(lumigraph, small, eye, cells);
     for (BlendVertex& vertex : triangles.vertices) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/surroundings/empty_cells.h"
 #include "render/transfer/pixels_per_unit.h"
 
 namespace lumi {
@@ -55,6 +56,11 @@ double photograph_lod(const Lumigraph& lumigraph, const Eye& eye, double samples
     const double of_views =
         std::exp2(log2_pixels_per_unit(lumigraph, centre_in_world(eye.cam_from_world)));
     return of_views > 0 ? level_for(samples_across_pixel * of_views / of_eye) : 0.0;
+}
+
+double unsure_border_px(double lod) {
+    // Halves are rounded down, which makes texels less than twice as wide.
+    return lod > 0 ? 2 * std::exp2(std::ceil(lod)) : kFinestBorder_px;
 }
 
 }  // namespace lumi

@@ -17,4 +17,8 @@ namespace lumi {
 [[nodiscard]] double photograph_lod(const Lumigraph& lumigraph, const Eye& eye,
                                     double samples_across_pixel = 1.0);
 
+/// How far inside of its border, in its pixels, a photograph surely counts at a mip level: at all
+/// but the finest the texels along the border do not (TextureArray::make_mip_levels).
+[[nodiscard]] double unsure_border_px(double lod);
+
 }  // namespace lumi

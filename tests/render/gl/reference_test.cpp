@@ -304,6 +304,23 @@ TEST(GlAgainstReference, AWhiteSceneIsWhiteUpToTheBordersOfPhotographs) {
     }
 }
 
+TEST(GlAgainstReference, AWhiteSceneIsWhiteUpToTheBordersOfCoarseMipLevels) {
+    Lumigraph wall = card_without_surface();
+    for (LumigraphView& view : wall.views)
+        std::fill(view.photograph.pixels().begin(), view.photograph.pixels().end(),
+                  Rgb8{255, 255, 255});
+    OffscreenRenderer renderer(wall);
+    // The scene lies behind the eye, and photographs are looked up infinitely far away, where they
+    // are large, at the mip level of the scene, which is small.
+    for (const double x : {0.1, 0.4, 0.8}) {
+        const Eye eye = eye_at({x, 0.05, 60}, {1.2 * x, 0.05, 70}, pinhole_camera(80, 60, 30));
+        for (const RenderMode mode :
+             {RenderMode::kPerPixel, RenderMode::kLightField, RenderMode::kAdaptive})
+            EXPECT_GE(darkest_of(renderer.draw(eye, {.mode = mode}).color), 250)
+                << x << ' ' << name_of(mode);
+    }
+}
+
 TEST(GlAgainstReference, PerPixelOfSeveralSamplesIsNeverDrawnInBlocks) {
     Lumigraph wall = card_before_wall();
     const Eye eye = eyes_before_wall(wall).front().eye;
