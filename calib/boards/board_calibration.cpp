@@ -178,8 +178,10 @@ std::string doubt_of_fit(const BoardViews& board, const BoardSolution& solution)
     throw Error(
         ErrorKind::kDegenerateCapture, "E-BOARDS-NOFIT",
         off + ", in " + std::to_string(board.views.size()) + " photographs: too far for a lens",
-        "say what the board is with --board, and check that it is flat, printed without "
-        "stretching, and that all photographs were taken with one lens at one zoom");
+        std::string(board.is_size_known ? "leave out --square-ratio, so that it is estimated; "
+                                        : "") +
+            "say what the board is with --board, and check that it is flat, printed without "
+            "stretching, and that all photographs were taken with one lens at one zoom");
 }
 
 /// Which half of the photographs belongs to the lens that is wanted, nobody can tell.

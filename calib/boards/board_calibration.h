@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "calib/boards/lens_certainty.h"
 #include "calib/boards/lens_fit.h"
 #include "calib/capture/posed_photographs.h"
+#include "calib/lens/lens_choice.h"
 #include "calib/work/progress.h"
 
 namespace lumi {

@@ -59,10 +59,11 @@ struct BoardPhotographs {
 };
 
 /// Finds the board in every photograph of a folder; the kind, unless it is given,
-/// from a sample of them. Photographs are taken as stored, whatever their EXIF orientation says.
-/// Throws Error: E-INGEST-NOFOLDER, E-BOARDS-NOPHOTOS, E-BOARDS-SIZES (photographs of several
-/// sizes), E-BOARDS-NOTFOUND (no board in any photograph; the reasons are in the message),
-/// E-BOARDS-LARGER (only boards that are larger than what was said), E-INTERRUPTED.
+/// from a sample of them. Photographs are taken as stored, whatever their EXIF orientation says,
+/// and those of another size than most are left out. Throws Error: E-INGEST-NOFOLDER,
+/// E-BOARDS-NOPHOTOS, E-BOARDS-SIZES (no size is that of most), E-BOARDS-NOTFOUND (no board in any
+/// photograph; the reasons are in the message), E-BOARDS-LARGER (only boards that are larger than
+/// what was said), E-INTERRUPTED.
 [[nodiscard]] BoardPhotographs find_boards(const std::filesystem::path& folder,
                                            const BoardRequest& request, int threads,
                                            Progress& progress);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "calib/boards/calibration_evidence.h"
+#include "calib/boards/lens_certainty.h"
 #include "calib/lens/lens_support.h"
 
 namespace lumi {

@@ -22,31 +22,64 @@ std::string size_text(const ImageSize& size) {
     return std::to_string(size.width_px) + " x " + std::to_string(size.height_px);
 }
 
-/// The photographs that can be read; all of one size.
-std::vector<PhotographFile> readable_of_one_size(const PhotographFolder& folder, ImageSize& size,
-                                                 std::vector<LeftOut>& left_out) {
-    std::vector<PhotographFile> files;
-    std::map<std::pair<int, int>, std::vector<std::string>> names_of_size;
+/// Photographs by their size.
+using FilesOfSize = std::map<std::pair<int, int>, std::vector<PhotographFile>>;
+
+FilesOfSize readable_by_size(const PhotographFolder& folder, std::vector<LeftOut>& left_out) {
+    FilesOfSize files_of_size;
     for (const PhotographFile& file : folder.files) {
         try {
-            size = read_image_size(file.path);
-            names_of_size[{size.width_px, size.height_px}].push_back(file.name);
-            files.push_back(file);
+            const ImageSize size = read_image_size(file.path);
+            files_of_size[{size.width_px, size.height_px}].push_back(file);
         } catch (const Error& error) {
             left_out.push_back({file.name, error.code(), error.what()});
         }
     }
-    if (names_of_size.size() <= 1) return files;
+    return files_of_size;
+}
+
+[[noreturn]] void refuse_sizes(const FilesOfSize& files_of_size) {
     std::string sizes;
-    for (const auto& [wide_high, names] : names_of_size) {
+    for (const auto& [wide_high, files] : files_of_size) {
         sizes += (sizes.empty() ? "" : ", ") + size_text({wide_high.first, wide_high.second}) +
-                 " (" + std::to_string(names.size()) + ": " + names.front() +
-                 (names.size() > 1 ? " ..." : "") + ")";
+                 " (" + std::to_string(files.size()) + ": " + files.front().name +
+                 (files.size() > 1 ? " ..." : "") + ")";
     }
     throw Error(ErrorKind::kBadInput, "E-BOARDS-SIZES",
-                "the photographs have several sizes, and a lens is calibrated for one: " + sizes,
+                "the photographs have several sizes, none of them most, and a lens is calibrated "
+                "for one: " +
+                    sizes,
                 "calibrate each size in a folder of its own, and give photographs as the camera "
                 "wrote them (not turned or cropped)");
+}
+
+/// The photographs that can be read and have the size of most; the others are left out. Which way
+/// one was turned upright its raster does not tell, and with it where the middle of the lens went.
+std::vector<PhotographFile> readable_of_one_size(const PhotographFolder& folder, ImageSize& size,
+                                                 std::vector<LeftOut>& left_out) {
+    const FilesOfSize files_of_size = readable_by_size(folder, left_out);
+    if (files_of_size.empty()) return {};
+    std::size_t readable = 0;
+    for (const auto& [wide_high, files] : files_of_size) readable += files.size();
+    const auto most = std::max_element(
+        files_of_size.begin(), files_of_size.end(),
+        [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+    if (2 * most->second.size() <= readable) refuse_sizes(files_of_size);
+    size = {most->first.first, most->first.second};
+    for (const auto& [wide_high, files] : files_of_size) {
+        if (wide_high == most->first) continue;
+        const auto& [wide, high] = wide_high;
+        const bool is_turned = wide == size.height_px && high == size.width_px;
+        for (const PhotographFile& file : files) {
+            left_out.push_back(
+                {file.name, "E-BOARD-SIZE",
+                 "it has " + size_text({wide, high}) + " pixels, the most have " + size_text(size) +
+                     (is_turned ? ": it was turned after it was taken; give it as the camera wrote "
+                                  "it"
+                                : ": another camera or setting, or cropped or resized")});
+        }
+    }
+    return most->second;
 }
 
 BoardAnswer answer_for(const PhotographFile& file, BoardKind kind, const BoardRequest& request) {

@@ -96,7 +96,8 @@ void add_warnings(BoardCalibration& result) {
             "photographs disagree about the lens " +
             std::to_string(std::lround(std::sqrt(result.certainty.disagreement))) +
             " times more than their points' errors explain: is the board flat, and the zoom and "
-            "focus the same? The intervals contain it");
+            "focus the same? The intervals contain what differs between photographs, not what all "
+            "share, as a bent board");
     }
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "calib/boards/point_grid.h"
+#include "calib/boards/quad_sides.h"
 #include "calib/boards/shrunk_picture.h"
 #include "calib/opencv/opencv_picture.h"
 
@@ -99,12 +100,14 @@ void add_quads(const GrayImage& picture, const cv::Mat& dark, std::vector<Corner
     }
 }
 
-Corners refined(const cv::Mat& picture, const Corners& corners, double window_share) {
+/// For shapes too small or too faint to have sides.
+Corners refined_one_by_one(const GrayImage& picture, const Corners& corners) {
+    constexpr double kWindowShare = 0.12;
     const int half_window_px =
-        std::clamp(static_cast<int>(std::lround(window_share * shortest_side_px(corners))), 2, 10);
+        std::clamp(static_cast<int>(std::lround(kWindowShare * shortest_side_px(corners))), 2, 10);
     std::vector<cv::Point2f> points;
     for (const Eigen::Vector2d& corner : corners) points.push_back(to_opencv(corner));
-    cv::cornerSubPix(picture, points, {half_window_px, half_window_px}, {-1, -1},
+    cv::cornerSubPix(opencv_view(picture), points, {half_window_px, half_window_px}, {-1, -1},
                      {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 40, 1e-3});
     Corners result;
     for (std::size_t corner = 0; corner < 4; ++corner) {
@@ -114,6 +117,11 @@ Corners refined(const cv::Mat& picture, const Corners& corners, double window_sh
         result[corner] = has_stayed ? moved : corners[corner];
     }
     return result;
+}
+
+Corners refined(const GrayImage& picture, const Corners& corners) {
+    const auto met = corners_where_sides_meet(picture, corners);
+    return met ? *met : refined_one_by_one(picture, corners);
 }
 
 /// The same shape comes from several thresholds: the first stays.
@@ -138,7 +146,6 @@ std::vector<Corners> without_repetitions(const std::vector<Corners>& quads) {
 }  // namespace
 
 std::vector<DarkQuad> detect_dark_quads(const GrayImage& picture) {
-    const cv::Mat whole = opencv_view(picture);
     const cv::Mat small = shrunk_picture(picture);
     GrayImage small_picture(small.cols, small.rows);
     small.copyTo(opencv_view(small_picture));
@@ -160,9 +167,9 @@ std::vector<DarkQuad> detect_dark_quads(const GrayImage& picture) {
     const Eigen::Vector2d size_ratio(static_cast<double>(picture.width()) / small.cols,
                                      static_cast<double>(picture.height()) / small.rows);
     for (Corners corners : without_repetitions(quads)) {
-        corners = refined(small, corners, 0.15);
+        corners = refined(small_picture, corners);
         for (Eigen::Vector2d& corner : corners) corner = corner.cwiseProduct(size_ratio);
-        if (small.size() != whole.size()) corners = refined(whole, corners, 0.12);
+        if (size_ratio != Eigen::Vector2d::Ones()) corners = refined(picture, corners);
         DarkQuad quad;
         quad.corners_px = corners;
         quad.centre_px = diagonal_crossing(corners);

@@ -71,14 +71,6 @@ double residual_sum_px2(const BoardViews& board, const BoardSolution& solution) 
     return sum;
 }
 
-std::vector<int> free_indices(const LensForm& form) {
-    std::vector<int> indices;
-    for (int index = 0; index < static_cast<int>(parameter_count(form.model)); ++index) {
-        if (!is_held(form, index)) indices.push_back(index);
-    }
-    return indices;
-}
-
 /// Residuals of a view and their derivatives to the shared parameters and to its pose.
 struct Linearised {
     Eigen::VectorXd residuals;
@@ -130,46 +122,15 @@ ReducedView reduced(const Linearised& view) {
     return result;
 }
 
-/// Parameters differ by many orders of magnitude: scaled so that the diagonal is 1.
-class ScaledInverse {
- public:
-    explicit ScaledInverse(const Eigen::MatrixXd& information)
-        : scale_(information.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse()),
-          solver_(scale_.asDiagonal() * information * scale_.asDiagonal()) {
-        constexpr double kLeastPivot = 1e-13;
-        is_regular_ = solver_.info() == Eigen::Success && solver_.isPositive() &&
-                      solver_.vectorD().minCoeff() > kLeastPivot;
-    }
-    [[nodiscard]] bool is_regular() const { return is_regular_; }
-    [[nodiscard]] Eigen::MatrixXd times(const Eigen::MatrixXd& right) const {
-        return scale_.asDiagonal() * solver_.solve(scale_.asDiagonal() * right);
-    }
-
- private:
-    Eigen::VectorXd scale_;
-    Eigen::LDLT<Eigen::MatrixXd> solver_;
-    bool is_regular_ = false;
-};
-
-Eigen::MatrixXd total_information(const std::vector<ReducedView>& views) {
-    Eigen::MatrixXd total = views.front().information;
-    for (std::size_t index = 1; index < views.size(); ++index) total += views[index].information;
-    return total;
-}
-
-/// What leaving out each photograph changes in the shared parameters; empty: not determined.
-std::vector<Eigen::VectorXd> changes_without_each(const std::vector<ReducedView>& views) {
-    const Eigen::MatrixXd total = total_information(views);
-    std::vector<Eigen::VectorXd> changes;
-    for (const ReducedView& view : views) {
-        const ScaledInverse inverse(total - view.information);
-        if (!inverse.is_regular()) return {};
-        changes.emplace_back(inverse.times(view.gradient));
-    }
-    return changes;
-}
-
 }  // namespace
+
+std::vector<int> free_parameter_indices(const LensForm& form) {
+    std::vector<int> indices;
+    for (int index = 0; index < static_cast<int>(parameter_count(form.model)); ++index) {
+        if (!is_held(form, index)) indices.push_back(index);
+    }
+    return indices;
+}
 
 LensFit fit_lens(const BoardViews& board, const BoardSolution& start,
                  const LensFitOptions& options) {
@@ -200,7 +161,7 @@ LensFit fit_lens(const BoardViews& board, const BoardSolution& start,
 }
 
 std::vector<ReducedView> reduced_views(const BoardViews& board, const BoardSolution& solution) {
-    const std::vector<int> free = free_indices(solution.form);
+    const std::vector<int> free = free_parameter_indices(solution.form);
     std::vector<ReducedView> result;
     for (std::size_t index = 0; index < board.views.size(); ++index) {
         result.push_back(
@@ -208,63 +169,6 @@ std::vector<ReducedView> reduced_views(const BoardViews& board, const BoardSolut
                                solution.cam_from_board[index])));
     }
     return result;
-}
-
-std::vector<HeldOutFold> held_out_photographs(const std::vector<ReducedView>& views) {
-    constexpr std::size_t kLeastViews = 3;
-    if (views.size() < kLeastViews) return {};
-    const std::vector<Eigen::VectorXd> changes = changes_without_each(views);
-    std::vector<HeldOutFold> folds;
-    for (std::size_t index = 0; index < changes.size(); ++index) {
-        const ReducedView& view = views[index];
-        const Eigen::VectorXd& change = changes[index];
-        const double predicted_px2 = view.residual_sum_px2 + 2 * change.dot(view.gradient) +
-                                     change.dot(view.information * change);
-        folds.push_back({predicted_px2, view.residuals});
-    }
-    return folds;
-}
-
-LensCertainty lens_certainty(const std::vector<ReducedView>& views, const LensForm& form) {
-    LensCertainty certainty;
-    const Eigen::MatrixXd total = total_information(views);
-    const ScaledInverse inverse(total);
-    const std::vector<Eigen::VectorXd> changes = changes_without_each(views);
-    double residual_sum = 0;
-    int residuals = 0;
-    for (const ReducedView& view : views) {
-        residual_sum += view.residual_sum_px2;
-        residuals += view.residuals;
-    }
-    const auto shared = static_cast<int>(total.rows());
-    const auto count = static_cast<double>(views.size());
-    certainty.degrees_of_freedom = residuals - shared - 6 * static_cast<int>(views.size());
-    if (!inverse.is_regular() || certainty.degrees_of_freedom <= 0) return certainty;
-    const double variance_px2 = residual_sum / certainty.degrees_of_freedom;
-    certainty.point_sigma_px = std::sqrt(variance_px2);
-
-    if (!changes.empty() && variance_px2 > 0) {
-        Eigen::VectorXd mean = Eigen::VectorXd::Zero(shared);
-        for (const Eigen::VectorXd& change : changes) mean += change / count;
-        double spread = 0;
-        for (const Eigen::VectorXd& change : changes) {
-            spread += (change - mean).dot(total * (change - mean));
-        }
-        certainty.disagreement =
-            std::max(1.0, (count - 1) / count * spread / (variance_px2 * shared));
-    }
-    const std::vector<int> free = free_indices(form);
-    const auto lens_count = static_cast<Eigen::Index>(parameter_count(form.model));
-    const Eigen::MatrixXd of_shared = certainty.disagreement * variance_px2 *
-                                      inverse.times(Eigen::MatrixXd::Identity(shared, shared));
-    certainty.covariance = Eigen::MatrixXd::Zero(lens_count, lens_count);
-    for (std::size_t row = 0; row < free.size(); ++row) {
-        for (std::size_t column = 0; column < free.size(); ++column) {
-            certainty.covariance(free[row], free[column]) =
-                of_shared(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
-        }
-    }
-    return certainty;
 }
 
 }  // namespace lumi

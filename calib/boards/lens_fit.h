@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "calib/boards/board_projection.h"
-#include "calib/lens/lens_choice.h"
 #include "calib/lens/lens_form.h"
 
 namespace lumi {
@@ -36,6 +35,9 @@ struct LensFit {
 [[nodiscard]] LensFit fit_lens(const BoardViews& board, const BoardSolution& start,
                                const LensFitOptions& options = {});
 
+/// Places of the free parameters among those of the lens.
+[[nodiscard]] std::vector<int> free_parameter_indices(const LensForm& form);
+
 /// Normal equations of one photograph with its pose eliminated, for what all photographs share:
 /// the free parameters of the lens, and the size where it is estimated (last).
 struct ReducedView {
@@ -46,28 +48,5 @@ struct ReducedView {
 };
 [[nodiscard]] std::vector<ReducedView> reduced_views(const BoardViews& board,
                                                      const BoardSolution& solution);
-
-/// Held-out error of each photograph: the lens estimated without it, its pose solved again. From
-/// the reduced normal equations at the minimum, hence exact to first order in what one photograph
-/// changes (Allen's PRESS, by blocks; Cook and Weisberg, Residuals and Influence in Regression,
-/// 1982, section 2.2). Empty when the others do not determine the lens.
-[[nodiscard]] std::vector<HeldOutFold> held_out_photographs(const std::vector<ReducedView>& views);
-
-/// How certain the shared parameters are.
-struct LensCertainty {
-    Eigen::MatrixXd covariance;   ///< Of all parameters of the lens; zero rows where held.
-    double point_sigma_px = 0.0;  ///< Of one coordinate, from the residuals.
-    /// How much more photographs disagree about the lens than independent errors of their points
-    /// would let them (squared; at least 1): errors that a photograph's points share, such as a
-    /// bent board, motion or rolling shutter. The covariance contains it.
-    double disagreement = 1.0;
-    int degrees_of_freedom = 0;
-};
-
-/// From the information of all photographs, scaled by the jackknife over photographs pooled over
-/// the parameters (Efron, The Jackknife, the Bootstrap and Other Resampling Plans, 1982). An
-/// empty covariance when the photographs do not determine the lens.
-[[nodiscard]] LensCertainty lens_certainty(const std::vector<ReducedView>& views,
-                                           const LensForm& form);
 
 }  // namespace lumi

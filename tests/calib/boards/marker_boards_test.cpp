@@ -112,5 +112,16 @@ INSTANTIATE_TEST_SUITE_P(Prints, AprilGrids,
                          testing::Values(GridPrint{1, false}, GridPrint{2, false},
                                          GridPrint{2, true}));
 
+TEST(AprilGrid, NarrowGapsBetweenMarkersDoNotMoveTheirCorners) {
+    const Outcome outcome =
+        calibrate(printed_aprilgrid(6, 5, 0.9, 1, false), 6, 5, BoardKind::kSquareGrid);
+    for (const BoardDetection& detection : outcome.detections) {
+        EXPECT_EQ(name_of(detection.kind), "aprilgrid");
+        EXPECT_GE(detection.view.points.size(), 4u * 20u);
+    }
+    EXPECT_NEAR(outcome.calibration.lens.parameters[0], 700, 0.003 * 700);
+    EXPECT_LT(outcome.calibration.rms_px, 0.15);
+}
+
 }  // namespace
 }  // namespace lumi

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <random>
 
 #include "calib/boards/board_calibration.h"
 #include "calib/boards/board_detection.h"
@@ -99,6 +100,30 @@ TEST(UnsoundCaptures, HalfOfThePhotographsAtAnotherZoomAreRefused) {
     EXPECT_EQ(refusal_of(board), "E-BOARDS-SEVERAL");
 }
 
+TEST(UnsoundCaptures, WhatPhotographsDisagreeAboutIsUncertain) {
+    const Camera lens{
+        1280, 720, LensModel::kOpenCv, {930, 935, 655, 352, -0.12, 0.05, 0.001, -0.002}};
+    for (std::uint32_t seed = 0; seed < 8; ++seed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> zoom(0.98, 1.02);
+        BoardViews board{lens.width_px, lens.height_px, {}};
+        for (BoardPose pose : hand_held_poses(lens, 9, 6, 8, 40, 100 + seed)) {
+            Camera zoomed = lens;
+            const double factor = zoom(random);
+            for (const std::size_t focal : {0U, 1U}) zoomed.parameters[focal] *= factor;
+            pose[5] *= factor;
+            const auto index = static_cast<std::uint32_t>(board.views.size());
+            BoardView view =
+                seen_chessboards(zoomed, 9, 6, {pose}, 0.2, 50 * seed + index).views.front();
+            view.photograph = std::to_string(index);
+            board.views.push_back(std::move(view));
+        }
+        const BoardCalibration found = lens_from(board);
+        EXPECT_NEAR(found.lens.parameters[0], 930, 2.5 * found.parameters[0].sigma)
+            << "seed " << seed;
+    }
+}
+
 TEST(UnsoundCaptures, ABoardThatIsNotFlatIsNamed) {
     const std::vector<BoardPose> poses = hand_held_poses(kBarrelLens, 9, 6, 12, 40, 3);
     BoardViews board = seen_chessboards(kBarrelLens, 9, 6, poses, 0.1, 3);
@@ -131,6 +156,51 @@ TEST(UnsoundCaptures, APatternThatIsNotTheOneTakenForIsRefused) {
         }
     }
     EXPECT_EQ(refusal_of(board), "E-BOARDS-NOFIT");
+}
+
+TEST(UnsoundCaptures, APhotographOfAnotherSizeThanMostIsLeftOutByName) {
+    const ScratchFolder folder;
+    const std::vector<BoardPose> poses = hand_held_poses(kBarrelLens, 9, 6, 3, 20, 2);
+    for (std::size_t index = 0; index < poses.size(); ++index) {
+        write_png(folder.path() / (std::to_string(index) + ".png"),
+                  photograph_of(printed_chessboard(9, 6), kBarrelLens, poses[index]));
+    }
+    write_png(folder.path() / "turned.png", GrayImage(480, 640, 90));
+    write_png(folder.path() / "small.png", GrayImage(320, 240, 90));
+    SilentProgress progress;
+    const BoardPhotographs found = find_boards(folder.path(), {}, 1, progress);
+    EXPECT_EQ(found.board.width_px, 640);
+    EXPECT_EQ(found.board.height_px, 480);
+    EXPECT_EQ(found.board.views.size(), 3u);
+    ASSERT_EQ(found.left_out.size(), 2u);
+    EXPECT_EQ(found.left_out[0].name, "small.png");
+    EXPECT_EQ(found.left_out[1].name, "turned.png");
+    EXPECT_EQ(found.left_out[1].code, "E-BOARD-SIZE");
+    EXPECT_THAT(found.left_out[1].reason, HasSubstr("480 x 640"));
+    EXPECT_THAT(found.left_out[1].reason, HasSubstr("turned"));
+}
+
+TEST(UnsoundCaptures, AWrongSizeOfSquaresIsNamedWhereNothingFits) {
+    BoardViews board = captured(kBarrelLens, 8, 40, 0.1, 3);
+    // Corners of squares of half the distance between them, of which 0.3 was said.
+    for (BoardView& view : board.views) {
+        for (BoardPoint& point : view.points) {
+            const Eigen::Vector2d corner = point.place;
+            point.place = {std::floor(corner.x() / 2), std::floor(corner.y() / 2)};
+            point.along_size = {std::fmod(corner.x(), 2) - 0.5, std::fmod(corner.y(), 2) - 0.5};
+        }
+    }
+    board.is_size_known = true;
+    board.size_per_pitch = 0.5;
+    EXPECT_LT(lens_from(board).rms_px, 0.2);
+    board.size_per_pitch = 0.3;
+    try {
+        (void)lens_from(board);
+        FAIL() << "no square of this board has 0.3";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-BOARDS-NOFIT");
+        EXPECT_THAT(error.advice(), HasSubstr("--square-ratio"));
+    }
 }
 
 TEST(UnsoundCaptures, ABoardLargerThanTheOneDescribedIsSaidToBe) {
