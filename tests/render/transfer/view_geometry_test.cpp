@@ -49,14 +49,6 @@ TEST(ScenePlane, PassesThroughTheCentreAndFacesTheEye) {
     }
 }
 
-TEST(ScenePlane, KeepsItsDistanceFromAnEyeAtTheCentre) {
-    Lumigraph lumigraph;
-    lumigraph.near_depth = 2;
-    const Eye eye = eye_at({0, 0, 0}, {0, 0, 1}, pinhole_camera(80, 60, 70));
-    const Eigen::Vector3d line = scene_plane_inverse_depth(lumigraph, eye);
-    EXPECT_NEAR(line.dot(Eigen::Vector3d(40, 30, 1)), 0.5, 1e-12);
-}
-
 TEST(ViewGeometry, TellsHowMuchLessUncertainASurfaceIsFromFarAway) {
     const Eigen::Vector3d scene_centre(0, 0, 4);
     const std::vector<ViewGeometry> views{
