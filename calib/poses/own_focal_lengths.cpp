@@ -11,6 +11,7 @@
 #include "calib/doctor/capture_reason.h"
 #include "calib/poses/residual_pattern.h"
 #include "calib/poses/supposed_adjustment.h"
+#include "calib/work/error.h"
 #include "calib/work/formatted.h"
 
 namespace lumi {
@@ -140,15 +141,9 @@ std::string warning_of(const Zooms& zooms) {
                100 * (most->second / least->second - 1));
 }
 
-}  // namespace
-
-std::optional<SecondModel> find_own_focal_lengths(const MappingJob& job, LensPolicy policy,
-                                                  const Capture& mapped, const Capture& refined) {
-    if (!job.options.shared_lens || policy == LensPolicy::kHeld ||
-        !residual_pattern(refined).is_zoomed()) {
-        return std::nullopt;
-    }
-    job.progress.begin("asking whether the focus moved between photographs", 0);
+std::optional<SecondModel> model_with_own_focal_lengths(const MappingJob& job, LensPolicy policy,
+                                                        const Capture& mapped,
+                                                        const Capture& refined) {
     const auto refined_by = [&](LensPolicy by, Capture capture, PoseEvidence& evidence) {
         refine(capture, by, job.options, job.threads, evidence, job.progress);
         return capture;
@@ -156,9 +151,9 @@ std::optional<SecondModel> find_own_focal_lengths(const MappingJob& job, LensPol
     SecondModel model;
     model.mapped = mapped;
     model.mapped.cameras = refined.cameras;
-    const SharedLenses lenses(model.mapped);
-
     if (!are_worth_it(job, model.mapped)) return std::nullopt;
+
+    const SharedLenses lenses(model.mapped);
     PoseEvidence of_first;
     const Capture first =
         refined_by(LensPolicy::kFocalLength, with_own_cameras(model.mapped, {}), of_first);
@@ -172,9 +167,27 @@ std::optional<SecondModel> find_own_focal_lengths(const MappingJob& job, LensPol
     PoseEvidence of_own;
     model.refined =
         refined_by(LensPolicy::kFocalLength, with_own_cameras(std::move(steady), zooms), of_own);
+    if (model.refined.views.size() < refined.views.size()) return std::nullopt;
     tell_of_lenses(job.evidence, lenses, model.refined, std::move(of_own), of_steady);
     model.warning = warning_of(lenses.zooms_of(model.refined));
     return model;
+}
+
+}  // namespace
+
+std::optional<SecondModel> find_own_focal_lengths(const MappingJob& job, LensPolicy policy,
+                                                  const Capture& mapped, const Capture& refined) {
+    if (!job.options.shared_lens || policy == LensPolicy::kHeld ||
+        !residual_pattern(refined).is_zoomed()) {
+        return std::nullopt;
+    }
+    job.progress.begin("asking whether the focus moved between photographs", 0);
+    try {
+        return model_with_own_focal_lengths(job, policy, mapped, refined);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::kDegenerateCapture) throw;
+        return std::nullopt;  // The model that there is stands.
+    }
 }
 
 }  // namespace lumi

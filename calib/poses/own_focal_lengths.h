@@ -20,7 +20,7 @@ namespace lumi {
 /// mean focal length, which is exact: distortion is a matter of directions. Of those, lenses are
 /// chosen as ever (refine with `policy`), and focal lengths adjusted once more. Returns that model,
 /// of which `job.evidence` then tells, with a camera for each view; empty where nothing tells of a
-/// zoom. Throws Error as refine.
+/// zoom, or where it would place fewer views or come to none. Throws Error: E-INTERRUPTED.
 [[nodiscard]] std::optional<SecondModel> find_own_focal_lengths(const MappingJob& job,
                                                                 LensPolicy policy,
                                                                 const Capture& mapped,
