@@ -9,8 +9,8 @@ namespace lumi {
 /// The plane that stands for the scene when no depth is used: through the scene's centre and facing
 /// the eye's position, so that turning the eye turns the picture and nothing swims. As a line: the
 /// eye's inverse depth at pixel (x, y) is max(0, line . (x, y, 1)); away from the plane it is
-/// infinitely far. An eye that comes closer than the scene's near end stays that far from the plane;
-/// where it passes the centre the plane recedes to infinity, as it turns about there.
+/// infinitely far. An eye that comes closer than the scene's near end stays that far from the
+/// plane; where it passes the centre the plane recedes to infinity, as it turns about there.
 [[nodiscard]] Eigen::Vector3d scene_plane_inverse_depth(const Lumigraph& lumigraph, const Eye& eye);
 
 /// The same for a plane across the eye's optical axis, so far away (> 0): the movable focal surface
