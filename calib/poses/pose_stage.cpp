@@ -17,6 +17,7 @@
 #include "calib/poses/refinement.h"
 #include "calib/poses/registration.h"
 #include "calib/poses/stated_uncertainty.h"
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 
 namespace lumi {
@@ -96,7 +97,7 @@ void refuse_too_few(const Capture& capture, const std::vector<Photograph>& photo
     }
     throw Error(ErrorKind::kDegenerateCapture, "E-POSES-FEW",
                 "only " + std::to_string(capture.views.size()) + " of " +
-                    std::to_string(photographs.size()) + " photographs could be placed" + names +
+                    counted(photographs.size(), "photograph") + " could be placed" + names +
                     (not_registered.size() > 5 ? ", ... were not" : ""),
                 "add photographs between those that are far apart, so that each overlaps by two "
                 "thirds with the next; or lower [poses] min_registered_share");

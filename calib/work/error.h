@@ -39,4 +39,9 @@ class Error : public std::runtime_error {
     std::string advice_;
 };
 
+/// In one line, for tables and lists of what failed: "E-CODE: what -> advice".
+[[nodiscard]] inline std::string failure_text(const Error& failure) {
+    return failure.code() + ": " + failure.what() + " -> " + failure.advice();
+}
+
 }  // namespace lumi

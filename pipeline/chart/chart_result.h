@@ -19,7 +19,7 @@ struct StageTimes {
 
 /// A variant as it was built and measured.
 struct MeasuredVariant {
-    std::string failure;  ///< "E-CODE: what"; empty when it was built.
+    std::string failure;  ///< failure_text; empty when it was built.
     std::vector<StageTimes> stages;
     double package_mib = 0.0;
     bool repeats_are_equal = true;   ///< The package, to the last bit, in every repetition.

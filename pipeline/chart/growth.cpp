@@ -104,7 +104,7 @@ class GrowthRun {
             if (error.kind() == ErrorKind::kInterrupted || error.kind() == ErrorKind::kResources) {
                 throw;
             }
-            result.failures.push_back(name + ": " + error.code() + ": " + error.what());
+            result.failures.push_back(name + ": " + failure_text(error));
             progress_.note(result.failures.back());
             first_error_ = first_error_.value_or(error);
         }

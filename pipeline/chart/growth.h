@@ -37,7 +37,7 @@ struct GrowthSample {
 struct GrowthResult {
     std::vector<GrowthSample> by_photographs;
     std::vector<GrowthSample> by_size;
-    std::vector<std::string> failures;  ///< "14 photographs: E-CODE: what".
+    std::vector<std::string> failures;  ///< "14 photographs: " and failure_text.
 };
 
 /// Builds the capture with fewer photographs and with smaller ones, each stage by `program` (lumi

@@ -71,7 +71,7 @@ class SweepRun {
             if (error.kind() == ErrorKind::kInterrupted || error.kind() == ErrorKind::kResources) {
                 throw;
             }
-            result_.variants[index].failure = error.code() + ": " + error.what();
+            result_.variants[index].failure = failure_text(error);
             progress_.note(variants()[index].label + ": " + result_.variants[index].failure);
             first_error_ = first_error_.value_or(error);
         }

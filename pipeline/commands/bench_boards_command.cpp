@@ -5,6 +5,7 @@
 
 #include "calib/boards/board_calibration.h"
 #include "calib/boards/board_detection.h"
+#include "calib/ingest/photograph_folder.h"
 #include "calib/lens_files/lens_files.h"
 #include "calib/work/error.h"
 #include "calib/work/stopwatch.h"
@@ -107,6 +108,8 @@ void add_bench_boards_command(CLI::App& app, CommandContext& context) {
         ->required();
     command.callback([folders, &context] {
         context.chosen = [folders, &context] {
+            for (const fs::path& folder : *folders)
+                static_cast<void>(list_photographs(folder, {}, {}));
             std::vector<Json> rows;
             for (const fs::path& folder : *folders) {
                 rows.push_back(row_for(folder, context.threads, *context.progress));

@@ -79,10 +79,6 @@ bool ends_all_scenes(const Error& error) {
 
 }  // namespace
 
-std::string failure_text(const Error& failure) {
-    return failure.code() + ": " + failure.what() + " -> " + failure.advice();
-}
-
 std::vector<SceneOutcome> run_dataset(const Dataset& dataset, const fs::path& folder, int threads,
                                       Progress& progress) {
     std::vector<SceneOutcome> outcomes;

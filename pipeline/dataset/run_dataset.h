@@ -25,9 +25,6 @@ struct SceneOutcome {
     std::optional<Interval> flip_interval;
 };
 
-/// A scene's failure and what to do about it, in one line.
-[[nodiscard]] std::string failure_text(const Error& failure);
-
 /// Builds every scene in FOLDER/NAME, evaluates those with held-out photographs, all alike, and
 /// writes their reports. What is up to date is not made again. A scene that fails does not stop the
 /// others; only an interruption and a full disk do.

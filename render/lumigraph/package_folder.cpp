@@ -21,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kNameThePackage = "name the folder that `lumi build` made; it ends in .lumi";
+
 [[noreturn]] void refuse(const std::string& code, const fs::path& path, const std::string& what) {
     throw Error(ErrorKind::kBadInput, code, path.string() + ": " + what,
                 "the package is damaged: copy it again, or build it again with `lumi build`");
@@ -128,6 +130,13 @@ const fs::path& not_around_package(const fs::path& folder) {
                     folder.string() + ": is no package, but a folder that holds one",
                     "did you mean " + printable(entry.path().string()) + "?");
     }
+    // A package that lost its manifest is still called one.
+    if (fs::is_directory(folder, status) && folder.extension() != ".lumi") {
+        throw Error(
+            ErrorKind::kBadInput, "E-PACKAGE-MISSING",
+            folder.string() + ": is no package: no " + std::string(kManifestName) + " lies in it",
+            kNameThePackage);
+    }
     return folder;
 }
 
@@ -137,7 +146,7 @@ PackageFolder::PackageFolder(const fs::path& folder)
     if (descriptor_ < 0) {
         throw Error(ErrorKind::kBadInput, "E-PACKAGE-MISSING",
                     folder.string() + ": expected the folder of a package: " + std::strerror(errno),
-                    "name the folder that `lumi build` made; it ends in .lumi");
+                    kNameThePackage);
     }
 }
 

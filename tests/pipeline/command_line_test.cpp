@@ -127,6 +127,7 @@ TEST(CommandLine, AMissingInputIsBadInput) {
     EXPECT_EQ(lumi("build " + quoted(scratch / "no.toml")).exit_code, 3);
     EXPECT_EQ(lumi("evaluate " + quoted(scratch.path())).exit_code, 3);
     EXPECT_EQ(lumi("validate " + quoted(scratch / "no.lumi")).exit_code, 3);
+    EXPECT_EQ(lumi("bench-boards " + quoted(scratch / "no-boards")).exit_code, 3);
     const Outcome poses =
         lumi("compare-poses " + quoted(scratch / "a") + " " + quoted(scratch / "b"));
     EXPECT_EQ(poses.exit_code, 3);

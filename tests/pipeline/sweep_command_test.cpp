@@ -110,7 +110,7 @@ TEST_F(Sweeps, AVariantThatCannotBeBuiltIsToldAndTheOthersGoOn) {
     const Json chart = Json::parse(outcome.out);
     EXPECT_EQ(chart.at("variants").at(0).at("failure"), "");
     EXPECT_THAT(chart.at("variants").at(1).at("failure").get<std::string>(),
-                HasSubstr("E-INGEST-TOOFEW"));
+                testing::AllOf(HasSubstr("E-INGEST-TOOFEW"), HasSubstr(" -> ")));
 }
 
 TEST_F(Sweeps, ATargetIsMetByWhatIsDeliveredOrTheNearestIsTold) {

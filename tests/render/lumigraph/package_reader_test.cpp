@@ -306,6 +306,21 @@ TEST_F(PackageReader, NamesTheFolderThatIsNoPackage) {
     EXPECT_EQ(code_of_reading(folder_ / "points.ply"), "E-PACKAGE-MISSING");
 }
 
+TEST_F(PackageReader, CallsAFolderThatIsNoPackageNotADamagedOne) {
+    const auto advice_for = [](const fs::path& folder) {
+        try {
+            static_cast<void>(read_package(folder));
+        } catch (const Error& error) {
+            return error.advice();
+        }
+        return std::string();
+    };
+    fs::create_directory(scratch_ / "photographs");
+    EXPECT_TRUE(advice_for(scratch_ / "photographs").ends_with("ends in .lumi"));
+    fs::create_directory(scratch_ / "lost.lumi");
+    EXPECT_TRUE(advice_for(scratch_ / "lost.lumi").starts_with("the package is damaged"));
+}
+
 TEST_F(PackageReader, ErrorsNameTheFileAndHoldNoControlCharacters) {
     forge_manifest(folder_, [](Json& json) {
         json["views"][1]["name"] = json["views"][0]["name"] = "\x1b]0;title\x07.jpg";
