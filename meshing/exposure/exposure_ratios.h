@@ -4,8 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "calib/work/progress.h"
-#include "meshing/surface/pictured_view.h"
+#include "meshing/exposure/shared_tiles.h"
 
 namespace lumi {
 
@@ -22,13 +21,12 @@ struct ExposureRatio {
     double spread = 0.0;
 };
 
-/// The ratios between each view and the eight that share most with it, each pair once.
+/// The ratios of pairs of views whose lens loses this much light towards the corners
+/// (light_left.h).
 ///
-/// Photographs are averaged in linear light on a coarse raster; a place counts for a pair when
-/// both views have seen depth there, each finds the other's surface, and neither is nearly black or
-/// saturated. Of each tile the median counts, and of the tiles of a colour their median: highlights
-/// and what moved are outvoted. Pairs with fewer than three tiles of a colour are left out.
-[[nodiscard]] std::vector<ExposureRatio> exposure_ratios(const std::vector<PicturedView>& views,
-                                                         int threads, const Progress& progress);
+/// Of the tiles of a colour their median counts: highlights and what moved are outvoted. Pairs with
+/// fewer than three tiles of a colour are left out.
+[[nodiscard]] std::vector<ExposureRatio> exposure_ratios(const std::vector<SharedTiles>& pairs,
+                                                         double light_falloff);
 
 }  // namespace lumi

@@ -34,6 +34,7 @@ Json package_json(const Lumigraph& lumigraph) {
     return Json{{"name", lumigraph.name},
                 {"near_depth", lumigraph.near_depth},
                 {"far_depth", lumigraph.far_depth},
+                {"light_falloff", lumigraph.light_falloff},
                 {"occlusion_tolerance_px", lumigraph.drawing.occlusion_tolerance_px},
                 {"noisy_depth_error_px", lumigraph.noisy_depth_error_px},
                 {"depth_views", lumigraph.drawing.depth_views},
@@ -56,6 +57,13 @@ std::string gain_text(const LumigraphView& view) {
            number_text(view.exposure_gain[1], 3) + " " + number_text(view.exposure_gain[2], 3);
 }
 
+/// Nothing for photographs that do not darken towards their corners.
+std::string falloff_text(const Lumigraph& lumigraph) {
+    if (lumigraph.light_falloff == 0) return "";
+    const double left = lumigraph.light_left_in_corners();
+    return ", corners darker by up to " + number_text(100 * (1 - left), 0) + " % of their light";
+}
+
 std::string package_text(const Lumigraph& lumigraph) {
     std::string text =
         lumigraph.name + ": " + counted(lumigraph.views.size(), "view") + ", depth " +
@@ -72,7 +80,8 @@ std::string package_text(const Lumigraph& lumigraph) {
         (lumigraph.drawing.fills_holes ? ", what these do not see drawn from others" : "") +
         (lumigraph.drawing.checks_guesses ? ", guesses checked" : "") + ", triangles within " +
         number_text(lumigraph.drawing.triangle_error_px, 2) + " px" +
-        (lumigraph.drawing.draws_thin ? ", what is thinner drawn over them" : "") + "\n";
+        (lumigraph.drawing.draws_thin ? ", what is thinner drawn over them" : "") +
+        falloff_text(lumigraph) + "\n";
     for (const LumigraphView& view : lumigraph.views) {
         text += view.name + "  " + std::to_string(view.camera.width_px) + "x" +
                 std::to_string(view.camera.height_px) + "  focal length " +

@@ -21,6 +21,7 @@
 #include "pipeline/evaluate/image_metrics.h"
 #include "pipeline/stages/file_stems.h"
 #include "pipeline/text/number_text.h"
+#include "render/lumigraph/even_exposure.h"
 #include "render/lumigraph/package.h"
 #include "render/paths/photograph_eye.h"
 #include "render/renderer/mode_reference.h"
@@ -63,6 +64,7 @@ struct Job {
     fs::path out;
     ColorImage photograph{};
     bool is_drawn_from_it = false;  ///< The photograph is in the package.
+    double falloff = 0.0;           ///< Of the lens, in the photograph and not in the frame.
 };
 
 Job job_at(const LumigraphView& view, const fs::path& out) {
@@ -76,7 +78,8 @@ Job job_at_view(const RenderRequest& request, const Lumigraph& lumigraph) {
     if (view != lumigraph.views.end()) return job_at(*view, request.out);
     const std::vector<HeldOutView> held_out = held_out_views_beside(request.package);
     const auto beside = std::find_if(held_out.begin(), held_out.end(), is_wanted);
-    if (beside != held_out.end()) return {beside->eye, request.out, beside->photograph};
+    if (beside != held_out.end())
+        return {beside->eye, request.out, beside->photograph, false, lumigraph.evened_falloff};
     throw Error(
         ErrorKind::kUsage, "E-RENDER-VIEW",
         "the package has no view named " + request.view + ", and none of that name was held out",
@@ -99,7 +102,8 @@ std::vector<Job> jobs_of(const RenderRequest& request, const Eye& eye, const Lum
 /// Draws how far the frame is from the photograph.
 Json draw_difference(const Job& job, const Draw& draw) {
     const Stopwatch stopwatch;
-    const Frame frame = draw(job.eye);
+    Frame frame = draw(job.eye);
+    frame.color = darkened_by_lens(std::move(frame.color), job.eye.camera, job.falloff);
     const double ms = 1000.0 * stopwatch.elapsed().wall_s;
     write_png(job.out, difference_picture(frame.color, job.photograph));
     Json result{{"file", job.out.string()},

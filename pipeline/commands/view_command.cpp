@@ -12,6 +12,7 @@
 #include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/evaluate/held_out_beside.h"
 #include "pipeline/plan/planned_views.h"
+#include "render/lumigraph/even_exposure.h"
 #include "render/viewer/recent_packages.h"
 #include "render/viewer/window.h"
 
@@ -43,6 +44,9 @@ PackageLoader loader_of(const ViewRequest& request) {
         if (!request.screenshot.empty()) return opened;
         try {
             opened.held_out = held_out_views_beside(package);
+            for (HeldOutView& view : opened.held_out)
+                view.photograph = without_falloff(std::move(view.photograph), view.eye.camera,
+                                                  opened.lumigraph.evened_falloff);
         } catch (const Error& error) {
             opened.message = "nothing to compare with: " + std::string(error.what());
         }

@@ -66,7 +66,7 @@ class HeldOutJudge {
         const RepeatedTimes times = times_of(std::max(1, options_.timed_frames), [&] {
             static_cast<void>(renderer.draw(eyes_[index], {.mode = mode}));
         });
-        return judged_view(held_out_, index, lumigraph_.mesh, options_.subject_mask,
+        return judged_view(held_out_, index, lumigraph_, options_.subject_mask,
                            std::move(rendering), times);
     }
 

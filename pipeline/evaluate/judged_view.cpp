@@ -10,6 +10,7 @@
 #include "pipeline/evaluate/flip.h"
 #include "pipeline/evaluate/gain_fit.h"
 #include "pipeline/evaluate/image_metrics.h"
+#include "render/lumigraph/even_exposure.h"
 
 namespace lumi {
 namespace {
@@ -67,19 +68,21 @@ std::vector<Eye> eyes_of(const PosedPhotographs& held_out) {
     return eyes;
 }
 
-JudgedView judged_view(const PosedPhotographs& held_out, std::size_t index, const CameraMesh& mesh,
-                       const SubjectMask& subject_mask, Frame rendering,
+JudgedView judged_view(const PosedPhotographs& held_out, std::size_t index,
+                       const Lumigraph& lumigraph, const SubjectMask& subject_mask, Frame rendering,
                        const RepeatedTimes& times) {
     const View& view = held_out.capture.views[index];
     JudgedView judged;
     judged.score.name = view.name;
-    judged.score.place =
-        place_of_view(mesh, camera_of(held_out.capture, view), view.cam_from_world);
+    const Camera camera = camera_of(held_out.capture, view);
+    judged.score.place = place_of_view(lumigraph.mesh, camera, view.cam_from_world);
     judged.photograph = read_color_image(held_out.picture_paths[index]);
     judged.score.width_px = judged.photograph.width();
     judged.score.height_px = judged.photograph.height();
     if (subject_mask) judged.subject = subject_mask(judged.score.name, judged.photograph);
     judged.rendering = std::move(rendering);
+    judged.rendering.color =
+        darkened_by_lens(std::move(judged.rendering.color), camera, lumigraph.evened_falloff);
     score_picture(judged);
     score_times(times, judged.score);
     return judged;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "calib/capture/posed_photographs.h"
-#include "meshing/surface/camera_mesh.h"
 #include "pipeline/evaluate/view_score.h"
 #include "render/frame/frame.h"
 #include "render/lumigraph/lumigraph.h"
@@ -39,11 +38,11 @@ struct RepeatedTimes {
 /// The eyes that took held-out photographs.
 [[nodiscard]] std::vector<Eye> eyes_of(const PosedPhotographs& held_out);
 
-/// Judges what was drawn in the place of one of the held-out photographs, from cameras with this
-/// mesh, and took these times. `subject_mask` may be empty. Throws Error for a photograph that
-/// cannot be read.
+/// Judges what was drawn of the Lumigraph in the place of one of the held-out photographs, and took
+/// these times; as dark towards its corners as the photograph, if the Lumigraph's were evened out.
+/// `subject_mask` may be empty. Throws Error for a photograph that cannot be read.
 [[nodiscard]] JudgedView judged_view(const PosedPhotographs& held_out, std::size_t index,
-                                     const CameraMesh& mesh, const SubjectMask& subject_mask,
+                                     const Lumigraph& lumigraph, const SubjectMask& subject_mask,
                                      Frame rendering, const RepeatedTimes& times);
 
 }  // namespace lumi

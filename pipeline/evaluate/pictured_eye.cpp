@@ -15,7 +15,8 @@ KeptBackViews keep_back(const Lumigraph& lumigraph, int every, int first) {
     for (int i = 0; i < static_cast<int>(lumigraph.views.size()); ++i) {
         const LumigraphView& view = lumigraph.views[static_cast<std::size_t>(i)];
         if (i % every == first) {
-            kept.pictures.push_back({{view.camera, view.cam_from_world}, evened_photograph(view)});
+            kept.pictures.push_back({{view.camera, view.cam_from_world},
+                                     evened_photograph(view, lumigraph.light_falloff)});
         } else {
             kept.others.push_back(i);
         }

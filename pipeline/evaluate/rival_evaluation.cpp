@@ -75,7 +75,7 @@ class RivalJudge {
             Frame frame;
             const RepeatedTimes times = draw(eyes_[i], frame);
             const JudgedView judged =
-                judged_view(held_out_, i, lumigraph_.mesh, subject_mask_, std::move(frame), times);
+                judged_view(held_out_, i, lumigraph_, subject_mask_, std::move(frame), times);
             keep_(method, judged);
             scores.views.push_back(judged.score);
             progress_.advance();

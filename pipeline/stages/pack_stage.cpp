@@ -7,6 +7,7 @@
 #include "calib/work/content_hash.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/exposure/exposure_gains.h"
+#include "meshing/exposure/light_falloff.h"
 #include "meshing/surface/mesh_io.h"
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/stages/depth_files.h"
@@ -72,12 +73,15 @@ Lumigraph gather_lumigraph(const PackSources& sources, int threads, Progress& pr
     return lumigraph;
 }
 
-/// Measures how photographs differ in exposure, and notes with each view what evens it out.
-ExposureGains find_exposure_gains(Lumigraph& lumigraph, int threads, Progress& progress) {
+/// Measures how photographs darken towards their corners and differ in exposure, and notes with
+/// the Lumigraph and each view what evens it out.
+ExposureGains find_exposures(Lumigraph& lumigraph, int threads, Progress& progress) {
     progress.begin("comparing exposures", 0);
-    const ExposureGains found =
-        exposure_gains(static_cast<int>(lumigraph.views.size()),
-                       exposure_ratios(pictured_views(lumigraph), threads, progress));
+    const std::vector<PicturedView> pictured = pictured_views(lumigraph);
+    const std::vector<SharedTiles> shared = shared_tiles(pictured, threads, progress);
+    lumigraph.light_falloff = light_falloff(pictured, shared);
+    const ExposureGains found = exposure_gains(static_cast<int>(lumigraph.views.size()),
+                                               exposure_ratios(shared, lumigraph.light_falloff));
     if (found.model == ExposureModel::kNone) return found;
     std::vector<Eigen::Vector3d> centres_in_world;
     for (const LumigraphView& view : lumigraph.views) {
@@ -90,8 +94,10 @@ ExposureGains find_exposure_gains(Lumigraph& lumigraph, int threads, Progress& p
     return found;
 }
 
-Json exposure_json(const ExposureGains& found) {
-    return {{"model", name_of(found.model)},
+Json exposure_json(const ExposureGains& found, const Lumigraph& lumigraph) {
+    return {{"light_falloff", lumigraph.light_falloff},
+            {"light_left_in_corners", lumigraph.light_left_in_corners()},
+            {"model", name_of(found.model)},
             {"pairs", found.pairs},
             {"difference_stops", found.difference_stops},
             {"remaining_stops", found.remaining_stops},
@@ -145,7 +151,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     lumigraph.drawing.fade_beyond_capture = sources.drawing.fade_beyond_capture;
     ExposureGains exposures;
     if (sources.drawing.even_exposure) {
-        exposures = find_exposure_gains(lumigraph, threads, progress);
+        exposures = find_exposures(lumigraph, threads, progress);
     }
     ViewLimit limit(sources, extras, folder, threads, progress);
     limit.keep_to_count(lumigraph);
@@ -166,7 +172,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
                      {"near_depth", lumigraph.near_depth},
                      {"far_depth", lumigraph.far_depth},
                      {"transients", std::move(transients)},
-                     {"exposure", exposure_json(exposures)},
+                     {"exposure", exposure_json(exposures, lumigraph)},
                      {"depth_mesh_effort", json_of(of_meshes)},
                      {"occlusion_effort", json_of(efforts.occlusion)},
                      {"depth_effort", json_of(efforts.depth)},

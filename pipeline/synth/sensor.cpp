@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "calib/capture/light_left.h"
 #include "calib/capture/nearest_byte.h"
 #include "pipeline/synth/hashed_random.h"
 #include "pipeline/synth/read_vectors.h"
@@ -57,7 +58,19 @@ SensorOptions read_sensor_options(const ConfigSection& section) {
     options.exposure_drift_stops =
         read_not_negative(section, "exposure_drift_stops", options.exposure_drift_stops);
     options.blur_sigma_px = read_not_negative(section, "blur_sigma_px", options.blur_sigma_px);
+    options.light_falloff = section.number("light_falloff", options.light_falloff);
+    if (options.light_falloff > 0) section.refuse("light_falloff", "a number that is 0 or less");
     return options;
+}
+
+Image<LinearColor> behind_lens(Image<LinearColor> light, const Camera& camera,
+                               double light_falloff) {
+    if (light_falloff == 0) return light;
+    for (int y = 0; y < light.height(); ++y)
+        for (int x = 0; x < light.width(); ++x)
+            light(x, y) *=
+                static_cast<float>(light_left(light_falloff, camera, {x + 0.5, y + 0.5}));
+    return light;
 }
 
 ColorImage develop(const Image<LinearColor>& light, const SensorOptions& options,

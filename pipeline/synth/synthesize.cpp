@@ -37,8 +37,10 @@ struct Developed {
 
 Developed take(const SceneDescription& description, const Capture& capture, int view_index) {
     const View& view = capture.views[static_cast<std::size_t>(view_index)];
-    ExactPicture exact = photograph(description.scene, camera_of(capture, view),
-                                    view.cam_from_world, description.sampling);
+    const Camera& camera = camera_of(capture, view);
+    ExactPicture exact =
+        photograph(description.scene, camera, view.cam_from_world, description.sampling);
+    exact.light = behind_lens(std::move(exact.light), camera, description.sensor.light_falloff);
     const std::uint64_t seed = seed_for(description, Chance::kSensor);
     return {develop(exact.light, description.sensor,
                     mixed(seed ^ static_cast<std::uint64_t>(view_index))),

@@ -1,9 +1,12 @@
 #include "render/lumigraph/even_exposure.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
+#include "calib/capture/light_left.h"
 #include "calib/pictures/srgb_curve.h"
 #include "calib/work/parallel_for.h"
 
@@ -11,12 +14,20 @@ namespace lumi {
 namespace {
 
 constexpr double kShoulder = 0.9;  // Of the encoded range.
+/// Of the logarithm of light: a fifth of an 8-bit step of white.
+constexpr double kGainStep = 1.0 / 512;
 
+double between(double value, double from, double to, double first, double last) {
+    return first + (last - first) * (value - from) / (to - from);
+}
+
+/// With 1/gain it is the inverse.
 double evened(double encoded, double gain) {
-    const double multiplied = srgb_of_light(gain * light_of_srgb(encoded));
-    if (gain >= 1 || encoded <= kShoulder) return multiplied;
-    const double at_shoulder = srgb_of_light(gain * light_of_srgb(kShoulder));
-    return at_shoulder + (1 - at_shoulder) * (encoded - kShoulder) / (1 - kShoulder);
+    const double dark_shoulder = srgb_of_light(std::min(gain, 1 / gain) * light_of_srgb(kShoulder));
+    const double from = gain < 1 ? kShoulder : dark_shoulder;
+    const double to = gain < 1 ? dark_shoulder : kShoulder;
+    return encoded <= from ? srgb_of_light(gain * light_of_srgb(encoded))
+                           : between(encoded, from, 1, to, 1);
 }
 
 using ByteTable = std::array<std::uint8_t, 256>;
@@ -30,25 +41,73 @@ ByteTable evened_bytes(double gain) {
     return table;
 }
 
+/// What becomes of a channel's bytes, in rings about the optical axis that differ by a step.
+class RingTables {
+ public:
+    /// Light is multiplied by `gain`, and by exp(growth tan^2 a) more at an angle a to the axis.
+    RingTables(double gain, double growth, double farthest_squared_tangent)
+        : steps_per_squared_tangent_(std::abs(growth) / kGainStep) {
+        const auto rings = static_cast<int>(steps_per_squared_tangent_ * farthest_squared_tangent);
+        for (int ring = 0; ring <= rings + 1; ++ring)
+            tables_.push_back(
+                evened_bytes(gain * std::exp(std::copysign(ring * kGainStep, growth))));
+    }
+    [[nodiscard]] const ByteTable& at(double squared_tangent) const {
+        return tables_[static_cast<std::size_t>(steps_per_squared_tangent_ * squared_tangent +
+                                                0.5)];
+    }
+
+ private:
+    double steps_per_squared_tangent_;
+    std::vector<ByteTable> tables_;
+};
+
+double farthest_squared_tangent(const Camera& camera) {
+    return -std::log(light_left_in_corner(-1.0, camera));
+}
+
+/// `growth` as RingTables have it.
+ColorImage multiplied(ColorImage picture, const Camera& camera, const ExposureGain& gains,
+                      double growth) {
+    const double farthest = growth == 0 ? 0 : farthest_squared_tangent(camera);
+    const RingTables red(gains[0], growth, farthest);
+    const RingTables green(gains[1], growth, farthest);
+    const RingTables blue(gains[2], growth, farthest);
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const double tangent = growth == 0 ? 0 : squared_tangent(camera, {x + 0.5, y + 0.5});
+            Rgb8& pixel = picture(x, y);
+            pixel = {red.at(tangent)[pixel.r], green.at(tangent)[pixel.g],
+                     blue.at(tangent)[pixel.b]};
+        }
+    }
+    return picture;
+}
+
 }  // namespace
 
-ColorImage evened_photograph(const LumigraphView& view) {
-    ColorImage photograph = view.photograph;
-    if (view.exposure_gain == kNoExposureGain) return photograph;
-    const ByteTable red = evened_bytes(view.exposure_gain[0]);
-    const ByteTable green = evened_bytes(view.exposure_gain[1]);
-    const ByteTable blue = evened_bytes(view.exposure_gain[2]);
-    for (Rgb8& pixel : photograph.pixels()) pixel = {red[pixel.r], green[pixel.g], blue[pixel.b]};
-    return photograph;
+ColorImage evened_photograph(const LumigraphView& view, double light_falloff) {
+    if (view.exposure_gain == kNoExposureGain && light_falloff == 0) return view.photograph;
+    return multiplied(view.photograph, view.camera, view.exposure_gain, -light_falloff);
 }
 
 void even_exposures(Lumigraph& lumigraph) {
     parallel_for(static_cast<int>(lumigraph.views.size()), 0, [&](int i) {
         LumigraphView& view = lumigraph.views[static_cast<std::size_t>(i)];
-        if (view.exposure_gain == kNoExposureGain) return;
-        view.photograph = evened_photograph(view);
+        view.photograph = evened_photograph(view, lumigraph.light_falloff);
         view.exposure_gain = kNoExposureGain;
     });
+    lumigraph.evened_falloff += lumigraph.light_falloff;
+    lumigraph.light_falloff = 0;
+}
+
+ColorImage darkened_by_lens(ColorImage picture, const Camera& camera, double falloff) {
+    if (falloff == 0) return picture;
+    return multiplied(std::move(picture), camera, kNoExposureGain, falloff);
+}
+
+ColorImage without_falloff(ColorImage photograph, const Camera& camera, double falloff) {
+    return darkened_by_lens(std::move(photograph), camera, -falloff);
 }
 
 }  // namespace lumi

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "calib/capture/light_left.h"
 #include "calib/work/error.h"
 #include "calib/work/formatted.h"
 #include "calib/work/printable.h"
@@ -66,6 +67,14 @@ void validate_view(const LumigraphView& view, const std::string& where) {
     if (view.depth_mesh) validate_depth_mesh(*view.depth_mesh, where);
 }
 
+/// A photograph is brightened in its corners by no more than by its exposure.
+void validate_falloff(const Lumigraph& lumigraph, const std::string& where) {
+    const bool is_falloff = lumigraph.light_falloff <= 0 &&
+                            lumigraph.light_left_in_corners() >= 1 / kLargestExposureGain;
+    if (!is_falloff)
+        refuse_lumigraph(where, "expected a light falloff of 0 or less that leaves 1/16");
+}
+
 void validate_drawing(const DrawingChoices& drawing, const std::string& where) {
     for_each_drawing_choice([&](const auto& choice) {
         const auto value = drawing.*choice.member;
@@ -83,6 +92,13 @@ bool Lumigraph::has_depth() const {
                        [](const LumigraphView& view) { return view.has_depth(); });
 }
 
+double Lumigraph::light_left_in_corners() const {
+    double least = 1;
+    for (const LumigraphView& view : views)
+        least = std::min(least, light_left_in_corner(light_falloff, view.camera));
+    return least;
+}
+
 void validate(const Lumigraph& lumigraph, const std::string& where) {
     if (lumigraph.views.empty()) refuse_lumigraph(where, "expected at least one view");
     if (!(lumigraph.noisy_depth_error_px >= kLeastNoisyDepthError_px &&
@@ -97,6 +113,7 @@ void validate(const Lumigraph& lumigraph, const std::string& where) {
             refuse_lumigraph(where, "two views are named " + printable(view.name));
         }
     }
+    validate_falloff(lumigraph, where);
     validate(lumigraph.mesh, static_cast<int>(lumigraph.views.size()), where);
     const bool in_range = lumigraph.near_depth >= 0 &&
                           lumigraph.near_depth <= lumigraph.far_depth &&
@@ -111,6 +128,8 @@ Lumigraph without_its_views(const Lumigraph& lumigraph) {
     rest.far_depth = lumigraph.far_depth;
     rest.noisy_depth_error_px = lumigraph.noisy_depth_error_px;
     rest.drawing = lumigraph.drawing;
+    rest.light_falloff = lumigraph.light_falloff;
+    rest.evened_falloff = lumigraph.evened_falloff;
     return rest;
 }
 

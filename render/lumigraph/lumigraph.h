@@ -52,15 +52,21 @@ struct Lumigraph {
     /// (DepthMeshOptions::max_noisy_error_px): the less, the more triangles.
     double noisy_depth_error_px = kNoisyDepthError_px;
     DrawingChoices drawing;
+    /// How all photographs darken towards their corners (light_left.h); 0 where none tells it.
+    double light_falloff = 0.0;
+    /// That of the photographs as they were taken, once it was evened out (even_exposure.h).
+    double evened_falloff = 0.0;
 
     /// Whether any view has.
     [[nodiscard]] bool has_depth() const;
+    /// The least share of their light that photographs keep in their corners.
+    [[nodiscard]] double light_left_in_corners() const;
 };
 
 /// Throws Error (E-LUMIGRAPH-INVALID, E-CAMERA-INVALID, E-MESH-INVALID) unless there is a view, the
 /// names are unique, each camera is a pinhole of its photograph's size, poses and depths are
-/// finite, exposure gains and what is chosen for drawing within their limits and the mesh names
-/// views that exist; `where` begins the message.
+/// finite, exposure gains, light falloff and what is chosen for drawing within their limits and the
+/// mesh names views that exist; `where` begins the message.
 void validate(const Lumigraph& lumigraph, const std::string& where);
 
 /// What holds for the Lumigraph whichever views it has: neither views nor camera mesh.

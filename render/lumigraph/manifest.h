@@ -65,6 +65,7 @@ struct Manifest {
     double far_depth = 0.0;
     double noisy_depth_error_px = kNoisyDepthError_px;
     DrawingChoices drawing;
+    double light_falloff = 0.0;
     std::vector<ManifestView> views;
     PackageFile camera_mesh;
     PackageFile points;

@@ -184,6 +184,7 @@ Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
         manifest.noisy_depth_error_px = document.number(
             "noisy_depth_error_px", kLeastNoisyDepthError_px, kMostNoisyDepthError_px);
     manifest.drawing = drawing_of(document);
+    if (document.has("light_falloff")) manifest.light_falloff = document.number("light_falloff");
     for (const StrictJsonObject& view : document.objects("views", limits.max_views)) {
         manifest.views.push_back(view_of(view));
     }

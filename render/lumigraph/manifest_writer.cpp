@@ -96,6 +96,7 @@ std::string manifest_text(const Manifest& manifest) {
                      {"evidence", evidence_of(manifest)}};
     if (manifest.noisy_depth_error_px != kNoisyDepthError_px)
         document["noisy_depth_error_px"] = manifest.noisy_depth_error_px;
+    if (manifest.light_falloff != 0) document["light_falloff"] = manifest.light_falloff;
     for_each_drawing_choice([&](const auto& choice) {
         const auto value = manifest.drawing.*choice.member;
         if (value != DrawingChoices{}.*choice.member) document[choice.name] = value;

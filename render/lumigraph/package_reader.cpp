@@ -84,6 +84,7 @@ Lumigraph read_contents(const fs::path& folder, const PackageLimits& limits) {
     lumigraph.far_depth = manifest.far_depth;
     lumigraph.noisy_depth_error_px = manifest.noisy_depth_error_px;
     lumigraph.drawing = manifest.drawing;
+    lumigraph.light_falloff = manifest.light_falloff;
     lumigraph.mesh = parse_camera_mesh_ply(package.read(manifest.camera_mesh),
                                            package.path_of(manifest.camera_mesh));
     // Not part of the Lumigraph, but a package with a damaged file is a damaged package.

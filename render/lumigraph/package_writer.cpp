@@ -78,6 +78,7 @@ Manifest write_contents(const fs::path& root, const Lumigraph& lumigraph,
     manifest.far_depth = lumigraph.far_depth;
     manifest.noisy_depth_error_px = lumigraph.noisy_depth_error_px;
     manifest.drawing = lumigraph.drawing;
+    manifest.light_falloff = lumigraph.light_falloff;
     manifest.evidence_json = extras.evidence_json;
     manifest.views.resize(lumigraph.views.size());
     parallel_for(static_cast<int>(lumigraph.views.size()), 0, [&](int i) {

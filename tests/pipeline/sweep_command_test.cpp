@@ -236,6 +236,26 @@ TEST_F(Sweeps, LeaveOneOutDrawsPhotographsAsTakenWhereThatIsAsked) {
     EXPECT_GT(std::abs(middle_psnr_db("") - middle_psnr_db(" --as-taken")), 0.1);
 }
 
+TEST_F(Sweeps, CornersThatTheLensDarkensAreEvenedOutAndJudgedAsItTakesThem) {
+    constexpr double kFalloff = -1.5;
+    SceneDescription darkened = textured_box_description();
+    darkened.sensor.light_falloff = kFalloff;
+    SilentProgress progress;
+    synthesize_into(scratch_.path(), darkened, 0, progress);
+    write_whole_text(scratch_ / "box.toml",
+                     "[capture]\nphotos = \"photos\"\nimport = \"truth/sparse\"\n[depth]\n"
+                     "import_folder = \"truth/depth\"\n[evaluate]\nhold_out_every = 4\n" +
+                         std::string(kToldDrawing));
+    ASSERT_EQ(lumi("build box.toml").exit_code, 0);
+    const Json package = Json::parse(lumi("--json inspect work/box/box.lumi").out);
+    EXPECT_NEAR(package.at("light_falloff").get<double>(), kFalloff, 0.1 * -kFalloff);
+    const auto psnr_db = [&](const std::string& options) {
+        const Json result = Json::parse(lumi("--json evaluate work/box" + options).out);
+        return result.at("mean").at("psnr_covered_db").get<double>();
+    };
+    EXPECT_GT(psnr_db(""), psnr_db(" --as-taken") + 0.5);
+}
+
 TEST_F(Sweeps, StressTakesAConfigurationAWorkspaceOrAPackage) {
     configure(
         "box",

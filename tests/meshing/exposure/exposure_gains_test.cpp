@@ -6,82 +6,18 @@
 #include <cmath>
 #include <random>
 
-#include "calib/pictures/srgb_curve.h"
-#include "tests/meshing/depth/raycast_scene.h"
+#include "tests/meshing/exposure/exposed_wall.h"
 
 namespace lumi {
 namespace {
 
-/// Photographs of a textured wall with exact depth, each exposed in its own way.
-class ExposedWall {
- public:
-    explicit ExposedWall(int views) {
-        std::vector<Eigen::Vector3d> centres;
-        for (int i = 0; i < views; ++i) centres.emplace_back(0.35 * (i % 3), 0.3 * (i / 3), 0.0);
-        const TexturedPlane wall{{0, 0, 3},
-                                 Eigen::Vector3d(0.1, 0.05, -1).normalized(),
-                                 [](const Eigen::Vector3d&) { return true; },
-                                 noise_texture(0.05, 7)};
-        known_ = known_depth_scene({wall}, centres, {0.1, 1.0});
-        for (const FloatImage& inverse_depth : known_.inverse_depths) {
-            depths_.push_back(
-                {inverse_depth, GrayImage(inverse_depth.width(), inverse_depth.height(), 255)});
-        }
-    }
-
-    void expose(int view, const Eigen::Array3d& factors) {
-        for (Rgb8& pixel : photograph(view).pixels()) {
-            pixel = {exposed(pixel.r, factors[0]), exposed(pixel.g, factors[1]),
-                     exposed(pixel.b, factors[2])};
-        }
-    }
-    void add_noise(double sigma) {
-        std::mt19937 random(11);
-        std::normal_distribution<double> noise(0.0, sigma);
-        for (std::size_t i = 0; i < depths_.size(); ++i) {
-            for (Rgb8& pixel : photograph(static_cast<int>(i)).pixels()) {
-                for (std::uint8_t* value : {&pixel.r, &pixel.g, &pixel.b}) {
-                    *value = static_cast<std::uint8_t>(
-                        std::lround(std::clamp(*value + noise(random), 0.0, 255.0)));
-                }
-            }
-        }
-    }
-    /// A highlight that stands elsewhere in each photograph.
-    void add_highlights() {
-        for (std::size_t i = 0; i < depths_.size(); ++i) {
-            ColorImage& picture = photograph(static_cast<int>(i));
-            const int left = 20 + static_cast<int>(23 * i) % 150;
-            for (int y = 40; y < 80; ++y) {
-                for (int x = left; x < left + 40; ++x) picture(x, y) = {240, 235, 230};
-            }
-        }
-    }
-
-    [[nodiscard]] ExposureGains gains() {
-        std::vector<PicturedView> views;
-        for (std::size_t i = 0; i < depths_.size(); ++i) {
-            const DepthView& view = known_.scene.views[i];
-            views.push_back({&view.photograph, view.camera, view.cam_from_world, &depths_[i]});
-        }
-        const SilentProgress progress;
-        return exposure_gains(static_cast<int>(views.size()), exposure_ratios(views, 1, progress));
-    }
-    [[nodiscard]] ColorImage& photograph(int view) {
-        return known_.scene.views[static_cast<std::size_t>(view)].photograph;
-    }
-
- private:
-    static std::uint8_t exposed(std::uint8_t value, double factor) {
-        return static_cast<std::uint8_t>(
-            std::lround(255.0 * srgb_of_light(factor * light_of_srgb(value / 255.0))));
-    }
-
-    KnownDepthScene known_;
-    std::vector<DepthMap> depths_;
-};
-
 constexpr int kViews = 8;
+
+ExposureGains gains_of(ExposedWall& wall) {
+    const std::vector<PicturedView> views = wall.views();
+    return exposure_gains(static_cast<int>(views.size()),
+                          exposure_ratios(shared_tiles(views, 1, SilentProgress()), 0.0));
+}
 
 /// Exposes every photograph by its factors, and expects the gains that undo them, but for the
 /// factor that all have in common.
@@ -97,7 +33,7 @@ void expect_recovered(ExposedWall& wall, bool by_channel, ExposureModel model) {
         }
         wall.expose(i, factors.back());
     }
-    const ExposureGains found = wall.gains();
+    const ExposureGains found = gains_of(wall);
     EXPECT_EQ(found.model, model);
     EXPECT_GT(found.difference_stops, 0.1);
     EXPECT_LT(found.remaining_stops, 0.02);
@@ -133,7 +69,7 @@ TEST(ExposureGains, UndoTheExposureOfAFewAmongMany) {
     ExposedWall wall(kViews);
     wall.add_noise(2.0);
     for (const int view : {2, 5}) wall.expose(view, Eigen::Array3d::Constant(0.5));
-    const ExposureGains found = wall.gains();
+    const ExposureGains found = gains_of(wall);
     EXPECT_NE(found.model, ExposureModel::kNone);
     EXPECT_LT(found.remaining_stops, 0.1 * found.difference_stops);
     for (const std::size_t view : {2U, 5U}) {
@@ -143,11 +79,11 @@ TEST(ExposureGains, UndoTheExposureOfAFewAmongMany) {
 
 TEST(ExposureGains, AreNoneWherePhotographsDoNotDiffer) {
     ExposedWall plain(kViews);
-    EXPECT_EQ(plain.gains().model, ExposureModel::kNone);
+    EXPECT_EQ(gains_of(plain).model, ExposureModel::kNone);
     ExposedWall noisy(kViews);
     noisy.add_noise(4.0);
     noisy.add_highlights();
-    const ExposureGains found = noisy.gains();
+    const ExposureGains found = gains_of(noisy);
     EXPECT_EQ(found.model, ExposureModel::kNone);
     EXPECT_GT(found.pairs, kViews);
     for (const auto& gain : found.gains) EXPECT_EQ(gain, (std::array<double, 3>{1, 1, 1}));
@@ -181,10 +117,10 @@ TEST(ExposureGains, AreNoneWherePhotographsMostlyDifferByHowSurfacesShine) {
 
 TEST(ExposureGains, AreNoneWhereNothingCanBeCompared) {
     ExposedWall one(1);
-    EXPECT_EQ(one.gains().model, ExposureModel::kNone);
+    EXPECT_EQ(gains_of(one).model, ExposureModel::kNone);
     ExposedWall black(2);
     for (const int view : {0, 1}) black.expose(view, Eigen::Array3d::Constant(1e-4));
-    const ExposureGains found = black.gains();
+    const ExposureGains found = gains_of(black);
     EXPECT_EQ(found.model, ExposureModel::kNone);
     EXPECT_EQ(found.pairs, 0);
     EXPECT_EQ(exposure_gains(0, {}).gains.size(), 0U);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "calib/capture/light_left.h"
 #include "calib/pictures/srgb_curve.h"
 #include "render/reference/reference_renderer.h"
 #include "tests/render/analytic_scene.h"
@@ -63,6 +64,53 @@ TEST(EvenExposures, KeepBlackBlackAndWhiteWhiteAndTheOrderOfAllBetween) {
             EXPECT_GE(view.photograph(x, 0).r, view.photograph(x - 1, 0).r);
         }
     }
+}
+
+/// All 8-bit values, one a row.
+ColorImage ramp(int width_px) {
+    ColorImage picture(width_px, 256);
+    for (int y = 0; y < 256; ++y) {
+        const auto value = static_cast<std::uint8_t>(y);
+        for (int x = 0; x < width_px; ++x) picture(x, y) = {value, value, value};
+    }
+    return picture;
+}
+
+TEST(EvenExposures, TakeOutWhatALensDarkens) {
+    const Lumigraph truth = card_before_wall();
+    Lumigraph dark = truth;
+    for (LumigraphView& view : dark.views)
+        for (int y = 0; y < view.photograph.height(); ++y)
+            for (int x = 0; x < view.photograph.width(); ++x) {
+                const double left = light_left(-1.5, view.camera, {x + 0.5, y + 0.5});
+                Rgb8& pixel = view.photograph(x, y);
+                pixel = {exposed(pixel.r, left), exposed(pixel.g, left), exposed(pixel.b, left)};
+            }
+    dark.light_falloff = -1.5;
+    Lumigraph evened = dark;
+    even_exposures(evened);
+    EXPECT_EQ(evened.light_falloff, 0.0);
+    EXPECT_EQ(evened.evened_falloff, -1.5);
+    for (std::size_t i = 0; i < truth.views.size(); ++i) {
+        const ColorImage& wanted = truth.views[i].photograph;
+        EXPECT_GT(difference_between(wanted, dark.views[i].photograph).mean, 4.0);
+        EXPECT_LT(difference_between(wanted, evened.views[i].photograph).mean, 0.6);
+        EXPECT_LE(difference_between(wanted, evened.views[i].photograph).largest, 2);
+    }
+}
+
+TEST(EvenExposures, AreUndoneByTheLensThatTheyWereMadeFor) {
+    constexpr double kFalloff = -2.0;
+    const Camera camera = pinhole_camera(64, 256, 160);
+    const ColorImage taken = ramp(64);
+    const ColorImage evened = without_falloff(taken, camera, kFalloff);
+    const FrameDifference back =
+        difference_between(taken, darkened_by_lens(evened, camera, kFalloff));
+    EXPECT_LE(back.largest, 2) << "nothing is lost, also next to white";
+    for (int y = 1; y < 256; ++y) ASSERT_GE(evened(0, y).g, evened(0, y - 1).g);
+    const Eigen::Vector2d corner(0.5, 60.5);
+    EXPECT_NEAR(evened(0, 60).g, exposed(60, 1 / light_left(kFalloff, camera, corner)), 1);
+    EXPECT_EQ(evened(32, 128).g, taken(32, 128).g) << "the middle stays";
 }
 
 }  // namespace

@@ -200,6 +200,21 @@ TEST_F(PackageRoundTrip, KeepsExposureGainsToTheBitAndEvensThemOutUnlessToldOthe
     }
 }
 
+TEST_F(PackageRoundTrip, KeepsTheLensFalloffToTheBitAndEvensItOutUnlessToldOtherwise) {
+    EXPECT_EQ(read_.light_falloff, 0.0);
+    written_.light_falloff = -1.0 / 3.0;
+    write_package(folder_, written_, tiny_extras());
+    const Lumigraph as_taken = read_package(folder_, {}, Exposures::kAsTaken);
+    EXPECT_EQ(as_taken.light_falloff, written_.light_falloff);
+    EXPECT_EQ(as_taken.evened_falloff, 0.0);
+    EXPECT_EQ(as_taken.views[1].photograph, written_.views[1].photograph);
+    const Lumigraph evened = read_package(folder_);
+    EXPECT_EQ(evened.light_falloff, 0.0);
+    EXPECT_EQ(evened.evened_falloff, written_.light_falloff);
+    EXPECT_EQ(evened.views[1].photograph,
+              evened_photograph(written_.views[1], written_.light_falloff));
+}
+
 TEST_F(PackageRoundTrip, SameInputTwiceGivesTheSameBytesAnywhere) {
     write_package(scratch_ / "elsewhere" / "other name.lumi", written_, tiny_extras());
     const auto here = bytes_of_files(folder_);
@@ -245,6 +260,10 @@ TEST(PackageWriter, RefusesWhatItCouldNotReadBack) {
     refused([](Lumigraph& l) { l.views[1].exposure_gain[2] = 17.0; });
     refused([](Lumigraph& l) { l.views[1].exposure_gain[0] = 0.0; });
     refused([&](Lumigraph& l) { l.views[1].exposure_gain[1] = HUGE_VAL; });
+    refused([](Lumigraph& l) { l.light_falloff = 0.01; });
+    refused([](Lumigraph& l) { l.light_falloff = -1e9; });
+    refused([](Lumigraph& l) { l.light_falloff = -HUGE_VAL; });
+    refused([](Lumigraph& l) { l.light_falloff = NAN; });
     refused([](Lumigraph& l) { l.mesh.faces[0][1] = 3; });
     refused([](Lumigraph& l) { l.mesh.vertices[2].view_index = 3; });
     refused([](Lumigraph& l) { l.far_depth = 0.5 * l.near_depth; });
