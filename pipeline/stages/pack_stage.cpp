@@ -16,6 +16,7 @@
 #include "pipeline/stages/removed_transients.h"
 #include "pipeline/stages/used_views.h"
 #include "pipeline/stages/view_limit.h"
+#include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 #include "render/depth_mesh/view_depth_mesh.h"
 #include "render/lumigraph/manifest.h"
@@ -73,6 +74,18 @@ Lumigraph gather_lumigraph(const PackSources& sources, int threads, Progress& pr
     return lumigraph;
 }
 
+/// Says what is evened out, if anything is.
+void note_exposures(const Lumigraph& lumigraph, const ExposureGains& found, Progress& progress) {
+    if (lumigraph.light_falloff != 0)
+        progress.note("pack: the lens took up to " +
+                      number_text(100 * (1 - lumigraph.light_left_in_corners()), 0) +
+                      " % of the light from the corners of photographs, which is evened out");
+    if (found.model != ExposureModel::kNone)
+        progress.note("pack: photographs are exposed differently, by up to " +
+                      number_text(found.largest_stops, 2) +
+                      " stops, which is evened out between neighbours");
+}
+
 /// Measures how photographs darken towards their corners and differ in exposure, and notes with
 /// the Lumigraph and each view what evens it out.
 ExposureGains find_exposures(Lumigraph& lumigraph, int threads, Progress& progress) {
@@ -82,6 +95,7 @@ ExposureGains find_exposures(Lumigraph& lumigraph, int threads, Progress& progre
     lumigraph.light_falloff = light_falloff(pictured, shared);
     const ExposureGains found = exposure_gains(static_cast<int>(lumigraph.views.size()),
                                                exposure_ratios(shared, lumigraph.light_falloff));
+    note_exposures(lumigraph, found, progress);
     if (found.model == ExposureModel::kNone) return found;
     std::vector<Eigen::Vector3d> centres_in_world;
     for (const LumigraphView& view : lumigraph.views) {

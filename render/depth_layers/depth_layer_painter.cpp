@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include "render/depth_layers/depth_kind_ranges.h"
 #include "render/gl/to_glm.h"
 #include "render/shaders/shader_sources.h"
 #include "render/transfer/pixel_transfer.h"

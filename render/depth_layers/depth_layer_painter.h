@@ -14,12 +14,6 @@
 
 namespace lumi {
 
-/// Each kind of depth has a range of the depth buffer of its own: it begins at the step times the
-/// kind, and inverse depth falls from `max_inverse_depth` to 0 over the width. As in
-/// shaders/agreed_depth.glsl; 1 is nothing.
-inline constexpr double kDepthKindStep = 0.33;
-inline constexpr double kDepthKindWidth = 0.32;
-
 /// Draws views' depth meshes into layers of a depth texture.
 class DepthLayerPainter {
  public:

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "calib/work/parallel_for.h"
-#include "render/depth_layers/depth_layer_painter.h"
+#include "render/depth_layers/depth_kind_ranges.h"
 #include "render/transfer/pixel_transfer.h"
 
 namespace lumi {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "calib/work/parallel_for.h"
+#include "render/depth_layers/depth_kind_ranges.h"
 #include "render/depth_layers/depth_reach.h"
 #include "render/depth_layers/lone_surfaces.h"
 #include "render/depth_mesh/view_depth_mesh.h"
@@ -13,13 +14,8 @@
 namespace lumi {
 namespace {
 
-/// Layers are drawn closer to what an eye can see where that is farther than this share of the
-/// usual limit says: ten times as far as the scene's near end is from the views.
-constexpr double kFarShare = 1e-3;
 /// Beyond what can be reached, so that rounding clips nothing.
 constexpr double kHeadroom = 2.0;
-/// In units of the depth buffer: with more, kinds would agree with one another.
-constexpr double kMostAgreeingDepth = 0.5 * (kDepthKindStep - kDepthKindWidth);
 
 std::vector<std::shared_ptr<const DepthMesh>> meshes_of(const UploadedLumigraph& uploaded) {
     const std::vector<LumigraphView>& views = uploaded.layout.views;
@@ -66,7 +62,7 @@ double DepthLayers::max_inverse_depth_of(const Eye& eye, const std::vector<Depth
                 std::max(reach, depth_reach(uploaded_.layout.views[view], mesh_boxes_[view], eye));
         }
     }
-    if (reach == 0 || reach >= kFarShare * usual) return usual;
+    if (reach == 0) return usual;
     // What agrees must still fit between two kinds.
     return std::min(usual,
                     std::max(kHeadroom * reach, kDepthKindWidth / kMostAgreeingDepth * agreeing));
@@ -87,11 +83,10 @@ void DepthLayers::draw(const Eye& eye, const std::vector<DepthViewSet>& sets) {
     const std::vector<DepthLayerDraw> draws =
         depth_layer_draws(sets, layer_count_, camera.width_px, kind_begins_);
     const double agreeing =
-        agreeing_inverse_depth(uploaded_.layout, uploaded_.searched_views.geometries, sets,
-                               centre_in_world(eye.cam_from_world), kAgreeingDisparity_px);
+        agreeing_in_layers(uploaded_.layout, uploaded_.searched_views.geometries, sets,
+                           centre_in_world(eye.cam_from_world));
     max_inverse_depth_ = max_inverse_depth_of(eye, sets, agreeing);
-    agreeing_depth_ = static_cast<float>(
-        std::min(kDepthKindWidth * agreeing / max_inverse_depth_, kMostAgreeingDepth));
+    agreeing_depth_ = static_cast<float>(kDepthKindWidth * agreeing / max_inverse_depth_);
     if (!is_packed()) return painter_->draw(eye, draws, max_inverse_depth_, layers_);
     std::vector<float>& packed = rasters_->draw(eye, draws, max_inverse_depth_, layer_count_);
     settle_lone_surfaces(uploaded_.layout.views, eye, sets, layer_count_, max_inverse_depth_,

@@ -38,17 +38,15 @@ class DepthLayers {
     /// Layer by layer; or packed: the layers are the components of a texel.
     [[nodiscard]] const TextureArray& texture() const { return layers_; }
     [[nodiscard]] bool is_packed() const { return rasters_.has_value(); }
-    /// 1 / (nearest depth that can be drawn for the eye): nearest_inverse_depth, but for eyes so
-    /// far away that what they see would be told apart by less than layers can hold; for these
-    /// little more than what the sets' depth meshes reach.
+    /// 1 / (nearest depth that can be drawn for the eye): nearest_inverse_depth, or if that is less
+    /// little more than what the sets' depth meshes reach, so that layers tell apart what they can.
     [[nodiscard]] double max_inverse_depth() const { return max_inverse_depth_; }
-    /// What depths of one surface may differ by in the layers, in units of the depth buffer, but no
-    /// more than what keeps kinds apart.
+    /// What depths of one surface may differ by (agreeing_in_layers), in units of the depth buffer.
     [[nodiscard]] float agreeing_depth() const { return agreeing_depth_; }
 
  private:
     void resize(int width_px, int height_px);
-    /// `agreeing`: as from agreeing_inverse_depth.
+    /// `agreeing`: as from agreeing_in_layers.
     [[nodiscard]] double max_inverse_depth_of(const Eye& eye, const std::vector<DepthViewSet>& sets,
                                               double agreeing) const;
 

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "calib/work/parallel_for.h"
-#include "render/depth_layers/depth_layer_painter.h"
+#include "render/depth_layers/depth_kind_ranges.h"
 #include "render/depth_layers/depth_layer_rasters.h"
 #include "render/depth_layers/depth_layer_views.h"
 #include "render/transfer/past_sight.h"

@@ -2,6 +2,11 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "render/faces/off_cameras.h"
 #include "render/shaders/shader_sources.h"
 #include "render/subdivision/affine_pieces.h"
 #include "render/surroundings/empty_cells.h"
@@ -28,6 +33,56 @@ std::vector<PlaneView> plane_views(const Lumigraph& lumigraph, const Eye& eye,
     return views;
 }
 
+/// What is not a photograph's, and need not vary on a piece as that does.
+bool tells_of_rays(DebugPicture picture) {
+    return picture != DebugPicture::kNone && picture != DebugPicture::kGrid;
+}
+
+/// Less than this of all weights is too little to be averaged over a piece (affine_pieces.h).
+constexpr double kHardlyAny = 0.01;
+
+/// Whether the view shows the plane, or what is infinitely far beyond it, at all of these corners.
+bool shows_all(const std::vector<Eigen::Vector2d>& corners, std::size_t view,
+               const Eigen::Vector3d& plane, const std::vector<PlaneView>& on_plane,
+               const std::vector<PlaneView>& beyond) {
+    return std::all_of(corners.begin(), corners.end(), [&](const Eigen::Vector2d& corner) {
+        const bool is_near = plane.dot(corner.homogeneous()) > 0;
+        const PlaneView& as_seen = (is_near ? on_plane : beyond)[view];
+        const Eigen::Vector3d pixel = as_seen.view_from_eye * corner.homogeneous();
+        return pixel.z() > 0 && pixel.x() >= 0 && pixel.y() >= 0 &&
+               pixel.x() <= as_seen.width_px * pixel.z() &&
+               pixel.y() <= as_seen.height_px * pixel.z();
+    });
+}
+
+/// Positive where a view has nearly all of a polygon's weight, as beside its camera.
+Eigen::Vector3d nearly_all_of(const FacePolygon& polygon, int view) {
+    Eigen::Vector3d line = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < 3; ++k)
+        line +=
+            (polygon.view_indices[k] == view ? kHardlyAny : kHardlyAny - 1) * polygon.side_lines[k];
+    return line;
+}
+
+/// Cuts off where a photograph ends that has nearly all weight: beyond it pixels have others.
+void cut_off_beside_cameras(FacePolygon& polygon, const Eigen::Vector3d& plane,
+                            const std::vector<PlaneView>& on_plane,
+                            const std::vector<PlaneView>& beyond,
+                            std::vector<FacePolygon>& cut_off) {
+    const std::array<int, 3>& views = polygon.view_indices;
+    if (views[0] == views[1] && views[1] == views[2]) return;
+    for (const int view : views) {
+        const Eigen::Vector3d line = nearly_all_of(polygon, view);
+        std::vector<Eigen::Vector2d> part = clipped(polygon.corners_px, line);
+        if (part.size() < 3 ||
+            shows_all(part, static_cast<std::size_t>(view), plane, on_plane, beyond))
+            continue;
+        polygon.corners_px = clipped(polygon.corners_px, -line);
+        cut_off.push_back(polygon);
+        cut_off.back().corners_px = std::move(part);
+    }
+}
+
 }  // namespace
 
 LightField::LightField(const UploadedLumigraph& uploaded)
@@ -47,7 +102,7 @@ DrawStatistics LightField::draw(const Eye& eye, const RenderOptions& options, co
     if (options.fade_beyond_capture) {
         statistics.triangles = draw_fading(mesh, eye, options, false);
     } else {
-        statistics = draw_polygons(face_polygons(mesh, eye), eye, options);
+        statistics = draw_polygons(face_polygons(mesh, off_cameras(mesh, eye)), eye, options);
     }
     if (mesh.shells.empty()) return statistics;
     glEnable(GL_BLEND);
@@ -64,7 +119,8 @@ std::size_t LightField::draw_fading(const CameraMesh& mesh, const Eye& eye,
     const Eigen::Vector3d plane = plane_of(eye, options);
     set_fade(fading_.use(uploaded_, eye, options), is_shell);
     const std::vector<FacePolygon> polygons =
-        face_polygons(mesh, eye, is_shell ? kNoOverlap_px : kOverlap_px);
+        is_shell ? face_polygons(mesh, eye, kNoOverlap_px)
+                 : face_polygons(mesh, off_cameras(mesh, eye), kOverlap_px);
     faces_.upload(polygons, eye, plane);
     const std::size_t triangles = faces_.draw();
     if (options.debug_picture == DebugPicture::kGrid) grid_.draw(polygons, eye);
@@ -92,6 +148,11 @@ DrawStatistics LightField::draw_polygons(std::vector<FacePolygon> polygons, cons
     affine_.clear();
     exact_.clear();
     for (FacePolygon& polygon : polygons) {
+        if (tells_of_rays(options.debug_picture)) {
+            exact_.push_back(std::move(polygon));
+            continue;
+        }
+        cut_off_beside_cameras(polygon, plane, on_plane, beyond, exact_);
         // A wide picture also shows what is no longer on the plane, but infinitely far.
         const std::vector<Eigen::Vector2d> corners = polygon.corners_px;
         polygon.corners_px = clipped(corners, plane);

@@ -17,10 +17,10 @@ class Paper2001 : public DrawingMode {
     DrawStatistics draw(const Eye& eye, const RenderOptions& options,
                         const Viewport& viewport) override;
 
- private:
-    /// Adds up three passes.
+    /// Adds up the three passes over such triangles.
     void draw_passes(const BlendTriangles& triangles, const Eye& eye, const RenderOptions& options);
 
+ private:
     const UploadedLumigraph& uploaded_;
     PictureProgram program_;
     VertexBuffer triangles_;

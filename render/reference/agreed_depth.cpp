@@ -1,8 +1,9 @@
 #include "render/reference/agreed_depth.h"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
+#include "render/depth_layers/depth_kind_ranges.h"
 #include "render/depth_mesh/view_depth_mesh.h"
 #include "render/reference/depth_raster.h"
 #include "render/view_choice/depth_view_choice.h"
@@ -10,24 +11,26 @@
 namespace lumi {
 namespace {
 
-/// What each view knows in the mean of the samples, if all that it knows there is of one surface.
-std::optional<std::vector<EyeDepth>> mean_of_one_surface(
-    const std::vector<std::vector<EyeDepth>>& samples, double agreeing_inverse_depth) {
-    std::vector<EyeDepth> mean = samples.front();
+/// What each view knows at one sample of a pixel.
+using Sample = std::vector<EyeDepth>;
+
+/// Whether all views see the same surface at both.
+bool is_one_surface(const Sample& a, const Sample& b, double agreeing_inverse_depth) {
+    for (std::size_t view = 0; view < a.size(); ++view) {
+        if (a[view].is_known() != b[view].is_known()) return false;
+        if (!a[view].is_known()) continue;
+        if (a[view].kind != b[view].kind ||
+            std::abs(a[view].inverse_depth - b[view].inverse_depth) > agreeing_inverse_depth)
+            return false;
+    }
+    return true;
+}
+
+Sample mean_of(const std::vector<const Sample*>& samples) {
+    Sample mean = *samples.front();
     for (std::size_t view = 0; view < mean.size(); ++view) {
         double sum = 0;
-        double least = mean[view].inverse_depth;
-        double most = least;
-        for (const std::vector<EyeDepth>& depths : samples) {
-            const EyeDepth& depth = depths[view];
-            if (depth.is_known() != mean[view].is_known() ||
-                (depth.is_known() && depth.kind != mean[view].kind))
-                return std::nullopt;
-            sum += depth.inverse_depth;
-            least = std::min(least, depth.inverse_depth);
-            most = std::max(most, depth.inverse_depth);
-        }
-        if (most - least > agreeing_inverse_depth) return std::nullopt;
+        for (const Sample* sample : samples) sum += (*sample)[view].inverse_depth;
         mean[view].inverse_depth = sum / static_cast<double>(samples.size());
     }
     return mean;
@@ -42,8 +45,8 @@ AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeome
         depth_view_sets(lumigraph, eye, lumigraph.drawing.depth_views);
     strip_ends_ = strip_ends(sets, depth_eye_.eye.camera.width_px);
     layer_views_ = depth_layer_views(sets, lumigraph.drawing.depth_views);
-    agreeing_inverse_depth_ = agreeing_inverse_depth(
-        lumigraph, geometries, sets, centre_in_world(eye.cam_from_world), kAgreeingDisparity_px);
+    agreeing_inverse_depth_ =
+        agreeing_in_layers(lumigraph, geometries, sets, centre_in_world(eye.cam_from_world));
     for (const DepthViewSet& set : sets) {
         for (const int index : set.view_indices) {
             if (eye_depth_of_view_.contains(index)) continue;
@@ -51,7 +54,8 @@ AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeome
             const LumigraphView& view = lumigraph.views[view_index];
             const auto mesh = depth_mesh_of(view, max_disparity_px(geometries[view_index]),
                                             depth_mesh_options(lumigraph));
-            eye_depth_of_view_.emplace(index, rasterise(*mesh, view, depth_eye_.eye));
+            eye_depth_of_view_.emplace(
+                index, rasterise(*mesh, view, depth_eye_.eye, nearest_inverse_depth(lumigraph)));
             sights_.try_emplace(index, view, depth_eye_.eye);
         }
     }
@@ -60,14 +64,26 @@ AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeome
 std::vector<AgreedPixelDepth> AgreedDepth::samples_at(const Eigen::Vector2d& pixel) const {
     const std::vector<int>& views = views_at(column_of(pixel));
     if (!depth_eye_.is_smooth()) return {agreed(depths_at(pixel), views)};
-    std::vector<std::vector<EyeDepth>> samples;
-    for (const double y : {-0.25, 0.25})
+    // From the bottom left on, as a GL counts: with the first of those that are left, others are of
+    // one surface.
+    std::vector<Sample> samples;
+    for (const double y : {0.25, -0.25})
         for (const double x : {-0.25, 0.25})
             samples.push_back(depths_at(pixel + Eigen::Vector2d(x, y)));
-    if (const auto mean = mean_of_one_surface(samples, agreeing_inverse_depth_))
-        return {agreed(*mean, views)};
+    std::vector<const Sample*> left;
+    for (const Sample& sample : samples) left.push_back(&sample);
     std::vector<AgreedPixelDepth> all;
-    for (const std::vector<EyeDepth>& depths : samples) all.push_back(agreed(depths, views));
+    while (!left.empty()) {
+        const auto others = std::stable_partition(
+            left.begin(), left.end(), [&, first = left.front()](const Sample* sample) {
+                return is_one_surface(*sample, *first, agreeing_inverse_depth_);
+            });
+        const std::vector<const Sample*> of_surface(left.begin(), others);
+        left.erase(left.begin(), others);
+        const AgreedPixelDepth surface = agreed(mean_of(of_surface), views);
+        if (of_surface.size() == samples.size()) return {surface};
+        all.insert(all.end(), of_surface.size(), surface);
+    }
     return all;
 }
 

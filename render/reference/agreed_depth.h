@@ -30,8 +30,9 @@ class AgreedDepth {
     AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
                 const Eye& eye, const RenderOptions& options);
 
-    /// At the centre of a pixel of the eye's picture, or of a block of pixels; or at the
-    /// texels of a pixel where these are of several surfaces (kSmoothTexelsPerPixel).
+    /// At the centre of a pixel of the eye's picture, or of a block of pixels. Where the texels of
+    /// a pixel (kSmoothTexelsPerPixel) are of several surfaces, for each of them the mean of those
+    /// that are of its surface.
     [[nodiscard]] std::vector<AgreedPixelDepth> samples_at(const Eigen::Vector2d& pixel) const;
 
     /// Whether none of the views sees what is at the place: it is stretched over tears, or nothing

@@ -16,27 +16,26 @@ Eigen::Vector3d index_color(int index) {
                                         std::cos(kFullTurn * (turn + 2.0 / 3))));
 }
 
+}  // namespace
+
 double confidence_of(const ConsensusDepth& depth) {
     if (depth.support == 0) return 0;
     if (depth.kind == DepthKind::kSeen) return 0.5 * depth.support;
     return depth.kind == DepthKind::kFilled ? 0.25 : 0.125;
 }
 
-}  // namespace
-
-Eigen::Vector3d debug_color(DebugPicture picture, const RayWeights& ray, bool unseen,
-                            const ConsensusDepth& depth, double occluded,
+Eigen::Vector3d debug_color(DebugPicture picture, const ShownRay& ray,
                             const Eigen::Vector2d& inverse_depth_range) {
     const Eigen::Vector3d white = Eigen::Vector3d::Constant(255);
     if (picture == DebugPicture::kFaces) return index_color(ray.face_index);
-    if (picture == DebugPicture::kOcclusion) return occluded * white;
-    if (picture == DebugPicture::kConfidence) return confidence_of(depth) * white;
+    if (picture == DebugPicture::kOcclusion) return ray.occluded * white;
+    if (picture == DebugPicture::kConfidence) return ray.confidence * white;
     if (picture == DebugPicture::kDepth) {
-        const double share = (depth.inverse_depth - inverse_depth_range.x()) /
+        const double share = (ray.inverse_depth - inverse_depth_range.x()) /
                              (inverse_depth_range.y() - inverse_depth_range.x());
         return std::clamp(share, 0.0, 1.0) * white;
     }
-    if (unseen) return white;
+    if (ray.is_unseen) return white;
     Eigen::Vector3d color = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < 3; ++i) color += ray.weights[i] * index_color(ray.view_indices[i]);
     return color;

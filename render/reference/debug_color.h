@@ -1,18 +1,30 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
-#include "meshing/surface/camera_mesh.h"
 #include "render/frame/frame.h"
 #include "render/reference/depth_consensus.h"
 
 namespace lumi {
 
-/// What a debug picture shows at a pixel, 0 to 255 (the paper, figure 9). `ray` has the weights
-/// after occlusion correction, `unseen`: none of the three sees the point; `occluded`: the share of
-/// the weights that was lost; `inverse_depth_range`: the scene's far and near end.
-[[nodiscard]] Eigen::Vector3d debug_color(DebugPicture picture, const RayWeights& ray, bool unseen,
-                                          const ConsensusDepth& depth, double occluded,
+/// What debug pictures tell of a ray.
+struct ShownRay {
+    std::array<double, 3> weights{};  ///< After occlusion correction.
+    std::array<int, 3> view_indices{};
+    int face_index = -1;
+    bool is_unseen = false;  ///< None of the three sees the point.
+    double inverse_depth = 0.0;
+    double confidence = 0.0;
+    double occluded = 0.0;  ///< The share of the weights that was lost.
+};
+
+/// What a debug picture shows at a pixel, 0 to 255 (the paper, figure 9); `inverse_depth_range`:
+/// the scene's far and near end.
+[[nodiscard]] Eigen::Vector3d debug_color(DebugPicture picture, const ShownRay& ray,
                                           const Eigen::Vector2d& inverse_depth_range);
+
+/// 0 to 1: two views agree, one has seen it, it is filled, stretched, a guess.
+[[nodiscard]] double confidence_of(const ConsensusDepth& depth);
 
 }  // namespace lumi

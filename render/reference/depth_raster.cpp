@@ -40,7 +40,8 @@ PixelBox box_of(const EyeTriangle& triangle, const Camera& camera) {
 /// Homogeneous rasterisation (Olano, Greer 1997): a pixel (x, y, 1) is the sum of the corners times
 /// b; it is inside, and in front of the eye, when no b is negative, and b interpolates what is
 /// affine on the surface.
-void draw(const EyeTriangle& triangle, const Camera& camera, Image<EyeDepth>& drawn) {
+void draw(const EyeTriangle& triangle, const Camera& camera, double max_inverse_depth,
+          Image<EyeDepth>& drawn) {
     // Corners turn left in the view's picture, whose y axis points down: seen from the front the
     // determinant is negative.
     if (triangle.corners.determinant() >= 0) return;
@@ -53,6 +54,7 @@ void draw(const EyeTriangle& triangle, const Camera& camera, Image<EyeDepth>& dr
             // neither.
             if (b.minCoeff() < -kRounding * b.cwiseAbs().maxCoeff()) continue;
             const double inverse_depth = b.dot(triangle.inverse_depths_in_view);
+            if (inverse_depth > max_inverse_depth) continue;
             EyeDepth& known = drawn(x, y);
             const bool wins = !known.is_known() || triangle.kind < known.kind ||
                               (triangle.kind == known.kind && inverse_depth > known.inverse_depth);
@@ -63,7 +65,8 @@ void draw(const EyeTriangle& triangle, const Camera& camera, Image<EyeDepth>& dr
 
 }  // namespace
 
-Image<EyeDepth> rasterise(const DepthMesh& mesh, const LumigraphView& view, const Eye& eye) {
+Image<EyeDepth> rasterise(const DepthMesh& mesh, const LumigraphView& view, const Eye& eye,
+                          double max_inverse_depth) {
     const PixelTransfer eye_from_view =
         pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
     Image<EyeDepth> drawn(eye.camera.width_px, eye.camera.height_px);
@@ -78,7 +81,7 @@ Image<EyeDepth> rasterise(const DepthMesh& mesh, const LumigraphView& view, cons
                 triangle.inverse_depths_in_view[corner] = vertex.z();
                 triangle.corners.col(corner) = eye_from_view.at(vertex.head<2>(), vertex.z());
             }
-            draw(triangle, eye.camera, drawn);
+            draw(triangle, eye.camera, max_inverse_depth, drawn);
         }
     }
     return drawn;

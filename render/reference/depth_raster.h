@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "calib/capture/image.h"
 #include "render/lumigraph/depth_mesh.h"
 #include "render/lumigraph/lumigraph.h"
@@ -15,8 +17,10 @@ struct EyeDepth {
 };
 
 /// A view's depth mesh as the eye sees it: at each pixel's centre the nearest surface of the most
-/// reliable kind, back faces left out. One triangle after the other, one pixel after the other.
-[[nodiscard]] Image<EyeDepth> rasterise(const DepthMesh& mesh, const LumigraphView& view,
-                                        const Eye& eye);
+/// reliable kind, back faces left out, and so what is nearer than `max_inverse_depth` says. One
+/// triangle after the other, one pixel after the other.
+[[nodiscard]] Image<EyeDepth> rasterise(
+    const DepthMesh& mesh, const LumigraphView& view, const Eye& eye,
+    double max_inverse_depth = std::numeric_limits<double>::infinity());
 
 }  // namespace lumi

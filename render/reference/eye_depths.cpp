@@ -23,7 +23,8 @@ EyeDepths eye_depths(const Lumigraph& lumigraph, const Eye& eye, double toleranc
         const auto view = static_cast<std::size_t>(index);
         const auto mesh = depth_mesh_of(lumigraph.views[view], max_disparity_px(geometries[view]),
                                         depth_mesh_options(lumigraph));
-        layers.push_back(rasterise(*mesh, lumigraph.views[view], eye));
+        layers.push_back(
+            rasterise(*mesh, lumigraph.views[view], eye, nearest_inverse_depth(lumigraph)));
         sights.emplace_back(lumigraph.views[view], eye);
     }
     std::vector<EyeDepth> depths(layers.size());

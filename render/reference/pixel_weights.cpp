@@ -39,4 +39,13 @@ std::optional<RayWeights> PixelWeights::at(const Eigen::Vector2d& pixel,
     return blends_[strip_at(strip_ends_, pixel.x())].weights;
 }
 
+std::optional<std::array<double, 3>> of_those_that_show(std::array<double, 3> weights,
+                                                        const std::array<double, 3>& shown) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) sum += weights[i] *= shown[i];
+    if (!(sum > 0)) return std::nullopt;
+    for (double& weight : weights) weight /= sum;
+    return weights;
+}
+
 }  // namespace lumi

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -29,5 +30,11 @@ class PixelWeights {
     std::vector<EyeBlend> blends_;  ///< None where the camera mesh has faces.
     std::vector<int> strip_ends_;   ///< Of these.
 };
+
+/// Weights times what is shown, scaled to sum 1, on one plane, however little they count: beside a
+/// camera the others have weights near 0, but beyond its photograph they are all there is. Empty
+/// where nobody shows the point.
+[[nodiscard]] std::optional<std::array<double, 3>> of_those_that_show(
+    std::array<double, 3> weights, const std::array<double, 3>& shown);
 
 }  // namespace lumi

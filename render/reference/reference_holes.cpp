@@ -13,7 +13,7 @@ Frame filled_holes(const Lumigraph& lumigraph, const AgreedDepth& depth, const E
     AdaptiveSubdivider subdivider;
     return draw_reference(
         hole_triangles(lumigraph, searched_views(lumigraph), eye, options, cells, subdivider),
-        lumigraph, eye.camera, PlaceInterpolation::kLinear);
+        lumigraph, eye, PlaceInterpolation::kLinear, options.debug_picture);
 }
 
 }  // namespace lumi

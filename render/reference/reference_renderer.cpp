@@ -11,6 +11,7 @@
 #include "meshing/surface/camera_mesh.h"
 #include "render/depth_layers/depth_eye.h"
 #include "render/depth_search/occlusion.h"
+#include "render/faces/off_cameras.h"
 #include "render/faces/shell_opacity.h"
 #include "render/reference/debug_color.h"
 #include "render/reference/known_points.h"
@@ -58,8 +59,7 @@ class ReferenceFrame {
                                                   const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d blended(const RayWeights& ray, const RayPoint& point) const;
     [[nodiscard]] Eigen::Vector3d debug_color_of(const RayWeights& ray, bool unseen,
-                                                 const ConsensusDepth& depth,
-                                                 double occluded) const;
+                                                 const KnownPoint& known, double occluded) const;
     [[nodiscard]] const Camera& camera_of(int view) const {
         return lumigraph_.views[static_cast<std::size_t>(view)].camera;
     }
@@ -68,9 +68,9 @@ class ReferenceFrame {
     const RenderOptions& options_;
     Eigen::Vector3d eye_in_world_;
     PointInViews views_;
-    PixelWeights weights_;
     KnownPoints points_;
-    bool is_in_blocks_ = false;
+    PixelWeights weights_;
+    bool is_in_blocks_;
     ColorImage surroundings_;      ///< Empty where they are not drawn.
     std::optional<Frame> filled_;  ///< None where holes are not filled.
 };
@@ -82,13 +82,14 @@ ReferenceFrame::ReferenceFrame(const Lumigraph& lumigraph, const Eye& eye,
       options_(options),
       eye_in_world_(centre_in_world(eye.cam_from_world)),
       views_(lumigraph, eye, options),
-      weights_(lumigraph.mesh, eye, polygons),
       points_(lumigraph, views_.geometries(), eye, options),
-      surroundings_(are_surroundings_drawn(options) ? surroundings_picture(lumigraph, eye)
-                                                    : ColorImage{}) {
-    if (!points_.depth()) return;
-    is_in_blocks_ = is_drawn_in_blocks(lumigraph, eye, options);
-    if (lumigraph.drawing.fills_holes && !options.fade_beyond_capture)
+      weights_(lumigraph.mesh, points_.depth() ? eye : off_cameras(lumigraph.mesh, eye), polygons),
+      is_in_blocks_(points_.depth() && is_drawn_in_blocks(lumigraph, eye, options)),
+      surroundings_(
+          are_surroundings_drawn(options)
+              ? surroundings_picture(lumigraph, eye, is_in_blocks_ ? kDepthBlockSide_px : 1)
+              : ColorImage{}) {
+    if (points_.depth() && lumigraph.drawing.fills_holes && !options.fade_beyond_capture)
         filled_ = filled_holes(lumigraph, *points_.depth(), eye, options);
 }
 
@@ -102,8 +103,7 @@ std::array<double, 3> ReferenceFrame::visibilities(const RayWeights& ray,
         const int view = ray.view_indices[i];
         if (check_depth)
             seen[i] = views_.visibility(view, point, known.of_views);
-        else if (points_.depth() ? views_.is_inside(view, point)
-                                 : views_.sight(view, point).has_value())
+        else if (points_.depth() ? views_.is_inside(view, point) : views_.opacity(view, point) > 0)
             seen[i] = 1;
         if (points_.depth() && known.depth.support == 0 && views_.is_guess_hidden(view, point))
             seen[i] = 0;
@@ -167,8 +167,12 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
     const bool is_stretched = has_depth && depth.kind == DepthKind::kStretched;
     if (!is_in_blocks_ || !is_stretched)
         point.direction_in_world = points_.direction_in_world(pixel);
-    std::optional<std::array<double, 3>> weights = redistributed(ray->weights, seen);
-    const double occluded = weights ? occluded_share(ray->weights, seen) : 1.0;
+    std::optional<std::array<double, 3>> weights = points_.depth()
+                                                       ? redistributed(ray->weights, seen)
+                                                       : of_those_that_show(ray->weights, seen);
+    const double occluded = !points_.depth() ? 0.0
+                            : weights        ? occluded_share(ray->weights, seen)
+                                             : 1.0;
     double counting = weights ? 0.0 : 1.0;
     if (weights) {
         std::array<double, 3> opaque = opacities(*weights, *ray, point);
@@ -187,7 +191,7 @@ std::optional<DrawnPixel> ReferenceFrame::base_at(const KnownPoint& shared,
     drawn.coverage = is_known || !points_.depth() ? fade : 0.0;
     ray->weights = weights.value_or(std::array<double, 3>{});
     if (options_.debug_picture != DebugPicture::kNone)
-        drawn.color = fade * debug_color_of(*ray, !weights, depth, occluded);
+        drawn.color = fade * debug_color_of(*ray, !weights, shared, occluded);
     else if (weights)
         drawn.color = fade * blended(*ray, point);
     else
@@ -202,7 +206,7 @@ void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell,
     std::optional<RayWeights> ray = weights_of_ray(shell, eye_in_world_, point.direction_in_world);
     if (!ray || (points_.depth() && depth.support == 0)) return;
     std::array<double, 3> seen = visibilities(*ray, known);
-    const double occluded = occluded_share(ray->weights, seen);
+    const double occluded = points_.depth() ? occluded_share(ray->weights, seen) : 0.0;
     const std::array<double, 3> opaque = opacities(ray->weights, *ray, point);
     for (std::size_t i = 0; i < 3; ++i) seen[i] *= opaque[i];
     const auto weights = redistributed(ray->weights, seen);
@@ -221,7 +225,7 @@ void ReferenceFrame::lay_over(DrawnPixel& drawn, const CameraMesh& shell,
     const double opacity = shell_opacity(capture_fade(*ray, kShellFadedShare), sum, inside);
     ray->weights = *weights;
     const Eigen::Vector3d color = options_.debug_picture != DebugPicture::kNone
-                                      ? debug_color_of(*ray, false, depth, occluded)
+                                      ? debug_color_of(*ray, false, known, occluded)
                                       : blended(*ray, point);
     drawn.color = opacity * color + (1 - opacity) * drawn.color;
     drawn.coverage = opacity + (1 - opacity) * drawn.coverage;
@@ -255,15 +259,19 @@ DrawnPixel ReferenceFrame::behind(int x, int y) const {
 
 void ReferenceFrame::fill(DrawnPixel& drawn, int x, int y) const {
     if (!filled_ || filled_->coverage(x, y) == 0) return;
-    const Rgb8& color = filled_->color(x, y);
+    // White among the weights: none of those that should see it does.
+    const Rgb8 color = options_.debug_picture == DebugPicture::kWeights ? Rgb8{255, 255, 255}
+                                                                        : filled_->color(x, y);
     drawn.color = (1 - drawn.coverage) * Eigen::Vector3d(color.r, color.g, color.b) +
                   drawn.coverage * drawn.color;
     drawn.coverage = std::max(drawn.coverage, filled_->coverage(x, y) / 255.0);
 }
 
 Eigen::Vector3d ReferenceFrame::debug_color_of(const RayWeights& ray, bool unseen,
-                                               const ConsensusDepth& depth, double occluded) const {
-    return debug_color(options_.debug_picture, ray, unseen, depth, occluded,
+                                               const KnownPoint& known, double occluded) const {
+    return debug_color(options_.debug_picture,
+                       {ray.weights, ray.view_indices, ray.face_index, unseen,
+                        known.point.inverse_depth, confidence_of(known.depth), occluded},
                        inverse_depth_range(lumigraph_));
 }
 

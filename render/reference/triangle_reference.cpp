@@ -9,8 +9,7 @@
 
 #include "calib/capture/nearest_byte.h"
 #include "render/depth_search/occlusion.h"
-#include "render/reference/sampling.h"
-#include "render/uploaded/photograph_opacity.h"
+#include "render/reference/debug_color.h"
 
 namespace lumi {
 namespace {
@@ -28,12 +27,13 @@ auto interpolated(const std::array<const BlendVertex*, 3>& corners, const Eigen:
         .eval();
 }
 
-/// What triangles are blended from.
-struct Photographs {
-    const Lumigraph& lumigraph;
-    PlaceInterpolation places;
-    std::vector<GrayImage> opacities;
-};
+double interpolated_number(const std::array<const BlendVertex*, 3>& corners,
+                           const Eigen::Vector3d& shares, float BlendVertex::*member) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        sum += shares[static_cast<Eigen::Index>(i)] * static_cast<double>(corners[i]->*member);
+    return sum;
+}
 
 /// Where vertices know them.
 void draw_surroundings(const std::array<const BlendVertex*, 3>& corners,
@@ -47,56 +47,35 @@ void draw_surroundings(const std::array<const BlendVertex*, 3>& corners,
     frame.coverage(x, y) = 0;
 }
 
-void draw_pixel(const std::array<const BlendVertex*, 3>& corners, const Eigen::Vector3d& shares,
-                const Photographs& photographs, int x, int y, Frame& frame) {
-    Eigen::Vector3d weights = interpolated(corners, shares, [](const BlendVertex& vertex) {
-        return Eigen::Vector3d(vertex.weights[0], vertex.weights[1], vertex.weights[2]);
-    });
-    Eigen::Vector3d color = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Eigen::Vector3d at = interpolated(corners, shares, [&](const BlendVertex& vertex) {
-            const double scale = photographs.places == PlaceInterpolation::kProjective
-                                     ? static_cast<double>(vertex.depth) *
-                                           static_cast<double>(vertex.depth_ratios[k])
-                                     : 1.0;
-            return (scale * Eigen::Vector3d(vertex.view_pixels[k][0], vertex.view_pixels[k][1], 1))
-                .eval();
-        });
-        // In a view's focal plane a corner has no place; it has no weight there either.
-        if (!(at.z() > 0) || !at.allFinite()) continue;
-        const auto view = static_cast<std::size_t>(corners[0]->view_layers[k]);
-        double& weight = weights[static_cast<Eigen::Index>(k)];
-        if (photographs.places == PlaceInterpolation::kLinear)
-            weight *= bilinear_to_zero(photographs.opacities[view], at.hnormalized()) / 255;
-        color += weight * bilinear(photographs.lumigraph.views[view].photograph, at.hnormalized());
-    }
-    if (photographs.places == PlaceInterpolation::kLinear) {
-        const double sum = weights.sum();
-        if (sum < kLeastWeight) return draw_surroundings(corners, shares, x, y, frame);
-        color /= sum;
-        weights /= sum;
-    }
-    const double opacity =
-        interpolated(corners, shares, [](const BlendVertex& vertex) {
-            return Eigen::Matrix<double, 1, 1>(static_cast<double>(vertex.opacity));
-        }).value();
-    const auto over = [opacity](double front, std::uint8_t back) {
-        return nearest_byte(opacity * front + (1 - opacity) * back);
-    };
-    const Rgb8 behind = frame.color(x, y);
-    frame.color(x, y) = {over(color.x(), behind.r), over(color.y(), behind.g),
-                         over(color.z(), behind.b)};
-    const double confidence =
-        interpolated(corners, shares, [](const BlendVertex& vertex) {
-            return Eigen::Matrix<double, 1, 1>(static_cast<double>(vertex.confidence));
-        }).value();
-    const bool is_guess = photographs.places == PlaceInterpolation::kLinear &&
-                          confidence < static_cast<double>(kLeastConfidence);
-    frame.coverage(x, y) = over(is_guess ? 0 : 255 * weights.sum(), frame.coverage(x, y));
+}  // namespace
+
+TriangleReference::TriangleReference(const Lumigraph& lumigraph, const Eye& eye,
+                                     PlaceInterpolation places, DebugPicture debug_picture)
+    : lumigraph_(lumigraph),
+      photographs_(lumigraph, eye),
+      places_(places),
+      debug_picture_(debug_picture) {}
+
+void TriangleReference::draw(const BlendTriangles& triangles, Frame& frame) const {
+    draw(triangles, false, frame);
 }
 
-void draw_triangle(const std::array<const BlendVertex*, 3>& corners, const Photographs& photographs,
-                   Frame& frame) {
+void TriangleReference::lay_over(const BlendTriangles& triangles, Frame& frame) const {
+    draw(triangles, true, frame);
+}
+
+void TriangleReference::draw(const BlendTriangles& triangles, bool is_laid_over,
+                             Frame& frame) const {
+    for (std::size_t i = 0; i < triangles.indices.size(); i += 3)
+        draw_triangle({&triangles.vertices[triangles.indices[i]],
+                       &triangles.vertices[triangles.indices[i + 1]],
+                       &triangles.vertices[triangles.indices[i + 2]]},
+                      is_laid_over, frame);
+    frame.statistics.triangles += triangles.count();
+}
+
+void TriangleReference::draw_triangle(const Corners& corners, bool is_laid_over,
+                                      Frame& frame) const {
     Eigen::Matrix3d pixels;
     Eigen::Array3d inverse_depths;
     for (Eigen::Index i = 0; i < 3; ++i) {
@@ -115,26 +94,98 @@ void draw_triangle(const std::array<const BlendVertex*, 3>& corners, const Photo
             const Eigen::Vector3d middle(x + 0.5, y + 0.5, 1);
             if ((shares_from_pixel * (middle + kOffEdges_px)).minCoeff() < 0) continue;
             const Eigen::Array3d in_space = (shares_from_pixel * middle).array() * inverse_depths;
-            draw_pixel(corners, in_space / in_space.sum(), photographs, x, y, frame);
+            const Eigen::Vector3d shares = in_space / in_space.sum();
+            const std::optional<Fragment> drawn = fragment(corners, shares);
+            if (!drawn) {
+                draw_surroundings(corners, shares, x, y, frame);
+                continue;
+            }
+            const auto over = [&](double front, std::uint8_t back) {
+                return nearest_byte(drawn->opacity * front + (1 - drawn->opacity) * back);
+            };
+            const Rgb8 behind = frame.color(x, y);
+            frame.color(x, y) = {over(drawn->color.x(), behind.r), over(drawn->color.y(), behind.g),
+                                 over(drawn->color.z(), behind.b)};
+            frame.coverage(x, y) =
+                over(255 * (is_laid_over ? 1 : drawn->coverage), frame.coverage(x, y));
         }
     }
 }
 
-}  // namespace
-
-Frame draw_reference(const BlendTriangles& triangles, const Lumigraph& lumigraph,
-                     const Camera& eye_camera, PlaceInterpolation places,
-                     const ColorImage& behind) {
-    Frame frame{behind.empty() ? ColorImage(eye_camera.width_px, eye_camera.height_px) : behind,
-                GrayImage(eye_camera.width_px, eye_camera.height_px),
-                {triangles.count()}};
-    const Photographs photographs{lumigraph, places, photograph_opacities(lumigraph)};
-    for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
-        draw_triangle({&triangles.vertices[triangles.indices[i]],
-                       &triangles.vertices[triangles.indices[i + 1]],
-                       &triangles.vertices[triangles.indices[i + 2]]},
-                      photographs, frame);
+std::optional<TriangleReference::Fragment> TriangleReference::fragment(
+    const Corners& corners, const Eigen::Vector3d& shares) const {
+    Eigen::Vector3d weights = interpolated(corners, shares, [](const BlendVertex& vertex) {
+        return Eigen::Vector3d(vertex.weights[0], vertex.weights[1], vertex.weights[2]);
+    });
+    Fragment drawn;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Eigen::Vector3d at = place_of(corners, shares, k);
+        const auto view = static_cast<int>(corners[0]->view_layers[k]);
+        double& weight = weights[static_cast<Eigen::Index>(k)];
+        if (!(at.z() > 0) || !at.allFinite()) {
+            weight = 0;
+            continue;
+        }
+        if (places_ == PlaceInterpolation::kLinear)
+            weight *= photographs_.opacity(view, at.hnormalized()) / 255;
+        drawn.color += weight * photographs_.color(view, at.hnormalized());
     }
+    if (places_ == PlaceInterpolation::kLinear) {
+        const double sum = weights.sum();
+        if (sum < kLeastWeight) return std::nullopt;
+        drawn.color /= sum;
+        weights /= sum;
+    }
+    if (debug_picture_ != DebugPicture::kNone)
+        drawn.color = debug_color_of(corners, shares, weights);
+    const bool is_guess = places_ == PlaceInterpolation::kLinear &&
+                          interpolated_number(corners, shares, &BlendVertex::confidence) <
+                              static_cast<double>(kLeastConfidence);
+    drawn.coverage = is_guess ? 0 : weights.sum();
+    drawn.opacity = interpolated_number(corners, shares, &BlendVertex::opacity);
+    return drawn;
+}
+
+/// Homogeneous. A corner that is not before the view has no place there, and no weight.
+Eigen::Vector3d TriangleReference::place_of(const Corners& corners, const Eigen::Vector3d& shares,
+                                            std::size_t k) const {
+    return interpolated(corners, shares, [&](const BlendVertex& vertex) {
+        const Eigen::Vector3d place(vertex.view_pixels[k][0], vertex.view_pixels[k][1], 1);
+        if (places_ == PlaceInterpolation::kLinear) return place;
+        const auto ratio = static_cast<double>(vertex.depth_ratios[k]);
+        if (!(ratio > 0)) return Eigen::Vector3d(0, 0, 0);
+        return Eigen::Vector3d(static_cast<double>(vertex.depth) * ratio * place);
+    });
+}
+
+Eigen::Vector3d TriangleReference::debug_color_of(const Corners& corners,
+                                                  const Eigen::Vector3d& shares,
+                                                  const Eigen::Vector3d& weights) const {
+    ShownRay ray;
+    for (std::size_t k = 0; k < 3; ++k) {
+        ray.view_indices[k] = static_cast<int>(corners[0]->view_layers[k]);
+        ray.weights[k] = weights[static_cast<Eigen::Index>(k)];
+    }
+    ray.face_index = static_cast<int>(corners[0]->face_index);
+    ray.inverse_depth = interpolated_number(corners, shares, &BlendVertex::inverse_depth);
+    ray.confidence = interpolated_number(corners, shares, &BlendVertex::confidence);
+    ray.occluded = interpolated_number(corners, shares, &BlendVertex::occluded);
+    const Eigen::Vector3d color = debug_color(debug_picture_, ray, inverse_depth_range(lumigraph_));
+    // The weights of projective textures add up as in the picture, to less than 1 where some are
+    // missing.
+    return debug_picture_ == DebugPicture::kWeights ? color : weights.sum() * color;
+}
+
+Frame empty_frame(const Camera& eye_camera) {
+    return {ColorImage(eye_camera.width_px, eye_camera.height_px),
+            GrayImage(eye_camera.width_px, eye_camera.height_px),
+            {}};
+}
+
+Frame draw_reference(const BlendTriangles& triangles, const Lumigraph& lumigraph, const Eye& eye,
+                     PlaceInterpolation places, DebugPicture debug_picture) {
+    Frame frame = empty_frame(eye.camera);
+    TriangleReference(lumigraph, eye, places, debug_picture).draw(triangles, frame);
     return frame;
 }
 

@@ -10,6 +10,7 @@
 #include "render/surroundings/surroundings.h"
 #include "render/surroundings/triangle_surroundings.h"
 #include "render/transfer/scene_plane.h"
+#include "render/uploaded/photograph_lod.h"
 
 namespace lumi {
 namespace {
@@ -18,17 +19,18 @@ namespace {
 Frame draw_adaptive(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
     std::vector<BlendTriangles> layers =
         adaptive_layers(lumigraph, searched_views(lumigraph), eye, options);
-    const bool has_surroundings = are_surroundings_drawn(options);
-    if (has_surroundings)
-        set_surroundings(lumigraph, small_photographs(lumigraph), eye, layers.front());
-    BlendTriangles all;
-    for (const BlendTriangles& layer : layers) {
-        const auto first = static_cast<std::uint32_t>(all.vertices.size());
-        all.vertices.insert(all.vertices.end(), layer.vertices.begin(), layer.vertices.end());
-        for (const std::uint32_t index : layer.indices) all.indices.push_back(first + index);
+    const TriangleReference reference(lumigraph, eye, PlaceInterpolation::kLinear,
+                                      options.debug_picture);
+    Frame frame = empty_frame(eye.camera);
+    if (are_surroundings_drawn(options)) {
+        frame.color = surroundings_picture(lumigraph, eye);
+        set_surroundings(lumigraph, small_photographs(lumigraph), eye, layers.front(),
+                         unsure_border_px(photograph_lod(lumigraph, eye)));
     }
-    return draw_reference(all, lumigraph, eye.camera, PlaceInterpolation::kLinear,
-                          has_surroundings ? surroundings_picture(lumigraph, eye) : ColorImage{});
+    reference.draw(layers.front(), frame);
+    for (auto layer = layers.begin() + 1; layer != layers.end(); ++layer)
+        reference.lay_over(*layer, frame);
+    return frame;
 }
 
 Frame draw_paper2001(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
@@ -37,21 +39,17 @@ Frame draw_paper2001(const Lumigraph& lumigraph, const Eye& eye, const RenderOpt
         paper_subdivision(face_polygons(lumigraph.mesh, eye), DepthSearch(lumigraph, views, eye),
                           scene_plane_inverse_depth(lumigraph, eye), inverse_depth_range(lumigraph),
                           options.correct_occlusion, paper_subdivision_options(options));
-    return draw_reference(triangles, lumigraph, eye.camera, PlaceInterpolation::kProjective);
+    return draw_reference(triangles, lumigraph, eye, PlaceInterpolation::kProjective,
+                          options.debug_picture);
 }
 
 void expect_drawable(const RenderOptions& options) {
-    const bool draws_rays = options.mode == RenderMode::kPerPixel ||
-                            options.mode == RenderMode::kLightField ||
-                            options.mode == RenderMode::kHeigl;
     const auto refuse = [&](const std::string& what) {
         throw Error(ErrorKind::kUsage, "E-RENDER-REFERENCE",
                     name_of(options.mode) + " in plain code: " + what, "leave out --reference");
     };
     if (options.supersample) refuse("one sample a pixel is drawn, not four");
     if (options.debug_picture == DebugPicture::kGrid) refuse("there is no grid to show");
-    if (!draws_rays && options.debug_picture != DebugPicture::kNone)
-        refuse("triangles are drawn without debug pictures");
 }
 
 }  // namespace

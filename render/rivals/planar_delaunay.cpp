@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace lumi {
@@ -15,12 +17,23 @@ double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
     return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
+/// Of the terms of a determinant: less than this is rounding. Points may be close together beside
+/// others, as a camera's neighbours are where another is in the eye's plane.
+constexpr double kRoundingShare = 1e-12;
+
 bool is_within_circle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
                       const Eigen::Vector2d& point) {
-    Eigen::Matrix3d rows;
-    rows << (a - point).transpose(), (a - point).squaredNorm(), (b - point).transpose(),
-        (b - point).squaredNorm(), (c - point).transpose(), (c - point).squaredNorm();
-    return rows.determinant() > 1e-12;
+    const std::array<Eigen::Vector2d, 3> corners{a - point, b - point, c - point};
+    double determinant = 0;
+    double terms = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Vector2d& next = corners[(i + 1) % 3];
+        const Eigen::Vector2d& last = corners[(i + 2) % 3];
+        const double lift = corners[i].squaredNorm();
+        determinant += lift * (next.x() * last.y() - last.x() * next.y());
+        terms += lift * (std::abs(next.x() * last.y()) + std::abs(last.x() * next.y()));
+    }
+    return determinant > kRoundingShare * terms;
 }
 
 /// Into the unit square, with the corners of a triangle far around it at the end.

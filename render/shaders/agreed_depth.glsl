@@ -10,7 +10,7 @@ uniform float agreeing_depth;  // layers that differ by no more are of one surfa
 uniform vec4 layer_views[16];
 
 // Where each kind of depth begins in the depth buffer, times the kind, and how far it goes; 1 is
-// nothing. See depth_layer_painter.h.
+// nothing. See depth_kind_ranges.h.
 const float kKindStep = 0.33;
 const float kKindWidth = 0.32;
 // Where a view knows nothing: as far as can be from any inverse depth.

@@ -17,7 +17,9 @@ void main() {
         vec2 pixel = cell_px * (floor(gl_FragCoord.xy) + in_cell / float(SAMPLES));
         if (any(greaterThanEqual(pixel, picture_size))) continue;
         vec2 texel = pixel * texels_per_pixel;
-        float nearest = smallest(layer_depths(ivec2(texel.x, texel_rows - texel.y)));
+        // Places lie on the sides of texels: those below and to the right are looked at.
+        vec2 from_bottom_left = vec2(texel.x, texel_rows - 1.0 - floor(texel.y));
+        float nearest = smallest(layer_depths(ivec2(from_bottom_left)));
         inside += 1.0;
         holes += step(2.0 * kKindStep, nearest);
     }

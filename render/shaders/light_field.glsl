@@ -15,7 +15,10 @@ void main() {
     vec4 color0 = seen(pixel0, view_parallax0.w);
     vec4 color1 = seen(pixel1, view_parallax1.w);
     vec4 color2 = seen(pixel2, view_parallax2.w);
-    vec3 weights = blending_weights() * vec3(color0.a, color1.a, color2.a);
+    // Beside a camera the others have weights near 0: beyond its photograph they are all there is.
+    vec3 counting = vec3(color0.a, color1.a, color2.a);
+    vec3 showing = blending_weights() * vec3(greaterThan(counting, vec3(0.0)));
+    vec3 weights = showing * counting / max(showing.x + showing.y + showing.z, 1e-20);
     float sum = weights.x + weights.y + weights.z;
     if (sum < kLeastWeight) discard;
     weights /= sum;
@@ -29,7 +32,7 @@ void main() {
                        inner(pixel1.xy / max(pixel1.z, 1e-20), view_size1.xy),
                        inner(pixel2.xy / max(pixel2.z, 1e-20), view_size2.xy)) *
                   vec3(greaterThan(vec3(pixel0.z, pixel1.z, pixel2.z), vec3(0.0)));
-    drawn *= opacity_of(blending_weights(), inside, sum, 1.0);
+    drawn *= opacity_of(blending_weights(), inside, dot(blending_weights(), counting), 1.0);
 #endif
 }
 #endif

@@ -17,11 +17,15 @@ flat LUMI_VARYING float layer;
 uniform vec3 chosen;  // 1 for the view of this pass, 0 for the others
 
 void main() {
-    vec2 view_pixel = chosen.x * in_view_pixels01.xy + chosen.y * in_view_pixels01.zw +
-                      chosen.z * in_view_pixel2;
+    // Chosen, not summed: where a corner lies behind another view, it has no place there.
+    vec2 view_pixel = chosen.x > 0.5   ? in_view_pixels01.xy
+                      : chosen.y > 0.5 ? in_view_pixels01.zw
+                                       : in_view_pixel2;
+    float ratio = dot(chosen, in_depth_ratios);
     // Vertices at their true places: what is linear in space is interpolated linearly there.
     float depth = in_pixel_and_depth.z;
-    on_layer = vec3((view_pixel + kGutter_px) / layer_size, 1.0) * dot(chosen, in_depth_ratios) * depth;
+    on_layer = ratio > 0.0 ? vec3((view_pixel + kGutter_px) / layer_size, 1.0) * ratio * depth
+                           : vec3(0.0);
     weight = dot(chosen, in_weights);
     layer = dot(chosen, in_layers_and_face.xyz);
     layers_and_face = in_layers_and_face;
@@ -43,7 +47,7 @@ void main() {
                                                   inverse_depth_and_confidence.z),
                  weight);
 #else
-    drawn = vec4(photograph_at(on_layer.xy / on_layer.z, layer).rgb, weight);
+    drawn = vec4(photograph_at(on_layer.xy / max(on_layer.z, 1e-20), layer).rgb, weight);
 #endif
 }
 #endif

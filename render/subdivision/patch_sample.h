@@ -18,7 +18,9 @@ struct PatchSample {
     double occluded = 0.0;                ///< Share of the ray's weight that is not seen.
     std::array<double, 3> ray_weights{};  ///< Barycentric: from the ray alone.
     std::array<double, 3> weights{};      ///< After occlusion correction; sum 1 or all 0.
-    std::array<Eigen::Vector2d, 3> view_pixels{};
+    /// Zero where the point does not lie before the view.
+    std::array<Eigen::Vector2d, 3> view_pixels{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(),
+                                               Eigen::Vector2d::Zero()};
     std::array<double, 3> depth_ratios{};  ///< Depth in each view over depth in the eye.
     /// For interpolation in the picture: one over the mean of these ratios.
     double affine_depth = 1.0;

@@ -129,15 +129,18 @@ std::vector<KeptView> kept_views(const Lumigraph& lumigraph, const Eye& eye) {
 
 }  // namespace
 
-Eigen::Vector3f ColorGrid::at(const Eigen::Vector2d& pixel) const {
+Eigen::Vector3f ColorGrid::at(const Eigen::Vector2d& pixel,
+                              const Eigen::Vector2d& on_triangle) const {
     const Eigen::Vector2d in_cells = pixel / cells.cell_px();
-    const int column = std::clamp(static_cast<int>(in_cells.x()), 0, cells.columns() - 1);
-    const int row = std::clamp(static_cast<int>(in_cells.y()), 0, cells.rows() - 1);
+    const Eigen::Vector2d triangle_in_cells = on_triangle / cells.cell_px();
+    const int column = std::clamp(static_cast<int>(triangle_in_cells.x()), 0, cells.columns() - 1);
+    const int row = std::clamp(static_cast<int>(triangle_in_cells.y()), 0, cells.rows() - 1);
     const auto right = static_cast<float>(in_cells.x() - column);
     const auto down = static_cast<float>(in_cells.y() - row);
     const Eigen::Vector3f& start = corner(column, row);
     const Eigen::Vector3f& end = corner(column + 1, row + 1);
-    if (right > down)
+    // On the diagonal the upper one, as in OpenGL.
+    if (triangle_in_cells.x() - column >= triangle_in_cells.y() - row)
         return start + right * (corner(column + 1, row) - start) +
                down * (end - corner(column + 1, row));
     return start + down * (corner(column, row + 1) - start) +
@@ -174,14 +177,21 @@ ColorGrid surrounding_colors(const Lumigraph& lumigraph, const SmallPhotographs&
     return grid;
 }
 
-ColorImage surroundings_picture(const Lumigraph& lumigraph, const Eye& eye) {
+ColorImage surroundings_picture(const Lumigraph& lumigraph, const Eye& eye, int block_side_px) {
     PictureCells cells(eye.camera);
     cells.mark_all();
     const ColorGrid grid = surrounding_colors(lumigraph, small_photographs(lumigraph), eye, cells);
     ColorImage picture(eye.camera.width_px, eye.camera.height_px);
     for (int y = 0; y < picture.height(); ++y) {
         for (int x = 0; x < picture.width(); ++x) {
-            const Eigen::Vector3f color = grid.at({x + 0.5, y + 0.5}).array().round();
+            const Eigen::Vector2d block(x / block_side_px, y / block_side_px);
+            const Eigen::Vector3f color =
+                grid.at({x + 0.5, y + 0.5},
+                        block_side_px * (block + Eigen::Vector2d::Constant(0.5)))
+                    .cwiseMax(0)
+                    .cwiseMin(255)
+                    .array()
+                    .round();
             picture(x, y) = {static_cast<std::uint8_t>(color.x()),
                              static_cast<std::uint8_t>(color.y()),
                              static_cast<std::uint8_t>(color.z())};

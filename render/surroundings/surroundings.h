@@ -25,7 +25,12 @@ struct ColorGrid {
         return colors[corner_index(column, row)];
     }
     /// In a marked cell.
-    [[nodiscard]] Eigen::Vector3f at(const Eigen::Vector2d& pixel) const;
+    [[nodiscard]] Eigen::Vector3f at(const Eigen::Vector2d& pixel) const {
+        return at(pixel, pixel);
+    }
+    /// As colours vary on the triangle that another place lies on, of a marked cell.
+    [[nodiscard]] Eigen::Vector3f at(const Eigen::Vector2d& pixel,
+                                     const Eigen::Vector2d& on_triangle) const;
 };
 
 /// What an eye would see, were there nothing but colours: a guess for where no photograph shows
@@ -43,7 +48,9 @@ struct ColorGrid {
                                            const SmallPhotographs& small, const Eye& eye,
                                            const PictureCells& cells);
 
-/// The whole of such a picture.
-[[nodiscard]] ColorImage surroundings_picture(const Lumigraph& lumigraph, const Eye& eye);
+/// The whole of such a picture. In blocks of pixels colours vary as on the triangle on which the
+/// block's middle lies.
+[[nodiscard]] ColorImage surroundings_picture(const Lumigraph& lumigraph, const Eye& eye,
+                                              int block_side_px = 1);
 
 }  // namespace lumi

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/depth_layers/depth_layer_painter.h"
+#include "render/depth_layers/depth_kind_ranges.h"
 #include "render/depth_mesh/view_depth_mesh.h"
 #include "render/reference/depth_raster.h"
 #include "render/transfer/view_geometry.h"

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "render/gl/framebuffer.h"
 #include "render/gl/headless_context.h"
+#include "render/modes/paper2001.h"
 #include "render/reference/triangle_reference.h"
 #include "tests/render/analytic_scene.h"
 
@@ -15,6 +17,7 @@ namespace {
 
 constexpr int kWidth_px = 64;
 constexpr int kHeight_px = 48;
+const Eye kBlendEye = eye_at({0, 0, 0}, {0, 0, 4}, pinhole_camera(kWidth_px, kHeight_px, 60));
 
 /// Photographs of one grey each.
 Lumigraph grey_photographs(std::uint8_t first, std::uint8_t others) {
@@ -65,8 +68,7 @@ std::vector<unsigned char> pixels_of(const Lumigraph& lumigraph, const std::vect
     framebuffer.attach_color(kWidth_px, kHeight_px);
     glViewport(0, 0, kWidth_px, kHeight_px);
     glClear(GL_COLOR_BUFFER_BIT);
-    const Eye eye = eye_at({0, 0, 0}, {0, 0, 4}, pinhole_camera(kWidth_px, kHeight_px, 60));
-    for (const Laid& layer : layers) painter.draw(layer.triangles, eye, {}, layer.behind);
+    for (const Laid& layer : layers) painter.draw(layer.triangles, kBlendEye, {}, layer.behind);
     return framebuffer.read_rgba_bottom_up(kWidth_px, kHeight_px);
 }
 
@@ -75,14 +77,15 @@ TEST(BlendPainterGl, LaysOverAPictureAsOpaqueAsItIsWhereItIsAGuessToo) {
     const BlendTriangles base = sheet(0, {}, {});
     const BlendTriangles shell = sheet(1, {0.0F, 0.0F}, {0.5F, 1.0F});
     const auto pixels = pixels_of(lumigraph, {{base}, {shell, Behind::kPicture}});
-    const Camera camera = pinhole_camera(kWidth_px, kHeight_px, 60);
-    const Frame behind = draw_reference(base, lumigraph, camera, PlaceInterpolation::kLinear);
-    const Frame expected =
-        draw_reference(shell, lumigraph, camera, PlaceInterpolation::kLinear, behind.color);
+    const TriangleReference reference(lumigraph, kBlendEye, PlaceInterpolation::kLinear);
+    Frame expected = empty_frame(kBlendEye.camera);
+    reference.draw(base, expected);
+    reference.lay_over(shell, expected);
     for (int x = 0; x < kWidth_px; ++x) {
         const auto at = 4 * static_cast<std::size_t>(x);
         EXPECT_NEAR(pixels[at], expected.color(x, 0).r, 1) << x;
         EXPECT_NEAR(pixels[at + 3], 255, 1) << "covered by either at " << x;
+        EXPECT_EQ(expected.coverage(x, 0), 255) << x;
     }
 }
 
@@ -93,6 +96,37 @@ TEST(BlendPainterGl, DoesNotCountAGuessAsCoveredThatFadesIntoBlack) {
         const auto at = 4 * static_cast<std::size_t>(x);
         EXPECT_NEAR(pixels[at], 200 * (kWidth_px - x - 0.5) / kWidth_px, 1) << x;
         EXPECT_EQ(pixels[at + 3], 0) << x;
+    }
+}
+
+/// Corners that lie behind one view have no place there, and no weight: of the others all is drawn.
+TEST(Paper2001Gl, LooksPhotographsUpWhateverPlacesOthersLack) {
+    const Lumigraph lumigraph = card_before_wall();
+    BlendTriangles triangles = sheet(0, {}, {});
+    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+    for (BlendVertex& corner : triangles.vertices) {
+        corner.view_layers = {0, 1, 2};
+        corner.view_pixels[0] = corner.pixel;
+        corner.view_pixels[1] = {kNone, 7.0F};
+        corner.view_pixels[2] = {std::numeric_limits<float>::infinity(), kNone};
+        corner.depth_ratios = {1, 0, 0};
+    }
+    const HeadlessContext context;
+    const UploadedLumigraph uploaded(lumigraph);
+    Paper2001 mode(uploaded);
+    Framebuffer framebuffer;
+    framebuffer.attach_color(kWidth_px, kHeight_px);
+    glViewport(0, 0, kWidth_px, kHeight_px);
+    glClear(GL_COLOR_BUFFER_BIT);
+    mode.draw_passes(triangles, kBlendEye, {});
+    const auto pixels = framebuffer.read_rgba_bottom_up(kWidth_px, kHeight_px);
+    const ColorImage& photograph = lumigraph.views[0].photograph;
+    for (int y = 0; y < kHeight_px; ++y) {
+        for (int x = 0; x < kWidth_px; ++x) {
+            const auto at = 4 * static_cast<std::size_t>(x + (kHeight_px - 1 - y) * kWidth_px);
+            EXPECT_NEAR(pixels[at], photograph(x, y).r, 1) << x << ' ' << y;
+            EXPECT_EQ(pixels[at + 3], 255) << x << ' ' << y;
+        }
     }
 }
 

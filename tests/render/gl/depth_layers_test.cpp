@@ -210,5 +210,23 @@ TEST(PerPixelGl, DrawsSilhouettesInStepsWhereTexturesAreTooSmallForOthers) {
     EXPECT_EQ(difference_between(frame_of(mode, eye, {}), smooth).mean, 0);
 }
 
+TEST(DepthLayersGl, HoldLittleMoreThanWhatAnEyeCanSee) {
+    const HeadlessContext context;
+    const Lumigraph lumigraph = card_before_wall();
+    const UploadedLumigraph uploaded(lumigraph);
+    const std::vector<DepthViewSet> sets{{{0, 1, 2}, 1.0}};
+    for (const auto drawn_by : {DepthLayers::DrawnBy::kOpenGl, DepthLayers::DrawnBy::kCores}) {
+        DepthLayers layers(uploaded, kLayers, drawn_by);
+        for (const double distance : {0.5, 2.0, 10.0}) {
+            // The card is the nearest, at z = 3.
+            const Eye eye = eye_at({0, 0, -distance}, {0, 0, 4}, pinhole_camera(80, 60, 70));
+            layers.draw(eye, sets);
+            EXPECT_GE(layers.max_inverse_depth(), 1 / (3 + distance)) << distance;
+            // Surfaces that agree must be told apart from others, too.
+            EXPECT_LE(layers.max_inverse_depth(), 30 / (3 + distance)) << distance;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace lumi

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "render/reference/reference_renderer.h"
@@ -84,6 +85,22 @@ TEST_F(Holes, AreFilledAlikeByTheReference) {
             EXPECT_NEAR(static_cast<double>(covered(drawn)), static_cast<double>(covered(expected)),
                         0.01 * static_cast<double>(expected.coverage.pixels().size()));
         }
+    }
+}
+
+TEST(HolesGl, AreFoundInTheSameCellsAsInPlainCode) {
+    Lumigraph lumigraph = ball_in_sky();
+    lumigraph.drawing.fills_holes = true;
+    OffscreenRenderer renderer(lumigraph);
+    for (double angle = 0; angle < 6.2; angle += 0.4) {
+        const Eye eye = eye_at({2.8 * std::cos(angle), 0.4, 2.8 * std::sin(angle)}, {0, 0, 0},
+                               pinhole_camera(120, 90, 80));
+        const Frame drawn = renderer.draw(eye, {});
+        const Frame expected = draw_reference(lumigraph, eye, {});
+        EXPECT_LE(difference_between(as_color(drawn.coverage), as_color(expected.coverage))
+                      .share_beyond_two,
+                  0.015)
+            << angle;
     }
 }
 

@@ -22,7 +22,7 @@ Lumigraph without_depth_of(std::size_t view, Lumigraph lumigraph) {
     return lumigraph;
 }
 
-Eye eye_of(const LumigraphView& view) { return {view.camera, view.cam_from_world}; }
+Eye eye_at_view(const LumigraphView& view) { return {view.camera, view.cam_from_world}; }
 
 std::vector<Eye> eyes_among_cameras() {
     std::vector<Eye> eyes;
@@ -56,7 +56,7 @@ TEST(ViewsWithoutDepth, ShowTheirPhotographInTheirPlaceInEveryMode) {
     const Lumigraph lumigraph = card_before_wall();
     for (std::size_t view = 0; view < lumigraph.views.size(); ++view) {
         OffscreenRenderer renderer(without_depth_of(view, lumigraph));
-        const Eye eye = eye_of(lumigraph.views[view]);
+        const Eye eye = eye_at_view(lumigraph.views[view]);
         for (const RenderMode mode : kModesWithDepth)
             EXPECT_LT(difference_between(renderer.draw(eye, {.mode = mode}).color,
                                          lumigraph.views[view].photograph)

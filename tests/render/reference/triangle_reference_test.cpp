@@ -39,7 +39,7 @@ TEST(TriangleReference, DrawsPixelsOnSharedEdgesOnce) {
     for (std::uint32_t i = 1; i <= 8; ++i)
         triangles.indices.insert(triangles.indices.end(), {0U, i, i % 8 + 1});
     const Frame drawn =
-        draw_reference(triangles, lumigraph, camera, PlaceInterpolation::kProjective);
+        draw_reference(triangles, lumigraph, {camera, {}}, PlaceInterpolation::kProjective);
     for (const Rgb8& color : drawn.color.pixels()) EXPECT_EQ(color, (Rgb8{100, 50, 25}));
 }
 
@@ -64,10 +64,15 @@ TEST(TriangleReference, LooksNothingUpInAPhotographThatHasNoPlaceForACorner) {
         corner.opacity = 1;
         triangles.indices.push_back(static_cast<std::uint32_t>(triangles.indices.size()));
     }
-    for (const auto places : {PlaceInterpolation::kLinear, PlaceInterpolation::kProjective}) {
-        const Frame drawn = draw_reference(triangles, lumigraph, camera, places);
-        for (const Rgb8& color : drawn.color.pixels()) EXPECT_EQ(color, (Rgb8{200, 100, 50}));
-    }
+    // Where it counts at other corners it is looked up by these, or not at all.
+    for (const float weight : {0.0F, 0.4F})
+        for (const auto places : {PlaceInterpolation::kLinear, PlaceInterpolation::kProjective}) {
+            triangles.vertices[1].weights = {1 - weight, weight, 0};
+            triangles.vertices[1].view_pixels[1] = {4.5F, 4.5F};
+            triangles.vertices[1].depth_ratios[1] = weight;
+            const Frame drawn = draw_reference(triangles, lumigraph, {camera, {}}, places);
+            for (const Rgb8& color : drawn.color.pixels()) EXPECT_EQ(color, (Rgb8{200, 100, 50}));
+        }
 }
 
 }  // namespace

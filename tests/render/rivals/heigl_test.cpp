@@ -33,6 +33,29 @@ TEST(PlanarDelaunay, LeavesNoPointWithinACircle) {
     }
 }
 
+TEST(PlanarDelaunay, DividesWhatLiesBetweenPointsHoweverUnlikeTheirDistancesAre) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(-1, 1);
+    for (const double far : {1e2, 1e4, 1e6}) {
+        // A square around ten points in its middle.
+        std::vector<Eigen::Vector2d> points{{-far, -far}, {far, -far}, {far, far}, {-far, far}};
+        for (int i = 0; i < 10; ++i) points.emplace_back(place(random), place(random));
+        double doubled_area = 0;
+        const auto triangles = planar_delaunay(points);
+        for (const auto& triangle : triangles) {
+            const Eigen::Vector2d& a = points[static_cast<std::size_t>(triangle[0])];
+            Eigen::Matrix2d sides;
+            sides << (points[static_cast<std::size_t>(triangle[1])] - a).transpose(),
+                (points[static_cast<std::size_t>(triangle[2])] - a).transpose();
+            EXPECT_GT(sides.determinant(), 0) << far;
+            doubled_area += sides.determinant();
+        }
+        EXPECT_NEAR(doubled_area, 8 * far * far, 1e-6 * far * far);
+        // Of n points, of which h are on the hull, 2 n - h - 2.
+        EXPECT_EQ(triangles.size(), 22U) << far;
+    }
+}
+
 TEST(PlanarDelaunay, OfALineOrOfTwoPointsIsNothing) {
     EXPECT_TRUE(planar_delaunay({{0, 0}, {1, 1}}).empty());
     EXPECT_TRUE(planar_delaunay({{0, 0}, {1, 0}, {2, 0}, {3, 0}}).empty());

@@ -41,7 +41,7 @@ class SeenParts : public testing::Test {
     }
 
     [[nodiscard]] Frame drawn(const BlendTriangles& triangles) const {
-        return draw_reference(triangles, lumigraph_, eye_.camera, PlaceInterpolation::kLinear);
+        return draw_reference(triangles, lumigraph_, eye_, PlaceInterpolation::kLinear);
     }
 
     /// Of known pixels: those that show something else than is there.

@@ -40,7 +40,7 @@ class Subdivision : public testing::Test {
     }
     [[nodiscard]] double error_of(const BlendTriangles& triangles,
                                   PlaceInterpolation places) const {
-        return difference_between(draw_reference(triangles, lumigraph_, kEye.camera, places).color,
+        return difference_between(draw_reference(triangles, lumigraph_, kEye, places).color,
                                   ideal_photograph(AnalyticScene::kCardBeforeWall, kEye))
             .mean;
     }
@@ -447,9 +447,8 @@ TEST_F(Subdivision, PhotographsThatDoNotCountNeedNotBeLookedUp) {
     }
     EXPECT_EQ(end, sorted.triangles.indices.size());
     const Frame drawn =
-        draw_reference(sorted.triangles, lumigraph_, kEye.camera, PlaceInterpolation::kLinear);
-    const Frame plain =
-        draw_reference(triangles, lumigraph_, kEye.camera, PlaceInterpolation::kLinear);
+        draw_reference(sorted.triangles, lumigraph_, kEye, PlaceInterpolation::kLinear);
+    const Frame plain = draw_reference(triangles, lumigraph_, kEye, PlaceInterpolation::kLinear);
     EXPECT_LT(difference_between(drawn.color, plain.color).mean, 0.01);
     EXPECT_TRUE(drawn.coverage.pixels() == plain.coverage.pixels());
 }

@@ -93,8 +93,7 @@ TEST_F(UnseenTriangles, ComeFromTheViewThatSeesThem) {
     EXPECT_GT(seen, count / 2);
     // Over the card's outline.
     EXPECT_LT(empty, seen / 50);
-    const Frame drawn =
-        draw_reference(triangles_, lumigraph_, eye_.camera, PlaceInterpolation::kLinear);
+    const Frame drawn = draw_reference(triangles_, lumigraph_, eye_, PlaceInterpolation::kLinear);
     const ColorImage ideal = ideal_photograph(AnalyticScene::kCardBeforeWall, eye_);
     double difference = 0;
     int known = 0;
@@ -114,7 +113,7 @@ TEST_F(UnseenTriangles, DoNotShowWhatHidesThem) {
     triangles_ = subdivided({.min_edge_px = 64, .max_edge_px = 24});
     draw_unseen_triangles();
     const Frame drawn =
-        draw_reference(from_the_wide_view(), lumigraph_, eye_.camera, PlaceInterpolation::kLinear);
+        draw_reference(from_the_wide_view(), lumigraph_, eye_, PlaceInterpolation::kLinear);
     const ColorImage ideal = ideal_photograph(AnalyticScene::kCardBeforeWall, eye_);
     int known = 0;
     int of_another_surface = 0;
