@@ -7,7 +7,9 @@
 #include <limits>
 #include <optional>
 
+#include "calib/boards/board_bow_choice.h"
 #include "calib/boards/board_copies.h"
+#include "calib/boards/board_counting.h"
 #include "calib/boards/board_lens_choice.h"
 #include "calib/boards/board_outliers.h"
 #include "calib/boards/board_pose.h"
@@ -184,6 +186,17 @@ std::string doubt_of_fit(const BoardViews& board, const BoardSolution& solution)
             "stretching, and that all photographs were taken with one lens at one zoom");
 }
 
+void add_bow(const BoardViews& board, const BoardSolution& solution, BoardCalibration& result) {
+    result.bow = bend_of(board, solution.size_per_pitch, solution.bow,
+                         result.certainty.of_board.bottomRightCorner<3, 3>());
+    constexpr double kLargeShare = 0.03;
+    if (result.bow->share_of_width <= kLargeShare) return;
+    result.warnings.push_back(
+        "bow too large: a board that is bent by " +
+        formatted("%.0f", 100 * result.bow->share_of_width) +
+        " % of its width is hardly bent evenly, as the fit has it; fix it to a flat plate");
+}
+
 /// Which half of the photographs belongs to the lens that is wanted, nobody can tell.
 void expect_most_explained(const CleanedBoard& cleaned, std::size_t views) {
     const std::size_t kept = cleaned.board.views.size();
@@ -205,24 +218,20 @@ BoardCalibration calibrate_boards(const BoardViews& seen_board,
                                   const BoardCalibrationOptions& options, Progress& progress) {
     BoardViews board = seen_board;
     const std::vector<LeftOut> copies = remove_copies(board);
+    set_middles(board);
     expect_enough(board, copies.size());
     progress.begin("calibrating", options.models.size() + 2);
     CleanedBoard cleaned = best_cleaned(board, options);
     expect_most_explained(cleaned, board.views.size());
     expect_enough(cleaned.board, copies.size());
     progress.advance();
-    if (board.are_discs) {
-        const BoardViews seen = cleaned.board;
-        constexpr int kRounds = 3;
-        for (int round = 0; round < kRounds; ++round) {
-            cleaned.board = without_disc_bias(seen, cleaned.solution);
-            cleaned.solution = fit_lens(cleaned.board, cleaned.solution).solution;
-        }
-    }
+    if (board.are_discs) correct_discs(cleaned.board, cleaned.solution);
     FittedModels fitted = fit_models(cleaned, options.models, progress);
+    allow_for_bow(cleaned, fitted, options.models, progress);
+    BoardSolution chosen = chosen_solution(fitted);
+    if (chosen.is_bent) chosen = cleaned_anew(cleaned, chosen);
     BoardCalibration result;
-    const BoardSolution solution =
-        supported(cleaned.board, chosen_solution(fitted), result.dropped);
+    const BoardSolution solution = supported(cleaned.board, chosen, result.dropped);
     const std::string doubt = doubt_of_fit(cleaned.board, solution);
     if (!doubt.empty()) result.warnings.push_back(doubt);
     const std::vector<ReducedView> reduced = reduced_views(cleaned.board, solution);
@@ -233,6 +242,7 @@ BoardCalibration calibrate_boards(const BoardViews& seen_board,
     result.form = solution.form;
     result.choice = std::move(fitted.choice);
     result.size_per_pitch = solution.size_per_pitch;
+    if (solution.is_bent) add_bow(cleaned.board, solution, result);
     result.parameters = parameters_of(solution, result.certainty, cleaned.board.views.size());
     result.left_out = copies;
     result.left_out.insert(result.left_out.end(), cleaned.left_out.begin(), cleaned.left_out.end());

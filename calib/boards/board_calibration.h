@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "calib/boards/board_bow.h"
 #include "calib/boards/lens_certainty.h"
 #include "calib/boards/lens_fit.h"
 #include "calib/capture/posed_photographs.h"
@@ -57,7 +58,8 @@ struct BoardCalibration {
     LensChoice choice;                 ///< Every model that was tried.
     std::vector<std::string> dropped;  ///< Parameters within two standard deviations of nothing.
     double size_per_pitch = 0.0;
-    double rms_px = 0.0;  ///< Of distances, over all points.
+    std::optional<BoardBend> bow;  ///< Of a board that is not flat, as far as photographs tell.
+    double rms_px = 0.0;           ///< Of distances, over all points.
     /// The same; each photograph predicted by the others. Empty where they cannot.
     std::optional<double> held_out_rms_px;
     LensCertainty certainty;

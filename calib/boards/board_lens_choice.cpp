@@ -2,44 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "calib/boards/board_trials.h"
 #include "calib/boards/calibration_evidence.h"
 #include "calib/boards/lens_certainty.h"
 #include "calib/lens/lens_support.h"
 
 namespace lumi {
 namespace {
-
-LensTrial trial_of(const BoardViews& board, const LensFit& fit) {
-    LensTrial trial;
-    trial.form = fit.solution.form;
-    trial.lens = fit.solution.lens;
-    trial.sigma.assign(trial.lens.parameters.size(), 0.0);
-    trial.residual_sum_px2 = fit.residual_sum_px2;
-    trial.residuals = fit.residuals;
-    if (!fit.is_usable) {
-        trial.residual_sum_px2 = std::numeric_limits<double>::infinity();
-        trial.not_predicted = "the fit failed";
-        return trial;
-    }
-    trial.not_predicted = fault_within(board, fit.solution.lens);
-    if (!trial.not_predicted.empty()) return trial;
-    const std::vector<ReducedView> views = reduced_views(board, fit.solution);
-    const LensCertainty certainty = lens_certainty(views, fit.solution.form);
-    if (certainty.covariance.size() == 0) {
-        trial.not_predicted = "not determined";
-        return trial;
-    }
-    for (std::size_t index = 0; index < trial.sigma.size(); ++index) {
-        const auto diagonal = static_cast<Eigen::Index>(index);
-        trial.sigma[index] = std::sqrt(certainty.covariance(diagonal, diagonal));
-    }
-    trial.folds = held_out_photographs(views);
-    if (trial.folds.empty()) trial.not_predicted = "not determined without every photograph";
-    return trial;
-}
 
 BoardSolution in_form(const BoardSolution& solution, const LensForm& form, const Camera& start) {
     BoardSolution result = solution;
@@ -61,31 +32,6 @@ LensForm with_principal_point_free(LensForm form) {
     const int cx = *parameter_named(form.model, "cx");
     std::erase_if(form.held, [&](int index) { return index == cx || index == cx + 1; });
     return form;
-}
-
-/// Of few photographs, how forms differ from one to the next tells little of how surely one is
-/// better. What leaves more unexplained where it was fitted than another form does where it was
-/// not is too simple all the same.
-LensChoice choose_that_explains(std::vector<LensTrial> trials) {
-    double least_px2 = std::numeric_limits<double>::infinity();
-    for (const LensTrial& trial : trials) {
-        HeldOutFold all;
-        for (const HeldOutFold& fold : trial.folds) {
-            all.squared_error_px2 += fold.squared_error_px2;
-            all.residuals += fold.residuals;
-        }
-        if (all.is_usable()) least_px2 = std::min(least_px2, all.squared_error_px2 / all.residuals);
-    }
-    constexpr double kClearlyWorse = 1.25 * 1.25;
-    for (LensTrial& trial : trials) {
-        if (trial.folds.empty() ||
-            trial.residual_sum_px2 <= kClearlyWorse * least_px2 * trial.residuals) {
-            continue;
-        }
-        trial.folds.clear();
-        trial.not_predicted = "fits worse than another predicts";
-    }
-    return choose_lens(std::move(trials));
 }
 
 /// Standard deviation of the focal length were it known that pixels are square, which holds for
@@ -138,9 +84,11 @@ FittedModels fit_models(const CleanedBoard& cleaned, const std::vector<LensModel
 }
 
 const BoardSolution& chosen_solution(const FittedModels& fitted) {
+    const LensTrial& chosen = fitted.choice.choice();
     return *std::find_if(fitted.solutions.begin(), fitted.solutions.end(),
                          [&](const BoardSolution& solution) {
-                             return solution.form == fitted.choice.choice().form;
+                             return solution.form == chosen.form &&
+                                    free_parameters_of_board(solution) == chosen.parameters_beside;
                          });
 }
 

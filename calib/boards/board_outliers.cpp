@@ -16,8 +16,9 @@ namespace {
 std::vector<double> distances_px(const BoardViews& board, const BoardSolution& solution,
                                  std::size_t view) {
     std::vector<double> distances;
-    const std::vector<Eigen::Vector2d> predicted = predicted_px(
-        board.views[view], solution.lens, solution.size_per_pitch, solution.cam_from_board[view]);
+    const std::vector<Eigen::Vector2d> predicted =
+        predicted_px(board.views[view], solution.lens, solution.size_per_pitch,
+                     solution.cam_from_board[view], solution.bow);
     for (std::size_t point = 0; point < predicted.size(); ++point) {
         const double distance = (predicted[point] - board.views[view].points[point].px).norm();
         distances.push_back(std::isfinite(distance) ? distance
@@ -36,6 +37,13 @@ std::string rounded(double value) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.2f", value);
     return text.data();
+}
+
+void leave_out(CleanedBoard& cleaned, std::size_t view) {
+    const auto at = static_cast<std::ptrdiff_t>(view);
+    cleaned.board.views.erase(cleaned.board.views.begin() + at);
+    cleaned.whole_views.erase(cleaned.whole_views.begin() + at);
+    cleaned.solution.cam_from_board.erase(cleaned.solution.cam_from_board.begin() + at);
 }
 
 /// Points beyond `limit_px` go; a view that loses too many goes as a whole.
@@ -59,9 +67,7 @@ bool remove_points(CleanedBoard& cleaned, double limit_px) {
                                             std::to_string(view.points.size()) +
                                             " points lie more than " + rounded(limit_px) +
                                             " px off: a bent board, motion, or a wrong detection"});
-            board.views.erase(board.views.begin() + static_cast<std::ptrdiff_t>(index));
-            cleaned.solution.cam_from_board.erase(cleaned.solution.cam_from_board.begin() +
-                                                  static_cast<std::ptrdiff_t>(index));
+            leave_out(cleaned, index);
             continue;
         }
         cleaned.removed_points += view.points.size() - kept.size();
@@ -87,9 +93,7 @@ bool remove_views(CleanedBoard& cleaned, double floor_px) {
                                     "its points are " + rounded(view_rms_px[index]) +
                                         " px off (the median photograph: " + rounded(middle_px) +
                                         " px): blurred, bent, or a wrong detection"});
-        board.views.erase(board.views.begin() + static_cast<std::ptrdiff_t>(index));
-        cleaned.solution.cam_from_board.erase(cleaned.solution.cam_from_board.begin() +
-                                              static_cast<std::ptrdiff_t>(index));
+        leave_out(cleaned, index);
         has_changed = true;
     }
     return has_changed;
@@ -108,7 +112,7 @@ double robust_sigma_px(const BoardViews& board, const BoardSolution& solution) {
 }
 
 CleanedBoard without_outliers(const BoardViews& board, const BoardSolution& start) {
-    CleanedBoard cleaned{board, start, {}, 0};
+    CleanedBoard cleaned{board, start, {}, 0, board.views};
     constexpr double kFinestScale_px = 1.0;
     for (int round = 0; round < 3; ++round) {
         const double scale_px =

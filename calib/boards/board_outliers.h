@@ -11,6 +11,7 @@ struct CleanedBoard {
     BoardSolution solution;
     std::vector<LeftOut> left_out;
     std::size_t removed_points = 0;
+    std::vector<BoardView> whole_views;  ///< Those of the board, with all of their points.
 };
 
 /// Fits with a robust loss whose scale shrinks from what the start leaves to one pixel, and removes

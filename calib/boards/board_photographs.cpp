@@ -254,6 +254,7 @@ BoardPhotographs find_boards(const std::filesystem::path& folder, const BoardReq
     found.board.height_px = size.height_px;
     found.board.are_discs = found.kind == BoardKind::kCircles ||
                             found.kind == BoardKind::kAsymmetricCircles || is_hexagonal(found.kind);
+    found.board.turns_alike = is_hexagonal(found.kind) ? 6 : 4;
     found.board.is_size_known = request.size_per_pitch > 0;
     found.board.size_per_pitch =
         found.board.is_size_known ? request.size_per_pitch : median_size(found.detections);

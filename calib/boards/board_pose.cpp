@@ -208,14 +208,17 @@ SolvedBoardPose refined(const BoardView& view, const Camera& lens, double size_p
 }  // namespace
 
 std::vector<Eigen::Vector2d> predicted_px(const BoardView& view, const Camera& lens,
-                                          double size_per_pitch, const BoardPose& cam_from_board) {
+                                          double size_per_pitch, const BoardPose& cam_from_board,
+                                          const BoardBow& bow) {
     std::vector<Eigen::Vector2d> predicted;
+    const BoardFrame frame = frame_of(view);
     with_lens_model(lens.model, [&](auto constant) {
         constexpr LensModel kModel = decltype(constant)::value;
         for (const BoardPoint& point : view.points) {
             Eigen::Vector2d residual;
-            const bool is_seen = BoardPointCost<kModel>(point)(
-                lens.parameters.data(), &size_per_pitch, cam_from_board.data(), residual.data());
+            const bool is_seen = BoardPointCost<kModel>(point, frame)(
+                lens.parameters.data(), &size_per_pitch, cam_from_board.data(), bow.data(),
+                residual.data());
             predicted.push_back(
                 is_seen ? Eigen::Vector2d(residual + point.px)
                         : Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN()));

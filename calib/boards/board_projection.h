@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "calib/boards/board_bow.h"
 #include "calib/boards/board_views.h"
 #include "calib/capture/lens_distortion.h"
 
@@ -44,18 +45,38 @@ bool project_in_camera(const T* lens, const Eigen::Matrix<T, 3, 1>& point, T* pi
 }
 
 /// Pixel where a point of a board is predicted, minus pixel where it was seen. Parameter blocks:
-/// lens, size per pitch, BoardPose.
+/// lens, size per pitch, BoardPose, and of a bent board BoardBow.
 template <LensModel model>
 class BoardPointCost {
  public:
     static constexpr int kLens = static_cast<int>(parameter_count(model));
 
-    explicit BoardPointCost(const BoardPoint& point) : point_(point) {}
+    explicit BoardPointCost(const BoardPoint& point, const BoardFrame& frame = {})
+        : point_(point), frame_(frame) {}
 
     template <class T>
     bool operator()(const T* lens, const T* size, const T* pose, T* residual) const {
-        const std::array<T, 3> on_board{point_.place.x() + point_.along_size.x() * size[0],
-                                        point_.place.y() + point_.along_size.y() * size[0], T(0)};
+        return compare(lens, {x(size), y(size), T(0)}, pose, residual);
+    }
+
+    template <class T>
+    bool operator()(const T* lens, const T* size, const T* pose, const T* bow, T* residual) const {
+        return compare(lens, on_bent_board(x(size), y(size), frame_, bow), pose, residual);
+    }
+
+ private:
+    template <class T>
+    T x(const T* size) const {
+        return point_.place.x() + point_.along_size.x() * size[0];
+    }
+    template <class T>
+    T y(const T* size) const {
+        return point_.place.y() + point_.along_size.y() * size[0];
+    }
+
+    template <class T>
+    bool compare(const T* lens, const Eigen::Matrix<T, 3, 1>& on_board, const T* pose,
+                 T* residual) const {
         Eigen::Matrix<T, 3, 1> in_camera;
         ceres::AngleAxisRotatePoint(pose, on_board.data(), in_camera.data());
         in_camera += Eigen::Map<const Eigen::Matrix<T, 3, 1>>(pose + 3);
@@ -65,8 +86,8 @@ class BoardPointCost {
         return true;
     }
 
- private:
     BoardPoint point_;
+    BoardFrame frame_;
 };
 
 }  // namespace lumi

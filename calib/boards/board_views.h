@@ -20,6 +20,11 @@ struct BoardPoint {
 struct BoardView {
     std::string photograph;
     std::vector<BoardPoint> points;
+    /// How it counts, for what all photographs show alike, such as a bow: where it has the middle
+    /// of the board, in pitches, and by what angle (from x towards y) it is turned against the
+    /// others. Set by count_alike.
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    double turn_rad = 0.0;
 };
 
 /// Photographs of a board by one camera.
@@ -30,6 +35,7 @@ struct BoardViews {
     double size_per_pitch = 0.0;  ///< Of squares (their side) or discs (their diameter); 0: points.
     bool is_size_known = false;   ///< Given, not to be estimated.
     bool are_discs = false;       ///< Points are centroids of discs as seen.
+    int turns_alike = 4;          ///< Turns that the lattice looks the same after; 6: hexagonal.
 };
 
 }  // namespace lumi

@@ -19,8 +19,9 @@ void add_views(const BoardViews& board, const BoardSolution& solution,
     std::size_t points = 0;
     for (std::size_t index = 0; index < board.views.size(); ++index) {
         const BoardView& view = board.views[index];
-        const std::vector<Eigen::Vector2d> predicted = predicted_px(
-            view, solution.lens, solution.size_per_pitch, solution.cam_from_board[index]);
+        const std::vector<Eigen::Vector2d> predicted =
+            predicted_px(view, solution.lens, solution.size_per_pitch,
+                         solution.cam_from_board[index], solution.bow);
         double view_sum = 0;
         for (std::size_t point = 0; point < predicted.size(); ++point) {
             const Eigen::Vector2d error_px = predicted[point] - view.points[point].px;
@@ -97,7 +98,7 @@ void add_warnings(BoardCalibration& result) {
             std::to_string(std::lround(std::sqrt(result.certainty.disagreement))) +
             " times more than their points' errors explain: is the board flat, and the zoom and "
             "focus the same? The intervals contain what differs between photographs, not what all "
-            "share, as a bent board");
+            "share, as a board that is bent otherwise than in a bow");
     }
 }
 

@@ -26,9 +26,11 @@ Eigen::Vector2d centroid_of(const std::vector<Eigen::Vector2d>& polygon) {
     return origin + sum / (3 * doubled_area);
 }
 
-/// The outline of the disc around `centre`, as points of a board.
-BoardView outline_of(const Eigen::Vector2d& centre, double radius) {
+/// The outline of the disc around `centre`, as points of a board that counts as `view` does.
+BoardView outline_of(const BoardView& view, const Eigen::Vector2d& centre, double radius) {
     BoardView outline;
+    outline.middle = view.middle;
+    outline.turn_rad = view.turn_rad;
     for (int index = 0; index < kOutlinePoints; ++index) {
         const double angle = 2 * std::numbers::pi * index / kOutlinePoints;
         BoardPoint point;
@@ -46,10 +48,11 @@ BoardView outline_of(const Eigen::Vector2d& centre, double radius) {
 BoardViews without_disc_bias(const BoardViews& seen, const BoardSolution& solution) {
     BoardViews corrected = seen;
     for (std::size_t index = 0; index < seen.views.size(); ++index) {
+        const BoardView& view = seen.views[index];
         for (BoardPoint& point : corrected.views[index].points) {
             std::vector<Eigen::Vector2d> predicted =
-                predicted_px(outline_of(point.place, 0.5 * seen.size_per_pitch), solution.lens, 0.0,
-                             solution.cam_from_board[index]);
+                predicted_px(outline_of(view, point.place, 0.5 * seen.size_per_pitch),
+                             solution.lens, 0.0, solution.cam_from_board[index], solution.bow);
             const Eigen::Vector2d centre_px = predicted.back();
             predicted.pop_back();
             const Eigen::Vector2d bias_px = centroid_of(predicted) - centre_px;
@@ -57,6 +60,15 @@ BoardViews without_disc_bias(const BoardViews& seen, const BoardSolution& soluti
         }
     }
     return corrected;
+}
+
+void correct_discs(BoardViews& board, BoardSolution& solution) {
+    const BoardViews seen = board;
+    constexpr int kRounds = 3;
+    for (int round = 0; round < kRounds; ++round) {
+        board = without_disc_bias(seen, solution);
+        solution = fit_lens(board, solution).solution;
+    }
 }
 
 }  // namespace lumi

@@ -10,4 +10,7 @@ namespace lumi {
 /// that of the predicted disc, by Green's formula over its projected outline.
 [[nodiscard]] BoardViews without_disc_bias(const BoardViews& seen, const BoardSolution& solution);
 
+/// The same and the fit in turn, from a fit to centroids as seen, until both agree.
+void correct_discs(BoardViews& board, BoardSolution& solution);
+
 }  // namespace lumi

@@ -92,6 +92,24 @@ Eigen::MatrixXd contained(const Eigen::MatrixXd& scatter, double pooled, std::si
 
 }  // namespace
 
+double residual_sum_after_px2(const ReducedView& view, const Eigen::VectorXd& change) {
+    return view.residual_sum_px2 + 2 * change.dot(view.gradient) +
+           change.dot(view.information * change);
+}
+
+std::optional<LinearStep> step_to_minimum(const std::vector<ReducedView>& views) {
+    const ScaledInverse inverse(total_information(views));
+    if (!inverse.is_regular()) return std::nullopt;
+    Eigen::VectorXd gradient = views.front().gradient;
+    for (std::size_t index = 1; index < views.size(); ++index) gradient += views[index].gradient;
+    LinearStep step{-inverse.times(gradient), views};
+    for (ReducedView& view : step.views) {
+        view.residual_sum_px2 = residual_sum_after_px2(view, step.change);
+        view.gradient += view.information * step.change;
+    }
+    return step;
+}
+
 std::vector<HeldOutFold> held_out_photographs(const std::vector<ReducedView>& views) {
     constexpr std::size_t kLeastViews = 3;
     if (views.size() < kLeastViews) return {};
@@ -99,10 +117,7 @@ std::vector<HeldOutFold> held_out_photographs(const std::vector<ReducedView>& vi
     std::vector<HeldOutFold> folds;
     for (std::size_t index = 0; index < changes.size(); ++index) {
         const ReducedView& view = views[index];
-        const Eigen::VectorXd& change = changes[index];
-        const double predicted_px2 = view.residual_sum_px2 + 2 * change.dot(view.gradient) +
-                                     change.dot(view.information * change);
-        folds.push_back({predicted_px2, view.residuals});
+        folds.push_back({residual_sum_after_px2(view, changes[index]), view.residuals});
     }
     return folds;
 }
@@ -140,6 +155,8 @@ LensCertainty lens_certainty(const std::vector<ReducedView>& views, const LensFo
                 of_shared(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
         }
     }
+    const auto beside = static_cast<Eigen::Index>(shared) - static_cast<Eigen::Index>(free.size());
+    certainty.of_board = of_shared.bottomRightCorner(beside, beside);
     return certainty;
 }
 

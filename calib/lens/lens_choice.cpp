@@ -65,7 +65,7 @@ void measure(LensTrial& trial) {
     constexpr double kLeastMeanSquare_px2 = 1e-12;
     trial.rms_px = std::sqrt(mean_square);
     trial.bic = n * std::log(std::max(mean_square, kLeastMeanSquare_px2)) +
-                free_parameters(trial.form) * std::log(n);
+                free_parameters(trial) * std::log(n);
     if (!any_usable(trial.folds)) trial.folds.clear();
     trial.held_out_rms_px = std::sqrt(mean_square_px2(trial.folds));
 }
@@ -123,10 +123,18 @@ bool any_usable(const std::vector<HeldOutFold>& folds) {
                        [](const HeldOutFold& fold) { return fold.is_usable(); });
 }
 
+int free_parameters(const LensTrial& trial) {
+    return free_parameters(trial.form) + trial.parameters_beside;
+}
+
+std::string text_of(const LensTrial& trial) {
+    return text_of(trial.form) + (trial.beside.empty() ? "" : ", " + trial.beside);
+}
+
 LensChoice choose_lens(std::vector<LensTrial> trials) {
     assert(!trials.empty());
     std::stable_sort(trials.begin(), trials.end(), [](const LensTrial& a, const LensTrial& b) {
-        return free_parameters(a.form) < free_parameters(b.form);
+        return free_parameters(a) < free_parameters(b);
     });
     for (LensTrial& trial : trials) measure(trial);
     LensChoice choice;
@@ -148,15 +156,14 @@ LensChoice choose_lens(std::vector<LensTrial> trials) {
         const Excess excess = excess_of(trial.folds, best.folds);
         trial.excess_px2 = excess.mean_px2;
         trial.excess_sigma_px2 = excess.sigma_px2;
-        const bool is_simpler = free_parameters(trial.form) < free_parameters(choice.choice().form);
+        const bool is_simpler = free_parameters(trial) < free_parameters(choice.choice());
         const double immaterial_px2 =
             kImmaterialShare * best.held_out_rms_px * best.held_out_rms_px;
         const bool predicts_as_well =
             trial.excess_px2 <= std::max(trial.excess_sigma_px2, immaterial_px2);
         // Of two with as many parameters the one that predicts better.
-        const bool is_better_equal =
-            free_parameters(trial.form) == free_parameters(choice.choice().form) &&
-            trial.held_out_rms_px < choice.choice().held_out_rms_px;
+        const bool is_better_equal = free_parameters(trial) == free_parameters(choice.choice()) &&
+                                     trial.held_out_rms_px < choice.choice().held_out_rms_px;
         if (predicts_as_well && (is_simpler || is_better_equal)) choice.chosen = index;
     }
     choice.chosen = sound_choice(choice);
@@ -189,15 +196,15 @@ bool predicts_worse_surely(const std::vector<HeldOutFold>& fitted,
 std::string lens_choice_table(const LensChoice& choice) {
     std::size_t width = 4;
     for (const LensTrial& trial : choice.trials) {
-        width = std::max(width, text_of(trial.form).size());
+        width = std::max(width, text_of(trial).size());
     }
     const int column = static_cast<int>(width);
     std::string table = formatted(
         "%-*s  free  RMS px  held-out px  excess +- 1 SE (px^2)       BIC\n", column, "lens");
     for (std::size_t index = 0; index < choice.trials.size(); ++index) {
         const LensTrial& trial = choice.trials[index];
-        table += formatted("%-*s  %4d  %6.4f  ", column, text_of(trial.form).c_str(),
-                           free_parameters(trial.form), trial.rms_px);
+        table += formatted("%-*s  %4d  %6.4f  ", column, text_of(trial).c_str(),
+                           free_parameters(trial), trial.rms_px);
         table += trial.folds.empty() ? formatted("%11s  %22s", "-", "-")
                                      : formatted("%11.4f  %10.6f +- %8.6f", trial.held_out_rms_px,
                                                  trial.excess_px2, trial.excess_sigma_px2);

@@ -23,6 +23,9 @@ struct HeldOutFold {
 /// One form of a lens, tried: what a fit to everything gave, and what fits to parts predicted.
 struct LensTrial {
     LensForm form;
+    /// What was estimated beside lens and poses, such as "bent board", and its parameters.
+    std::string beside;
+    int parameters_beside = 0;
     Camera lens;                    ///< Fitted to everything.
     std::vector<double> sigma;      ///< Standard deviation of each parameter; 0 where it is held.
     double residual_sum_px2 = 0.0;  ///< Of that fit: the sum of squares.
@@ -41,6 +44,11 @@ struct LensTrial {
     double excess_sigma_px2 = 0.0;  ///< One standard error of `excess_px2`.
     double bic = 0.0;               ///< n ln(RSS / n) + k ln n (Schwarz 1978).
 };
+
+/// Of the lens and of what was estimated beside it.
+[[nodiscard]] int free_parameters(const LensTrial& trial);
+/// "RADIAL, k2 held", and what was estimated beside the lens.
+[[nodiscard]] std::string text_of(const LensTrial& trial);
 
 /// Which form of a lens the photographs support, and what speaks for it.
 struct LensChoice {

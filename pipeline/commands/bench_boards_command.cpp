@@ -48,6 +48,7 @@ Json row_for(const fs::path& folder, int threads, Progress& progress) {
         row["free_parameters"] = free_parameters(calibration.form);
         row["focal_px"] = focal_length_px(calibration.lens).mean();
         row["focal_sigma_px"] = calibration.parameters.front().sigma;
+        if (calibration.bow) row["bent_percent"] = 100 * calibration.bow->share_of_width;
         row["rms_px"] = calibration.rms_px;
         if (calibration.held_out_rms_px) row["held_out_rms_px"] = *calibration.held_out_rms_px;
         if (const auto reference = reference_lens(folder)) {
@@ -67,21 +68,21 @@ std::string cell(const Json& row, const char* key, int decimals) {
 
 std::string table_of(const std::vector<Json>& rows) {
     std::string table =
-        "| set | board | used | lens | focal px | RMS px | held out px | reference | off by | CPU "
-        "s "
-        "|\n|---|---|---|---|---|---|---|---|---|---|\n";
+        "| set | board | used | bent, % | lens | focal px | RMS px | held out px | reference | off "
+        "by "
+        "| CPU s |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const Json& row : rows) {
         table += "| " + row["set"].get<std::string>() + " | ";
         if (row.contains("refused")) {
-            table += row["refused"].get<std::string>() + " | | | | | | | | ";
+            table += row["refused"].get<std::string>() + " | | | | | | | | | ";
         } else {
             table += row["board"].get<std::string>() + " | " +
                      std::to_string(row["used"].get<int>()) + " of " +
                      std::to_string(row["photographs"].get<int>()) + " | " +
-                     row["form"].get<std::string>() + " | " + cell(row, "focal_px", 2) + " +- " +
-                     cell(row, "focal_sigma_px", 2) + " | " + cell(row, "rms_px", 3) + " | " +
-                     cell(row, "held_out_rms_px", 3) + " | " + cell(row, "reference_focal_px", 2) +
-                     " | ";
+                     cell(row, "bent_percent", 2) + " | " + row["form"].get<std::string>() + " | " +
+                     cell(row, "focal_px", 2) + " +- " + cell(row, "focal_sigma_px", 2) + " | " +
+                     cell(row, "rms_px", 3) + " | " + cell(row, "held_out_rms_px", 3) + " | " +
+                     cell(row, "reference_focal_px", 2) + " | ";
             if (row.contains("focal_deviation_percent")) {
                 table += cell(row, "focal_deviation_percent", 2) + " %, " +
                          cell(row, "focal_deviation_sigma", 1) + " sigma";

@@ -97,6 +97,7 @@ std::string result_text(const BoardPhotographs& found, const BoardCalibration& c
             held_out_text(calibration) + " (distances, " +
             std::to_string(calibration.residuals.size()) + " points); " +
             number_text(cost.cpu_s, 2) + " CPU s\n";
+    if (calibration.bow) text += text_of(*calibration.bow) + "\n";
     for (const std::string& warning : calibration.warnings) text += "warning: " + warning + "\n";
     return text;
 }

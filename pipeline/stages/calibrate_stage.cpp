@@ -20,6 +20,7 @@ StageEvidence run_calibrate_stage(const std::filesystem::path& boards,
                           "): " + photograph.reason);
         }
     }
+    if (calibration.bow) progress.note(text_of(*calibration.bow));
     for (const std::string& warning : calibration.warnings) progress.note(warning);
     write_calibration(folder, found, calibration);
     return {json_text(calibration_json(found, calibration)), "{}"};

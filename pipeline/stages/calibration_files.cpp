@@ -28,6 +28,7 @@ std::vector<std::string> remarks_of(const BoardPhotographs& found,
     for (const LensParameter& parameter : calibration.parameters) {
         remarks.push_back("  " + parameter_text(parameter));
     }
+    if (calibration.bow) remarks.push_back(text_of(*calibration.bow) + ".");
     return remarks;
 }
 

@@ -22,6 +22,15 @@ Json parameters_json(const std::vector<LensParameter>& parameters) {
     return json;
 }
 
+Json bow_json(const std::optional<BoardBend>& bow) {
+    if (!bow) return Json();
+    return {{"per_pitch", bow->per_pitch},
+            {"share_of_width", bow->share_of_width},
+            {"sigma", bow->sigma_share},
+            {"depth_pitches", bow->depth_pitches},
+            {"width_pitches", bow->width_pitches}};
+}
+
 Json views_json(const std::vector<CalibratedView>& views) {
     Json json = Json::array();
     for (const CalibratedView& view : views) {
@@ -43,7 +52,8 @@ Json calibration_json(const BoardPhotographs& found, const BoardCalibration& cal
                  {{"kind", name_of(found.kind)},
                   {"columns", found.columns},
                   {"rows", found.rows},
-                  {"size_per_pitch", calibration.size_per_pitch}}},
+                  {"size_per_pitch", calibration.size_per_pitch},
+                  {"bow", bow_json(calibration.bow)}}},
                 {"lens",
                  {{"model", name_of(calibration.lens.model)},
                   {"width_px", calibration.lens.width_px},

@@ -14,8 +14,8 @@ nlohmann::ordered_json lens_choice_json(const LensChoice& choice) {
     for (std::size_t index = 0; index < choice.trials.size(); ++index) {
         const LensTrial& trial = choice.trials[index];
         const bool is_predicted = !trial.folds.empty();
-        forms.push_back({{"form", text_of(trial.form)},
-                         {"free_parameters", free_parameters(trial.form)},
+        forms.push_back({{"form", text_of(trial)},
+                         {"free_parameters", free_parameters(trial)},
                          {"rms_px", trial.rms_px},
                          {"held_out_rms_px", is_predicted ? Json(trial.held_out_rms_px) : Json()},
                          {"excess_px2", is_predicted ? Json(trial.excess_px2) : Json()},

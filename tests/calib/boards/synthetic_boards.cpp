@@ -117,9 +117,25 @@ Eigen::Vector2d seen_at(const Camera& lens, const BoardPose& cam_from_board,
     return predicted_px(view, lens, 0.0, cam_from_board).front();
 }
 
+Eigen::Vector2d seen_off_plane(const Camera& lens, const BoardPose& cam_from_board,
+                               const Eigen::Vector3d& place) {
+    BoardPose moved = cam_from_board;
+    Eigen::Map<Eigen::Vector3d>(moved.data() + 3) += place.z() * rotation_of(cam_from_board).col(2);
+    return seen_at(lens, moved, place.head<2>());
+}
+
+BentSheet rolled_sheet(const Eigen::Vector2d& middle, const Eigen::Vector2d& across,
+                       double radius) {
+    return [=](const Eigen::Vector2d& place) -> Eigen::Vector3d {
+        const double along = across.dot(place - middle);
+        const Eigen::Vector2d rolled = place + (radius * std::sin(along / radius) - along) * across;
+        return {rolled.x(), rolled.y(), radius * (1 - std::cos(along / radius))};
+    };
+}
+
 BoardViews seen_chessboards(const Camera& lens, int columns, int rows,
                             const std::vector<BoardPose>& poses, double noise_px,
-                            std::uint32_t seed) {
+                            std::uint32_t seed, const BentSheet& sheet) {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal(0.0, 1.0);
     BoardViews board;
@@ -131,7 +147,8 @@ BoardViews seen_chessboards(const Camera& lens, int columns, int rows,
         for (int row = 0; row < rows; ++row) {
             for (int column = 0; column < columns; ++column) {
                 const Eigen::Vector2d place(column, row);
-                const Eigen::Vector2d px = seen_at(lens, pose, place);
+                const Eigen::Vector2d px =
+                    sheet ? seen_off_plane(lens, pose, sheet(place)) : seen_at(lens, pose, place);
                 if (!px.allFinite() || !is_inside(lens, px)) continue;
                 view.points.push_back(
                     {place, Eigen::Vector2d::Zero(),

@@ -17,11 +17,19 @@ namespace lumi {
                                                      int count, double max_tilt_deg,
                                                      std::uint32_t seed);
 
-/// Exact points of a chessboard with `columns` by `rows` inner corners, plus normal noise; points
-/// outside the picture are not seen.
+/// Where a place of the print lies on a board that is not flat: x, y, and away from the camera, all
+/// in pitches.
+using BentSheet = std::function<Eigen::Vector3d(const Eigen::Vector2d& place)>;
+/// A sheet rolled exactly about an axis through `middle`, square to `across` (a unit vector):
+/// places keep their distances along it.
+[[nodiscard]] BentSheet rolled_sheet(const Eigen::Vector2d& middle, const Eigen::Vector2d& across,
+                                     double radius);
+
+/// Exact points of a chessboard with `columns` by `rows` inner corners, flat or on a `sheet`, plus
+/// normal noise; points outside the picture are not seen.
 [[nodiscard]] BoardViews seen_chessboards(const Camera& lens, int columns, int rows,
                                           const std::vector<BoardPose>& poses, double noise_px,
-                                          std::uint32_t seed);
+                                          std::uint32_t seed, const BentSheet& sheet = {});
 
 /// Brightness (0 to 1) of a place on a board, in pitches.
 using BoardPrint = std::function<double(const Eigen::Vector2d& place)>;
@@ -48,5 +56,8 @@ struct PhotographFaults {
 /// Where a place on the board is seen.
 [[nodiscard]] Eigen::Vector2d seen_at(const Camera& lens, const BoardPose& cam_from_board,
                                       const Eigen::Vector2d& place);
+/// The same of a place before or behind the board's plane.
+[[nodiscard]] Eigen::Vector2d seen_off_plane(const Camera& lens, const BoardPose& cam_from_board,
+                                             const Eigen::Vector3d& place);
 
 }  // namespace lumi
