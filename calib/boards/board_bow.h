@@ -14,7 +14,7 @@ namespace lumi {
 /// part of the pose.
 using BoardBow = std::array<double, 3>;
 
-inline constexpr BoardBow kFlatBoard{0.0, 0.0, 0.0};
+inline constexpr BoardBow kNotBent{0.0, 0.0, 0.0};
 
 /// Where a photograph counts the middle of the board, and how far it counts turned against the
 /// others (see BoardView).

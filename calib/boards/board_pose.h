@@ -31,7 +31,7 @@ struct SolvedBoardPose {
 [[nodiscard]] std::vector<Eigen::Vector2d> predicted_px(const BoardView& view, const Camera& lens,
                                                         double size_per_pitch,
                                                         const BoardPose& cam_from_board,
-                                                        const BoardBow& bow = kFlatBoard);
+                                                        const BoardBow& bow = kNotBent);
 
 /// Angle between the board's normal and the line of sight to its middle, in degrees.
 [[nodiscard]] double board_tilt_deg(const BoardView& view, double size_per_pitch,
