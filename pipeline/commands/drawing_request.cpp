@@ -48,8 +48,8 @@ void add_drawing_options(CLI::App& command, DrawingRequest& request) {
                      "Leave black what no photograph shows instead of going on with the colours "
                      "next to it");
     command.add_flag("--as-taken", request.as_taken,
-                     "Leave differences in exposure and white balance between photographs as they "
-                     "are");
+                     "Leave differences in exposure and white balance between photographs, and "
+                     "corners that the lens darkens, as they are");
 }
 
 RenderOptions render_options_of(const DrawingRequest& request, const DrawnAlike& eye_file) {

@@ -189,7 +189,7 @@ void add_evaluate_command(CLI::App& app, CommandContext& context) {
     CLI::Option* no_ghosts = command.add_flag("--no-ghost-energy", request->without_ghost_energy,
                                               "Leave out what takes one renderer a camera class");
     command.add_flag("--as-taken", request->as_taken,
-                     "Draw without evening exposure and white balance out");
+                     "Draw without evening exposure, white balance and dark corners out");
     CLI::Option* rivals = command.add_flag(
         "--rivals", request->rivals,
         "Also the methods that the paper is compared with: Heigl et al. 1999, unstructured "

@@ -124,8 +124,8 @@ void add_view_command(CLI::App& app, CommandContext& context) {
                      "Leave black what no photograph shows instead of going on with the colours "
                      "next to it");
     command.add_flag("--as-taken", request->as_taken,
-                     "Leave differences in exposure and white balance between photographs as they "
-                     "are");
+                     "Leave differences in exposure and white balance between photographs, and "
+                     "corners that the lens darkens, as they are");
     command
         .add_option("--fps", request->frames_per_second,
                     "While the eye moves, keep so many frames a second by coarser frames and, in "

@@ -32,7 +32,8 @@ struct PackageOptions {
 
 /// What a package says of how it is to be drawn.
 struct DrawingOptions {
-    /// Differences in exposure and white balance between neighbours are measured and evened out.
+    /// Differences in exposure and white balance between neighbours, and what the lens takes from
+    /// the corners, are measured and evened out.
     bool even_exposure = true;
     bool fade_beyond_capture = false;  ///< The default of `lumi render` and `lumi view`.
     /// Disparity beyond which a view sees something else (DrawingChoices::occlusion_tolerance_px),
