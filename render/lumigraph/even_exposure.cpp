@@ -41,44 +41,54 @@ ByteTable evened_bytes(double gain) {
     return table;
 }
 
-/// What becomes of a channel's bytes, in rings about the optical axis that differ by a step.
+/// What becomes of the bytes of red, green and blue, in rings about the optical axis that differ by
+/// a step.
 class RingTables {
  public:
-    /// Light is multiplied by `gain`, and by exp(growth tan^2 a) more at an angle a to the axis.
-    RingTables(double gain, double growth, double farthest_squared_tangent)
-        : steps_per_squared_tangent_(std::abs(growth) / kGainStep) {
-        const auto rings = static_cast<int>(steps_per_squared_tangent_ * farthest_squared_tangent);
-        for (int ring = 0; ring <= rings + 1; ++ring)
-            tables_.push_back(
-                evened_bytes(gain * std::exp(std::copysign(ring * kGainStep, growth))));
+    using Tables = std::array<ByteTable, 3>;
+
+    /// Light is multiplied by `gains`, and by exp(growth tan^2 a) more at an angle a to the axis.
+    RingTables(const ExposureGain& gains, double growth, double farthest_squared_tangent)
+        : rings_per_squared_tangent_(std::abs(growth) / kGainStep) {
+        const auto last = static_cast<int>(rings_per_squared_tangent_ * farthest_squared_tangent);
+        for (int ring = 0; ring <= last + 1; ++ring) {
+            const double more = std::exp(std::copysign(ring * kGainStep, growth));
+            rings_.push_back({evened_bytes(more * gains[0]), evened_bytes(more * gains[1]),
+                              evened_bytes(more * gains[2])});
+        }
     }
-    [[nodiscard]] const ByteTable& at(double squared_tangent) const {
-        return tables_[static_cast<std::size_t>(steps_per_squared_tangent_ * squared_tangent +
-                                                0.5)];
+    [[nodiscard]] const Tables& at(double squared_tangent) const {
+        return rings_[static_cast<std::size_t>(rings_per_squared_tangent_ * squared_tangent + 0.5)];
     }
 
  private:
-    double steps_per_squared_tangent_;
-    std::vector<ByteTable> tables_;
+    double rings_per_squared_tangent_;
+    std::vector<Tables> rings_;
 };
 
-double farthest_squared_tangent(const Camera& camera) {
-    return -std::log(light_left_in_corner(-1.0, camera));
+/// Of the pixels in the row, or the column, through the principal point: for pinholes the sum of
+/// both is that of a pixel.
+std::vector<double> squared_tangents(const Camera& camera, const Eigen::Vector2d& along) {
+    const Eigen::Vector2d across = Eigen::Vector2d::Ones() - along;
+    const Eigen::Vector2d start = across.cwiseProduct(principal_point_px(camera)) + 0.5 * along;
+    const double count = along.dot(Eigen::Vector2d(camera.width_px, camera.height_px));
+    std::vector<double> tangents;
+    for (int i = 0; i < count; ++i) tangents.push_back(squared_tangent(camera, start + i * along));
+    return tangents;
 }
 
 /// `growth` as RingTables have it.
 ColorImage multiplied(ColorImage picture, const Camera& camera, const ExposureGain& gains,
                       double growth) {
-    const double farthest = growth == 0 ? 0 : farthest_squared_tangent(camera);
-    const RingTables red(gains[0], growth, farthest);
-    const RingTables green(gains[1], growth, farthest);
-    const RingTables blue(gains[2], growth, farthest);
+    const std::vector<double> of_columns = squared_tangents(camera, Eigen::Vector2d::UnitX());
+    const std::vector<double> of_rows = squared_tangents(camera, Eigen::Vector2d::UnitY());
+    const RingTables rings(gains, growth, -std::log(light_left_in_corner(-1.0, camera)));
     for (int y = 0; y < picture.height(); ++y) {
         for (int x = 0; x < picture.width(); ++x) {
-            const double tangent = growth == 0 ? 0 : squared_tangent(camera, {x + 0.5, y + 0.5});
+            const auto& [red, green, blue] = rings.at(of_columns[static_cast<std::size_t>(x)] +
+                                                      of_rows[static_cast<std::size_t>(y)]);
             Rgb8& pixel = picture(x, y);
-            pixel = {red.at(tangent)[pixel.r], green.at(tangent)[pixel.g],
-                     blue.at(tangent)[pixel.b]};
+            pixel = {red[pixel.r], green[pixel.g], blue[pixel.b]};
         }
     }
     return picture;

@@ -50,6 +50,7 @@ TEST(EvenExposures, KeepBlackBlackAndWhiteWhiteAndTheOrderOfAllBetween) {
         lumigraph.views.resize(1);
         LumigraphView& view = lumigraph.views.front();
         view.exposure_gain = {gain, gain, gain};
+        view.camera = pinhole_camera(256, 1, 200);
         view.photograph = ColorImage(256, 1);
         for (int x = 0; x < 256; ++x) {
             const auto value = static_cast<std::uint8_t>(x);
