@@ -137,12 +137,11 @@ ModelTrial trial_of(ExposureModel model, int view_count, const std::vector<Expos
     return trial;
 }
 
-/// Whether a model's errors exceed the best one's by no more than a standard error. A view is part
-/// of many pairs, which are not independent: there are as many observations as views.
+/// Whether a model's errors exceed the best one's by no more than a standard error.
 bool is_as_good(const ModelTrial& trial, const ModelTrial& best, int view_count) {
     const Excess excess = excess_over(trial.errors, best.errors);
-    const auto pairs = static_cast<double>(trial.errors.size());
-    return excess.mean <= excess.standard_error * std::sqrt((pairs - 1) / view_count);
+    return excess.mean <= standard_error_over_views(excess, trial.errors.size(),
+                                                    static_cast<std::size_t>(view_count));
 }
 
 ModelTrial chosen_trial(int view_count, const std::vector<ExposureRatio>& ratios) {

@@ -15,7 +15,8 @@ constexpr int kFalloffRounds = 10;
 constexpr std::size_t kLeastFalloffTiles = 4;  // Of a pair, of one colour.
 constexpr double kLeastScale = 0.005;  // Of the logarithm of light: below that all is rounding.
 constexpr double kCauchy = 2.385;  // In standard deviations: nearly all of least squares' power.
-constexpr double kLargestTileError = 0.25;  // A tile that is further off is no worse.
+constexpr double kSigmaPerMedianOff = 1.4826;  // Of a normal distribution.
+constexpr double kLargestTileError = 0.25;     // A tile that is further off is no worse.
 constexpr double kFalloffNoiseFactor = 2.0;
 constexpr double kLeastCornerLoss = 0.02;
 constexpr double kLeastCornerLight = 1.0 / 8;
@@ -52,39 +53,57 @@ void centre(const std::vector<double>& weights, std::vector<double>& values) {
     for (double& value : values) value -= sum / of_weights;
 }
 
-/// What tiles of a pair say beyond what its exposures do.
-PairTiles about_their_mean(PairTiles pair, const std::vector<double>& weights) {
-    centre(weights, pair.log_ratios);
-    centre(weights, pair.levers);
-    return pair;
+using TileWeights = std::vector<std::vector<double>>;  ///< Of the tiles of each pair.
+
+/// What tiles of each pair say beyond what its exposures do.
+std::vector<PairTiles> about_their_means(std::vector<PairTiles> pairs, const TileWeights& weights) {
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        centre(weights[k], pairs[k].log_ratios);
+        centre(weights[k], pairs[k].levers);
+    }
+    return pairs;
+}
+
+/// Least squares; 0 where no tile tells it.
+double slope_of(const std::vector<PairTiles>& centred, const TileWeights& weights) {
+    double products = 0;
+    double squares = 0;
+    for (std::size_t k = 0; k < centred.size(); ++k) {
+        const std::vector<double>& levers = centred[k].levers;
+        if (levers.size() < kLeastFalloffTiles) continue;
+        for (std::size_t i = 0; i < levers.size(); ++i) {
+            products += weights[k][i] * levers[i] * centred[k].log_ratios[i];
+            squares += weights[k][i] * levers[i] * levers[i];
+        }
+    }
+    return squares > 0 ? products / squares : 0;
+}
+
+/// By how far each tile is off: robust (Cauchy).
+TileWeights weights_for_tiles(const std::vector<PairTiles>& centred, double falloff) {
+    std::vector<double> all_off;
+    TileWeights weights;
+    for (const PairTiles& pair : centred) {
+        std::vector<double>& off = weights.emplace_back();
+        for (std::size_t i = 0; i < pair.levers.size(); ++i)
+            off.push_back(std::abs(pair.log_ratios[i] - falloff * pair.levers[i]));
+        all_off.insert(all_off.end(), off.begin(), off.end());
+    }
+    const double sigma = kSigmaPerMedianOff * median_of(all_off);
+    const double scale = kCauchy * std::max(kLeastScale, sigma);
+    for (std::vector<double>& of_pair : weights)
+        for (double& weight : of_pair) weight = 1 / (1 + std::pow(weight / scale, 2));
+    return weights;
 }
 
 double fitted_falloff(const std::vector<PairTiles>& pairs) {
-    std::vector<std::vector<double>> weights;
+    TileWeights weights;
     for (const PairTiles& pair : pairs) weights.emplace_back(pair.levers.size(), 1.0);
     double falloff = 0;
     for (int round = 0; round < kFalloffRounds; ++round) {
-        double products = 0;
-        double squares = 0;
-        std::vector<PairTiles> centred;
-        for (std::size_t k = 0; k < pairs.size(); ++k) {
-            centred.push_back(about_their_mean(pairs[k], weights[k]));
-            if (centred[k].levers.size() < kLeastFalloffTiles) continue;
-            for (std::size_t i = 0; i < centred[k].levers.size(); ++i) {
-                products += weights[k][i] * centred[k].levers[i] * centred[k].log_ratios[i];
-                squares += weights[k][i] * centred[k].levers[i] * centred[k].levers[i];
-            }
-        }
-        if (squares <= 0) return 0;
-        falloff = products / squares;
-        std::vector<double> sizes;
-        for (const PairTiles& pair : centred)
-            for (std::size_t i = 0; i < pair.levers.size(); ++i)
-                sizes.push_back(std::abs(pair.log_ratios[i] - falloff * pair.levers[i]));
-        const double scale = kCauchy * std::max(kLeastScale, 1.4826 * median_of(sizes));
-        std::size_t next = 0;
-        for (std::vector<double>& of_pair : weights)
-            for (double& weight : of_pair) weight = 1 / (1 + std::pow(sizes[next++] / scale, 2));
+        const std::vector<PairTiles> centred = about_their_means(pairs, weights);
+        falloff = slope_of(centred, weights);
+        weights = weights_for_tiles(centred, falloff);
     }
     return falloff;
 }
@@ -117,14 +136,10 @@ std::vector<double> differences_left(const std::array<std::vector<PairTiles>, 2>
     return errors;
 }
 
-/// A view is part of many pairs, which are not independent: there are as many observations as
-/// views.
 bool is_better(const std::vector<double>& with, const std::vector<double>& without,
-               std::size_t count) {
+               std::size_t view_count) {
     const Excess excess = excess_over(without, with);
-    const auto pairs = static_cast<double>(with.size());
-    return excess.mean >
-           excess.standard_error * std::sqrt((pairs - 1) / static_cast<double>(count));
+    return excess.mean > standard_error_over_views(excess, with.size(), view_count);
 }
 
 double least_light_left(double falloff, const std::vector<PicturedView>& views) {

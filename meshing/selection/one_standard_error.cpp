@@ -19,6 +19,11 @@ Excess excess_over(const std::vector<double>& losses, const std::vector<double>&
     return excess;
 }
 
+double standard_error_over_views(const Excess& excess, std::size_t pairs, std::size_t views) {
+    return excess.standard_error *
+           std::sqrt((static_cast<double>(pairs) - 1) / static_cast<double>(views));
+}
+
 std::size_t simplest_as_good(const std::vector<std::vector<double>>& losses) {
     const auto& least =
         *std::min_element(losses.begin(), losses.end(),
