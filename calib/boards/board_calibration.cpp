@@ -16,6 +16,7 @@
 #include "calib/boards/board_start.h"
 #include "calib/boards/calibration_evidence.h"
 #include "calib/boards/disc_bias.h"
+#include "calib/work/counted.h"
 #include "calib/work/formatted.h"
 #include "calib/work/median.h"
 
@@ -29,8 +30,8 @@ void expect_enough(const BoardViews& board, std::size_t copies) {
     const std::size_t unknowns = 4 + 6 * board.views.size();
     if (board.views.size() >= kLeastViews && 2 * points > unknowns) return;
     throw Error(ErrorKind::kDegenerateCapture, "E-BOARDS-TOOFEW",
-                "a board is seen in " + std::to_string(board.views.size()) + " photographs (" +
-                    std::to_string(points) + " points" +
+                "a board is seen in " + counted(board.views.size(), "photograph") + " (" +
+                    counted(points, "point") +
                     (copies > 0 ? "; " + std::to_string(copies) + " more are copies" : "") +
                     "): too few for a lens, " + std::to_string(kLeastViews) + " are the least",
                 "photograph the board ten to twenty times, tilted by 20 to 50 degrees in different "
@@ -207,7 +208,7 @@ void expect_most_explained(const CleanedBoard& cleaned, std::size_t views) {
             : " (" + cleaned.left_out.front().name + ": " + cleaned.left_out.front().reason + ")";
     throw Error(ErrorKind::kDegenerateCapture, "E-BOARDS-SEVERAL",
                 "no lens explains more than " + std::to_string(kept) + " of " +
-                    std::to_string(views) + " photographs" + example,
+                    counted(views, "photograph") + example,
                 "check that all show one flat board, sharp, taken with one lens at one zoom; "
                 "calibrate each zoom from a folder of its own");
 }

@@ -8,6 +8,7 @@
 #include "calib/capture/gray.h"
 #include "calib/ingest/photograph_folder.h"
 #include "calib/pictures/image_io.h"
+#include "calib/work/counted.h"
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 
@@ -195,7 +196,7 @@ std::vector<std::string> doubts_of_size(const BoardPhotographs& found,
     for (std::size_t index = 0; index < std::min(kExamples, found.left_out.size()); ++index) {
         examples += "; " + found.left_out[index].name + ": " + found.left_out[index].reason;
     }
-    const std::string photographs = std::to_string(found.photographs) + " photographs";
+    const std::string photographs = counted(found.photographs, "photograph");
     const auto larger =
         std::find_if(found.left_out.begin(), found.left_out.end(),
                      [](const LeftOut& left_out) { return left_out.code == "E-BOARD-LARGER"; });

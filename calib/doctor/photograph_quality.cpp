@@ -17,8 +17,7 @@ namespace {
 /// Of the quieter third of blocks: there is little but noise.
 double noise_sigma_of(const cv::Mat& gray) {
     const cv::Mat filter = (cv::Mat_<float>(3, 3) << 1, -2, 1, -2, 4, -2, 1, -2, 1);
-    constexpr double kGain = 6.0;               // Root of the sum of its squares.
-    constexpr double kSigmaPerMedian = 1.4826;  // Of absolute values of a Gaussian.
+    constexpr double kGain = 6.0;  // Root of the sum of its squares.
     constexpr int kBlock = 16;
     constexpr double kQuiet = 0.3;
     cv::Mat response;
@@ -38,7 +37,7 @@ double noise_sigma_of(const cv::Mat& gray) {
             // Where the sensor is at its end, noise is cut off.
             if (brightness < 8 || brightness > 247) continue;
             const auto median = static_cast<double>(quantile_of(std::move(values), 0.5));
-            of_blocks.push_back(static_cast<float>(median * kSigmaPerMedian / kGain));
+            of_blocks.push_back(static_cast<float>(median * kSigmaPerMedianOff / kGain));
         }
     }
     return static_cast<double>(quantile_of(std::move(of_blocks), kQuiet));

@@ -106,6 +106,7 @@ std::optional<int> neighbour_of(const Capture& capture, int index) {
     return nearest;
 }
 
+/// Of eight views and their neighbours.
 std::vector<std::pair<int, int>> pairs_to_check(const Capture& capture) {
     constexpr int kViews = 8;
     const int count = static_cast<int>(capture.views.size());
@@ -137,6 +138,7 @@ std::set<int> views_to_compare(const Capture& capture) {
 
 /// Of these views, in the order of all.
 std::vector<Features> features_of(const Capture& capture, const std::vector<Photograph>& all,
+                                  const std::filesystem::path& mask_folder,
                                   const std::set<int>& views, int threads, Progress& progress) {
     constexpr int kMostFeatures = 2048;
     std::map<std::string, const Photograph*> by_name;
@@ -145,8 +147,8 @@ std::vector<Features> features_of(const Capture& capture, const std::vector<Phot
     for (const int view : views) {
         photographs.push_back(*by_name.at(capture.views[static_cast<std::size_t>(view)].name));
     }
-    std::vector<Features> found =
-        detect_features(photographs, {}, {.max_features = kMostFeatures}, threads, progress);
+    std::vector<Features> found = detect_features(
+        photographs, mask_folder, {.max_features = kMostFeatures}, threads, progress);
     std::vector<Features> features(capture.views.size());
     auto next = found.begin();
     for (const int view : views) features[static_cast<std::size_t>(view)] = std::move(*next++);
@@ -154,7 +156,7 @@ std::vector<Features> features_of(const Capture& capture, const std::vector<Phot
 }
 
 /// Matches that an epipolar geometry holds for against the poses. It is found from what is seen
-/// alone, without the lens: that may be what is wrong.
+/// and the lens, without the poses: those may be wrong.
 PoseCheck check_matches(const Capture& capture, const std::vector<Features>& features,
                         const std::vector<PairMatches>& matches, int min_inliers, int threads,
                         Progress& progress) {
@@ -172,6 +174,58 @@ PoseCheck check_matches(const Capture& capture, const std::vector<Features>& fea
                                     {.min_inliers = min_inliers}, threads, progress));
 }
 
+void refuse_one_place(const Capture& capture) {
+    if (capture.views.size() < 2) return;
+    const Eigen::Vector3d place = centre_in_world(capture.views.front().cam_from_world);
+    const double rounding = 1e-9 * (1 + place.norm());
+    for (const View& view : capture.views) {
+        if ((centre_in_world(view.cam_from_world) - place).norm() > rounding) return;
+    }
+    throw Error(
+        ErrorKind::kBadInput, "E-IMPORT-ONEPLACE",
+        "all " + std::to_string(capture.views.size()) + " imported cameras stand at one place",
+        "check that the other program exported places beside directions, or let lumi "
+        "estimate the poses");
+}
+
+[[noreturn]] void refuse_denied(const std::string& what) {
+    throw Error(ErrorKind::kBadInput, "E-IMPORT-DENIED", what,
+                "give the photographs that the poses were found with, poses in the axes of "
+                "their format, or let lumi estimate the poses");
+}
+
+/// By the points that came with the poses.
+void refuse_own_points(const Capture& capture) {
+    constexpr std::size_t kLeastObservations = 50;
+    std::size_t behind = 0;
+    std::vector<double> shares_of_diagonal;
+    for (const ScenePoint& point : capture.points) {
+        for (const Observation& seen : point.track) {
+            const View& view = capture.views[static_cast<std::size_t>(seen.view_index)];
+            const Camera& camera = camera_of(capture, view);
+            const auto pixel = project(camera, view.cam_from_world * point.position_in_world);
+            if (!pixel)
+                ++behind;
+            else
+                shares_of_diagonal.push_back((*pixel - seen.pixel).norm() / diagonal_px(camera));
+        }
+    }
+    const std::size_t observations = behind + shares_of_diagonal.size();
+    if (observations < kLeastObservations) return;
+    if (2 * behind > observations) {
+        refuse_denied(std::to_string(behind) + " of " + std::to_string(observations) +
+                      " times that the imported model says a camera sees a point, the point lies "
+                      "behind it");
+    }
+    const double off = median_of(std::move(shares_of_diagonal));
+    if (off > kDeniedShare) {
+        refuse_denied(
+            formatted("half of the imported points lie %.1f %% of a picture's diagonal "
+                      "or more beside where the imported model says they are seen",
+                      100 * off));
+    }
+}
+
 }  // namespace
 
 double distance_from_ray_px(const Camera& first, const Rigid3& first_from_world,
@@ -186,6 +240,11 @@ double distance_from_ray_px(const Camera& first, const Rigid3& first_from_world,
     const double angle = at_first.norm() > 0 ? angle_from_arc(seen, at_first, infinitely_far)
                                              : angle_between(seen, infinitely_far);
     return angle * focal_length_px(second).mean();
+}
+
+void expect_consistent(const Capture& capture) {
+    refuse_one_place(capture);
+    refuse_own_points(capture);
 }
 
 PoseCheck check_poses(const Capture& capture, const std::vector<ColmapPhotograph>& photographs,
@@ -207,28 +266,31 @@ PoseCheck check_poses(const Capture& capture, const std::vector<ColmapPhotograph
 }
 
 PoseCheck check_imported_poses(const Capture& capture, const std::vector<Photograph>& photographs,
-                               int threads, Progress& progress) {
+                               const std::filesystem::path& mask_folder, int threads,
+                               Progress& progress) {
     const std::vector<std::pair<int, int>> pairs = pairs_to_check(capture);
     std::vector<Features> features =
-        features_of(capture, photographs, views_of(pairs), threads, progress);
+        features_of(capture, photographs, mask_folder, views_of(pairs), threads, progress);
     PoseCheck check =
         check_matches(capture, features, match_pairs(features, pairs, {}, threads, progress),
                       PairVerificationOptions{}.min_inliers, threads, progress);
     check.pairs_asked = static_cast<int>(pairs.size());
-    if (2 * check.pairs >= check.pairs_asked) return check;
+    if (check.pairs_asked > 0 && 2 * check.pairs >= check.pairs_asked) return check;
     // Photographs that surely show the same things tell whether it is the poses that are wrong.
     constexpr int kSurelyTheSame = 40;
-    features = features_of(capture, photographs, views_to_compare(capture), threads, progress);
+    features = features_of(capture, photographs, mask_folder, views_to_compare(capture), threads,
+                           progress);
     PoseCheck by_look =
         check_matches(capture, features, match_photographs(features, threads, progress),
                       kSurelyTheSame, threads, progress);
     by_look.pairs_asked = check.pairs_asked;
-    return by_look.pairs_denied > 0 ? by_look : check;
+    return by_look.pairs_denied > 0 || check.pairs_asked == 0 ? by_look : check;
 }
 
 std::string warning_of(const PoseCheck& check) {
     const std::string of_pairs = " of " + std::to_string(check.pairs) + " pairs of photographs ";
-    const bool is_told = check.pairs >= kLeastPairs;
+    const bool is_told =
+        check.pairs >= kLeastPairs || (check.pairs > 0 && check.pairs >= check.pairs_asked);
     if (is_told && 2 * check.pairs_turned > check.pairs) {
         throw Error(ErrorKind::kBadInput, "E-IMPORT-TURNED",
                     std::to_string(check.pairs_turned) + of_pairs +
@@ -241,12 +303,10 @@ std::string warning_of(const PoseCheck& check) {
         std::to_string(check.pairs_denied) + of_pairs + "deny the imported poses: " +
         formatted("half of all matches are %.0f px or more from where they would have to be",
                   check.median_error_px);
-    if (is_told && 2 * check.pairs_denied > check.pairs) {
-        throw Error(ErrorKind::kBadInput, "E-IMPORT-DENIED", denied,
-                    "give the photographs that the poses were found with, poses in the axes of "
-                    "their format, or let lumi estimate the poses");
-    }
-    if (is_told && check.pairs_denied > 0) return denied;
+    if (is_told && 2 * check.pairs_denied > check.pairs) refuse_denied(denied);
+    if (check.pairs_denied > 0) return denied;
+    if (check.pairs == 0)
+        return "nothing confirms the imported poses: no pair of photographs tells";
     if (2 * check.pairs >= check.pairs_asked) return {};
     return "little confirms the imported poses: " + std::to_string(check.pairs) + " of " +
            std::to_string(check.pairs_asked) +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "calib/capture/capture.h"
@@ -27,6 +28,11 @@ struct PoseCheck {
                                           const Camera& second, const Rigid3& second_from_world,
                                           const Eigen::Vector2d& pixel_in_second);
 
+/// What imported poses say without a look at photographs. Throws Error: E-IMPORT-ONEPLACE where all
+/// of several cameras stand at one place; E-IMPORT-DENIED where the points that came with them, if
+/// they are observed often enough, lie behind their cameras or far beside where these saw them.
+void expect_consistent(const Capture& capture);
+
 /// The matches of pairs against the poses of their views. Pairs are into `photographs`, which are
 /// those of the capture's views.
 [[nodiscard]] PoseCheck check_poses(const Capture& capture,
@@ -34,16 +40,18 @@ struct PoseCheck {
                                     const std::vector<VerifiedPair>& pairs);
 
 /// The same of eight views, spread over the capture, and their neighbours, whose working copies
-/// are matched for it; where fewer than half of these show the same things, of photographs that do
-/// so by their look, if they deny the poses.
+/// are matched for it, in what masks leave of them (PoseOptions::mask_folder); where fewer than
+/// half of these show the same things, of photographs that do so by their look, if they deny the
+/// poses or the poses make none neighbours.
 [[nodiscard]] PoseCheck check_imported_poses(const Capture& capture,
                                              const std::vector<Photograph>& photographs,
-                                             int threads, Progress& progress);
+                                             const std::filesystem::path& mask_folder, int threads,
+                                             Progress& progress);
 
 /// A sentence where some pairs deny the poses, or fewer than half tell; else empty.
-/// Throws Error where more than half of at least three pairs do: E-IMPORT-TURNED where turned
-/// pictures would do (what is turned by half a turn seems to be itself, inside out), else
-/// E-IMPORT-DENIED.
+/// Throws Error where more than half of at least three pairs do, or of all that were asked:
+/// E-IMPORT-TURNED where turned pictures would do (what is turned by half a turn seems to be
+/// itself, inside out), else E-IMPORT-DENIED.
 [[nodiscard]] std::string warning_of(const PoseCheck& check);
 
 }  // namespace lumi

@@ -35,4 +35,8 @@ template <class Value = double>
     return value_of_rank(std::move(values), rank);
 }
 
+/// The standard deviation of a normal distribution for each unit of the median of what its values
+/// are off by, either way.
+inline constexpr double kSigmaPerMedianOff = 1.4826;
+
 }  // namespace lumi

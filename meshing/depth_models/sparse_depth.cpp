@@ -85,7 +85,6 @@ std::vector<SparsePoint> reliable_points(const DepthView& view) {
 std::vector<SparsePoint> without_outliers(const std::vector<SparsePoint>& points,
                                           double smallest_difference) {
     constexpr std::size_t kMinPoints = 8;
-    constexpr double kMadOfNormal = 1.4826;
     if (points.size() < kMinPoints) return points;
     const PointTriangulation triangulation = triangulate(points);
     std::vector<double> residuals(points.size(), 0.0);
@@ -96,7 +95,7 @@ std::vector<SparsePoint> without_outliers(const std::vector<SparsePoint>& points
         }
         if (!ring.empty()) residuals[i] = std::abs(points[i].inverse_depth - median_of(ring));
     }
-    const double limit = std::max(3 * kMadOfNormal * median_of(residuals), smallest_difference);
+    const double limit = std::max(3 * kSigmaPerMedianOff * median_of(residuals), smallest_difference);
     std::vector<SparsePoint> kept;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (residuals[i] <= limit) kept.push_back(points[i]);

@@ -14,14 +14,13 @@ constexpr std::size_t kLeastTiles = 3;
 /// Of tiles about the value that stands for them.
 double spread_of(const std::array<std::vector<Eigen::Vector3d>, 2>& fields,
                  const Eigen::Vector3d& middle) {
-    constexpr double kDeviationOfMedian = 1.4826;  // Of a normal distribution.
     std::vector<double> deviations;
     for (const auto& field : fields) {
         for (const Eigen::Vector3d& tile : field) {
             for (const double deviation : tile - middle) deviations.push_back(std::abs(deviation));
         }
     }
-    return kDeviationOfMedian * median_of(deviations);
+    return kSigmaPerMedianOff * median_of(deviations);
 }
 
 std::optional<ExposureRatio> ratio_of(const SharedTiles& pair, double light_falloff) {

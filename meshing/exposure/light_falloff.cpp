@@ -15,7 +15,6 @@ constexpr int kFalloffRounds = 10;
 constexpr std::size_t kLeastFalloffTiles = 4;  // Of a pair, of one colour.
 constexpr double kLeastScale = 0.005;  // Of the logarithm of light: below that all is rounding.
 constexpr double kCauchy = 2.385;  // In standard deviations: nearly all of least squares' power.
-constexpr double kSigmaPerMedianOff = 1.4826;  // Of a normal distribution.
 constexpr double kLargestTileError = 0.25;     // A tile that is further off is no worse.
 constexpr double kFalloffNoiseFactor = 2.0;
 constexpr double kLeastCornerLoss = 0.02;

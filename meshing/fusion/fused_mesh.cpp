@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "meshing/fusion/front_surface.h"
 
@@ -19,8 +20,8 @@ void require(bool holds, const std::string& what) {
 
 [[noreturn]] void refuse_few(std::size_t points) {
     throw Error(ErrorKind::kDegenerateCapture, "E-FUSE-FEW",
-                "the views agree on " + std::to_string(points) +
-                    " points, through which no surface goes: too few for a mesh of the scene",
+                "the views agree on " + counted(points, "point") +
+                    ", through which no surface goes: too few for a mesh of the scene",
                 "find depth with model = \"sweep\" or one above it from overlapping photographs");
 }
 

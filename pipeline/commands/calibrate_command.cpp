@@ -5,6 +5,7 @@
 
 #include "calib/boards/board_calibration.h"
 #include "calib/boards/board_detection.h"
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "calib/work/stopwatch.h"
 #include "calib/work/whole_file.h"
@@ -86,7 +87,7 @@ std::string result_text(const BoardPhotographs& found, const BoardCalibration& c
     std::string text =
         std::string(name_of(found.kind)) + ", " + std::to_string(found.columns) + " x " +
         std::to_string(found.rows) + ", in " + std::to_string(calibration.views.size()) + " of " +
-        std::to_string(found.photographs) + " photographs\n" + left_out_text(found.left_out) +
+        counted(found.photographs, "photograph") + "\n" + left_out_text(found.left_out) +
         left_out_text(calibration.left_out) + "\n" + lens_choice_table(calibration.choice) + "\n";
     for (const std::string& drop : calibration.dropped) text += "not kept: " + drop + "\n";
     text += text_of(calibration.form) + "\n";

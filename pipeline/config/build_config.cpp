@@ -94,7 +94,6 @@ DrawingOptions read_drawing_options(const ConfigSection& render) {
     return options;
 }
 
-/// Whether something beside the photographs was made for their raster: poses, a lens, masks, depth.
 /// What is named for something else, and may lie among the photographs. Poses may lie in one folder
 /// with them.
 std::vector<fs::path> folders_of_other_things(const BuildConfig& config) {
@@ -106,6 +105,7 @@ std::vector<fs::path> folders_of_other_things(const BuildConfig& config) {
     return folders;
 }
 
+/// Whether something beside the photographs was made for their raster: poses, a lens, masks, depth.
 bool is_bound_to_raster(const BuildConfig& config) {
     return !config.imported_poses.empty() || config.given_lens || !config.boards.empty() ||
            !config.poses.mask_folder.empty() || !config.depth.mask_folder.empty() ||
@@ -122,6 +122,11 @@ std::string parameters_of(const ConfigSection& section, const std::vector<std::s
     return parameters;
 }
 
+/// Of poses from elsewhere, which are only checked.
+std::string parameters_of_import(const ConfigSection& document) {
+    return document.section("poses").path("masks").empty() ? "import" : "import\nmasks is named\n";
+}
+
 /// What is known when every section has been read.
 void fill_in_stage_parameters(BuildConfig& config, const ConfigSection& document) {
     const auto parameters = [&](const char* section) {
@@ -136,7 +141,7 @@ void fill_in_stage_parameters(BuildConfig& config, const ConfigSection& document
         {"poses", config.imported_poses.empty()
                       ? parameters_of(document.section("poses"), {"masks"}) +
                             lens_parameters_text(config.given_lens)
-                      : "import"},
+                      : parameters_of_import(document)},
         {"mesh", parameters("mesh")},
         {"depth", parameters_of(document.section("depth"),
                                 {"import_folder", "import_mesh", "import_volume", "masks"})},

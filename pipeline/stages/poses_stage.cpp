@@ -24,8 +24,10 @@ PoseResult find_poses(const IngestResult& ingested, const PoseSource& source,
     if (!source.imported_poses.empty()) {
         PoseResult result =
             import_poses(ingested.photographs, ingested.left_out, source.imported_poses);
-        const std::string warning = warning_of(
-            check_imported_poses(result.capture, ingested.photographs, threads, progress));
+        expect_consistent(result.capture);
+        const std::string warning =
+            warning_of(check_imported_poses(result.capture, ingested.photographs,
+                                            source.options.mask_folder, threads, progress));
         if (!warning.empty()) result.evidence.warnings.push_back(warning);
         return result;
     }

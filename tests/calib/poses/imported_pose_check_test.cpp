@@ -90,6 +90,52 @@ TEST(ImportedPoseCheck, PosesOfOtherPhotographsAreRefusedAndOfTwoWarnedOf) {
 TEST(ImportedPoseCheck, SaysSoWhereFewPairsMatch) {
     EXPECT_THAT(warning_of({.pairs_asked = 8, .pairs = 3}), testing::HasSubstr("3 of 8 pairs"));
     EXPECT_EQ(warning_of({.pairs_asked = 4, .pairs = 3}), "");
+    EXPECT_THAT(warning_of({.pairs_asked = 0, .pairs = 0}), testing::HasSubstr("nothing confirms"));
+}
+
+TEST(ImportedPoseCheck, TwoOrThreePhotographsAreNotTooFewToDenyTheirPoses) {
+    EXPECT_EQ(refusal_of({.pairs_asked = 1, .pairs = 1, .pairs_denied = 1}), "E-IMPORT-DENIED");
+    EXPECT_EQ(refusal_of({.pairs_asked = 2, .pairs = 2, .pairs_denied = 2}), "E-IMPORT-DENIED");
+    EXPECT_EQ(refusal_of({.pairs_asked = 1, .pairs = 1, .pairs_denied = 1, .pairs_turned = 1}),
+              "E-IMPORT-TURNED");
+    // Of many that were asked two may be mistaken.
+    EXPECT_THAT(refusal_of({.pairs_asked = 8, .pairs = 2, .pairs_denied = 2}),
+                testing::HasSubstr("2 of 2 pairs of photographs deny"));
+    EXPECT_EQ(refusal_of({.pairs_asked = 1, .pairs = 1}), "");
+}
+
+std::string contradiction_in(const Capture& capture) {
+    try {
+        expect_consistent(capture);
+    } catch (const Error& error) {
+        return error.code();
+    }
+    return "";
+}
+
+TEST(ImportedPoseCheck, PosesThatDenyTheirOwnPointsAreRefused) {
+    const Capture truth = synthetic_capture(camera(), 3, 60);
+    EXPECT_EQ(contradiction_in(truth), "");
+    Capture backwards = truth;
+    for (View& view : backwards.views) {
+        view.cam_from_world =
+            Rigid3{Eigen::Quaterniond(0, 1, 0, 0), Eigen::Vector3d::Zero()} * view.cam_from_world;
+    }
+    EXPECT_EQ(contradiction_in(backwards), "E-IMPORT-DENIED");
+    Capture swapped = truth;
+    std::swap(swapped.views[0].cam_from_world, swapped.views[2].cam_from_world);
+    EXPECT_EQ(contradiction_in(swapped), "E-IMPORT-DENIED");
+    Capture without_points = swapped;
+    without_points.points.clear();
+    EXPECT_EQ(contradiction_in(without_points), "");
+}
+
+TEST(ImportedPoseCheck, CamerasThatAllStandAtOnePlaceAreRefused) {
+    Capture turning = synthetic_capture(camera(), 5, 0);
+    for (View& view : turning.views) view.cam_from_world.translation.setZero();
+    EXPECT_EQ(contradiction_in(turning), "E-IMPORT-ONEPLACE");
+    turning.views.resize(1);
+    EXPECT_EQ(contradiction_in(turning), "");
 }
 
 TEST(ImportedPoseCheck, TheDistanceFromARayIsNoneBeforeTheFirstCameraAloneAndSidewaysInPixels) {
