@@ -95,7 +95,8 @@ std::vector<SparsePoint> without_outliers(const std::vector<SparsePoint>& points
         }
         if (!ring.empty()) residuals[i] = std::abs(points[i].inverse_depth - median_of(ring));
     }
-    const double limit = std::max(3 * kSigmaPerMedianOff * median_of(residuals), smallest_difference);
+    const double limit =
+        std::max(3 * kSigmaPerMedianOff * median_of(residuals), smallest_difference);
     std::vector<SparsePoint> kept;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (residuals[i] <= limit) kept.push_back(points[i]);
