@@ -12,6 +12,9 @@ namespace lumi {
 /// it and exchanges it with the target in one step, so that at every moment either the old folder
 /// or the new one stands there whole. What a killed run left behind is cleaned up by the next
 /// WholeFolder of the same target; folders of runs that are still alive are left alone.
+///
+/// One that is never put in place serves for what is needed on the way: nobody's files have its
+/// name, and it goes with the object.
 class WholeFolder {
  public:
     /// Missing parents are made. Throws Error (E-FILE-WRITE).

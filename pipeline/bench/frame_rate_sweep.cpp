@@ -6,6 +6,7 @@
 #include "calib/work/median.h"
 #include "pipeline/evaluate/image_metrics.h"
 #include "render/bench/budgeted_frames.h"
+#include "render/lumigraph/even_exposure.h"
 #include "render/paths/pose_between.h"
 
 namespace lumi {
@@ -60,8 +61,10 @@ std::vector<FrameRateFigures> sweep_frame_rates(const Lumigraph& lumigraph,
             frames.wall_ms.push_back(drawn.wall_ms);
             frames.triangles.push_back(static_cast<double>(drawn.triangles));
             if (drawn.place % kFramesOfALeg != 0) return;
-            frames.sum_db +=
-                psnr_db(drawn.frame.color, held_out[drawn.place / kFramesOfALeg].photograph);
+            const HeldOutView& view = held_out[drawn.place / kFramesOfALeg];
+            frames.sum_db += psnr_db(
+                darkened_by_lens(drawn.frame.color, view.eye.camera, lumigraph.evened_falloff),
+                view.photograph);
         },
         progress);
     std::vector<FrameRateFigures> figures;

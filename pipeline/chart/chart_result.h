@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "calib/ingest/ingest.h"
 #include "pipeline/chart/sweep.h"
 #include "pipeline/evaluate/evaluation.h"
 
@@ -14,7 +15,6 @@ struct StageTimes {
     std::string stage;
     std::vector<double> cpu_s;
     std::vector<double> wall_s;
-    double peak_mib = 0.0;
 };
 
 /// A variant as it was built and measured.
@@ -42,7 +42,9 @@ struct ChartResult {
     Sweep sweep;
     std::vector<MeasuredVariant> variants;  ///< One for each variant of the sweep.
     std::vector<std::string> shared_views;  ///< Held out and placed in every variant.
-    int reference_width_px = 0;             ///< Of the photographs that all are compared with.
+    /// The working copies that all are compared with: of the variant with most pixels.
+    std::vector<Photograph> reference_copies;
+    int reference_width_px = 0;  ///< Of these.
     std::string gl_description;
     SweepWork work;
     double wall_s = 0.0;

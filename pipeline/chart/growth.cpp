@@ -5,9 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "calib/ingest/photograph_folder.h"
 #include "calib/work/child_process.h"
 #include "calib/work/counted.h"
 #include "calib/work/error.h"
+#include "calib/work/printable.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/line/line.h"
 #include "pipeline/stages/photograph_list.h"
@@ -30,7 +32,19 @@ std::vector<int> read_counts(const ConfigSection& section, const std::string& ke
     return counts;
 }
 
-/// The files of a folder of photographs in order of name, sub-folders aside.
+/// What stands in a folder that an earlier run made; nothing else does.
+void remove_links(const fs::path& folder) {
+    std::error_code status;
+    for (const auto& entry : fs::directory_iterator(folder, status)) {
+        if (!entry.is_symlink())
+            throw Error(ErrorKind::kUsage, "E-OUT-EXISTS",
+                        printable(entry.path().string()) + ": would be lost",
+                        "name a folder that is new or empty, or remove what is there first");
+        fs::remove(entry.path());
+    }
+}
+
+/// In order of name, sub-folders aside.
 std::vector<fs::path> photographs_in(const fs::path& folder) {
     std::error_code status;
     if (!fs::is_directory(folder, status)) {
@@ -39,11 +53,9 @@ std::vector<fs::path> photographs_in(const fs::path& folder) {
                     "set photos, not video, under [capture]");
     }
     std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        const bool is_hidden = entry.path().filename().string().starts_with('.');
-        if (entry.is_regular_file(status) && !is_hidden) files.push_back(entry.path());
+    for (const PhotographFile& file : list_photographs(folder, {}, {}).files) {
+        if (file.name.find('/') == std::string::npos) files.push_back(file.path);
     }
-    std::sort(files.begin(), files.end());
     return files;
 }
 
@@ -114,7 +126,7 @@ class GrowthRun {
     [[nodiscard]] fs::path first_photographs(int count) const {
         const std::vector<fs::path> files = photographs_in(config_.photographs_or_video);
         const fs::path folder = folder_ / ("photos-" + std::to_string(count));
-        fs::remove_all(folder);
+        remove_links(folder);
         fs::create_directories(folder);
         for (std::size_t i = 0; i < files.size() && i < static_cast<std::size_t>(count); ++i) {
             fs::create_symlink(fs::absolute(files[i]), folder / files[i].filename());

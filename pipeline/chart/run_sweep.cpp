@@ -6,6 +6,7 @@
 #include "calib/work/content_hash.h"
 #include "calib/work/error.h"
 #include "calib/work/stopwatch.h"
+#include "calib/work/whole_folder.h"
 #include "pipeline/chart/measurement_cache.h"
 #include "pipeline/chart/reference_photographs.h"
 #include "pipeline/evaluate/evaluation_file.h"
@@ -117,7 +118,6 @@ class SweepRun {
             times.stage = stages[i].name;
             times.cpu_s.push_back(stages[i].cost.cpu_s);
             times.wall_s.push_back(stages[i].cost.wall_s);
-            times.peak_mib = std::max(times.peak_mib, stages[i].cost.peak_mib);
             if (repeat == 0) {
                 if (stages[i].was_run) result_.work.done_cpu_s += stages[i].cost.cpu_s;
                 result_.work.alone_cpu_s +=
@@ -143,10 +143,10 @@ class SweepRun {
             }
             if (pixels <= most_pixels) continue;
             most_pixels = pixels;
-            reference_copies_ = std::move(copies);
+            result_.reference_copies = std::move(copies);
         }
-        if (reference_copies_.empty()) throw *first_error_;
-        for (const Photograph& copy : reference_copies_) {
+        if (result_.reference_copies.empty()) throw *first_error_;
+        for (const Photograph& copy : result_.reference_copies) {
             result_.reference_width_px = std::max(result_.reference_width_px, copy.width_px);
         }
     }
@@ -174,7 +174,7 @@ class SweepRun {
     [[nodiscard]] std::string identity_of_measurement(const WorkspaceLayout& workspace) const {
         std::string what = package_sha256(workspace);
         const PackRecord record = read_pack_record(workspace.stage_folder("pack"));
-        for (const Photograph& copy : reference_copies_) {
+        for (const Photograph& copy : result_.reference_copies) {
             if (std::binary_search(record.held_out.begin(), record.held_out.end(), copy.name)) {
                 what += copy.name + sha256_hex_of_file(copy.picture_path);
             }
@@ -184,11 +184,10 @@ class SweepRun {
 
     void measure_modes(const WorkspaceLayout& workspace, const std::string& what,
                        const std::vector<RenderMode>& modes) {
-        const fs::path scratch = folder_ / "reference";
-        fs::remove_all(scratch);
+        const WholeFolder scratch(folder_ / "reference");
         const Stopwatch stopwatch;
-        const PosedPhotographs held_out =
-            reference_photographs(workspace, reference_copies_, scratch, threads_, progress_);
+        const PosedPhotographs held_out = reference_photographs(
+            workspace, result_.reference_copies, scratch.staging(), threads_, progress_);
         const Evaluation evaluation = evaluate_held_out(
             read_package(workspace.package_folder()), held_out,
             {.modes = modes, .ghost_energy = false}, [](RenderMode, const JudgedView&) {},
@@ -199,7 +198,6 @@ class SweepRun {
             cache_.keep(what, {scores, evaluation.gl_description,
                                cpu_s / static_cast<double>(modes.size())});
         }
-        fs::remove_all(scratch);
     }
 
     /// The variants after this one were not needed: the sweep ends as if it had not had them.
@@ -237,7 +235,6 @@ class SweepRun {
     const IsEnough& is_enough_;
     ChartResult result_;
     MeasurementCache cache_{folder_ / "measurements", opengl_at_hand()};
-    std::vector<Photograph> reference_copies_;
     std::optional<Error> first_error_;
 };
 

@@ -174,7 +174,7 @@ std::string sweep_text(const std::vector<FrameRateFigures>& sweep, std::size_t p
 
 /// What a time budget buys and costs.
 void run_frame_rate_sweep(const BenchRequest& request, const CommandContext& context) {
-    const std::vector<HeldOutView> held_out = held_out_views_beside(request.package);
+    const std::vector<HeldOutView> held_out = held_out_views_beside(request.package, 0);
     if (held_out.size() < 2)
         throw Error(ErrorKind::kUsage, "E-BENCH-HOLDOUT",
                     request.package.string() + ": beside it lie " +

@@ -81,8 +81,6 @@ void run_hazards(const HazardsRequest& request, const CommandContext& context) {
         // After each, so that whoever stops a long run has what was measured.
         write_hazard_report(request.out, trials, *context.progress);
     }
-    std::error_code status;
-    std::filesystem::remove_all(request.out / "trial", status);
     if (context.json) {
         context.print_result(hazards_json(trials));
     } else {

@@ -76,7 +76,7 @@ Job job_at_view(const RenderRequest& request, const Lumigraph& lumigraph) {
     const auto is_wanted = [&](const auto& view) { return view.name == request.view; };
     const auto view = std::find_if(lumigraph.views.begin(), lumigraph.views.end(), is_wanted);
     if (view != lumigraph.views.end()) return job_at(*view, request.out);
-    const std::vector<HeldOutView> held_out = held_out_views_beside(request.package);
+    const std::vector<HeldOutView> held_out = held_out_views_beside(request.package, 0);
     const auto beside = std::find_if(held_out.begin(), held_out.end(), is_wanted);
     if (beside != held_out.end())
         return {beside->eye, request.out, beside->photograph, false, lumigraph.evened_falloff};
@@ -84,6 +84,14 @@ Job job_at_view(const RenderRequest& request, const Lumigraph& lumigraph) {
         ErrorKind::kUsage, "E-RENDER-VIEW",
         "the package has no view named " + request.view + ", and none of that name was held out",
         "`lumi inspect PACKAGE` lists the views");
+}
+
+/// Frames of all views are named like the photographs, which may lie in a folder of that name.
+void expect_nothing_lost(const fs::path& out) {
+    std::error_code status;
+    if (!fs::exists(fs::symlink_status(out, status))) return;
+    throw Error(ErrorKind::kUsage, "E-OUT-EXISTS", out.string() + ": is there already",
+                "name a folder that is new or empty, or remove what is there first");
 }
 
 std::vector<Job> jobs_of(const RenderRequest& request, const Eye& eye, const Lumigraph& lumigraph) {
@@ -95,6 +103,7 @@ std::vector<Job> jobs_of(const RenderRequest& request, const Eye& eye, const Lum
     std::vector<Job> jobs;
     for (std::size_t i = 0; i < names.size(); ++i) {
         jobs.push_back(job_at(lumigraph.views[i], request.out / (stems[i] + ".png")));
+        expect_nothing_lost(jobs.back().out);
     }
     return jobs;
 }

@@ -39,7 +39,7 @@ std::string evidence_text(const std::vector<FinishedStage>& stages) {
 void write_report_of_failure(const Workspace& workspace) {
     try {
         write_workspace_report(workspace);
-    } catch (const Error&) {
+    } catch (const std::exception&) {
         return;
     }
 }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/content_hash.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/commands/chosen_workspace.h"
 #include "pipeline/config/config_variant.h"
@@ -10,6 +11,7 @@
 #include "pipeline/stress/stress_subject.h"
 #include "pipeline/text/number_text.h"
 #include "pipeline/text/padded.h"
+#include "render/lumigraph/manifest.h"
 
 namespace lumi {
 namespace {
@@ -20,6 +22,7 @@ namespace fs = std::filesystem;
 struct StressTask {
     StressSubject subject;
     StressOptions options;
+    fs::path package;
     fs::path out;
 };
 
@@ -33,15 +36,16 @@ StressOptions default_options() {
 }
 
 StressTask task_of(const fs::path& path, const CommandContext& context) {
-    if (has(path, "lumigraph.json")) {
+    if (has(path, kManifestName)) {
         fs::path name = fs::absolute(path).lexically_normal();
         if (!name.has_filename()) name = name.parent_path();
-        return {subject_of_package(path), default_options(),
+        return {subject_of_package(path), default_options(), path,
                 fs::path("work") / (name.stem().string() + "-stress")};
     }
     if (has(path, "config.toml") && has(path, "stages.json")) {
-        return {subject_of_workspace(find_workspace(path), context.threads), default_options(),
-                path / "stress"};
+        const WorkspaceLayout workspace = find_workspace(path);
+        return {subject_of_workspace(workspace, context.threads), default_options(),
+                workspace.package_folder(), path / "stress"};
     }
     const ConfigDocument document = ConfigDocument::open(path);
     StressOptions options = read_stress_options(document.options_of("stress"));
@@ -50,7 +54,7 @@ StressTask task_of(const fs::path& path, const CommandContext& context) {
     const Workspace workspace(layout_for({}, config, threads));
     static_cast<void>(run_line(config, workspace, "pack", threads, *context.progress));
     return {subject_of_workspace(workspace, threads), std::move(options),
-            workspace.folder() / "stress"};
+            workspace.package_folder(), workspace.folder() / "stress"};
 }
 
 std::string table_of(const StressResult& result) {
@@ -76,6 +80,7 @@ void run_perturbations(const PerturbationRequest& request, const CommandContext&
     if (request.out.empty()) require_writable_folder(out);
     StressResult result;
     result.name = task.subject.lumigraph.name;
+    result.package_sha256 = sha256_hex_of_file(task.package / kManifestName);
     result.seed = task.options.seed;
     result.max_loss_db = task.options.max_loss_db;
     result.views_are_held_out = task.subject.views_are_held_out;

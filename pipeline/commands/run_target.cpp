@@ -46,8 +46,7 @@ void run_target(const BuildRequest& request, const std::string& wish,
         run_sweep(sweep, chart_folder, threads, *context.progress,
                   [&](const MeasuredVariant& variant) { return ends_the_sweep(wanted, variant); });
     write_chart_files(chart_folder, chart, *context.progress);
-    const Delivery delivery =
-        deliver(wanted, chart, chart_folder, layout, threads, *context.progress);
+    const Delivery delivery = deliver(wanted, chart, layout, threads, *context.progress);
     nlohmann::ordered_json told_to_report = delivery_json(delivery);
     told_to_report["package_sha256"] = package_sha256(layout);
     write_json_file(layout.folder() / "target.json", told_to_report);

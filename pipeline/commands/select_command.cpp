@@ -10,6 +10,7 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/evaluate/view_curve.h"
+#include "pipeline/stages/mesh_stage.h"
 #include "pipeline/stages/used_views.h"
 #include "pipeline/text/number_text.h"
 #include "render/lumigraph/package.h"
@@ -62,10 +63,11 @@ void check_sizes(const std::vector<int>& sizes, std::size_t views) {
     }
 }
 
-void run_select(const std::filesystem::path& folder, const ViewCurveOptions& options,
+void run_select(const std::filesystem::path& folder, ViewCurveOptions options,
                 const std::filesystem::path& chart, const CommandContext& context) {
     if (!chart.empty()) require_writable_folder(chart);
     const WorkspaceLayout workspace = find_workspace(folder);
+    options.mesh = camera_mesh_options_of(workspace);
     const PackRecord record = finished_pack(workspace);
     const Lumigraph lumigraph = read_package(workspace.package_folder());
     check_sizes(options.sizes, lumigraph.views.size());

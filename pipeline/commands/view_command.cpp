@@ -40,13 +40,15 @@ PackageLoader loader_of(const ViewRequest& request) {
         OpenedPackage opened = opened_alone(package, exposures);
         opened.fade_beyond_capture =
             request.fade || (opened.fade_beyond_capture && !request.no_fade);
-        opened.planned = planned_views_beside(package);
+        try {
+            opened.planned = planned_views_beside(package);
+        } catch (const Error& error) {
+            if (request.planned > 0) throw;
+            opened.message = "no planned photographs: " + std::string(error.what());
+        }
         if (!request.screenshot.empty()) return opened;
         try {
-            opened.held_out = held_out_views_beside(package);
-            for (HeldOutView& view : opened.held_out)
-                view.photograph = without_falloff(std::move(view.photograph), view.eye.camera,
-                                                  opened.lumigraph.evened_falloff);
+            opened.held_out = held_out_views_beside(package, opened.lumigraph.evened_falloff);
         } catch (const Error& error) {
             opened.message = "nothing to compare with: " + std::string(error.what());
         }

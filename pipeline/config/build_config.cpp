@@ -158,7 +158,7 @@ bool is_plain_name(const std::string& name) {
     const auto is_plain = [](char c) {
         return c != '/' && c != '\\' && static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
     };
-    return !name.empty() && name.size() <= 100 && name.front() != '.' &&
+    return !name.empty() && name.size() <= kMaxBuildName && name.front() != '.' &&
            std::all_of(name.begin(), name.end(), is_plain);
 }
 
@@ -205,11 +205,6 @@ BuildConfig read_build_config(const ConfigSection& document, const std::string& 
 }
 
 BuildConfig load_build_config(const fs::path& path) {
-    if (const std::optional<PlainCapture> plain = plain_capture(path)) {
-        const std::string toml =
-            "[capture]\n" + plain->key + " = " + literal_of_text(path.string()) + "\n";
-        return read_build_config(ConfigSection::from_text(toml, "(defaults)"), plain->name);
-    }
     return ConfigDocument::open(path).build_config_with({});
 }
 

@@ -21,7 +21,8 @@ struct HoldOutOptions {
     std::vector<std::string> names;  ///< Instead: these, as in the photographs' folder.
 };
 
-/// What goes into the package. Views in use that do not take part in depth only.
+/// What goes into the package. Of views in use all have depth; those that are left out of the
+/// package only lend theirs to others.
 struct PackageOptions {
     bool fewest_views = false;  ///< As few as held-out error cannot tell from more.
     int max_views = 0;          ///< 0: no limit.

@@ -6,6 +6,7 @@
 
 #include "calib/work/config_section.h"
 #include "calib/work/error.h"
+#include "calib/work/printable.h"
 
 namespace lumi {
 namespace {
@@ -29,6 +30,22 @@ bool is_workspace_of_another_capture(const fs::path& folder) {
     return !fs::equivalent(photos, folder, status);
 }
 
+/// A name that a build may have (is_plain_name), as near to a file's as can be.
+std::string build_name_of(const std::string& file_name) {
+    std::string name = printable(file_name);
+    std::replace(name.begin(), name.end(), '\\', '_');
+    name.erase(0, name.find_first_not_of('.'));
+    if (name.size() > kMaxBuildName) {
+        std::size_t end = kMaxBuildName;
+        const auto is_within_letter = [&](std::size_t at) {
+            return (static_cast<unsigned char>(name[at]) & 0xC0U) == 0x80U;
+        };
+        while (is_within_letter(end)) --end;
+        name.resize(end);
+    }
+    return name.empty() ? "capture" : name;
+}
+
 }  // namespace
 
 std::optional<PlainCapture> plain_capture(const fs::path& path) {
@@ -48,11 +65,11 @@ std::optional<PlainCapture> plain_capture(const fs::path& path) {
         }
         const fs::path folder = fs::absolute(path).lexically_normal();
         const fs::path named = folder.has_filename() ? folder : folder.parent_path();
-        return PlainCapture{"photos", named.filename().string()};
+        return PlainCapture{"photos", build_name_of(named.filename().string())};
     }
     if (path.extension() != ".toml" && fs::is_regular_file(path, status) &&
         has_zero_byte_at_its_beginning(path))
-        return PlainCapture{"video", path.stem().string()};
+        return PlainCapture{"video", build_name_of(path.stem().string())};
     return std::nullopt;
 }
 

@@ -6,10 +6,13 @@
 
 namespace lumi {
 
+/// Bytes of the longest name that a build may have.
+inline constexpr std::size_t kMaxBuildName = 100;
+
 /// A capture that is named itself instead of a configuration: all else has its default.
 struct PlainCapture {
     std::string key;   ///< Of [capture]: "photos" for a folder, "video" for a file.
-    std::string name;  ///< Of the folder or the file, for the build.
+    std::string name;  ///< For the build: nearly that of the folder or the file.
 };
 
 /// None where the path names a configuration, or nothing: a file that is not named *.toml and has

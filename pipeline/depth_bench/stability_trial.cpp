@@ -1,6 +1,7 @@
 #include "pipeline/depth_bench/stability_trial.h"
 
 #include "calib/capture/all_views.h"
+#include "calib/work/whole_folder.h"
 #include "meshing/depth/depth_stage.h"
 #include "meshing/depth_scene/depth_scene.h"
 #include "pipeline/depth_bench/right_shares.h"
@@ -27,10 +28,11 @@ RungStability measured(const StabilityCapture& capture, const DepthScene& harmle
 
 StabilityTrial stability_trial(DepthHazard hazard, double strength, std::uint64_t seed,
                                const std::vector<std::string>& models,
-                               const std::filesystem::path& folder, int threads,
+                               const std::filesystem::path& scratch_of, int threads,
                                Progress& progress) {
+    const WholeFolder scratch(scratch_of);
     const StabilityCapture capture =
-        stability_capture(hazard, strength, seed, folder, threads, progress);
+        stability_capture(hazard, strength, seed, scratch.staging(), threads, progress);
     DepthOptions options;
     options.background = "keep";
     const DepthScene harmless = make_depth_scene(
@@ -42,8 +44,6 @@ StabilityTrial stability_trial(DepthHazard hazard, double strength, std::uint64_
         options.model = model;
         trial.rungs.push_back(measured(capture, harmless, options, threads, progress));
     }
-    std::error_code status;
-    std::filesystem::remove_all(folder, status);
     return trial;
 }
 

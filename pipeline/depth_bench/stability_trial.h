@@ -30,12 +30,12 @@ struct StabilityTrial {
     std::vector<RungStability> rungs;
 };
 
-/// Photographs the scene into `folder`, which is removed afterwards, and asks each of `models`
-/// (depth_model_names()). Throws Error like estimate_depth.
+/// Photographs the scene into a folder beside `scratch_of`, which goes at the end, and asks
+/// `models` (depth_model_names()). Throws Error like estimate_depth.
 [[nodiscard]] StabilityTrial stability_trial(DepthHazard hazard, double strength,
                                              std::uint64_t seed,
                                              const std::vector<std::string>& models,
-                                             const std::filesystem::path& folder, int threads,
+                                             const std::filesystem::path& scratch_of, int threads,
                                              Progress& progress);
 
 /// True when a model claims a tenth of the picture or more, is wrong in more than a fifth of what

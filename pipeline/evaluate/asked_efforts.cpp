@@ -61,7 +61,9 @@ class DrawingQuestions {
         DepthEffort effort;
         if (wanted_.depth_views == 0 || wanted_.depth_block_px == 0 || !wanted_.fill_holes ||
             !wanted_.check_guesses)
-            effort = asked_([&] { return sufficient_depth_effort(photographs_, drawing); });
+            effort = asked_([&] {
+                return sufficient_depth_effort(photographs_, drawing, wanted_.depth_views);
+            });
         if (wanted_.depth_views != 0) effort.views = wanted_.depth_views;
         if (wanted_.depth_block_px != 0) effort.block_px = wanted_.depth_block_px;
         effort.fills_holes = wanted_.fill_holes.value_or(effort.fills_holes);
@@ -72,7 +74,9 @@ class DrawingQuestions {
     [[nodiscard]] TriangleEffort triangles(const DrawingChoices& drawing) {
         TriangleEffort effort;
         if (wanted_.triangle_error_px == 0 || !wanted_.draw_thin)
-            effort = asked_([&] { return sufficient_triangle_effort(photographs_, drawing); });
+            effort = asked_([&] {
+                return sufficient_triangle_effort(photographs_, drawing, wanted_.triangle_error_px);
+            });
         if (wanted_.triangle_error_px != 0) {
             effort.error_px = wanted_.triangle_error_px;
             effort.loses_db = effort.triangles = 0;  // Were those of another.

@@ -48,8 +48,8 @@ LossesDb losses_db_of(const Choice& choice, DrawingChoices drawing,
 
 }  // namespace
 
-DepthEffort sufficient_depth_effort(KeptBackPhotographs& photographs,
-                                    const DrawingChoices& drawing) {
+DepthEffort sufficient_depth_effort(KeptBackPhotographs& photographs, const DrawingChoices& drawing,
+                                    int given_views) {
     const std::size_t asked = photographs.ask("asking photographs how well depth must be known");
     if (asked == 0) return {};
     std::array<LossesDb, kChoices.size()> losses_db;
@@ -59,7 +59,8 @@ DepthEffort sufficient_depth_effort(KeptBackPhotographs& photographs,
         losses_db;
     const Excess of_fewest = excess_over(fewest_views, most_views);
     const Excess of_blocks = excess_over(in_blocks, fewest_views);
-    const bool has_few = simplest_as_good({most_views, fewest_views}) == 1;
+    const bool has_few = given_views != 0 ? given_views == kLeastDepthViews
+                                          : simplest_as_good({most_views, fewest_views}) == 1;
     const LossesDb& filled = has_few ? fewest_filled : most_filled;
     const LossesDb& unfilled = has_few ? fewest_views : most_views;
     const Excess of_holes = excess_over(unfilled, filled);

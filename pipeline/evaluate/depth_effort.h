@@ -14,9 +14,11 @@ namespace lumi {
 /// others, and whether guesses are checked; neither is done where nobody would miss it. Guesses are
 /// judged with the most views and with holes filled, whatever is chosen. Blocks of pixels lose a
 /// little on every silhouette, which is measured without any doubt: they are chosen as wide as
-/// loses less than anyone sees (block_width.h). All else is drawn as `drawing` says. For fewer than
-/// eight views nobody is asked. Throws Error (E-GL-...).
+/// loses less than anyone sees (block_width.h). All else is drawn as `drawing` says, and as many
+/// views' depth is compared as are given, unless 0 are. For fewer than eight views nobody is asked.
+/// Throws Error (E-GL-...).
 [[nodiscard]] DepthEffort sufficient_depth_effort(KeptBackPhotographs& photographs,
-                                                  const DrawingChoices& drawing);
+                                                  const DrawingChoices& drawing,
+                                                  int given_views = 0);
 
 }  // namespace lumi

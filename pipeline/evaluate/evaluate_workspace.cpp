@@ -29,7 +29,7 @@ class PictureNames {
  public:
     PictureNames(const Capture& capture, RenderMode first_mode) : first_mode_(first_mode) {
         const std::vector<std::string> names = view_names(capture);
-        const std::vector<std::string> stems = file_stems_of_views(names);
+        const std::vector<std::string> stems = file_stems_without_dots(names);
         for (std::size_t i = 0; i < names.size(); ++i) stem_of_[names[i]] = stems[i];
     }
 
@@ -141,9 +141,11 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
 
     nlohmann::ordered_json json = evaluation_json(evaluation);
     json["package_sha256"] = package_sha256(workspace);
+    json["pictures_sha256"] = record.pictures_sha256;
+    json["depth_sha256"] = record.depth_sha256;
     json["made_with"] = made_with_json(options, code_version);
     name_pictures(json["views"], names, options.modes.front());
-    write_json_file(folder.staging() / "evaluation.json", json);
+    write_json_file(folder.staging() / kEvaluationName, json);
     folder.put_in_place();
     return evaluation;
 }

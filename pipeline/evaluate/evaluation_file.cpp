@@ -4,6 +4,7 @@
 
 #include "calib/work/content_hash.h"
 #include "calib/work/error.h"
+#include "pipeline/stages/pack_stage.h"
 #include "pipeline/workspace/json_file.h"
 #include "pipeline/workspace/optional_json.h"
 
@@ -86,14 +87,19 @@ void expect_known_version(const Json& evaluation, const fs::path& path) {
                 "run `lumi evaluate` again with this version of lumi");
 }
 
+/// And of the photographs and the depth, which tells subjects, that it was compared with.
 bool is_of_package(const Json& evaluation, const WorkspaceLayout& workspace) {
     std::error_code status;
-    return fs::is_directory(workspace.package_folder(), status) &&
-           says(evaluation, "package_sha256", package_sha256(workspace));
+    if (!fs::is_directory(workspace.package_folder(), status)) return false;
+    if (!fs::exists(workspace.stage_folder("pack"), status)) return false;
+    const PackRecord record = read_pack_record(workspace.stage_folder("pack"));
+    return says(evaluation, "package_sha256", package_sha256(workspace)) &&
+           says(evaluation, "pictures_sha256", record.pictures_sha256) &&
+           says(evaluation, "depth_sha256", record.depth_sha256);
 }
 
 Json evaluation_of_workspace(const WorkspaceLayout& workspace) {
-    const fs::path path = workspace.evaluation_folder() / "evaluation.json";
+    const fs::path path = workspace.evaluation_folder() / kEvaluationName;
     Json evaluation = read_json_file(path);
     expect_known_version(evaluation, path);
     if (is_of_package(evaluation, workspace)) return evaluation;
@@ -209,7 +215,7 @@ Json read_evaluation(const fs::path& file_or_folder) {
 }
 
 Json read_current_evaluation(const WorkspaceLayout& workspace) {
-    const fs::path path = workspace.evaluation_folder() / "evaluation.json";
+    const fs::path path = workspace.evaluation_folder() / kEvaluationName;
     std::error_code status;
     if (!fs::is_regular_file(path, status)) return nullptr;
     const Json evaluation = json_or_null(path);

@@ -5,11 +5,13 @@
 #include "calib/pictures/image_io.h"
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/stages/photograph_list.h"
+#include "render/lumigraph/even_exposure.h"
 #include "render/paths/photograph_eye.h"
 
 namespace lumi {
 
-std::vector<HeldOutView> held_out_views_beside(const std::filesystem::path& package_folder) {
+std::vector<HeldOutView> held_out_views_beside(const std::filesystem::path& package_folder,
+                                               double light_falloff) {
     const std::filesystem::path folder = folder_around(package_folder);
     std::error_code status;
     if (!std::filesystem::is_regular_file(folder / "pack" / "pack.json", status)) return {};
@@ -27,9 +29,10 @@ std::vector<HeldOutView> held_out_views_beside(const std::filesystem::path& pack
         const View& view = photographs.capture.views[i];
         const int orientation = orientation_of.at(view.name);
         const Eye eye{camera_of(photographs.capture, view), view.cam_from_world};
+        ColorImage photograph = without_falloff(read_color_image(photographs.picture_paths[i]),
+                                                eye.camera, light_falloff);
         held_out.push_back(
-            {view.name, turned_upright(eye, orientation),
-             turned_upright(read_color_image(photographs.picture_paths[i]), orientation)});
+            {view.name, turned_upright(eye, orientation), turned_upright(photograph, orientation)});
     }
     return held_out;
 }

@@ -7,10 +7,11 @@
 
 namespace lumi {
 
-/// The held-out photographs of the workspace that the package lies in, for the window. None where
-/// it lies in no workspace, or nothing was held out. Throws what held_out_photographs throws, and
+/// The held-out photographs of the workspace that the package lies in, upright, without what a
+/// lens of `light_falloff` (light_left.h) took from them; 0: as they are. None where the package
+/// lies in no workspace, or nothing was held out. Throws what held_out_photographs throws, and
 /// Error for a photograph that cannot be read.
 [[nodiscard]] std::vector<HeldOutView> held_out_views_beside(
-    const std::filesystem::path& package_folder);
+    const std::filesystem::path& package_folder, double light_falloff);
 
 }  // namespace lumi

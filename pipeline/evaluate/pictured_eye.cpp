@@ -31,15 +31,18 @@ PicturedEye no_larger_than(PicturedEye picture, int max_px) {
     const int width_px = std::max(1, static_cast<int>(std::lround(scale * camera.width_px)));
     const int height_px = std::max(1, static_cast<int>(std::lround(scale * camera.height_px)));
     return {{resized(camera, width_px, height_px), picture.eye.cam_from_world},
-            resized(picture.photograph, width_px, height_px)};
+            resized(picture.photograph, width_px, height_px),
+            picture.falloff};
 }
 
 void draw_picture(OffscreenRenderer& renderer, const PicturedEye& picture,
                   const RenderOptions& options, DrawnPictures& drawn) {
     const Stopwatch stopwatch;
-    const Frame frame = renderer.draw(picture.eye, options);
+    Frame frame = renderer.draw(picture.eye, options);
     drawn.frame_ms.push_back(1000.0 * stopwatch.elapsed().wall_s);
-    drawn.losses_db.push_back(-psnr_db(picture.photograph, frame.color));
+    drawn.losses_db.push_back(
+        -psnr_db(picture.photograph,
+                 darkened_by_lens(std::move(frame.color), picture.eye.camera, picture.falloff)));
     drawn.triangles.push_back(static_cast<double>(frame.statistics.triangles));
 }
 

@@ -11,6 +11,7 @@ namespace lumi {
 struct PicturedEye {
     Eye eye;
     ColorImage photograph;
+    double falloff = 0.0;  ///< Of the lens (light_left.h): in the photograph, and not in drawings.
 };
 
 /// Some of a Lumigraph's own views, to be drawn from the others.

@@ -29,10 +29,10 @@ RenderOptions with_error(double error_px, const DrawingChoices& drawing) {
             .triangle_error_ratio = error_px / drawing.triangle_error_px};
 }
 
-/// Of triangles of the usual error, with what is thin drawn over them.
-LossesDb losses_with_thin(KeptBackPhotographs& photographs, DrawingChoices drawing) {
-    drawing.draws_thin = true;
-    return photographs.draw(drawing, with_error(kTriangleError_px, drawing)).losses_db;
+LossesDb losses_at(double error_px, bool draws_thin, DrawingChoices drawing,
+                   KeptBackPhotographs& photographs) {
+    drawing.draws_thin = draws_thin;
+    return photographs.draw(drawing, with_error(error_px, drawing)).losses_db;
 }
 
 void conclude_of_thin(const LossesDb& with, const LossesDb& without, TriangleEffort& effort) {
@@ -44,11 +44,12 @@ void conclude_of_thin(const LossesDb& with, const LossesDb& without, TriangleEff
 
 }  // namespace
 
-TriangleEffort sufficient_triangle_effort(KeptBackPhotographs& photographs,
-                                          DrawingChoices drawing) {
+TriangleEffort sufficient_triangle_effort(KeptBackPhotographs& photographs, DrawingChoices drawing,
+                                          double given_error_px) {
     const std::size_t asked = photographs.ask("asking photographs how fine triangles must be");
     if (asked == 0) return {};
-    const LossesDb with_thin = losses_with_thin(photographs, drawing);
+    const double thin_error_px = given_error_px != 0 ? given_error_px : kTriangleError_px;
+    const LossesDb with_thin = losses_at(thin_error_px, true, drawing, photographs);
     drawing.draws_thin = false;
     LossesDb without_thin;
     std::array<double, kErrors_px.size()> losses_db{};
@@ -57,8 +58,9 @@ TriangleEffort sufficient_triangle_effort(KeptBackPhotographs& photographs,
         DrawnPictures drawn = photographs.draw(drawing, with_error(kErrors_px[i], drawing));
         losses_db[i] = mean_of(drawn.losses_db);
         triangles[i] = mean_of(drawn.triangles);
-        if (kErrors_px[i] == kTriangleError_px) without_thin = std::move(drawn.losses_db);
+        if (kErrors_px[i] == thin_error_px) without_thin = std::move(drawn.losses_db);
     }
+    if (without_thin.empty()) without_thin = losses_at(thin_error_px, false, drawing, photographs);
     const double least_db = *std::min_element(losses_db.begin(), losses_db.end());
     std::size_t chosen = kErrors_px.size() - 1;
     while (losses_db[chosen] > least_db + kMostLoss_db) --chosen;

@@ -117,8 +117,10 @@ ViewCurve measure_view_curve(const Lumigraph& lumigraph, const Capture& capture,
     std::vector<PicturedEye> pictures;
     for (std::size_t i = 0; i < held_out.capture.views.size(); ++i) {
         const View& view = held_out.capture.views[i];
-        pictures.push_back({{camera_of(held_out.capture, view), view.cam_from_world},
-                            read_color_image(held_out.picture_paths[i])});
+        const Camera& camera = camera_of(held_out.capture, view);
+        pictures.push_back({{camera, view.cam_from_world},
+                            read_color_image(held_out.picture_paths[i]),
+                            lumigraph.evened_falloff});
     }
     ChoiceJudge judge(lumigraph, capture, std::move(pictures), options.mesh);
     const std::size_t all_views = lumigraph.views.size();

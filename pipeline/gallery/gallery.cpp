@@ -94,8 +94,7 @@ void write_gallery(const WorkspaceLayout& workspace, const fs::path& folder, Pro
 
     std::string page =
         "# Gallery: " + workspace.name() +
-        "\n\nMade by `lumi gallery`; the figures are those of "
-        "this version.\n\n" +
+        "\n\nMade by `lumi gallery`; figures are of the version that drew them.\n\n" +
         figure("held-out.jpg",
                "A photograph that was not used; what lumi draws from its place; the error") +
         table_of(evaluation) +

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
 #include "calib/doctor/examination.h"
 #include "calib/ingest/ingest.h"
@@ -10,6 +9,7 @@
 #include "calib/poses/pose_stage.h"
 #include "calib/work/error.h"
 #include "calib/work/stopwatch.h"
+#include "calib/work/whole_folder.h"
 #include "pipeline/hazards/colmap_alone.h"
 #include "pipeline/hazards/hazard_capture.h"
 
@@ -66,10 +66,6 @@ void try_lumi(Trial& trial, const HazardCapture& capture, const fs::path& folder
         const PoseResult result = estimate_poses(ingested.photographs, std::nullopt, {},
                                                  folder / "scratch", options.threads, progress);
         judge(trial.lumi, result.capture, capture);
-        const PoseEvidence& evidence = result.evidence;
-        trial.lumi.evidence = {evidence.residual_pattern.shutter_ratio,
-                               evidence.residual_pattern.zoom_ratio, evidence.contradicted_share,
-                               evidence.median_triangulation_angle_deg};
     } catch (const Error& error) {
         if (error.kind() == ErrorKind::kInterrupted) throw;
         judge(trial.lumi, error);
@@ -85,7 +81,6 @@ void ask_doctor(Trial& trial, const HazardCapture& capture, const fs::path& fold
     const Examination seen = examine_capture(folder / "photos", std::nullopt, examination,
                                              folder / "doctor", options.threads, progress);
     if (seen.verdict() >= Severity::kRisk) trial.doctor_reason = seen.findings.front().reason;
-    trial.doctor_loop_conflicts = seen.evidence.loops.conflict_share();
     trial.doctor_cpu_s = stopwatch.elapsed().cpu_s;
 }
 
@@ -104,8 +99,6 @@ void try_colmap(Trial& trial, const HazardCapture& capture, const fs::path& fold
 }
 
 void write_photographs(const HazardCapture& capture, const fs::path& folder) {
-    std::error_code status;
-    fs::remove_all(folder, status);
     for (const HazardCapture::Photo& photo : capture.photos) {
         write_png(folder / "photos" / photo.name, photo.picture);
     }
@@ -130,12 +123,13 @@ std::string_view name_of(Ending ending) {
 }
 
 Trial run_trial(Hazard hazard, double strength, std::uint64_t seed, const TrialOptions& options,
-                const fs::path& folder, Progress& progress) {
+                const fs::path& scratch_of, Progress& progress) {
     const HazardCapture capture =
         photograph_hazard(hazard, strength, seed, options.threads, progress);
+    const WholeFolder scratch(scratch_of);
+    const fs::path& folder = scratch.staging();
     write_photographs(capture, folder);
-    Trial trial{hazard, strength, seed, static_cast<int>(capture.photos.size()), {}, {}, {},
-                0,      0,        {}};
+    Trial trial{hazard, strength, seed, static_cast<int>(capture.photos.size()), {}, {}, {}, 0, {}};
     try_lumi(trial, capture, folder, options, progress);
     ask_doctor(trial, capture, folder, options, progress);
     if (options.with_colmap) try_colmap(trial, capture, folder, options, progress);

@@ -35,14 +35,6 @@ struct Attempt {
     PoseShift error;                 ///< Against the truth.
     double focal_error_share = 0.0;  ///< Of the worst lens, where there are poses.
     double cpu_s = 0.0;
-    /// What lumi measured of its own model.
-    struct Evidence {
-        double shutter_ratio = 0.0;
-        double zoom_ratio = 0.0;
-        double contradicted_share = 0.0;
-        double median_angle_deg = 0.0;
-    };
-    Evidence evidence;
 };
 
 /// One capture, by lumi, by lumi's doctor, and by COLMAP alone.
@@ -55,7 +47,6 @@ struct Trial {
     Attempt colmap;
     std::optional<CaptureReason> doctor_reason;  ///< The doctor's first finding.
     double doctor_cpu_s = 0.0;
-    double doctor_loop_conflicts = 0.0;         ///< See MatchLoops.
     std::optional<CaptureReason> given_reason;  ///< The refusal's, else the doctor's.
 };
 
@@ -65,10 +56,11 @@ struct TrialOptions {
     int threads = 1;
 };
 
-/// Photographs a hazard into `folder` (which is emptied), and tries. The reason given is right when
-/// it is the hazard's; where the poses came out right, none at all is right as well.
+/// Photographs a hazard into a folder beside `scratch_of`, which goes at the end, and tries. The
+/// reason given is right when it is the hazard's; where the poses came out right, none at all is
+/// right as well.
 [[nodiscard]] Trial run_trial(Hazard hazard, double strength, std::uint64_t seed,
-                              const TrialOptions& options, const std::filesystem::path& folder,
+                              const TrialOptions& options, const std::filesystem::path& scratch_of,
                               Progress& progress);
 [[nodiscard]] bool reason_is_right(const Trial& trial);
 

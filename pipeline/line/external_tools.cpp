@@ -14,10 +14,17 @@ namespace {
 
 constexpr double kTimeLimitS = 30;
 
+/// As the environment says, unless there is nothing.
+std::filesystem::path folder_of_temporary_files() {
+    std::error_code status;
+    const auto folder = std::filesystem::temp_directory_path(status);
+    return status ? "/tmp" : folder;
+}
+
 /// A file of this process alone, gone with this object.
 class TemporaryFile {
  public:
-    TemporaryFile() : path_((std::filesystem::temp_directory_path() / "lumi.XXXXXX").string()) {
+    TemporaryFile() : path_((folder_of_temporary_files() / "lumi.XXXXXX").string()) {
         const int descriptor = ::mkostemp(path_.data(), O_CLOEXEC);
         if (descriptor >= 0) ::close(descriptor);
     }

@@ -103,6 +103,11 @@ class Line {
                 {}};
     }
 
+    /// Of what is named beside the photographs; the workspace may lie in the same folder.
+    [[nodiscard]] std::vector<ContentEntry> content_beside(const fs::path& named) const {
+        return content_of(named, threads_, workspace_.folder());
+    }
+
     /// From a file, from photographs of a board, or none.
     [[nodiscard]] std::optional<Camera> known_lens() const {
         if (config_.boards.empty()) return config_.given_lens;
@@ -112,8 +117,8 @@ class Line {
     [[nodiscard]] Stage poses_stage() {
         read_ingested();
         std::vector<ContentEntry> inputs = outputs_of("ingest", "ingest/");
-        append(inputs, content_of(config_.imported_poses, threads_));
-        append(inputs, content_of(config_.poses.mask_folder, threads_));
+        append(inputs, content_beside(config_.imported_poses));
+        append(inputs, content_beside(config_.poses.mask_folder));
         if (!config_.boards.empty()) {
             append(inputs, outputs_of("calibrate", "calibrate/camera.toml"));
         }
@@ -145,12 +150,12 @@ class Line {
 
     [[nodiscard]] Stage depth_stage() const {
         std::vector<ContentEntry> inputs = pictures_and_poses();
-        append(inputs, content_of(config_.depth.import_folder, threads_));
+        append(inputs, content_beside(config_.depth.import_folder));
         append(inputs, content_of(config_.depth.import_mesh, threads_));
         for (const fs::path& file : files_of_volume(config_.depth.import_volume)) {
             append(inputs, content_of(file, threads_));
         }
-        append(inputs, content_of(config_.depth.mask_folder, threads_));
+        append(inputs, content_beside(config_.depth.mask_folder));
         if (!depth_mask_folder().empty()) append(inputs, outputs_of("poses", "poses/sparse/"));
         inputs.push_back(held_out_entry());
         return {identity("depth", inputs),

@@ -18,7 +18,7 @@ std::string configuration_sha256(const BuildConfig& config) {
     nlohmann::ordered_json told{{"hold_out_every", config.hold_out.every},
                                 {"hold_out", config.hold_out.names}};
     for (const auto& [stage, parameters] : config.stage_parameters) told[stage] = parameters;
-    return sha256_hex(told.dump());
+    return sha256_hex(told.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 void write_configuration(const Workspace& workspace, const BuildConfig& config) {

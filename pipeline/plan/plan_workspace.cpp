@@ -8,6 +8,7 @@
 #include "calib/work/whole_folder.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "meshing/cameras/mesh_picture.h"
+#include "pipeline/stages/mesh_stage.h"
 #include "pipeline/stages/posed_files.h"
 #include "pipeline/stages/used_views.h"
 #include "pipeline/text/number_text.h"
@@ -105,9 +106,10 @@ WorkspacePlan plan_workspace(const Workspace& workspace, const CapturePlanOption
     for (const SuggestedView& view : planned.plan.suggestions) {
         suggested.push_back(view.cam_from_world);
     }
-    const CameraMesh mesh = build_camera_mesh(capture, views, {}).mesh;
+    const CameraMesh mesh =
+        build_camera_mesh(capture, views, camera_mesh_options_of(workspace)).mesh;
     WholeFolder folder(workspace.folder() / "plan");
-    write_json_file(folder.staging() / "plan.json", plan_json(planned));
+    write_json_file(folder.staging() / kPlanName, plan_json(planned));
     write_whole_text(folder.staging() / "plan.svg",
                      camera_mesh_svg(capture, views, mesh, suggested));
     folder.put_in_place();

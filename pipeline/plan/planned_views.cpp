@@ -33,7 +33,7 @@ std::string words_of(const Json& suggestion) {
 }  // namespace
 
 std::vector<PlannedView> planned_views_beside(const std::filesystem::path& package_folder) {
-    const std::filesystem::path file = folder_around(package_folder) / "plan" / "plan.json";
+    const std::filesystem::path file = folder_around(package_folder) / "plan" / kPlanName;
     std::error_code status;
     if (!std::filesystem::is_regular_file(file, status)) return {};
     std::vector<PlannedView> planned;

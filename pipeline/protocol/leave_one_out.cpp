@@ -93,7 +93,8 @@ class LeavingOneOut {
         for (std::size_t i = 0; i < whole.views.size(); ++i) {
             if (whole.views[i].name != name) others.push_back(static_cast<int>(i));
         }
-        return judge(only_these_views(whole, others), only_views(all, {name}), options);
+        return judge(only_these_views(whole, others, document_.build_config_with({}).mesh),
+                     only_views(all, {name}), options);
     }
 
     [[nodiscard]] Evaluation judge_without(const std::string& name,

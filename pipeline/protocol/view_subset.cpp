@@ -43,14 +43,15 @@ Capture capture_of(const Lumigraph& lumigraph) {
 
 }  // namespace
 
-Lumigraph only_these_views(const Lumigraph& lumigraph, const std::vector<int>& kept) {
+Lumigraph only_these_views(const Lumigraph& lumigraph, const std::vector<int>& kept,
+                           const CameraMeshOptions& mesh_options) {
     Lumigraph result = without_its_views(lumigraph);
     for (const int index : kept) {
         result.views.push_back(lumigraph.views[static_cast<std::size_t>(index)]);
     }
     std::vector<int> all(kept.size());
     std::iota(all.begin(), all.end(), 0);
-    result.mesh = build_camera_mesh(capture_of(result), all, {}).mesh;
+    result.mesh = build_camera_mesh(capture_of(result), all, mesh_options).mesh;
     return result;
 }
 

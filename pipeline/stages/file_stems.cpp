@@ -1,5 +1,6 @@
 #include "pipeline/stages/file_stems.h"
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 
@@ -20,6 +21,8 @@ std::string portable_stem(const std::string& name) {
         if (!is_portable(c)) c = '_';
     }
     if (stem.front() == '.') stem.front() = '_';
+    constexpr std::size_t kMostLetters = 200;  // File systems take 255, endings included.
+    if (stem.size() > kMostLetters) stem.resize(kMostLetters);
     return stem;
 }
 
@@ -37,6 +40,14 @@ std::vector<std::string> file_stems_of_views(const std::vector<std::string>& nam
         stems.push_back(unique);
     }
     return stems;
+}
+
+std::vector<std::string> file_stems_without_dots(std::vector<std::string> names) {
+    for (std::string& name : names) {
+        const std::size_t ending = std::min(name.rfind('.'), name.size());
+        std::replace(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(ending), '.', '_');
+    }
+    return file_stems_of_views(names);
 }
 
 }  // namespace lumi

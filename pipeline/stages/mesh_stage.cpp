@@ -3,12 +3,18 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/capture/all_views.h"
+#include "calib/work/config_section.h"
 #include "calib/work/whole_file.h"
 #include "meshing/cameras/mesh_picture.h"
 #include "meshing/surface/mesh_io.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {
+
+CameraMeshOptions camera_mesh_options_of(const WorkspaceLayout& workspace) {
+    return read_camera_mesh_options(
+        ConfigSection::from_file(workspace.config_path()).section("mesh"));
+}
 
 StageEvidence run_mesh_stage(const Capture& capture, const CameraMeshOptions& options,
                              const std::filesystem::path& folder) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/evaluate/image_metrics.h"
+#include "render/lumigraph/even_exposure.h"
 #include "render/renderer/offscreen_renderer.h"
 
 namespace lumi {
@@ -28,7 +29,9 @@ std::vector<double> mean_psnr_db(const Lumigraph& lumigraph, const std::vector<S
         double sum = 0.0;
         for (const StressView& view : views) {
             progress.throw_if_interrupted();
-            sum += psnr_db(view.photograph, renderer.draw(view.eye, {.mode = mode}).color);
+            sum += psnr_db(view.photograph,
+                           darkened_by_lens(renderer.draw(view.eye, {.mode = mode}).color,
+                                            view.eye.camera, view.falloff));
         }
         means.push_back(sum / static_cast<double>(views.size()));
     }

@@ -37,6 +37,7 @@ struct StressView {
     std::string name;
     Eye eye;
     ColorImage photograph;
+    double falloff = 0.0;  ///< Of the lens (light_left.h): in the photograph, and not in drawings.
 };
 
 /// Perturbs the Lumigraph in every way and draws the views in every mode. The figures are the same

@@ -3,18 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/synth/hashed_random.h"
+
 namespace lumi {
-namespace {
-
-/// The finaliser of SplitMix64 (Steele, Lea and Flood, 2014).
-std::uint64_t mixed(std::uint64_t z) {
-    z += 0x9e3779b97f4a7c15U;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31U);
-}
-
-}  // namespace
 
 double SeededNormal::uniform(std::uint64_t a, std::uint64_t b) const {
     const std::uint64_t bits = mixed(mixed(mixed(seed_) ^ a) ^ b) >> 11U;  // 53 bits.

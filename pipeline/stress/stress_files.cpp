@@ -113,9 +113,13 @@ Json stress_json(const StressResult& result) {
              {"psnr_db", curve.psnr_db},
              {"breaking_point", curve.breaking_point ? Json(*curve.breaking_point) : Json()}});
     }
-    return Json{{"schema_version", 1},        {"name", result.name},
-                {"seed", result.seed},        {"max_loss_db", result.max_loss_db},
-                {"views", result.views},      {"views_are_held_out", result.views_are_held_out},
+    return Json{{"schema_version", 1},
+                {"name", result.name},
+                {"package_sha256", result.package_sha256},
+                {"seed", result.seed},
+                {"max_loss_db", result.max_loss_db},
+                {"views", result.views},
+                {"views_are_held_out", result.views_are_held_out},
                 {"curves", std::move(curves)}};
 }
 

@@ -22,6 +22,7 @@ struct StressCurve {
 
 struct StressResult {
     std::string name;
+    std::string package_sha256;  ///< Of the manifest.
     std::uint64_t seed = 0;
     double max_loss_db = 3.0;
     std::vector<std::string> views;  ///< What is compared with.

@@ -14,9 +14,11 @@ StressSubject subject_of_workspace(const WorkspaceLayout& workspace, int threads
     StressSubject subject{read_package(workspace.package_folder()), {}, true};
     for (std::size_t i = 0; i < held_out.capture.views.size(); ++i) {
         const View& view = held_out.capture.views[i];
+        const Camera& camera = camera_of(held_out.capture, view);
         subject.views.push_back({view.name,
-                                 {camera_of(held_out.capture, view), view.cam_from_world},
-                                 read_color_image(held_out.picture_paths[i])});
+                                 {camera, view.cam_from_world},
+                                 read_color_image(held_out.picture_paths[i]),
+                                 subject.lumigraph.evened_falloff});
     }
     return subject;
 }

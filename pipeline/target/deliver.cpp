@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "calib/work/error.h"
+#include "calib/work/whole_folder.h"
 #include "pipeline/chart/reference_photographs.h"
 #include "pipeline/chart/run_sweep.h"
 #include "pipeline/line/line.h"
-#include "pipeline/stages/photograph_list.h"
 #include "pipeline/target/candidates.h"
 #include "render/lumigraph/package.h"
 
@@ -18,32 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The working copies that the chart compared with: those of the widest variant.
-std::vector<Photograph> reference_copies(const ChartResult& chart, const fs::path& chart_folder) {
-    std::vector<Photograph> widest;
-    for (std::size_t i = 0; i < chart.variants.size(); ++i) {
-        if (!chart.variants[i].failure.empty()) continue;
-        std::vector<Photograph> copies =
-            read_photograph_list(
-                workspace_of_variant(chart.sweep.variants[i], chart_folder).stage_folder("ingest"))
-                .photographs;
-        const bool is_wider = widest.empty() || copies.front().width_px > widest.front().width_px;
-        if (is_wider) widest = std::move(copies);
-    }
-    return widest;
-}
-
 /// Makes packages in one workspace, one after the other.
 class Delivering {
  public:
-    Delivering(const Wish& wish, const ChartResult& chart, const fs::path& chart_folder,
-               const WorkspaceLayout& layout, int threads, Progress& progress)
-        : wish_(wish),
-          chart_(chart),
-          workspace_(layout),
-          reference_(reference_copies(chart, chart_folder)),
-          threads_(threads),
-          progress_(progress) {}
+    Delivering(const Wish& wish, const ChartResult& chart, const WorkspaceLayout& layout,
+               int threads, Progress& progress)
+        : wish_(wish), chart_(chart), workspace_(layout), threads_(threads), progress_(progress) {}
 
     Delivery deliver_best() {
         std::optional<Delivery> nearest;
@@ -76,14 +56,13 @@ class Delivering {
     }
 
     [[nodiscard]] Achievement measure(RenderMode mode) const {
-        const fs::path scratch = workspace_.folder() / "reference";
-        fs::remove_all(scratch);
+        const WholeFolder scratch(workspace_.folder() / "reference");
         Evaluation evaluation = evaluate_held_out(
             read_package(workspace_.package_folder()),
-            reference_photographs(workspace_, reference_, scratch, threads_, progress_),
+            reference_photographs(workspace_, chart_.reference_copies, scratch.staging(), threads_,
+                                  progress_),
             {.modes = {mode}, .ghost_energy = false}, [](RenderMode, const JudgedView&) {},
             progress_);
-        fs::remove_all(scratch);
         std::vector<ViewScore>& views = evaluation.modes.front().views;
         std::erase_if(views, [&](const ViewScore& view) {
             return std::find(chart_.shared_views.begin(), chart_.shared_views.end(), view.name) ==
@@ -97,7 +76,6 @@ class Delivering {
     const Wish& wish_;
     const ChartResult& chart_;
     Workspace workspace_;
-    std::vector<Photograph> reference_;
     int threads_;
     Progress& progress_;
 };
@@ -111,9 +89,9 @@ Json achievement_json(const Achievement& achievement) {
 
 }  // namespace
 
-Delivery deliver(const Wish& wish, const ChartResult& chart, const fs::path& chart_folder,
-                 const WorkspaceLayout& workspace, int threads, Progress& progress) {
-    return Delivering(wish, chart, chart_folder, workspace, threads, progress).deliver_best();
+Delivery deliver(const Wish& wish, const ChartResult& chart, const WorkspaceLayout& workspace,
+                 int threads, Progress& progress) {
+    return Delivering(wish, chart, workspace, threads, progress).deliver_best();
 }
 
 Json delivery_json(const Delivery& delivery) {

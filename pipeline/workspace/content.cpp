@@ -19,14 +19,16 @@ struct NamedFile {
     fs::path path;
 };
 
-std::vector<NamedFile> files_below(const fs::path& folder) {
+std::vector<NamedFile> files_below(const fs::path& folder, const fs::path& working_folder) {
     std::vector<NamedFile> files;
     std::error_code status;
     fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
                                            status);
     for (; !status && entry != fs::recursive_directory_iterator(); entry.increment(status)) {
         std::error_code ignored;  // A link to itself is no file, and no reason to end.
-        if (is_hidden(entry->path())) {
+        const bool is_ours =
+            entry->is_directory(ignored) && fs::equivalent(entry->path(), working_folder, ignored);
+        if (is_ours || is_hidden(entry->path())) {
             entry.disable_recursion_pending();
         } else if (entry->is_regular_file(ignored)) {
             files.push_back(
@@ -54,10 +56,11 @@ std::vector<ContentEntry> contents(const std::vector<NamedFile>& files, int thre
 
 }  // namespace
 
-std::vector<ContentEntry> content_of(const fs::path& file_or_folder, int threads) {
+std::vector<ContentEntry> content_of(const fs::path& file_or_folder, int threads,
+                                     const fs::path& working_folder) {
     std::error_code status;
     if (fs::is_directory(file_or_folder, status)) {
-        return contents(files_below(file_or_folder), threads);
+        return contents(files_below(file_or_folder, working_folder), threads);
     }
     if (!fs::is_regular_file(file_or_folder, status)) return {};
     return contents({{file_or_folder.filename().string(), file_or_folder}}, threads);

@@ -14,10 +14,11 @@ struct ContentEntry {
 };
 
 /// The content of one file, or of every regular file below a folder, sorted by name; hidden files
-/// and folders that may not be read excepted. Nothing when the path does not exist. Throws Error
-/// (E-FILE-READ).
-[[nodiscard]] std::vector<ContentEntry> content_of(const std::filesystem::path& file_or_folder,
-                                                   int threads);
+/// and folders that may not be read excepted, and `working_folder` should it lie below. Nothing
+/// when the path does not exist. Throws Error (E-FILE-READ).
+[[nodiscard]] std::vector<ContentEntry> content_of(
+    const std::filesystem::path& file_or_folder, int threads,
+    const std::filesystem::path& working_folder = {});
 
 /// What of a video or a folder of photographs decides what is made of it: of a folder the
 /// photographs that list_photographs finds, and which pictures it leaves out and why. Whatever else

@@ -6,6 +6,7 @@
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "calib/work/whole_folder.h"
+#include "pipeline/workspace/stage_outputs.h"
 #include "render/lumigraph/manifest.h"
 
 namespace lumi {
@@ -43,18 +44,32 @@ bool is_workspace(const WorkspaceLayout& layout) {
            read_whole_text(layout.config_path()).starts_with(kWorkspaceConfigHeader);
 }
 
-/// Somebody's dataset may well have a folder that is called depth.
+void expect_nothing_at(const fs::path& path) {
+    std::error_code status;
+    if (!fs::exists(fs::symlink_status(path, status))) return;
+    throw Error(ErrorKind::kBadInput, "E-WORKSPACE-FOREIGN",
+                path.string() + ": would be replaced, and was not written by lumi",
+                "choose another folder with --workspace, or give this one another name");
+}
+
+/// By the file that lumi leaves in each; that of the package is up to its writer.
+bool is_ours_or_empty(const WorkspaceLayout& layout, const fs::path& folder) {
+    if (folder == layout.package_folder()) return true;
+    std::error_code status;
+    if (fs::is_directory(folder, status) && fs::is_empty(folder, status)) return true;
+    return fs::exists(folder / kDoneMarkerName, status) ||
+           fs::exists(folder / kEvaluationName, status) || fs::exists(folder / kPlanName, status);
+}
+
+/// Somebody's dataset may well have a folder that is called depth, also beside a lock: that of
+/// another program, or of a run that ended before it wrote anything.
 WorkspaceLayout without_foreign_files(const WorkspaceLayout& layout) {
-    if (is_workspace(layout)) return layout;
-    std::vector<fs::path> written = files_of(layout);
-    for (const fs::path& folder : folders_of(layout)) written.push_back(folder);
-    for (const fs::path& path : written) {
-        std::error_code status;
-        if (!fs::exists(fs::symlink_status(path, status))) continue;
-        throw Error(ErrorKind::kBadInput, "E-WORKSPACE-FOREIGN",
-                    path.string() + ": would be replaced, and was not written by lumi",
-                    "choose another folder with --workspace");
+    const bool is_known = is_workspace(layout);
+    for (const fs::path& folder : folders_of(layout)) {
+        if (!is_known || !is_ours_or_empty(layout, folder)) expect_nothing_at(folder);
     }
+    if (is_known) return layout;
+    for (const fs::path& file : files_of(layout)) expect_nothing_at(file);
     return layout;
 }
 

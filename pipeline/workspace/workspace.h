@@ -44,6 +44,10 @@ class Workspace : public WorkspaceLayout {
     FolderLock lock_;
 };
 
+/// What an evaluation and a plan leave in their folders.
+inline constexpr const char* kEvaluationName = "evaluation.json";
+inline constexpr const char* kPlanName = "plan.json";
+
 /// How the configuration of a workspace begins: by it a folder is known for one.
 inline constexpr const char* kWorkspaceConfigHeader =
     "# Written by lumi: every default, and paths that hold anywhere. It can be built from, too.\n";

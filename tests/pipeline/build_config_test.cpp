@@ -221,6 +221,22 @@ TEST(BuildConfig, AFolderOfPhotographsIsAConfiguration) {
     EXPECT_TRUE(std::filesystem::equivalent(config.photographs_or_video, photos));
 }
 
+TEST(BuildConfig, AnyFolderOfPhotographsHasANameForItsBuild) {
+    const auto name_of_build_in = [](const std::string& folder) {
+        const ScratchFolder scratch;
+        std::filesystem::create_directories(scratch / folder);
+        return load_build_config(scratch / folder).name;
+    };
+    std::string letters;
+    for (int i = 0; i < 60; ++i) letters += "ж";
+    EXPECT_EQ(name_of_build_in(letters), letters.substr(0, 100));
+    EXPECT_EQ(name_of_build_in("a" + letters), "a" + letters.substr(0, 98)) << "whole letters";
+    EXPECT_EQ(name_of_build_in(".photos"), "photos");
+    EXPECT_EQ(name_of_build_in("..."), "capture");
+    EXPECT_EQ(name_of_build_in("caf\xe9"), "caf_xe9") << "Latin-1";
+    EXPECT_EQ(name_of_build_in("a \"b\" 100%#"), "a \"b\" 100%#");
+}
+
 TEST(BuildConfig, AVideoIsAConfiguration) {
     const ScratchFolder scratch;
     const std::filesystem::path video = scratch.path() / "a walk.mp4";

@@ -183,8 +183,8 @@ ChartResult measured_sweep() {
             MeasuredVariant variant;
             const double poses_s = width == 0 ? 10.0 : 20.0;
             const double depth_s = depth == 0 ? 1.0 : 5.0;
-            variant.stages = {{"poses", {poses_s, poses_s + 1}, {poses_s, poses_s}, 100},
-                              {"depth", {depth_s, depth_s + 0.5}, {depth_s, depth_s}, 100}};
+            variant.stages = {{"poses", {poses_s, poses_s + 1}, {poses_s, poses_s}},
+                              {"depth", {depth_s, depth_s + 0.5}, {depth_s, depth_s}}};
             variant.package_mib = width == 0 ? 5.0 : 20.0;
             ViewScore view{.name = "x.jpg", .psnr_db = 25.0 + static_cast<double>(depth), .ms = 10};
             view.flip = 0.2 - 0.05 * static_cast<double>(depth) - 0.02 * static_cast<double>(width);

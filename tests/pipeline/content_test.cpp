@@ -76,6 +76,17 @@ TEST_F(ContentOfPhotographs, WhatIngestTellsOfCounts) {
     EXPECT_NE(hash(), with_both);
 }
 
+TEST_F(ContentOfPhotographs, OfAFolderThatHoldsTheWorkspaceTheRestCounts) {
+    write_whole_text(scratch_ / "named" / "cameras.txt", "poses");
+    write_whole_text(scratch_ / "named" / "work" / "scene" / "report.html", "a report");
+    const auto content = [&] {
+        return content_of(scratch_ / "named", 1, scratch_ / "named" / "work" / "scene");
+    };
+    ASSERT_EQ(content().size(), 1U);
+    EXPECT_EQ(content().front().name, "cameras.txt");
+    EXPECT_EQ(content_of(scratch_ / "named", 1).size(), 2U);
+}
+
 TEST_F(ContentOfPhotographs, AVideoIsItsFile) {
     write_whole_text(scratch_ / "walk.mp4", "a walk");
     EXPECT_EQ(content_of_photographs(scratch_ / "walk.mp4", working_folder_, {}, 1),

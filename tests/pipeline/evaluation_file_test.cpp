@@ -18,11 +18,25 @@ using Json = nlohmann::ordered_json;
 /// A workspace with a package and an evaluation, as far as telling which is of which goes.
 class CurrentEvaluation : public testing::Test {
  protected:
-    CurrentEvaluation() { write_whole_text(layout_.package_folder() / "lumigraph.json", "{}"); }
+    CurrentEvaluation() {
+        write_whole_text(layout_.package_folder() / "lumigraph.json", "{}");
+        made_from("pictures", "depth");
+    }
+
+    void made_from(const std::string& pictures, const std::string& depth) const {
+        write_whole_text(layout_.stage_folder("pack") / "pack.json",
+                         Json{{"held_out", Json::array()},
+                              {"pictures_sha256", pictures},
+                              {"package_sha256", ""},
+                              {"depth_sha256", depth}}
+                             .dump());
+    }
 
     [[nodiscard]] Json evaluation() const {
         return {{"schema_version", kEvaluationSchemaVersion},
-                {"package_sha256", package_sha256(layout_)}};
+                {"package_sha256", package_sha256(layout_)},
+                {"pictures_sha256", "pictures"},
+                {"depth_sha256", "depth"}};
     }
     [[nodiscard]] Json read_back(const std::string& text) const {
         write_whole_text(layout_.evaluation_folder() / "evaluation.json", text);
@@ -39,6 +53,14 @@ TEST_F(CurrentEvaluation, IsThatOfThePackage) {
     const std::string former = evaluation().dump();
     write_whole_text(layout_.package_folder() / "lumigraph.json", "{\"other\": 1}");
     EXPECT_TRUE(read_back(former).is_null());
+}
+
+TEST_F(CurrentEvaluation, IsOfThePhotographsThatItWasComparedWith) {
+    EXPECT_FALSE(read_back(evaluation().dump()).is_null());
+    made_from("other pictures", "depth");
+    EXPECT_TRUE(read_current_evaluation(layout_).is_null());
+    made_from("pictures", "other depth");
+    EXPECT_TRUE(read_current_evaluation(layout_).is_null());
 }
 
 TEST_F(CurrentEvaluation, IsNoneWhenItsFileIsDamaged) {

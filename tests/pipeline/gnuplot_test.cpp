@@ -107,7 +107,7 @@ PoseTrial pose_trial() {
 }
 
 std::vector<Trial> hazard_trials() {
-    Trial trial{Hazard::kBlur, 0.0, 1, 8, {}, {}, {}, 0, 0, {}};
+    Trial trial{Hazard::kBlur, 0.0, 1, 8, {}, {}, {}, 0, {}};
     trial.lumi.ending = Ending::kRight;
     return {trial};
 }

@@ -7,6 +7,7 @@
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "pipeline/workspace/stage_outputs.h"
 #include "tests/calib/scratch_folder.h"
 
 namespace lumi {
@@ -147,6 +148,23 @@ TEST_F(StageCache, AFolderOfOtherThingsIsNoWorkspace) {
     const ScratchFolder photographs;
     write_whole_text(photographs / "images/0001.jpg", "the user's own");
     EXPECT_NO_THROW(Workspace(WorkspaceLayout(photographs.path(), "scene")));
+}
+
+TEST_F(StageCache, WhatLiesBesideALockAloneIsNotLumisOwn) {
+    const ScratchFolder dataset;
+    write_whole_text(dataset / kLockName, "");
+    write_whole_text(dataset / "depth" / "0001.exr", "the user's own");
+    try {
+        const Workspace workspace(WorkspaceLayout(dataset.path(), "scene"));
+        FAIL() << "it would be lost";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-WORKSPACE-FOREIGN");
+    }
+    EXPECT_EQ(read_whole_text(dataset / "depth" / "0001.exr"), "the user's own");
+    fs::remove(dataset / "depth" / "0001.exr");
+    EXPECT_NO_THROW(Workspace(WorkspaceLayout(dataset.path(), "scene")));
+    write_whole_text(dataset / "depth" / kDoneMarkerName, "{}");
+    EXPECT_NO_THROW(Workspace(WorkspaceLayout(dataset.path(), "scene")));
 }
 
 TEST_F(StageCache, AHarmedProductGivesWayWhateverElseChanged) {

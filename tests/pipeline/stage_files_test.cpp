@@ -18,6 +18,18 @@ TEST(FileStems, ArePortableAndUnique) {
                 ElementsAre("a", "a-2", "b_IMG_1", "__", "_jpg", "noending"));
 }
 
+TEST(FileStems, FitIntoAFileSystemAndStayApart) {
+    const std::string longest(241, 'a');
+    const auto stems = file_stems_of_views({longest + ".jpg", longest + ".png"});
+    EXPECT_LT(stems[0].size(), 220U);
+    EXPECT_NE(stems[0], stems[1]);
+}
+
+TEST(FileStems, WithoutDotsTellPicturesOfViewsApart) {
+    EXPECT_THAT(file_stems_without_dots({"IMG.jpg", "IMG.flip.jpg", "IMG_flip.jpg", "noending"}),
+                testing::ElementsAre("IMG", "IMG_flip", "IMG_flip-2", "noending"));
+}
+
 TEST(PhotographList, ComesBackAsItWas) {
     const ScratchFolder scratch;
     IngestResult written;

@@ -12,6 +12,8 @@
 #include "pipeline/stress/seeded_normal.h"
 #include "pipeline/stress/stress_files.h"
 #include "render/depth_mesh/view_depth_mesh.h"
+#include "render/lumigraph/even_exposure.h"
+#include "render/renderer/offscreen_renderer.h"
 #include "render/transfer/view_geometry.h"
 #include "tests/truth/textured_box_scene.h"
 
@@ -150,6 +152,20 @@ TEST_F(Stress, EveryCurveStartsUnperturbedAndEndsLower) {
     }
     const std::vector<StressCurve> again = stress_curves(eight, {view}, options, progress);
     for (std::size_t i = 0; i < curves.size(); ++i) EXPECT_EQ(again[i].psnr_db, curves[i].psnr_db);
+}
+
+TEST_F(Stress, APhotographIsComparedWithWhatItsLensWouldTake) {
+    const Lumigraph whole = lumigraph();
+    const Eye eye{whole.views[0].camera, whole.views[0].cam_from_world};
+    StressView view{"held out", eye, OffscreenRenderer(whole).draw(eye, {}).color};
+    constexpr double kFalloff = -1.5;
+    view.photograph = darkened_by_lens(std::move(view.photograph), eye.camera, kFalloff);
+    StressOptions options =
+        options_from("modes = [\"perpixel\"]\nperturbations = [\"blur_px\"]\nblur_px = [1]\n");
+    SilentProgress progress;
+    EXPECT_LT(stress_curves(whole, {view}, options, progress)[0].psnr_db.front(), 30);
+    view.falloff = kFalloff;
+    EXPECT_GT(stress_curves(whole, {view}, options, progress)[0].psnr_db.front(), 90);
 }
 
 TEST(BreakingPoint, IsInterpolatedBetweenStrengths) {

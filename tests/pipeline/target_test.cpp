@@ -145,8 +145,8 @@ TEST(EndsTheSweep, WithTheFirstThatIsAccurateEnough) {
 
 TEST(EndsTheSweep, ForABudgetOnlyWhereThereIsSurelyNoTime) {
     MeasuredVariant variant;
-    variant.stages.push_back({"poses", {40.0}, {30.0}, 0.0});
-    variant.stages.push_back({"depth", {80.0}, {60.0}, 0.0});
+    variant.stages.push_back({"poses", {40.0}, {30.0}});
+    variant.stages.push_back({"depth", {80.0}, {60.0}});
     EXPECT_TRUE(ends_the_sweep(wish_from("50s"), variant));
     EXPECT_FALSE(ends_the_sweep(wish_from("80s"), variant));
     EXPECT_FALSE(ends_the_sweep(wish_from("2min"), variant));
