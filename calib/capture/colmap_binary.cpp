@@ -49,9 +49,10 @@ class BinaryReader {
         if (offset_ != bytes_.size()) refuse("has bytes after its last record");
     }
 
-    [[noreturn]] void refuse(const std::string& what) const {
-        refuse_colmap_model(path_ + " at byte " + std::to_string(offset_), what);
+    [[nodiscard]] std::string where() const {
+        return path_ + " at byte " + std::to_string(offset_);
     }
+    [[noreturn]] void refuse(const std::string& what) const { refuse_colmap_model(where(), what); }
 
  private:
     void need(std::size_t size) const {
@@ -84,11 +85,15 @@ void read_cameras(BinaryReader& reader, ColmapRecords& records) {
     constexpr std::size_t kMinRecordBytes = 4 + 4 + 8 + 8 + 3 * 8;
     for (std::uint64_t left = reader.next_count(kMinRecordBytes); left > 0; --left) {
         const auto id = reader.next<std::uint32_t>();
-        const auto model = static_cast<LensModel>(reader.next<std::int32_t>());
+        const auto model_id = reader.next<std::int32_t>();
         const auto width = reader.next<std::uint64_t>();
         const auto height = reader.next<std::uint64_t>();
-        if (!is_lens_model(static_cast<int>(model)))
-            reader.refuse("camera has a lens model that lumi does not know");
+        if (const std::string_view foreign = name_of_foreign_lens_model(model_id);
+            !foreign.empty()) {
+            refuse_foreign_lens_model(reader.where(), id, foreign);
+        }
+        if (!is_lens_model(model_id)) reader.refuse("camera has a lens model that is not COLMAP's");
+        const auto model = static_cast<LensModel>(model_id);
         constexpr std::uint64_t kMaxSide = 1 << 20;
         if (width > kMaxSide || height > kMaxSide) reader.refuse("camera has an absurd size");
         Camera camera{static_cast<int>(width), static_cast<int>(height), model, {}};

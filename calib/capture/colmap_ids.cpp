@@ -1,12 +1,25 @@
 #include "calib/capture/colmap_ids.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "calib/work/error.h"
 
 namespace lumi {
 namespace {
+
+struct ForeignLensModel {
+    int id;
+    std::string_view name;
+};
+
+/// COLMAP 3.8, base/camera_models.h, and what came since.
+constexpr std::array<ForeignLensModel, 5> kForeignLensModels{{{7, "FOV"},
+                                                              {8, "SIMPLE_RADIAL_FISHEYE"},
+                                                              {9, "RADIAL_FISHEYE"},
+                                                              {10, "THIN_PRISM_FISHEYE"},
+                                                              {11, "RAD_TAN_THIN_PRISM_FISHEYE"}}};
 
 /// View indices by image id, in the order of names.
 std::map<std::uint32_t, int> view_indices_by_name(const ColmapRecords& records) {
@@ -24,6 +37,27 @@ void refuse_colmap_model(const std::string& where, const std::string& what) {
     throw Error(ErrorKind::kBadInput, "E-COLMAP-MODEL", where + ": " + what,
                 "the model is damaged or not COLMAP's: export it again with "
                 "`colmap model_converter`");
+}
+
+std::string_view name_of_foreign_lens_model(int id) {
+    for (const ForeignLensModel& model : kForeignLensModels) {
+        if (model.id == id) return model.name;
+    }
+    return {};
+}
+
+bool is_foreign_lens_model(std::string_view name) {
+    return std::any_of(kForeignLensModels.begin(), kForeignLensModels.end(),
+                       [&](const ForeignLensModel& model) { return model.name == name; });
+}
+
+void refuse_foreign_lens_model(const std::string& where, std::uint32_t camera_id,
+                               std::string_view model) {
+    throw Error(ErrorKind::kBadInput, "E-COLMAP-LENS",
+                where + ": camera " + std::to_string(camera_id) + " has the lens model " +
+                    std::string(model) + ", which lumi lacks",
+                "straighten the photographs with `colmap image_undistorter` and give those with "
+                "the model it writes, or let COLMAP fit OPENCV_FISHEYE");
 }
 
 Eigen::Quaterniond checked_unit(const Eigen::Quaterniond& rotation) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "calib/capture/capture.h"
@@ -46,5 +47,12 @@ struct ColmapKeypoints {
 [[nodiscard]] Eigen::Quaterniond checked_unit(const Eigen::Quaterniond& rotation);
 
 [[noreturn]] void refuse_colmap_model(const std::string& where, const std::string& what);
+
+/// COLMAP's name of a lens model that lumi lacks; empty for ids that are none of COLMAP's, too.
+[[nodiscard]] std::string_view name_of_foreign_lens_model(int id);
+[[nodiscard]] bool is_foreign_lens_model(std::string_view name);
+/// Throws Error (E-COLMAP-LENS) with a way out.
+[[noreturn]] void refuse_foreign_lens_model(const std::string& where, std::uint32_t camera_id,
+                                            std::string_view model);
 
 }  // namespace lumi

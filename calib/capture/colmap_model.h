@@ -10,8 +10,9 @@ namespace lumi {
 /// there (binary first, as COLMAP does).
 ///
 /// Trusts nothing: sizes are compared with counts before memory is taken, numbers must be finite,
-/// ids must exist, names with spaces are kept. Throws Error (E-COLMAP-MODEL) with file and line or
-/// offset. Reference: colmap.github.io/format.html.
+/// ids must exist, names with spaces are kept. Throws Error (E-COLMAP-MODEL; E-COLMAP-LENS where a
+/// lens is one that lumi lacks) with file and line or offset. Reference:
+/// colmap.github.io/format.html.
 [[nodiscard]] Capture read_colmap_model(const std::filesystem::path& folder);
 
 /// Writes a model that COLMAP 3.8 reads back. Camera ids are index + 1, image ids are view index +

@@ -49,6 +49,7 @@ class TextLine {
         return rest_.empty();
     }
 
+    [[nodiscard]] const std::string& where() const { return where_; }
     [[noreturn]] void refuse(const std::string& what) const { refuse_colmap_model(where_, what); }
 
  private:
@@ -234,6 +235,7 @@ std::map<std::uint32_t, Camera> read_colmap_cameras(const std::filesystem::path&
         const auto id = line.next<std::uint32_t>();
         const std::string_view name = line.next_word();
         const auto model = lens_model_named(name);
+        if (is_foreign_lens_model(name)) refuse_foreign_lens_model(line.where(), id, name);
         if (!model) line.refuse("lens model '" + std::string(name) + "' is not known to lumi");
         Camera camera;
         camera.model = *model;

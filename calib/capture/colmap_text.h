@@ -6,7 +6,8 @@
 
 namespace lumi {
 
-/// A cameras.txt by the ids of its cameras. Throws Error (E-COLMAP-MODEL) with file and line.
+/// A cameras.txt by the ids of its cameras. Throws Error (E-COLMAP-MODEL, E-COLMAP-LENS) with file
+/// and line.
 [[nodiscard]] std::map<std::uint32_t, Camera> read_colmap_cameras(
     const std::filesystem::path& cameras_txt);
 

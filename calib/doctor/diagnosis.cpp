@@ -7,6 +7,7 @@
 
 #include "calib/doctor/cohesion.h"
 #include "calib/doctor/picture_trouble.h"
+#include "calib/work/counted.h"
 #include "calib/work/formatted.h"
 #include "calib/work/median.h"
 
@@ -41,7 +42,7 @@ void judge_pictures(const CaptureEvidence& evidence, const Cohesion& cohesion,
                     std::vector<Finding>& findings) {
     std::map<CaptureReason, std::vector<std::string>> concerned;
     for (const PhotographQuality& quality : evidence.photographs) {
-        const auto trouble = trouble_with(quality, evidence.width_px);
+        const auto trouble = trouble_with(quality);
         if (trouble) concerned[*trouble].push_back(quality.name);
     }
     for (const auto& [reason, names] : concerned) {
@@ -173,21 +174,22 @@ void judge_cohesion(const CaptureEvidence& evidence, const Cohesion& cohesion,
 
 /// Two tell poses only through lenses that are known.
 bool are_too_few(const CaptureEvidence& evidence) {
-    const std::size_t count = evidence.photographs.size();
-    return count < 2 || (count == 2 && !evidence.focal_lengths_are_known);
+    const auto count = static_cast<int>(evidence.photographs.size());
+    return count < evidence.min_photographs || (count == 2 && !evidence.focal_lengths_are_known);
 }
 
 void judge_count(const CaptureEvidence& evidence, std::vector<Finding>& findings) {
     if (!are_too_few(evidence)) return;
-    const bool are_two = evidence.photographs.size() == 2;
+    const std::size_t count = evidence.photographs.size();
+    const bool are_accepted = static_cast<int>(count) >= evidence.min_photographs;
     findings.push_back(
         {CaptureReason::kFew,
          Severity::kHopeless,
-         are_two ? "two photographs alone do not tell how far a lens of unknown focal length "
-                   "turned and moved: a third would, or the lens ([calibration])"
-                 : formatted("a build ends with E-INGEST-TOOFEW: %zu usable photographs, expected "
-                             "at least 2",
-                             evidence.photographs.size()),
+         are_accepted
+             ? "two photographs alone do not tell how far a lens of unknown focal length "
+               "turned and moved: a third would, or the lens ([calibration])"
+             : "a build ends with E-INGEST-TOOFEW: " + counted(count, "usable photograph") +
+                   ", expected at least " + std::to_string(evidence.min_photographs),
          {}});
 }
 
@@ -199,8 +201,10 @@ void judge_duplicates(const CaptureEvidence& evidence, std::vector<Finding>& fin
     if (are_too_few(evidence)) severity = Severity::kHopeless;
     findings.push_back({CaptureReason::kDuplicates,
                         severity,
-                        formatted("%d photographs repeat another one; %d different ones are left",
-                                  evidence.duplicates_left_out, kept),
+                        counted(evidence.duplicates_left_out, "photograph") +
+                            (evidence.duplicates_left_out == 1 ? " repeats" : " repeat") +
+                            " another one; " + counted(kept, "different one") +
+                            (kept == 1 ? " is left" : " are left"),
                         {}});
 }
 

@@ -21,7 +21,7 @@ struct CaptureEvidence {
     std::vector<double> inlier_shares;  ///< Of all pairs with enough matches to tell.
     MatchLoops loops;
     MotionEvidence motion;
-    bool lens_is_known = false;
+    int min_photographs = 2;               ///< A build ends with fewer. >= 2.
     bool focal_lengths_are_known = false;  ///< Of every photograph, if only roughly (EXIF).
 };
 

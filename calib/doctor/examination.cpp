@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
+#include "calib/ingest/working_copies.h"
 #include "calib/matching/camera_groups.h"
 #include "calib/matching/inlier_shares.h"
 #include "calib/matching/pair_verification.h"
@@ -11,6 +11,7 @@
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
+#include "calib/work/whole_folder.h"
 
 namespace lumi {
 namespace {
@@ -86,6 +87,31 @@ std::vector<Eigen::Vector2i> sizes_in_build(const std::vector<Photograph>& photo
     return sizes;
 }
 
+/// Small copies, of all that a build would take.
+IngestOptions options_of_copies(const ExaminationOptions& options) {
+    IngestOptions of_copies = options.build;
+    of_copies.max_width_px = options.width_px;
+    of_copies.min_width_px = 1;
+    of_copies.min_photographs = 1;
+    return of_copies;
+}
+
+/// By the width that the build has, not by the doctor's.
+void leave_out_tiny(IngestResult& ingested, const IngestOptions& build) {
+    std::erase_if(ingested.photographs, [&](const Photograph& photograph) {
+        const auto tiny = left_out_as_tiny(
+            photograph.name, {photograph.original_width_px, photograph.original_height_px}, build);
+        if (tiny) ingested.left_out.push_back(*tiny);
+        return tiny.has_value();
+    });
+    std::stable_sort(ingested.left_out.begin(), ingested.left_out.end(),
+                     [](const LeftOut& a, const LeftOut& b) { return a.name < b.name; });
+}
+
+int longer_side_px(const Photograph& photograph) {
+    return std::max(photograph.width_px, photograph.height_px);
+}
+
 /// Measured on two cores of a server over captures of 11 to 97 photographs: from photographs to
 /// package each took 2.4 to 3.6 CPU seconds, whatever its size, and memory grew with the size.
 ExpectedCost expected_cost(const std::vector<Eigen::Vector2i>& sizes_px) {
@@ -104,20 +130,13 @@ ExpectedCost expected_cost(const std::vector<Eigen::Vector2i>& sizes_px) {
 
 Examination examine_capture(const fs::path& photographs_or_video,
                             const std::optional<Camera>& given_lens,
-                            const ExaminationOptions& options, const fs::path& scratch_folder,
-                            int threads, Progress& progress) {
+                            const ExaminationOptions& options, const fs::path& folder, int threads,
+                            Progress& progress) {
     const Stopwatch stopwatch;
-    std::error_code status;
-    fs::remove_all(scratch_folder, status);
-    IngestOptions ingest_options;
-    ingest_options.max_width_px = options.width_px;
-    ingest_options.min_photographs = 1;
-    ingest_options.video_fps = options.video_fps;
-    ingest_options.keep_overlays = options.keep_overlays;
-    ingest_options.crop_bars = options.crop_bars;
-    ingest_options.other_folders = options.other_folders;
-    IngestResult ingested =
-        ingest(photographs_or_video, ingest_options, scratch_folder, threads, progress);
+    const WholeFolder copies(folder / "copies");
+    IngestResult ingested = ingest(photographs_or_video, options_of_copies(options),
+                                   copies.staging(), threads, progress);
+    leave_out_tiny(ingested, options.build);
     for (Photograph& photograph : ingested.photographs) {
         if (options.told_focal_length_px) photograph.focal_length_px = options.told_focal_length_px;
     }
@@ -126,7 +145,7 @@ Examination examine_capture(const fs::path& photographs_or_video,
     CaptureEvidence& evidence = result.evidence;
     evidence.width_px = options.width_px;
     evidence.duplicates_left_out = count_of_duplicates(ingested.left_out);
-    evidence.lens_is_known = given_lens.has_value();
+    evidence.min_photographs = std::max(evidence.min_photographs, options.build.min_photographs);
     result.left_out = std::move(ingested.left_out);
     result.overlays = std::move(ingested.overlays);
     result.color_notes = std::move(ingested.color_notes);
@@ -139,15 +158,15 @@ Examination examine_capture(const fs::path& photographs_or_video,
         sift.max_features = options.max_features;
         const std::vector<Features> features =
             detect_features(ingested.photographs, options.mask_folder, sift, threads, progress);
-        evidence.width_px =
-            std::max(ingested.photographs.front().width_px, ingested.photographs.front().height_px);
+        evidence.width_px = 0;
+        for (const Photograph& photograph : ingested.photographs)
+            evidence.width_px = std::max(evidence.width_px, longer_side_px(photograph));
         evidence.photographs = qualities_of(ingested.photographs, features, threads);
         look_at_pairs(evidence, features, groups, given_lens.has_value(), threads, progress);
     }
-    result.build_sizes_px = sizes_in_build(ingested.photographs, options.build_width_px);
+    result.build_sizes_px = sizes_in_build(ingested.photographs, options.build.max_width_px);
     result.build = expected_cost(result.build_sizes_px);
     result.findings = diagnose(evidence);
-    fs::remove_all(scratch_folder, status);
     result.cost = stopwatch.elapsed();
     return result;
 }

@@ -16,15 +16,11 @@ namespace lumi {
 
 /// How closely the doctor looks.
 struct ExaminationOptions {
-    int width_px = 800;          ///< Longer sides are scaled down to this. >= 64.
-    int max_features = 1500;     ///< Per photograph. > 0.
-    int build_width_px = 1600;   ///< What a build scales longer sides down to; 0: not at all.
-    double video_fps = 2.0;      ///< Frames taken from each second of a video. > 0.
-    bool keep_overlays = false;  ///< See IngestOptions.
-    bool crop_bars = true;       ///< See IngestOptions.
-    std::vector<std::filesystem::path> other_folders = {};  ///< See IngestOptions.
-    std::filesystem::path mask_folder = {};                 ///< See PoseOptions; empty: none.
-    bool lens_is_told_elsewhere = false;  ///< A build will know it: from boards, or with poses.
+    int width_px = 800;                      ///< Longer sides are scaled down to this. >= 64.
+    int max_features = 1500;                 ///< Per photograph. > 0.
+    IngestOptions build = {};                ///< Those of the build that is asked about.
+    std::filesystem::path mask_folder = {};  ///< See PoseOptions; empty: none.
+    bool lens_is_told_elsewhere = false;     ///< A build will know it: from boards, or with poses.
     std::optional<double> told_focal_length_px;  ///< For the size looked at, instead of EXIF's.
 };
 
@@ -52,11 +48,12 @@ struct Examination {
 
 /// Looks at photographs (or a video) before the long step: ingest, features, matches and two-view
 /// geometry on small copies, without placing anything. `given_lens`, if any, is the lens of all
-/// photographs. `scratch_folder` is emptied and used. Throws Error (E-INGEST-...).
+/// photographs. The copies lie in a hidden folder of their own within `folder`, which is made, and
+/// are gone at the end, however it comes. Throws Error (E-INGEST-..., E-FILE-WRITE).
 [[nodiscard]] Examination examine_capture(const std::filesystem::path& photographs_or_video,
                                           const std::optional<Camera>& given_lens,
                                           const ExaminationOptions& options,
-                                          const std::filesystem::path& scratch_folder, int threads,
+                                          const std::filesystem::path& folder, int threads,
                                           Progress& progress);
 
 }  // namespace lumi

@@ -105,6 +105,7 @@ double PhotographQuality::contrast() const {
 
 PhotographQuality quality_of(const ColorImage& picture) {
     PhotographQuality quality;
+    quality.longer_side_px = std::max(picture.width(), picture.height());
     const GrayImage levels = gray_of(picture);
     if (levels.empty()) return quality;
     const cv::Mat bytes(levels.height(), levels.width(), CV_8UC1,

@@ -11,6 +11,7 @@ namespace lumi {
 /// that was looked at.
 struct PhotographQuality {
     std::string name;
+    int longer_side_px = 0;
     double mean_linear = 0.0;    ///< Mean brightness as the sensor receives it, 0 to 1.
     double clipped_share = 0.0;  ///< Pixels that are black or white.
     double noise_sigma = 0.0;    ///< Standard deviation of the sensor's noise.

@@ -8,7 +8,7 @@
 
 namespace lumi {
 
-std::optional<CaptureReason> trouble_with(const PhotographQuality& quality, int width_px) {
+std::optional<CaptureReason> trouble_with(const PhotographQuality& quality) {
     constexpr double kMaxClipped = 0.5;
     constexpr double kMinSignalToNoise = 10.0;   // At the best scale; features are finer.
     constexpr double kMinContrast = 2.0;         // Grey levels; features need as much.
@@ -18,7 +18,7 @@ std::optional<CaptureReason> trouble_with(const PhotographQuality& quality, int 
         return CaptureReason::kNoise;
     }
     if (quality.contrast() < kMinContrast) return CaptureReason::kTexture;
-    if (quality.blur_sigma_px > kMaxBlurShare * width_px) return CaptureReason::kBlur;
+    if (quality.blur_sigma_px > kMaxBlurShare * quality.longer_side_px) return CaptureReason::kBlur;
     return std::nullopt;
 }
 

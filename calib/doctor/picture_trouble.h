@@ -9,9 +9,8 @@
 
 namespace lumi {
 
-/// What is wrong with one picture of this width, if anything: kExposure, kNoise, kTexture or kBlur.
-[[nodiscard]] std::optional<CaptureReason> trouble_with(const PhotographQuality& quality,
-                                                        int width_px);
+/// What is wrong with one picture, if anything: kExposure, kNoise, kTexture or kBlur.
+[[nodiscard]] std::optional<CaptureReason> trouble_with(const PhotographQuality& quality);
 
 /// "noisy: 3 of 40 photographs, ...": so many of all are `concerned`.
 [[nodiscard]] std::string picture_trouble_text(CaptureReason reason,

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include "calib/pictures/image_io.h"
 
@@ -19,24 +22,47 @@ fs::path file_of(const std::string& name, const fs::path& copies_folder) {
     return folder_in(copies_folder) / (name + ".png");
 }
 
-/// Of masks of one size, that of the first.
-bool all_hide_the_same(const std::vector<fs::path>& files) {
-    Image<std::size_t> hiding;
-    std::size_t masks = 0;
-    for (const fs::path& file : files) {
+struct PhotographsOfSize {
+    std::size_t count = 0;
+    std::vector<fs::path> masks;  ///< Of those with an alpha channel.
+};
+
+/// How many of the masks, all of one size, hide each pixel; empty where there is none.
+Image<std::uint32_t> hidden_in(const std::vector<fs::path>& masks) {
+    Image<std::uint32_t> counts;
+    for (const fs::path& file : masks) {
         const GrayImage mask = read_gray_png(file);
-        if (masks == 0) hiding = Image<std::size_t>(mask.width(), mask.height(), 0);
-        if (mask.width() != hiding.width() || mask.height() != hiding.height()) continue;
-        ++masks;
+        if (counts.empty()) counts = {mask.width(), mask.height()};
         for (std::size_t i = 0; i < mask.pixels().size(); ++i)
-            if (mask.pixels()[i] == 0) ++hiding.pixels()[i];
+            if (mask.pixels()[i] == 0) ++counts.pixels()[i];
     }
-    const auto hidden = [&](std::size_t least) {
-        return std::count_if(hiding.pixels().begin(), hiding.pixels().end(),
-                             [&](std::size_t count) { return count >= least; });
-    };
+    return counts;
+}
+
+/// Whether any count in the middle half of the picture is not 0.
+bool is_any_in_the_middle(const Image<std::uint32_t>& counts) {
+    for (int y = counts.height() / 4; y < counts.height() - counts.height() / 4; ++y) {
+        const std::uint32_t* row = counts.row(y);
+        if (std::any_of(row + counts.width() / 4, row + counts.width() - counts.width() / 4,
+                        [](std::uint32_t count) { return count > 0; }))
+            return true;
+    }
+    return false;
+}
+
+/// What straightening a lens leaves: a little of the rim, and the same in all photographs.
+bool is_left_by_straightening(const PhotographsOfSize& photographs) {
     constexpr double kSame = 0.9;
-    return static_cast<double>(hidden(masks)) >= kSame * static_cast<double>(hidden(1));
+    constexpr double kLittle = 0.3;
+    const Image<std::uint32_t> counts = hidden_in(photographs.masks);
+    const auto hidden_px = [&](std::size_t least) {
+        return static_cast<double>(
+            std::count_if(counts.pixels().begin(), counts.pixels().end(),
+                          [&](std::uint32_t count) { return count >= least; }));
+    };
+    return hidden_px(photographs.count) >= kSame * hidden_px(1) &&
+           hidden_px(1) <= kLittle * static_cast<double>(counts.pixels().size()) &&
+           !is_any_in_the_middle(counts);
 }
 
 }  // namespace
@@ -48,18 +74,24 @@ void write_cut_out(const std::string& name, const GrayImage& shown, const fs::pa
 void complete_cut_outs(const std::vector<Photograph>& photographs, const fs::path& copies_folder) {
     std::set<fs::path> wanted;
     std::vector<const Photograph*> opaque;
-    std::vector<fs::path> cut_out;
+    std::map<std::pair<int, int>, PhotographsOfSize> by_size;
+    std::error_code status;
     for (const Photograph& photograph : photographs) {
         const fs::path file = file_of(photograph.name, copies_folder);
         wanted.insert(file);
-        if (fs::exists(file)) {
-            cut_out.push_back(file);
+        PhotographsOfSize& alike =
+            by_size[{photograph.original_width_px, photograph.original_height_px}];
+        ++alike.count;
+        if (fs::exists(file, status)) {
+            alike.masks.push_back(file);
         } else {
             opaque.push_back(&photograph);
         }
     }
-    if (cut_out.empty() || all_hide_the_same(cut_out)) return clear_cut_outs(copies_folder);
-    std::error_code status;
+    const bool are_outlines = std::any_of(by_size.begin(), by_size.end(), [](const auto& entry) {
+        return !is_left_by_straightening(entry.second);
+    });
+    if (!are_outlines) return clear_cut_outs(copies_folder);
     std::vector<fs::path> stale;
     for (const auto& entry : fs::recursive_directory_iterator(folder_in(copies_folder)))
         if (entry.is_regular_file() && !wanted.contains(entry.path()))

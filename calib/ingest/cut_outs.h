@@ -18,8 +18,9 @@ void write_cut_out(const std::string& name, const GrayImage& shown,
                    const std::filesystem::path& copies_folder);
 
 /// Where photographs are cut out, gives the others masks, all white. Masks of what is not among
-/// them are removed; and all of them, where nine tenths of what any hides all hide: what
-/// straightening a lens left in the corners is no outline of a subject.
+/// them are removed; and all of them, where photographs of one size hide the same (nine tenths of
+/// what any of them hides), and no more than three tenths of the picture, none of it in the middle
+/// half: what straightening a lens left along the rim is no outline of a subject.
 void complete_cut_outs(const std::vector<Photograph>& photographs,
                        const std::filesystem::path& copies_folder);
 

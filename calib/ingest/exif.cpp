@@ -80,14 +80,15 @@ double aspect_ratio(ImageSize size) {
            std::min(size.width_px, size.height_px);
 }
 
-/// How much smaller the raster is than it was shot; none when it was cropped in between.
-std::optional<double> scale_since_shot(const ExifFacts& exif, ImageSize size) {
-    if (exif.size_as_shot.width_px <= 0 || exif.size_as_shot.height_px <= 0) return 1.0;
+bool is_size_as_shot_told(const ExifFacts& exif) {
+    return exif.size_as_shot.width_px > 0 && exif.size_as_shot.height_px > 0;
+}
+
+/// Whether the raster has another shape than it was shot with.
+bool is_cropped(const ExifFacts& exif, ImageSize size) {
     constexpr double kAspectTolerance = 0.01;
-    if (std::abs(aspect_ratio(size) / aspect_ratio(exif.size_as_shot) - 1) > kAspectTolerance) {
-        return std::nullopt;
-    }
-    return diagonal(size) / diagonal(exif.size_as_shot);
+    return is_size_as_shot_told(exif) &&
+           std::abs(aspect_ratio(size) / aspect_ratio(exif.size_as_shot) - 1) > kAspectTolerance;
 }
 
 }  // namespace
@@ -109,14 +110,16 @@ ExifFacts read_exif(const std::filesystem::path& path, ImageFormat format) {
 }
 
 std::optional<double> focal_length_px_of(const ExifFacts& exif, ImageSize size) {
-    const std::optional<double> scale = scale_since_shot(exif, size);
-    if (!scale) return std::nullopt;
+    if (is_cropped(exif, size)) return std::nullopt;
     std::optional<double> focal_length_px;
     if (exif.focal_length_35mm_equivalent_mm) {
         constexpr double kFilmDiagonalMm = 43.2666153056;  // Of 36 mm x 24 mm.
         focal_length_px = *exif.focal_length_35mm_equivalent_mm * diagonal(size) / kFilmDiagonalMm;
-    } else if (exif.focal_length_mm && exif.focal_plane_pixels_per_mm) {
-        focal_length_px = *exif.focal_length_mm * *exif.focal_plane_pixels_per_mm * *scale;
+    } else if (exif.focal_length_mm && exif.focal_plane_pixels_per_mm &&
+               is_size_as_shot_told(exif)) {
+        const double scale_since_shot = diagonal(size) / diagonal(exif.size_as_shot);
+        focal_length_px =
+            *exif.focal_length_mm * *exif.focal_plane_pixels_per_mm * scale_since_shot;
     }
     // From an 8 mm fisheye to an 800 mm telephoto lens on 35 mm film, and some room.
     constexpr double kMinDiagonals = 0.15;

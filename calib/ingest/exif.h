@@ -23,8 +23,9 @@ struct ExifFacts {
 [[nodiscard]] ExifFacts read_exif(const std::filesystem::path& path, ImageFormat format);
 
 /// Focal length for a raster of `size`. From the 35 mm equivalent by the diagonal of that film
-/// (43.27 mm; CIPA DCG-001), else from the sensor's pixel pitch, else none. None as well when the
-/// raster was cropped after it was shot, or when the figure is beyond any lens.
+/// (43.27 mm; CIPA DCG-001), else from the sensor's pixel pitch where the size as shot is told,
+/// else none. None as well when the raster was cropped after it was shot, or when the figure is
+/// beyond any lens.
 [[nodiscard]] std::optional<double> focal_length_px_of(const ExifFacts& exif, ImageSize size);
 
 /// Equal for photographs of one camera and zoom.

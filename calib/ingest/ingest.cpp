@@ -32,7 +32,9 @@ LeftOut left_out_because_of(const Error& error, const PhotographFile& file) {
                 "the file is damaged or was copied only in part (" + detail + ")"};
     }
     if (error.code() == "E-IMAGE-TOOBIG") return {file.name, "E-INGEST-TOOBIG", detail};
-    if (error.code() == "E-IMAGE-FORMAT") return {file.name, "E-INGEST-FORMAT", detail};
+    if (error.code() == "E-IMAGE-FORMAT") {
+        return {file.name, "E-INGEST-FORMAT", detail + ": " + error.advice()};
+    }
     return {file.name, "E-INGEST-UNREADABLE", detail};
 }
 

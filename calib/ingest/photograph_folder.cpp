@@ -20,8 +20,9 @@ constexpr std::array<std::string_view, 11> kReadExtensions{
 constexpr std::array<std::string_view, 8> kOtherPictureExtensions{".gif", ".bmp", ".exr", ".jxl",
                                                                   ".jp2", ".hdr", ".psd", ".ppm"};
 // Most of these begin like a TIFF, and what a TIFF reader finds first in them is a thumbnail.
-constexpr std::array<std::string_view, 11> kRawExtensions{
-    ".nef", ".cr2", ".cr3", ".arw", ".dng", ".orf", ".rw2", ".raf", ".pef", ".srw", ".nrw"};
+constexpr std::array<std::string_view, 23> kRawExtensions{
+    ".nef", ".cr2", ".cr3", ".arw", ".dng", ".orf", ".rw2", ".raf", ".pef", ".srw", ".nrw", ".3fr",
+    ".fff", ".iiq", ".gpr", ".rwl", ".erf", ".kdc", ".dcr", ".srf", ".sr2", ".mef", ".mos"};
 
 template <std::size_t kCount>
 bool is_one_of(const std::string& extension,
@@ -53,15 +54,21 @@ bool is_made_by_lumi(const fs::path& folder) {
                                              fs::exists(folder / "config.toml", ignored));
 }
 
+/// What of lumi's own lies there: the workspace around the working folder, else that folder alone.
+fs::path own_folder(const fs::path& root, const fs::path& working_folder) {
+    fs::path own = working_folder;
+    for (fs::path folder = own; folder != root && folder.has_relative_path();
+         folder = folder.parent_path()) {
+        if (is_made_by_lumi(folder)) own = folder;
+    }
+    return own;
+}
+
 class FolderWalk {
  public:
     FolderWalk(const fs::path& root, const fs::path& working_folder,
                const std::vector<fs::path>& other_folders) {
-        // Only the first step of the way there is needed: everything below it is lumi's own.
-        const fs::path way =
-            fs::weakly_canonical(working_folder).lexically_relative(fs::weakly_canonical(root));
-        if (!way.empty() && *way.begin() != "..") working_branch_ = *way.begin();
-        if (working_branch_ == ".") working_branch_.clear();
+        own_ = own_folder(fs::weakly_canonical(root), fs::weakly_canonical(working_folder));
         for (const fs::path& folder : other_folders) others_.insert(fs::weakly_canonical(folder));
         others_.erase(fs::weakly_canonical(root));
         walk(root, "");
@@ -82,10 +89,11 @@ class FolderWalk {
  private:
     void walk(const fs::path& folder, const std::string& prefix) {
         std::error_code status;
+        const fs::path canonical = fs::weakly_canonical(folder, status);
         // Links may lead in a circle, or to a folder that lies here as well.
-        if (!walked_.insert(fs::weakly_canonical(folder, status)).second) return;
-        fs::directory_iterator entry(folder, status);
-        if (status) leave_out(prefix, "E-INGEST-UNREADABLE", "this folder may not be read");
+        if (!status && !walked_.insert(canonical).second) return;
+        fs::directory_iterator entry;
+        if (!status) entry = fs::directory_iterator(folder, status);
         for (; !status && entry != fs::directory_iterator(); entry.increment(status)) {
             const std::string file_name = entry->path().filename().string();
             if (file_name.starts_with('.')) continue;
@@ -96,19 +104,27 @@ class FolderWalk {
                 classify(entry->path(), prefix + file_name);
             }
         }
+        if (status) {
+            leave_out(prefix.empty() ? "." : prefix, "E-INGEST-UNREADABLE",
+                      "this folder cannot be read to its end: " + status.message());
+        }
     }
 
     void enter(const fs::directory_entry& folder, const std::string& prefix,
                const std::string& file_name) {
         std::error_code ignored;
+        const fs::path canonical = fs::weakly_canonical(folder.path(), ignored);
+        if (!canonical.empty() && canonical == own_) return;
         if (is_made_by_lumi(folder.path())) {
+            // Workspaces beside the own one come and go, and nobody looks for photographs there.
+            if (canonical.parent_path() == own_.parent_path()) return;
             leave_out(prefix + file_name, "E-INGEST-OWN", "made by lumi: no photographs");
-        } else if (others_.contains(fs::weakly_canonical(folder.path(), ignored))) {
+        } else if (others_.contains(canonical)) {
             leave_out(prefix + file_name, "E-INGEST-OWN",
                       "the configuration names it for something else: no photographs");
         } else if (folder.is_symlink(ignored)) {
             links_.emplace(prefix + file_name + "/", folder.path());
-        } else if (!(prefix.empty() && file_name == working_branch_)) {
+        } else {
             walk(folder.path(), prefix + file_name + "/");
         }
     }
@@ -150,7 +166,7 @@ class FolderWalk {
     }
 
     PhotographFolder found_;
-    std::string working_branch_;
+    fs::path own_;
     std::set<fs::path> others_;
     std::set<fs::path> walked_;
     std::map<std::string, fs::path> links_;  ///< To be walked when all that lies here has been.

@@ -34,11 +34,12 @@ void StandingPixels::add(const ColorImage& photograph) {
     }
 }
 
+double StandingPixels::mean(int x, int y) const { return 1.0 * sums_(x, y).luma / photographs_; }
+
 double StandingPixels::spread(int x, int y) const {
-    const Sums& sums = sums_(x, y);
-    const double mean = 1.0 * sums.luma / photographs_;
-    const double square = 1.0 * sums.luma_squared / photographs_;
-    return std::sqrt(std::max(0.0, square - mean * mean));
+    const double square = 1.0 * sums_(x, y).luma_squared / photographs_;
+    const double of_mean = mean(x, y) * mean(x, y);
+    return std::sqrt(std::max(0.0, square - of_mean));
 }
 
 double StandingPixels::mean_gradient(int x, int y) const {

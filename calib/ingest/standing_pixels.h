@@ -23,7 +23,8 @@ class StandingPixels {
     [[nodiscard]] int width() const { return sums_.width(); }
     [[nodiscard]] int height() const { return sums_.height(); }
 
-    /// Standard deviation over the photographs.
+    /// Mean and standard deviation over the photographs.
+    [[nodiscard]] double mean(int x, int y) const;
     [[nodiscard]] double spread(int x, int y) const;
 
     /// Length of the mean gradient, in levels a pixel.

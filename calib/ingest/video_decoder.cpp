@@ -13,6 +13,7 @@ extern "C" {
 #include <string>
 #include <string_view>
 
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 
 namespace lumi {
@@ -132,15 +133,17 @@ class VideoDecoder::Stream {
     [[nodiscard]] double time_s() const { return time_s_; }
 
     [[nodiscard]] ColorImage picture() {
-        ColorImage picture(frame_->width, frame_->height);
-        convert(color_scaler_, AV_PIX_FMT_RGB24, reinterpret_cast<std::uint8_t*>(picture.row(0)),
-                3 * frame_->width);
+        const ImageSize size = size_of_square_pixels();
+        ColorImage picture(size.width_px, size.height_px);
+        convert(color_scaler_, AV_PIX_FMT_RGB24, size,
+                reinterpret_cast<std::uint8_t*>(picture.row(0)), 3 * size.width_px);
         return picture;
     }
 
     [[nodiscard]] GrayImage brightness() {
         GrayImage picture(frame_->width, frame_->height);
-        convert(gray_scaler_, AV_PIX_FMT_GRAY8, picture.row(0), frame_->width);
+        convert(gray_scaler_, AV_PIX_FMT_GRAY8, {frame_->width, frame_->height}, picture.row(0),
+                frame_->width);
         return picture;
     }
 
@@ -182,19 +185,32 @@ class VideoDecoder::Stream {
         return (frame_->flags & AV_FRAME_FLAG_CORRUPT) != 0 || frame_->decode_error_flags != 0;
     }
 
+    /// Of the frame when the side along which its pixels are longer is stretched, and nothing lost.
+    [[nodiscard]] ImageSize size_of_square_pixels() {
+        constexpr double kMostStretch = 4.0;  // No tape or telephone has more: a damaged header.
+        const double shape = av_q2d(
+            av_guess_sample_aspect_ratio(format_.get(), format_->streams[index_], frame_.get()));
+        if (!(shape > 1 / kMostStretch && shape < kMostStretch))
+            return {frame_->width, frame_->height};
+        const auto stretched = [](int side_px, double factor) {
+            return static_cast<int>(std::lround(side_px * std::max(1.0, factor)));
+        };
+        return {stretched(frame_->width, shape), stretched(frame_->height, 1 / shape)};
+    }
+
     struct FreeScaler {
         void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
     };
     using Scaler = std::unique_ptr<SwsContext, FreeScaler>;
 
-    void convert(Scaler& scaler, AVPixelFormat to, std::uint8_t* rows, int bytes_per_row) {
+    void convert(Scaler& scaler, AVPixelFormat to, ImageSize size, std::uint8_t* rows,
+                 int bytes_per_row) {
         const auto of_full_range = format_of_full_range(frame_->format);
         const auto from = of_full_range.value_or(static_cast<AVPixelFormat>(frame_->format));
         constexpr int kExact = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT;
-        const int width = frame_->width;
-        const int height = frame_->height;
-        scaler.reset(sws_getCachedContext(scaler.release(), width, height, from, width, height, to,
-                                          kExact, nullptr, nullptr, nullptr));
+        scaler.reset(sws_getCachedContext(scaler.release(), frame_->width, frame_->height, from,
+                                          size.width_px, size.height_px, to, kExact, nullptr,
+                                          nullptr, nullptr));
         if (!scaler) refuse_video(path_);
         const bool is_full_range = of_full_range || frame_->color_range == AVCOL_RANGE_JPEG;
         const int* matrix = sws_getCoefficients(matrix_of(*frame_, of_full_range.has_value()));
@@ -202,8 +218,8 @@ class VideoDecoder::Stream {
         // What is RGB already has no matrix, and says so by failing.
         sws_setColorspaceDetails(scaler.get(), matrix, is_full_range ? 1 : 0, matrix, 1, 0,
                                  kUnchanged, kUnchanged);
-        if (sws_scale(scaler.get(), frame_->data, frame_->linesize, 0, height, &rows,
-                      &bytes_per_row) != height) {
+        if (sws_scale(scaler.get(), frame_->data, frame_->linesize, 0, frame_->height, &rows,
+                      &bytes_per_row) != size.height_px) {
             refuse_video(path_);
         }
     }

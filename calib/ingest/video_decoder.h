@@ -36,9 +36,10 @@ class VideoDecoder {
     [[nodiscard]] bool next();
     /// Of the present frame, from the first one on.
     [[nodiscard]] double time_s() const;
-    /// The present frame as it is stored, not turned, by the video's own primaries and curve.
+    /// The present frame, not turned, by the video's own primaries and curve; where its pixels are
+    /// not square (DV, HDV) it is stretched until they are.
     [[nodiscard]] ColorImage picture();
-    /// Its brightness alone, which is found sooner.
+    /// Its brightness alone, which is found sooner, in the raster that is stored.
     [[nodiscard]] GrayImage brightness();
 
  private:

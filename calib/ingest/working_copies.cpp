@@ -23,12 +23,11 @@ fs::path copy_path(const fs::path& folder, std::size_t number) {
     return folder / name;
 }
 
-/// 000001.png, 000001.png.aBcDeF that an interrupted run left behind, and masks of what was laid
-/// over them.
+/// 000001.png, and masks of what was laid over such copies.
 bool is_of_working_copies(const std::string& file_name) {
-    if (file_name.starts_with(kOverlayPrefix)) return true;
-    const std::size_t digits = std::min(file_name.find_first_not_of("0123456789"), kDigits + 1);
-    return digits == kDigits && file_name.compare(kDigits, 4, ".png") == 0;
+    return file_name.starts_with(kOverlayPrefix) ||
+           (file_name.find_first_not_of("0123456789") == kDigits &&
+            file_name.substr(kDigits) == ".png");
 }
 
 [[noreturn]] void refuse_folder(const fs::path& folder, const std::error_code& status) {
@@ -37,18 +36,18 @@ bool is_of_working_copies(const std::string& file_name) {
                 "check that you may write there");
 }
 
-std::string size_text(int width_px, int height_px) {
-    return std::to_string(width_px) + "x" + std::to_string(height_px);
+std::string size_text(ImageSize size) {
+    return std::to_string(size.width_px) + "x" + std::to_string(size.height_px);
 }
 
-std::pair<int, int> working_size(const ColorImage& raster, int max_width_px) {
-    const int longer = std::max(raster.width(), raster.height());
-    if (max_width_px == 0 || longer <= max_width_px) return {raster.width(), raster.height()};
+ImageSize working_size(ImageSize original, int max_width_px) {
+    const int longer = std::max(original.width_px, original.height_px);
+    if (max_width_px == 0 || longer <= max_width_px) return original;
     const double scale = static_cast<double>(max_width_px) / longer;
     const auto scaled = [&](int side) {
         return std::max(1, static_cast<int>(std::lround(scale * side)));
     };
-    return {scaled(raster.width()), scaled(raster.height())};
+    return {scaled(original.width_px), scaled(original.height_px)};
 }
 
 }  // namespace
@@ -75,21 +74,28 @@ void clear_working_copies(const fs::path& folder) {
     }
 }
 
+std::optional<LeftOut> left_out_as_tiny(const std::string& name, ImageSize original,
+                                        const IngestOptions& options) {
+    const ImageSize copy = working_size(original, options.max_width_px);
+    // Never scaled up: a tiny original has a tiny copy.
+    if (std::min(copy.width_px, copy.height_px) >= options.min_width_px) return std::nullopt;
+    const bool is_scaled =
+        copy.width_px != original.width_px || copy.height_px != original.height_px;
+    return LeftOut{name, "E-INGEST-TINY",
+                   size_text(original) + " pixels" +
+                       (is_scaled ? ", scaled to " + size_text(copy) : "") +
+                       "; the shorter side needs at least " + std::to_string(options.min_width_px)};
+}
+
 Candidate make_working_copy(const ColorImage& raster, const std::string& name,
                             const IngestOptions& options, const fs::path& folder,
                             std::size_t number) {
     Candidate candidate;
-    const auto [width_px, height_px] = working_size(raster, options.max_width_px);
+    const ImageSize original{raster.width(), raster.height()};
+    candidate.left_out = left_out_as_tiny(name, original, options);
+    if (candidate.left_out) return candidate;
+    const auto [width_px, height_px] = working_size(original, options.max_width_px);
     const bool as_it_is = width_px == raster.width() && height_px == raster.height();
-    // Never scaled up: a tiny original has a tiny copy.
-    if (std::min(width_px, height_px) < options.min_width_px) {
-        const std::string size = size_text(raster.width(), raster.height()) + " pixels" +
-                                 (as_it_is ? "" : ", scaled to " + size_text(width_px, height_px));
-        candidate.left_out = LeftOut{
-            name, "E-INGEST-TINY",
-            size + "; the shorter side needs at least " + std::to_string(options.min_width_px)};
-        return candidate;
-    }
     Photograph& photograph = candidate.photograph;
     photograph.name = name;
     photograph.picture_path = copy_path(folder, number);

@@ -22,7 +22,7 @@ constexpr const char* kMiddleburyEnding = "_par.txt";
 [[noreturn]] void refuse_format(const fs::path& path, const std::string& what) {
     throw Error(ErrorKind::kBadInput, "E-IMPORT-FORMAT", path.string() + ": " + what,
                 "give a COLMAP model folder, transforms.json, poses_bounds.npy, a Middlebury "
-                "*_par.txt or a folder of .camera files");
+                "*_par.txt, a .camera file or a folder of them");
 }
 
 std::vector<fs::path> sorted_files(const fs::path& folder) {
@@ -46,7 +46,7 @@ KnownPoses read_colmap(const fs::path& folder) {
     return known;
 }
 
-KnownPoses read_strecha_folder(const std::vector<fs::path>& files) {
+KnownPoses read_strecha_files(const std::vector<fs::path>& files) {
     KnownPoses known;
     known.format = "Strecha .camera files";
     for (const fs::path& file : files) {
@@ -73,7 +73,7 @@ KnownPoses read_folder(const fs::path& folder) {
     }
     if (std::any_of(files.begin(), files.end(),
                     [](const fs::path& file) { return file.extension() == kStrechaEnding; })) {
-        return read_strecha_folder(files);
+        return read_strecha_files(files);
     }
     if (std::count_if(files.begin(), files.end(), is_single_file_of_poses) == 1) {
         return read_known_poses(*std::find_if(files.begin(), files.end(), is_single_file_of_poses));
@@ -90,6 +90,8 @@ KnownPoses read_known_poses(const fs::path& path) {
     std::string beginning(256, '\0');
     stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
     beginning.resize(static_cast<std::size_t>(stream.gcount()));
+    // It begins with a digit, too, but each file is one view.
+    if (path.extension() == kStrechaEnding) return read_strecha_files({path});
     if (beginning.starts_with("\x93NUMPY")) return read_poses_bounds(path);
     const std::string_view text = without_byte_order_mark(beginning);
     const std::size_t first = text.find_first_not_of(" \t\r\n");

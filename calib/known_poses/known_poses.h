@@ -29,9 +29,9 @@ struct KnownPoses {
 };
 
 /// Reads a COLMAP model folder, `transforms.json`, `poses_bounds.npy`, a Middlebury `*_par.txt` or
-/// a folder of Strecha `.camera` files; a folder that holds exactly one of the single files will do
-/// too. A folder's format is told by the names of its files, that of a file by how it begins.
-/// Throws Error: E-IMPORT-FORMAT, or that of the format.
+/// a Strecha `.camera` file or a folder of them; a folder that holds exactly one of the other
+/// single files will do too. A folder's format is told by the names of its files, that of a file by
+/// how it begins, or by `.camera`. Throws Error: E-IMPORT-FORMAT, or that of the format.
 [[nodiscard]] KnownPoses read_known_poses(const std::filesystem::path& path);
 
 /// Adds the lens unless it stands there already; its index.

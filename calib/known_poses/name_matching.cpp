@@ -34,7 +34,18 @@ std::string last_word(const std::string& name) {
     return file.substr(file.find_last_of(' ') + 1);
 }
 
-constexpr std::array<NamePart, 5> kParts{whole, file_name_with_folder, file_name, stem, last_word};
+struct ComparedParts {
+    NamePart of_wanted;
+    NamePart of_available;
+};
+
+/// The last but one: of "scan.0001" ".0001" is no ending, where the file is "scan.0001.png".
+constexpr std::array<ComparedParts, 6> kWays{{{whole, whole},
+                                              {file_name_with_folder, file_name_with_folder},
+                                              {file_name, file_name},
+                                              {stem, stem},
+                                              {file_name, stem},
+                                              {last_word, last_word}}};
 
 /// The index of each part; none where two names share it.
 std::map<std::string, std::optional<std::size_t>> index_by(NamePart part,
@@ -47,11 +58,11 @@ std::map<std::string, std::optional<std::size_t>> index_by(NamePart part,
     return indices;
 }
 
-Matches matches_by(NamePart part, const std::vector<std::string>& wanted,
+Matches matches_by(const ComparedParts& parts, const std::vector<std::string>& wanted,
                    const std::vector<std::string>& available) {
-    const auto available_by_part = index_by(part, available);
+    const auto available_by_part = index_by(parts.of_available, available);
     Matches matches(wanted.size());
-    for (const auto& [key, index] : index_by(part, wanted)) {
+    for (const auto& [key, index] : index_by(parts.of_wanted, wanted)) {
         const auto found = available_by_part.find(key);
         if (index && found != available_by_part.end()) matches[*index] = found->second;
     }
@@ -64,8 +75,8 @@ Matches matched_names(const std::vector<std::string>& wanted,
                       const std::vector<std::string>& available) {
     Matches best(wanted.size());
     std::ptrdiff_t best_count = 0;
-    for (const NamePart part : kParts) {
-        Matches matches = matches_by(part, wanted, available);
+    for (const ComparedParts& parts : kWays) {
+        Matches matches = matches_by(parts, wanted, available);
         const auto count = std::count_if(matches.begin(), matches.end(),
                                          [](const auto& match) { return match.has_value(); });
         if (count > best_count) {

@@ -30,7 +30,8 @@ struct LensTrial {
     std::vector<double> sigma;      ///< Standard deviation of each parameter; 0 where it is held.
     double residual_sum_px2 = 0.0;  ///< Of that fit: the sum of squares.
     int residuals = 0;              ///< Of that fit: two for each point.
-    /// The same groups in every trial; empty: not predicted. Unusable ones are skipped.
+    /// The same groups of the same pixels in every trial; empty: not predicted. Unusable ones are
+    /// skipped.
     std::vector<HeldOutFold> folds;
     std::string not_predicted;  ///< Why `folds` is empty.
     /// What speaks against the lens in those parts of the picture where nothing was seen

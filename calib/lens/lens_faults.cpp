@@ -4,6 +4,8 @@
 #include <cmath>
 #include <complex>
 
+#include "calib/capture/lens_distortion.h"
+
 namespace lumi {
 namespace {
 
@@ -14,17 +16,14 @@ double distortion_term(const Camera& lens, std::size_t index) {
 
 /// Radius at depth 1 (or the angle, for a fisheye) after distortion, without tangential terms.
 double bent_radius(const Camera& lens, double radius) {
-    const auto k = [&](std::size_t index) { return distortion_term(lens, index); };
-    const double r2 = radius * radius;
-    if (lens.model == LensModel::kOpenCvFisheye) {
-        return radius * (1 + r2 * (k(0) + r2 * (k(1) + r2 * (k(2) + r2 * k(3)))));
-    }
-    const double third = lens.model == LensModel::kFullOpenCv ? k(4) : 0.0;
-    double divisor = 1;
-    if (lens.model == LensModel::kFullOpenCv) {
-        divisor = 1 + r2 * (k(5) + r2 * (k(6) + r2 * k(7)));
-    }
-    return radius * (1 + r2 * (k(0) + r2 * (k(1) + r2 * third))) / divisor;
+    const double* terms = lens.parameters.data() + first_distortion_parameter(lens.model);
+    if (lens.model == LensModel::kOpenCvFisheye) return fisheye_radius(radius, terms);
+    return with_lens_model(lens.model, [&](auto model) {
+        BrownTerms<double> brown = brown_terms<decltype(model)::value>(terms);
+        constexpr std::size_t kFirstTangential = 2;
+        brown[kFirstTangential] = brown[kFirstTangential + 1] = 0;
+        return distorted_brown(Eigen::Vector2d(radius, 0), brown).x();
+    });
 }
 
 bool is_one_to_one(const Camera& lens, double farthest) {

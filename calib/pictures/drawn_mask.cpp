@@ -32,12 +32,13 @@ GrayImage read_gray_picture(const fs::path& path) {
 }  // namespace
 
 fs::path mask_file_of(const std::string& name, const fs::path& folder) {
-    fs::path by_stem = folder / name;
-    by_stem.replace_extension(".png");
-    if (fs::is_regular_file(by_stem)) return by_stem;
     fs::path appended = folder / name;
     appended += ".png";
-    return fs::is_regular_file(appended) ? appended : fs::path();
+    // First: x.jpg and x.png have a stem in common.
+    if (fs::is_regular_file(appended)) return appended;
+    fs::path by_stem = folder / name;
+    by_stem.replace_extension(".png");
+    return fs::is_regular_file(by_stem) ? by_stem : fs::path();
 }
 
 GrayImage read_drawn_mask(const std::string& name, int width_px, int height_px,

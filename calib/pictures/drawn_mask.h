@@ -8,7 +8,7 @@
 namespace lumi {
 
 /// Where the mask of a photograph lies: a black and white PNG in `folder` with the photograph's
-/// name, its extension replaced by or followed by ".png". Empty when there is none.
+/// name, its extension followed by ".png", else replaced by it. Empty when there is none.
 [[nodiscard]] std::filesystem::path mask_file_of(const std::string& name,
                                                  const std::filesystem::path& folder);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,13 @@ using Decoded = std::unique_ptr<const heif_image, void (*)(const heif_image*)>;
 
 void expect_ok(const heif_error& error, const std::filesystem::path& path) {
     if (error.code == heif_error_Ok) return;
+    // The other error of this code is that a file asks for absurdly much.
+    if (error.code == heif_error_Memory_allocation_error &&
+        error.subcode != heif_suberror_Security_limit_exceeded)
+        throw std::bad_alloc();
     if (error.code == heif_error_Unsupported_filetype ||
         error.code == heif_error_Unsupported_feature) {
-        throw Error(ErrorKind::kBadInput, "E-IMAGE-FORMAT", path.string() + ": " + error.message,
-                    "export the picture as JPEG");
+        refuse_unsupported_image(path, error.message);
     }
     refuse_truncated_image(path, error.message);
 }

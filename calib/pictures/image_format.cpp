@@ -111,4 +111,10 @@ void refuse_truncated_image(const std::filesystem::path& path, const std::string
                 "copy the picture again from the camera; this file is damaged");
 }
 
+void refuse_unsupported_image(const std::filesystem::path& path, const std::string& reason) {
+    throw Error(ErrorKind::kBadInput, "E-IMAGE-FORMAT",
+                path.string() + ": coded in a way that lumi does not read (" + reason + ")",
+                "export the picture as 8-bit JPEG");
+}
+
 }  // namespace lumi

@@ -30,4 +30,9 @@ void check_image_size(ImageSize size, std::size_t max_pixels, const std::filesys
 [[noreturn]] void refuse_truncated_image(const std::filesystem::path& path,
                                          const std::string& reason);
 
+/// Throws Error (E-IMAGE-FORMAT): whole, as far as can be told, but coded in a way that is not
+/// decoded, such as lossless JPEG.
+[[noreturn]] void refuse_unsupported_image(const std::filesystem::path& path,
+                                           const std::string& reason);
+
 }  // namespace lumi

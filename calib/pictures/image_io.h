@@ -26,8 +26,9 @@ struct SrgbPicture {
 /// applied. Converted are the numbers of an embedded ICC profile or of coded colours, of Adobe RGB
 /// by EXIF alone, of floats (which are light, unless the file says otherwise) and of inks; what is
 /// transparent is seen before black. Throws Error: E-IMAGE-FORMAT (not one of these formats, by
-/// content, or coded for HDR by PQ), E-IMAGE-TRUNCATED (the file ends early or its decoder warns),
-/// E-IMAGE-TOOBIG (more than `max_pixels`, checked before decoding), E-FILE-READ.
+/// content, or coded for HDR by PQ or in a way that its decoder lacks), E-IMAGE-TRUNCATED (the file
+/// ends early or its decoder warns), E-IMAGE-TOOBIG (more than `max_pixels`, checked before
+/// decoding), E-FILE-READ.
 [[nodiscard]] SrgbPicture read_srgb_picture(const std::filesystem::path& path,
                                             std::size_t max_pixels = std::size_t{1} << 28);
 /// The same, where nobody asks what was done.

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,24 @@ struct CloseTurboJpeg {
 };
 using TurboJpeg = std::unique_ptr<void, CloseTurboJpeg>;
 
+TurboJpeg new_decoder() {
+    TurboJpeg decoder(tjInitDecompress());
+    if (!decoder) throw std::bad_alloc();
+    return decoder;
+}
+
+/// By what the decoder says, in the words of libjpeg and TurboJPEG.
+[[noreturn]] void refuse_jpeg(const std::filesystem::path& path, const std::string& fault) {
+    if (fault.starts_with("Insufficient memory") || fault.ends_with("Memory allocation failure")) {
+        throw std::bad_alloc();
+    }
+    if (fault.starts_with("Unsupported JPEG process") ||
+        fault.starts_with("Unsupported JPEG data precision")) {
+        refuse_unsupported_image(path, fault);
+    }
+    refuse_truncated_image(path, fault);
+}
+
 struct JpegHeader {
     ImageSize size;
     int color_space = 0;
@@ -38,7 +57,7 @@ JpegHeader read_header(void* decoder, std::span<const std::uint8_t> bytes,
     // TurboJPEG has no name for every subsampling that it decodes, and has read the rest by then.
     const bool is_only_unnamed = subsampling < 0 && header.color_space >= 0 &&
                                  header.size.width_px > 0 && header.size.height_px > 0;
-    if (failed != 0 && !is_only_unnamed) refuse_truncated_image(path, tjGetErrorStr2(decoder));
+    if (failed != 0 && !is_only_unnamed) refuse_jpeg(path, tjGetErrorStr2(decoder));
     return header;
 }
 
@@ -109,20 +128,20 @@ void decode_or_refuse(void* decoder, std::span<const std::uint8_t> bytes, const 
     if (is_about_scan_header(fault)) {
         fault = decode_into(decoder, with_all_coefficients(bytes), header, pixel_format, pixels);
     }
-    if (!fault.empty()) refuse_truncated_image(path, fault);
+    if (!fault.empty()) refuse_jpeg(path, fault);
 }
 
 }  // namespace
 
 ImageSize jpeg_size(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-    const TurboJpeg decoder(tjInitDecompress());
+    const TurboJpeg decoder = new_decoder();
     return read_header(decoder.get(), bytes, path).size;
 }
 
 StoredPicture decode_jpeg(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
                           const std::filesystem::path& path) {
     static_assert(sizeof(Rgb8) == 3 && sizeof(InvertedCmyk8) == 4);
-    const TurboJpeg decoder(tjInitDecompress());
+    const TurboJpeg decoder = new_decoder();
     const JpegHeader header = read_header(decoder.get(), bytes, path);
     check_image_size(header.size, max_pixels, path);
     StoredPicture stored;

@@ -9,13 +9,14 @@
 
 namespace lumi {
 
-/// Size from the JPEG header. Throws Error (E-IMAGE-TRUNCATED).
+/// Size from the JPEG header. Throws Error (E-IMAGE-TRUNCATED, E-IMAGE-FORMAT).
 [[nodiscard]] ImageSize jpeg_size(std::span<const std::uint8_t> bytes,
                                   const std::filesystem::path& path);
 
 /// The raster of a JPEG. A warning of the decoder (missing scan lines, corrupt data) is an Error:
 /// common readers return half-grey pictures without a word. Only padding before the end marker is
-/// passed over.
+/// passed over. Throws Error: E-IMAGE-TRUNCATED, E-IMAGE-TOOBIG, E-IMAGE-FORMAT (a lossless one, or
+/// one of 12 bits).
 [[nodiscard]] StoredPicture decode_jpeg(std::span<const std::uint8_t> bytes, std::size_t max_pixels,
                                         const std::filesystem::path& path);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -36,6 +37,7 @@ cv::Mat decode(std::span<const std::uint8_t> bytes, int flags, std::size_t max_p
     try {
         decoded = cv::imdecode(encoded, flags | cv::IMREAD_IGNORE_ORIENTATION);
     } catch (const cv::Exception& exception) {
+        if (exception.code == cv::Error::StsNoMem) throw std::bad_alloc();
         refuse_truncated_image(path, exception.what());
     }
     if (decoded.empty()) refuse_truncated_image(path, "the PNG cannot be decoded");

@@ -19,6 +19,15 @@ namespace {
 constexpr const char* kUnassociatedAlpha = "oiio:UnassociatedAlpha";
 constexpr const char* kRawColor = "oiio:RawColor";
 
+/// By what the decoder says, in the words of libtiff.
+[[noreturn]] void refuse_tiff(const std::filesystem::path& path, const std::string& fault) {
+    const auto says = [&](const char* words) { return fault.find(words) != std::string::npos; };
+    if (says("Compression scheme") || says("compression support is not configured")) {
+        refuse_unsupported_image(path, fault);
+    }
+    refuse_truncated_image(path, fault);
+}
+
 /// Opens by OpenImageIO's TIFF reader only, whatever the file is called. With `as_stored` (one of
 /// OpenImageIO's) set, samples are handed out without what it names applied to them.
 std::unique_ptr<OIIO::ImageInput> open_tiff(const std::filesystem::path& path,
@@ -28,7 +37,7 @@ std::unique_ptr<OIIO::ImageInput> open_tiff(const std::filesystem::path& path,
     OIIO::ImageSpec wish;
     wish.attribute(as_stored, 1);
     if (!input || !input->open(path.string(), spec, wish)) {
-        refuse_truncated_image(path, input ? input->geterror() : OIIO::geterror());
+        refuse_tiff(path, input ? input->geterror() : OIIO::geterror());
     }
     return input;
 }
@@ -43,7 +52,7 @@ std::vector<Sample> read_samples(OIIO::ImageInput& input, OIIO::TypeDesc type,
     std::vector<Sample> samples(static_cast<std::size_t>(spec.width) *
                                 static_cast<std::size_t>(spec.height) * channels);
     const bool read = input.read_image(0, 0, 0, spec.nchannels, type, samples.data());
-    if (!read || input.has_error()) refuse_truncated_image(path, input.geterror());
+    if (!read || input.has_error()) refuse_tiff(path, input.geterror());
     return samples;
 }
 

@@ -3,6 +3,7 @@
 #include <webp/decode.h>
 
 #include <algorithm>
+#include <new>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,19 @@ std::optional<Bytes> chunk_of(ByteSpan bytes, std::string_view name) {
     return std::nullopt;
 }
 
+void decode_into(ByteSpan bytes, const SampleLayout& layout, std::vector<std::uint8_t>& samples,
+                 const std::filesystem::path& path) {
+    WebPDecoderConfig config;
+    WebPInitDecoderConfig(&config);
+    config.output.colorspace = layout.channels == 4 ? MODE_RGBA : MODE_RGB;
+    config.output.is_external_memory = 1;
+    config.output.u.RGBA = {samples.data(), layout.channels * layout.width_px, samples.size()};
+    const VP8StatusCode status = WebPDecode(bytes.data(), bytes.size(), &config);
+    WebPFreeDecBuffer(&config.output);
+    if (status == VP8_STATUS_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (status != VP8_STATUS_OK) refuse_truncated_image(path, "the WebP ends early or is damaged");
+}
+
 }  // namespace
 
 ImageSize webp_size(ByteSpan bytes, const std::filesystem::path& path) {
@@ -65,14 +79,10 @@ StoredPicture decode_webp(ByteSpan bytes, std::size_t max_pixels,
                               .channels = has_alpha ? 4 : 3,
                               .alpha_channel = has_alpha ? 3 : -1,
                               .is_premultiplied = false};
-    const int bytes_a_row = layout.channels * layout.width_px;
-    std::vector<std::uint8_t> samples(static_cast<std::size_t>(bytes_a_row) *
+    std::vector<std::uint8_t> samples(static_cast<std::size_t>(layout.channels) *
+                                      static_cast<std::size_t>(layout.width_px) *
                                       static_cast<std::size_t>(layout.height_px));
-    const auto decode = has_alpha ? WebPDecodeRGBAInto : WebPDecodeRGBInto;
-    if (decode(bytes.data(), bytes.size(), samples.data(), samples.size(), bytes_a_row) ==
-        nullptr) {
-        refuse_truncated_image(path, "the WebP ends early or is damaged");
-    }
+    decode_into(bytes, layout, samples, path);
     StoredPicture stored;
     stored.raster = before_black<Rgb8, std::uint8_t>(samples, layout, stored.shown);
     stored.tags.icc_profile = chunk_of(bytes, "ICCP");

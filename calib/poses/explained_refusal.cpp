@@ -49,7 +49,6 @@ CaptureEvidence evidence_of(const MappingJob& job, const MatchedPhotographs& mat
     evidence.width_px = std::min(evidence.width_px, kLongerSide_px);
     evidence.photographs = qualities_of(job, kLongerSide_px);
     evidence.motion = matched.motion;
-    evidence.lens_is_known = job.lens_is_calibrated;
     evidence.focal_lengths_are_known = focal_lengths_are_known(job.groups);
     std::vector<const VerifiedPair*> pairs;
     for (const VerifiedPair& pair : matched.pairs) {

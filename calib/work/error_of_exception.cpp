@@ -2,12 +2,22 @@
 
 #include <filesystem>
 #include <new>
+#include <opencv2/core.hpp>
 
 namespace lumi {
+namespace {
+
+bool is_out_of_memory(const std::exception& exception) {
+    if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) return true;
+    const auto* of_opencv = dynamic_cast<const cv::Exception*>(&exception);
+    return of_opencv != nullptr && of_opencv->code == cv::Error::StsNoMem;
+}
+
+}  // namespace
 
 std::optional<Error> error_of_exception(const std::exception& exception) {
     if (const auto* error = dynamic_cast<const Error*>(&exception)) return *error;
-    if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) {
+    if (is_out_of_memory(exception)) {
         return Error(ErrorKind::kResources, "E-MEMORY", "memory ran out",
                      "set a smaller max_width_px under [capture], or fewer --threads");
     }

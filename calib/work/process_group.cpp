@@ -10,14 +10,11 @@
 #include <cstring>
 #include <string_view>
 
+#include "calib/work/cpu_time.h"
 #include "calib/work/error.h"
 
 namespace lumi {
 namespace {
-
-double seconds_of(const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
 
 /// The environment without a display: a program that looks for one must not find the user's.
 std::vector<std::string> headless_environment() {
@@ -141,8 +138,6 @@ void ProcessGroup::kill_and_reap() {
     reaped_ = true;
 }
 
-double ProcessGroup::cpu_s() const {
-    return seconds_of(usage_.ru_utime) + seconds_of(usage_.ru_stime);
-}
+double ProcessGroup::cpu_s() const { return cpu_s_of(usage_); }
 
 }  // namespace lumi

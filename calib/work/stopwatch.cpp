@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "calib/work/cpu_time.h"
+
 namespace lumi {
 namespace {
 
@@ -13,30 +15,24 @@ double wall_now_s() {
     return std::chrono::duration<double>(now).count();
 }
 
-double seconds(const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
 rusage usage_of(int who) {
     rusage usage{};
     getrusage(who, &usage);
     return usage;
 }
 
-double cpu_s(const rusage& usage) { return seconds(usage.ru_utime) + seconds(usage.ru_stime); }
-
 }  // namespace
 
 Stopwatch::Stopwatch()
     : wall_start_s_(wall_now_s()),
-      cpu_start_s_(cpu_s(usage_of(RUSAGE_SELF)) + cpu_s(usage_of(RUSAGE_CHILDREN))) {}
+      cpu_start_s_(cpu_s_of(usage_of(RUSAGE_SELF)) + cpu_s_of(usage_of(RUSAGE_CHILDREN))) {}
 
 Cost Stopwatch::elapsed() const {
     const rusage self = usage_of(RUSAGE_SELF);
     const rusage children = usage_of(RUSAGE_CHILDREN);
     Cost cost;
     cost.wall_s = wall_now_s() - wall_start_s_;
-    cost.cpu_s = cpu_s(self) + cpu_s(children) - cpu_start_s_;
+    cost.cpu_s = cpu_s_of(self) + cpu_s_of(children) - cpu_start_s_;
     cost.peak_mib = static_cast<double>(std::max(self.ru_maxrss, children.ru_maxrss)) / 1024.0;
     return cost;
 }

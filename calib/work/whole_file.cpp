@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "calib/work/error.h"
+#include "calib/work/unfinished_sibling.h"
 
 namespace lumi {
 namespace {
@@ -36,24 +37,16 @@ void require_room_in(const fs::path& folder, const fs::path& path) {
     if (::access(nearest.c_str(), W_OK | X_OK) != 0) refuse_write(path, errno);
 }
 
-/// Hidden, and unlike any name that somebody gives to a copy.
-std::string sibling_prefix(const fs::path& target) {
-    return "." + target.filename().string() + ".new-";
-}
-
 /// A temporary file beside its target that vanishes unless it is renamed into place.
 class TemporarySibling {
  public:
     explicit TemporarySibling(const fs::path& target)
-        : target_(target),
-          pattern_((target.parent_path() / (sibling_prefix(target) + "XXXXXX")).string()) {
-        descriptor_ = ::mkostemp(pattern_.data(), O_CLOEXEC);
-        if (descriptor_ < 0) refuse_write(target_, errno);
-        ::fchmod(descriptor_, 0644);
-    }
+        : target_(target), path_(make_unfinished_sibling(target, [this](const char* path) {
+              return descriptor_ = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+          })) {}
     ~TemporarySibling() {
         if (descriptor_ >= 0) ::close(descriptor_);
-        if (!renamed_) ::unlink(pattern_.c_str());
+        if (!renamed_) ::unlink(path_.c_str());
     }
     TemporarySibling(const TemporarySibling&) = delete;
     TemporarySibling& operator=(const TemporarySibling&) = delete;
@@ -72,14 +65,14 @@ class TemporarySibling {
         const int closed = ::close(descriptor_);
         descriptor_ = -1;
         if (closed != 0) refuse_write(target_, errno);
-        if (::rename(pattern_.c_str(), target_.c_str()) != 0) refuse_write(target_, errno);
+        if (::rename(path_.c_str(), target_.c_str()) != 0) refuse_write(target_, errno);
         renamed_ = true;
     }
 
  private:
-    fs::path target_;
-    std::string pattern_;
     int descriptor_ = -1;
+    fs::path target_;
+    fs::path path_;
     bool renamed_ = false;
 };
 
@@ -98,7 +91,7 @@ void remove_unfinished_siblings(const fs::path& path) {
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(path), ignored)) {
         const bool is_file = entry.symlink_status(ignored).type() == fs::file_type::regular;
-        if (is_file && entry.path().filename().string().starts_with(sibling_prefix(path)))
+        if (is_file && entry.path().filename().string().starts_with(unfinished_prefix(path)))
             unfinished.push_back(entry.path());
     }
     for (const fs::path& sibling : unfinished) fs::remove(sibling, ignored);

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -13,6 +12,7 @@
 
 #include "calib/work/error.h"
 #include "calib/work/printable.h"
+#include "calib/work/unfinished_sibling.h"
 #include "calib/work/whole_file.h"
 
 namespace lumi {
@@ -26,10 +26,6 @@ fs::path settled(const fs::path& target) {
     fs::path path = fs::weakly_canonical(fs::absolute(target).lexically_normal());
     if (!path.has_filename()) path = path.parent_path();
     return path;
-}
-
-std::string staging_prefix(const fs::path& target) {
-    return "." + target.filename().string() + ".new-";
 }
 
 fs::path aside(const fs::path& target) {
@@ -79,9 +75,10 @@ void clean_up_after_killed_runs(const fs::path& unsettled_target) {
     std::error_code ignored;
     if (fs::exists(aside(target), ignored)) {
         if (!fs::exists(target, ignored)) fs::rename(aside(target), target, ignored);
-        fs::remove_all(aside(target), ignored);
+        // Where it could not come back it is the only one.
+        if (fs::exists(target, ignored)) fs::remove_all(aside(target), ignored);
     }
-    const std::string prefix = staging_prefix(target);
+    const std::string prefix = unfinished_prefix(target);
     for (const fs::directory_entry& entry : fs::directory_iterator(target.parent_path(), ignored)) {
         if (entry.path().filename().string().starts_with(prefix)) remove_if_abandoned(entry.path());
     }
@@ -124,19 +121,15 @@ WholeFolder::WholeFolder(const fs::path& target) : target_(settled(target)) {
 }
 
 void WholeFolder::make_staging() {
-    const std::string pattern =
-        (target_.parent_path() / (staging_prefix(target_) + "XXXXXX")).string();
     // Another run may take a folder that is not locked yet for an abandoned one: then try again.
     while (lock_ < 0) {
-        std::string name = pattern;
-        if (::mkdtemp(name.data()) == nullptr) refuse_write(target_, errno);
-        staging_ = name;
+        staging_ =
+            make_unfinished_sibling(target_, [](const char* path) { return ::mkdir(path, 0777); });
         const int descriptor = open_folder(staging_);
         if (descriptor < 0 && errno != ENOENT) refuse_write(staging_, errno);
         if (descriptor < 0) continue;
         ::flock(descriptor, LOCK_EX);  // Not every file system can; then nothing is cleaned either.
         if (is_still_there(staging_, descriptor)) {
-            ::fchmod(descriptor, 0755);
             lock_ = descriptor;
         } else {
             ::close(descriptor);

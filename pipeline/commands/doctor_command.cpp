@@ -178,16 +178,11 @@ void run_doctor(const DoctorRequest& request, CommandContext& context) {
     const int threads = context.threads > 0 ? context.threads : config.threads;
     const fs::path folder = layout_for(request.workspace, config, threads).folder() / "doctor";
     ExaminationOptions options;
-    options.video_fps = config.ingest.video_fps;
-    options.keep_overlays = config.ingest.keep_overlays;
-    options.crop_bars = config.ingest.crop_bars;
-    options.other_folders = config.ingest.other_folders;
+    options.build = config.ingest;
     options.mask_folder = config.poses.mask_folder;
-    options.build_width_px = config.ingest.max_width_px;
     options.lens_is_told_elsewhere = !config.boards.empty() || !config.imported_poses.empty();
-    const Examination seen =
-        examine_capture(config.photographs_or_video, config.given_lens, options, folder / "scratch",
-                        threads, *context.progress);
+    const Examination seen = examine_capture(config.photographs_or_video, config.given_lens,
+                                             options, folder, threads, *context.progress);
     const fs::path picture = folder / "match_graph.svg";
     write_whole_text(picture, match_graph_svg(seen.evidence));
     const double depth = depth_mib(seen, config.depth, threads);

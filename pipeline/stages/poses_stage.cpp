@@ -25,9 +25,8 @@ PoseResult find_poses(const IngestResult& ingested, const PoseSource& source,
         PoseResult result =
             import_poses(ingested.photographs, ingested.left_out, source.imported_poses);
         expect_consistent(result.capture);
-        const std::string warning =
-            warning_of(check_imported_poses(result.capture, ingested.photographs,
-                                            source.options.mask_folder, threads, progress));
+        const std::string warning = warning_of(check_imported_poses(
+            result.capture, ingested.photographs, source.options.mask_folder, threads, progress));
         if (!warning.empty()) result.evidence.warnings.push_back(warning);
         return result;
     }

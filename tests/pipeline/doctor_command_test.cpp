@@ -89,5 +89,32 @@ TEST(DoctorCommand, WhatWasLaidOverPhotographsIsSaidByDoctorAndReport) {
     EXPECT_THAT(read_whole_text(scratch / "work" / "report.html"), says_it);
 }
 
+/// 1600x120: as wide as a build makes copies, and twice as wide as the doctor does.
+TEST(DoctorCommand, WhatIsTinyIsAskedAtTheWidthOfTheBuild) {
+    const ScratchFolder scratch;
+    for (int i = 0; i < 3; ++i) {
+        write_png(scratch / "photos" / (std::to_string(i) + ".png"),
+                  wavy_picture(1600, 120, 100.0 * i));
+    }
+    write_png(scratch / "photos" / "strip.png", wavy_picture(400, 60, 50));
+    const std::string command =
+        "doctor --json " + quoted(scratch / "photos") + " --workspace " + quoted(scratch / "work");
+    const Json seen = Json::parse(lumi(command).out);
+    ASSERT_EQ(seen.at("left_out").size(), 1U) << seen;
+    EXPECT_EQ(seen.at("left_out").at(0).at("name"), "strip.png");
+    EXPECT_EQ(seen.at("left_out").at(0).at("code"), "E-INGEST-TINY");
+}
+
+TEST(DoctorCommand, LeavesNothingBehindAndTakesNothingAway) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "photos" / "damaged.png", "");
+    write_whole_text(scratch / "work" / "doctor" / "scratch" / "mine.txt", "the user's own");
+    const Outcome outcome =
+        lumi("doctor " + quoted(scratch / "photos") + " --workspace " + quoted(scratch / "work"));
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.talk;
+    EXPECT_EQ(read_whole_text(scratch / "work/doctor/scratch/mine.txt"), "the user's own");
+    EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "work/doctor"), {}), 1);
+}
+
 }  // namespace
 }  // namespace lumi

@@ -234,6 +234,30 @@ TEST(ColmapModel, RefusesTextWithLineAndReason) {
     EXPECT_THAT(refusal(camera, "1 1 0 0 0 0 0 0 1 a.jpg\n1 2\n"), HasSubstr("images.txt:2"));
 }
 
+TEST(ColmapModel, ALensOfColmapThatLumiLacksIsNamedWithAWayOut) {
+    const ScratchFolder scratch;
+    const auto expect_named = [](const std::filesystem::path& folder) {
+        try {
+            static_cast<void>(read_colmap_model(folder));
+            FAIL() << "nothing thrown";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-COLMAP-LENS");
+            EXPECT_THAT(error.what(), AllOf(HasSubstr("cameras."), HasSubstr("camera 1 "),
+                                            HasSubstr(" RADIAL_FISHEYE")));
+            EXPECT_THAT(error.advice(),
+                        AllOf(HasSubstr("colmap image_undistorter"), HasSubstr("OPENCV_FISHEYE")));
+        }
+    };
+    write_colmap_model_text(small_capture(1, 1), scratch / "text");
+    write_whole_text(scratch / "text/cameras.txt", "1 RADIAL_FISHEYE 640 480 500 320 240 0.1 0\n");
+    expect_named(scratch / "text");
+    write_colmap_model_binary(small_capture(1, 1), scratch / "binary");
+    Bytes cameras = read_whole_file(scratch / "binary/cameras.bin");
+    cameras.at(8 + 4) = 9;  // The model of the first, behind the count and its id.
+    write_whole_file(scratch / "binary/cameras.bin", cameras);
+    expect_named(scratch / "binary");
+}
+
 TEST(ColmapModel, RefusesTracksThatLeadNowhere) {
     const ScratchFolder scratch;
     write_colmap_model_text(small_capture(2, 1), scratch.path());

@@ -20,6 +20,14 @@ TEST(DrawnMask, IsReadByTheNameOfItsPhotograph) {
     EXPECT_EQ(mask(10, 5), 255);
 }
 
+TEST(DrawnMask, TheWholeNameComesBeforeTheStem) {
+    const ScratchFolder folder;
+    write_png(folder.path() / "one.png", GrayImage(240, 180, 255));
+    write_png(folder.path() / "one.png.png", GrayImage(240, 180, 255));
+    EXPECT_EQ(mask_file_of("one.jpg", folder.path()), folder.path() / "one.png");
+    EXPECT_EQ(mask_file_of("one.png", folder.path()), folder.path() / "one.png.png");
+}
+
 TEST(DrawnMask, RefusesWhatIsMissingMisshapenOrEmpty) {
     const ScratchFolder folder;
     const auto code = [&] {

@@ -289,6 +289,30 @@ TEST(ImageIo, RefusesHugeClaimsBeforeDecoding) {
     }
 }
 
+/// What no program that lumi builds on decodes, though nothing is damaged.
+TEST(ImageIo, AnUnusualFormIsNotSupportedRatherThanDamaged) {
+    const ScratchFolder scratch;
+    Bytes lossless = encoded(".jpg", test_matrix(CV_8UC3));
+    constexpr std::array<std::uint8_t, 2> kStartOfFrame{0xff, 0xc0};
+    const auto frame =
+        std::search(lossless.begin(), lossless.end(), kStartOfFrame.begin(), kStartOfFrame.end());
+    ASSERT_NE(frame, lossless.end());
+    Bytes of_12_bits = lossless;
+    of_12_bits[static_cast<std::size_t>(frame - lossless.begin()) + 4] = 12;
+    frame[1] = 0xc3;
+    EXPECT_EQ(code_for(lossless, scratch), "E-IMAGE-FORMAT");
+    EXPECT_EQ(code_for(of_12_bits, scratch), "E-IMAGE-FORMAT");
+    // The compression that its directory names: of DNG, with a loss.
+    Bytes tiff = encoded(".tiff", test_matrix(CV_8UC3), {cv::IMWRITE_TIFF_COMPRESSION, 1});
+    constexpr std::array<std::uint8_t, 8> kCompression{0x03, 0x01, 3, 0, 1, 0, 0, 0};
+    const auto entry =
+        std::search(tiff.begin(), tiff.end(), kCompression.begin(), kCompression.end());
+    ASSERT_NE(entry, tiff.end());
+    entry[8] = 34892 % 256;
+    entry[9] = 34892 / 256;
+    EXPECT_EQ(code_for(tiff, scratch), "E-IMAGE-FORMAT");
+}
+
 TEST(ImageIo, RefusesWhatIsNoPicture) {
     const ScratchFolder scratch;
     EXPECT_EQ(code_for({}, scratch), "E-IMAGE-FORMAT");

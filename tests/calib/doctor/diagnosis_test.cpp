@@ -26,6 +26,7 @@ CaptureEvidence good_capture() {
     CaptureEvidence evidence;
     evidence.width_px = 800;
     PhotographQuality quality;
+    quality.longer_side_px = 800;
     quality.mean_linear = 0.2;
     quality.noise_sigma = 1;
     quality.signal_to_noise = 40;
@@ -202,6 +203,37 @@ TEST(Diagnosis, OnePhotographIsHopelessAlsoWhereOthersRepeatIt) {
     evidence.duplicates_left_out = 9;
     EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kDuplicates);
     EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
+}
+
+TEST(Diagnosis, FewerThanABuildIsToldToAcceptAreHopeless) {
+    CaptureEvidence evidence = good_capture();
+    evidence.min_photographs = kPhotographs + 1;
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kFew);
+    EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
+    EXPECT_THAT(first_finding(evidence).what,
+                HasSubstr("8 usable photographs, expected at least 9"));
+    evidence.min_photographs = kPhotographs;
+    EXPECT_THAT(diagnose(evidence), IsEmpty());
+}
+
+TEST(Diagnosis, OnePhotographIsToldInTheSingular) {
+    CaptureEvidence evidence = good_capture();
+    lose_all_pairs(evidence);
+    evidence.photographs.resize(1);
+    EXPECT_THAT(first_finding(evidence).what, HasSubstr(": 1 usable photograph, expected"));
+    evidence.duplicates_left_out = 1;
+    EXPECT_THAT(first_finding(evidence).what,
+                HasSubstr("1 photograph repeats another one; 1 different one is left"));
+}
+
+TEST(Diagnosis, ASmallPictureIsBlurredByFewerPixels) {
+    CaptureEvidence evidence = good_capture();
+    for (PhotographQuality& quality : evidence.photographs) quality.blur_sigma_px = 4;
+    EXPECT_THAT(diagnose(evidence), IsEmpty());
+    evidence.photographs[5].longer_side_px = 400;
+    ASSERT_THAT(diagnose(evidence), testing::SizeIs(1));
+    EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kBlur);
+    EXPECT_THAT(first_finding(evidence).photographs, testing::ElementsAre("p5.jpg"));
 }
 
 TEST(Diagnosis, EveryReasonHasACodeAndAdviceOfItsOwn) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "calib/pictures/drawn_mask.h"
@@ -72,6 +73,73 @@ TEST(CutOuts, WhatAllHideAlikeIsNoOutline) {
     const IngestResult result = ingest(scratch / "photos", {}, scratch / "copies", 2, progress);
     EXPECT_EQ(result.photographs.size(), 5U);
     EXPECT_TRUE(cut_out_folder(scratch / "copies").empty());
+}
+
+/// Before nothing: a disc with this middle.
+void write_disc(const std::filesystem::path& path, int width, int height, double middle_x,
+                double middle_y, double radius) {
+    GrayImage alpha(width, height, 0);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            if (std::hypot(x - middle_x, y - middle_y) < radius) alpha(x, y) = 255;
+        }
+    }
+    write_cut_out_png(path, wavy_picture(width, height, middle_x + width), alpha);
+}
+
+bool are_cut_out(const ScratchFolder& scratch) {
+    SilentProgress progress;
+    const IngestResult result = ingest(scratch / "photos", {}, scratch / "copies", 2, progress);
+    EXPECT_GT(result.photographs.size(), 1U);
+    return !cut_out_folder(scratch / "copies").empty();
+}
+
+TEST(CutOuts, OfEachSizeTheOutlinesAreCompared) {
+    const ScratchFolder scratch;
+    // Cropped to the subject: no two of one size.
+    for (int i = 0; i < 4; ++i) {
+        write_disc(scratch / ("photos/" + std::to_string(i) + ".png"), kWidth + 8 * i,
+                   kHeight + 8 * i, 50 + 20 * i, 60, 40);
+    }
+    EXPECT_TRUE(are_cut_out(scratch));
+    // One upright, the others not, and their outlines differ.
+    const ScratchFolder upright;
+    write_disc(upright / "photos/0.png", kHeight, kWidth, 60, 80, 70);
+    for (int i = 1; i < 4; ++i) {
+        write_disc(upright / ("photos/" + std::to_string(i) + ".png"), kWidth, kHeight, 40 + 20 * i,
+                   60, 40);
+    }
+    EXPECT_TRUE(are_cut_out(upright));
+}
+
+TEST(CutOuts, OneAmongOpaquePhotographsIsOne) {
+    const ScratchFolder scratch;
+    write_disc(scratch / "photos/0.png", kWidth, kHeight, 80, 60, 60);
+    for (int i = 1; i < 4; ++i) {
+        write_png(scratch / ("photos/" + std::to_string(i) + ".png"),
+                  wavy_picture(kWidth, kHeight, 9 * i));
+    }
+    EXPECT_TRUE(are_cut_out(scratch));
+}
+
+TEST(CutOuts, ARoundSubjectWhoseOutlineHardlyMovesIsOne) {
+    const ScratchFolder scratch;
+    for (int i = 0; i < 6; ++i) {
+        write_disc(scratch / ("photos/" + std::to_string(i) + ".png"), kWidth, kHeight,
+                   80 + 0.5 * i, 60, 40);
+    }
+    EXPECT_TRUE(are_cut_out(scratch));
+}
+
+TEST(CutOuts, WhatIsHiddenInTheMiddleIsNoRimThatStraighteningLeft) {
+    const ScratchFolder scratch;
+    for (int i = 0; i < 4; ++i) {
+        GrayImage alpha(kWidth, kHeight, 255);
+        for (int y = 50; y < 70; ++y) std::fill_n(alpha.row(y) + 70, 20, std::uint8_t{0});
+        write_cut_out_png(scratch / ("photos/" + std::to_string(i) + ".png"),
+                          wavy_picture(kWidth, kHeight, 9 * i), alpha);
+    }
+    EXPECT_TRUE(are_cut_out(scratch));
 }
 
 TEST(CutOuts, WhatIsHiddenInAllPhotographsIsNoBar) {

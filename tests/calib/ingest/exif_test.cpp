@@ -145,6 +145,15 @@ TEST(Exif, FocalLengthFollowsThePixelPitchAndTheScaleSinceTheShot) {
     EXPECT_NEAR(focal_length_px_of(exif, {800, 1200}).value(), 2500, 1e-9) << "turned";
 }
 
+TEST(Exif, APixelPitchSaysNothingOfARasterThatMayHaveBeenScaled) {
+    ExifFacts exif;
+    exif.focal_length_mm = 50;
+    exif.focal_plane_pixels_per_mm = 200;
+    EXPECT_FALSE(focal_length_px_of(exif, {4800, 3200}).has_value());
+    exif.focal_length_35mm_equivalent_mm = 50;
+    EXPECT_TRUE(focal_length_px_of(exif, {4800, 3200}).has_value()) << "whatever its scale";
+}
+
 TEST(Exif, ACroppedRasterOrAnImpossibleLensHasNoFocalLength) {
     ExifFacts exif;
     exif.focal_length_35mm_equivalent_mm = 50;

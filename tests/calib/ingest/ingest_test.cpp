@@ -141,13 +141,15 @@ TEST(Ingest, PassesOverWhatIsNoPictureAndNamesWhatClaimsToBeOne) {
     write_whole_text(scratch / "photos/phone.heic", "....ftypheic");
     write_whole_text(scratch / "photos/other.jxl", "\xff\x0a");
     write_whole_text(scratch / "photos/raw.NEF", std::string("MM\0*\0\0\0\x8", 8));
+    write_float_tiff(scratch / "photos/raw.3FR", FloatImage(100, 80, 0.5F));  // A thumbnail.
+    write_float_tiff(scratch / "photos/raw.iiq", FloatImage(100, 80, 0.6F));
     const IngestResult result = ingested(scratch);
     EXPECT_THAT(names(result), ElementsAre("1.png", "2.png"));
-    const std::map<std::string, std::string> expected{{"text.jpg", "E-INGEST-UNREADABLE"},
-                                                      {"empty.jpg", "E-INGEST-UNREADABLE"},
-                                                      {"phone.heic", "E-INGEST-TRUNCATED"},
-                                                      {"other.jxl", "E-INGEST-FORMAT"},
-                                                      {"raw.NEF", "E-INGEST-FORMAT"}};
+    const std::map<std::string, std::string> expected{
+        {"text.jpg", "E-INGEST-UNREADABLE"},  {"empty.jpg", "E-INGEST-UNREADABLE"},
+        {"phone.heic", "E-INGEST-TRUNCATED"}, {"other.jxl", "E-INGEST-FORMAT"},
+        {"raw.NEF", "E-INGEST-FORMAT"},       {"raw.3FR", "E-INGEST-FORMAT"},
+        {"raw.iiq", "E-INGEST-FORMAT"}};
     EXPECT_EQ(codes(result), expected);
 }
 
@@ -268,6 +270,26 @@ TEST(Ingest, PassesOverItsOwnWorkingFolderInsideThePhotographs) {
         const IngestResult result =
             ingest(scratch.path(), {}, scratch / "work/scene/copies", 1, progress);
         EXPECT_THAT(names(result), ElementsAre("1.png", "2.png"));
+    }
+}
+
+TEST(Ingest, TakesPhotographsThatLieBesideItsWorkingFolder) {
+    const ScratchFolder scratch;
+    write_png(scratch / "left/1.png", wavy_picture(100, 80));
+    write_png(scratch / "left/work/2.png", wavy_picture(100, 80, 11));
+    write_png(scratch / "right/3.png", wavy_picture(100, 80, 23));
+    const std::filesystem::path workspace = scratch / "left/work/scene";
+    write_whole_text(workspace / "config.toml", "");
+    write_whole_text(workspace / "stages.json", "");
+    write_png(workspace / "poses/4.png", wavy_picture(100, 80, 36));
+    // Of other captures, made from the same folder.
+    write_whole_text(scratch / "left/work/other/config.toml", "");
+    write_whole_text(scratch / "left/work/other/stages.json", "");
+    SilentProgress progress;
+    for (int run = 0; run < 2; ++run) {
+        const IngestResult result = ingest(scratch.path(), {}, workspace / "ingest", 1, progress);
+        EXPECT_THAT(names(result), ElementsAre("left/1.png", "left/work/2.png", "right/3.png"));
+        EXPECT_THAT(result.left_out, IsEmpty());
     }
 }
 

@@ -236,6 +236,40 @@ TEST(Overlay, APlainBackgroundIsNone) {
     EXPECT_TRUE(overlay.mask.empty());
 }
 
+/// Of a turntable on a tripod: what turns stands before something that does not.
+ImageRectangle picture_of_turntable(const Scene& backdrop, const ImageRectangle& turning) {
+    const Scene scene;
+    StandingPixels standing(kStillWidth, kStillHeight);
+    for (int i = 0; i < 16; ++i) {
+        ColorImage picture = backdrop.photograph(200, 100);
+        const ColorImage subject = scene.photograph(11 * i, 50);
+        for (int y = turning.top; y < turning.top + turning.height_px; ++y)
+            for (int x = turning.left; x < turning.left + turning.width_px; ++x)
+                picture(x, y) = subject(x, y);
+        standing.add(picture);
+    }
+    return overlay_of(standing).picture;
+}
+
+TEST(Overlay, AStillBackdropWithAPatternIsNoBar) {
+    EXPECT_EQ(picture_of_turntable(Scene(), {35, 30, 60, 48}), kWhole);
+    EXPECT_EQ(picture_of_turntable(Scene(), {30, 20, 60, 50}), kWhole) << "in the middle";
+}
+
+TEST(Overlay, APlainBackdropBesideWhatTurnsIsNoBar) {
+    const Scene plain(0);
+    EXPECT_EQ(picture_of_turntable(plain, {35, 30, 60, 48}), kWhole);
+    EXPECT_EQ(picture_of_turntable(plain, {30, 30, 60, 48}), kWhole) << "below the middle";
+}
+
+TEST(Overlay, ABarMayHaveALineOfTextInIt) {
+    const Overlay overlay = overlay_printed([](ColorImage& picture) {
+        fill(picture, {0, 70, kStillWidth, 20}, kBlack);
+        for (int x = 20; x < 40; x += 4) fill(picture, {x, 77, 2, 6}, kWhite);
+    });
+    EXPECT_EQ(overlay.picture, (ImageRectangle{0, 0, kStillWidth, 68}));
+}
+
 TEST(Overlay, NothingIsWhereTheCameraStoodStill) {
     const Scene scene;
     StandingPixels standing(kStillWidth, kStillHeight);

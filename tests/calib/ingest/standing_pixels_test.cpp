@@ -25,6 +25,13 @@ TEST(StandingPixels, SpreadIsTheStandardDeviationOverPhotographs) {
     EXPECT_NEAR(standing.spread(2, 0), 0.0, 1e-3);
 }
 
+TEST(StandingPixels, TheMeanIsThatOfLuma) {
+    StandingPixels standing(2, 1);
+    for (const int level : {10, 20, 60}) standing.add(grey({level, 7}));
+    EXPECT_DOUBLE_EQ(standing.mean(0, 0), 30.0);
+    EXPECT_DOUBLE_EQ(standing.mean(1, 0), 7.0);
+}
+
 TEST(StandingPixels, TheMeanGradientIsSigned) {
     StandingPixels standing(3, 1);
     standing.add(grey({0, 50, 100}));

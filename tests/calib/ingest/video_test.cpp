@@ -174,6 +174,22 @@ TEST(Video, PqIsRefusedInAnyContainerWithAWayOut) {
     }
 }
 
+/// As of DV and HDV tapes: 4:3 or 16:9 in a raster of another shape.
+TEST(Video, WhosePixelsAreNotSquareIsStretchedUntilTheyAre) {
+    const ScratchFolder scratch;
+    for (const auto& [ratio, width_px, height_px] :
+         {std::tuple("4/3", 427, 240), std::tuple("8/9", 320, 270)}) {
+        write_green(scratch / "tape.mp4", "smpte170m", {"-vf", "setsar=" + std::string(ratio)});
+        SilentProgress progress;
+        const IngestResult result =
+            ingest(scratch / "tape.mp4", {.min_photographs = 1}, scratch / "copies", 1, progress);
+        const ColorImage copy = read_color_image(result.photographs.at(0).picture_path);
+        EXPECT_EQ(copy.width(), width_px) << ratio;
+        EXPECT_EQ(copy.height(), height_px) << ratio;
+        expect_color(copy(copy.width() - 1, copy.height() - 1), kGreen);
+    }
+}
+
 TEST(Video, ThatIsTurnedForDisplayKeepsItsRasterAndSaysSo) {
     const ScratchFolder scratch;
     write_green(scratch / "walk.mp4", "bt709", {});

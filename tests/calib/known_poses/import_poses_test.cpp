@@ -96,6 +96,9 @@ TEST(ImportPoses, StrechaIsRefusedUnlessItHoldsACalibrationAndARotation) {
         return refusal(photographs_of(capture), scratch / "cameras").code();
     };
     EXPECT_EQ(code(calibration, rotation), "none");
+    EXPECT_EQ(refusal(photographs_of(capture), scratch / "cameras/view 000.jpg.camera").code(),
+              "none")
+        << "the file alone";
     for (const std::string axes : {"-1 0 0\n0 1 0\n0 0 1\n", "1 0 0\n0 0 1\n0 1 0\n",
                                    "2 0 0\n0 2 0\n0 0 2\n", "1 1 0\n0 1 0\n0 0 1\n"}) {
         EXPECT_EQ(code(calibration, axes), "E-IMPORT-POSES") << axes;
@@ -178,6 +181,9 @@ TEST(NameMatching, FindsTheSamePhotographUnderTheNamesThatProgramsGiveIt) {
                             {"left/1.jpg", "right/1.jpg"}),
               (Matches{0, 1}));
     EXPECT_EQ(matched_names({"1.jpg"}, {"left/1.jpg", "right/1.jpg"}), (Matches{std::nullopt}));
+    EXPECT_EQ(matched_names({"./train/scan.0001", "./train/scan.0000"},
+                            {"scan.0000.png", "scan.0001.png"}),
+              (Matches{1, 0}));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <new>
+#include <opencv2/core.hpp>
 #include <stdexcept>
 
 namespace lumi {
@@ -39,6 +40,18 @@ TEST(ErrorOfException, MemoryThatRanOutIsResources) {
     ASSERT_TRUE(error);
     EXPECT_EQ(error->code(), "E-MEMORY");
     EXPECT_EQ(error->kind(), ErrorKind::kResources);
+}
+
+TEST(ErrorOfException, MemoryThatRanOutWithinOpenCvIsResourcesToo) {
+    const auto exception_of = [](int code) {
+        return cv::Exception(code, "Failed to allocate 75000000 bytes", "OutOfMemoryError",
+                             "alloc.cpp", 73);
+    };
+    const auto error = error_of_exception(exception_of(cv::Error::StsNoMem));
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->code(), "E-MEMORY");
+    EXPECT_EQ(error->kind(), ErrorKind::kResources);
+    EXPECT_FALSE(error_of_exception(exception_of(cv::Error::StsAssert))) << "a bug";
 }
 
 TEST(ErrorOfException, ABugIsNone) { EXPECT_FALSE(error_of_exception(std::logic_error("bug"))); }

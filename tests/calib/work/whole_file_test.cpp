@@ -4,6 +4,7 @@
 #include <sched.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -51,6 +52,17 @@ TEST(WholeFile, ReadsBackWhatItWroteAndLeavesNothingElse) {
     write_whole_text(scratch / "a/b/file.bin", "");
     EXPECT_EQ(read_whole_text(scratch / "a/b/file.bin"), "");
     EXPECT_EQ(files_in(scratch / "a/b"), 1U);
+}
+
+TEST(WholeFile, MayBeReadByWhomTheProcessLets) {
+    const ScratchFolder scratch;
+    for (const mode_t mask : {mode_t{077}, mode_t{002}}) {
+        const mode_t before = ::umask(mask);
+        write_whole_text(scratch / "file.txt", "text");
+        ::umask(before);
+        EXPECT_EQ(std::filesystem::status(scratch / "file.txt").permissions(),
+                  std::filesystem::perms(0666 & ~mask));
+    }
 }
 
 TEST(WholeFile, RemovesWhatKilledRunsLeftBesideAFileAndNothingElse) {

@@ -1,6 +1,7 @@
 #include "calib/work/whole_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
@@ -109,6 +110,24 @@ TEST(WholeFolder, BringsBackTheFolderOfARunThatDiedBetweenTheSteps) {
     const WholeFolder folder(scratch / "result");
     EXPECT_EQ(read_whole_text(scratch / "result/a.txt"), "old");
     EXPECT_FALSE(fs::exists(scratch / ".result.old"));
+}
+
+TEST(WholeFolder, TheFolderThatStepsAsideStaysWhereItCannotComeBack) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / ".result.old/a.txt", "the only copy");
+    // A link that leads nowhere: nothing is there, and no folder can take its place.
+    fs::create_symlink("nowhere", scratch / "result");
+    clean_up_after_killed_runs(scratch / "result");
+    EXPECT_EQ(read_whole_text(scratch / ".result.old/a.txt"), "the only copy");
+}
+
+TEST(WholeFolder, MayBeUsedByWhomTheProcessLets) {
+    const ScratchFolder scratch;
+    const mode_t before = ::umask(027);
+    WholeFolder folder(scratch / "result");
+    folder.put_in_place();
+    ::umask(before);
+    EXPECT_EQ(fs::status(scratch / "result").permissions(), fs::perms(0750));
 }
 
 }  // namespace
