@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
+#include "calib/work/printable.h"
 #include "calib/work/process_memory.h"
 #include "calib/work/stopwatch.h"
 #include "calib/work/whole_file.h"
@@ -73,17 +73,21 @@ Job job_at(const LumigraphView& view, const fs::path& out) {
 
 /// A photograph of the package, or one that was held out from it.
 Job job_at_view(const RenderRequest& request, const Lumigraph& lumigraph) {
-    const auto is_wanted = [&](const auto& view) { return view.name == request.view; };
-    const auto view = std::find_if(lumigraph.views.begin(), lumigraph.views.end(), is_wanted);
-    if (view != lumigraph.views.end()) return job_at(*view, request.out);
+    const std::vector<std::string> names = names_of_views(lumigraph);
+    if (const auto view = index_of_name(names, request.view))
+        return job_at(lumigraph.views[static_cast<std::size_t>(*view)], request.out);
     const std::vector<HeldOutView> held_out = held_out_views_beside(request.package, 0);
-    const auto beside = std::find_if(held_out.begin(), held_out.end(), is_wanted);
-    if (beside != held_out.end())
-        return {beside->eye, request.out, beside->photograph, false, lumigraph.evened_falloff};
+    std::vector<std::string> held_out_names;
+    for (const HeldOutView& view : held_out) held_out_names.push_back(view.name);
+    if (const auto view = index_of_name(held_out_names, request.view)) {
+        const HeldOutView& beside = held_out[static_cast<std::size_t>(*view)];
+        return {beside.eye, request.out, beside.photograph, false, lumigraph.evened_falloff};
+    }
     throw Error(
         ErrorKind::kUsage, "E-RENDER-VIEW",
-        "the package has no view named " + request.view + ", and none of that name was held out",
-        "`lumi inspect PACKAGE` lists the views");
+        "expected the name of one photograph, of the package or held out from it, found '" +
+            printable(request.view) + "'",
+        "this package has: " + listed_names(names) + "; `lumi inspect PACKAGE` lists all of them");
 }
 
 /// Frames of all views are named like the photographs, which may lie in a folder of that name.
@@ -97,8 +101,7 @@ void expect_nothing_lost(const fs::path& out) {
 std::vector<Job> jobs_of(const RenderRequest& request, const Eye& eye, const Lumigraph& lumigraph) {
     if (!request.eye.empty()) return {{eye, request.out}};
     if (!request.all_views) return {job_at_view(request, lumigraph)};
-    std::vector<std::string> names;
-    for (const LumigraphView& view : lumigraph.views) names.push_back(view.name);
+    const std::vector<std::string> names = names_of_views(lumigraph);
     const std::vector<std::string> stems = file_stems_of_views(names);
     std::vector<Job> jobs;
     for (std::size_t i = 0; i < names.size(); ++i) {

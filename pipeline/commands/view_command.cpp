@@ -14,6 +14,7 @@
 #include "pipeline/plan/planned_views.h"
 #include "render/lumigraph/even_exposure.h"
 #include "render/viewer/recent_packages.h"
+#include "render/viewer/screenshot.h"
 #include "render/viewer/window.h"
 
 namespace lumi {
@@ -88,7 +89,10 @@ void check_planned(const ViewRequest& request, const OpenedPackage& opened) {
 }
 
 void run_view(const ViewRequest& request, const CommandContext& context) {
-    if (!request.screenshot.empty()) check_picture_out(request.screenshot, "--screenshot");
+    if (!request.screenshot.empty()) {
+        check_picture_out(request.screenshot, "--screenshot");
+        check_screenshot_out(request.screenshot);
+    }
     const WindowOptions options = window_options_of(request, context);
     OpenedPackage opened = options.load(request.package, options.exposures);
     check_planned(request, opened);

@@ -72,6 +72,72 @@ std::vector<std::optional<double>> device_ms(
     return medians;
 }
 
+/// What is drawn in turn, and where.
+struct Stage {
+    Stage(const Lumigraph& lumigraph, const Camera& camera)
+        : renderer(lumigraph), blend(lumigraph), viewport{0, 0, camera.width_px, camera.height_px} {
+        framebuffer.attach_color(camera.width_px, camera.height_px);
+    }
+
+    LumigraphRenderer renderer;
+    ThreeTextureBlend blend;
+    Framebuffer framebuffer;
+    Viewport viewport;
+};
+
+/// Of one mode, frame by frame.
+struct ModeTally {
+    Times times;
+    std::vector<double> triangles;
+    std::vector<double> uploaded_bytes;
+};
+
+/// One frame by the blend and in every mode.
+void draw_round(Stage& stage, const Eye& eye, const std::vector<RenderOptions>& modes, bool counted,
+                Times& base_times, std::vector<ModeTally>& tallies) {
+    stage.framebuffer.bind();
+    time_one([&] { stage.blend.draw(stage.viewport); }, counted, base_times);
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+        stage.framebuffer.bind();
+        DrawStatistics statistics;
+        const auto draw = [&] { statistics = stage.renderer.draw(eye, modes[i], stage.viewport); };
+        const std::uint64_t uploaded =
+            uploaded_bytes([&] { time_one(draw, counted, tallies[i].times); });
+        if (!counted) continue;
+        tallies[i].triangles.push_back(static_cast<double>(statistics.triangles));
+        tallies[i].uploaded_bytes.push_back(static_cast<double>(uploaded));
+    }
+}
+
+double mean_of(const std::vector<double>& numbers) {
+    double sum = 0;
+    for (const double number : numbers) sum += number / static_cast<double>(numbers.size());
+    return sum;
+}
+
+/// What the tallies come to, and what is asked of OpenGL besides.
+void report_modes(Stage& stage, const std::vector<Eye>& path,
+                  const std::vector<RenderOptions>& modes, std::vector<ModeTally> tallies,
+                  FrameTimingReport& report) {
+    const std::vector<Eye> asked = frames_asked_about(path);
+    std::vector<std::function<void(const Eye&)>> draws{
+        [&](const Eye&) { stage.blend.draw(stage.viewport); }};
+    for (const RenderOptions& mode : modes)
+        draws.emplace_back([&](const Eye& eye) { stage.renderer.draw(eye, mode, stage.viewport); });
+    stage.framebuffer.bind();
+    const std::vector<std::optional<double>> by_card_ms = device_ms(asked, draws);
+    report.base_device_ms = by_card_ms.front();
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+        const FrameCost cost = cost_of(tallies[i].times);
+        stage.framebuffer.bind();
+        report.modes.push_back(
+            {modes[i], cost, by_card_ms[i + 1], mean_of(tallies[i].triangles),
+             fragments_per_pixel(asked, stage.viewport, draws[i + 1]),
+             mean_of(tallies[i].uploaded_bytes), std::move(tallies[i].times.cpu_ms),
+             cost.median_ms / report.base.median_ms, cost.cpu_ms / report.base.cpu_ms});
+    }
+}
+
 }  // namespace
 
 std::vector<Eye> frames_asked_about(const std::vector<Eye>& path) {
@@ -85,63 +151,28 @@ FrameTimingReport time_frames(const Lumigraph& lumigraph, const std::vector<Eye>
                               const std::vector<RenderOptions>& modes, Progress& progress) {
     assert(!path.empty());
     const HeadlessContext context;
+    Stage stage(lumigraph, path.front().camera);
     FrameTimingReport report;
     report.gl_description = query_capabilities().description;
-    report.width_px = path.front().camera.width_px;
-    report.height_px = path.front().camera.height_px;
+    report.width_px = stage.viewport.width_px;
+    report.height_px = stage.viewport.height_px;
     report.frames = static_cast<int>(path.size());
     report.threads = resolve_threads(0);
-
-    LumigraphRenderer renderer(lumigraph);
-    report.texture_bytes = renderer.texture_bytes();
-    const ThreeTextureBlend blend(lumigraph);
-    Framebuffer framebuffer;
-    framebuffer.attach_color(report.width_px, report.height_px);
-    const Viewport viewport{0, 0, report.width_px, report.height_px};
+    report.texture_bytes = stage.renderer.texture_bytes();
 
     Times base_times;
-    std::vector<Times> mode_times(modes.size());
-    std::vector<double> triangles(modes.size(), 0.0);
-    std::vector<double> bytes(modes.size(), 0.0);
+    std::vector<ModeTally> tallies(modes.size());
     const int rounds = kWarmUpRounds + report.frames;
     progress.begin("drawing", static_cast<std::size_t>(rounds));
     for (int round = 0; round < rounds; ++round) {
         progress.throw_if_interrupted();
         const bool counted = round >= kWarmUpRounds;
         const Eye& eye = path[static_cast<std::size_t>(counted ? round - kWarmUpRounds : 0)];
-        framebuffer.bind();
-        time_one([&] { blend.draw(viewport); }, counted, base_times);
-        for (std::size_t i = 0; i < modes.size(); ++i) {
-            framebuffer.bind();
-            DrawStatistics statistics;
-            const std::uint64_t uploaded = uploaded_bytes([&] {
-                time_one([&] { statistics = renderer.draw(eye, modes[i], viewport); }, counted,
-                         mode_times[i]);
-            });
-            if (!counted) continue;
-            triangles[i] += static_cast<double>(statistics.triangles) / report.frames;
-            bytes[i] += static_cast<double>(uploaded) / report.frames;
-        }
+        draw_round(stage, eye, modes, counted, base_times, tallies);
         progress.advance();
     }
-
     report.base = cost_of(base_times);
-    const std::vector<Eye> asked = frames_asked_about(path);
-    std::vector<std::function<void(const Eye&)>> draws{[&](const Eye&) { blend.draw(viewport); }};
-    for (const RenderOptions& mode : modes)
-        draws.emplace_back([&](const Eye& eye) { renderer.draw(eye, mode, viewport); });
-    framebuffer.bind();
-    const std::vector<std::optional<double>> by_card_ms = device_ms(asked, draws);
-    report.base_device_ms = by_card_ms.front();
-    for (std::size_t i = 0; i < modes.size(); ++i) {
-        const FrameCost cost = cost_of(mode_times[i]);
-        framebuffer.bind();
-        report.modes.push_back({modes[i], cost, by_card_ms[i + 1], triangles[i],
-                                fragments_per_pixel(asked, viewport, draws[i + 1]), bytes[i],
-                                std::move(mode_times[i].cpu_ms),
-                                cost.median_ms / report.base.median_ms,
-                                cost.cpu_ms / report.base.cpu_ms});
-    }
+    report_modes(stage, path, modes, std::move(tallies), report);
     return report;
 }
 

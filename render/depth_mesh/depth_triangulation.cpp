@@ -41,9 +41,25 @@ void visit_triangles(const SplitErrors& errors, const DepthLattice& lattice, flo
 template <class Emit>
 void visit_network(const SplitErrors& errors, const DepthLattice& lattice, float max_error_px,
                    const Emit& emit) {
-    const int side = errors.side();
-    visit_triangles(errors, lattice, max_error_px, {{0, 0}, {side, side}, {side, 0}}, emit);
-    visit_triangles(errors, lattice, max_error_px, {{side, side}, {0, 0}, {0, side}}, emit);
+    const auto visit = [&](const RightTriangle& triangle) {
+        visit_triangles(errors, lattice, max_error_px, triangle, emit);
+    };
+    for (int y = 0; y < errors.squares_in_column(); ++y) {
+        for (int x = 0; x < errors.squares_in_row(); ++x) {
+            const int left = x * errors.side();
+            const int top = y * errors.side();
+            const int right = left + errors.side();
+            const int bottom = top + errors.side();
+            // The diagonal falls, in every other square it rises.
+            if ((x + y) % 2 == 0) {
+                visit({{left, top}, {right, bottom}, {right, top}});
+                visit({{right, bottom}, {left, top}, {left, bottom}});
+            } else {
+                visit({{left, bottom}, {right, top}, {left, top}});
+                visit({{right, top}, {left, bottom}, {right, bottom}});
+            }
+        }
+    }
 }
 
 DepthKind kind_of(const DepthLattice& lattice, const RightTriangle& triangle) {

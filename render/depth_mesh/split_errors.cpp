@@ -5,11 +5,24 @@
 #include <limits>
 
 namespace lumi {
+namespace {
+
+/// A square is at most so many times as long as the lattice's shorter side: of a larger one the
+/// lattice would fill next to nothing.
+constexpr int kMostShorterSides = 8;
+
+/// Of the squares that hold so many nodes.
+int last_node(int nodes, int side) { return std::max(1, (nodes - 1 + side - 1) / side) * side; }
+
+}  // namespace
 
 SplitErrors::SplitErrors(const DepthLattice& lattice, double guess_error_ratio)
     : lattice_(lattice), guess_error_ratio_(guess_error_ratio) {
     while (side_ + 1 < std::max(lattice.columns(), lattice.rows())) side_ *= 2;
-    errors_.assign(static_cast<std::size_t>(side_ + 1) * static_cast<std::size_t>(side_ + 1), 0.0F);
+    while (side_ > kMostShorterSides * std::min(lattice.columns(), lattice.rows())) side_ /= 2;
+    last_column_ = last_node(lattice.columns(), side_);
+    last_row_ = last_node(lattice.rows(), side_);
+    errors_.assign(index({last_column_, last_row_}) + 1, 0.0F);
     // From the finest triangles up, so that a triangle knows the errors of those within it.
     for (int half = 1; half <= side_ / 2; half *= 2) {
         add_upright_level(half);
@@ -19,9 +32,9 @@ SplitErrors::SplitErrors(const DepthLattice& lattice, double guess_error_ratio)
 
 /// Triangles whose long side, of length 2 * half, lies along a row or a column.
 void SplitErrors::add_upright_level(int half) {
-    for (int row = 0; row <= side_; row += half) {
+    for (int row = 0; row <= last_row_; row += half) {
         const bool odd_row = (row / half) % 2 == 1;
-        for (int column = odd_row ? 0 : half; column <= side_; column += 2 * half) {
+        for (int column = odd_row ? 0 : half; column <= last_column_; column += 2 * half) {
             const LatticeNode at{column, row};
             const LatticeNode a =
                 odd_row ? LatticeNode{column, row - half} : LatticeNode{column - half, row};
@@ -40,8 +53,8 @@ void SplitErrors::add_upright_level(int half) {
 
 /// Triangles whose long side is the diagonal of a square cell of side 2 * half.
 void SplitErrors::add_diagonal_level(int half) {
-    for (int row = half; row <= side_; row += 2 * half) {
-        for (int column = half; column <= side_; column += 2 * half) {
+    for (int row = half; row <= last_row_; row += 2 * half) {
+        for (int column = half; column <= last_column_; column += 2 * half) {
             const bool falls = ((column - half) / (2 * half) + (row - half) / (2 * half)) % 2 == 0;
             const int turn = falls ? half : -half;
             const float straight = interpolation_error({column, row}, {column - half, row - turn},
@@ -83,7 +96,7 @@ float SplitErrors::smallest_scale_error(const LatticeNode& at) const {
 float SplitErrors::worst_of(const std::array<LatticeNode, 4>& children) const {
     float worst = 0.0F;
     for (const LatticeNode& child : children)
-        if (is_on_square(child)) worst = std::max(worst, at(child));
+        if (is_on_squares(child)) worst = std::max(worst, at(child));
     return worst;
 }
 

@@ -10,23 +10,29 @@ namespace lumi {
 /// For each node of a lattice, the error in pixels of the right triangles whose long side it
 /// halves, and of all triangles within them: what decides whether they are split.
 ///
-/// The lattice is laid into a square whose side is a power of two. Infinite where a triangle
-/// contains a tear or a change between seen and filled.
+/// The lattice is laid into a square whose side is a power of two, or, where it is much longer than
+/// wide, into a row of such squares, each halved by the diagonal that its neighbours are not.
+/// Infinite where a triangle contains a tear or a change between seen and filled.
 class SplitErrors {
  public:
     /// Errors of what is filled count as so many times smaller: it is a guess.
     SplitErrors(const DepthLattice& lattice, double guess_error_ratio);
 
+    /// Of a square.
     [[nodiscard]] int side() const { return side_; }
+    /// How many squares there are along a row, and along a column: of one of them 1.
+    [[nodiscard]] int squares_in_row() const { return last_column_ / side_; }
+    [[nodiscard]] int squares_in_column() const { return last_row_ / side_; }
     [[nodiscard]] float at(const LatticeNode& node) const { return errors_[index(node)]; }
 
  private:
     [[nodiscard]] std::size_t index(const LatticeNode& node) const {
-        return static_cast<std::size_t>(node.row) * static_cast<std::size_t>(side_ + 1) +
+        return static_cast<std::size_t>(node.row) * static_cast<std::size_t>(last_column_ + 1) +
                static_cast<std::size_t>(node.column);
     }
-    [[nodiscard]] bool is_on_square(const LatticeNode& node) const {
-        return node.column >= 0 && node.row >= 0 && node.column <= side_ && node.row <= side_;
+    [[nodiscard]] bool is_on_squares(const LatticeNode& node) const {
+        return node.column >= 0 && node.row >= 0 && node.column <= last_column_ &&
+               node.row <= last_row_;
     }
     [[nodiscard]] float smallest_scale_error(const LatticeNode& at) const;
     [[nodiscard]] float interpolation_error(const LatticeNode& at, const LatticeNode& a,
@@ -38,6 +44,8 @@ class SplitErrors {
     const DepthLattice& lattice_;
     double guess_error_ratio_;
     int side_ = 1;
+    int last_column_ = 1;  ///< Of the squares.
+    int last_row_ = 1;
     std::vector<float> errors_;
 };
 

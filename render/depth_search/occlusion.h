@@ -8,6 +8,13 @@ namespace lumi {
 /// Where visible weights sum to less, no view sees the point. As in shaders/photographs.glsl.
 inline constexpr double kLeastWeight = 1e-4;
 
+/// A photograph with this weight shows something at each of its pixels that lies inside by its
+/// unsure border: times the least opacity (photograph_opacity.h) it still counts.
+inline constexpr double kSureWeight = 0.05;
+/// How far inside of its border a photograph counts for sure at the finest mip level, in its
+/// pixels; at others it is more (uploaded/photograph_lod.h).
+inline constexpr double kFinestBorder_px = 1.0;
+
 /// The paper's occlusion correction (section 4): weights times visibility, scaled to sum 1. A view
 /// that sees nothing of the point gets 0, the others keep their ratio: (x, y, z) without z becomes
 /// (x + zx/(x+y), y + zy/(x+y), 0); one that is left alone gets 1. Empty when none sees the point.

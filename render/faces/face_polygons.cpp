@@ -22,12 +22,6 @@ double value_at(const Eigen::Vector3d& line, const Eigen::Vector2d& pixel) {
     return line.dot(pixel.homogeneous());
 }
 
-Corners picture_rectangle(const Camera& camera) {
-    const double width = camera.width_px;
-    const double height = camera.height_px;
-    return {{0, 0}, {width, 0}, {width, height}, {0, height}};
-}
-
 double largest_on(const Corners& corners, const Eigen::Vector3d& line) {
     double largest = 0;
     for (const Eigen::Vector2d& corner : corners)
@@ -51,7 +45,7 @@ EyeRays eye_rays(const Eye& eye) {
     rays.line_of_sight = optical_axis_in_world(eye.cam_from_world);
     rays.direction_from_pixel = eye.cam_from_world.rotation.conjugate().toRotationMatrix() *
                                 pinhole_matrix(eye.camera).inverse();
-    rays.picture = picture_rectangle(eye.camera);
+    rays.picture = picture_corners_px(eye.camera);
     for (const Eigen::Vector2d& corner : rays.picture)
         rays.longest_direction = std::max(
             rays.longest_direction, (rays.direction_from_pixel * corner.homogeneous()).norm());

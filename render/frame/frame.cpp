@@ -63,6 +63,17 @@ std::optional<DebugPicture> debug_picture_named(const std::string& name) {
     return value_in(kDebugPictureNames, name);
 }
 
+RenderOptions possible_options(RenderOptions wanted, bool has_depth) {
+    if (!has_depth && wanted.mode != RenderMode::kHeigl) wanted.mode = RenderMode::kLightField;
+    return wanted;
+}
+
+Frame empty_frame(const Camera& eye_camera) {
+    return {ColorImage(eye_camera.width_px, eye_camera.height_px),
+            GrayImage(eye_camera.width_px, eye_camera.height_px),
+            {}};
+}
+
 bool are_surroundings_drawn(const RenderOptions& options) {
     const bool is_picture = options.debug_picture == DebugPicture::kNone ||
                             options.debug_picture == DebugPicture::kGrid;

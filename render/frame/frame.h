@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "calib/capture/camera.h"
 #include "calib/capture/image.h"
 
 namespace lumi {
@@ -46,7 +47,8 @@ struct RenderOptions {
     double focal_depth = 0.0;
     /// Four samples a pixel, for edges that are smooth: about four times the work. Frames
     /// (frame_target.h) take their mean; other framebuffers must be twice as wide and high, and
-    /// hold the samples.
+    /// hold the samples, in a viewport whose origin is even: those of a pixel know each other by
+    /// their window coordinates.
     bool supersample = false;
     /// `perpixel`: where depth is sampled as finely as the frame, and each pixel is drawn by
     /// itself, silhouettes are the mean of four samples of depth (depth_eye.h): up to three
@@ -72,6 +74,9 @@ struct RenderOptions {
     bool operator==(const RenderOptions&) const = default;
 };
 
+/// Without depth the modes that need it come to the light field.
+[[nodiscard]] RenderOptions possible_options(RenderOptions wanted, bool has_depth);
+
 /// Whether these options ask for colours where no photograph shows anything.
 [[nodiscard]] bool are_surroundings_drawn(const RenderOptions& options);
 
@@ -92,5 +97,8 @@ struct Frame {
     GrayImage coverage;
     DrawStatistics statistics{};
 };
+
+/// A frame that nothing is drawn into: black and uncovered.
+[[nodiscard]] Frame empty_frame(const Camera& eye_camera);
 
 }  // namespace lumi

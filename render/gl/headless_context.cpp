@@ -139,13 +139,23 @@ HeadlessContext::HeadlessContext(GlApi api) {
             }
             display_ = platform.display;
             context_ = context;
-            make_current();
-            if (!is_software_wanted() || query_capabilities().works_on_cpu) return;
-            attempts += std::string("; ") + platform.name + ": a graphics card";
+            const std::string why_not = refusal();
+            if (why_not.empty()) return;
+            attempts += std::string("; ") + platform.name + ", " + name_of(wanted) + ": " + why_not;
             destroy();
         }
     }
     throw no_context(attempts);
+}
+
+std::string HeadlessContext::refusal() const {
+    if (!try_make_current()) return "cannot be made current: " + egl_error_text();
+    try {
+        if (is_software_wanted() && !query_capabilities().works_on_cpu) return "a graphics card";
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
 }
 
 // The display is never terminated: EGL gives every caller the same one, so that ending it would

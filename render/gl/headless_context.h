@@ -29,6 +29,8 @@ class HeadlessContext {
     [[nodiscard]] bool try_make_current() const noexcept;
 
  private:
+    /// Makes it current. What speaks against using it; nothing where it serves.
+    [[nodiscard]] std::string refusal() const;
     void destroy();
 
     void* display_ = nullptr;  ///< EGLDisplay

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "calib/capture/light_left.h"
@@ -47,7 +48,8 @@ class RingTables {
  public:
     using Tables = std::array<ByteTable, 3>;
 
-    /// Light is multiplied by `gains`, and by exp(growth tan^2 a) more at an angle a to the axis.
+    /// Light is multiplied by `gains`, and by exp(growth tan^2 a) more at an angle a to the axis;
+    /// tangents must be finite.
     RingTables(const ExposureGain& gains, double growth, double farthest_squared_tangent)
         : rings_per_squared_tangent_(std::abs(growth) / kGainStep) {
         const auto last = static_cast<int>(rings_per_squared_tangent_ * farthest_squared_tangent);
@@ -77,12 +79,16 @@ std::vector<double> squared_tangents(const Camera& camera, const Eigen::Vector2d
     return tangents;
 }
 
+double largest_of(const std::vector<double>& numbers) {
+    return *std::max_element(numbers.begin(), numbers.end());
+}
+
 /// `growth` as RingTables have it.
 ColorImage multiplied(ColorImage picture, const Camera& camera, const ExposureGain& gains,
                       double growth) {
     const std::vector<double> of_columns = squared_tangents(camera, Eigen::Vector2d::UnitX());
     const std::vector<double> of_rows = squared_tangents(camera, Eigen::Vector2d::UnitY());
-    const RingTables rings(gains, growth, -std::log(light_left_in_corner(-1.0, camera)));
+    const RingTables rings(gains, growth, largest_of(of_columns) + largest_of(of_rows));
     for (int y = 0; y < picture.height(); ++y) {
         for (int x = 0; x < picture.width(); ++x) {
             const auto& [red, green, blue] = rings.at(of_columns[static_cast<std::size_t>(x)] +
@@ -94,17 +100,22 @@ ColorImage multiplied(ColorImage picture, const Camera& camera, const ExposureGa
     return picture;
 }
 
+/// The photograph is the view's.
+ColorImage evened_by_view(ColorImage photograph, const LumigraphView& view, double light_falloff) {
+    if (view.exposure_gain == kNoExposureGain && light_falloff == 0) return photograph;
+    return multiplied(std::move(photograph), view.camera, view.exposure_gain, -light_falloff);
+}
+
 }  // namespace
 
 ColorImage evened_photograph(const LumigraphView& view, double light_falloff) {
-    if (view.exposure_gain == kNoExposureGain && light_falloff == 0) return view.photograph;
-    return multiplied(view.photograph, view.camera, view.exposure_gain, -light_falloff);
+    return evened_by_view(view.photograph, view, light_falloff);
 }
 
 void even_exposures(Lumigraph& lumigraph) {
     parallel_for(static_cast<int>(lumigraph.views.size()), 0, [&](int i) {
         LumigraphView& view = lumigraph.views[static_cast<std::size_t>(i)];
-        view.photograph = evened_photograph(view, lumigraph.light_falloff);
+        view.photograph = evened_by_view(std::move(view.photograph), view, lumigraph.light_falloff);
         view.exposure_gain = kNoExposureGain;
     });
     lumigraph.evened_falloff += lumigraph.light_falloff;

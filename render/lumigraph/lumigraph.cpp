@@ -44,10 +44,29 @@ void validate_depth_mesh(const DepthMesh& mesh, const std::string& where) {
         refuse_lumigraph(where, "expected a depth mesh of triangles between finite vertices");
 }
 
+/// Of the picture's longer side: a picture 179.9 degrees across has the least focal length, a
+/// hundred pixels that a telescope took have a hundred thousand sides; where they were cut from the
+/// border of a large picture, the principal point lies a hundred sides away. Beyond all that are no
+/// cameras, and numbers whose squares are none.
+constexpr double kLeastFocalLength_sides = 1e-3;
+constexpr double kMostFocalLength_sides = 1e6;
+constexpr double kFarthestPrincipalPoint_sides = 1e4;
+
+void validate_camera(const Camera& camera, const std::string& where) {
+    validate(camera, where);
+    if (camera.model != LensModel::kPinhole) refuse_lumigraph(where, "expected a PINHOLE camera");
+    const double side_px = std::max(camera.width_px, camera.height_px);
+    const Eigen::Vector2d focal_sides = focal_length_px(camera) / side_px;
+    if (!(focal_sides.minCoeff() >= kLeastFocalLength_sides &&
+          focal_sides.maxCoeff() <= kMostFocalLength_sides))
+        refuse_lumigraph(where,
+                         "expected focal lengths from 1/1000 to 1000000 times the longer side");
+    if (principal_point_px(camera).cwiseAbs().maxCoeff() > kFarthestPrincipalPoint_sides * side_px)
+        refuse_lumigraph(where, "expected the principal point within 10000 times the longer side");
+}
+
 void validate_view(const LumigraphView& view, const std::string& where) {
-    validate(view.camera, where);
-    if (view.camera.model != LensModel::kPinhole)
-        refuse_lumigraph(where, "expected a PINHOLE camera");
+    validate_camera(view.camera, where);
     if (view.photograph.width() != view.camera.width_px ||
         view.photograph.height() != view.camera.height_px) {
         refuse_lumigraph(where, "expected a photograph of its camera's size");

@@ -64,9 +64,9 @@ struct Lumigraph {
 };
 
 /// Throws Error (E-LUMIGRAPH-INVALID, E-CAMERA-INVALID, E-MESH-INVALID) unless there is a view, the
-/// names are unique, each camera is a pinhole of its photograph's size, poses and depths are
-/// finite, exposure gains, light falloff and what is chosen for drawing within their limits and the
-/// mesh names views that exist; `where` begins the message.
+/// names are unique, each camera is a pinhole of its photograph's size with numbers that some
+/// camera has, poses and depths are finite, exposure gains, light falloff and what is chosen for
+/// drawing within their limits and the mesh names views that exist; `where` begins the message.
 void validate(const Lumigraph& lumigraph, const std::string& where);
 
 /// What holds for the Lumigraph whichever views it has: neither views nor camera mesh.

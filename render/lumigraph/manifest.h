@@ -84,7 +84,8 @@ struct Manifest {
 [[nodiscard]] Manifest parse_manifest(std::string_view text, const PackageLimits& limits,
                                       const std::string& where = kManifestName);
 
-/// The manifest of the package in `folder`; also throws E-PACKAGE-MISSING and E-PACKAGE-SIZE.
+/// The manifest of the package in `folder`; also throws E-PACKAGE-MISSING, -ACCESS and
+/// -SIZE.
 [[nodiscard]] Manifest read_manifest(const std::filesystem::path& folder,
                                      const PackageLimits& limits = {});
 

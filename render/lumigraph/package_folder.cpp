@@ -28,6 +28,36 @@ constexpr const char* kNameThePackage = "name the folder that `lumi build` made;
                 "the package is damaged: copy it again, or build it again with `lumi build`");
 }
 
+/// For a value of errno: throws where the system keeps from reading what may well be whole.
+void expect_access(const fs::path& path, int error_number) {
+    const auto no_access = [&](ErrorKind kind, const std::string& advice) {
+        return Error(kind, "E-PACKAGE-ACCESS",
+                     path.string() + ": cannot be read: " + std::strerror(error_number), advice);
+    };
+    switch (error_number) {
+        case EACCES:
+        case EPERM:
+            throw no_access(ErrorKind::kBadInput,
+                            "ask its owner to let you read all of the package (chmod -R a+rX)");
+        case EMFILE:
+        case ENFILE:
+            throw no_access(ErrorKind::kResources,
+                            "close other programs, or raise the limit of open files (ulimit -n)");
+        case EIO:
+            throw no_access(ErrorKind::kResources,
+                            "the disk fails, or the network to it: copy the package to another");
+        default:
+            return;
+    }
+}
+
+/// The same, and it throws for all else too.
+[[noreturn]] void refuse_reading(const fs::path& path, int error_number) {
+    expect_access(path, error_number);
+    refuse("E-PACKAGE-MISSING", path,
+           "cannot be read: " + std::string(std::strerror(error_number)));
+}
+
 /// An open file or folder that closes itself.
 class Descriptor {
  public:
@@ -49,21 +79,20 @@ class Descriptor {
 /// Opens `path` below `root` without following a link at any part. O_NONBLOCK keeps a pipe from
 /// waiting for a writer.
 Descriptor open_below(int root, std::string_view path, const fs::path& shown) {
-    Descriptor current(::dup(root));
+    Descriptor current(::fcntl(root, F_DUPFD_CLOEXEC, 0));
+    if (current.get() < 0) refuse_reading(shown, errno);
     while (true) {
         const std::size_t slash = path.find('/');
         const bool is_last = slash == std::string_view::npos;
         const std::string part(path.substr(0, slash));
         const int kind = is_last ? O_NONBLOCK : O_DIRECTORY;
-        current = Descriptor(
-            ::openat(current.get(), part.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | kind));
-        if (current.get() < 0) {
-            // A link is ELOOP where a file was asked for and ENOTDIR where a folder was.
-            const bool not_plain = errno == ELOOP || errno == ENOTDIR;
-            refuse(not_plain ? "E-PACKAGE-PATH" : "E-PACKAGE-MISSING", shown,
-                   not_plain ? "expected a plain file reached without a link"
-                             : "cannot be opened: " + std::string(std::strerror(errno)));
-        }
+        const int next =
+            ::openat(current.get(), part.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | kind);
+        // A link is ELOOP where a file was asked for and ENOTDIR where a folder was.
+        if (next < 0 && (errno == ELOOP || errno == ENOTDIR))
+            refuse("E-PACKAGE-PATH", shown, "expected a plain file reached without a link");
+        if (next < 0) refuse_reading(shown, errno);
+        current = Descriptor(next);
         if (is_last) return current;
         path.remove_prefix(slash + 1);
     }
@@ -82,7 +111,9 @@ Bytes bytes_of(const Descriptor& file, std::uint64_t size, const fs::path& shown
     for (std::size_t offset = 0; offset < bytes.size();) {
         const ssize_t count = ::read(file.get(), bytes.data() + offset, bytes.size() - offset);
         if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) refuse("E-PACKAGE-SIZE", shown, "cannot be read to its end");
+        if (count < 0) refuse_reading(shown, errno);
+        if (count == 0)
+            refuse("E-PACKAGE-SIZE", shown, "is shorter than it was when it was opened");
         offset += static_cast<std::size_t>(count);
     }
     return bytes;
@@ -123,7 +154,9 @@ bool is_safe_package_path(std::string_view path) {
 /// The folder around a package is easily named for it.
 const fs::path& not_around_package(const fs::path& folder) {
     std::error_code status;
-    if (fs::exists(folder / kManifestName, status)) return folder;
+    // What cannot be looked into says so when it is opened.
+    if (fs::exists(folder / kManifestName, status) || status == std::errc::permission_denied)
+        return folder;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, status)) {
         if (entry.path().extension() != ".lumi" || !entry.is_directory(status)) continue;
         throw Error(ErrorKind::kBadInput, "E-PACKAGE-MISSING",
@@ -144,9 +177,12 @@ PackageFolder::PackageFolder(const fs::path& folder)
     : folder_(not_around_package(folder)),
       descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (descriptor_ < 0) {
-        throw Error(ErrorKind::kBadInput, "E-PACKAGE-MISSING",
-                    folder.string() + ": expected the folder of a package: " + std::strerror(errno),
-                    kNameThePackage);
+        const int error_number = errno;
+        expect_access(folder, error_number);
+        throw Error(
+            ErrorKind::kBadInput, "E-PACKAGE-MISSING",
+            folder.string() + ": expected the folder of a package: " + std::strerror(error_number),
+            kNameThePackage);
     }
 }
 

@@ -19,7 +19,7 @@ namespace lumi {
 /// threads.
 class PackageFolder {
  public:
-    /// Throws Error (E-PACKAGE-MISSING).
+    /// Throws Error (E-PACKAGE-MISSING; -ACCESS for what the system keeps from being read).
     explicit PackageFolder(const std::filesystem::path& folder);
     ~PackageFolder();
     PackageFolder(const PackageFolder&) = delete;
@@ -29,10 +29,10 @@ class PackageFolder {
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] std::filesystem::path path_of(const PackageFile& file) const;
     /// The bytes of a file whose length and checksum are those of the manifest. Throws Error
-    /// (E-PACKAGE-MISSING, -PATH, -SIZE, -CHECKSUM).
+    /// (E-PACKAGE-MISSING, -ACCESS, -PATH, -SIZE, -CHECKSUM).
     [[nodiscard]] Bytes read(const PackageFile& file) const;
-    /// The bytes of a plain file of at most `max_bytes`. Throws Error (E-PACKAGE-MISSING, -PATH,
-    /// -SIZE).
+    /// The bytes of a plain file of at most `max_bytes`. Throws Error (E-PACKAGE-MISSING,
+    /// -ACCESS, -PATH, -SIZE).
     [[nodiscard]] Bytes read_unchecked(std::string_view path, std::uint64_t max_bytes) const;
 
  private:

@@ -2,8 +2,6 @@
 
 #include <epoxy/gl.h>
 
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include "render/faces/off_cameras.h"
@@ -36,51 +34,6 @@ std::vector<PlaneView> plane_views(const Lumigraph& lumigraph, const Eye& eye,
 /// What is not a photograph's, and need not vary on a piece as that does.
 bool tells_of_rays(DebugPicture picture) {
     return picture != DebugPicture::kNone && picture != DebugPicture::kGrid;
-}
-
-/// Less than this of all weights is too little to be averaged over a piece (affine_pieces.h).
-constexpr double kHardlyAny = 0.01;
-
-/// Whether the view shows the plane, or what is infinitely far beyond it, at all of these corners.
-bool shows_all(const std::vector<Eigen::Vector2d>& corners, std::size_t view,
-               const Eigen::Vector3d& plane, const std::vector<PlaneView>& on_plane,
-               const std::vector<PlaneView>& beyond) {
-    return std::all_of(corners.begin(), corners.end(), [&](const Eigen::Vector2d& corner) {
-        const bool is_near = plane.dot(corner.homogeneous()) > 0;
-        const PlaneView& as_seen = (is_near ? on_plane : beyond)[view];
-        const Eigen::Vector3d pixel = as_seen.view_from_eye * corner.homogeneous();
-        return pixel.z() > 0 && pixel.x() >= 0 && pixel.y() >= 0 &&
-               pixel.x() <= as_seen.width_px * pixel.z() &&
-               pixel.y() <= as_seen.height_px * pixel.z();
-    });
-}
-
-/// Positive where a view has nearly all of a polygon's weight, as beside its camera.
-Eigen::Vector3d nearly_all_of(const FacePolygon& polygon, int view) {
-    Eigen::Vector3d line = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < 3; ++k)
-        line +=
-            (polygon.view_indices[k] == view ? kHardlyAny : kHardlyAny - 1) * polygon.side_lines[k];
-    return line;
-}
-
-/// Cuts off where a photograph ends that has nearly all weight: beyond it pixels have others.
-void cut_off_beside_cameras(FacePolygon& polygon, const Eigen::Vector3d& plane,
-                            const std::vector<PlaneView>& on_plane,
-                            const std::vector<PlaneView>& beyond,
-                            std::vector<FacePolygon>& cut_off) {
-    const std::array<int, 3>& views = polygon.view_indices;
-    if (views[0] == views[1] && views[1] == views[2]) return;
-    for (const int view : views) {
-        const Eigen::Vector3d line = nearly_all_of(polygon, view);
-        std::vector<Eigen::Vector2d> part = clipped(polygon.corners_px, line);
-        if (part.size() < 3 ||
-            shows_all(part, static_cast<std::size_t>(view), plane, on_plane, beyond))
-            continue;
-        polygon.corners_px = clipped(polygon.corners_px, -line);
-        cut_off.push_back(polygon);
-        cut_off.back().corners_px = std::move(part);
-    }
 }
 
 }  // namespace
@@ -138,13 +91,15 @@ DrawStatistics LightField::draw_polygons(std::vector<FacePolygon> polygons, cons
     const Eigen::Vector3d plane = plane_of(eye, options);
     const std::vector<PlaneView> on_plane = plane_views(layout, eye, plane);
     const std::vector<PlaneView> beyond = plane_views(layout, eye, Eigen::Vector3d::Zero());
+    const double border_px = unsure_border_px(uploaded_.lod_of(eye, options));
     if (are_surroundings_drawn(options)) {
         PictureCells cells(eye.camera);
-        mark_beyond_mesh(layout.mesh, eye, cells);
-        mark_where_none_may_be_shown(polygons, layout.views, eye, plane, cells,
-                                     unsure_border_px(uploaded_.lod_of(eye, options)));
+        // As the eye that its faces are drawn for sees it.
+        mark_beyond_mesh(layout.mesh, off_cameras(layout.mesh, eye), cells);
+        mark_where_none_may_be_shown(polygons, layout.views, eye, plane, cells, border_px);
         surroundings_.draw(cells, eye);
     }
+    const AffinePieceOptions pieces{.unsure_border_px = border_px};
     affine_.clear();
     exact_.clear();
     for (FacePolygon& polygon : polygons) {
@@ -152,13 +107,12 @@ DrawStatistics LightField::draw_polygons(std::vector<FacePolygon> polygons, cons
             exact_.push_back(std::move(polygon));
             continue;
         }
-        cut_off_beside_cameras(polygon, plane, on_plane, beyond, exact_);
         // A wide picture also shows what is no longer on the plane, but infinitely far.
         const std::vector<Eigen::Vector2d> corners = polygon.corners_px;
         polygon.corners_px = clipped(corners, plane);
-        cut_into_affine_pieces(polygon, on_plane, plane, {}, affine_, exact_);
+        cut_into_affine_pieces(polygon, on_plane, plane, pieces, affine_, exact_);
         polygon.corners_px = clipped(corners, -plane);
-        cut_into_affine_pieces(polygon, beyond, plane, {}, affine_, exact_);
+        cut_into_affine_pieces(polygon, beyond, plane, pieces, affine_, exact_);
     }
     blend_.draw(affine_, eye, options);
     DrawStatistics statistics{affine_.count()};

@@ -78,24 +78,37 @@ Eye fitted_to(const Eye& eye, int width_px, int height_px) {
         eye.cam_from_world};
 }
 
-int index_of_view(const Lumigraph& lumigraph, const std::string& name) {
+std::optional<int> index_of_name(const std::vector<std::string>& names, const std::string& wanted) {
     std::vector<int> by_stem;
-    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
-        if (lumigraph.views[i].name == name) return static_cast<int>(i);
-        if (std::filesystem::path(lumigraph.views[i].name).stem() == name) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i] == wanted) return static_cast<int>(i);
+        if (std::filesystem::path(names[i]).stem() == wanted)
             by_stem.push_back(static_cast<int>(i));
-        }
     }
-    if (by_stem.size() == 1) return by_stem.front();
+    if (by_stem.size() != 1) return std::nullopt;
+    return by_stem.front();
+}
+
+std::string listed_names(const std::vector<std::string>& names) {
     constexpr std::size_t kMaxListed = 8;
-    std::string names;
-    for (std::size_t i = 0; i < std::min(kMaxListed, lumigraph.views.size()); ++i) {
-        names += (i == 0 ? "" : ", ") + printable(lumigraph.views[i].name);
-    }
-    if (lumigraph.views.size() > kMaxListed) names += ", ...";
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kMaxListed, names.size()); ++i)
+        text += (i == 0 ? "" : ", ") + printable(names[i]);
+    return names.size() > kMaxListed ? text + ", ..." : text;
+}
+
+std::vector<std::string> names_of_views(const Lumigraph& lumigraph) {
+    std::vector<std::string> names;
+    for (const LumigraphView& view : lumigraph.views) names.push_back(view.name);
+    return names;
+}
+
+int index_of_view(const Lumigraph& lumigraph, const std::string& name) {
+    const std::vector<std::string> names = names_of_views(lumigraph);
+    if (const std::optional<int> index = index_of_name(names, name)) return *index;
     throw Error(ErrorKind::kUsage, "E-VIEW-NAME",
                 "expected the name of one photograph, found '" + printable(name) + "'",
-                "this package has: " + names);
+                "this package has: " + listed_names(names));
 }
 
 Eigen::Vector3d up_in_world(const Lumigraph& lumigraph) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "calib/capture/image.h"
 #include "render/lumigraph/lumigraph.h"
@@ -25,8 +27,17 @@ namespace lumi {
 /// Pixels of the fitted frame per pixel of the eye's own picture.
 [[nodiscard]] double fitting_scale(const Eye& eye, int width_px, int height_px);
 
-/// The view whose name, or whose name without folder and ending, is `name`. Throws Error
-/// (E-VIEW-NAME) that lists names when there is none, or more than one.
+/// Which of these names of photographs is `wanted`; or else the only one, if there is one alone,
+/// that is without folder and ending.
+[[nodiscard]] std::optional<int> index_of_name(const std::vector<std::string>& names,
+                                               const std::string& wanted);
+/// The first few of them, for advice.
+[[nodiscard]] std::string listed_names(const std::vector<std::string>& names);
+
+[[nodiscard]] std::vector<std::string> names_of_views(const Lumigraph& lumigraph);
+
+/// The view whose name is `name` (index_of_name). Throws Error (E-VIEW-NAME) that lists names when
+/// there is none.
 [[nodiscard]] int index_of_view(const Lumigraph& lumigraph, const std::string& name);
 
 /// The direction that is up in the photographs, averaged over the views; of length one.

@@ -1,6 +1,6 @@
 #include "render/reference/photograph_samples.h"
 
-#include "render/reference/sampling.h"
+#include "render/transfer/sampling.h"
 #include "render/uploaded/photograph_layer.h"
 #include "render/uploaded/photograph_lod.h"
 #include "render/uploaded/photograph_opacity.h"

@@ -5,11 +5,17 @@
 #include <cmath>
 
 #include "render/depth_search/occlusion.h"
-#include "render/reference/sampling.h"
 #include "render/transfer/border_distance.h"
+#include "render/transfer/sampling.h"
 #include "render/uploaded/photograph_opacity.h"
 
 namespace lumi {
+namespace {
+
+/// The inverse depth of what a view knows nothing of. As in shaders/agreed_depth.glsl.
+constexpr double kNowhere = -1e9;
+
+}  // namespace
 
 PointInViews::PointInViews(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options)
     : lumigraph_(lumigraph),
@@ -34,13 +40,13 @@ bool PointInViews::is_inside(int view_index, const RayPoint& point) const {
     return at && border_distance_px(at->pixel, camera.width_px, camera.height_px) >= 0;
 }
 
-std::optional<double> PointInViews::seen_by(int view_index, const Sight& sight,
-                                            const std::map<int, EyeDepth>& asked) const {
+double PointInViews::seen_by(int view_index, const Sight& sight,
+                             const std::map<int, EyeDepth>& asked) const {
     const auto said = asked.find(view_index);
     if (said != asked.end()) {
         const EyeDepth& depth = said->second;
-        if (!depth.is_known() || depth.kind == DepthKind::kStretched) return std::nullopt;
-        return depth.inverse_depth / sight.depth_ratio;
+        const bool is_seen = depth.is_known() && depth.kind != DepthKind::kStretched;
+        return (is_seen ? depth.inverse_depth : kNowhere) / sight.depth_ratio;
     }
     const Camera& camera = view(view_index).camera;
     const FloatImage& depth = view(view_index).depth.inverse_depth;
@@ -52,10 +58,8 @@ double PointInViews::visibility(int view_index, const RayPoint& point,
                                 const std::map<int, EyeDepth>& asked) const {
     if (!is_inside(view_index, point)) return 0;
     const Sight at = *sight(view_index, point);
-    const std::optional<double> seen = seen_by(view_index, at, asked);
-    if (!seen) return 0;
     const double difference_px =
-        std::abs(at.inverse_depth - *seen) *
+        std::abs(at.inverse_depth - seen_by(view_index, at, asked)) *
         disparity_px_per_inverse_depth(geometries_[static_cast<std::size_t>(view_index)],
                                        eye_in_world_);
     return visibility_of(difference_px, lumigraph_.drawing.occlusion_tolerance_px);
@@ -64,7 +68,7 @@ double PointInViews::visibility(int view_index, const RayPoint& point,
 bool PointInViews::is_guess_hidden(int view_index, const RayPoint& point) const {
     if (!checks_guess_in(view_index, point)) return false;
     const Sight at = *sight(view_index, point);
-    const double before_px = (*seen_by(view_index, at, {}) - at.inverse_depth) *
+    const double before_px = (seen_by(view_index, at, {}) - at.inverse_depth) *
                              disparity_px_per_inverse_depth(
                                  geometries_[static_cast<std::size_t>(view_index)], eye_in_world_);
     return before_px > kSurelyBefore_px;
@@ -72,7 +76,7 @@ bool PointInViews::is_guess_hidden(int view_index, const RayPoint& point) const 
 
 bool PointInViews::sees_past_guess(int view_index, const RayPoint& point) const {
     return checks_guess_in(view_index, point) &&
-           *seen_by(view_index, *sight(view_index, point), {}) == 0;
+           seen_by(view_index, *sight(view_index, point), {}) == 0;
 }
 
 bool PointInViews::checks_guess_in(int view_index, const RayPoint& point) const {

@@ -40,7 +40,8 @@ class PointInViews {
     [[nodiscard]] bool is_inside(int view_index, const RayPoint& point) const;
     /// 1 when the view sees the point, 0 when it sees something else or the point is not in its
     /// photograph; in between a ramp (occlusion.h). A view that was asked for depth has said what
-    /// it sees on the eye's ray, of others the depth map tells.
+    /// it sees on the eye's ray, of others the depth map tells. In its place nothing moves: there a
+    /// view sees all that it shows, whatever it knows.
     [[nodiscard]] double visibility(int view_index, const RayPoint& point,
                                     const std::map<int, EyeDepth>& asked) const;
     /// Whether the view's depth map has something surely before a point that is a guess
@@ -56,10 +57,10 @@ class PointInViews {
     [[nodiscard]] const std::vector<ViewGeometry>& geometries() const { return geometries_; }
 
  private:
-    /// The inverse depth in the view of what it sees there; none where it sees nothing. The view
-    /// has depth.
-    [[nodiscard]] std::optional<double> seen_by(int view_index, const Sight& sight,
-                                                const std::map<int, EyeDepth>& asked) const;
+    /// The inverse depth in the view of what it sees there; as far as can be from any where it
+    /// knows nothing. The view has depth.
+    [[nodiscard]] double seen_by(int view_index, const Sight& sight,
+                                 const std::map<int, EyeDepth>& asked) const;
     [[nodiscard]] bool checks_guess_in(int view_index, const RayPoint& point) const;
     [[nodiscard]] const LumigraphView& view(int index) const {
         return lumigraph_.views[static_cast<std::size_t>(index)];

@@ -280,9 +280,7 @@ Eigen::Vector3d ReferenceFrame::debug_color_of(const RayWeights& ray, bool unsee
 Frame draw_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options,
                      const std::optional<std::vector<FacePolygon>>& polygons) {
     const ReferenceFrame reference(lumigraph, eye, options, polygons);
-    Frame frame{ColorImage(eye.camera.width_px, eye.camera.height_px),
-                GrayImage(eye.camera.width_px, eye.camera.height_px),
-                {}};
+    Frame frame = empty_frame(eye.camera);
     for (int y = 0; y < eye.camera.height_px; ++y) {
         for (int x = 0; x < eye.camera.width_px; ++x) {
             const DrawnPixel drawn = reference.color_at(x, y);

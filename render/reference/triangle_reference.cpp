@@ -176,12 +176,6 @@ Eigen::Vector3d TriangleReference::debug_color_of(const Corners& corners,
     return debug_picture_ == DebugPicture::kWeights ? color : weights.sum() * color;
 }
 
-Frame empty_frame(const Camera& eye_camera) {
-    return {ColorImage(eye_camera.width_px, eye_camera.height_px),
-            GrayImage(eye_camera.width_px, eye_camera.height_px),
-            {}};
-}
-
 Frame draw_reference(const BlendTriangles& triangles, const Lumigraph& lumigraph, const Eye& eye,
                      PlaceInterpolation places, DebugPicture debug_picture) {
     Frame frame = empty_frame(eye.camera);

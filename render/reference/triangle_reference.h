@@ -67,7 +67,4 @@ class TriangleReference {
                                    const Eye& eye, PlaceInterpolation places,
                                    DebugPicture debug_picture = DebugPicture::kNone);
 
-/// A frame for the eye that nothing is drawn into: black and uncovered.
-[[nodiscard]] Frame empty_frame(const Camera& eye_camera);
-
 }  // namespace lumi

@@ -43,14 +43,10 @@ void clear(const Viewport& viewport) {
 struct LumigraphRenderer::Implementation {
     explicit Implementation(const Lumigraph& lumigraph) : uploaded(lumigraph) {}
 
-    /// Made when it is first asked for. Without depth the modes that need it come to the light
-    /// field.
+    /// Made when it is first asked for.
     DrawingMode& mode(RenderMode wanted) {
-        const bool needs_depth = wanted != RenderMode::kLightField && wanted != RenderMode::kHeigl;
-        const RenderMode possible =
-            needs_depth && !uploaded.layout.has_depth() ? RenderMode::kLightField : wanted;
-        std::unique_ptr<DrawingMode>& mode = modes[possible];
-        if (!mode) mode = made(possible);
+        std::unique_ptr<DrawingMode>& mode = modes[wanted];
+        if (!mode) mode = made(wanted);
         return *mode;
     }
 
@@ -84,8 +80,10 @@ LumigraphRenderer::~LumigraphRenderer() = default;
 LumigraphRenderer::LumigraphRenderer(LumigraphRenderer&& other) noexcept = default;
 LumigraphRenderer& LumigraphRenderer::operator=(LumigraphRenderer&& other) noexcept = default;
 
-DrawStatistics LumigraphRenderer::draw(const Eye& eye, const RenderOptions& options,
+DrawStatistics LumigraphRenderer::draw(const Eye& eye, const RenderOptions& wanted,
                                        const Viewport& viewport) {
+    const RenderOptions options =
+        possible_options(wanted, implementation_->uploaded.layout.has_depth());
     const Eye fitted_eye = fitted(eye, viewport);
     implementation_->uploaded.prepare(fitted_eye, options);
     clear(viewport);

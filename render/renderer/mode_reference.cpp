@@ -54,11 +54,11 @@ void expect_drawable(const RenderOptions& options) {
 
 }  // namespace
 
-Frame draw_mode_reference(const Lumigraph& lumigraph, const Eye& eye,
-                          const RenderOptions& options) {
-    expect_drawable(options);
+Frame draw_mode_reference(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& wanted) {
+    expect_drawable(wanted);
     if (lacks_depth(lumigraph))
-        return draw_mode_reference(with_depth_of_others(lumigraph), eye, options);
+        return draw_mode_reference(with_depth_of_others(lumigraph), eye, wanted);
+    const RenderOptions options = possible_options(wanted, lumigraph.has_depth());
     switch (options.mode) {
         case RenderMode::kAdaptive:
             return draw_adaptive(lumigraph, eye, options);

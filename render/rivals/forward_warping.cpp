@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/reference/sampling.h"
 #include "render/rivals/seen_point.h"
 #include "render/transfer/pixel_transfer.h"
+#include "render/transfer/sampling.h"
 #include "render/view_choice/depth_view_choice.h"
 
 namespace lumi {
@@ -69,7 +69,7 @@ Frame draw_forward_warping(const Lumigraph& lumigraph, const Eye& eye,
         const double distance = (centre_in_world(view.cam_from_world) - eye_in_world).norm();
         warp(view, eye, 1 / std::max(distance, 1e-9), options, arrived);
     }
-    Frame frame = empty_frame(eye);
+    Frame frame = empty_frame(eye.camera);
     for (int y = 0; y < arrived.height(); ++y)
         for (int x = 0; x < arrived.width(); ++x)
             if (arrived(x, y).weight > 0)

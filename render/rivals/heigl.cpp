@@ -16,13 +16,6 @@ namespace {
 /// plane the eye is no closer.
 constexpr double kAtCamera = 1e-6;
 
-/// The corners of the eye's picture.
-std::vector<Eigen::Vector2d> corners_of_picture(const Eye& eye) {
-    const double width = eye.camera.width_px;
-    const double height = eye.camera.height_px;
-    return {{0, 0}, {width, 0}, {width, height}, {0, height}};
-}
-
 /// All of the picture from one view.
 FacePolygon picture_of(int view, const Eye& eye) {
     FacePolygon polygon;
@@ -30,7 +23,7 @@ FacePolygon picture_of(int view, const Eye& eye) {
     polygon.view_indices = {view, view, view};
     polygon.side_lines = {Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(),
                           Eigen::Vector3d::Zero()};
-    polygon.corners_px = corners_of_picture(eye);
+    polygon.corners_px = picture_corners_px(eye.camera);
     return polygon;
 }
 
@@ -66,7 +59,7 @@ std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& e
             polygon.view_indices[i] = view_of_point[point];
         }
         const Eigen::Matrix3d weights_from_pixel = corners.inverse();
-        polygon.corners_px = corners_of_picture(eye);
+        polygon.corners_px = picture_corners_px(eye.camera);
         for (std::size_t i = 0; i < 3; ++i) {
             polygon.side_lines[i] = weights_from_pixel.row(static_cast<Eigen::Index>(i));
             polygon.corners_px = clipped(polygon.corners_px, polygon.side_lines[i]);

@@ -6,11 +6,7 @@
 #include "render/reference/eye_depths.h"
 
 namespace lumi {
-namespace {
-
-constexpr double kTolerance_px = 1.5;
-
-}  // namespace
+namespace {}  // namespace
 
 Eigen::Matrix3d rotation_with_axis(const Eigen::Vector3d& z, const Eigen::Vector3d& down) {
     const Eigen::Vector3d x = down.cross(z).normalized();
@@ -29,7 +25,7 @@ Lumigraph resampled(const Lumigraph& source, LightFieldLayout layout, const Draw
         result.views.push_back(
             {"resampled " + std::to_string(i + 1), eye.camera, eye.cam_from_world, 1,
              draw(eye).color,
-             source.has_depth() ? depth_map_at(source, eye, kTolerance_px) : DepthMap{}});
+             source.has_depth() ? depth_map_at(source, eye, kAgreeingDisparity_px) : DepthMap{}});
     }
     return result;
 }

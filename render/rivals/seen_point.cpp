@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "calib/capture/nearest_byte.h"
-#include "render/reference/sampling.h"
+#include "render/transfer/sampling.h"
 
 namespace lumi {
 
@@ -21,12 +21,6 @@ std::optional<SeenPoint> seen_point(const LumigraphView& view,
     const double inverse_depth = nearest(map, {pixel->x() * map.width() / view.camera.width_px,
                                                pixel->y() * map.height() / view.camera.height_px});
     return SeenPoint{&view, *pixel, in_view.z(), 1 / std::max(inverse_depth, 1e-12)};
-}
-
-Frame empty_frame(const Eye& eye) {
-    return {ColorImage(eye.camera.width_px, eye.camera.height_px),
-            GrayImage(eye.camera.width_px, eye.camera.height_px),
-            {}};
 }
 
 void set_pixel(Frame& frame, int x, int y, const Eigen::Vector3d& color) {

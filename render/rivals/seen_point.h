@@ -22,8 +22,6 @@ struct SeenPoint {
 [[nodiscard]] std::optional<SeenPoint> seen_point(const LumigraphView& view,
                                                   const Eigen::Vector3d& point_in_world);
 
-/// Black and uncovered.
-[[nodiscard]] Frame empty_frame(const Eye& eye);
 /// Covered, with a colour from 0 to 255.
 void set_pixel(Frame& frame, int x, int y, const Eigen::Vector3d& color);
 

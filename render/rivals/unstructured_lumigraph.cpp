@@ -12,7 +12,7 @@ Frame draw_unstructured_lumigraph(const Lumigraph& lumigraph, const Eye& eye,
                                   const UnstructuredLumigraphOptions& options) {
     const EyeDepths known = eye_depths(lumigraph, eye, options.tolerance_px);
     const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
-    Frame frame = empty_frame(eye);
+    Frame frame = empty_frame(eye.camera);
     for (int y = 0; y < frame.color.height(); ++y) {
         for (int x = 0; x < frame.color.width(); ++x) {
             const ConsensusDepth& depth = known.depths(x, y);

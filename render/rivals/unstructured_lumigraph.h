@@ -9,7 +9,7 @@ struct UnstructuredLumigraphOptions {
     /// A view sees another surface when its depth differs by more than this share: the fixed
     /// epsilon of published implementations.
     double occlusion_epsilon = 0.01;
-    double tolerance_px = 1.5;  ///< Of the depth at the eye (eye_depths.h).
+    double tolerance_px = kAgreeingDisparity_px;  ///< Of the depth at the eye (eye_depths.h).
 };
 
 /// Unstructured lumigraph rendering (Buehler et al., SIGGRAPH 2001) in plain code: for each pixel

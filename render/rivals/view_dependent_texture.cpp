@@ -52,7 +52,7 @@ Frame draw_view_dependent_texture(const Lumigraph& lumigraph, const Eye& eye,
                                   const ViewDependentTextureOptions& options) {
     const EyeDepths known = eye_depths(lumigraph, eye, options.tolerance_px);
     const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
-    Frame frame = empty_frame(eye);
+    Frame frame = empty_frame(eye.camera);
     struct Polygon {
         double inverse_depth;
         std::vector<ChosenView> views;

@@ -8,7 +8,7 @@ namespace lumi {
 struct ViewDependentTextureOptions {
     int polygon_px = 8;  ///< Side of the square patches of surface that choose their views as one.
     double occlusion_epsilon = 0.01;
-    double tolerance_px = 1.5;  ///< Of the depth at the eye (eye_depths.h).
+    double tolerance_px = kAgreeingDisparity_px;  ///< Of the depth at the eye (eye_depths.h).
 };
 
 /// View-dependent texture mapping (Debevec, Yu, Borshukov 1998) in plain code: each polygon is

@@ -44,15 +44,18 @@ uniform float is_laid_over;  // 1 where a picture is behind, 0 where nothing is
 #endif
 
 void main() {
+    vec2 place0 = PLACE_AT_CENTRE(on_layers01.xy);
+    vec2 place1 = PLACE_AT_CENTRE(on_layers01.zw);
+    vec2 place2 = PLACE_AT_CENTRE(on_layer2_and_weights.xy);
     vec3 weights = vec3(on_layer2_and_weights.zw, weight2_and_depth.x);
-    vec4 color0 = photograph_at(on_layers01.xy, layers_and_face.x);
+    vec4 color0 = photograph_at(place0, layers_and_face.x);
     weights.x *= color0.a;
 #if LOOKUPS >= 2
-    vec4 color1 = photograph_at(on_layers01.zw, layers_and_face.y);
+    vec4 color1 = photograph_at(place1, layers_and_face.y);
     weights.y *= color1.a;
 #endif
 #if LOOKUPS == 3
-    vec4 color2 = photograph_at(on_layer2_and_weights.xy, layers_and_face.z);
+    vec4 color2 = photograph_at(place2, layers_and_face.z);
     weights.z *= color2.a;
 #endif
 #if LOOKUPS == 1

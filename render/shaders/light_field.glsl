@@ -8,7 +8,7 @@ vec4 seen(vec3 pixel, float layer) {
 }
 
 void main() {
-    float inverse_depth = max(0.0, side_products_and_plane.w);
+    float inverse_depth = max(0.0, AT_CENTRE(side_products_and_plane).w);
     vec3 pixel0 = AT_CENTRE(view_pixel0) + inverse_depth * view_parallax0.xyz;
     vec3 pixel1 = AT_CENTRE(view_pixel1) + inverse_depth * view_parallax1.xyz;
     vec3 pixel2 = AT_CENTRE(view_pixel2) + inverse_depth * view_parallax2.xyz;

@@ -28,8 +28,23 @@ vec4 photograph_at(vec2 on_layer, float layer) {
 // mean of the four does not blur them. For what is affine in the picture, or nearly.
 vec2 to_centre() { return 0.5 - mod(floor(gl_FragCoord.xy), 2.0); }
 #define AT_CENTRE(v) ((v) + to_centre().x * dFdx(v) + to_centre().y * dFdy(v))
+
+// Where a photograph is looked up on a triangle, in its layer. What lies more than a texel from the
+// centre is looked up by itself: on surfaces at a slant four lookups apart blur nothing, and beside
+// those that are seen edge on derivatives lead anywhere.
+vec2 place_at_centre(vec2 on_layer) {
+    vec2 way = to_centre().x * dFdx(on_layer) + to_centre().y * dFdy(on_layer);
+#ifdef MIP_LEVELS
+    vec2 texels = way * vec2(textureSize(photographs, int(photograph_lod)).xy);
+#else
+    vec2 texels = way * vec2(textureSize(photographs, 0).xy);
+#endif
+    return max(abs(texels.x), abs(texels.y)) <= 1.0 ? on_layer + way : on_layer;
+}
+#define PLACE_AT_CENTRE(v) place_at_centre(v)
 #else
 #define AT_CENTRE(v) (v)
+#define PLACE_AT_CENTRE(v) (v)
 #endif
 
 #ifdef DEBUG_PICTURE

@@ -47,7 +47,8 @@ void main() {
                                                   inverse_depth_and_confidence.z),
                  weight);
 #else
-    drawn = vec4(photograph_at(on_layer.xy / max(on_layer.z, 1e-20), layer).rgb, weight);
+    vec2 place = on_layer.xy / max(on_layer.z, 1e-20);
+    drawn = vec4(photograph_at(PLACE_AT_CENTRE(place), layer).rgb, weight);
 #endif
 }
 #endif

@@ -18,6 +18,8 @@ using Box = Eigen::AlignedBox2d;
 
 /// Affine errors are not chased further than this.
 constexpr double kSmallest_px = 4.0;
+/// Nor where photographs end that have nearly all weight further than this.
+constexpr double kSmallestEnding_px = 16.0;
 
 /// Added to weights, so that there are always some.
 constexpr float kNoWeight = 1e-12F;
@@ -86,10 +88,13 @@ class PieceCutter {
                 !is_beyond(corners, views_[static_cast<std::size_t>(polygon_.view_indices[k])]);
         if (visible == Visible{}) return;
         std::vector<BlendVertex> vertices = vertices_of(corners, visible);
-        if (is_affine(vertices, visible)) return keep_affine(centred(std::move(vertices), visible));
+        const bool may_lose = may_leave_too_little(vertices, visible);
+        if (!may_lose && is_affine(vertices, visible))
+            return keep_affine(centred(std::move(vertices), visible));
         const Box box = bounding_box(corners);
         const Eigen::Vector2d size = box.sizes();
-        if (size.maxCoeff() <= kSmallest_px) return keep_exact(corners);
+        if (size.maxCoeff() <= (may_lose ? kSmallestEnding_px : kSmallest_px))
+            return keep_exact(corners);
         const Eigen::Vector2d middle = box.center();
         const bool wide = size.x() >= size.y();
         const Eigen::Vector3d line(wide ? 1 : 0, wide ? 0 : 1, wide ? -middle.x() : -middle.y());
@@ -134,21 +139,42 @@ class PieceCutter {
         return vertices;
     }
 
+    /// Whether photograph k shows all of the piece, inside of its border by so much.
+    [[nodiscard]] bool shows_all(const std::vector<BlendVertex>& vertices, std::size_t k,
+                                 double border_px) const {
+        const PlaneView& view = views_[static_cast<std::size_t>(polygon_.view_indices[k])];
+        return std::all_of(vertices.begin(), vertices.end(), [&](const BlendVertex& vertex) {
+            const Eigen::Vector2d pixel = vector_of(vertex.view_pixels[k]);
+            return pixel.minCoeff() >= border_px && pixel.x() <= view.width_px - border_px &&
+                   pixel.y() <= view.height_px - border_px;
+        });
+    }
+
     /// Whether one of the photographs ends within the piece: beyond its border the others count as
     /// much as it does elsewhere.
     [[nodiscard]] bool ends_within(const std::vector<BlendVertex>& vertices,
                                    const Visible& visible) const {
+        for (std::size_t k = 0; k < 3; ++k)
+            if (visible[k] && !shows_all(vertices, k, 0.0)) return true;
+        return false;
+    }
+
+    /// Whether pixels of the piece may be left to a photograph that has next to no weight: unless
+    /// all have more, or one that has shows all of it. Weights are still side products here.
+    [[nodiscard]] bool may_leave_too_little(const std::vector<BlendVertex>& vertices,
+                                            const Visible& visible) const {
+        bool has_little = false;
         for (std::size_t k = 0; k < 3; ++k) {
             if (!visible[k]) continue;
-            const PlaneView& view = views_[static_cast<std::size_t>(polygon_.view_indices[k])];
-            for (const BlendVertex& vertex : vertices) {
-                const auto [x, y] = vertex.view_pixels[k];
-                if (x < 0 || y < 0 || static_cast<double>(x) > view.width_px ||
-                    static_cast<double>(y) > view.height_px)
-                    return true;
-            }
+            Range shares;
+            for (const BlendVertex& vertex : vertices)
+                shares.extend(static_cast<double>(weight_of_photograph(k, vertex)) /
+                              sum_of_weights(vertex));
+            const bool is_sure = shares.low >= kSureWeight;
+            if (is_sure && shows_all(vertices, k, options_.unsure_border_px)) return false;
+            if (!is_sure && shares.high > 0) has_little = true;
         }
-        return false;
+        return has_little;
     }
 
     /// Their sum is 1; alike where no photograph has a weight.

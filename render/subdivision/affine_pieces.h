@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "render/depth_search/occlusion.h"
 #include "render/faces/face_polygons.h"
 #include "render/subdivision/blend_triangles.h"
 
@@ -18,6 +19,8 @@ struct PlaneView {
 struct AffinePieceOptions {
     double max_error_px = 0.04;  ///< Of where a photograph is looked up, times what it may count.
     double max_weight_error = 0.02;
+    /// How far inside of its border a photograph surely counts (photograph_lod.h).
+    double unsure_border_px = kFinestBorder_px;
 };
 
 /// A face polygon, cut into pieces that are drawn faster than pixel by pixel.
@@ -27,8 +30,10 @@ struct AffinePieceOptions {
 /// d / 2 * (W' - W) / (W' + W), always to one side; moved by half of that, by half as much. What
 /// the photographs have in common of W, those the most that count most, is left to the rasteriser's
 /// perspective, so that pieces are large. `affine` gets them; `exact` gets the few small ones that
-/// are not affine even so: polygons as they were, with fewer corners. What lies beyond the borders
-/// of all three photographs is left out.
+/// are not affine even so, and those on which photographs end that have nearly all weight: the next
+/// to nothing that others have is all there is beyond, and not to be averaged over a piece. They
+/// are polygons as they were, with fewer corners. What lies beyond the borders of all three
+/// photographs is left out.
 void cut_into_affine_pieces(const FacePolygon& polygon, const std::vector<PlaneView>& views,
                             const Eigen::Vector3d& plane_inverse_depth,
                             const AffinePieceOptions& options, BlendTriangles& affine,

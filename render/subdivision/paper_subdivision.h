@@ -12,9 +12,10 @@ namespace lumi {
 
 struct PaperSubdivisionOptions {
     /// Depths that differ by more than this share of the scene's depth range are not the same.
-    double depth_threshold_share = 0.02;
-    double min_size_px = 6.0;   ///< Triangles with a longest edge below this are not split.
-    double max_size_px = 80.0;  ///< Longer ones are, in any case.
+    double depth_threshold_share = RenderOptions{}.depth_threshold_share;
+    /// Triangles with a longest edge below this are not split.
+    double min_size_px = RenderOptions{}.min_triangle_px;
+    double max_size_px = RenderOptions{}.max_triangle_px;  ///< Longer ones are, in any case.
 };
 
 /// What a frame asks for.

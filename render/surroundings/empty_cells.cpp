@@ -11,9 +11,6 @@
 namespace lumi {
 namespace {
 
-/// A photograph with this weight shows something at each of its pixels that lies inside by its
-/// unsure border: times the least opacity (photograph_opacity.h) it still counts.
-constexpr double kSureWeight = 0.05;
 /// Of a side product, whose sum is 3 at most.
 constexpr double kSureSideProduct = 3 * kSureWeight;
 

@@ -4,16 +4,13 @@
 #include <array>
 #include <vector>
 
+#include "render/depth_search/occlusion.h"
 #include "render/faces/face_polygons.h"
 #include "render/lumigraph/lumigraph.h"
 #include "render/subdivision/blend_triangles.h"
 #include "render/surroundings/picture_cells.h"
 
 namespace lumi {
-
-/// How far inside of its border a photograph counts for sure at the finest mip level, in its
-/// pixels; at others it is more (uploaded/photograph_lod.h).
-inline constexpr double kFinestBorder_px = 1.0;
 
 /// Whether a triangle may have pixels that none of its photographs shows: unless one of them has a
 /// weight all over it and shows all three corners, inside by its unsure border.

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "render/depth_search/points_in_view.h"
+#include "render/transfer/sampling.h"
 #include "render/transfer/scene_plane.h"
 
 namespace lumi {
@@ -20,24 +21,6 @@ constexpr double kHalfReach = 0.05;
 constexpr std::size_t kMostViews = 12;
 /// The mean of all photographs counts where none says anything.
 constexpr double kWeightOfMean = 1e-9;
-
-/// Between pixels' centres linearly; beyond them as at the border.
-Eigen::Vector3d color_at(const ColorImage& image, double x, double y) {
-    const double column = std::clamp(x - 0.5, 0.0, image.width() - 1.0);
-    const double row = std::clamp(y - 0.5, 0.0, image.height() - 1.0);
-    const int left = std::min(static_cast<int>(column), std::max(0, image.width() - 2));
-    const int top = std::min(static_cast<int>(row), std::max(0, image.height() - 2));
-    const int right = std::min(left + 1, image.width() - 1);
-    const int bottom = std::min(top + 1, image.height() - 1);
-    const auto color = [&](int at_x, int at_y) {
-        const Rgb8& pixel = image(at_x, at_y);
-        return Eigen::Vector3d(pixel.r, pixel.g, pixel.b);
-    };
-    const double to_right = column - left;
-    const double down = row - top;
-    return (1 - down) * ((1 - to_right) * color(left, top) + to_right * color(right, top)) +
-           down * ((1 - to_right) * color(left, bottom) + to_right * color(right, bottom));
-}
 
 /// What the eye sees of the scene plane at these pixels.
 RayPoints points_on_plane(const Lumigraph& lumigraph, const Eye& eye,
@@ -166,7 +149,7 @@ ColorGrid surrounding_colors(const Lumigraph& lumigraph, const SmallPhotographs&
         for (Eigen::Index k = 0; k < weights.size(); ++k) {
             if (!(weights[k] > 0)) continue;
             sums.col(k) +=
-                weights[k] * color_at(photograph, x_scale * seen.x_px[k], y_scale * seen.y_px[k]);
+                weights[k] * bilinear(photograph, {x_scale * seen.x_px[k], y_scale * seen.y_px[k]});
         }
         weight_sums += weights;
     }

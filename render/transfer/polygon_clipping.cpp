@@ -2,6 +2,12 @@
 
 namespace lumi {
 
+std::vector<Eigen::Vector2d> picture_corners_px(const Camera& camera) {
+    const double width = camera.width_px;
+    const double height = camera.height_px;
+    return {{0, 0}, {width, 0}, {width, height}, {0, height}};
+}
+
 std::vector<Eigen::Vector2d> clipped(const std::vector<Eigen::Vector2d>& corners,
                                      const Eigen::Vector3d& line) {
     std::vector<Eigen::Vector2d> kept;

@@ -4,7 +4,12 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "calib/capture/camera.h"
+
 namespace lumi {
+
+/// The corners of a camera's picture.
+[[nodiscard]] std::vector<Eigen::Vector2d> picture_corners_px(const Camera& camera);
 
 /// The part of a convex polygon in which line . (x, y, 1) is not negative (Sutherland, Hodgman
 /// 1974). A line of zeros keeps everything.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "render/surroundings/empty_cells.h"
+#include "render/depth_search/occlusion.h"
 #include "render/transfer/pixels_per_unit.h"
 
 namespace lumi {

@@ -7,6 +7,7 @@
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "render/lumigraph/manifest.h"
 
 namespace lumi {
 namespace {
@@ -25,7 +26,7 @@ fs::path folder_in(const char* variable) {
 
 bool is_package(const fs::path& folder) {
     std::error_code ignored;
-    return folder.is_absolute() && fs::exists(folder / "lumigraph.json", ignored);
+    return folder.is_absolute() && fs::exists(folder / kManifestName, ignored);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "calib/work/process_memory.h"
 #include "calib/work/stopwatch.h"
 #include "render/gl/capabilities.h"
+#include "render/lumigraph/manifest.h"
 #include "render/viewer/comparison.h"
 #include "render/viewer/glfw_window.h"
 #include "render/viewer/panels.h"
@@ -35,7 +36,7 @@ std::string title_of(const Lumigraph& lumigraph) { return "lumi - " + lumigraph.
 
 /// Also where its manifest is named.
 std::filesystem::path folder_of_package(const std::filesystem::path& package) {
-    return package.filename() == "lumigraph.json" ? package.parent_path() : package;
+    return package.filename() == kManifestName ? package.parent_path() : package;
 }
 
 }  // namespace
@@ -226,6 +227,16 @@ ViewerWindow::ViewerWindow(OpenedPackage opened, const WindowOptions& options)
 ViewerWindow::~ViewerWindow() = default;
 
 bool ViewerWindow::step(const WindowInput* in_place_of_user) {
+    try {
+        return step_unguarded(in_place_of_user);
+    } catch (...) {
+        // As where the window is closed.
+        implementation_->recording.end(kWrittenInto);
+        throw;
+    }
+}
+
+bool ViewerWindow::step_unguarded(const WindowInput* in_place_of_user) {
     Implementation& viewer = *implementation_;
     const bool is_awaited = in_place_of_user || viewer.is_moving() || viewer.state.replays_path ||
                             !viewer.picture.drawn();
@@ -256,10 +267,11 @@ void ViewerWindow::write_screenshot_to(const std::filesystem::path& path) {
 void ViewerWindow::open_package(const std::filesystem::path& folder) {
     Implementation& viewer = *implementation_;
     if (!viewer.show_read(folder_of_package(folder))) return;
-    viewer.state = state_after_opening(viewer.lumigraph, viewer.state);
     // A path belongs to its scene.
+    viewer.state.records_path = false;
     viewer.record_path();
     viewer.recording = PathRecording();
+    viewer.state = state_after_opening(viewer.lumigraph, viewer.state);
     viewer.remember(viewer.state.package);
     viewer.window.set_title(title_of(viewer.lumigraph));
 }

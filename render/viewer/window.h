@@ -49,7 +49,7 @@ class ViewerWindow {
     ViewerWindow& operator=(const ViewerWindow&) = delete;
 
     /// Takes in what the user did, or what is said here in its place, and shows a frame. False when
-    /// the window was closed.
+    /// the window was closed. Where it throws, a path that is recorded is written first.
     bool step(const WindowInput* in_place_of_user = nullptr);
     /// Draws the whole picture of the present eye and writes it with its pose.
     void write_screenshot_to(const std::filesystem::path& path);
@@ -64,6 +64,7 @@ class ViewerWindow {
 
  private:
     struct Implementation;
+    bool step_unguarded(const WindowInput* in_place_of_user);
     std::unique_ptr<Implementation> implementation_;
 };
 

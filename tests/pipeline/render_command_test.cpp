@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+using testing::AllOf;
 using testing::HasSubstr;
 
 class RenderCommand : public BoxLine {};
@@ -160,7 +161,15 @@ TEST_F(RenderCommand, DrawsTheDifferenceFromAHeldOutPhotograph) {
     const Outcome unknown =
         lumi("render " + quoted(package()) + " --view nobody.png --out " + quoted(drawn));
     EXPECT_EQ(unknown.exit_code, 2);
-    EXPECT_THAT(unknown.talk, HasSubstr("E-RENDER-VIEW"));
+    EXPECT_THAT(unknown.talk, AllOf(HasSubstr("E-RENDER-VIEW"), HasSubstr("IMG_0001.png")));
+
+    // By their names alone, as `lumi view` knows them.
+    for (const char* name : {"IMG_0005", "IMG_0001"})
+        EXPECT_EQ(
+            lumi("render " + quoted(package()) + " --view " + name + " --out " + quoted(drawn))
+                .exit_code,
+            0)
+            << name;
 }
 
 TEST_F(RenderCommand, FramesOfAPathReplaceNothingButFrames) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/depth_mesh/halved_depth.h"
+#include "render/depth_mesh/split_errors.h"
 #include "render/depth_mesh/view_depth_mesh.h"
 #include "render/lumigraph/coded_depth_mesh.h"
 #include "render/reference/depth_raster.h"
@@ -85,6 +86,37 @@ TEST(DepthMesh, CoversThePhotographWhateverTheSizeOfTheDepthMap) {
                 << width << 'x' << height << ' ' << decimated_share;
             EXPECT_GE(covered_area(mesh, false) + covered_area(mesh, true), 61 * 47 - 0.01)
                 << width << 'x' << height << ' ' << decimated_share;
+        }
+    }
+}
+
+TEST(DepthMesh, OfALongStripIsMadeInARowOfSquaresAndNotInOneOfItsLength) {
+    for (const auto& [width, height] : {std::pair{1500, 3}, {3, 1500}}) {
+        const bool is_wide = width > height;
+        // Two planes, one behind the other from the 700th sample on.
+        const auto planes = [&](double x, double y) {
+            const double along = is_wide ? x : y;
+            return 0.3 + 0.0001 * along - (along > 700 ? 0.1 : 0.0);
+        };
+        const DepthMap depth = depth_map(width, height, planes);
+        const Camera camera = pinhole_camera(width, height, 600);
+        const DepthLattice lattice(depth, camera, kDisparity_px);
+        const SplitErrors errors(lattice, 8.0);
+        EXPECT_LE(errors.side(), 32) << "not 2048";
+        EXPECT_GE(errors.squares_in_row() * errors.side(), width + 1);
+        EXPECT_GE(errors.squares_in_column() * errors.side(), height + 1);
+
+        const DepthMesh mesh = triangulate(depth, camera, kDisparity_px, {.decimated_share = 0});
+        LumigraphView view;
+        view.camera = camera;
+        const Image<EyeDepth> drawn = rasterise(mesh, view, {camera, {}});
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                EXPECT_EQ(drawn(x, y).kind, DepthKind::kSeen) << x << ' ' << y;
+                EXPECT_NEAR(drawn(x, y).inverse_depth, planes(x + 0.5, y + 0.5),
+                            0.1 / kDisparity_px)
+                    << x << ' ' << y;
+            }
         }
     }
 }

@@ -134,6 +134,49 @@ TEST(EveryModeAgainstReference, AtCamerasAndBesideThemBeyondTheirPhotographs) {
     }
 }
 
+TEST(EveryModeAgainstReference, AtCamerasInFramesWiderThanTheyLookAcross) {
+    for (const Lumigraph& lumigraph : {card_before_wall(), ball_in_sky()}) {
+        OffscreenRenderer renderer(lumigraph);
+        // 106 degrees across, and 177 from corner to corner.
+        for (const Camera& camera : {pinhole_camera(160, 120, 60), pinhole_camera(400, 20, 5)}) {
+            const Eye eye{camera, lumigraph.views.front().cam_from_world};
+            for (const RenderMode mode :
+                 {RenderMode::kLightField, RenderMode::kPerPixel, RenderMode::kAdaptive})
+                expect_equal_frames(renderer.draw(eye, {.mode = mode}),
+                                    draw_mode_reference(lumigraph, eye, {.mode = mode}),
+                                    name_of(mode) + " " + std::to_string(camera.width_px));
+        }
+    }
+}
+
+/// Nearly on an edge two views have nearly all weight; past both their photographs the third, which
+/// has next to none, is all there is.
+TEST(EveryModeAgainstReference, BesideAnEdgeOfTheMeshWhereTwoPhotographsEnd) {
+    const Lumigraph lumigraph = card_before_wall();
+    OffscreenRenderer renderer(lumigraph);
+    const CameraMesh::Face& face = lumigraph.mesh.faces.front();
+    const auto corner = [&](std::size_t k) {
+        return lumigraph.mesh.vertices[static_cast<std::size_t>(face[k])].position_in_world;
+    };
+    for (const double aside : {1e-5, 1e-4, 1e-3}) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Eigen::Vector3d on_edge = 0.5 * (corner((k + 1) % 3) + corner((k + 2) % 3));
+            const Eigen::Vector3d place = on_edge + aside * (corner(k) - on_edge);
+            const Eye eye =
+                eye_at(place, place + Eigen::Vector3d(0.2, 0.1, 4), pinhole_camera(160, 120, 60));
+            const RenderOptions options{.mode = RenderMode::kLightField};
+            const Frame drawn = renderer.draw(eye, options);
+            const Frame expected = draw_mode_reference(lumigraph, eye, options);
+            EXPECT_LE(difference_between(drawn.color, expected.color).share_beyond_two, 0.002)
+                << aside << ' ' << k;
+            EXPECT_LE(difference_between(as_color(drawn.coverage), as_color(expected.coverage))
+                          .share_beyond_two,
+                      0.002)
+                << aside << ' ' << k;
+        }
+    }
+}
+
 TEST(EveryModeAgainstReference, InBlocksOfPixelsBeyondTheCapture) {
     Lumigraph lumigraph = card_before_wall();
     lumigraph.drawing.depth_block_px = kMaxDepthBlock_px;

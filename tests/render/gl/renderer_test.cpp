@@ -1,3 +1,4 @@
+#include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
@@ -16,6 +17,7 @@
 #include "render/gl/to_glm.h"
 #include "render/lumigraph/package.h"
 #include "render/renderer/lumigraph_renderer.h"
+#include "render/renderer/mode_reference.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "render/transfer/view_geometry.h"
 #include "tests/calib/scratch_folder.h"
@@ -27,18 +29,43 @@ namespace {
 
 Eye eye_of(const LumigraphView& view) { return {view.camera, view.cam_from_world}; }
 
+std::string text_of(const RenderOptions& options) {
+    return name_of(options.mode) + (options.supersample ? ", four samples a pixel" : "");
+}
+
+void expect_photograph(const ColorImage& drawn, const LumigraphView& view,
+                       const RenderOptions& options, const std::string& by) {
+    const FrameDifference difference = difference_between(drawn, view.photograph);
+    const bool is_subdivided =
+        options.mode == RenderMode::kAdaptive || options.mode == RenderMode::kPaper2001;
+    // Texels are met at their centres; what is left is the rounding of the last bit, and where
+    // triangles are, at silhouettes, what others show.
+    EXPECT_LE(difference.largest, is_subdivided ? 255 : 1)
+        << view.name << ' ' << text_of(options) << by;
+    EXPECT_LE(difference.share_beyond_two, 0.03) << view.name << ' ' << text_of(options) << by;
+}
+
+/// In every way to draw them, and in plain code.
 void expect_cameras_return_their_photographs(const Lumigraph& lumigraph) {
     OffscreenRenderer renderer(lumigraph);
-    for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kPerPixel}) {
-        for (const LumigraphView& view : lumigraph.views) {
-            const Frame drawn = renderer.draw(eye_of(view), {.mode = mode});
-            const FrameDifference difference = difference_between(drawn.color, view.photograph);
-            // Texels are met at their centres; what is left is the rounding of the last bit.
-            EXPECT_LE(difference.largest, 1) << view.name << ' ' << name_of(mode);
-            EXPECT_EQ(drawn.coverage, GrayImage(view.camera.width_px, view.camera.height_px, 255))
-                << view.name << ' ' << name_of(mode);
+    for (const LumigraphView& view : lumigraph.views) {
+        const Eye eye = eye_of(view);
+        for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kPerPixel,
+                                      RenderMode::kAdaptive, RenderMode::kPaper2001}) {
+            for (const bool supersample : {false, true}) {
+                const RenderOptions options{.mode = mode, .supersample = supersample};
+                const Frame drawn = renderer.draw(eye, options);
+                expect_photograph(drawn.color, view, options, " by OpenGL");
+            }
+            expect_photograph(draw_mode_reference(lumigraph, eye, {.mode = mode}).color, view,
+                              {.mode = mode}, " in plain code");
         }
     }
+    for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kPerPixel})
+        for (const LumigraphView& view : lumigraph.views)
+            EXPECT_EQ(renderer.draw(eye_of(view), {.mode = mode}).coverage,
+                      GrayImage(view.camera.width_px, view.camera.height_px, 255))
+                << view.name << ' ' << name_of(mode);
 }
 
 TEST(LumigraphRendererGl, NovelViewAtACameraOfAnOpenMeshIsItsPhotograph) {
@@ -346,6 +373,26 @@ TEST(LumigraphRendererGl, DrawsTheSamePictureIntoACornerOfALargerFramebuffer) {
     EXPECT_EQ(rgba[4 * 29 * 100], 255) << "outside of the viewport";
 }
 
+/// As far as a package may have them.
+TEST(LumigraphRendererGl, CamerasWithExtremeNumbersAreDrawnInEveryMode) {
+    const Lumigraph wall = card_before_wall();
+    const Eye eye = eye_at({0.2, 0.1, 0}, {0, 0, 4}, pinhole_camera(64, 48, 60));
+    for (const std::vector<double>& parameters : {std::vector{0.064, 0.064, 32.0, 24.0},
+                                                  {6.4e7, 6.4e7, 32.0, 24.0},
+                                                  {0.064, 6.4e7, 32.0, 24.0},
+                                                  {60.0, 60.0, 6.4e5, -6.4e5}}) {
+        Lumigraph lumigraph = wall;
+        lumigraph.views[0].camera.parameters = parameters;
+        validate(lumigraph, "extreme");
+        OffscreenRenderer renderer(lumigraph);
+        for (const RenderMode mode : all_render_modes()) {
+            EXPECT_GT(renderer.draw(eye, {.mode = mode}).statistics.triangles, 0U) << name_of(mode);
+            for (const LumigraphView& view : {lumigraph.views[0], lumigraph.views[1]})
+                static_cast<void>(renderer.draw(eye_of(view), {.mode = mode}));
+        }
+    }
+}
+
 TEST(LumigraphRendererGl, RefusesAnEyeWithALens) {
     OffscreenRenderer renderer(card_before_wall());
     Eye eye = eye_at({0, 0, 0}, {0, 0, 4}, pinhole_camera(64, 48, 60));
@@ -384,6 +431,55 @@ TEST(OffscreenRendererGl, GoesWhereItsContextIsNotToBeHad) {
     renderer.reset();
     gone.set_value();
     owner.join();
+}
+
+decltype(epoxy_eglMakeCurrent) real_make_current = nullptr;
+int refusals_to_come = 0;
+
+/// What libepoxy calls in the driver's place.
+EGLBoolean refuse_at_first(EGLDisplay display, EGLSurface draw, EGLSurface read,
+                           EGLContext context) {
+    if (context != EGL_NO_CONTEXT && refusals_to_come-- > 0) return EGL_FALSE;
+    return real_make_current(display, draw, read, context);
+}
+
+/// For as long as it lives, so many contexts cannot be made current.
+class RefusingDriver {
+ public:
+    explicit RefusingDriver(int refusals) {
+        // libepoxy finds a function when it is first called.
+        const HeadlessContext context;
+        real_make_current = epoxy_eglMakeCurrent;
+        refusals_to_come = refusals;
+        epoxy_eglMakeCurrent = refuse_at_first;
+    }
+    ~RefusingDriver() { epoxy_eglMakeCurrent = real_make_current; }
+    RefusingDriver(const RefusingDriver&) = delete;
+    RefusingDriver& operator=(const RefusingDriver&) = delete;
+};
+
+TEST(HeadlessContextGl, GoesOnWhereAContextCannotBeMadeCurrent) {
+    const RefusingDriver driver(1);
+    const HeadlessContext context;
+    EXPECT_NE(glGetString(GL_RENDERER), nullptr);
+}
+
+TEST(HeadlessContextGl, SaysOfEveryAttemptHowItEnded) {
+    constexpr int kAll = 1000;
+    const RefusingDriver driver(kAll);
+    try {
+        const HeadlessContext context;
+        FAIL() << "expected an error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-GL-CONTEXT");
+        const std::string message = error.what();
+        int told = 0;
+        for (std::size_t at = 0; (at = message.find("cannot be made current", at)) != message.npos;
+             ++at)
+            ++told;
+        EXPECT_EQ(told, kAll - refusals_to_come) << message;
+        EXPECT_GT(kAll - refusals_to_come, 1);
+    }
 }
 
 /// A fresh process, because Mesa reads its environment once.

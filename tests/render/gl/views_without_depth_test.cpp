@@ -79,6 +79,22 @@ TEST(ViewsWithoutDepth, AreDrawnAsPlainCodeDoes) {
     }
 }
 
+TEST(ViewsWithoutDepth, AreDrawnAsPlainCodeDoesWhereNoneHasAny) {
+    Lumigraph lumigraph = card_before_wall();
+    for (LumigraphView& view : lumigraph.views) view.depth = {};
+    OffscreenRenderer renderer(lumigraph);
+    for (const Eye& eye : {eye_at({0.21, 0.13, 0.02}, {0, 0, 4}, pinhole_camera(80, 60, 70)),
+                           eye_at_view(lumigraph.views[kMiddle])}) {
+        for (const RenderMode mode : all_render_modes()) {
+            const FrameDifference difference =
+                difference_between(renderer.draw(eye, {.mode = mode}).color,
+                                   draw_mode_reference(lumigraph, eye, {.mode = mode}).color);
+            EXPECT_LE(difference.mean, 1.0) << name_of(mode);
+            EXPECT_LE(difference.share_beyond_two, 0.02) << name_of(mode);
+        }
+    }
+}
+
 TEST(ViewsWithoutDepth, AreGivenTheDepthThatIsThere) {
     const Lumigraph lumigraph = card_before_wall();
     const DepthMap& exact = lumigraph.views[kMiddle].depth;

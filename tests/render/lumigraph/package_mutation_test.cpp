@@ -2,10 +2,13 @@
 
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "calib/work/whole_file.h"
+#include "render/lumigraph/manifest.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/render/lumigraph/tiny_package.h"
 
@@ -88,6 +91,61 @@ TEST(PackageMutation, ForgedPicturesAndMeshesNeverCrashTheReader) {
         forge_file(package, listing, original);
         EXPECT_EQ(code_of_reading(package), "");
     }
+}
+
+/// All numbers of a manifest, as JSON pointers.
+std::vector<std::string> numbers_of(const fs::path& package) {
+    const auto flat = nlohmann::json::parse(read_whole_text(package / kManifestName)).flatten();
+    std::vector<std::string> pointers;
+    for (const auto& [pointer, value] : flat.items())
+        if (value.is_number()) pointers.push_back(pointer);
+    return pointers;
+}
+
+TEST(PackageMutation, ExtremeNumbersAreRefusedOrRead) {
+    const ScratchFolder scratch;
+    const fs::path package = scratch / "tiny.lumi";
+    Lumigraph lumigraph = tiny_lumigraph();
+    for (LumigraphView& view : lumigraph.views) view.exposure_gain = {2, 0.5, 1};
+    write_package(package, lumigraph, tiny_extras());
+    const std::string original = read_whole_text(package / kManifestName);
+    int refused = 0;
+    int read = 0;
+    for (const std::string& pointer : numbers_of(package)) {
+        for (const double number : {0.0, 1e-300, 1e-30, 1e-3, 1e3, 1e30, 1e300, -1e300}) {
+            forge_manifest(package, [&](nlohmann::ordered_json& json) {
+                json[nlohmann::ordered_json::json_pointer(pointer)] = number;
+            });
+            const std::string code = code_of_reading(package);
+            EXPECT_TRUE(code.empty() || code.starts_with("E-PACKAGE-"))
+                << pointer << " = " << number << ": " << code;
+            ++(code.empty() ? read : refused);
+            put_file(package / kManifestName, original);
+        }
+    }
+    EXPECT_GT(refused, 100);
+    EXPECT_GT(read, 20);
+}
+
+TEST(PackageMutation, OnlyCamerasThatAreNoneAreRefusedForTheirNumbers) {
+    const ScratchFolder scratch;
+    const fs::path package = scratch / "tiny.lumi";
+    Lumigraph lumigraph = tiny_lumigraph();
+    for (LumigraphView& view : lumigraph.views) view.exposure_gain = {2, 2, 2};
+    write_package(package, lumigraph, tiny_extras());
+    const auto code_with = [&](const std::vector<double>& parameters) {
+        forge_manifest(package, [&](nlohmann::ordered_json& json) {
+            json["views"][0]["camera"]["parameters"] = parameters;
+        });
+        return code_of_reading(package);
+    };
+    // A fisheye of 175 degrees, and a hundred pixels cut from the picture of a telescope.
+    EXPECT_EQ(code_with({0.28, 0.28, 6.5, 3.5}), "");
+    EXPECT_EQ(code_with({2e5, 2e5, -700, 900}), "");
+    for (const double focal_px : {1e-3, 1e-300, 1e9, 1e300})
+        EXPECT_EQ(code_with({focal_px, focal_px, 6.5, 3.5}), "E-PACKAGE-CONTENT") << focal_px;
+    for (const double centre_px : {1e7, -1e7, 1e30, -1e300})
+        EXPECT_EQ(code_with({10, 10, 6.5, centre_px}), "E-PACKAGE-CONTENT") << centre_px;
 }
 
 }  // namespace

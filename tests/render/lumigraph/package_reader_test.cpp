@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <fstream>
@@ -298,6 +299,26 @@ TEST_F(PackageReader, RefusesLinksPipesAndFolders) {
     fs::rename(folder_ / "views", scratch_ / "views");
     fs::create_directory_symlink(scratch_ / "views", folder_ / "views");
     EXPECT_EQ(code_of_reading(folder_), "E-PACKAGE-PATH") << "a link to the right folder";
+}
+
+TEST_F(PackageReader, DoesNotCallAPackageDamagedWhereTheSystemRefuses) {
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+    rlimit none = before;
+    none.rlim_cur = 0;
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+    std::string code;
+    std::string advice;
+    try {
+        static_cast<void>(read_package(folder_));
+    } catch (const Error& error) {
+        code = error.code();
+        advice = error.advice();
+    }
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+    EXPECT_EQ(code, "E-PACKAGE-ACCESS");
+    EXPECT_EQ(advice.find("damaged"), std::string::npos) << advice;
+    EXPECT_EQ(code_of_reading(folder_), "");
 }
 
 TEST_F(PackageReader, NamesTheFolderThatIsNoPackage) {

@@ -28,5 +28,16 @@ TEST(PointInViews, AViewThatWasAskedForDepthSaysItselfWhetherItSeesAPoint) {
     EXPECT_EQ(visibility({{1, {card, DepthKind::kSeen}}}), 1.0);
 }
 
+// Nothing moves between them, whatever it knows of depth.
+TEST(PointInViews, AViewWhereTheEyeIsSeesAllThatTheEyeSees) {
+    const Lumigraph lumigraph = card_before_wall();
+    const Eye eye{lumigraph.views[0].camera, lumigraph.views[0].cam_from_world};
+    const RenderOptions options;
+    const PointInViews views(lumigraph, eye, options);
+    const RayPoint on_wall{unproject(eye.camera, {2.5, 2.5}), 1.0 / 6};
+    EXPECT_EQ(views.visibility(0, on_wall, {{0, {}}}), 1.0);
+    EXPECT_EQ(views.visibility(0, on_wall, {{0, {1.0 / 3, DepthKind::kStretched}}}), 1.0);
+}
+
 }  // namespace
 }  // namespace lumi

@@ -3,6 +3,7 @@
 #include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <vector>
 
 #include "calib/work/error.h"
@@ -232,6 +233,32 @@ TEST_F(LongLivedWindow, WritesThePathThatIsRecordedWhenItIsClosed) {
     window.state().wants_to_close = true;
     EXPECT_FALSE(window.step());
     EXPECT_TRUE(fs::exists("lumi-path-0001.json"));
+}
+
+TEST_F(LongLivedWindow, WritesThePathThatIsRecordedWhenItEndsInAnError) {
+    WindowOptions options = window_of_320x240();
+    options.load = [](const fs::path&, Exposures) -> OpenedPackage {
+        throw std::logic_error("a bug");
+    };
+    ViewerWindow window({shown_box()}, options);
+    window.state().records_path = true;
+    ASSERT_TRUE(window.step());
+    WindowInput input;
+    input.dropped = {"other.lumi"};
+    EXPECT_THROW(window.step(&input), std::logic_error);
+    EXPECT_TRUE(fs::exists("lumi-path-0001.json"));
+}
+
+TEST_F(LongLivedWindow, HasNoPathOfAnotherPackageToReplay) {
+    WindowOptions options = window_of_320x240();
+    options.load = [](const fs::path&, Exposures) { return OpenedPackage{shown_box()}; };
+    ViewerWindow window({shown_box()}, options);
+    window.state().records_path = true;
+    ASSERT_TRUE(window.step());
+    window.open_package("other.lumi");
+    EXPECT_TRUE(fs::exists("lumi-path-0001.json")) << "it is not lost";
+    EXPECT_FALSE(window.state().has_path);
+    EXPECT_FALSE(window.state().records_path);
 }
 
 }  // namespace

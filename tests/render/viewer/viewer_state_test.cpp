@@ -7,6 +7,7 @@
 #include <set>
 
 #include "calib/pictures/image_io.h"
+#include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "render/paths/photograph_eye.h"
 #include "render/viewer/commands.h"
@@ -305,11 +306,32 @@ TEST(Screenshot, HoldsThePixelsAndThePoseToTheBit) {
     EXPECT_EQ(pose["cam_from_world"]["translation"], (nlohmann::json{t.x(), t.y(), t.z()}));
 }
 
+TEST(Screenshot, TakesThePlaceOfAnotherButOfNoOtherFile) {
+    const ScratchFolder scratch;
+    const LumigraphView view = tiny_lumigraph().views[0];
+    const Frame frame{view.photograph, GrayImage(13, 7, 255), {}};
+    const auto write = [&] {
+        write_screenshot(scratch / "shot.png", frame, {view.camera, view.cam_from_world}, {},
+                         Exposures::kEvened, "tiny");
+    };
+    for (const char* text : {"{\"mine\": 1}", "no JSON", "[\"cam_from_world\"]", ""}) {
+        write_whole_text(scratch / "shot.json", text);
+        EXPECT_THROW(write(), Error) << text;
+        EXPECT_EQ(read_whole_text(scratch / "shot.json"), text);
+        EXPECT_FALSE(std::filesystem::exists(scratch / "shot.png"));
+    }
+    std::filesystem::remove(scratch / "shot.json");
+    write();
+    write();
+}
+
 TEST(Screenshot, NeverTakesANameThatIsTaken) {
     const ScratchFolder scratch;
     EXPECT_EQ(next_screenshot_path(scratch.path()), scratch / "lumi-0001.png");
     write_whole_text(scratch / "lumi-0001.png", "x");
     EXPECT_EQ(next_screenshot_path(scratch.path()), scratch / "lumi-0002.png");
+    write_whole_text(scratch / "lumi-0002.json", "x");
+    EXPECT_EQ(next_screenshot_path(scratch.path()), scratch / "lumi-0003.png");
 }
 
 }  // namespace

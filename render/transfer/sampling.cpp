@@ -1,4 +1,4 @@
-#include "render/reference/sampling.h"
+#include "render/transfer/sampling.h"
 
 #include <algorithm>
 #include <cmath>
