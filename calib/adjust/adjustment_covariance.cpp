@@ -80,7 +80,7 @@ void add_point(const Linearisation& linearisation, const ScenePoint& point,
 }
 
 Reduced reduced_equations(const Capture& capture, const UnknownsLayout& layout,
-                          double cauchy_scale_px) {
+                          double cauchy_scale_px, const Progress& progress) {
     Reduced reduced;
     reduced.normal = MatrixXd::Zero(layout.unknowns, layout.unknowns);
     reduced.picture_metric = reduced.normal;
@@ -93,6 +93,7 @@ Reduced reduced_equations(const Capture& capture, const UnknownsLayout& layout,
     for (double& share : share_of_view) share = share > 0 ? 1 / share : 0.0;
     const Linearisation linearisation(capture, layout);
     for (const ScenePoint& point : capture.points) {
+        progress.throw_if_interrupted();
         add_point(linearisation, point, share_of_view, cauchy_scale_px, reduced);
     }
     for (MatrixXd* matrix : {&reduced.normal, &reduced.picture_metric}) {
@@ -167,12 +168,13 @@ MatrixXd lens_covariance(const MatrixXd& covariance, const std::vector<Index>& u
 
 /// Square root of the mean over the view's observations of sigma_u^2 = J Sigma J^T.
 std::vector<double> jitter_of_views(const Capture& capture, const UnknownsLayout& layout,
-                                    const MatrixXd& covariance) {
+                                    const MatrixXd& covariance, const Progress& progress) {
     std::vector<double> sum_px2(capture.views.size(), 0.0);
     std::vector<double> coordinates(capture.views.size(), 0.0);
     const Linearisation linearisation(capture, layout);
     LinearisedSight linear;
     for (const ScenePoint& point : capture.points) {
+        progress.throw_if_interrupted();
         for (const Observation& seen : point.track) {
             if (!linearisation.at(point, seen, linear)) continue;
             const Index columns = linear.by_camera.cols();
@@ -201,16 +203,18 @@ std::vector<double> jitter_of_views(const Capture& capture, const UnknownsLayout
 
 std::optional<AdjustmentCovariance> adjustment_covariance(const Capture& capture,
                                                           const BundleAdjustmentOptions& options,
-                                                          std::size_t max_views) {
+                                                          const Progress& progress,
+                                                          int max_unknowns) {
     const UnknownsLayout layout = unknowns_layout(capture, options);
-    if (layout.unknowns < 12 || capture.views.size() > max_views) return std::nullopt;
+    if (layout.unknowns < 12 || layout.unknowns > max_unknowns) return std::nullopt;
     const double scale_px = options.robust_last_pass ? cauchy_scale_px(capture)
                                                      : std::numeric_limits<double>::infinity();
-    const Reduced reduced = reduced_equations(capture, layout, scale_px);
+    const Reduced reduced = reduced_equations(capture, layout, scale_px, progress);
     const Index redundancy = reduced.residuals - 3 * reduced.points - (layout.unknowns - kGauge);
     if (redundancy <= 0) return std::nullopt;
     std::optional<MatrixXd> covariance =
         constrained_inverse(reduced, gauge_directions(capture, layout));
+    progress.throw_if_interrupted();
     if (!covariance) return std::nullopt;
     const double variance_px2 = noise_variance_px2(reduced, redundancy);
     *covariance *= variance_px2;
@@ -224,7 +228,7 @@ std::optional<AdjustmentCovariance> adjustment_covariance(const Capture& capture
     for (const std::vector<Index>& unknowns : layout.lens_unknowns) {
         result.lenses.push_back(lens_covariance(*covariance, unknowns));
     }
-    result.jitter_px = jitter_of_views(capture, layout, *covariance);
+    result.jitter_px = jitter_of_views(capture, layout, *covariance, progress);
     return result;
 }
 

@@ -33,11 +33,14 @@ struct AdjustmentCovariance {
 /// Statistics, 1981, section 7.6).
 ///
 /// Points are eliminated from the normal equations (Schur complement); what is left, 6 unknowns a
-/// view, is inverted densely: exact, with O(views^3) steps. The gauge is free, and is chosen so
-/// that the pictures of the scene move least in all views together (inner constraints, weighted by
-/// the pixels that each pose moves): what no choice of the world's frame can remove. Empty when the
-/// observations do not determine the unknowns, or for more than `max_views` views.
+/// view and those of the lenses, is inverted densely: exact, with O(unknowns^3) steps. The gauge is
+/// free, and is chosen so that the pictures of the scene move least in all views together (inner
+/// constraints, weighted by the pixels that each pose moves): what no choice of the world's frame
+/// can remove. Empty when the observations do not determine the unknowns, or for more than
+/// `max_unknowns` of poses and lenses (600 views, and lenses that they share): the matrices grow
+/// with its square. Throws Error: E-INTERRUPTED.
 [[nodiscard]] std::optional<AdjustmentCovariance> adjustment_covariance(
-    const Capture& capture, const BundleAdjustmentOptions& options, std::size_t max_views = 600);
+    const Capture& capture, const BundleAdjustmentOptions& options, const Progress& progress,
+    int max_unknowns = 4000);
 
 }  // namespace lumi

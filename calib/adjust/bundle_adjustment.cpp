@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "calib/adjust/bundle_problem.h"
+#include "calib/adjust/stop_on_interrupt.h"
 #include "calib/work/error.h"
 #include "calib/work/median.h"
 
@@ -24,24 +25,18 @@ constexpr double kLastTolerance = 1e-6;          ///< Some hundredths of a stand
 constexpr double kLeastSquaresTolerance = 1e-8;  ///< Costs next to nothing where squares converge.
 constexpr double kLeastSquares = 0.0;            ///< Instead of the scale of a robust loss.
 
-/// Stops Ceres when the user asks.
-class StopOnInterrupt final : public ceres::IterationCallback {
+/// Tells of every iteration.
+class AdvanceProgress final : public ceres::IterationCallback {
  public:
-    explicit StopOnInterrupt(Progress& progress) : progress_(progress) {}
+    explicit AdvanceProgress(Progress& progress) : progress_(progress) {}
     ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
         progress_.advance();
-        return progress_.interrupted() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+        return ceres::SOLVER_CONTINUE;
     }
 
  private:
     Progress& progress_;
 };
-
-std::size_t count_observations(const Capture& capture) {
-    std::size_t count = 0;
-    for (const ScenePoint& point : capture.points) count += point.track.size();
-    return count;
-}
 
 /// Removes observations that the estimate contradicts, then points that too few views see.
 void remove_outliers(Capture& capture, const BundleAdjustmentOptions& options, double limit_px,
@@ -107,6 +102,7 @@ ceres::Solver::Summary solve_pass(Capture& capture, const BundleAdjustmentOption
                          cauchy_scale_px > 0 ? &cauchy : nullptr);
 
     constexpr std::size_t kDenseUpToViews = 60;
+    AdvanceProgress advance(progress);
     StopOnInterrupt stop(progress);
     ceres::Solver::Options solver;
     solver.linear_solver_type =
@@ -118,7 +114,7 @@ ceres::Solver::Summary solve_pass(Capture& capture, const BundleAdjustmentOption
     solver.parameter_tolerance = 1e-10;
     solver.num_threads = 1;
     solver.logging_type = ceres::SILENT;
-    solver.callbacks.push_back(&stop);
+    solver.callbacks = {&advance, &stop};
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);
     progress.throw_if_interrupted();
@@ -160,6 +156,12 @@ void update_point_errors(Capture& capture) {
         }
         point.error_px = point.track.empty() ? 0 : sum / static_cast<double>(point.track.size());
     }
+}
+
+std::size_t count_observations(const Capture& capture) {
+    std::size_t count = 0;
+    for (const ScenePoint& point : capture.points) count += point.track.size();
+    return count;
 }
 
 double cauchy_scale_px(const Capture& capture) {

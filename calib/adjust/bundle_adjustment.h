@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "calib/capture/capture.h"
@@ -67,6 +68,8 @@ BundleFit fit_bundle(Capture& capture, const BundleAdjustmentOptions& options, P
 
 /// Sets each point's `error_px` to the mean over its track.
 void update_point_errors(Capture& capture);
+
+[[nodiscard]] std::size_t count_observations(const Capture& capture);
 
 /// Distance in pixels between where a point is predicted and where it was seen; infinite when the
 /// point is not in front of the camera.

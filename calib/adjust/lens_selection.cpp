@@ -106,7 +106,7 @@ std::string fault_within(const Capture& capture, int camera_index) {
 
 double bic_of(const LensTrial& trial) { return choose_lens({trial}).trials.front().bic; }
 
-/// Cross-validates the form of least BIC, then the simpler ones from rich to simple.
+/// Cross-validates the form of least BIC, then those with no more parameters, in the order of BIC.
 void predict(std::vector<FittedForm>& fitted, int camera_index,
              const BundleAdjustmentOptions& adjustment, const LensSelectionOptions& options,
              int threads, Progress& progress) {
@@ -203,9 +203,7 @@ std::optional<LensChoice> select_lens(const Capture& capture, int camera_index,
 Capture representative_part(const Capture& capture, int max_observations) {
     constexpr int kColumns = 8;
     constexpr int kRows = 6;
-    std::size_t observations = 0;
-    for (const ScenePoint& point : capture.points) observations += point.track.size();
-    if (observations <= static_cast<std::size_t>(max_observations)) return capture;
+    if (count_observations(capture) <= static_cast<std::size_t>(max_observations)) return capture;
 
     std::vector<std::size_t> order(capture.points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

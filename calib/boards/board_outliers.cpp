@@ -1,12 +1,11 @@
 #include "calib/boards/board_outliers.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "calib/boards/board_pose.h"
+#include "calib/work/formatted.h"
 #include "calib/work/median.h"
 
 namespace lumi {
@@ -33,12 +32,6 @@ double rms(const std::vector<double>& distances) {
     return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, distances.size())));
 }
 
-std::string rounded(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.2f", value);
-    return text.data();
-}
-
 void leave_out(CleanedBoard& cleaned, std::size_t view) {
     const auto at = static_cast<std::ptrdiff_t>(view);
     cleaned.board.views.erase(cleaned.board.views.begin() + at);
@@ -62,11 +55,12 @@ bool remove_points(CleanedBoard& cleaned, double limit_px) {
         constexpr double kLeastShare = 2.0 / 3;
         if (static_cast<double>(kept.size()) <
             kLeastShare * static_cast<double>(view.points.size())) {
-            cleaned.left_out.push_back({view.photograph, "E-BOARD-DISAGREES",
-                                        std::to_string(view.points.size() - kept.size()) + " of " +
-                                            std::to_string(view.points.size()) +
-                                            " points lie more than " + rounded(limit_px) +
-                                            " px off: a bent board, motion, or a wrong detection"});
+            cleaned.left_out.push_back(
+                {view.photograph, "E-BOARD-DISAGREES",
+                 formatted(
+                     "%zu of %zu points lie more than %.2f px off: a bent board, motion, or a "
+                     "wrong detection",
+                     view.points.size() - kept.size(), view.points.size(), limit_px)});
             leave_out(cleaned, index);
             continue;
         }
@@ -89,10 +83,12 @@ bool remove_views(CleanedBoard& cleaned, double floor_px) {
     bool has_changed = false;
     for (std::size_t index = board.views.size(); index-- > 0;) {
         if (view_rms_px[index] <= limit_px) continue;
-        cleaned.left_out.push_back({board.views[index].photograph, "E-BOARD-DISAGREES",
-                                    "its points are " + rounded(view_rms_px[index]) +
-                                        " px off (the median photograph: " + rounded(middle_px) +
-                                        " px): blurred, bent, or a wrong detection"});
+        cleaned.left_out.push_back(
+            {board.views[index].photograph, "E-BOARD-DISAGREES",
+             formatted(
+                 "its points are %.2f px off (the median photograph: %.2f px): blurred, bent, "
+                 "or a wrong detection",
+                 view_rms_px[index], middle_px)});
         leave_out(cleaned, index);
         has_changed = true;
     }

@@ -26,7 +26,7 @@ struct CharucoLayout {
 
 /// How the markers of a grid are numbered: by rows, one more from each to the next.
 struct MarkerGridLayout {
-    int columns = 0;           ///< Of the whole grid; 0 when too little is seen to tell.
+    int columns = 0;           ///< Of the whole grid.
     std::size_t markers = 0;   ///< That agree.
     std::vector<bool> agrees;  ///< One a node.
 };

@@ -1,6 +1,9 @@
 #include "calib/colmap/colmap_commands.h"
 
+#include <algorithm>
 #include <string_view>
+
+#include "calib/work/formatted.h"
 
 namespace lumi {
 namespace {
@@ -61,8 +64,9 @@ ColmapRun create_colmap_database(const ColmapProgram& program,
 ColmapRun extract_features_with_colmap(const ColmapProgram& program,
                                        const std::filesystem::path& database,
                                        const std::filesystem::path& pictures,
-                                       const std::filesystem::path& masks, int max_features,
-                                       int threads, const std::function<void(int)>& on_photographs,
+                                       const std::filesystem::path& masks,
+                                       const ExtractorSettings& settings, int threads,
+                                       const std::function<void(int)>& on_photographs,
                                        const Progress& progress) {
     std::vector<std::string> arguments{"feature_extractor",
                                        "--database_path",
@@ -74,7 +78,9 @@ ColmapRun extract_features_with_colmap(const ColmapProgram& program,
                                        "--SiftExtraction.num_threads",
                                        std::to_string(threads),
                                        "--SiftExtraction.max_num_features",
-                                       std::to_string(max_features)};
+                                       std::to_string(settings.max_features),
+                                       "--SiftExtraction.peak_threshold",
+                                       formatted("%.17g", settings.peak_threshold)};
     if (!masks.empty()) {
         arguments.insert(arguments.end(), {"--ImageReader.mask_path", masks.string()});
     }

@@ -24,6 +24,13 @@ struct ColmapProgram {
     double time_limit_s = 3600;
 };
 
+/// What COLMAP's features are: its own settings.
+struct ExtractorSettings {
+    int max_features = 8192;  ///< Of each photograph.
+    /// Least difference of Gaussians, grey values in [0, 1].
+    double peak_threshold = 0.02 / 3;
+};
+
 /// When COLMAP's incremental mapper dares to start and to add a photograph.
 struct MapperSettings {
     double init_min_triangulation_angle_deg = 16;
@@ -38,12 +45,15 @@ struct MapperSettings {
                                                const std::filesystem::path& database,
                                                const Progress& progress);
 
-/// COLMAP's own features of the photographs in `pictures` that `database` names, at most
-/// `max_features` of each; where `masks` is not empty, of what the mask NAME.png shows white.
-[[nodiscard]] ColmapRun extract_features_with_colmap(
-    const ColmapProgram& program, const std::filesystem::path& database,
-    const std::filesystem::path& pictures, const std::filesystem::path& masks, int max_features,
-    int threads, const std::function<void(int)>& on_photographs, const Progress& progress);
+/// COLMAP's own features of the photographs in `pictures` that `database` names; where `masks` is
+/// not empty, of what the mask NAME.png shows white.
+[[nodiscard]] ColmapRun extract_features_with_colmap(const ColmapProgram& program,
+                                                     const std::filesystem::path& database,
+                                                     const std::filesystem::path& pictures,
+                                                     const std::filesystem::path& masks,
+                                                     const ExtractorSettings& settings, int threads,
+                                                     const std::function<void(int)>& on_photographs,
+                                                     const Progress& progress);
 
 /// COLMAP's own matches and their geometric verification, all photographs with all.
 [[nodiscard]] ColmapRun match_with_colmap(const ColmapProgram& program,

@@ -72,7 +72,8 @@ void look_at_pairs(CaptureEvidence& evidence, const std::vector<Features>& featu
     std::vector<const VerifiedPair*> pairs;
     for (const VerifiedPair& pair : verified) pairs.push_back(&pair);
     evidence.loops = follow_matches(photographs, pairs);
-    evidence.motion = check_motion(groups.cameras, photographs, verified, lens_is_calibrated);
+    evidence.motion =
+        check_motion(groups.cameras, photographs, verified, lens_is_calibrated, progress);
 }
 
 std::vector<Eigen::Vector2i> sizes_in_build(const std::vector<Photograph>& photographs,

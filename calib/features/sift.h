@@ -6,8 +6,10 @@
 namespace lumi {
 
 struct SiftOptions {
-    int max_features = 4096;             ///< The strongest are kept. > 0.
-    double contrast_threshold = 0.0133;  ///< Of grey values in [0, 1]; Lowe 2004, section 4.
+    int max_features = 4096;  ///< The strongest are kept. > 0.
+    /// Three times the least difference of Gaussians, grey values in [0, 1] (Lowe 2004, section 4):
+    /// OpenCV divides it by the layers of an octave, of which there are three.
+    double contrast_threshold = 0.0133;
 };
 
 /// Scale-invariant features (Lowe, IJCV 2004) of a grey picture, the same for any number of

@@ -154,4 +154,11 @@ Camera in_model(const Camera& lens, LensModel model) {
     return result;
 }
 
+Camera with_focal_length_scaled(Camera lens, double factor) {
+    for (std::size_t index = 0; index < principal_point_index(lens.model); ++index) {
+        lens.parameters[index] *= factor;
+    }
+    return lens;
+}
+
 }  // namespace lumi

@@ -47,4 +47,7 @@ struct LensForm {
 /// corner (least squares over the angle).
 [[nodiscard]] Camera in_model(const Camera& lens, LensModel model);
 
+/// The same lens with `factor` times its focal length.
+[[nodiscard]] Camera with_focal_length_scaled(Camera lens, double factor);
+
 }  // namespace lumi

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <stdexcept>
 
+#include "calib/lens/lens_form.h"
 #include "calib/mapping/before_placement.h"
 #include "calib/mapping/model_adjustment.h"
 #include "calib/mapping/resection.h"
@@ -12,12 +14,6 @@
 
 namespace lumi {
 namespace {
-
-Camera with_focal_length_scaled(Camera camera, double factor) {
-    camera.parameters[0] *= factor;
-    if (!has_one_focal_length(camera.model)) camera.parameters[1] *= factor;
-    return camera;
-}
 
 /// A pose, with the lens under which it was found.
 struct Placement {
@@ -250,6 +246,38 @@ bool is_better(const GrowingModel& a, const GrowingModel& b) {
     return point_count(a) > point_count(b);
 }
 
+/// Of the starts that lead anywhere, tried one after another; empty where none does.
+std::optional<GrowingModel> best_model_of(const GrowingModel& unplaced,
+                                          const std::vector<VerifiedPair>& pairs,
+                                          const TwoViewStartOptions& start_options,
+                                          const IncrementalMappingOptions& options,
+                                          const std::function<void(int)>& on_placed,
+                                          Progress& progress) {
+    constexpr double kNearlyAll = 0.9;
+    std::optional<GrowingModel> best;
+    int tried = 0;
+    std::vector<char> was_placed(unplaced.pixels.size(), 0);
+    for (const TwoViewStart& start : two_view_starts(unplaced, pairs, start_options)) {
+        // A start that lies within a model that was found before would lead to the same.
+        if (was_placed[static_cast<std::size_t>(start.first)] != 0 &&
+            was_placed[static_cast<std::size_t>(start.second)] != 0 && tried > 1) {
+            continue;
+        }
+        if (tried == options.starts) break;
+        GrowingModel candidate = unplaced;
+        if (!begin_with(candidate, start, options, start_options, progress)) continue;
+        ++tried;
+        grow_model(candidate, options, on_placed, progress);
+        for (std::size_t index = 0; index < was_placed.size(); ++index) {
+            if (candidate.is_placed[index] != 0) was_placed[index] = 1;
+        }
+        if (candidate.placed() < 2 || (best && !is_better(candidate, *best))) continue;
+        best = std::move(candidate);
+        if (best->placed() >= kNearlyAll * static_cast<double>(was_placed.size())) break;
+    }
+    return best;
+}
+
 }  // namespace
 
 void grow_model(GrowingModel& model, const IncrementalMappingOptions& options,
@@ -260,34 +288,15 @@ void grow_model(GrowingModel& model, const IncrementalMappingOptions& options,
 void map_from_start(GrowingModel& model, const std::vector<VerifiedPair>& pairs,
                     const IncrementalMappingOptions& options,
                     const std::function<void(int)>& on_placed, Progress& progress) {
-    constexpr double kNearlyAll = 0.9;
-    const GrowingModel unplaced = model;
-    TwoViewStartOptions start_options;
-    std::vector<TwoViewStart> starts = two_view_starts(unplaced, pairs, start_options);
-    if (starts.empty()) {
-        // A shallow capture: little parallax is all there is.
-        start_options.min_angle_rad = 0.035;
-        start_options.full_angle_rad = 0.09;
-        start_options.min_points = 30;
-        starts = two_view_starts(unplaced, pairs, start_options);
-    }
-    int tried = 0;
-    std::vector<char> was_placed(model.pixels.size(), 0);
-    for (const TwoViewStart& start : starts) {
-        // A start that lies within a model that was found before would lead to the same.
-        if (was_placed[static_cast<std::size_t>(start.first)] != 0 &&
-            was_placed[static_cast<std::size_t>(start.second)] != 0 && tried > 1) {
-            continue;
+    if (model.placed() > 0) throw std::invalid_argument("a start for a model that has begun");
+    // Little parallax is all there is in a shallow capture.
+    constexpr TwoViewStartOptions kShallow{
+        .min_angle_rad = 0.035, .full_angle_rad = 0.09, .min_points = 30};
+    for (const TwoViewStartOptions& start_options : {TwoViewStartOptions{}, kShallow}) {
+        if (auto best = best_model_of(model, pairs, start_options, options, on_placed, progress)) {
+            model = std::move(*best);
+            return;
         }
-        if (tried++ == options.starts) break;
-        GrowingModel candidate = unplaced;
-        if (!begin_with(candidate, start, options, start_options, progress)) continue;
-        grow_model(candidate, options, on_placed, progress);
-        for (std::size_t index = 0; index < was_placed.size(); ++index) {
-            if (candidate.is_placed[index] != 0) was_placed[index] = 1;
-        }
-        if (candidate.placed() >= 2 && is_better(candidate, model)) model = std::move(candidate);
-        if (model.placed() >= kNearlyAll * static_cast<double>(model.pixels.size())) break;
     }
 }
 

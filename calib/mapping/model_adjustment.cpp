@@ -8,7 +8,10 @@
 
 #include "calib/adjust/camera_blocks.h"
 #include "calib/adjust/gauge.h"
+#include "calib/adjust/longest_tracks.h"
 #include "calib/adjust/reprojection_cost.h"
+#include "calib/adjust/stop_on_interrupt.h"
+#include "calib/lens/lens_form.h"
 
 namespace lumi {
 namespace {
@@ -20,11 +23,6 @@ struct Moving {
     bool lenses = false;
 };
 
-std::size_t inliers_of(const GrowingModel& model, std::size_t track) {
-    const std::vector<char>& is_inlier = model.is_inlier[track];
-    return static_cast<std::size_t>(std::count(is_inlier.begin(), is_inlier.end(), char{1}));
-}
-
 template <class Body>
 void for_each_inlier(const GrowingModel& model, std::size_t track, const Body& body) {
     for (std::size_t element = 0; element < model.tracks[track].size(); ++element) {
@@ -33,25 +31,19 @@ void for_each_inlier(const GrowingModel& model, std::size_t track, const Body& b
 }
 
 /// Of `tracks`, the longest, so many that each photograph has as many as asked (or all it has).
-std::vector<std::size_t> strongest(const GrowingModel& model, std::vector<std::size_t> tracks,
+std::vector<std::size_t> strongest(const GrowingModel& model,
+                                   const std::vector<std::size_t>& tracks,
                                    int points_a_photograph) {
-    std::vector<std::size_t> length(model.tracks.size(), 0);
-    for (const std::size_t track : tracks) length[track] = inliers_of(model, track);
-    std::stable_sort(tracks.begin(), tracks.end(),
-                     [&](std::size_t a, std::size_t b) { return length[a] > length[b]; });
-    std::vector<int> chosen_of_photograph(model.pixels.size(), 0);
+    std::vector<std::vector<int>> photographs_of_track(tracks.size());
+    for (std::size_t index = 0; index < tracks.size(); ++index) {
+        for_each_inlier(model, tracks[index], [&](const TrackElement& seen) {
+            photographs_of_track[index].push_back(seen.photograph);
+        });
+    }
     std::vector<std::size_t> chosen;
-    for (const std::size_t track : tracks) {
-        bool is_wanted = false;
-        for_each_inlier(model, track, [&](const TrackElement& seen) {
-            const int count = chosen_of_photograph[static_cast<std::size_t>(seen.photograph)];
-            is_wanted = is_wanted || count < points_a_photograph;
-        });
-        if (!is_wanted) continue;
-        chosen.push_back(track);
-        for_each_inlier(model, track, [&](const TrackElement& seen) {
-            ++chosen_of_photograph[static_cast<std::size_t>(seen.photograph)];
-        });
+    for (const std::size_t index :
+         longest_tracks(photographs_of_track, model.pixels.size(), points_a_photograph)) {
+        chosen.push_back(tracks[index]);
     }
     std::sort(chosen.begin(), chosen.end());
     return chosen;
@@ -62,13 +54,9 @@ void hold_lens(ceres::Problem& problem, double* lens, const Camera& camera, bool
         problem.SetParameterBlockConstant(lens);
         return;
     }
-    const bool one_focal_length = camera.model == LensModel::kSimplePinhole ||
-                                  camera.model == LensModel::kSimpleRadial ||
-                                  camera.model == LensModel::kRadial;
-    const std::vector<int> centre =
-        one_focal_length ? std::vector<int>{1, 2} : std::vector<int>{2, 3};
-    problem.SetManifold(
-        lens, new ceres::SubsetManifold(static_cast<int>(camera.parameters.size()), centre));
+    problem.SetManifold(lens,
+                        new ceres::SubsetManifold(static_cast<int>(camera.parameters.size()),
+                                                  with_principal_point_held(camera.model).held));
 }
 
 class Adjustment {
@@ -94,8 +82,9 @@ class Adjustment {
 
     void hold_gauge() { lumi::hold_gauge(problem_, model_.cam_from_world, cameras_); }
 
-    void solve(int max_iterations) {
+    void solve(int max_iterations, const Progress& progress) {
         if (problem_.NumResidualBlocks() == 0) return;
+        StopOnInterrupt stop(progress);
         const auto photographs =
             std::count(moving_.photographs.begin(), moving_.photographs.end(), char{1});
         constexpr std::ptrdiff_t kDenseUpToPhotographs = 40;
@@ -107,8 +96,10 @@ class Adjustment {
         solver.function_tolerance = 1e-4;
         solver.num_threads = 1;
         solver.logging_type = ceres::SILENT;
+        solver.callbacks = {&stop};
         ceres::Solver::Summary summary;
         ceres::Solve(solver, &problem_, &summary);
+        progress.throw_if_interrupted();
         if (!summary.IsSolutionUsable()) return;
         cameras_.copy_lenses_to(model_.cameras);
         for (std::size_t index = 0; index < model_.cam_from_world.size(); ++index) {
@@ -196,12 +187,11 @@ void adjust_model(GrowingModel& model, const ModelAdjustmentOptions& options, Pr
     for (std::size_t track = 0; track < model.tracks.size(); ++track) {
         if (model.has_point[track] != 0) tracks.push_back(track);
     }
-    const Moving moving{model.is_placed,
-                        strongest(model, std::move(tracks), options.points_a_photograph),
+    const Moving moving{model.is_placed, strongest(model, tracks, options.points_a_photograph),
                         options.refine_lenses};
     Adjustment adjustment(model, moving, options);
     adjustment.hold_gauge();
-    adjustment.solve(options.max_iterations);
+    adjustment.solve(options.max_iterations, progress);
     if (options.refine_lenses) update_rays(model);
 }
 
@@ -214,8 +204,8 @@ void adjust_around(GrowingModel& model, int photograph, const ModelAdjustmentOpt
         if (model.has_point[track] != 0) tracks.push_back(track);
     }
     std::sort(tracks.begin(), tracks.end());
-    moving.tracks = strongest(model, std::move(tracks), options.points_a_photograph);
-    Adjustment(model, moving, options).solve(options.max_iterations);
+    moving.tracks = strongest(model, tracks, options.points_a_photograph);
+    Adjustment(model, moving, options).solve(options.max_iterations, progress);
 }
 
 }  // namespace lumi

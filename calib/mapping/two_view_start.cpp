@@ -22,8 +22,26 @@ struct Candidate {
     double promise = 0;
 };
 
-Eigen::Vector2d ray_of(const GrowingModel& model, int photograph, std::uint32_t feature) {
-    return model.rays[static_cast<std::size_t>(photograph)][feature];
+/// Rays of a pair's matches, in the first and in the second photograph.
+struct MatchedRays {
+    std::vector<Eigen::Vector2d> first;
+    std::vector<Eigen::Vector2d> second;
+};
+
+/// Of the matches whose features tracks use: of others the model knows no ray.
+MatchedRays rays_of(const GrowingModel& model, const VerifiedPair& pair) {
+    const auto first = static_cast<std::size_t>(pair.first);
+    const auto second = static_cast<std::size_t>(pair.second);
+    MatchedRays rays;
+    for (const FeatureMatch& match : pair.inliers) {
+        if (model.track_of_feature[first][match.first] < 0 ||
+            model.track_of_feature[second][match.second] < 0) {
+            continue;
+        }
+        rays.first.push_back(model.rays[first][match.first]);
+        rays.second.push_back(model.rays[second][match.second]);
+    }
+    return rays;
 }
 
 /// Matches, by how far from them the rotation that explains most leaves the half it explains worst;
@@ -34,11 +52,10 @@ double promise_of(const GrowingModel& model, const VerifiedPair& pair) {
     // Before a plane the motion is ambiguous and the focal length cannot be told.
     constexpr double kPlanarPenalty = 0.3;
     if (pair.configuration == PairConfiguration::kPanoramic) return 0;
+    const MatchedRays rays = rays_of(model, pair);
     DirectionPairs directions;
-    for (const FeatureMatch& match : pair.inliers) {
-        directions.first.push_back(ray_of(model, pair.first, match.first).homogeneous());
-        directions.second.push_back(ray_of(model, pair.second, match.second).homogeneous());
-    }
+    for (const Eigen::Vector2d& ray : rays.first) directions.first.push_back(ray.homogeneous());
+    for (const Eigen::Vector2d& ray : rays.second) directions.second.push_back(ray.homogeneous());
     const Eigen::Quaterniond turn = fit_rotation(directions, 0.01).second_from_first;
     std::vector<double> angles_rad;
     for (std::size_t index = 0; index < directions.first.size(); ++index) {
@@ -51,7 +68,7 @@ double promise_of(const GrowingModel& model, const VerifiedPair& pair) {
     if (parallax_rad * focal_px < kNoParallax_px) return 0;
     const bool is_general = pair.configuration == PairConfiguration::kCalibrated ||
                             pair.configuration == PairConfiguration::kUncalibrated;
-    return static_cast<double>(pair.inliers.size()) *
+    return static_cast<double>(rays.first.size()) *
            std::min(parallax_rad / kPlentyOfParallax_rad, 1.0) *
            (is_general ? 1.0 : kPlanarPenalty);
 }
@@ -75,15 +92,14 @@ std::vector<Candidate> most_promising(const GrowingModel& model,
     return candidates;
 }
 
-double weight_of(const TwoViewStart& start, const std::vector<cv::Point2d>& first,
-                 const std::vector<cv::Point2d>& second, double focal_px,
+double weight_of(const TwoViewStart& start, const MatchedRays& rays, double focal_px,
                  const TwoViewStartOptions& options) {
     double weight = 0;
     int points = 0;
-    for (std::size_t index = 0; index < first.size(); ++index) {
+    for (std::size_t index = 0; index < rays.first.size(); ++index) {
         const std::array<Sighting, 2> sightings{
-            Sighting{{}, {first[index].x, first[index].y}, focal_px},
-            Sighting{start.second_from_first, {second[index].x, second[index].y}, focal_px}};
+            Sighting{{}, rays.first[index], focal_px},
+            Sighting{start.second_from_first, rays.second[index], focal_px}};
         const auto point = triangulate(sightings, {options.max_error_px, options.min_angle_rad});
         if (!point) continue;
         const double angle =
@@ -97,21 +113,19 @@ double weight_of(const TwoViewStart& start, const std::vector<cv::Point2d>& firs
 TwoViewStart start_from(const GrowingModel& model, const VerifiedPair& pair,
                         const TwoViewStartOptions& options) {
     TwoViewStart start{pair.first, pair.second, {}, 0};
-    std::vector<cv::Point2d> first;
-    std::vector<cv::Point2d> second;
-    for (const FeatureMatch& match : pair.inliers) {
-        const Eigen::Vector2d a = ray_of(model, pair.first, match.first);
-        const Eigen::Vector2d b = ray_of(model, pair.second, match.second);
-        first.emplace_back(a.x(), a.y());
-        second.emplace_back(b.x(), b.y());
-    }
+    const MatchedRays rays = rays_of(model, pair);
+    if (rays.first.size() < static_cast<std::size_t>(options.min_points)) return start;
     const double focal_px = 0.5 * (focal_length_px(model.camera_of(pair.first)).mean() +
                                    focal_length_px(model.camera_of(pair.second)).mean());
     // In pixels of a common focal length, because the threshold is one.
     std::vector<cv::Point2d> first_px;
     std::vector<cv::Point2d> second_px;
-    for (const cv::Point2d& point : first) first_px.push_back(focal_px * point);
-    for (const cv::Point2d& point : second) second_px.push_back(focal_px * point);
+    for (const Eigen::Vector2d& ray : rays.first) {
+        first_px.emplace_back(focal_px * ray.x(), focal_px * ray.y());
+    }
+    for (const Eigen::Vector2d& ray : rays.second) {
+        second_px.emplace_back(focal_px * ray.x(), focal_px * ray.y());
+    }
     const cv::Matx33d calibration(focal_px, 0, 0, 0, focal_px, 0, 0, 0, 1);
     cv::Mat mask;
     const cv::Mat essential =
@@ -127,7 +141,7 @@ TwoViewStart start_from(const GrowingModel& model, const VerifiedPair& pair,
     cv::cv2eigen(translation, start.second_from_first.translation);
     if (!turn.allFinite() || !start.second_from_first.translation.allFinite()) return start;
     start.second_from_first.rotation = Eigen::Quaterniond(turn).normalized();
-    start.weight = weight_of(start, first, second, focal_px, options);
+    start.weight = weight_of(start, rays, focal_px, options);
     return start;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "calib/lens/lens_form.h"
 #include "calib/work/median.h"
 
 namespace lumi {
@@ -26,15 +27,6 @@ bool is_homography(PairConfiguration configuration) {
 }
 
 double longer_side_px(const Camera& camera) { return std::max(camera.width_px, camera.height_px); }
-
-Camera with_focal_length_scaled(Camera camera, double factor) {
-    const bool one_focal_length = camera.model == LensModel::kSimplePinhole ||
-                                  camera.model == LensModel::kSimpleRadial ||
-                                  camera.model == LensModel::kRadial;
-    camera.parameters[0] *= factor;
-    if (!one_focal_length) camera.parameters[1] *= factor;
-    return camera;
-}
 
 Eigen::Quaterniond least_squares_rotation(const DirectionPairs& directions,
                                           const std::vector<char>& is_used) {
@@ -85,9 +77,11 @@ struct Turns {
 };
 
 Turns turns_among(const std::vector<const VerifiedPair*>& pairs, const Camera& first,
-                  const Camera& second, const std::vector<ColmapPhotograph>& photographs) {
+                  const Camera& second, const std::vector<ColmapPhotograph>& photographs,
+                  const Progress& progress) {
     Turns turns;
     for (const VerifiedPair* pair : pairs) {
+        progress.throw_if_interrupted();
         const double share = turned_share(*pair, first, second, photographs);
         if (share >= kRotationInlierShare) ++turns.pairs;
         turns.shares += share;
@@ -163,7 +157,8 @@ bool is_rotation(const DirectionPairs& directions, const Camera& first, const Ca
 
 MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
                             const std::vector<ColmapPhotograph>& photographs,
-                            const std::vector<VerifiedPair>& pairs, bool lens_is_calibrated) {
+                            const std::vector<VerifiedPair>& pairs, bool lens_is_calibrated,
+                            const Progress& progress) {
     MotionEvidence evidence;
     double turned_shares = 0;
     std::map<std::pair<int, int>, std::vector<const VerifiedPair*>> pairs_of_lenses;
@@ -189,7 +184,7 @@ MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
             };
             const Camera first = lens(lenses.first);
             const Camera second = lens(lenses.second);
-            most = std::max(most, turns_among(group, first, second, photographs));
+            most = std::max(most, turns_among(group, first, second, photographs, progress));
         }
         evidence.rotation_pairs += most.pairs;
         turned_shares += most.shares;

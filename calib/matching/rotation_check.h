@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calib/colmap/colmap_database.h"
+#include "calib/work/progress.h"
 
 namespace lumi {
 
@@ -61,10 +62,11 @@ struct RotationFit {
 /// Asks of every pair whether a rotation alone explains its matches: then there is no parallax, and
 /// no depth can come of it (homographies of the form K R K^-1: Hartley and Zisserman, Multiple View
 /// Geometry, 2nd ed., section 13.6). Unless the lens is calibrated, the focal length for
-/// which most pairs of two lenses are rotations speaks for all of them.
+/// which most pairs of two lenses are rotations speaks for all of them. Throws Error:
+/// E-INTERRUPTED.
 [[nodiscard]] MotionEvidence check_motion(const std::vector<ColmapCamera>& cameras,
                                           const std::vector<ColmapPhotograph>& photographs,
                                           const std::vector<VerifiedPair>& pairs,
-                                          bool lens_is_calibrated);
+                                          bool lens_is_calibrated, const Progress& progress);
 
 }  // namespace lumi

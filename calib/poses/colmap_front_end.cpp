@@ -11,13 +11,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// COLMAP knows photographs by the names in a folder: links to the working copies.
+/// COLMAP knows photographs by the names in a folder: links to the working copies, or copies of
+/// them on file systems that have no links.
 void link_pictures(const std::vector<Photograph>& photographs, const fs::path& folder) {
     fs::create_directories(folder);
     for (std::size_t index = 0; index < photographs.size(); ++index) {
         const fs::path link = folder / colmap_image_name(static_cast<int>(index));
         std::error_code status;
         fs::create_symlink(fs::absolute(photographs[index].picture_path), link, status);
+        if (status) fs::copy_file(photographs[index].picture_path, link, status);
         if (!status) continue;
         throw Error(ErrorKind::kResources, "E-FILE-WRITE",
                     link.string() + ": cannot be made: " + status.message(),
@@ -37,11 +39,14 @@ fs::path write_masks(const MappingJob& job, const fs::path& folder) {
     return folder;
 }
 
-void expect_ended(const ColmapRun& run, const MappingJob& job, const std::string& command) {
-    if (run.result.end == ChildEnd::kExited) return;
-    throw Error(ErrorKind::kExternalProgram, "E-COLMAP-TIME",
-                job.options.colmap + " " + command + ": " + run.ending,
-                "raise [poses] time_limit_s, or lower max_features");
+ExtractorSettings extractor_settings(const MappingJob& job, FeatureDetail detail) {
+    ExtractorSettings settings;
+    settings.max_features = job.options.max_features;
+    if (detail == FeatureDetail::kMore) {
+        settings.max_features *= 2;
+        settings.peak_threshold /= 2;
+    }
+    return settings;
 }
 
 }  // namespace
@@ -54,7 +59,15 @@ void record(PoseEvidence& evidence, const ColmapRun& run) {
     evidence.calls.push_back({run.command_line, run.result.wall_s, run.result.cpu_s});
 }
 
-MatchedPhotographs match_with_colmap_alone(const MappingJob& job, const std::string& name) {
+void expect_ended(const ColmapRun& run, const MappingJob& job, const std::string& command) {
+    if (run.result.end == ChildEnd::kExited) return;
+    throw Error(ErrorKind::kExternalProgram, "E-COLMAP-TIME",
+                job.options.colmap + " " + command + ": " + run.ending,
+                "raise [poses] time_limit_s, or lower max_features");
+}
+
+MatchedPhotographs match_with_colmap_alone(const MappingJob& job, FeatureDetail detail,
+                                           const std::string& name) {
     MatchedPhotographs result;
     result.name = name;
     result.database = job.scratch_folder / (name + ".db");
@@ -70,7 +83,7 @@ MatchedPhotographs match_with_colmap_alone(const MappingJob& job, const std::str
     const int threads = resolve_threads(job.threads);
     job.progress.begin("finding features with COLMAP", job.photographs.size());
     const ColmapRun extraction = extract_features_with_colmap(
-        colmap_of(job), result.database, pictures, masks, job.options.max_features, threads,
+        colmap_of(job), result.database, pictures, masks, extractor_settings(job, detail), threads,
         [&](int count) { job.progress.advance(static_cast<std::size_t>(count)); }, job.progress);
     record(job.evidence, extraction);
     expect_ended(extraction, job, "feature_extractor");

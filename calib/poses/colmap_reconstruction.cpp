@@ -12,13 +12,12 @@ ColmapReconstruction reconstruct_with_colmap(const std::vector<Photograph>& phot
                                              const PoseOptions& options,
                                              const std::filesystem::path& scratch_folder,
                                              int threads, Progress& progress) {
-    constexpr int kColmapsFeatures = 8192;
     std::error_code status;
     std::filesystem::remove_all(scratch_folder, status);
     const std::filesystem::path models = scratch_folder / "models";
     std::filesystem::create_directories(models);
     PoseOptions colmaps = options;
-    colmaps.max_features = kColmapsFeatures;
+    colmaps.max_features = ExtractorSettings{}.max_features;
     const CameraGroups groups =
         group_cameras(photographs, given_lens,
                       {.lens_model = colmaps.lens_model, .shared_lens = colmaps.shared_lens});
@@ -32,12 +31,15 @@ ColmapReconstruction reconstruct_with_colmap(const std::vector<Photograph>& phot
                          resolve_threads(threads),
                          progress,
                          evidence};
-    const MatchedPhotographs matched = match_with_colmap_alone(job, "colmap");
+    const MatchedPhotographs matched =
+        match_with_colmap_alone(job, FeatureDetail::kUsual, "colmap");
     progress.begin("placing photographs with COLMAP alone", photographs.size());
-    record(evidence,
-           map_with_colmap_defaults(
-               colmap_of(job), matched.database, models, job.refine_lens, job.threads,
-               [&](int count) { progress.advance(static_cast<std::size_t>(count)); }, progress));
+    const ColmapRun mapping = map_with_colmap_defaults(
+        colmap_of(job), matched.database, models, job.refine_lens, job.threads,
+        [&](int count) { progress.advance(static_cast<std::size_t>(count)); }, progress);
+    record(evidence, mapping);
+    // What it had made by then is not what COLMAP makes.
+    expect_ended(mapping, job, "mapper");
     ColmapReconstruction result;
     if (auto best = read_best_model(models, photographs)) result.capture = std::move(best->capture);
     result.calls = std::move(evidence.calls);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "calib/adjust/bundle_adjustment.h"
 #include "calib/doctor/capture_reason.h"
 #include "calib/poses/part_joint.h"
 #include "calib/poses/registration.h"
@@ -85,10 +86,11 @@ std::vector<std::vector<char>> parts_of(const Capture& capture) {
 }
 
 /// Moves or drops one part; false when all joints are firm.
-bool mend_one_joint(Capture& capture) {
+bool mend_one_joint(Capture& capture, const Progress& progress) {
     if (capture.views.size() < 3) return false;
+    const double scale_px = cauchy_scale_px(capture);
     for (const std::vector<char>& is_in_part : parts_of(capture)) {
-        PartJoint joint = examine_joint(capture, is_in_part);
+        PartJoint joint = examine_joint(capture, is_in_part, scale_px, progress);
         if (joint.is_elsewhere()) {
             capture = std::move(joint.other->moved);
             return true;
@@ -107,8 +109,8 @@ JointCheck with_firm_joints(const MappingJob& job, const Capture& mapped) {
     const std::size_t placed = mapped.views.size();
     job.progress.begin("asking how firmly the photographs hang together", 0);
     Capture firm = mapped;
-    for (std::size_t round = 0; round < 2 * placed && mend_one_joint(firm); ++round) {
-        job.progress.throw_if_interrupted();
+    for (std::size_t round = 0; round < 2 * placed; ++round) {
+        if (!mend_one_joint(firm, job.progress)) break;
     }
     const std::size_t left = firm.views.size();
     if (left == placed) return {std::move(firm), {}};

@@ -20,6 +20,7 @@ struct JointCheck {
 ///
 /// A part that the shared points want clearly elsewhere is put there. A part whose place they do
 /// not determine (see PartJoint) is left out, and `job.evidence` warns of it (E-POSES-SPLIT).
+/// Throws Error: E-INTERRUPTED.
 [[nodiscard]] JointCheck with_firm_joints(const MappingJob& job, const Capture& mapped);
 
 }  // namespace lumi

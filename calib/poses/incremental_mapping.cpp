@@ -166,8 +166,7 @@ std::optional<Capture> map_incrementally(const MappingJob& job, MatchedPhotograp
         job.progress.note("placed " + std::to_string(model.placed()) + " of " +
                           std::to_string(job.photographs.size()) + ": trying more features");
         const std::string start = job.evidence.start;
-        MatchedPhotographs detailed = match_and_verify(
-            job, {2 * job.options.max_features, SiftOptions{}.contrast_threshold / 2}, "detailed");
+        MatchedPhotographs detailed = match_and_verify(job, FeatureDetail::kMore, "detailed");
         GrowingModel other = placed_as_well_as_possible(job, detailed);
         if (other.placed() > model.placed()) {
             model = std::move(other);

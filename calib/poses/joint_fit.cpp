@@ -10,8 +10,6 @@
 #include <memory>
 #include <numbers>
 
-#include "calib/adjust/bundle_adjustment.h"
-
 namespace lumi {
 namespace {
 
@@ -77,8 +75,8 @@ std::shared_ptr<ceres::ParameterBlockOrdering> order_of(Similarity& similarity,
 }  // namespace
 
 JointFit::JointFit(const Capture& capture, const std::vector<char>& is_in_part,
-                   const std::vector<std::size_t>& points)
-    : capture_(capture), is_in_part_(is_in_part), scale_px_(cauchy_scale_px(capture)) {
+                   const std::vector<std::size_t>& points, double scale_px)
+    : capture_(capture), is_in_part_(is_in_part), scale_px_(scale_px) {
     const auto inside = std::count(is_in_part.begin(), is_in_part.end(), char{1});
     has_size_ = inside > 1 && inside + 1 < static_cast<std::ptrdiff_t>(is_in_part.size());
     for (const std::size_t index : points) {

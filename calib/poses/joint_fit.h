@@ -25,9 +25,10 @@ struct Similarity {
 /// Keeps references: the capture and the choice of the part must outlive it.
 class JointFit {
  public:
-    /// `points`: indices of points that views of the part and others see.
+    /// `points`: indices of points that views of the part and others see; `scale_px`: of Cauchy's
+    /// loss (cauchy_scale_px).
     JointFit(const Capture& capture, const std::vector<char>& is_in_part,
-             const std::vector<std::size_t>& points);
+             const std::vector<std::size_t>& points, double scale_px);
 
     /// What the points look like from the part when they are tilted about an axis across the line
     /// of sight: wherever there is a second minimum, one of these leads there.

@@ -10,7 +10,6 @@
 #include "calib/colmap/match_list.h"
 #include "calib/features/descriptor_matching.h"
 #include "calib/features/features.h"
-#include "calib/features/sift.h"
 #include "calib/matching/camera_groups.h"
 #include "calib/matching/rotation_check.h"
 #include "calib/poses/pose_stage.h"
@@ -45,20 +44,29 @@ struct MatchedPhotographs {
     std::vector<double> inlier_shares;
 };
 
+/// How many features are looked for.
+enum class FeatureDetail {
+    kUsual,  ///< As many as configured, of the usual contrast.
+    kMore,   ///< Twice as many, down to half the contrast.
+};
+
 /// Features, matches by look, and their geometric verification, by our own means or, with `[poses]
 /// front_end = "colmap"`, by COLMAP's. Throws Error: E-POSES-NOPAIR (no pair has enough matches),
 /// E-COLMAP-...
-[[nodiscard]] MatchedPhotographs match_and_verify(const MappingJob& job, const SiftOptions& sift,
+[[nodiscard]] MatchedPhotographs match_and_verify(const MappingJob& job, FeatureDetail detail,
                                                   const std::string& name);
 
 /// The same by COLMAP's own extractor and matcher, all photographs with all; the pairs are not
 /// judged yet.
 [[nodiscard]] MatchedPhotographs match_with_colmap_alone(const MappingJob& job,
+                                                         FeatureDetail detail,
                                                          const std::string& name);
 
 /// How COLMAP runs for this job.
 [[nodiscard]] ColmapProgram colmap_of(const MappingJob& job);
 void record(PoseEvidence& evidence, const ColmapRun& run);
+/// Throws Error (E-COLMAP-TIME) unless COLMAP's `command` exited: a limit or a signal ended it.
+void expect_ended(const ColmapRun& run, const MappingJob& job, const std::string& command);
 
 /// The best of the models a mapper run left in `models`, by registered photographs, then by
 /// points; with the photographs' own names. Empty when there is none.

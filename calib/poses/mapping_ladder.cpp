@@ -3,6 +3,7 @@
 
 #include "calib/capture/colmap_model.h"
 #include "calib/poses/mapping.h"
+#include "calib/poses/registration.h"
 #include "calib/work/error.h"
 
 namespace lumi {
@@ -40,21 +41,6 @@ std::vector<fs::path> model_folders(const fs::path& models) {
         folders.push_back(models / std::to_string(number));
     }
     return folders;
-}
-
-/// COLMAP writes every camera of its database; those without a view are of no use to anybody.
-void drop_unused_cameras(Capture& capture) {
-    std::vector<int> new_index(capture.cameras.size(), -1);
-    std::vector<Camera> used;
-    for (View& view : capture.views) {
-        int& index = new_index[static_cast<std::size_t>(view.camera_index)];
-        if (index < 0) {
-            index = static_cast<int>(used.size());
-            used.push_back(camera_of(capture, view));
-        }
-        view.camera_index = index;
-    }
-    capture.cameras = std::move(used);
 }
 
 void restore_names(Capture& capture, const std::vector<Photograph>& photographs,
@@ -110,7 +96,7 @@ std::optional<BestModel> read_best_model(const fs::path& models,
         ++found;
         if (capture.views.size() < 2 || capture.points.empty()) continue;
         restore_names(capture, photographs, folder);
-        drop_unused_cameras(capture);
+        drop_unused_cameras(capture);  // COLMAP writes every camera of its database.
         if (!best || is_better(capture, best->capture)) best = BestModel{std::move(capture), 0};
     }
     if (best) best->models_found = found;
@@ -128,9 +114,7 @@ std::optional<Capture> map_by_ladder(const MappingJob& job, MatchedPhotographs& 
         }
         if (rung.more_features) {
             job.progress.note("placed " + share_text(placed, total) + ": trying more features");
-            matched = match_and_verify(
-                job, {2 * job.options.max_features, SiftOptions{}.contrast_threshold / 2},
-                rung.name);
+            matched = match_and_verify(job, FeatureDetail::kMore, rung.name);
         }
         write_database(job, matched);
         const fs::path models = job.scratch_folder / ("models_" + std::string(rung.name));

@@ -2,13 +2,12 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
 #include "calib/doctor/capture_reason.h"
+#include "calib/work/formatted.h"
 #include "calib/work/median.h"
 
 namespace lumi {
@@ -20,12 +19,6 @@ constexpr double kMinFocalPerSide = 0.3;  ///< 118 degrees across the longer sid
 constexpr double kMaxFocalPerSide = 10.0;
 constexpr double kFlat = 0.005;
 constexpr double kMaxFocalSpread = 2.0;
-
-std::string number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", value);
-    return text.data();
-}
 
 double largest_angle_rad(const std::vector<Eigen::Vector3d>& centres, const ScenePoint& point) {
     double largest = 0;
@@ -75,14 +68,15 @@ void check_focal_lengths(const Capture& capture, bool lens_is_known,
     if (lens_is_known) return;
     if (smallest < kMinFocalPerSide || largest > kMaxFocalPerSide) {
         refuse_capture(CaptureReason::kFocal,
-                       "the focal length came out as " +
-                           number(smallest < kMinFocalPerSide ? smallest : largest) +
-                           " times the picture's longer side, which no ordinary lens has");
+                       formatted("the focal length came out as %.3g times the picture's longer "
+                                 "side, which no ordinary lens has",
+                                 smallest < kMinFocalPerSide ? smallest : largest));
     }
     if (largest > kMaxFocalSpread * smallest) {
-        warnings.push_back("focal lengths differ by a factor of " + number(largest / smallest) +
-                           " between photographs; if one lens and zoom took them all, give it "
-                           "([calibration])");
+        warnings.push_back(
+            formatted("focal lengths differ by a factor of %.3g between photographs; if one lens "
+                      "and zoom took them all, give it ([calibration])",
+                      largest / smallest));
     }
 }
 
@@ -133,13 +127,16 @@ std::vector<std::string> check_model(const Capture& capture, bool lens_is_known)
     const double angle_deg = median_triangulation_angle_deg(capture);
     if (angle_deg < kMinAngle_deg) {
         refuse_capture(CaptureReason::kNoParallax,
-                       "the camera hardly moved: rays to the same point meet at " +
-                           number(angle_deg) + " degrees only, and depth cannot be told");
+                       formatted("the camera hardly moved: rays to the same point meet at %.3g "
+                                 "degrees only, and depth cannot be told",
+                                 angle_deg));
     }
     if (angle_deg < kWeakAngle_deg) {
-        warnings.push_back("little parallax: rays to the same point meet at " + number(angle_deg) +
-                           " degrees; depth is uncertain. To improve it, " +
-                           std::string(advice_for(CaptureReason::kNoParallax)));
+        warnings.push_back(
+            formatted("little parallax: rays to the same point meet at %.3g degrees; "
+                      "depth is uncertain. To improve it, ",
+                      angle_deg) +
+            std::string(advice_for(CaptureReason::kNoParallax)));
     }
     check_focal_lengths(capture, lens_is_known, warnings);
     const double thickness = relative_thickness(capture);

@@ -180,8 +180,8 @@ bool lacks_parallax(const MotionEvidence& motion, const Capture& model) {
 
 void settle_doubts(const MappingJob& job, const MatchedPhotographs& matched, const Capture& mapped,
                    const Capture& refined) {
-    const PairAgreement agreement =
-        compare_with_pairs(refined, job.photographs, matched.photographs, matched.pairs);
+    const PairAgreement agreement = compare_with_pairs(
+        refined, job.photographs, matched.photographs, matched.pairs, job.progress);
     job.evidence.contradicted_share = agreement.contradicted_share;
     job.evidence.residual_pattern = residual_pattern(refined);
     const std::optional<Explanation> explanation = explanation_of(job, mapped, refined);

@@ -78,7 +78,7 @@ SortedPairs sorted_by(const Capture& model, const Followers& followers, MatchedP
                       const MappingJob& job, const MatchedPhotographs& matched) {
     SortedPairs sorted{std::move(followed)};
     for (const JudgedPair& judged :
-         judge_pairs(model, job.photographs, matched.photographs, matched.pairs)) {
+         judge_pairs(model, job.photographs, matched.photographs, matched.pairs, job.progress)) {
         const VerifiedPair& pair = matched.pairs[judged.index];
         ++sorted.judged;
         if (!judged.is_agreeing()) {
@@ -118,8 +118,8 @@ enum class Cause {
 std::optional<Cause> cause_to_ask(const Capture& model, const MappingJob& job,
                                   const MatchedPhotographs& matched) {
     constexpr double kMany = 0.2;
-    const PairAgreement agreement =
-        compare_with_pairs(model, job.photographs, matched.photographs, matched.pairs);
+    const PairAgreement agreement = compare_with_pairs(model, job.photographs, matched.photographs,
+                                                       matched.pairs, job.progress);
     const double total = static_cast<double>(job.photographs.size());
     const bool lacks_many = total - static_cast<double>(model.views.size()) > kMany * total;
     if (agreement.is_contradiction() || (agreement.is_mistaken() && lacks_many))
@@ -130,8 +130,8 @@ std::optional<Cause> cause_to_ask(const Capture& model, const MappingJob& job,
 /// Whether the walk that a model tells of is the one that the photographs were taken on: what it
 /// denies, if anything, was seen from another side altogether.
 bool is_walk(const Capture& model, const MappingJob& job, const MatchedPhotographs& matched) {
-    const PairAgreement agreement =
-        compare_with_pairs(model, job.photographs, matched.photographs, matched.pairs);
+    const PairAgreement agreement = compare_with_pairs(model, job.photographs, matched.photographs,
+                                                       matched.pairs, job.progress);
     return agreement.doubtful_in_order == 0 && !leaps(model) &&
            (agreement.is_mistaken() || !agreement.is_contradiction());
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "calib/doctor/capture_reason.h"
+#include "calib/lens/lens_form.h"
 #include "calib/poses/residual_pattern.h"
 #include "calib/poses/supposed_adjustment.h"
 #include "calib/work/error.h"
@@ -18,13 +19,6 @@ namespace lumi {
 namespace {
 
 double mean_focal_length_px(const Camera& lens) { return focal_length_px(lens).mean(); }
-
-/// The lens with `zoom` times its focal length.
-Camera zoomed(Camera lens, double zoom) {
-    lens.parameters[0] *= zoom;
-    if (!has_one_focal_length(lens.model)) lens.parameters[1] *= zoom;
-    return lens;
-}
 
 /// By the name of a view, its focal length over the geometric mean of those that share its lens.
 using Zooms = std::map<std::string, double>;
@@ -74,7 +68,7 @@ class SharedLenses {
         std::vector<Camera> shared = lenses_;
         for (View& view : own.views) {
             shared[static_cast<std::size_t>(of(view))] =
-                zoomed(camera_of(own, view), 1 / zooms.at(view.name));
+                with_focal_length_scaled(camera_of(own, view), 1 / zooms.at(view.name));
             view.camera_index = of(view);
         }
         own.cameras = std::move(shared);
@@ -91,11 +85,26 @@ Capture with_own_cameras(Capture shared, const Zooms& zooms) {
     std::vector<Camera> own;
     for (View& view : shared.views) {
         const auto zoom = zooms.find(view.name);
-        own.push_back(zoomed(camera_of(shared, view), zoom == zooms.end() ? 1.0 : zoom->second));
+        own.push_back(with_focal_length_scaled(camera_of(shared, view),
+                                               zoom == zooms.end() ? 1.0 : zoom->second));
         view.camera_index = static_cast<int>(own.size()) - 1;
     }
     shared.cameras = std::move(own);
     return shared;
+}
+
+/// The mapped model with the lenses of the refined one, which may have fewer views: a lens that
+/// none of these has stays as it is.
+Capture with_refined_lenses(Capture mapped, const Capture& refined) {
+    std::map<std::string, int> refined_lens_of_view;
+    for (const View& view : refined.views) refined_lens_of_view[view.name] = view.camera_index;
+    for (const View& view : mapped.views) {
+        const auto found = refined_lens_of_view.find(view.name);
+        if (found == refined_lens_of_view.end()) continue;
+        mapped.cameras[static_cast<std::size_t>(view.camera_index)] =
+            refined.cameras[static_cast<std::size_t>(found->second)];
+    }
+    return mapped;
 }
 
 /// Whether own focal lengths are worth their number: each point counts once, as errors within a
@@ -149,8 +158,7 @@ std::optional<SecondModel> model_with_own_focal_lengths(const MappingJob& job, L
         return capture;
     };
     SecondModel model;
-    model.mapped = mapped;
-    model.mapped.cameras = refined.cameras;
+    model.mapped = with_refined_lenses(mapped, refined);
     if (!are_worth_it(job, model.mapped)) return std::nullopt;
 
     const SharedLenses lenses(model.mapped);
@@ -163,13 +171,14 @@ std::optional<SecondModel> model_with_own_focal_lengths(const MappingJob& job, L
     PoseEvidence of_steady;
     steady = refined_by(policy, std::move(steady), of_steady);
     lenses.scale_pictures(steady, [&](const View& view) { return zooms.at(view.name); });
+    const SharedLenses chosen(steady);
 
     PoseEvidence of_own;
     model.refined =
         refined_by(LensPolicy::kFocalLength, with_own_cameras(std::move(steady), zooms), of_own);
     if (model.refined.views.size() < refined.views.size()) return std::nullopt;
-    tell_of_lenses(job.evidence, lenses, model.refined, std::move(of_own), of_steady);
-    model.warning = warning_of(lenses.zooms_of(model.refined));
+    tell_of_lenses(job.evidence, chosen, model.refined, std::move(of_own), of_steady);
+    model.warning = warning_of(chosen.zooms_of(model.refined));
     return model;
 }
 

@@ -17,8 +17,10 @@ namespace lumi {
 /// it better than none, by the information criterion, and a lens that moved better than a camera
 /// that turned (adjust_supposing). Then each view is given the shared lens with a focal length of
 /// its own; pictures are then scaled about their principal points as if all had been taken with the
-/// mean focal length, which is exact: distortion is a matter of directions. Of those, lenses are
-/// chosen as ever (refine with `policy`), and focal lengths adjusted once more. Returns that model,
+/// mean focal length: distortion is a matter of directions, so that nothing else of them changes.
+/// Of those, lenses are chosen as ever (refine with `policy`; where that moves the principal point,
+/// the pictures were scaled about a place off by as much, which their poses make up for), and focal
+/// lengths adjusted once more. Returns that model,
 /// of which `job.evidence` then tells, with a camera for each view; empty where nothing tells of a
 /// zoom, or where it would place fewer views or come to none. Throws Error: E-INTERRUPTED.
 [[nodiscard]] std::optional<SecondModel> find_own_focal_lengths(const MappingJob& job,

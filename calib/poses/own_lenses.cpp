@@ -1,15 +1,14 @@
 #include "calib/poses/own_lenses.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <string>
 #include <tuple>
 #include <utility>
 
+#include "calib/adjust/bundle_adjustment.h"
 #include "calib/doctor/capture_reason.h"
 #include "calib/poses/firm_joints.h"
 #include "calib/poses/model_check.h"
@@ -17,6 +16,7 @@
 #include "calib/poses/pose_shift.h"
 #include "calib/poses/residual_pattern.h"
 #include "calib/work/error.h"
+#include "calib/work/formatted.h"
 
 namespace lumi {
 namespace {
@@ -155,12 +155,11 @@ bool is_worth_asking(const MappingJob& job, const Capture& refined, bool is_cont
 }
 
 std::string warning_of(double factor) {
-    std::array<char, 160> what{};
-    std::snprintf(what.data(), what.size(),
-                  ": focal lengths differ by a factor of %.2f between photographs of one camera; "
-                  "each was given a lens of its own. Next time, ",
-                  factor);
-    return std::string(code_of(CaptureReason::kZoom)) + what.data() +
+    return std::string(code_of(CaptureReason::kZoom)) +
+           formatted(
+               ": focal lengths differ by a factor of %.2f between photographs of one camera; "
+               "each was given a lens of its own. Next time, ",
+               factor) +
            std::string(advice_for(CaptureReason::kZoom));
 }
 
@@ -202,7 +201,8 @@ class ZoomQuestion {
                              double min_factor) const {
         if (own.views.size() < shared_.views.size() || zoom_factor(own, shared_) < min_factor ||
             !pose_shift(named_poses(shared_), named_poses(own)).matters() ||
-            compare_with_pairs(own, job_.photographs, matched_.photographs, matched_.pairs)
+            compare_with_pairs(own, job_.photographs, matched_.photographs, matched_.pairs,
+                               job_.progress)
                 .is_contradiction()) {
             return false;
         }
@@ -250,8 +250,8 @@ bool ZoomEvidence::is_told() const {
 
 std::optional<SecondModel> find_own_lenses(const MappingJob& job, const MatchedPhotographs& matched,
                                            LensPolicy policy, const Capture& refined) {
-    const PairAgreement agreement =
-        compare_with_pairs(refined, job.photographs, matched.photographs, matched.pairs);
+    const PairAgreement agreement = compare_with_pairs(
+        refined, job.photographs, matched.photographs, matched.pairs, job.progress);
     if (!is_worth_asking(job, refined, agreement.is_contradiction())) return std::nullopt;
 
     const CameraGroups own_groups =

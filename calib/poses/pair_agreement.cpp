@@ -35,10 +35,14 @@ constexpr double kMinMistakenTurn_deg = 15.0;
 /// were folded.
 constexpr double kOutweighedShare = 0.4;
 
-/// The angle between the second ray and the plane that the first ray and the base line span.
+/// The angle between the second ray and the plane that the first ray and the base line span; where
+/// there is no base line, and the first ray.
 double epipolar_angle_rad(const Eigen::Vector3d& first_ray, const Eigen::Vector3d& second_ray,
                           const Rigid3& second_from_first) {
     const Eigen::Vector3d turned = (second_from_first.rotation * first_ray).normalized();
+    if (second_from_first.translation.isZero(0)) {
+        return std::atan2(turned.cross(second_ray).norm(), turned.dot(second_ray));
+    }
     const Eigen::Vector3d normal = second_from_first.translation.normalized().cross(turned);
     // Along the base line every ray is in the plane.
     if (normal.norm() < 1e-6) return 0.0;
@@ -111,11 +115,13 @@ bool PairAgreement::is_mistaken() const {
 std::vector<JudgedPair> judge_pairs(const Capture& capture,
                                     const std::vector<Photograph>& photographs,
                                     const std::vector<ColmapPhotograph>& features,
-                                    const std::vector<VerifiedPair>& pairs) {
+                                    const std::vector<VerifiedPair>& pairs,
+                                    const Progress& progress) {
     const ViewOfPhotograph views = views_of(capture, photographs);
     std::vector<JudgedPair> judged;
     std::vector<PairTie> ties;
     for (std::size_t index = 0; index < pairs.size(); ++index) {
+        progress.throw_if_interrupted();
         const VerifiedPair& pair = pairs[index];
         const View* const first = views[static_cast<std::size_t>(pair.first)];
         const View* const second = views[static_cast<std::size_t>(pair.second)];
@@ -133,8 +139,9 @@ std::vector<JudgedPair> judge_pairs(const Capture& capture,
 
 PairAgreement compare_with_pairs(const Capture& capture, const std::vector<Photograph>& photographs,
                                  const std::vector<ColmapPhotograph>& features,
-                                 const std::vector<VerifiedPair>& pairs) {
-    const std::vector<JudgedPair> judged = judge_pairs(capture, photographs, features, pairs);
+                                 const std::vector<VerifiedPair>& pairs, const Progress& progress) {
+    const std::vector<JudgedPair> judged =
+        judge_pairs(capture, photographs, features, pairs, progress);
     const ViewOfPhotograph views = views_of(capture, photographs);
     const std::vector<int> places = places_in_order(photographs);
     const auto turned = [&](const VerifiedPair& pair) {
@@ -147,6 +154,7 @@ PairAgreement compare_with_pairs(const Capture& capture, const std::vector<Photo
     std::size_t agreeing = 0;
     std::vector<double> turns_deg;
     for (const JudgedPair& pair : judged) {
+        progress.throw_if_interrupted();
         const VerifiedPair& verified = pairs[pair.index];
         const bool is_in_order = std::abs(places[static_cast<std::size_t>(verified.first)] -
                                           places[static_cast<std::size_t>(verified.second)]) == 1;

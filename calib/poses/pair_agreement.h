@@ -6,6 +6,7 @@
 #include "calib/capture/capture.h"
 #include "calib/colmap/colmap_database.h"
 #include "calib/ingest/ingest.h"
+#include "calib/work/progress.h"
 
 namespace lumi {
 
@@ -49,24 +50,28 @@ struct JudgedPair {
 };
 
 /// What a model says of the pairs it was made from, in their order; those with too few matches to
-/// say anything are left out. `photographs` and `features` are by index.
+/// say anything are left out. `photographs` and `features` are by index. Throws Error:
+/// E-INTERRUPTED.
 [[nodiscard]] std::vector<JudgedPair> judge_pairs(const Capture& capture,
                                                   const std::vector<Photograph>& photographs,
                                                   const std::vector<ColmapPhotograph>& features,
-                                                  const std::vector<VerifiedPair>& pairs);
+                                                  const std::vector<VerifiedPair>& pairs,
+                                                  const Progress& progress);
 
 /// A pair was verified because many of its matches agree with one motion of the camera. Where the
 /// model says another motion, one of the two is wrong: things that look alike were taken for one
 /// another. A pair counts as denied when most of its matches are farther from the epipolar lines of
-/// the model than they may be in verification.
+/// the model than they may be in verification; of two cameras at one place, which have no such
+/// lines, farther from where the turn between them has them.
 ///
 /// Windows of one house look alike from far aside, where little else is matched. What so few
 /// matches say is outweighed where a chain of pairs that agree leads from one photograph to the
 /// other, each with two and a half times as many. Models that took sides of a house for one another
-/// are not saved by it: the pairs that they deny see the same things.
+/// are not saved by it: the pairs that they deny see the same things. Throws Error: E-INTERRUPTED.
 [[nodiscard]] PairAgreement compare_with_pairs(const Capture& capture,
                                                const std::vector<Photograph>& photographs,
                                                const std::vector<ColmapPhotograph>& features,
-                                               const std::vector<VerifiedPair>& pairs);
+                                               const std::vector<VerifiedPair>& pairs,
+                                               const Progress& progress);
 
 }  // namespace lumi

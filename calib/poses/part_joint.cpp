@@ -45,9 +45,11 @@ std::vector<std::size_t> some_of(const std::vector<std::size_t>& all, std::size_
 
 /// The second minimum that explains the points best.
 std::optional<OtherJoint> other_joint(const JointFit& fit, double cost_px2,
-                                      const std::vector<std::size_t>& indices) {
+                                      const std::vector<std::size_t>& indices,
+                                      const Progress& progress) {
     std::optional<OtherJoint> best;
     for (Similarity& other : fit.tilted()) {
+        progress.throw_if_interrupted();
         std::vector<Eigen::Vector3d> points = fit.points();
         const double ratio = fit.minimise(other, points, nullptr) / std::max(cost_px2, 1e-12);
         if (best && ratio >= best->cost_ratio) continue;
@@ -70,7 +72,8 @@ bool PartJoint::is_weak() const {
     return other && points * std::log(other->cost_ratio) < kTrustedLogRatio;
 }
 
-PartJoint examine_joint(const Capture& capture, const std::vector<char>& is_in_part) {
+PartJoint examine_joint(const Capture& capture, const std::vector<char>& is_in_part,
+                        double scale_px, const Progress& progress) {
     const std::vector<std::size_t> shared = shared_points(capture, is_in_part);
     PartJoint joint;
     if (shared.empty()) {
@@ -79,8 +82,9 @@ PartJoint examine_joint(const Capture& capture, const std::vector<char>& is_in_p
         return joint;
     }
     for (const std::size_t most : {kFewPoints, kMostPoints}) {
+        progress.throw_if_interrupted();
         const std::vector<std::size_t> some = some_of(shared, most);
-        const JointFit fit(capture, is_in_part, some);
+        const JointFit fit(capture, is_in_part, some, scale_px);
         Similarity as_it_is;
         std::vector<Eigen::Vector3d> points = fit.points();
         joint.points = static_cast<int>(some.size());
@@ -90,7 +94,7 @@ PartJoint examine_joint(const Capture& capture, const std::vector<char>& is_in_p
             return joint;
         }
         if (some.size() < shared.size()) continue;
-        joint.other = other_joint(fit, cost_px2, some);
+        joint.other = other_joint(fit, cost_px2, some, progress);
         return joint;
     }
     return joint;

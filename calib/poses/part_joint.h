@@ -5,6 +5,7 @@
 
 #include "calib/capture/capture.h"
 #include "calib/poses/pose_shift.h"
+#include "calib/work/progress.h"
 
 namespace lumi {
 
@@ -36,7 +37,9 @@ struct PartJoint {
 
 /// Examines the joint between the views with `is_in_part` and the others, by robust least squares.
 /// Both parts are held as they are, and points that both see are free. Of very many points some are
-/// looked at, evenly.
-[[nodiscard]] PartJoint examine_joint(const Capture& capture, const std::vector<char>& is_in_part);
+/// looked at, evenly. `scale_px` is that of Cauchy's loss (cauchy_scale_px of the whole capture).
+/// Throws Error: E-INTERRUPTED.
+[[nodiscard]] PartJoint examine_joint(const Capture& capture, const std::vector<char>& is_in_part,
+                                      double scale_px, const Progress& progress);
 
 }  // namespace lumi

@@ -1,7 +1,7 @@
 #include "calib/poses/point_colors.h"
 
-#include <array>
 #include <cmath>
+#include <optional>
 
 #include "calib/pictures/image_io.h"
 #include "calib/work/parallel_for.h"
@@ -25,6 +25,17 @@ std::vector<std::vector<Place>> places_by_view(const Capture& capture) {
     return places;
 }
 
+/// Of every observation; empty where it lies beside the picture.
+using ColorsOfTrack = std::vector<std::optional<Rgb8>>;
+
+std::vector<Rgb8> shown(const ColorsOfTrack& colors) {
+    std::vector<Rgb8> inside;
+    for (const std::optional<Rgb8>& color : colors) {
+        if (color) inside.push_back(*color);
+    }
+    return inside;
+}
+
 std::uint8_t mean_of(const std::vector<Rgb8>& colors, std::uint8_t Rgb8::*channel) {
     unsigned sum = 0;
     for (const Rgb8& color : colors) sum += color.*channel;
@@ -36,7 +47,7 @@ std::uint8_t mean_of(const std::vector<Rgb8>& colors, std::uint8_t Rgb8::*channe
 
 void color_points(Capture& capture, const std::vector<std::filesystem::path>& picture_paths,
                   int threads) {
-    std::vector<std::vector<Rgb8>> colors;
+    std::vector<ColorsOfTrack> colors;
     for (const ScenePoint& point : capture.points) colors.emplace_back(point.track.size());
     const std::vector<std::vector<Place>> places = places_by_view(capture);
     parallel_for(static_cast<int>(capture.views.size()), threads, [&](int view) {
@@ -51,10 +62,10 @@ void color_points(Capture& capture, const std::vector<std::filesystem::path>& pi
         }
     });
     for (std::size_t index = 0; index < capture.points.size(); ++index) {
-        if (colors[index].empty()) continue;
-        capture.points[index].color = {mean_of(colors[index], &Rgb8::r),
-                                       mean_of(colors[index], &Rgb8::g),
-                                       mean_of(colors[index], &Rgb8::b)};
+        const std::vector<Rgb8> seen = shown(colors[index]);
+        if (seen.empty()) continue;
+        capture.points[index].color = {mean_of(seen, &Rgb8::r), mean_of(seen, &Rgb8::g),
+                                       mean_of(seen, &Rgb8::b)};
     }
 }
 

@@ -39,7 +39,8 @@ void make_empty(const fs::path& folder) {
 void expect_photographs(const std::vector<Photograph>& photographs) {
     if (photographs.size() >= 2) return;
     throw Error(ErrorKind::kBadInput, "E-POSES-FEW",
-                "one photograph is not enough: at least two are needed",
+                photographs.empty() ? "there are no photographs: at least two are needed"
+                                    : "one photograph is not enough: at least two are needed",
                 "add photographs of the same subject from other places");
 }
 
@@ -147,8 +148,7 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
                          scratch_folder, threads, progress, result.evidence};
 
     MatchedPhotographs matched;
-    or_explain(job, {},
-               [&] { matched = match_and_verify(job, {options.max_features}, "default"); });
+    or_explain(job, {}, [&] { matched = match_and_verify(job, FeatureDetail::kUsual, "default"); });
     std::optional<Capture> mapped;
     std::string joint_trouble;
     const LensPolicy policy = lens_policy(given_lens.has_value(), options);

@@ -99,8 +99,10 @@ struct PoseResult {
 /// `given_lens`, when present, is the lens of all photographs (for the size it names; it is
 /// rescaled). `scratch_folder` is emptied and used.
 ///
-/// Throws Error: E-POSES-ROTATION (the camera only turned), E-POSES-PLANAR, E-POSES-NOPAIR,
-/// E-POSES-FEW (below the share), E-COLMAP-... when the program itself failed.
+/// Throws Error: E-POSES-FEW (fewer than two photographs were given, or fewer could be placed than
+/// the share), E-POSES-... with the code of the CaptureReason that explains best why the
+/// photographs do not tell where they were taken, E-ADJUST-..., E-COLMAP-... and E-CHILD-... when
+/// the program itself failed, E-INTERRUPTED.
 [[nodiscard]] PoseResult estimate_poses(const std::vector<Photograph>& photographs,
                                         const std::optional<Camera>& given_lens,
                                         const PoseOptions& options,

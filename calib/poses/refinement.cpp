@@ -58,6 +58,7 @@ class Refinement {
 
     void run() {
         adjust_and_drop_weak_views();
+        drop_unused_lenses();
         if (policy_ == LensPolicy::kAuto || policy_ == LensPolicy::kGiven) {
             choose_forms();
             adjust_bundle(capture_, adjustment(), progress_);
@@ -95,6 +96,15 @@ class Refinement {
         if (capture_.views.size() != views_before) {
             adjust_bundle(capture_, adjustment(), progress_);
         }
+    }
+
+    /// Of a lens whose every view was dropped nothing is known.
+    void drop_unused_lenses() {
+        std::vector<LensEvidence> used;
+        for (const std::size_t index : drop_unused_cameras(capture_)) {
+            used.push_back(std::move(evidence_.lenses[index]));
+        }
+        evidence_.lenses = std::move(used);
     }
 
     void choose_forms() {
@@ -142,7 +152,7 @@ class Refinement {
     /// (overdispersion: McCullagh and Nelder, Generalized Linear Models, 1989, section 4.5).
     [[nodiscard]] std::optional<AdjustmentCovariance> stated_covariance() const {
         std::optional<AdjustmentCovariance> covariance =
-            adjustment_covariance(capture_, adjustment());
+            adjustment_covariance(capture_, adjustment(), progress_);
         if (!covariance) return covariance;
         const double dispersion = std::max(1.0, residual_pattern(capture_).shutter_ratio);
         for (Matrix6& pose : covariance->poses) pose *= dispersion;

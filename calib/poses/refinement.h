@@ -23,10 +23,11 @@ enum class LensPolicy {
 /// Poses, points and lenses as the photographs support them.
 ///
 /// Adjusts with a lens that can bend (RADIAL), so that a simpler one does not pass its own errors
-/// off as outliers; drops views that see too little; chooses the form of each lens by prediction of
-/// held-out views (select_lens); adjusts again; drops parameters within two standard deviations of
-/// nothing (supported_lens), and then adjusts for the last time. Writes what speaks for the result
-/// into `evidence` (lenses, noise, uncertainty of views). Throws Error as adjust_bundle.
+/// off as outliers; drops views that see too little, and cameras without a view; chooses the form
+/// of each lens by prediction of held-out views (select_lens); adjusts again; drops parameters
+/// within two standard deviations of nothing (supported_lens), and then adjusts for the last time.
+/// Writes what speaks for the result into `evidence` (lenses, noise, uncertainty of views). Throws
+/// Error as adjust_bundle.
 ///
 /// Errors that go through whole pictures, as residual_pattern shows them, count twice: a principal
 /// point is then kept in the middle unless held-out views surely ask for it, and uncertainties are

@@ -59,6 +59,26 @@ void drop_views(Capture& capture, const std::vector<char>& is_dropped) {
     std::erase_if(capture.points, [](const ScenePoint& point) { return point.track.size() < 2; });
 }
 
+std::vector<std::size_t> drop_unused_cameras(Capture& capture) {
+    std::vector<int> new_index(capture.cameras.size(), -1);
+    for (const View& view : capture.views) {
+        new_index[static_cast<std::size_t>(view.camera_index)] = 0;
+    }
+    std::vector<std::size_t> left;
+    std::vector<Camera> used;
+    for (std::size_t index = 0; index < capture.cameras.size(); ++index) {
+        if (new_index[index] < 0) continue;
+        new_index[index] = static_cast<int>(left.size());
+        left.push_back(index);
+        used.push_back(std::move(capture.cameras[index]));
+    }
+    for (View& view : capture.views) {
+        view.camera_index = new_index[static_cast<std::size_t>(view.camera_index)];
+    }
+    capture.cameras = std::move(used);
+    return left;
+}
+
 std::vector<LeftOut> explain_unregistered(const Capture& capture,
                                           const std::vector<Photograph>& photographs,
                                           const std::vector<ColmapPhotograph>& features,

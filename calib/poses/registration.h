@@ -14,6 +14,9 @@ void drop_views(Capture& capture, const std::vector<char>& is_dropped);
 /// Drops views that see fewer than `min_points` points: too few to hold a pose.
 void drop_weak_views(Capture& capture, std::size_t min_points);
 
+/// Drops the cameras that no view has. Returns which are left: their indices before, ascending.
+std::vector<std::size_t> drop_unused_cameras(Capture& capture);
+
 /// The photographs without a view, each with the reason: E-POSES-NOFEATURES (hardly any
 /// features), E-POSES-NOMATCH (no pair with a placed photograph), E-POSES-WEAK (too few points in
 /// common). In the order of the photographs.

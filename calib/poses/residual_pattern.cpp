@@ -90,29 +90,6 @@ ResidualPattern residual_pattern(const Capture& capture) {
     return {variance_ratio(shutter, 0), variance_ratio(zoom, 6)};
 }
 
-std::size_t count_observations(const Capture& capture) {
-    std::size_t count = 0;
-    for (const ScenePoint& point : capture.points) count += point.track.size();
-    return count;
-}
-
-double truncated_cost_px2(const Capture& capture, std::size_t observations, double limit_px) {
-    double cost = 0;
-    std::size_t counted = 0;
-    for (const ScenePoint& point : capture.points) {
-        for (const Observation& seen : point.track) {
-            const View& view = capture.views[static_cast<std::size_t>(seen.view_index)];
-            const auto pixel =
-                project(camera_of(capture, view), view.cam_from_world * point.position_in_world);
-            const double square = pixel ? (*pixel - seen.pixel).squaredNorm() : limit_px * limit_px;
-            cost += std::min(square, limit_px * limit_px);
-            ++counted;
-        }
-    }
-    const auto dropped = static_cast<double>(observations - std::min(observations, counted));
-    return cost + dropped * limit_px * limit_px;
-}
-
 bool explains_better(double cost_px2, double richer_cost_px2, int more_parameters,
                      std::size_t observations) {
     const double rows = 2.0 * static_cast<double>(observations);

@@ -25,12 +25,6 @@ struct ResidualPattern {
 };
 [[nodiscard]] ResidualPattern residual_pattern(const Capture& capture);
 
-/// The sum over `observations` of squared residuals, those that were dropped as outliers counted
-/// with the square of the limit: what two models of the same observations are compared by.
-[[nodiscard]] double truncated_cost_px2(const Capture& capture, std::size_t observations,
-                                        double limit_px);
-[[nodiscard]] std::size_t count_observations(const Capture& capture);
-
 /// The Bayesian information criterion's verdict (Schwarz 1978): true when the smaller cost is worth
 /// `more_parameters`.
 [[nodiscard]] bool explains_better(double cost_px2, double richer_cost_px2, int more_parameters,

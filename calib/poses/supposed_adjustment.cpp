@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <vector>
 
+#include "calib/adjust/longest_tracks.h"
+#include "calib/adjust/stop_on_interrupt.h"
 #include "calib/poses/supposed_costs.h"
 
 namespace lumi {
@@ -46,27 +47,14 @@ struct Seen {
     SightCost cost;
 };
 
-/// The points with the longest tracks, until every view has enough.
+/// Those with the longest tracks, until every view has enough.
 std::vector<std::size_t> leading_points(const Capture& capture) {
-    std::vector<std::size_t> order(capture.points.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return capture.points[a].track.size() > capture.points[b].track.size();
-    });
-    std::vector<int> of_view(capture.views.size(), 0);
-    std::erase_if(order, [&](std::size_t index) {
-        bool is_wanted = false;
-        for (const Observation& seen : capture.points[index].track) {
-            int& count = of_view[static_cast<std::size_t>(seen.view_index)];
-            is_wanted = is_wanted || count < kPointsAPhotograph;
-        }
-        if (!is_wanted) return true;
-        for (const Observation& seen : capture.points[index].track) {
-            ++of_view[static_cast<std::size_t>(seen.view_index)];
-        }
-        return false;
-    });
-    return order;
+    std::vector<std::vector<int>> views_of_point;
+    for (const ScenePoint& point : capture.points) {
+        std::vector<int>& views = views_of_point.emplace_back();
+        for (const Observation& seen : point.track) views.push_back(seen.view_index);
+    }
+    return longest_tracks(views_of_point, capture.views.size(), kPointsAPhotograph);
 }
 
 /// One of the adjustments.
@@ -84,7 +72,7 @@ class Fit {
         }
     }
 
-    void run() {
+    void run(const Progress& progress) {
         ceres::Problem::Options ownership;
         ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
         ceres::CauchyLoss robust(1.0);
@@ -103,6 +91,7 @@ class Fit {
         }
         hold(problem, *order);
         if (supposition_ == Supposition::kTurning) expect_nothing_in_common(problem);
+        StopOnInterrupt stop(progress);
         ceres::Solver::Options solver;
         solver.linear_solver_type =
             capture_.views.size() <= 40 ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
@@ -113,8 +102,10 @@ class Fit {
         solver.max_trust_region_radius = 1e8;
         solver.num_threads = 1;
         solver.logging_type = ceres::SILENT;
+        solver.callbacks = {&stop};
         ceres::Solver::Summary summary;
         ceres::Solve(solver, &problem, &summary);
+        progress.throw_if_interrupted();
     }
 
     [[nodiscard]] std::size_t observations() const { return all_.size(); }
@@ -266,10 +257,10 @@ class Fit {
 }  // namespace
 
 SupposedAdjustment adjust_supposing(Supposition supposition, const Capture& capture,
-                                    bool lenses_are_held, double limit_px, Progress& progress) {
+                                    bool lenses_are_held, double limit_px,
+                                    const Progress& progress) {
     Fit fit(capture, supposition, lenses_are_held);
-    fit.run();
-    progress.throw_if_interrupted();
+    fit.run(progress);
     return {fit.capture(),
             fit.truncated_cost_px2(limit_px),
             fit.effect_px(),

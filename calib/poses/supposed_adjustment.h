@@ -45,9 +45,9 @@ struct SupposedAdjustment {
 /// that have something in common, in the axes of the cameras or of the world, are not found:
 /// bent points and poses, and lenses, do the same (Albl, Sugimoto, Pajdla, Degeneracies in rolling
 /// shutter SfM, ECCV 2016), and hands differ from picture to picture. Adjustments from one start
-/// look at the same observations, so that their costs can be compared.
+/// look at the same observations, so that their costs can be compared. Throws Error: E-INTERRUPTED.
 [[nodiscard]] SupposedAdjustment adjust_supposing(Supposition supposition, const Capture& capture,
                                                   bool lenses_are_held, double limit_px,
-                                                  Progress& progress);
+                                                  const Progress& progress);
 
 }  // namespace lumi

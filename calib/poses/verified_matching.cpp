@@ -22,8 +22,13 @@ namespace {
                 "without any texture need something with a pattern in view");
 }
 
-MatchedPhotographs match_by_ourselves(const MappingJob& job, const SiftOptions& sift,
+MatchedPhotographs match_by_ourselves(const MappingJob& job, FeatureDetail detail,
                                       const std::string& name) {
+    SiftOptions sift{.max_features = job.options.max_features};
+    if (detail == FeatureDetail::kMore) {
+        sift.max_features *= 2;
+        sift.contrast_threshold /= 2;
+    }
     MatchedPhotographs result;
     result.name = name;
     result.features =
@@ -45,14 +50,14 @@ MatchedPhotographs match_by_ourselves(const MappingJob& job, const SiftOptions& 
 
 }  // namespace
 
-MatchedPhotographs match_and_verify(const MappingJob& job, const SiftOptions& sift,
+MatchedPhotographs match_and_verify(const MappingJob& job, FeatureDetail detail,
                                     const std::string& name) {
     MatchedPhotographs result = job.options.front_end == "colmap"
-                                    ? match_with_colmap_alone(job, name)
-                                    : match_by_ourselves(job, sift, name);
+                                    ? match_with_colmap_alone(job, detail, name)
+                                    : match_by_ourselves(job, detail, name);
     if (result.pairs.empty()) refuse_unmatched(result.photographs);
-    result.motion =
-        check_motion(job.groups.cameras, result.photographs, result.pairs, job.lens_is_calibrated);
+    result.motion = check_motion(job.groups.cameras, result.photographs, result.pairs,
+                                 job.lens_is_calibrated, job.progress);
     return result;
 }
 

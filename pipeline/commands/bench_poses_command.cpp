@@ -121,9 +121,12 @@ void run_bench_poses(const BenchPosesRequest& request, const CommandContext& con
                              context.threads > 0 ? context.threads : config.threads};
     if (!request.truth.empty()) setting.truth = read_named_poses(request.truth);
     const int width_px = config.ingest.max_width_px;
+    const PoseOptions& poses = config.poses;
     std::vector<PoseMeans> means{
-        {config.poses.front_end, config.poses.mapper, false, config.poses.max_features, width_px}};
-    if (request.with_colmap) means.push_back({"colmap", "colmap", true, 8192, width_px});
+        {poses.front_end, poses.mapper, false, poses.max_features, width_px, poses.lens_model}};
+    if (request.with_colmap) {
+        means.push_back({"colmap", "colmap", true, 8192, width_px, poses.lens_model});
+    }
     if (!request.chart_folder.empty()) {
         for (PoseMeans& one : chart_means(width_px)) {
             if (one != means.front()) means.push_back(std::move(one));

@@ -7,6 +7,8 @@
 #include <random>
 
 #include "calib/adjust/bundle_problem.h"
+#include "calib/adjust/linearisation.h"
+#include "calib/work/error.h"
 #include "tests/calib/adjust/synthetic_capture.h"
 
 namespace lumi {
@@ -179,7 +181,7 @@ TEST(AdjustmentCovariance, EqualsCeresDenseCovarianceInTheSameGauge) {
     Capture capture = small_scene(0.5);
     SilentProgress progress;
     const BundleFit fit = fit_bundle(capture, {}, progress);
-    const auto covariance = adjustment_covariance(capture, least_squares());
+    const auto covariance = adjustment_covariance(capture, least_squares(), SilentProgress());
     ASSERT_TRUE(covariance.has_value());
 
     const auto views = static_cast<int>(capture.views.size());
@@ -259,7 +261,7 @@ Repetitions repeated(int draws, Noise noise, Adjust adjust,
             for (Observation& seen : point.track) seen.pixel += noise();
         }
         adjust(capture);
-        const auto covariance = adjustment_covariance(capture, options);
+        const auto covariance = adjustment_covariance(capture, options, SilentProgress());
         EXPECT_TRUE(covariance.has_value());
         if (!covariance) return result;
         const VectorXd step = gauge.projection() * step_between(truth, capture);
@@ -325,8 +327,8 @@ TEST(AdjustmentCovariance, MoreObservationsAreMoreCertainByTheirRoot) {
     SilentProgress progress;
     fit_bundle(few, {}, progress);
     fit_bundle(many, {}, progress);
-    const auto of_few = adjustment_covariance(few, least_squares());
-    const auto of_many = adjustment_covariance(many, least_squares());
+    const auto of_few = adjustment_covariance(few, least_squares(), SilentProgress());
+    const auto of_many = adjustment_covariance(many, least_squares(), SilentProgress());
     ASSERT_TRUE(of_few && of_many);
     const double ratio = std::sqrt(of_few->lenses[0](0, 0) / of_many->lenses[0](0, 0));
     EXPECT_NEAR(ratio, 2.0, 0.4);
@@ -342,7 +344,7 @@ TEST(AdjustmentCovariance, ViewsThatOnlyTurnAreNotDetermined) {
         if (point.track.empty()) continue;
         point.track.push_back({1, point.track[0].pixel});
     }
-    EXPECT_FALSE(adjustment_covariance(capture, {}).has_value());
+    EXPECT_FALSE(adjustment_covariance(capture, {}, SilentProgress()).has_value());
 }
 
 TEST(AdjustmentCovariance, AHeldLensHasNone) {
@@ -351,10 +353,39 @@ TEST(AdjustmentCovariance, AHeldLensHasNone) {
     options.refine_lens = false;
     SilentProgress progress;
     fit_bundle(capture, options, progress);
-    const auto covariance = adjustment_covariance(capture, options);
+    const auto covariance = adjustment_covariance(capture, options, SilentProgress());
     ASSERT_TRUE(covariance.has_value());
     EXPECT_EQ(covariance->lenses[0], MatrixXd(MatrixXd::Zero(4, 4)));
-    EXPECT_FALSE(adjustment_covariance(capture, options, 3).has_value());
+}
+
+TEST(AdjustmentCovariance, IsNotAskedOfMoreUnknownsThanAllowed) {
+    Capture capture = small_scene(0.5);
+    SilentProgress progress;
+    fit_bundle(capture, least_squares(), progress);
+    const int views = static_cast<int>(capture.views.size());
+    const auto is_known = [&](int max_unknowns) {
+        return adjustment_covariance(capture, least_squares(), progress, max_unknowns).has_value();
+    };
+    const int shared = static_cast<int>(unknowns_layout(capture, least_squares()).unknowns);
+    ASSERT_GT(shared, 6 * views);
+    EXPECT_TRUE(is_known(shared));
+    EXPECT_FALSE(is_known(shared - 1));
+    // The same views, each with a lens of its own.
+    const Camera lens = capture.cameras[0];
+    capture.cameras.assign(capture.views.size(), lens);
+    for (int view = 0; view < views; ++view) {
+        capture.views[static_cast<std::size_t>(view)].camera_index = view;
+    }
+    EXPECT_FALSE(is_known(shared));
+    EXPECT_TRUE(is_known(6 * views + (shared - 6 * views) * views));
+}
+
+TEST(AdjustmentCovariance, StopsOnRequest) {
+    const Capture capture = small_scene(0.5);
+    SilentProgress progress;
+    progress.interrupt();
+    EXPECT_THROW(static_cast<void>(adjustment_covariance(capture, least_squares(), progress)),
+                 Error);
 }
 
 }  // namespace

@@ -94,6 +94,20 @@ TEST(LensForm, LosingTermsKeepsTheOthers) {
     EXPECT_EQ(simpler.parameters, (std::vector<double>{502.5, 322, 237, lens.parameters[4]}));
 }
 
+TEST(LensForm, AScaledFocalLengthChangesNothingElse) {
+    for (const LensModel model : kModels) {
+        const Camera lens = some_lens(model);
+        const Camera scaled = with_focal_length_scaled(lens, 1.5);
+        EXPECT_EQ(focal_length_px(scaled), 1.5 * focal_length_px(lens));
+        EXPECT_EQ(principal_point_px(scaled), principal_point_px(lens));
+        const Eigen::Vector3d ahead(0.1, -0.05, 1);
+        const Eigen::Vector2d from_middle_px = *project(lens, ahead) - principal_point_px(lens);
+        EXPECT_LT(
+            (*project(scaled, ahead) - principal_point_px(lens) - 1.5 * from_middle_px).norm(),
+            1e-9);
+    }
+}
+
 TEST(LensForm, CountsAndNamesWhatIsFree) {
     for (const LensModel model : kModels) {
         const int count = static_cast<int>(parameter_count(model));

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "calib/mapping/before_placement.h"
 #include "calib/mapping/model_adjustment.h"
 #include "calib/mapping/two_view_start.h"
+#include "calib/work/error.h"
+#include "tests/calib/interrupted_progress.h"
 #include "tests/calib/mapping/matched_scene.h"
 
 namespace lumi {
@@ -64,6 +68,40 @@ TEST(TwoViewStart, HasNoneWhereTheCameraOnlyTurned) {
     const MatchedScene scene = matched_scene(std::move(truth));
     const GrowingModel model = unplaced_model(scene.cameras, scene.photographs, scene.pairs);
     EXPECT_TRUE(two_view_starts(model, scene.pairs, {}).empty());
+}
+
+/// To the pairs of photograph 0 as many matches again: of features that nothing else is matched
+/// with, to such that are matched with another feature of it already. No track takes them.
+MatchedScene with_matches_that_contradict(MatchedScene scene) {
+    auto& keypoints = scene.photographs[0].keypoints_px;
+    const auto features = static_cast<std::uint32_t>(keypoints.size());
+    for (std::uint32_t feature = 0; feature < features; ++feature) {
+        keypoints.push_back(keypoints[feature] + Eigen::Vector2f(7, -5));
+    }
+    for (VerifiedPair& pair : scene.pairs) {
+        if (pair.first != 0) continue;
+        for (const FeatureMatch& match : std::vector<FeatureMatch>(pair.inliers)) {
+            pair.inliers.push_back({match.first + features, match.second});
+        }
+    }
+    return scene;
+}
+
+TEST(TwoViewStart, LooksOnlyAtMatchesOfFeaturesThatATrackUses) {
+    const MatchedScene scene =
+        matched_scene(synthetic_capture(pinhole_camera(1000, 800, 900), arc(2)));
+    const MatchedScene more = with_matches_that_contradict(scene);
+    const auto starts_of = [](const MatchedScene& matched) {
+        return two_view_starts(unplaced_model(matched.cameras, matched.photographs, matched.pairs),
+                               matched.pairs, {});
+    };
+    const std::vector<TwoViewStart> plain = starts_of(scene);
+    const std::vector<TwoViewStart> contradicted = starts_of(more);
+    ASSERT_EQ(plain.size(), 1u);
+    ASSERT_EQ(contradicted.size(), 1u);
+    EXPECT_EQ(contradicted[0].weight, plain[0].weight);
+    EXPECT_EQ(contradicted[0].second_from_first.translation,
+              plain[0].second_from_first.translation);
 }
 
 TEST(IncrementalMapper, FindsExactPosesOfAnExactScene) {
@@ -235,29 +273,102 @@ TEST(IncrementalMapper, IsTheSameInEveryRun) {
     EXPECT_EQ(once.points_in_world, again.points_in_world);
 }
 
-TEST(IncrementalMapper, BeginsWithLittleParallaxWhereThereIsNoMore) {
-    SyntheticCaptureOptions options = arc(6);
+/// What the views see of the points, exactly.
+void see_again(Capture& capture) {
+    for (ScenePoint& point : capture.points) {
+        for (Observation& seen : point.track) {
+            const View& view = capture.views[static_cast<std::size_t>(seen.view_index)];
+            seen.pixel =
+                project(camera_of(capture, view), view.cam_from_world * point.position_in_world)
+                    .value();
+        }
+    }
+}
+
+/// From so near to one another that rays meet at 3 degrees and less.
+Capture shallow_capture(int views) {
+    SyntheticCaptureOptions options = arc(views);
     options.arc_deg = 3;
     options.arc_radius = 8;
-    Capture truth = synthetic_capture(pinhole_camera(1000, 800, 2400), options);
-    for (View& view : truth.views) {  // Also the heights differ by little.
+    Capture capture = synthetic_capture(pinhole_camera(1000, 800, 2400), options);
+    for (View& view : capture.views) {  // Also the heights differ by little.
         Eigen::Vector3d centre = centre_in_world(view.cam_from_world);
         centre.y() *= 0.05;
         view.cam_from_world.translation = -(view.cam_from_world.rotation * centre);
     }
-    for (ScenePoint& point : truth.points) {
-        for (Observation& seen : point.track) {
-            const View& view = truth.views[static_cast<std::size_t>(seen.view_index)];
-            seen.pixel =
-                project(truth.cameras[0], view.cam_from_world * point.position_in_world).value();
-        }
-    }
+    see_again(capture);
+    return capture;
+}
+
+TEST(IncrementalMapper, BeginsWithLittleParallaxWhereThereIsNoMore) {
     IncrementalMappingOptions mapping;
     mapping.refine_lenses = false;
-    const MatchedScene scene = matched_scene(std::move(truth));
+    const MatchedScene scene = matched_scene(shallow_capture(6));
     const GrowingModel model = mapped(scene, mapping);
     EXPECT_EQ(model.placed(), 6);
     EXPECT_LT(relative_position_error(capture_of(model, names_of(scene.truth)), scene.truth), 1e-3);
+}
+
+/// Six photographs with little parallax, and one from far aside. It is matched with the second one
+/// by mistakes, and with the first one rightly, but less often: no track takes these matches.
+MatchedScene scene_with_a_wide_pair_that_tracks_deny() {
+    Capture truth = shallow_capture(7);
+    Rigid3& aside = truth.views[6].cam_from_world;
+    aside = aside * Rigid3{Eigen::Quaterniond(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY())),
+                           Eigen::Vector3d::Zero()};
+    see_again(truth);
+    MatchedScene scene = matched_scene(std::move(truth));
+    std::erase_if(scene.pairs,
+                  [](const VerifiedPair& pair) { return pair.second == 6 && pair.first > 1; });
+    for (VerifiedPair& pair : scene.pairs) {
+        if (pair.second != 6) continue;
+        if (pair.first == 0) {
+            pair.inliers.resize(100);
+            continue;
+        }
+        const std::vector<FeatureMatch> right = pair.inliers;
+        for (std::size_t index = 0; index < right.size(); ++index) {
+            pair.inliers[index].second = right[(index + 1) % right.size()].second;
+        }
+    }
+    return scene;
+}
+
+TEST(IncrementalMapper, BeginsWithLittleParallaxWhereThePairsWithMoreLeadNowhere) {
+    const MatchedScene scene = scene_with_a_wide_pair_that_tracks_deny();
+    const GrowingModel unplaced = unplaced_model(scene.cameras, scene.photographs, scene.pairs);
+    ASSERT_EQ(two_view_starts(unplaced, scene.pairs, {}).size(), 1u);
+    IncrementalMappingOptions mapping;
+    mapping.refine_lenses = false;
+    const GrowingModel model = mapped(scene, mapping);
+    EXPECT_EQ(model.placed(), 6);
+    EXPECT_EQ(model.is_placed[6], 0);
+}
+
+TEST(IncrementalMapper, CountsOnlyStartsThatLeadSomewhere) {
+    IncrementalMappingOptions mapping;
+    mapping.refine_lenses = false;
+    mapping.starts = 1;
+    EXPECT_EQ(mapped(scene_with_a_wide_pair_that_tracks_deny(), mapping).placed(), 6);
+}
+
+TEST(IncrementalMapper, BeginsWithNoPhotographThatIsPlacedAlready) {
+    const MatchedScene scene =
+        matched_scene(synthetic_capture(pinhole_camera(1000, 800, 900), arc(5)));
+    GrowingModel model = unplaced_model(scene.cameras, scene.photographs, scene.pairs);
+    model.is_placed[0] = 1;
+    SilentProgress progress;
+    EXPECT_THROW(map_from_start(
+                     model, scene.pairs, {}, [](int) {}, progress),
+                 std::invalid_argument);
+}
+
+TEST(ModelAdjustment, StopsBetweenTwoStepsOnRequest) {
+    const MatchedScene scene =
+        matched_scene(synthetic_capture(pinhole_camera(1000, 800, 900), arc(6, 0.5)));
+    GrowingModel model = without_the_last(scene);
+    InterruptedProgress progress(2);
+    EXPECT_THROW(adjust_model(model, {}, progress), Error);
 }
 
 TEST(IncrementalMapper, PlacesNothingWithoutAStart) {

@@ -80,6 +80,7 @@ TEST(ModelCheck, RefusesFocalLengthsThatNoLensHas) {
 TEST(ModelCheck, WarnsWhenOneLensCameOutAsTwo) {
     Capture capture = synthetic_capture(kModelCamera, {});
     capture.cameras.push_back(pinhole_camera(1000, 800, 2000));
+    capture.views.back().camera_index = 1;
     EXPECT_THAT(check_model(capture, false),
                 testing::ElementsAre(testing::HasSubstr("focal lengths differ")));
 }

@@ -8,7 +8,9 @@
 #include "calib/poses/pose_shift.h"
 #include "calib/poses/residual_pattern.h"
 #include "calib/poses/supposed_adjustment.h"
+#include "calib/work/error.h"
 #include "tests/calib/adjust/synthetic_capture.h"
+#include "tests/calib/interrupted_progress.h"
 
 namespace lumi {
 namespace {
@@ -320,9 +322,15 @@ struct PairsOfCapture {
         }
     }
     [[nodiscard]] PairAgreement with(const Capture& capture) const {
-        return compare_with_pairs(capture, photographs, features, pairs);
+        return compare_with_pairs(capture, photographs, features, pairs, SilentProgress());
     }
 };
+
+TEST(SupposedAdjustment, StopsBetweenTwoStepsOnRequest) {
+    EXPECT_THROW(static_cast<void>(adjust_supposing(Supposition::kSteady, noisy_capture(6), false,
+                                                    2.0, InterruptedProgress(2))),
+                 Error);
+}
 
 TEST(PairAgreement, ATrueModelDeniesNoPair) {
     const Capture capture = noisy_capture(6);
@@ -345,6 +353,37 @@ TEST(PairAgreement, ACameraPutElsewhereDeniesItsPairs) {
     EXPECT_GT(agreement.contradicted_share, 0.15);
     EXPECT_TRUE(agreement.is_contradiction());
     EXPECT_TRUE(agreement.is_mistaken());
+}
+
+TEST(PairAgreement, CamerasAtOnePlaceAgreeOnlyWithMatchesThatATurnExplains) {
+    Capture capture = noisy_capture(6);
+    const PairsOfCapture pairs(capture);
+    for (View& view : capture.views) {
+        view.cam_from_world.translation.setZero();
+    }
+    const PairAgreement agreement = pairs.with(capture);
+    EXPECT_EQ(agreement.contradicted, agreement.pairs);
+    // What two cameras at one place see of points that are infinitely far away.
+    for (ScenePoint& point : capture.points) {
+        for (Observation& seen : point.track) {
+            const View& view = capture.views[static_cast<std::size_t>(seen.view_index)];
+            const Eigen::Vector3d direction(point.position_in_world.x(),
+                                            point.position_in_world.y(), 4);
+            seen.pixel = project(camera_of(capture, view), direction).value();
+        }
+    }
+    for (View& view : capture.views) view.cam_from_world = {};
+    EXPECT_EQ(PairsOfCapture(capture).with(capture).agreeing_share, 1.0);
+}
+
+TEST(PairAgreement, ComparisonStopsOnRequest) {
+    const Capture capture = noisy_capture(6);
+    const PairsOfCapture all(capture);
+    SilentProgress progress;
+    progress.interrupt();
+    EXPECT_THROW(static_cast<void>(compare_with_pairs(capture, all.photographs, all.features,
+                                                      all.pairs, progress)),
+                 Error);
 }
 
 /// As of windows of one house: of the first so many matches of some pairs each point is taken for

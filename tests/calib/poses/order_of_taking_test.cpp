@@ -148,7 +148,7 @@ TEST_F(FourSides, AreToldApartByTheOrderOfThePhotographs) {
     EXPECT_THAT(model->warning, testing::HasSubstr("E-POSES-REPEATED"));
     EXPECT_LT(matched_.pairs.size(), pairs - 50) << "what was mistaken is forgotten";
     for (const JudgedPair& pair :
-         judge_pairs(scene_.truth, photographs_, matched_.photographs, matched_.pairs))
+         judge_pairs(scene_.truth, photographs_, matched_.photographs, matched_.pairs, progress_))
         EXPECT_TRUE(pair.is_agreeing()) << pair.index;
 }
 
@@ -210,7 +210,8 @@ TEST_F(FourSides, AreLeftInDoubtWhereAllWerePhotographedBeforeTheNextStep) {
 
 TEST_F(FourSides, WereFoldedWherePhotographsThatFollowEachOtherSayOtherwise) {
     const auto agreement_of = [&](const Capture& model) {
-        return compare_with_pairs(model, photographs_, matched_.photographs, matched_.pairs);
+        return compare_with_pairs(model, photographs_, matched_.photographs, matched_.pairs,
+                                  progress_);
     };
     EXPECT_EQ(agreement_of(scene_.truth).in_order, 35);
     EXPECT_EQ(agreement_of(scene_.truth).doubtful_in_order, 0);

@@ -17,24 +17,25 @@ namespace {
 
 const Camera kBreathingLens{1000, 800, LensModel::kSimpleRadial, {850, 500, 400, -0.08}};
 
+const Camera kOffCentreLens{1000, 800, LensModel::kSimpleRadial, {850, 540, 370, -0.08}};
+
 /// The truth: as if the focus had changed each view's focal length by up to `share` at random.
 struct Breathing {
     Capture truth;  ///< Poses, and what was seen.
     std::vector<double> zooms;
 };
 
-Breathing breathing_capture(double share, unsigned seed) {
+Breathing breathing_capture(double share, unsigned seed, const Camera& lens = kBreathingLens) {
     Breathing breathing{
         synthetic_capture(
-            kBreathingLens,
-            {.views = 10, .points = 200, .noise_px = 0.2, .arc_radius = 2.2, .seed = seed}),
+            lens, {.views = 10, .points = 200, .noise_px = 0.2, .arc_radius = 2.2, .seed = seed}),
         {}};
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> zoom(1.0, 1.0 + share);
     for (std::size_t view = 0; view < breathing.truth.views.size(); ++view) {
         breathing.zooms.push_back(zoom(random));
     }
-    const Eigen::Vector2d middle_px = principal_point_px(kBreathingLens);
+    const Eigen::Vector2d middle_px = principal_point_px(lens);
     for (ScenePoint& point : breathing.truth.points) {
         for (Observation& seen : point.track) {
             const double factor = breathing.zooms[static_cast<std::size_t>(seen.view_index)];
@@ -121,6 +122,49 @@ TEST_F(OwnFocalLengths, KeepTheDistortionThatAllShare) {
             1000, 800, LensModel::kSimpleRadial, {focal_length_px(lens).mean(), 500, 400, -0.08}};
         EXPECT_LT((*project(lens, far) - *project(true_lens, far)).norm(), 1.0);
     }
+}
+
+TEST_F(OwnFocalLengths, PlaceCamerasBetterAlsoWhereThePrincipalPointIsOffTheMiddle) {
+    const Breathing breathing = breathing_capture(0.02, 2, kOffCentreLens);
+    refine_shared(breathing.truth, LensPolicy::kAuto);
+    const std::optional<SecondModel> own = asked();
+    ASSERT_TRUE(own.has_value());
+    const auto error_of = [&](const Capture& found) {
+        return compare_poses(named_poses(found), named_poses(breathing.truth)).max_position;
+    };
+    EXPECT_LT(error_of(own->refined), error_of(refined_) / 4);
+    const Eigen::Vector2d true_px = principal_point_px(kOffCentreLens);
+    for (const Camera& lens : own->refined.cameras) {
+        EXPECT_LT((principal_point_px(lens) - true_px).norm(), 12) << "50 px from the middle";
+    }
+}
+
+/// The focus moved, and a second lens has one view, of which hardly anything is seen.
+TEST_F(OwnFocalLengths, AreFoundBesideALensWhosePhotographIsDropped) {
+    Breathing breathing = breathing_capture(0.02, 1);
+    int seen_points = 0;
+    for (ScenePoint& point : breathing.truth.points) {
+        std::erase_if(point.track, [&](const Observation& seen) {
+            return seen.view_index == 4 && ++seen_points > 5;
+        });
+    }
+    breathing.truth.cameras.insert(breathing.truth.cameras.begin(), kBreathingLens);
+    for (View& view : breathing.truth.views) view.camera_index = 1;
+    breathing.truth.views[4].camera_index = 0;
+    policy_ = LensPolicy::kNamed;
+    mapped_ = breathing.truth;
+    for (Camera& lens : mapped_.cameras) {
+        lens = {1000, 800, LensModel::kSimpleRadial, {860, 500, 400, 0}};
+    }
+    refined_ = mapped_;
+    refine(refined_, policy_, {}, 1, evidence_, progress_);
+    ASSERT_EQ(refined_.cameras.size(), 1u);
+    const std::optional<SecondModel> own = asked();
+    ASSERT_TRUE(own.has_value());
+    EXPECT_EQ(own->refined.views.size(), breathing.zooms.size() - 1);
+    EXPECT_EQ(own->refined.cameras.size(), breathing.zooms.size() - 1);
+    EXPECT_EQ(evidence_.lenses.size(), breathing.zooms.size() - 1);
+    validate(own->mapped, "the mapped model");
 }
 
 TEST_F(OwnFocalLengths, AreFoundOfACalibratedLensUnlessItIsHeld) {

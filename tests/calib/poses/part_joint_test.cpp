@@ -3,7 +3,9 @@
 
 #include <random>
 
+#include "calib/adjust/bundle_adjustment.h"
 #include "calib/poses/part_joint.h"
+#include "calib/work/error.h"
 
 namespace lumi {
 namespace {
@@ -51,8 +53,12 @@ Capture two_halves(double overlap, int points, unsigned seed) {
     return capture;
 }
 
+PartJoint examined(const Capture& capture, const std::vector<char>& is_in_part) {
+    return examine_joint(capture, is_in_part, cauchy_scale_px(capture), SilentProgress());
+}
+
 TEST(PartJoint, AWideStripHoldsBothHalvesFirmly) {
-    const PartJoint joint = examine_joint(two_halves(0.6, 300, 1), kSecondHalf);
+    const PartJoint joint = examined(two_halves(0.6, 300, 1), kSecondHalf);
     EXPECT_GT(joint.points, 50);
     EXPECT_FALSE(joint.uncertainty.matters());
     EXPECT_FALSE(joint.is_weak());
@@ -60,17 +66,17 @@ TEST(PartJoint, AWideStripHoldsBothHalvesFirmly) {
 }
 
 TEST(PartJoint, AFewPointsDoNotHoldThem) {
-    const PartJoint joint = examine_joint(two_halves(0.05, 150, 2), kSecondHalf);
+    const PartJoint joint = examined(two_halves(0.05, 150, 2), kSecondHalf);
     EXPECT_GT(joint.points, 0);
     EXPECT_TRUE(joint.is_weak());
 }
 
 TEST(PartJoint, HalvesThatShareNothingAreNotHeld) {
-    EXPECT_TRUE(examine_joint(two_halves(0.0, 100, 3), kSecondHalf).is_weak());
+    EXPECT_TRUE(examined(two_halves(0.0, 100, 3), kSecondHalf).is_weak());
 }
 
 TEST(PartJoint, HalvesWithoutASinglePointInCommonAreNotHeld) {
-    const PartJoint joint = examine_joint(two_halves(-0.5, 100, 3), kSecondHalf);
+    const PartJoint joint = examined(two_halves(-0.5, 100, 3), kSecondHalf);
     EXPECT_EQ(joint.points, 0);
     EXPECT_TRUE(joint.is_weak());
     EXPECT_FALSE(joint.is_elsewhere());
@@ -78,13 +84,13 @@ TEST(PartJoint, HalvesWithoutASinglePointInCommonAreNotHeld) {
 
 TEST(PartJoint, FromTheWrongAttitudeOfANarrowStripItFindsTheTrueOne) {
     const Capture truth = two_halves(0.2, 300, 4);
-    const PartJoint joint = examine_joint(truth, kSecondHalf);
+    const PartJoint joint = examined(truth, kSecondHalf);
     ASSERT_TRUE(joint.other.has_value());
     EXPECT_FALSE(joint.is_elsewhere());
     EXPECT_GT(joint.other->cost_ratio, 1.0);
     EXPECT_GT(joint.other->shift.rotation_deg, 5.0);
 
-    const PartJoint back = examine_joint(joint.other->moved, kSecondHalf);
+    const PartJoint back = examined(joint.other->moved, kSecondHalf);
     ASSERT_TRUE(back.is_elsewhere()) << (back.other ? back.other->cost_ratio : 0.0);
     const PoseShift error = pose_shift(named_poses(back.other->moved), named_poses(truth));
     EXPECT_LT(error.position_share, 0.05);
@@ -92,8 +98,16 @@ TEST(PartJoint, FromTheWrongAttitudeOfANarrowStripItFindsTheTrueOne) {
 }
 
 TEST(PartJoint, OneViewIsHeldWithoutASizeOfItsOwn) {
-    const PartJoint joint = examine_joint(two_halves(0.6, 300, 5), {1, 0, 0, 0, 0, 0, 0, 0});
+    const PartJoint joint = examined(two_halves(0.6, 300, 5), {1, 0, 0, 0, 0, 0, 0, 0});
     EXPECT_FALSE(joint.is_weak());
+}
+
+TEST(PartJoint, ExaminationStopsOnRequest) {
+    SilentProgress progress;
+    progress.interrupt();
+    EXPECT_THROW(
+        static_cast<void>(examine_joint(two_halves(0.6, 300, 1), kSecondHalf, 1.0, progress)),
+        Error);
 }
 
 }  // namespace

@@ -15,6 +15,21 @@ TEST(PoseOptions, DefaultsAreValid) {
     EXPECT_EQ(read.max_features, PoseOptions{}.max_features);
 }
 
+TEST(PoseStage, SaysHowManyPhotographsItWasGivenWhereTheyAreTooFew) {
+    SilentProgress progress;
+    const auto refusal_of = [&](std::size_t photographs) -> std::string {
+        try {
+            static_cast<void>(estimate_poses(std::vector<Photograph>(photographs), std::nullopt, {},
+                                             "not made", 1, progress));
+        } catch (const Error& error) {
+            return error.code() + ": " + error.what();
+        }
+        return {};
+    };
+    EXPECT_EQ(refusal_of(0), "E-POSES-FEW: there are no photographs: at least two are needed");
+    EXPECT_EQ(refusal_of(1), "E-POSES-FEW: one photograph is not enough: at least two are needed");
+}
+
 TEST(PoseOptions, ReadsEveryKey) {
     const ConfigSection section = ConfigSection::from_text(R"(
 lens_model = "OPENCV"

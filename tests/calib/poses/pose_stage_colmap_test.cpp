@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "calib/pictures/image_io.h"
+#include "calib/poses/colmap_reconstruction.h"
+#include "calib/poses/mapping.h"
 #include "calib/poses/pose_comparison.h"
 #include "calib/poses/pose_stage.h"
 #include "calib/work/error.h"
@@ -230,6 +232,58 @@ TEST(PoseStageWithColmap, RefusesPhotographsThatShowNothing) {
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), "E-POSES-TEXTURE");
         EXPECT_EQ(error.kind(), ErrorKind::kDegenerateCapture);
+    }
+}
+
+TEST(ColmapFrontEnd, FindsMoreFeaturesWhereMoreAreAskedFor) {
+    const ScratchFolder folder;
+    SilentProgress progress;
+    std::vector<Photograph> photographs = box_photographs(folder);
+    photographs.resize(2);
+    const CameraGroups groups = group_cameras(photographs, std::nullopt, {});
+    const auto features = [&](int max_features, FeatureDetail detail) {
+        PoseOptions options;
+        options.max_features = max_features;
+        PoseEvidence evidence;
+        const MappingJob job{photographs,        groups, options,  false,   true,
+                             folder / "scratch", 2,      progress, evidence};
+        std::filesystem::remove_all(folder / "scratch");
+        std::filesystem::create_directories(folder / "scratch");
+        std::size_t count = 0;
+        for (const ColmapPhotograph& photograph :
+             match_with_colmap_alone(job, detail, "asked").photographs) {
+            count += photograph.keypoints_px.size();
+        }
+        return static_cast<double>(count);
+    };
+    constexpr int kFew = 150;
+    constexpr int kNoLimit = 20000;
+    const double few = features(kFew, FeatureDetail::kUsual);
+    const double all = features(kNoLimit, FeatureDetail::kUsual);
+    ASSERT_GT(all, 3 * few);
+    EXPECT_GT(features(kFew, FeatureDetail::kMore), 1.6 * few);
+    EXPECT_GT(features(kNoLimit, FeatureDetail::kMore), all);
+}
+
+TEST(ColmapAlone, IsNotWhatAMapperThatHadToBeEndedLeft) {
+    const ScratchFolder folder;
+    SilentProgress progress;
+    std::vector<Photograph> photographs = box_photographs(folder);
+    photographs.resize(3);
+    PoseOptions options;
+    options.colmap = folder.put_text("colmap",
+                                     "#!/bin/sh\n"
+                                     "colmap \"$@\" || exit\n"
+                                     "[ \"$1\" = mapper ] && kill -SEGV $$\n"
+                                     "exit 0\n");
+    std::filesystem::permissions(options.colmap, std::filesystem::perms::owner_all);
+    try {
+        static_cast<void>(reconstruct_with_colmap(photographs, std::nullopt, options,
+                                                  folder / "scratch", 2, progress));
+        ADD_FAILURE() << "expected an error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-COLMAP-TIME");
+        EXPECT_THAT(error.what(), testing::HasSubstr("mapper: signal 11"));
     }
 }
 

@@ -137,5 +137,34 @@ TEST(Refinement, FourTimesThePointsMakePlacesSurerOnlyWhereErrorsAreIndependent)
     }
 }
 
+TEST(Refinement, TellsOfNoLensWhosePhotographsWereAllDropped) {
+    Capture capture = as_photographed(exact_scene(lens_with_middle(500, 400), 2), 0, 2);
+    // A lens of its own, of a focal length that no lens has, with a view that sees next to nothing.
+    capture.cameras.insert(capture.cameras.begin(),
+                           {1000, 800, LensModel::kSimpleRadial, {20000, 500, 400, 0}});
+    for (View& view : capture.views) view.camera_index = 1;
+    capture.views[3].camera_index = 0;
+    const std::string dropped = capture.views[3].name;
+    int seen_points = 0;
+    for (ScenePoint& point : capture.points) {
+        std::erase_if(point.track, [&](const Observation& seen) {
+            return seen.view_index == 3 && ++seen_points > 5;
+        });
+    }
+    const std::size_t views = capture.views.size();
+    PoseEvidence evidence;
+    SilentProgress progress;
+    refine(capture, LensPolicy::kNamed, {}, 1, evidence, progress);
+    ASSERT_EQ(capture.views.size(), views - 1);
+    ASSERT_EQ(capture.cameras.size(), 1u);
+    EXPECT_NEAR(focal_length_px(capture.cameras[0]).mean(), 850, 20);
+    for (const View& view : capture.views) {
+        EXPECT_NE(view.name, dropped);
+        EXPECT_EQ(view.camera_index, 0) << view.name;
+    }
+    ASSERT_EQ(evidence.lenses.size(), 1u);
+    EXPECT_EQ(evidence.lenses[0].views, static_cast<int>(views) - 1);
+}
+
 }  // namespace
 }  // namespace lumi

@@ -92,7 +92,7 @@ TEST(StatedIntervals, ContainTheTruthInNinetyFiveOfAHundredCaptures) {
 
         BundleAdjustmentOptions adjustment;
         adjustment.held_lens_parameters = {evidence.lenses[0].form.held};
-        const auto covariance = adjustment_covariance(capture, adjustment);
+        const auto covariance = adjustment_covariance(capture, adjustment, progress);
         ASSERT_TRUE(covariance.has_value());
         const std::vector<Vector6> steps = aligned_pose_steps(truth, capture);
         for (std::size_t view = 0; view < steps.size(); ++view) {

@@ -6,6 +6,7 @@
 
 #include "calib/capture/degrees.h"
 #include "calib/capture/rigid3.h"
+#include "calib/work/error.h"
 
 namespace lumi {
 namespace {
@@ -61,7 +62,7 @@ MotionEvidence evidence_of(const std::vector<Rigid3>& poses, double believed_foc
                            bool calibrated = false) {
     const Views views = views_of_a_cloud(kTurnedCamera, poses, 0.7);
     return check_motion({{pinhole_camera(1000, 800, believed_focal_px), calibrated}},
-                        views.photographs, views.pairs, calibrated);
+                        views.photographs, views.pairs, calibrated, SilentProgress());
 }
 
 TEST(RotationCheck, SeesACameraThatTurnsOnTheSpot) {
@@ -101,8 +102,19 @@ TEST(RotationCheck, TellsACameraThatStoodStillFromOneThatTurned) {
 TEST(RotationCheck, IgnoresPairsWithFewMatches) {
     Views views = views_of_a_cloud(kTurnedCamera, walk(8, 0), 0.7);
     for (VerifiedPair& pair : views.pairs) pair.inliers.resize(19);
-    EXPECT_EQ(check_motion({{kTurnedCamera, false}}, views.photographs, views.pairs, false).pairs,
+    EXPECT_EQ(check_motion({{kTurnedCamera, false}}, views.photographs, views.pairs, false,
+                           SilentProgress())
+                  .pairs,
               0);
+}
+
+TEST(RotationCheck, StopsOnRequest) {
+    const Views views = views_of_a_cloud(kTurnedCamera, walk(8, 0), 0.7);
+    SilentProgress progress;
+    progress.interrupt();
+    EXPECT_THROW(static_cast<void>(check_motion({{kTurnedCamera, false}}, views.photographs,
+                                                views.pairs, false, progress)),
+                 Error);
 }
 
 TEST(RotationCheck, FitsTheRotationDespiteOutliers) {
