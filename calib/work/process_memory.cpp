@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 
@@ -29,6 +30,11 @@ std::optional<std::uint64_t> peak_memory() { return bytes_after("VmHWM:", kStatu
 
 std::optional<std::uint64_t> memory_available() {
     return bytes_after("MemAvailable:", "/proc/meminfo");
+}
+
+int pieces_within(double budget, double kept, double per_piece, int most) {
+    if (per_piece <= 0) return most;
+    return static_cast<int>(std::clamp((budget - kept) / per_piece, 1.0, 1.0 * most));
 }
 
 void release_free_memory() { malloc_trim(0); }

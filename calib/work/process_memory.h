@@ -11,6 +11,10 @@ namespace lumi {
 [[nodiscard]] std::optional<std::uint64_t>
 memory_available();  ///< What the machine can still give.
 
+/// As many pieces of work as may go on at one time so that they, each with so many bytes, stay
+/// within a budget beside what is kept: at least one, at most `most`.
+[[nodiscard]] int pieces_within(double budget, double kept, double per_piece, int most);
+
 /// Gives back to the system what was freed.
 void release_free_memory();
 

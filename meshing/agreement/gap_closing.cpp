@@ -17,7 +17,7 @@ GrayImage known_around(const GrayImage& confidence) {
         const std::uint8_t* below = confidence.row(y + 1);
         for (int x = 0; x < width; ++x) {
             column_sums[static_cast<std::size_t>(x)] =
-                static_cast<std::uint8_t>((above[x] & 1) + (own[x] & 1) + (below[x] & 1));
+                static_cast<std::uint8_t>((above[x] != 0) + (own[x] != 0) + (below[x] != 0));
         }
         std::uint8_t* out = sums.row(y);
         for (int x = 1; x + 1 < width; ++x) {

@@ -87,7 +87,8 @@ std::string with_figure(const char* format, double figure) {
 }
 
 /// A row, arc or ring: directions near one plane through the centre, or near one cone about it.
-std::optional<Arrangement> as_line(const CameraStar& star, double max_thickness) {
+std::optional<Arrangement> as_line(const CameraStar& star, double max_thickness,
+                                   double max_ring_elevation = kMaxRingElevation) {
     Arrangement line;
     line.construction = MeshConstruction::kLine;
     const Spread plane = spread_about(star.directions, Eigen::Vector3d::Zero());
@@ -103,7 +104,7 @@ std::optional<Arrangement> as_line(const CameraStar& star, double max_thickness)
     const Spread cone = spread_about(star.directions, mean);
     const double sine_of_elevation = std::abs(cone.least_axis.dot(mean));
     if (star.directions.size() >= kLeastRing && thickness(cone) < max_thickness &&
-        sine_of_elevation < kMaxRingElevation) {
+        sine_of_elevation < max_ring_elevation) {
         line.strip_normal = plane_of_places(star);
         line.reason =
             with_figure("the cameras stand on one ring or arc, %.0f degrees off the scene's level",
@@ -189,6 +190,16 @@ Arrangement as_surface(const CameraStar& star) {
     return surface;
 }
 
+/// What a line that is asked for is stretched along: what `arrange` would take, if need be of a
+/// thicker line and of a ring of any elevation; else the axis that directions lie least along.
+Eigen::Vector3d demanded_strip_normal(const CameraStar& star) {
+    constexpr double kAnyElevation = 1.0;
+    if (auto line = as_line(star, line_thickness_limit(star.directions.size())))
+        return line->strip_normal;
+    if (auto line = as_line(star, kMostLineThickness, kAnyElevation)) return line->strip_normal;
+    return spread_about(star.directions, Eigen::Vector3d::Zero()).least_axis;
+}
+
 bool looks_away(const CameraStar& star) {
     std::size_t outward = 0;
     for (std::size_t i = 0; i < star.axes.size(); ++i) {
@@ -248,8 +259,7 @@ Arrangement arrange_as(const CameraStar& star, MeshConstruction construction) {
     Arrangement arrangement = as_surface(star);
     if (construction == MeshConstruction::kLine) {
         if (star.directions.size() < 2) refuse("all cameras stand in one direction");
-        arrangement.strip_normal =
-            spread_about(star.directions, Eigen::Vector3d::Zero()).least_axis;
+        arrangement.strip_normal = demanded_strip_normal(star);
     } else if (construction == MeshConstruction::kOpen) {
         if (open_triangulation(star.directions, arrangement.gap_direction).empty()) {
             refuse("the cameras stand in one row");

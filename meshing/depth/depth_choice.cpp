@@ -11,6 +11,10 @@
 namespace lumi {
 namespace {
 
+/// A rung that is astray at a larger share of points misses some object: this much of them wrong
+/// matches that agree with each other may be.
+constexpr double kMostAstray = 0.005;
+
 std::string with_two_digits(double value) { return formatted("%.2f", value); }
 
 /// Photographs kept back, and what the rungs make of them as far as anybody asked.
@@ -66,16 +70,19 @@ class Race {
 };
 
 /// The lowest rung that the points alone show to be enough; empty when none is.
+///
+/// Of the points that agree with their surroundings next to none may be far from it: 5 % are more
+/// than many an object has.
 DepthChoice enough_by_points(const DepthScene& scene, const std::vector<std::string>& rungs,
                              int threads, const Progress& progress) {
     constexpr double kEnoughPx = 1.0;
     for (const std::string& rung : rungs) {
         if (compares_photographs(rung)) continue;
-        const auto p95_px = held_out_points_p95_px(scene, rung, threads, progress);
-        if (!p95_px || *p95_px >= kEnoughPx) continue;
+        const auto points = held_out_points(scene, rung, threads, progress);
+        if (!points || points->p95_px >= kEnoughPx || points->astray_share > kMostAstray) continue;
         return {rung,
-                rung + ": 95 % of the points kept back lie within " + with_two_digits(*p95_px) +
-                    " px of it",
+                rung + ": 95 % of the points kept back lie within " +
+                    with_two_digits(points->p95_px) + " px of it",
                 {}};
     }
     return {};
@@ -103,13 +110,21 @@ DepthChoice contradicted_by_points(DepthChoice choice, const DepthScene& scene, 
                                    const Progress& progress) {
     constexpr double kClearly = 2.0;
     if (compares_photographs(choice.model)) return choice;
-    const auto of_rung = held_out_points_p95_px(scene, choice.model, threads, progress);
-    const auto of_sweep = held_out_points_p95_px(scene, "sweep", threads, progress);
-    if (!of_rung || !of_sweep || kClearly * *of_sweep >= *of_rung) return choice;
-    choice.explanation = "sweep: 95 % of the points kept back lie within " +
-                         with_two_digits(*of_sweep) + " px of it, and within " +
-                         with_two_digits(*of_rung) + " px of " + choice.model +
-                         ", which predicts photographs kept back as well";
+    const auto of_rung = held_out_points(scene, choice.model, threads, progress);
+    const auto of_sweep = held_out_points(scene, "sweep", threads, progress);
+    if (!of_rung || !of_sweep) return choice;
+    const bool is_nearer = kClearly * of_sweep->p95_px < of_rung->p95_px;
+    const bool is_less_astray = of_rung->astray_share > kMostAstray &&
+                                kClearly * of_sweep->astray_share < of_rung->astray_share;
+    if (!is_nearer && !is_less_astray) return choice;
+    choice.explanation =
+        is_nearer ? "sweep: 95 % of the points kept back lie within " +
+                        with_two_digits(of_sweep->p95_px) + " px of it, and within " +
+                        with_two_digits(of_rung->p95_px) + " px of " + choice.model
+                  : "sweep: it is astray at " + with_two_digits(100 * of_sweep->astray_share) +
+                        " % of the points kept back, and " + choice.model + " at " +
+                        with_two_digits(100 * of_rung->astray_share) + " %";
+    choice.explanation += ", which predicts photographs kept back as well";
     choice.model = "sweep";
     return choice;
 }

@@ -17,7 +17,8 @@ struct DepthChoice {
 /// The cheapest rung that is enough.
 ///
 /// First the points alone are asked (held_out_points.h): a rung that knows nothing else is enough
-/// when it puts 95 % of the points kept back within a pixel of disparity. Rungs that compare
+/// when it puts 95 % of the points kept back within a pixel of disparity, and is astray at hardly
+/// any that agree with those around them: the rest must not be one object. Rungs that compare
 /// photographs are not judged so: points lie on texture, where any of them does well.
 ///
 /// Then photographs kept back are predicted (held_out_photograph.h), and the choice climbs while
@@ -28,7 +29,7 @@ struct DepthChoice {
 /// together. What is compared is what would be delivered, `masks` (scene_masks) included.
 ///
 /// Where that ends with a rung that knows points alone, points are asked once more: the sweep is
-/// taken if points kept back lie twice as near to it.
+/// taken if points kept back lie twice as near to it, or if it is astray at half as many.
 ///
 /// With "refined_sweep" as `highest` the sweep is the last rung that is tried, and where it wins it
 /// is refined, pixel by pixel where it is unsure.

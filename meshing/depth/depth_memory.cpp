@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "calib/work/error.h"
+#include "calib/work/process_memory.h"
 #include "meshing/matching/sweep_search.h"
 
 namespace lumi {
@@ -43,29 +44,30 @@ double matching_of(double pixels, const std::string& model) {
     return 0;
 }
 
-/// While photographs are predicted at half their size: four of them, each from four views and what
-/// these are compared with.
-double choosing_of(double pixels, double largest, int threads) {
-    constexpr double kViews = 4 * 10;
+/// While photographs are predicted at half their size: up to four of them, each from its
+/// neighbours and what these are compared with.
+struct Trials {
+    double kept = 0;     ///< Bytes, with the scene.
+    double matched = 0;  ///< On top of it, for each view that is matched.
+};
+
+Trials trials_of(double pixels, double largest, std::size_t views, int max_neighbours) {
+    constexpr double kPhotographs = 4;
     constexpr double kOfEachView = kPicture + 2 * kMap;
     constexpr double kHalfSize = 0.25;
-    constexpr int kMatchedAtOneTime = 4;
     const double trial = kHalfSize * largest;
-    return kPicture * pixels + kViews * kOfEachView * trial +
-           std::min(threads, kMatchedAtOneTime) * matching_of(trial, "patch_match");
-}
-
-/// As many views as fit beside `kept`.
-int views_within(double budget, double kept, double per_view, int threads) {
-    if (per_view <= 0) return threads;
-    return static_cast<int>(std::clamp((budget - kept) / per_view, 1.0, 1.0 * threads));
+    // Neighbours have neighbours in common.
+    const double members =
+        std::min(static_cast<double>(views), 0.5 * max_neighbours * (max_neighbours + 1));
+    return {kPicture * pixels + kPhotographs * members * kOfEachView * trial,
+            matching_of(trial, "patch_match")};
 }
 
 }  // namespace
 
 DepthMemory predicted_depth_memory(const std::vector<std::uint64_t>& map_pixels,
                                    const std::string& model, int threads, std::uint64_t budget,
-                                   std::uint64_t in_use) {
+                                   std::uint64_t in_use, int max_neighbours) {
     const auto pixels = static_cast<double>(
         std::accumulate(map_pixels.begin(), map_pixels.end(), std::uint64_t{0}));
     const double largest =
@@ -82,13 +84,17 @@ DepthMemory predicted_depth_memory(const std::vector<std::uint64_t>& map_pixels,
     const double matching = matching_of(largest, model);
     DepthMemory memory;
     memory.in_use = in_use;
-    memory.views_matched = views_within(left, while_matching, matching, most);
-    memory.views_filled = views_within(left, while_filling, kFilling * largest, most);
+    memory.views_matched = pieces_within(left, while_matching, matching, most);
+    memory.views_filled = pieces_within(left, while_filling, kFilling * largest, most);
     memory.matching = static_cast<std::uint64_t>(while_matching + memory.views_matched * matching);
     memory.finishing = static_cast<std::uint64_t>(
         std::max(while_confirming, while_filling + memory.views_filled * kFilling * largest));
     if (model == "auto") {
-        memory.choosing = static_cast<std::uint64_t>(choosing_of(pixels, largest, most));
+        const Trials trials = trials_of(pixels, largest, map_pixels.size(), max_neighbours);
+        memory.views_tried =
+            pieces_within(left, trials.kept, trials.matched, std::min(most, max_neighbours));
+        memory.choosing =
+            static_cast<std::uint64_t>(trials.kept + memory.views_tried * trials.matched);
     }
     return memory;
 }
@@ -97,7 +103,9 @@ DepthMemory predicted_memory_of_choice(const DepthMemory& before,
                                        const std::vector<std::uint64_t>& map_pixels,
                                        const std::string& chosen, bool predicted_photographs,
                                        int threads, std::uint64_t budget) {
-    DepthMemory memory = predicted_depth_memory(map_pixels, chosen, threads, budget, before.in_use);
+    constexpr int kTriesNone = 1;  // A model that is named.
+    DepthMemory memory =
+        predicted_depth_memory(map_pixels, chosen, threads, budget, before.in_use, kTriesNone);
     if (predicted_photographs) memory.choosing = before.choosing;
     return memory;
 }

@@ -19,11 +19,20 @@ bool is_geometry_imported(const DepthOptions& options) {
     return !options.import_mesh.empty() || !options.import_volume.empty();
 }
 
-/// Geometry that lies beside every picture is not in the world of the poses.
+/// What was imported must say something: maps that know nothing would be filled with nothing, and
+/// geometry that lies beside every picture is not in the world of the poses.
 void require_seen(const std::vector<DepthEvidence>& evidence, const DepthOptions& options) {
     const bool is_seen = std::any_of(evidence.begin(), evidence.end(),
                                      [](const auto& view) { return view.confident_share > 0; });
-    if (is_seen || !is_geometry_imported(options)) return;
+    if (is_seen) return;
+    if (!options.import_folder.empty()) {
+        throw Error(ErrorKind::kBadInput, "E-DEPTH-EMPTY",
+                    options.import_folder.string() +
+                        ": no depth map says anything: all is 0, NaN "
+                        "or too small to be a depth",
+                    "export depth along the optical axis in the unit of the poses");
+    }
+    if (!is_geometry_imported(options)) return;
     const auto& file = options.import_mesh.empty() ? options.import_volume : options.import_mesh;
     throw Error(ErrorKind::kBadInput, "E-GEOMETRY-UNSEEN",
                 file.string() + ": no view sees anything of it",
@@ -53,8 +62,9 @@ DepthMemory expected_memory(const std::vector<std::uint64_t>& pixels, const Dept
     release_free_memory();
     const bool is_imported = !options.import_folder.empty() || is_geometry_imported(options);
     const std::string model = is_imported ? "imported" : options.model;
-    const DepthMemory memory = predicted_depth_memory(
-        pixels, model, resolve_threads(threads), budget_of(options), memory_in_use().value_or(0));
+    const DepthMemory memory =
+        predicted_depth_memory(pixels, model, resolve_threads(threads), budget_of(options),
+                               memory_in_use().value_or(0), options.max_neighbours);
     progress.note(std::string("depth: ") + (model == "auto" ? "at most " : "about ") +
                   std::to_string(memory.peak() >> 20) + " MiB of memory");
     if (const auto available = memory_available()) require_memory(memory, *available);
@@ -76,7 +86,8 @@ std::unique_ptr<DepthModel> model_of(const DepthScene& scene, const std::vector<
     if (options.model != "auto") return depth_model_named(options.model);
     const Stopwatch stopwatch;
     // PatchMatch everywhere would gain next to nothing over PatchMatch where the sweep is unsure.
-    const DepthChoice chosen = choose_depth_model(scene, masks, "refined_sweep", threads, progress);
+    const DepthChoice chosen =
+        choose_depth_model(scene, masks, "refined_sweep", result.memory.views_tried, progress);
     result.choice = chosen.explanation;
     result.choice_cpu_s = stopwatch.elapsed().cpu_s;
     result.memory =

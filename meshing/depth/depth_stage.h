@@ -21,7 +21,8 @@ struct DepthOptions {
     int max_neighbours = 4;       ///< Views that one view is compared with.
     /// Fewer views are worked on at one time where the process would take more (MiB).
     int max_memory_mib = 2048;
-    /// Depth maps made elsewhere (see imported_depth.h) take the place of `model`.
+    /// Depth maps made elsewhere (see imported_depth.h), of the straight pictures that depth is
+    /// found from, take the place of `model`.
     std::filesystem::path import_folder = {};
     double import_png_unit = 0.001;  ///< World units a level of a 16-bit PNG stands for. > 0.
     /// A triangle mesh of the scene in the world of the poses (PLY, OBJ) takes the place of
@@ -66,7 +67,8 @@ struct DepthResult {
 /// Depth of the listed views, from these views alone: held-out views take no part. The same bytes
 /// for any number of threads. What memory it will take is said first (Progress::note). Throws Error
 /// (E-DEPTH-MEMORY) when the machine has not so much left,
-/// (E-GEOMETRY-UNSEEN) when no view sees anything of an imported mesh or volume.
+/// (E-GEOMETRY-UNSEEN) when no view sees anything of an imported mesh or volume, (E-DEPTH-EMPTY)
+/// when no imported depth map knows any depth.
 [[nodiscard]] DepthResult estimate_depth(const PosedPhotographs& photographs,
                                          const std::vector<int>& view_indices,
                                          const DepthOptions& options, int threads,

@@ -101,7 +101,7 @@ DepthMap confirmed_depth(const DepthScene& scene, const std::vector<DepthEstimat
 
 Recession fill_recession(const DepthScene& scene, const std::vector<GrayImage>& masks,
                          const std::vector<DepthEstimate>& estimates, int threads,
-                         std::vector<DepthMap>& confirmed_maps) {
+                         const Progress& progress, std::vector<DepthMap>& confirmed_maps) {
     const std::vector<int> asked = views_to_ask(estimates);
     Recession recession{std::nullopt, std::vector<Continuation>(estimates.size())};
     std::vector<std::vector<double>> differences(asked.size());
@@ -110,6 +110,7 @@ Recession fill_recession(const DepthScene& scene, const std::vector<GrayImage>& 
         const std::size_t count = std::min(at_one_time, asked.size() - begin);
         std::vector<FloatImage> inverse_depths(count);
         parallel_for(static_cast<int>(count), threads, [&](int i) {
+            progress.throw_if_interrupted();
             const auto index = static_cast<std::size_t>(i);
             const auto view = static_cast<std::size_t>(asked[begin + index]);
             DepthMap map = confirmed_maps[view];

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "calib/work/progress.h"
 #include "meshing/depth_models/depth_model.h"
 #include "meshing/depth_scene/depth_scene.h"
 #include "meshing/surface/depth_map.h"
@@ -42,9 +43,10 @@ struct Recession {
 
 /// Asks up to 32 views, evenly over the capture, of what `masks` (view_mask.h) leave in the scene.
 /// Their unknown depth is continued for that, in `confirmed_maps` too, at most `threads` of them at
-/// one time.
+/// one time. Throws Interrupted like all work.
 [[nodiscard]] Recession fill_recession(const DepthScene& scene, const std::vector<GrayImage>& masks,
                                        const std::vector<DepthEstimate>& estimates, int threads,
+                                       const Progress& progress,
                                        std::vector<DepthMap>& confirmed_maps);
 
 /// Gives every pixel of `map`, view `view_index` among the confirmed maps, an inverse depth: what

@@ -134,11 +134,12 @@ std::vector<DepthEstimate> refine(const DepthModel& model, const DepthScene& sce
 
 /// What the photographs say of depth beyond what is confirmed.
 Recession recession_of_fill(const DepthScene& scene, const std::vector<GrayImage>& masks,
-                            const std::vector<DepthEstimate>& estimates, DepthResult& result) {
+                            const std::vector<DepthEstimate>& estimates, const Progress& progress,
+                            DepthResult& result) {
     release_free_memory();
     const Stopwatch stopwatch;
-    Recession recession =
-        fill_recession(scene, masks, estimates, result.memory.views_filled, result.depth_maps);
+    Recession recession = fill_recession(scene, masks, estimates, result.memory.views_filled,
+                                         progress, result.depth_maps);
     result.choice_cpu_s += stopwatch.elapsed().cpu_s;
     return recession;
 }
@@ -157,7 +158,7 @@ std::optional<double> recession_before_refinement(const DepthScene& scene,
         std::exchange(result.depth_maps, std::vector<DepthMap>(result.depth_maps.size()));
     confirm(scene, first, result, progress);
     forget_maps(first);
-    const auto recession_px = recession_of_fill(scene, masks, first, result).slope_px;
+    const auto recession_px = recession_of_fill(scene, masks, first, progress, result).slope_px;
     result.depth_maps = std::move(kept);
     return recession_px;
 }
@@ -216,7 +217,7 @@ void find_depth(const DepthScene& scene, const std::vector<GrayImage>& masks,
     model.reset();  // And the memory it matched in.
     confirm(scene, estimates, result, progress);
     forget_maps(estimates);  // They have said what they knew.
-    Recession recession = recession_of_fill(scene, masks, estimates, result);
+    Recession recession = recession_of_fill(scene, masks, estimates, progress, result);
     if (!recession.slope_px && !first.empty()) {
         recession.slope_px =
             recession_before_refinement(scene, masks, std::move(first), result, progress);

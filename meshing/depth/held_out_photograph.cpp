@@ -81,8 +81,9 @@ HeldOutPhotograph::HeldOutPhotograph(const DepthScene& scene, const std::vector<
 std::vector<double> HeldOutPhotograph::loss(const std::string& model, int threads,
                                             const Progress& progress) {
     const std::unique_ptr<DepthModel> rung = depth_model_named(model);
-    const std::vector<DepthMap> maps = finished(
-        refined(*rung, first_estimates(*rung, threads, progress), threads, progress), threads);
+    const std::vector<DepthMap> maps =
+        finished(refined(*rung, first_estimates(*rung, threads, progress), threads, progress),
+                 threads, progress);
     std::vector<PredictingView> views;
     for (std::size_t i = 0; i < maps.size(); ++i) {
         views.push_back({&scene_.views[i], &maps[i].inverse_depth});
@@ -161,14 +162,16 @@ std::vector<DepthEstimate> HeldOutPhotograph::refined(const DepthModel& model,
 }
 
 std::vector<DepthMap> HeldOutPhotograph::finished(const std::vector<DepthEstimate>& estimates,
-                                                  int threads) const {
+                                                  int threads, const Progress& progress) const {
     std::vector<DepthMap> confirmed(scene_.views.size());  // Of the rest nothing is known.
     parallel_for(predictors_, threads, [&](int i) {
+        progress.throw_if_interrupted();
         confirmed[static_cast<std::size_t>(i)] = confirmed_depth(scene_, estimates, i);
     });
     std::vector<DepthMap> maps(confirmed.begin(), confirmed.begin() + predictors_);
     const Subject subject(scene_, masks_);
     parallel_for(predictors_, threads, [&](int i) {
+        progress.throw_if_interrupted();
         const auto index = static_cast<std::size_t>(i);
         if (!estimates[index].is_complete)
             fill_unknown_depth(scene_, confirmed, i, 0.0, maps[index]);

@@ -40,7 +40,7 @@ class HeldOutPhotograph {
                                                      std::vector<DepthEstimate> estimates,
                                                      int threads, const Progress& progress) const;
     [[nodiscard]] std::vector<DepthMap> finished(const std::vector<DepthEstimate>& estimates,
-                                                 int threads) const;
+                                                 int threads, const Progress& progress) const;
 
     const DepthScene& source_;
     const std::vector<GrayImage>& source_masks_;

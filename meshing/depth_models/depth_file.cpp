@@ -14,6 +14,7 @@
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "calib/work/without_plus.h"
 #include "meshing/surface/file_ending.h"
 
 namespace lumi {
@@ -60,8 +61,10 @@ class HeaderReader {
     [[nodiscard]] Number number(std::string_view ends) {
         const std::string_view text = field(ends);
         Number value{};
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc{} || end != text.data() + text.size()) {
+        const std::string_view digits = without_plus(text);
+        const char* const behind = digits.data() + digits.size();
+        const auto [end, error] = std::from_chars(digits.data(), behind, value);
+        if (error != std::errc{} || end != behind) {
             refuse(path_, "expected a number in its header, found \"" + std::string(text) + "\"");
         }
         return value;

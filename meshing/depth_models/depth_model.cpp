@@ -29,7 +29,10 @@ class ImportedModel final : public DepthModel {
     ImportedModel(std::filesystem::path folder, double png_unit)
         : folder_(std::move(folder)), png_unit_(png_unit) {}
     [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
-        return exact(imported_depth(view_of(scene, view_index), folder_, png_unit_), "imported");
+        std::vector<std::string> names;
+        for (const DepthView& view : scene.views) names.push_back(view.name);
+        const auto file = imported_depth_file(names, static_cast<std::size_t>(view_index), folder_);
+        return exact(imported_depth(view_of(scene, view_index), file, png_unit_), "imported");
     }
     [[nodiscard]] std::string begins_as() const override { return "imported"; }
 

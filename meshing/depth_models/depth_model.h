@@ -38,7 +38,8 @@ class DepthModel {
 
 [[nodiscard]] std::unique_ptr<DepthModel> depth_model_named(const std::string& name);
 
-/// Depth maps made elsewhere, from files in `folder` (imported_depth.h).
+/// Depth maps made elsewhere of the scene's own pictures, from files in `folder`
+/// (imported_depth.h).
 [[nodiscard]] std::unique_ptr<DepthModel> imported_depth_model(const std::filesystem::path& folder,
                                                                double png_unit);
 

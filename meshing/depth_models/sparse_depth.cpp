@@ -82,10 +82,11 @@ std::vector<SparsePoint> reliable_points(const DepthView& view) {
 
 }  // namespace
 
-std::vector<SparsePoint> without_outliers(const std::vector<SparsePoint>& points,
+std::vector<char> agree_with_surroundings(const std::vector<SparsePoint>& points,
                                           double smallest_difference) {
     constexpr std::size_t kMinPoints = 8;
-    if (points.size() < kMinPoints) return points;
+    std::vector<char> agree(points.size(), 1);
+    if (points.size() < kMinPoints) return agree;
     const PointTriangulation triangulation = triangulate(points);
     std::vector<double> residuals(points.size(), 0.0);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -97,9 +98,16 @@ std::vector<SparsePoint> without_outliers(const std::vector<SparsePoint>& points
     }
     const double limit =
         std::max(3 * kSigmaPerMedianOff * median_of(residuals), smallest_difference);
+    for (std::size_t i = 0; i < points.size(); ++i) agree[i] = residuals[i] <= limit ? 1 : 0;
+    return agree;
+}
+
+std::vector<SparsePoint> without_outliers(const std::vector<SparsePoint>& points,
+                                          double smallest_difference) {
+    const std::vector<char> agree = agree_with_surroundings(points, smallest_difference);
     std::vector<SparsePoint> kept;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (residuals[i] <= limit) kept.push_back(points[i]);
+        if (agree[i] != 0) kept.push_back(points[i]);
     }
     return kept;
 }

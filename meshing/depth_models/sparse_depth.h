@@ -23,8 +23,13 @@ namespace lumi {
 /// change where the photograph does.
 [[nodiscard]] DepthMap filled_sparse_depth(const DepthView& view);
 
-/// The points that agree with their surroundings, in their order. Fewer than 8 are all kept: a ring
-/// of so few does not tell who is wrong.
+/// Of each point whether it agrees with the ring of points around it, to `smallest_difference` of
+/// inverse depth or what rings usually differ by. Fewer than 8 all do: a ring of so few does not
+/// tell who is wrong.
+[[nodiscard]] std::vector<char> agree_with_surroundings(const std::vector<SparsePoint>& points,
+                                                        double smallest_difference);
+
+/// The points that do, in their order.
 [[nodiscard]] std::vector<SparsePoint> without_outliers(const std::vector<SparsePoint>& points,
                                                         double smallest_difference);
 

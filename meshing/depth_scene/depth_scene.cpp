@@ -50,7 +50,8 @@ void take_points(const Capture& capture, const std::vector<int>& view_indices, D
 }
 
 /// Where each view sees its points: projected anew, so that pixel and inverse depth belong
-/// together. An observation that ends up outside the picture is no longer one.
+/// together. An observation that ends up outside the picture is no longer one; its point stays,
+/// since the views that saw it know its place all the same.
 void place_points_in_views(DepthScene& scene) {
     for (ScenePoint& point : scene.points) {
         std::erase_if(point.track, [&](Observation& observation) {

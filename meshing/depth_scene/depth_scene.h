@@ -46,7 +46,8 @@ struct DepthScene {
     std::vector<DepthView> views;
     /// Scene points that at least two listed views saw. A point that rests on a held-out view is
     /// dropped: with one listed observation left, its place is the held-out view's knowledge.
-    std::vector<ScenePoint> points;  ///< Tracks index `views`; pixels in the rasters of the maps.
+    std::vector<ScenePoint> points;  ///< Tracks index `views`; pixels in the rasters of the maps,
+                                     ///< without those that a straight picture has lost.
 };
 
 /// The camera of a depth map that is at most `max_width_px` wide.

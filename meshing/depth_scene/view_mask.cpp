@@ -135,7 +135,7 @@ double separate_background(const GrayImage& mask, DepthMap& map) {
     for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
         std::uint8_t& confidence = map.confidence.pixels()[i];
         if (mask.pixels()[i] != 0) {
-            confidence = std::max<std::uint8_t>(confidence, 1);
+            confidence = std::max(confidence, kFilledBeforeBackground);
             continue;
         }
         map.inverse_depth.pixels()[i] = 0.0F;

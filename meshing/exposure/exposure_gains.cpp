@@ -17,12 +17,13 @@ namespace {
 constexpr int kRounds = 8;
 constexpr double kLeastSpread = 0.01;   // Of tiles: below that all is rounding.
 constexpr double kPriorSigma = 0.35;    // Of the logarithm of a gain: half a stop.
-constexpr double kLargestLog = 2.8;     // Four stops: beyond that nothing is left to even out.
+constexpr double kLargestLog = 2.77;    // Four stops: beyond that nothing is left to even out.
 constexpr double kLargestError = 0.25;  // A pair that is further off is no worse.
 constexpr double kLeastGain = 0.01;
 constexpr double kNoiseFactor = 2.0;
 constexpr double kMostLeft = 0.15;
 constexpr std::size_t kNeighbours = 4;
+constexpr std::size_t kLeastPairs = 3;  // Fewer do not tell how much they differ.
 
 /// Logarithms of gains, one row a view and one column a channel.
 using LogGains = Eigen::MatrixX3d;
@@ -106,7 +107,9 @@ LogGains fitted(int view_count, const std::vector<ExposureRatio>& ratios, LogRat
         weights = weights_for(ratios, residuals(ratios, log_ratios, gains));
     }
     gains.rowwise() -= gains.colwise().mean().eval();
-    return gains.cwiseMax(-kLargestLog).cwiseMin(kLargestLog);
+    gains = gains.cwiseMax(-kLargestLog).cwiseMin(kLargestLog).eval();
+    gains.rowwise() -= gains.colwise().mean().eval();
+    return gains;
 }
 
 double rms_of(const Eigen::MatrixX3d& values) {
@@ -118,30 +121,56 @@ double rms_of(const Eigen::MatrixX3d& values) {
 /// A model, asked for what it was not fitted to.
 struct ModelTrial {
     ExposureModel model = ExposureModel::kNone;
-    std::vector<double> errors;  ///< Squared, one a pair: both folds, all channels.
+    std::vector<double> errors;  ///< Squared, all channels: one a pair, or one a tile of few pairs.
     double noise = 0.0;          ///< Root mean square of half of what the fits differ by.
 };
 
-ModelTrial trial_of(ExposureModel model, int view_count, const std::vector<ExposureRatio>& ratios) {
-    const std::array<LogRatios, 2> folds{fold_of(ratios, 0), fold_of(ratios, 1)};
-    const std::array<LogGains, 2> gains{fitted(view_count, ratios, folds[0], model),
-                                        fitted(view_count, ratios, folds[1], model)};
-    const LogRatios first = residuals(ratios, folds[1], gains[0]);
-    const LogRatios second = residuals(ratios, folds[0], gains[1]);
-    ModelTrial trial{model, {}, 0.5 * rms_of(gains[0] - gains[1])};
-    for (Eigen::Index i = 0; i < first.rows(); ++i) {
-        const auto clipped = [](double error) { return std::min(std::abs(error), kLargestError); };
-        trial.errors.push_back(first.row(i).unaryExpr(clipped).squaredNorm() +
-                               second.row(i).unaryExpr(clipped).squaredNorm());
+double clipped_square(const Eigen::Vector3d& left) {
+    return left.cwiseAbs().cwiseMin(kLargestError).squaredNorm();
+}
+
+/// One a pair: of both folds, each with the gains of the other.
+std::vector<double> errors_of_pairs(const std::vector<ExposureRatio>& ratios,
+                                    const std::array<LogGains, 2>& gains) {
+    const LogRatios first = residuals(ratios, fold_of(ratios, 1), gains[0]);
+    const LogRatios second = residuals(ratios, fold_of(ratios, 0), gains[1]);
+    std::vector<double> errors;
+    for (Eigen::Index i = 0; i < first.rows(); ++i)
+        errors.push_back(clipped_square(first.row(i)) + clipped_square(second.row(i)));
+    return errors;
+}
+
+/// One a tile, with the gains of the other fold.
+std::vector<double> errors_of_tiles(const std::vector<ExposureRatio>& ratios,
+                                    const std::array<LogGains, 2>& gains) {
+    std::vector<double> errors;
+    for (const ExposureRatio& ratio : ratios) {
+        for (const std::size_t fold : {0U, 1U}) {
+            const LogGains& of_other = gains[1 - fold];
+            const Eigen::Vector3d evened = of_other.row(ratio.second) - of_other.row(ratio.first);
+            for (const Eigen::Vector3d& tile : ratio.tiles[fold])
+                errors.push_back(clipped_square(tile + evened));
+        }
     }
-    return trial;
+    return errors;
+}
+
+ModelTrial trial_of(ExposureModel model, int view_count, const std::vector<ExposureRatio>& ratios) {
+    const std::array<LogGains, 2> gains{fitted(view_count, ratios, fold_of(ratios, 0), model),
+                                        fitted(view_count, ratios, fold_of(ratios, 1), model)};
+    return {model,
+            ratios.size() < kLeastPairs ? errors_of_tiles(ratios, gains)
+                                        : errors_of_pairs(ratios, gains),
+            0.5 * rms_of(gains[0] - gains[1])};
 }
 
 /// Whether a model's errors exceed the best one's by no more than a standard error.
-bool is_as_good(const ModelTrial& trial, const ModelTrial& best, int view_count) {
+bool is_as_good(const ModelTrial& trial, const ModelTrial& best, std::size_t pairs,
+                int view_count) {
     const Excess excess = excess_over(trial.errors, best.errors);
-    return excess.mean <= standard_error_over_views(excess, trial.errors.size(),
-                                                    static_cast<std::size_t>(view_count));
+    if (pairs < kLeastPairs) return excess.mean <= excess.standard_error;
+    return excess.mean <=
+           standard_error_over_views(excess, pairs, static_cast<std::size_t>(view_count));
 }
 
 ModelTrial chosen_trial(int view_count, const std::vector<ExposureRatio>& ratios) {
@@ -154,7 +183,7 @@ ModelTrial chosen_trial(int view_count, const std::vector<ExposureRatio>& ratios
         trials.begin(), trials.end(),
         [](const auto& a, const auto& b) { return mean_of(a.errors) < mean_of(b.errors); });
     return *std::find_if(trials.begin(), trials.end(), [&](const ModelTrial& trial) {
-        return is_as_good(trial, best, view_count);
+        return is_as_good(trial, best, ratios.size(), view_count);
     });
 }
 
@@ -236,7 +265,8 @@ std::vector<std::array<double, 3>> gains_among_neighbours(
             double sum = 0;
             for (std::size_t k = 0; k < count; ++k)
                 sum += std::log(gains[around[k].second][channel]);
-            result[i][channel] = gains[i][channel] * std::exp(-sum / static_cast<double>(count));
+            const double log = std::log(gains[i][channel]) - sum / static_cast<double>(count);
+            result[i][channel] = std::exp(std::clamp(log, -kLargestLog, kLargestLog));
         }
     }
     return result;

@@ -36,7 +36,8 @@ struct ExposureGains {
 ///
 /// The model is the simplest that the richest cannot be told from: each is fitted to one colour of
 /// the chequerboard (exposure_ratios.h) and asked for the other; it is as good when its squared
-/// error exceeds the least by no more than one standard error (Breiman et al. 1984). Gains that are
+/// error exceeds the least by no more than one standard error (Breiman et al. 1984), over the pairs
+/// or, with fewer than three, over their tiles. Gains that are
 /// less than twice what the two fits differ by, or less than half an 8-bit step of a mid grey (1 %
 /// of its light), are none; and so are those that leave more than 15 % of what pairs differ
 /// by, in the median and in the root mean square: then it is not exposure that they mostly differ
@@ -47,7 +48,8 @@ struct ExposureGains {
 /// The gains that bring each photograph into the mean exposure of those around it instead: each
 /// over the geometric mean of its own and those of the four nearest cameras. A picture is drawn
 /// from photographs that stand side by side, so that what differs between them shows; what changes
-/// slowly along a capture, as exposure control has it, does not, and stays as it was taken.
+/// slowly along a capture, as exposure control has it, does not, and stays as it was taken. None
+/// exceeds four stops.
 [[nodiscard]] std::vector<std::array<double, 3>> gains_among_neighbours(
     const std::vector<std::array<double, 3>>& gains,
     const std::vector<Eigen::Vector3d>& centres_in_world);

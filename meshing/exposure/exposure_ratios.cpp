@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "calib/work/median.h"
 
@@ -32,6 +33,7 @@ std::optional<ExposureRatio> ratio_of(const SharedTiles& pair, double light_fall
     ExposureRatio ratio{pair.first, pair.second};
     ratio.log_ratio = {channelwise_median(fields[0]), channelwise_median(fields[1])};
     ratio.spread = spread_of(fields, 0.5 * (ratio.log_ratio[0] + ratio.log_ratio[1]));
+    ratio.tiles = std::move(fields);
     return ratio;
 }
 

@@ -19,6 +19,8 @@ struct ExposureRatio {
     /// Standard deviation of what single tiles say, over all channels, robust (from the median
     /// absolute deviation): exposure changes all alike, light that falls differently does not.
     double spread = 0.0;
+    /// What they say, of each colour.
+    std::array<std::vector<Eigen::Vector3d>, 2> tiles = {};
 };
 
 /// The ratios of pairs of views whose lens loses this much light towards the corners

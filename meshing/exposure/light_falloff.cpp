@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kFalloffRounds = 10;
 constexpr std::size_t kLeastFalloffTiles = 4;  // Of a pair, of one colour.
+constexpr int kLeastTellingPairs = 6;
 constexpr double kLeastScale = 0.005;  // Of the logarithm of light: below that all is rounding.
 constexpr double kCauchy = 2.385;  // In standard deviations: nearly all of least squares' power.
 constexpr double kLargestTileError = 0.25;  // A tile that is further off is no worse.
@@ -141,6 +142,16 @@ bool is_better(const std::vector<double>& with, const std::vector<double>& witho
     return excess.mean > standard_error_over_views(excess, with.size(), view_count);
 }
 
+/// Pairs that have tiles enough of both colours.
+int telling_pairs(const std::array<std::vector<PairTiles>, 2>& folds) {
+    int count = 0;
+    for (std::size_t k = 0; k < folds[0].size(); ++k) {
+        if (std::min(folds[0][k].levers.size(), folds[1][k].levers.size()) >= kLeastFalloffTiles)
+            ++count;
+    }
+    return count;
+}
+
 double least_light_left(double falloff, const std::vector<PicturedView>& views) {
     double least = 1;
     for (const PicturedView& view : views)
@@ -154,6 +165,7 @@ double light_falloff(const std::vector<PicturedView>& views,
                      const std::vector<SharedTiles>& pairs) {
     const std::array<std::vector<PairTiles>, 2> folds{tiles_of_fold(pairs, 0),
                                                       tiles_of_fold(pairs, 1)};
+    if (telling_pairs(folds) < kLeastTellingPairs) return 0;
     const std::array<double, 2> falloffs{fitted_falloff(folds[0]), fitted_falloff(folds[1])};
     const double falloff = 0.5 * (falloffs[0] + falloffs[1]);
     const double noise = 0.5 * std::abs(falloffs[0] - falloffs[1]);

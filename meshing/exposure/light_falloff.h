@@ -12,7 +12,9 @@ namespace lumi {
 /// least squares (Cauchy) over the tiles of all pairs, each pair with an exposure of its own
 /// (compare Goldman and Chen, Vignette and Exposure Calibration and Compensation, 2005).
 ///
-/// None, 0, unless photographs tell it: fitted to one colour of the chequerboard it must be better
+/// None, 0, unless photographs tell it: at least six pairs share enough to be asked, as four views
+/// have that all share a scene, since of one pair it cannot be told from light that falls
+/// differently on what it shows; fitted to one colour of the chequerboard it must be better
 /// at the other than no falloff, by more than one standard error (Breiman et al. 1984), more than
 /// twice as large as the fits to the two colours are off from their mean, and take at least 2 % of
 /// its light from a corner, but no more than 7/8. Pictures that are

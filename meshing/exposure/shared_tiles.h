@@ -30,8 +30,8 @@ struct SharedTiles {
 /// What each view and the eight that share most with it show of the same surfaces, each pair once.
 ///
 /// Photographs are averaged in linear light on a coarse raster; a place counts for a pair when
-/// both views have seen depth there, each finds the other's surface, and neither is nearly black or
-/// saturated.
+/// both views have seen depth there, not only filled it, each finds the other's surface, and
+/// neither is nearly black or saturated.
 [[nodiscard]] std::vector<SharedTiles> shared_tiles(const std::vector<PicturedView>& views,
                                                     int threads, const Progress& progress);
 

@@ -271,10 +271,4 @@ void smooth_filled_depth(DepthMap& map, const ColorImage& photograph, double one
     }
 }
 
-void edge_aware_fill(DepthMap& map, const ColorImage& photograph, const FloatImage& fallback,
-                     double one_pixel, SurroundingDepth surrounding) {
-    continue_known_depth(map, fallback, one_pixel, std::move(surrounding));
-    smooth_filled_depth(map, photograph, one_pixel);
-}
-
 }  // namespace lumi

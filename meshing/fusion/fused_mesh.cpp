@@ -104,6 +104,7 @@ FusedMesh fused_mesh(const std::vector<PicturedView>& views, const SurfacePointO
     if (found.points.size() < kFewestPoints) refuse_few(found.points.size());
     progress.begin("surface through " + std::to_string(found.points.size()) + " points", 0);
     Faces faces = front_surface(found.points);
+    progress.throw_if_interrupted();
     remove_scraps(found.points.size(), faces);
     if (faces.empty()) refuse_few(found.points.size());
     return {mesh_of(found.points, faces), found.confident_pixels, found.agreeing_pixels,

@@ -11,6 +11,7 @@
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "calib/work/without_plus.h"
 #include "meshing/surface/file_ending.h"
 
 namespace lumi {
@@ -43,6 +44,7 @@ class Words {
 
 template <class Number>
 std::optional<Number> parsed(std::string_view word) {
+    word = without_plus(word);
     Number value{};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "calib/work/error.h"
+#include "calib/work/without_plus.h"
 #include "meshing/surface/file_ending.h"
 
 namespace lumi {
@@ -55,7 +56,8 @@ class Fields {
                 continue;
             }
             double number = 0;
-            const auto [rest, error] = std::from_chars(at, end, number);
+            const char* const first = without_plus({at, static_cast<std::size_t>(end - at)}).data();
+            const auto [rest, error] = std::from_chars(first, end, number);
             if (error != std::errc{} || !std::isfinite(number)) break;
             numbers.push_back(number);
             at = rest;
@@ -236,7 +238,7 @@ VolumeHeader parse_meta_image(std::string_view text, const fs::path& path) {
     header.is_compressed =
         fields.has("compresseddata") && lower_case(fields.text("compresseddata")) == "true";
     const std::string data = fields.text("elementdatafile");
-    if (data != "LOCAL") header.data_file = data;
+    if (lower_case(data) != "local") header.data_file = data;
     for (const char* matrix : {"orientation", "rotation", "transformmatrix"}) {
         if (fields.has(matrix)) header.steps = Eigen::Matrix3d(fields.numbers(matrix, 9).data());
     }

@@ -38,12 +38,13 @@ inline constexpr int kMostPlanned = 500;
 
 /// Plans from the poses alone: predicted errors between the cameras, then photographs at the worst
 /// place, one after another, each taking part when the next is placed. Throws Error (E-MESH-NOVIEW,
-/// E-PLAN-ONESPOT) without two cameras that stand in different directions from the scene, and
-/// (E-PLAN-NOSURFACE) where most do not face what they would surround (preconditions.h).
+/// E-PLAN-ONESPOT) without two cameras that stand in different directions from the scene or where
+/// they stand behind each other (forward_motion.h), and (E-PLAN-NOSURFACE) where most do not face
+/// what they would surround (preconditions.h).
 [[nodiscard]] CapturePlan plan_capture(const Capture& capture, const std::vector<int>& view_indices,
                                        const CapturePlanOptions& options);
 
-/// "go right by 21 % and up by 5 % of the distance to the subject": from where a camera stands to
+/// "go right by 21 %, up by 5 % of the distance to the subject": from where a camera stands to
 /// another place, in the camera's own directions; steps below 1 % are left out.
 [[nodiscard]] std::string steps_in_words(const Rigid3& cam_from_world,
                                          const Eigen::Vector3d& goal_in_world,

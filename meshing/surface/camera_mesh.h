@@ -72,8 +72,9 @@ struct RayWeights {
                                             const Eigen::Vector3d& point_in_world,
                                             const Eigen::Vector3d& direction);
 
-/// Weights of the line through `eye_in_world` along `direction` (from the eye to the scene): the
-/// first face it enters through, behind the eye included. With faces, the same for any eye on the
+/// Weights of the line through `eye_in_world` along `direction` (from the eye to the scene): of the
+/// faces it enters through, those behind the eye included, the last one, which is nearest to the
+/// scene. With faces, the same for any eye on the
 /// line, empty when none is crossed from outside, and 1 for a vertex that the line passes through.
 /// Without faces those of an eye that looks along it (nearest_cameras.h), where frames are drawn
 /// with those of the eye's optical axis.

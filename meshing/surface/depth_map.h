@@ -17,4 +17,8 @@ struct DepthMap {
     GrayImage confidence;  ///< 0: filled, not seen. 255: agreed on by several views.
 };
 
+/// Confidence of what was filled, but is known to stand before a background: it hides that, and no
+/// more is known of it.
+inline constexpr std::uint8_t kFilledBeforeBackground = 1;
+
 }  // namespace lumi

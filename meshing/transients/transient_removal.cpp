@@ -10,6 +10,7 @@
 
 #include "calib/pictures/inpainting.h"
 #include "calib/work/parallel_for.h"
+#include "calib/work/process_memory.h"
 #include "meshing/agreement/gap_closing.h"
 #include "meshing/transients/known_view.h"
 #include "meshing/transients/transients.h"
@@ -219,10 +220,29 @@ double paint(const std::vector<Painter>& painters, const GrayImage& transients,
     return static_cast<double>(painted) / static_cast<double>(picture.pixels().size());
 }
 
+/// By the largest of them.
+int views_at_one_time(const std::vector<PicturedView>& views,
+                      const std::vector<ViewWithoutTransients>& changed, int threads,
+                      std::uint64_t max_bytes) {
+    // Of each pixel of a depth map: what eight others see there, what they agree upon, and how far
+    // it is from what is known.
+    constexpr double kOfEachPixel = 130;
+    std::size_t largest = 0;
+    for (const ViewWithoutTransients& clean : changed) {
+        const DepthMap& depth = *views[static_cast<std::size_t>(clean.view)].depth;
+        largest = std::max(largest, depth.confidence.pixels().size());
+    }
+    release_free_memory();
+    return pieces_within(static_cast<double>(max_bytes),
+                         static_cast<double>(memory_in_use().value_or(0)),
+                         kOfEachPixel * static_cast<double>(largest), threads);
+}
+
 }  // namespace
 
 std::vector<ViewWithoutTransients> without_transients(const std::vector<PicturedView>& views,
-                                                      int threads, Progress& progress) {
+                                                      int threads, std::uint64_t max_bytes,
+                                                      Progress& progress) {
     constexpr int kCoarse_px = 400;
     const std::vector<KnownView> coarse = known_views(views, kCoarse_px, threads);
     const std::vector<GrayImage> transients = transients_of(coarse, threads, progress);
@@ -234,7 +254,8 @@ std::vector<ViewWithoutTransients> without_transients(const std::vector<Pictured
     progress.begin("painting over what moved between photographs", changed.size());
     const std::vector<KnownView> known =
         views_around_transients(views, coarse, transients, threads);
-    parallel_for(static_cast<int>(changed.size()), threads, [&](int i) {
+    const int at_one_time = views_at_one_time(views, changed, resolve_threads(threads), max_bytes);
+    parallel_for(static_cast<int>(changed.size()), at_one_time, [&](int i) {
         progress.throw_if_interrupted();
         ViewWithoutTransients& clean = changed[static_cast<std::size_t>(i)];
         const auto index = static_cast<std::size_t>(clean.view);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "calib/work/progress.h"
@@ -18,8 +19,10 @@ struct ViewWithoutTransients {
 /// Paints over what was there for one photograph alone: in the colours of the three nearest views
 /// that see what lies behind it (their median, in the view's own exposure), and with that depth, as
 /// one neighbour confirms it. What no such view sees is painted from its rim (Telea 2004). Views
-/// without transients are not listed.
+/// without transients are not listed. As many views are worked on at one time as `threads` and
+/// `max_bytes` for the whole process allow, and at least one.
 [[nodiscard]] std::vector<ViewWithoutTransients> without_transients(
-    const std::vector<PicturedView>& views, int threads, Progress& progress);
+    const std::vector<PicturedView>& views, int threads, std::uint64_t max_bytes,
+    Progress& progress);
 
 }  // namespace lumi

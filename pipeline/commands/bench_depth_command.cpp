@@ -13,6 +13,7 @@
 #include "pipeline/depth_bench/stability_report.h"
 #include "pipeline/stages/pack_stage.h"
 #include "pipeline/stages/posed_files.h"
+#include "pipeline/stages/straightened_depth.h"
 #include "pipeline/stages/used_views.h"
 #include "pipeline/text/number_text.h"
 #include "pipeline/workspace/workspace.h"
@@ -35,7 +36,8 @@ struct BenchDepthRequest {
 };
 
 /// The views that a built workspace uses and holds out, as its package was made.
-DepthBenchScene scene_of(const WorkspaceLayout& workspace, const fs::path& truth_folder) {
+DepthBenchScene scene_of(const WorkspaceLayout& workspace, const BenchDepthRequest& request,
+                         const CommandContext& context) {
     const PackRecord record = read_pack_record(workspace.stage_folder("pack"));
     if (record.held_out.empty()) {
         throw Error(
@@ -45,8 +47,15 @@ DepthBenchScene scene_of(const WorkspaceLayout& workspace, const fs::path& truth
     }
     const PosedPhotographs all =
         read_posed_photographs(workspace.stage_folder("poses") / "pinhole");
-    return {workspace.name(), without_views(all, record.held_out), only_views(all, record.held_out),
-            read_camera_mesh_ply(workspace.stage_folder("mesh") / "camera_mesh.ply"), truth_folder};
+    DepthBenchScene scene{workspace.name(), without_views(all, record.held_out),
+                          only_views(all, record.held_out),
+                          read_camera_mesh_ply(workspace.stage_folder("mesh") / "camera_mesh.ply")};
+    if (!request.truth_folder.empty()) {
+        scene.truth_folder = straighten_depth(
+            {request.truth_folder}, scene.used.capture, workspace.stage_folder("poses"),
+            request.out / workspace.name() / "truth", context.threads, *context.progress);
+    }
+    return scene;
 }
 
 std::string line_of(const RungMeasurement& rung) {
@@ -78,7 +87,7 @@ std::vector<std::string> model_names() {
 void run_bench_depth(const BenchDepthRequest& request, const CommandContext& context) {
     std::vector<RungMeasurement> measured;
     for (const fs::path& folder : request.workspaces) {
-        const DepthBenchScene scene = scene_of(find_workspace(folder), request.truth_folder);
+        const DepthBenchScene scene = scene_of(find_workspace(folder), request, context);
         for (const std::string& model : request.models) {
             DepthOptions options;
             options.model = model;
@@ -182,7 +191,8 @@ void add_bench_depth_command(CLI::App& app, CommandContext& context) {
         ->check(CLI::IsMember(model_names()));
     command.add_option("--max-width", request->max_width_px,
                        "Depth maps are at most this wide, px");
-    command.add_option("--truth", request->truth_folder, "Folder of exact depth, by photograph");
+    command.add_option("--truth", request->truth_folder,
+                       "Folder of exact depth, by photograph, as its lens bent it");
     CLI::Option* const stability = command.add_flag(
         "--stability", request->stability, "Synthetic scenes under hazards instead of workspaces");
     command.add_option("--hazard", request->hazards, "Only this hazard; may be repeated")

@@ -100,9 +100,10 @@ double depth_mib(const Examination& seen, const DepthOptions& options, int threa
         pixels.push_back(static_cast<std::uint64_t>(scale * scale * size.x() * size.y()));
     }
     release_free_memory();
-    const DepthMemory memory = predicted_depth_memory(
-        pixels, options.model, resolve_threads(threads),
-        static_cast<std::uint64_t>(options.max_memory_mib) << 20, memory_in_use().value_or(0));
+    const DepthMemory memory =
+        predicted_depth_memory(pixels, options.model, resolve_threads(threads),
+                               static_cast<std::uint64_t>(options.max_memory_mib) << 20,
+                               memory_in_use().value_or(0), options.max_neighbours);
     return static_cast<double>(memory.peak()) / (1 << 20);
 }
 

@@ -17,6 +17,7 @@
 #include "pipeline/depth_bench/right_shares.h"
 #include "pipeline/evaluate/depth_effort.h"
 #include "pipeline/stages/depth_range.h"
+#include "pipeline/stages/used_views.h"
 #include "render/depth_mesh/view_depth_mesh.h"
 
 namespace lumi {
@@ -120,8 +121,10 @@ void take_truth(const DepthBenchScene& scene, const DepthOptions& options,
         {.max_width_px = options.max_width_px, .max_neighbours = options.max_neighbours}, threads,
         progress);
     std::vector<DepthMap> truth;
-    for (const DepthView& view : depth_scene.views) {
-        truth.push_back(imported_depth(view, scene.truth_folder));
+    const std::vector<std::string> names = view_names(scene.used.capture);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        truth.push_back(imported_depth(depth_scene.views[i],
+                                       imported_depth_file(names, i, scene.truth_folder)));
     }
     require_one_unit(depth_scene, truth, scene.truth_folder);
     const RightShares shares = right_shares(depth_scene, truth, depth_maps);

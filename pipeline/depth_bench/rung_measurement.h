@@ -16,7 +16,8 @@ struct DepthBenchScene {
     PosedPhotographs used;
     PosedPhotographs held_out;  ///< Take no part in depth.
     CameraMesh mesh;            ///< Over the views of `used`.
-    /// Exact depth (float TIFF, imported_depth.h) of the used views; empty when it is not known.
+    /// Exact depth (float TIFF, imported_depth.h) of the straight pictures of the used views; empty
+    /// when it is not known.
     std::filesystem::path truth_folder = {};
 };
 

@@ -156,7 +156,9 @@ class Line {
             append(inputs, content_of(file, threads_));
         }
         append(inputs, content_beside(config_.depth.mask_folder));
-        if (!depth_mask_folder().empty()) append(inputs, outputs_of("poses", "poses/sparse/"));
+        // By their lenses what belongs to photographs is brought onto straight pictures.
+        if (!depth_mask_folder().empty() || !config_.depth.import_folder.empty())
+            append(inputs, outputs_of("poses", "poses/sparse/"));
         inputs.push_back(held_out_entry());
         return {identity("depth", inputs),
                 [this](const fs::path& folder) {
@@ -181,7 +183,7 @@ class Line {
                          sha256_of_content(outputs_of("mesh", "")),
                          sha256_of_content(outputs_of("depth", "")), configuration_sha256_,
                          config_.resolved_toml, facts_of(finished_), config_.package,
-                         config_.drawing, config_.mesh,
+                         config_.drawing, config_.mesh, config_.depth.max_memory_mib,
                          [this](const Lumigraph& lumigraph, const Capture& capture) {
                              return sufficient_views(lumigraph, capture, config_.mesh, progress_);
                          },

@@ -5,6 +5,7 @@
 #include "calib/capture/all_views.h"
 #include "pipeline/stages/depth_files.h"
 #include "pipeline/stages/file_stems.h"
+#include "pipeline/stages/straightened_depth.h"
 #include "pipeline/stages/used_views.h"
 #include "pipeline/workspace/json_file.h"
 
@@ -50,6 +51,11 @@ StageEvidence run_depth_stage(const PosedPhotographs& photographs, const MaskedP
     if (!masked.mask_folder.empty()) {
         options.mask_folder = folder / kMaskFolder;
         straighten_masks(masked, options.mask_folder, threads, progress);
+    }
+    if (!options.import_folder.empty()) {
+        options.import_folder =
+            straighten_depth({options.import_folder, options.import_png_unit}, photographs.capture,
+                             masked.poses_folder, folder / kImportedDepthFolder, threads, progress);
     }
     const DepthResult result =
         estimate_depth(photographs, all_views(photographs.capture), options, threads, progress);

@@ -13,6 +13,8 @@ constexpr const char* kSubjectDrawn = "drawn masks";
 constexpr const char* kSubjectBeforeBackground = "plain background";
 /// Where straightened masks lie in the stage's folder.
 constexpr const char* kMaskFolder = "masks";
+/// And depth maps made elsewhere, where a lens bends.
+constexpr const char* kImportedDepthFolder = "imported";
 
 /// Pictures and poses of the views in use -> inverse depth and confidence of each in `folder`, and
 /// the masks that were drawn over photographs, those of held-out ones among them (nothing else of

@@ -6,8 +6,6 @@
 #include "calib/pictures/image_io.h"
 #include "calib/work/content_hash.h"
 #include "calib/work/parallel_for.h"
-#include "meshing/exposure/exposure_gains.h"
-#include "meshing/exposure/light_falloff.h"
 #include "meshing/surface/mesh_io.h"
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/stages/depth_files.h"
@@ -15,8 +13,8 @@
 #include "pipeline/stages/file_stems.h"
 #include "pipeline/stages/removed_transients.h"
 #include "pipeline/stages/used_views.h"
+#include "pipeline/stages/view_exposures.h"
 #include "pipeline/stages/view_limit.h"
-#include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 #include "render/depth_mesh/view_depth_mesh.h"
 #include "render/lumigraph/manifest.h"
@@ -74,40 +72,6 @@ Lumigraph gather_lumigraph(const PackSources& sources, int threads, Progress& pr
     return lumigraph;
 }
 
-/// Says what is evened out, if anything is.
-void note_exposures(const Lumigraph& lumigraph, const ExposureGains& found, Progress& progress) {
-    if (lumigraph.light_falloff != 0)
-        progress.note("pack: the lens took up to " +
-                      number_text(100 * (1 - lumigraph.light_left_in_corners()), 0) +
-                      " % of the light from the corners of photographs, which is evened out");
-    if (found.model != ExposureModel::kNone)
-        progress.note("pack: photographs are exposed differently, by up to " +
-                      number_text(found.largest_stops, 2) +
-                      " stops, which is evened out between neighbours");
-}
-
-/// Measures how photographs darken towards their corners and differ in exposure, and notes with
-/// the Lumigraph and each view what evens it out.
-ExposureGains find_exposures(Lumigraph& lumigraph, int threads, Progress& progress) {
-    progress.begin("comparing exposures", 0);
-    const std::vector<PicturedView> pictured = pictured_views(lumigraph);
-    const std::vector<SharedTiles> shared = shared_tiles(pictured, threads, progress);
-    lumigraph.light_falloff = light_falloff(pictured, shared);
-    const ExposureGains found = exposure_gains(static_cast<int>(lumigraph.views.size()),
-                                               exposure_ratios(shared, lumigraph.light_falloff));
-    note_exposures(lumigraph, found, progress);
-    if (found.model == ExposureModel::kNone) return found;
-    std::vector<Eigen::Vector3d> centres_in_world;
-    for (const LumigraphView& view : lumigraph.views) {
-        centres_in_world.push_back(centre_in_world(view.cam_from_world));
-    }
-    const auto gains = gains_among_neighbours(found.gains, centres_in_world);
-    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
-        lumigraph.views[i].exposure_gain = gains[i];
-    }
-    return found;
-}
-
 Json exposure_json(const ExposureGains& found, const Lumigraph& lumigraph) {
     return {{"light_falloff", lumigraph.light_falloff},
             {"light_left_in_corners", lumigraph.light_left_in_corners()},
@@ -159,15 +123,17 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     const auto views_in_use = static_cast<int>(lumigraph.views.size());
     Json transients = Json::array();
     if (!sources.options.keep_transients) {
-        transients = remove_transients(lumigraph, folder, threads, progress);
+        transients =
+            remove_transients(lumigraph, folder, threads, sources.max_memory_mib, progress);
         set_depth_range(lumigraph);
     }
     lumigraph.drawing.fade_beyond_capture = sources.drawing.fade_beyond_capture;
-    ExposureGains exposures;
+    ViewExposures exposures;
     if (sources.drawing.even_exposure) {
         exposures = find_exposures(lumigraph, threads, progress);
+        even_among_neighbours(exposures, lumigraph);
     }
-    ViewLimit limit(sources, extras, folder, threads, progress);
+    ViewLimit limit(sources, extras, exposures, folder, threads, progress);
     limit.keep_to_count(lumigraph);
     const DepthMeshEffort of_meshes =
         make_asked_depth_meshes(sources, lumigraph, threads, progress);
@@ -186,7 +152,7 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
                      {"near_depth", lumigraph.near_depth},
                      {"far_depth", lumigraph.far_depth},
                      {"transients", std::move(transients)},
-                     {"exposure", exposure_json(exposures, lumigraph)},
+                     {"exposure", exposure_json(exposures.found, lumigraph)},
                      {"depth_mesh_effort", json_of(of_meshes)},
                      {"occlusion_effort", json_of(efforts.occlusion)},
                      {"depth_effort", json_of(efforts.depth)},

@@ -31,6 +31,7 @@ struct PackSources {
     PackageOptions options;
     DrawingOptions drawing;
     CameraMeshOptions mesh_options;  ///< For the camera mesh over fewer views.
+    int max_memory_mib = 0;          ///< As for finding depth.
     /// How many views are enough; asked for when the options want the fewest.
     std::function<int(const Lumigraph& lumigraph, const Capture& capture)> sufficient_views;
     /// How closely depth meshes follow noisy depth, once they were made as the Lumigraph says; to

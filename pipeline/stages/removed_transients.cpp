@@ -34,9 +34,10 @@ ColorImage before_and_after(const ColorImage& before, const ColorImage& after) {
 }  // namespace
 
 Json remove_transients(Lumigraph& lumigraph, const fs::path& pack_folder, int threads,
-                       Progress& progress) {
+                       int max_memory_mib, Progress& progress) {
     std::vector<ViewWithoutTransients> changed =
-        without_transients(pictured_views(lumigraph), threads, progress);
+        without_transients(pictured_views(lumigraph), threads,
+                           static_cast<std::uint64_t>(max_memory_mib) << 20, progress);
     Json list = Json::array();
     if (changed.empty()) return list;
     std::vector<std::string> names;

@@ -7,34 +7,12 @@
 #include "calib/pictures/drawn_mask.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/parallel_for.h"
+#include "pipeline/stages/straightened_raster.h"
 
 namespace lumi {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// At each pixel of the pinhole camera what was drawn where the lens has it. A mask may be of
-/// another size than its photograph; it has none of its pixels blended, so that it stays a mask.
-GrayImage straightened(const GrayImage& drawn, const Camera& lens, const Camera& pinhole) {
-    GrayImage mask(pinhole.width_px, pinhole.height_px);
-    const double scale_x = static_cast<double>(drawn.width()) / lens.width_px;
-    const double scale_y = static_cast<double>(drawn.height()) / lens.height_px;
-    for (int y = 0; y < mask.height(); ++y) {
-        for (int x = 0; x < mask.width(); ++x) {
-            Eigen::Vector2d pixel(x + 0.5, y + 0.5);
-            if (!is_pinhole(lens)) {
-                const auto bent = project(lens, unproject(pinhole, pixel));
-                if (!bent) continue;
-                pixel = *bent;
-            }
-            const auto drawn_x = static_cast<int>(std::clamp(pixel.x() * scale_x, 0.0, 1e9));
-            const auto drawn_y = static_cast<int>(std::clamp(pixel.y() * scale_y, 0.0, 1e9));
-            mask(x, y) =
-                drawn(std::min(drawn_x, drawn.width() - 1), std::min(drawn_y, drawn.height() - 1));
-        }
-    }
-    return mask;
-}
 
 /// Up to three of them by name.
 std::string listed(const std::vector<std::string>& names) {
@@ -81,11 +59,6 @@ void straighten_masks(const MaskedPhotographs& photographs, const fs::path& fold
         return std::find(photographs.held_out.begin(), photographs.held_out.end(), name) !=
                photographs.held_out.end();
     };
-    const auto lens_of = [&](const std::string& name) {
-        const auto view = std::find_if(lenses.views.begin(), lenses.views.end(),
-                                       [&](const View& other) { return other.name == name; });
-        return camera_of(lenses, *view);
-    };
     std::vector<std::string> missing(pinholes.views.size());
     std::vector<std::string> full(pinholes.views.size());
     progress.begin("straightening masks", pinholes.views.size());
@@ -98,7 +71,7 @@ void straighten_masks(const MaskedPhotographs& photographs, const fs::path& fold
             missing[index] = view.name;
             return;
         }
-        const Camera lens = lens_of(view.name);
+        const Camera& lens = camera_of_view(lenses, view.name);
         const GrayImage drawn =
             read_drawn_mask(view.name, lens.width_px, lens.height_px, photographs.mask_folder);
         if (std::count(drawn.pixels().begin(), drawn.pixels().end(), 0) == 0) {

@@ -9,6 +9,7 @@
 #include "calib/work/error.h"
 #include "pipeline/stages/chosen_views.h"
 #include "render/depth_mesh/view_depth_mesh.h"
+#include "render/lumigraph/even_exposure.h"
 
 namespace lumi {
 namespace {
@@ -26,8 +27,14 @@ double folder_mib(const fs::path& folder) {
 }  // namespace
 
 ViewLimit::ViewLimit(const PackSources& sources, const PackageExtras& extras,
-                     const fs::path& folder, int threads, Progress& progress)
-    : sources_(sources), extras_(extras), folder_(folder), threads_(threads), progress_(progress) {}
+                     const ViewExposures& exposures, const fs::path& folder, int threads,
+                     Progress& progress)
+    : sources_(sources),
+      extras_(extras),
+      exposures_(exposures),
+      folder_(folder),
+      threads_(threads),
+      progress_(progress) {}
 
 void ViewLimit::keep_to_count(Lumigraph& lumigraph) {
     const int wanted = wanted_views(lumigraph);
@@ -75,15 +82,19 @@ void ViewLimit::reduce(Lumigraph& lumigraph, int views) {
     }
     lumigraph = lumigraph_of_views(lumigraph, capture_of(lumigraph, sources_.photographs), chosen,
                                    sources_.mesh_options);
+    even_among_neighbours(exposures_, lumigraph);
 }
 
-/// Once, of all views that are there the first time.
+/// Once, of all views that are there the first time, in evened exposures: a photograph is not to be
+/// missed for how it was exposed.
 void ViewLimit::rank(const Lumigraph& lumigraph) {
     std::vector<int> all(lumigraph.views.size());
     std::iota(all.begin(), all.end(), 0);
+    Lumigraph evened = lumigraph;
+    even_exposures(evened);
     for (const int view :
-         views_by_worth(lumigraph, capture_of(lumigraph, sources_.photographs), all, progress_)) {
-        names_by_worth_.push_back(lumigraph.views[static_cast<std::size_t>(view)].name);
+         views_by_worth(evened, capture_of(evened, sources_.photographs), all, progress_)) {
+        names_by_worth_.push_back(evened.views[static_cast<std::size_t>(view)].name);
     }
 }
 

@@ -6,17 +6,19 @@
 
 #include "calib/work/progress.h"
 #include "pipeline/stages/pack_stage.h"
+#include "pipeline/stages/view_exposures.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {
 
-/// Leaves views out of a Lumigraph, always those that are missed least. What it is given must
-/// outlive it.
+/// Leaves views out of a Lumigraph, always those that are missed least, and evens the exposures of
+/// the rest anew. What it is given must outlive it.
 class ViewLimit {
  public:
     /// Packages are weighed in `folder`.
     ViewLimit(const PackSources& sources, const PackageExtras& extras,
-              const std::filesystem::path& folder, int threads, Progress& progress);
+              const ViewExposures& exposures, const std::filesystem::path& folder, int threads,
+              Progress& progress);
 
     /// Until there are as few as the options want.
     void keep_to_count(Lumigraph& lumigraph);
@@ -32,6 +34,7 @@ class ViewLimit {
 
     const PackSources& sources_;
     const PackageExtras& extras_;
+    const ViewExposures& exposures_;
     const std::filesystem::path& folder_;
     int threads_;
     Progress& progress_;

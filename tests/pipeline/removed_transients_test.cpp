@@ -34,7 +34,7 @@ TEST(RemovedTransients, AreNotedAndShownAndLeaveThePackage) {
     Lumigraph lumigraph = board_behind_a_visitor();
     const std::string name = lumigraph.views[2].name;
     NotedProgress progress;
-    const auto list = remove_transients(lumigraph, folder, 2, progress);
+    const auto list = remove_transients(lumigraph, folder, 2, 2048, progress);
     ASSERT_EQ(list.size(), 1U);
     EXPECT_EQ(list[0].at("name"), name);
     // A fifth of its width and height, and a rim of a pixel or two of a small picture.
@@ -56,7 +56,7 @@ TEST(RemovedTransients, WriteAndSayNothingWhereThereAreNone) {
     Lumigraph lumigraph = before_a_board(9, 0.5).lumigraph;
     const std::vector<LumigraphView> before = lumigraph.views;
     NotedProgress progress;
-    EXPECT_TRUE(remove_transients(lumigraph, folder, 2, progress).empty());
+    EXPECT_TRUE(remove_transients(lumigraph, folder, 2, 2048, progress).empty());
     EXPECT_THAT(progress.notes, IsEmpty());
     EXPECT_TRUE(std::filesystem::is_empty(folder));
     for (std::size_t i = 0; i < before.size(); ++i) {

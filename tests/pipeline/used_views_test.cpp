@@ -6,6 +6,7 @@
 #include "calib/capture/colmap_model.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
+#include "pipeline/stages/straightened_depth.h"
 #include "pipeline/stages/straightened_masks.h"
 #include "tests/calib/scratch_folder.h"
 
@@ -71,15 +72,23 @@ TEST(OnlyViews, IsTheOtherHalf) {
     EXPECT_THAT(held_out.picture_paths, ElementsAre("b.jpg.png"));
 }
 
+/// One view of a lens that bends, as the poses stage has it below `poses`.
+struct BentView {
+    Capture lenses;
+    Capture pinholes;
+    explicit BentView(const std::filesystem::path& poses) {
+        lenses.cameras = {{320, 240, LensModel::kSimpleRadial, {280, 160, 120, -0.2}}};
+        lenses.views = {{"walk/a.jpg", 0, {}}};
+        pinholes = lenses;
+        pinholes.cameras = {{320, 240, LensModel::kPinhole, {330, 330, 160, 120}}};
+        write_colmap_model_binary(lenses, poses / "sparse");
+        write_colmap_model_binary(pinholes, poses / "pinhole");
+    }
+};
+
 TEST(StraightenedMasks, AStraightEdgeOfTheSceneIsStraightAgain) {
     const ScratchFolder scratch;
-    Capture lenses;
-    lenses.cameras = {{320, 240, LensModel::kSimpleRadial, {280, 160, 120, -0.2}}};
-    lenses.views = {{"walk/a.jpg", 0, {}}};
-    Capture pinholes = lenses;
-    pinholes.cameras = {{320, 240, LensModel::kPinhole, {330, 330, 160, 120}}};
-    write_colmap_model_binary(lenses, scratch / "poses" / "sparse");
-    write_colmap_model_binary(pinholes, scratch / "poses" / "pinhole");
+    const Capture lenses = BentView(scratch / "poses").lenses;
     // Drawn at twice the photograph's size: the subject lies right of column 60 of the straight
     // picture, which bends by several pixels in the photograph.
     GrayImage drawn(640, 480);
@@ -101,6 +110,47 @@ TEST(StraightenedMasks, AStraightEdgeOfTheSceneIsStraightAgain) {
             ASSERT_EQ(mask(x, y) != 0, x >= 60) << x << ' ' << y;
         }
     }
+}
+
+TEST(StraightenedDepth, ASlantedPlaneIsWhereThePinholeSeesIt) {
+    const ScratchFolder scratch;
+    const BentView view(scratch / "poses");
+    // The plane z = 2 + 0.5 x, at twice the photograph's size: x = z * tangent.
+    const auto depth_along = [](const Eigen::Vector3d& ray) {
+        return 2 / (1 - 0.5 * ray.x() / ray.z());
+    };
+    FloatImage depth(640, 480);
+    for (int y = 0; y < 480; ++y) {
+        for (int x = 0; x < 640; ++x) {
+            depth(x, y) = static_cast<float>(
+                depth_along(unproject(view.lenses.cameras[0], {(x + 0.5) / 2, (y + 0.5) / 2})));
+        }
+    }
+    write_float_tiff(scratch / "depth" / "walk" / "a.tiff", depth);
+    SilentProgress progress;
+    const auto folder = straighten_depth({scratch / "depth"}, view.pinholes, scratch / "poses",
+                                         scratch / "out", 1, progress);
+    ASSERT_EQ(folder, scratch / "out");
+    const FloatImage straight = read_float_tiff(folder / "walk" / "a.jpg.tiff");
+    ASSERT_EQ(straight.width(), 320);
+    for (int y = 0; y < 240; ++y) {
+        for (int x = 0; x < 320; ++x) {
+            const auto ray = unproject(view.pinholes.cameras[0], {x + 0.5, y + 0.5});
+            // Half a sample to the side, a quarter of a pixel, changes it by z^2 / 4 times that
+            // over the focal length at most; a whole pixel by four times as much.
+            ASSERT_NEAR(straight(x, y), depth_along(ray), 0.003) << x << ' ' << y;
+        }
+    }
+}
+
+TEST(StraightenedDepth, IsTheUsersOwnWhereNoLensBends) {
+    const ScratchFolder scratch;
+    const Capture pinholes = BentView(scratch / "poses").pinholes;
+    write_colmap_model_binary(pinholes, scratch / "poses" / "sparse");
+    SilentProgress progress;
+    EXPECT_EQ(straighten_depth({scratch / "depth"}, pinholes, scratch / "poses", scratch / "out", 1,
+                               progress),
+              scratch / "depth");
 }
 
 }  // namespace

@@ -10,6 +10,14 @@
 namespace lumi {
 namespace {
 
+TEST(ProcessMemory, HoldsAsManyPiecesAsFitBesideWhatIsKept) {
+    EXPECT_EQ(pieces_within(100, 40, 20, 8), 3);
+    EXPECT_EQ(pieces_within(100, 40, 1, 8), 8);
+    EXPECT_EQ(pieces_within(100, 100, 20, 8), 1);
+    EXPECT_EQ(pieces_within(100, 200, 20, 8), 1) << "one there always is";
+    EXPECT_EQ(pieces_within(100, 40, 0, 8), 8);
+}
+
 TEST(ProcessMemory, ThePeakRisesByWhatIsTakenAndCanBeForgotten) {
 #ifdef __SANITIZE_ADDRESS__
     GTEST_SKIP() << "the address sanitizer keeps what is freed for a while";

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "calib/capture/degrees.h"
@@ -56,6 +58,36 @@ TEST(Strip, IsWhatRowsArcsAndRingsGet) {
         const std::size_t ends = row.ring ? 0 : 2;
         EXPECT_EQ(built.mesh.vertices.size(), 2 * (row.centres.size() + ends)) << row.name;
         EXPECT_GE(built.evidence.kernel_radius_over_scene_radius, 1.0) << row.name;
+    }
+}
+
+/// The views in the order of the strip, from the first one onwards, in the direction of the second.
+std::vector<int> order_along(const CameraMesh& mesh) {
+    std::vector<int> order;
+    for (const CameraMesh::Vertex& vertex : mesh.vertices) {
+        if (order.empty() || order.back() != vertex.view_index) order.push_back(vertex.view_index);
+    }
+    if (order.size() > 1 && order.front() == order.back()) order.pop_back();
+    std::rotate(order.begin(), std::find(order.begin(), order.end(), 0), order.end());
+    if (order.size() > 2 && order[1] > order.back()) std::reverse(order.begin() + 1, order.end());
+    return order;
+}
+
+TEST(Strip, OfARaisedRingIsTheSameWhetherItIsFoundOrAskedFor) {
+    std::vector<int> around(16);
+    std::iota(around.begin(), around.end(), 0);
+    for (const double elevation_deg : {0.0, 15.0, 26.0, 40.0, 60.0}) {
+        std::mt19937 random(1);
+        const double height = 4 * std::tan(elevation_deg * kRadiansPerDegree);
+        const Capture capture = capture_of(arc(16, 0, 337.5, height), Eigen::Vector3d::Zero(),
+                                           points_in_ball(300, Eigen::Vector3d::Zero(), 1, random));
+        const CameraMesh asked =
+            build_camera_mesh(capture, all_views(capture), {.construction = "line"}).mesh;
+        EXPECT_EQ(order_along(asked), around) << elevation_deg;
+        if (elevation_deg > 44) continue;  // Higher up a surface serves better.
+        const CameraMesh found = build_camera_mesh(capture, all_views(capture), {}).mesh;
+        ASSERT_EQ(found.construction, MeshConstruction::kLine) << elevation_deg;
+        EXPECT_EQ(order_along(found), around) << elevation_deg;
     }
 }
 

@@ -11,9 +11,9 @@ constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
 constexpr std::uint64_t kPixels = 6'000'000;
 
 DepthMemory predicted(std::size_t views, int threads, std::uint64_t budget_mib,
-                      const std::string& model = "sweep") {
+                      const std::string& model = "sweep", int max_neighbours = 4) {
     return predicted_depth_memory(std::vector<std::uint64_t>(views, kPixels), model, threads,
-                                  budget_mib * kMiB, 150 * kMiB);
+                                  budget_mib * kMiB, 150 * kMiB, max_neighbours);
 }
 
 TEST(DepthMemory, AViewMoreAddsItsPictureTwoMapsAndHalfOfItsContinuation) {
@@ -37,6 +37,20 @@ TEST(DepthMemory, FewerViewsAtOneTimeKeepItWithinTheBudget) {
     EXPECT_EQ(predicted(16, 8, 1).views_filled, 1);
 }
 
+TEST(DepthMemory, AsManyPredictorsAreMatchedAtOneTimeAsTheBudgetAllows) {
+    EXPECT_EQ(predicted(40, 64, 100'000, "auto", 32).views_tried, 32);
+    EXPECT_EQ(predicted(40, 8, 100'000, "auto", 32).views_tried, 8);
+    EXPECT_EQ(predicted(40, 64, 100'000, "auto", 6).views_tried, 6);
+    EXPECT_EQ(predicted(40, 64, 1, "auto", 32).views_tried, 1);
+    for (const int neighbours : {4, 6, 8}) {
+        const DepthMemory memory = predicted(16, 64, 2048, "auto", neighbours);
+        EXPECT_LE(memory.in_use + memory.choosing, 2048 * kMiB) << neighbours;
+        EXPECT_LT(memory.views_tried, neighbours);
+    }
+    EXPECT_GT(predicted(40, 64, 100'000, "auto", 32).choosing,
+              2 * predicted(40, 64, 100'000, "auto", 4).choosing);
+}
+
 TEST(DepthMemory, AModelThatDoesMoreTakesMore) {
     std::uint64_t before = 0;
     for (const char* model : {"plane", "pair_stereo", "sweep", "patch_match"}) {
@@ -49,7 +63,7 @@ TEST(DepthMemory, AModelThatDoesMoreTakesMore) {
 TEST(DepthMemory, ALargerMapTakesMoreToMatchForEachOfItsPixels) {
     const auto matching = [](std::uint64_t pixels) {
         const auto memory =
-            predicted_depth_memory({pixels}, "sweep", 1, 100'000 * kMiB, 150 * kMiB);
+            predicted_depth_memory({pixels}, "sweep", 1, 100'000 * kMiB, 150 * kMiB, 4);
         return memory.matching;
     };
     // As many costs a pixel as the sweep is sure to search, of three bytes, and the pictures.

@@ -178,6 +178,22 @@ TEST(DepthStage, TakesImportedDepthInsteadOfItsOwn) {
     EXPECT_EQ(result.depth_maps[1].inverse_depth(7, 7), 0.2F);
 }
 
+TEST(DepthStage, RefusesImportedDepthThatSaysNothing) {
+    const ScratchFolder folder;
+    const PosedPhotographs photographs = written(board_and_wall(), folder.path());
+    for (const View& view : photographs.capture.views) {
+        write_float_tiff(folder.path() / (view.name + ".tiff"), FloatImage(240, 180, 0.0F));
+    }
+    DepthOptions options;
+    options.import_folder = folder.path();
+    try {
+        (void)depth_of(photographs, {0, 1}, options);
+        ADD_FAILURE() << "expected E-DEPTH-EMPTY";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-DEPTH-EMPTY");
+    }
+}
+
 TEST(DepthStage, WarnsWhereImportedDepthIsInAnotherUnitThanThePoses) {
     const ScratchFolder folder;
     const KnownDepthScene known = board_and_wall();

@@ -16,6 +16,11 @@ constexpr int kWidth = 120;
 constexpr int kHeight = 80;
 constexpr float kOnePixel = 0.01F;
 
+void fill_and_smooth(DepthMap& map, const ColorImage& photograph, float fallback) {
+    continue_known_depth(map, FloatImage(kWidth, kHeight, fallback), kOnePixel);
+    smooth_filled_depth(map, photograph, kOnePixel);
+}
+
 TEST(EdgeAwareFill, KeepsWhatIsKnown) {
     std::mt19937 random(11);
     DepthMap map{FloatImage(kWidth, kHeight), GrayImage(kWidth, kHeight)};
@@ -26,7 +31,7 @@ TEST(EdgeAwareFill, KeepsWhatIsKnown) {
         map.confidence.pixels()[i] = random() % 4 == 0 ? 0 : 200;
     }
     const DepthMap before = map;
-    edge_aware_fill(map, photograph, FloatImage(kWidth, kHeight, 0.5F), kOnePixel);
+    fill_and_smooth(map, photograph, 0.5F);
     EXPECT_EQ(map.confidence, before.confidence);
     for (std::size_t i = 0; i < photograph.pixels().size(); ++i) {
         if (before.confidence.pixels()[i] == 0) continue;
@@ -49,7 +54,7 @@ TEST(EdgeAwareFill, ContinuesTheBackgroundBesideAnObject) {
             }
         }
     }
-    edge_aware_fill(map, photograph, FloatImage(kWidth, kHeight, 0.5F), kOnePixel);
+    fill_and_smooth(map, photograph, 0.5F);
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 45; x < 60; ++x) {
             ASSERT_NEAR(map.inverse_depth(x, y), 0.2F, kOnePixel) << x << " " << y;
@@ -101,7 +106,7 @@ TEST(EdgeAwareFill, ClosesAHoleInASlantedPlane) {
             if (x >= 50 && x < 70 && y >= 30 && y < 50) map.confidence(x, y) = 0;
         }
     }
-    edge_aware_fill(map, ColorImage(kWidth, kHeight), FloatImage(kWidth, kHeight), kOnePixel);
+    fill_and_smooth(map, ColorImage(kWidth, kHeight), 0.0F);
     for (int y = 30; y < 50; ++y) {
         for (int x = 50; x < 70; ++x) {
             ASSERT_NEAR(map.inverse_depth(x, y), plane(x, y), kOnePixel) << x << " " << y;
@@ -111,7 +116,7 @@ TEST(EdgeAwareFill, ClosesAHoleInASlantedPlane) {
 
 TEST(EdgeAwareFill, WithNothingKnownTakesTheFallback) {
     DepthMap map{FloatImage(kWidth, kHeight), GrayImage(kWidth, kHeight)};
-    edge_aware_fill(map, ColorImage(kWidth, kHeight), FloatImage(kWidth, kHeight, 0.5F), kOnePixel);
+    fill_and_smooth(map, ColorImage(kWidth, kHeight), 0.5F);
     for (const float value : map.inverse_depth.pixels()) ASSERT_NEAR(value, 0.5F, 1e-6F);
 }
 

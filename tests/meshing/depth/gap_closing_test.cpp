@@ -15,11 +15,17 @@ TEST(GapClosing, GivesAGapTheMedianAroundItAndLeavesLonePixelsOut) {
     }
     map.confidence(4, 5) = 0;
     map.inverse_depth(6, 3) = 100.0F;  // One wrong pixel.
+    map.confidence(2, 5) = 0;          // Among pixels that one view alone confirms.
+    for (int y = 4; y < 7; ++y) {
+        for (int x = 1; x < 4; ++x) map.confidence(x, y) = map.confidence(x, y) == 0 ? 0 : 128;
+    }
     map.inverse_depth(15, 5) = 7.0F;
     map.confidence(15, 5) = 255;
     const DepthMap closed = with_gaps_closed(map);
     EXPECT_EQ(closed.confidence(4, 5), 255);
     EXPECT_NEAR(closed.inverse_depth(4, 5), 4.0F, 1.0F);
+    EXPECT_EQ(closed.confidence(2, 5), 255);
+    EXPECT_EQ(closed.inverse_depth(2, 5), 2.0F);
     EXPECT_NEAR(closed.inverse_depth(6, 3), 6.0F, 1.0F);
     EXPECT_EQ(closed.confidence(15, 5), 0);
     EXPECT_EQ(closed.confidence(12, 5), 0) << "wider gaps stay";

@@ -18,10 +18,14 @@ DepthView view_named(const std::string& name) {
     return view;
 }
 
+DepthMap imported(const DepthView& view, const std::filesystem::path& folder) {
+    return imported_depth(view, imported_depth_file({view.name}, 0, folder));
+}
+
 void expect_refused(const DepthView& view, const std::filesystem::path& folder,
                     const std::string& code) {
     try {
-        (void)imported_depth(view, folder);
+        (void)imported(view, folder);
         ADD_FAILURE() << "expected " << code;
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), code) << error.what();
@@ -35,7 +39,7 @@ TEST(ImportedDepth, IsTheInverseOfWhatTheFileSays) {
     depth(31, 41) = std::numeric_limits<float>::quiet_NaN();
     depth(51, 41) = std::numeric_limits<float>::infinity();
     write_float_tiff(folder.path() / "walk" / "one.tiff", depth);
-    const DepthMap map = imported_depth(view_named("walk/one.jpg"), folder.path());
+    const DepthMap map = imported(view_named("walk/one.jpg"), folder.path());
     EXPECT_EQ(map.inverse_depth.width(), 240);
     EXPECT_EQ(map.inverse_depth(0, 0), 0.25F);
     EXPECT_EQ(map.confidence(0, 0), 255);
@@ -50,7 +54,7 @@ TEST(ImportedDepth, OfATallPhotographMayBeRoundedInWidth) {
     DepthView view = view_named("one.jpg");
     view.camera = pinhole_camera(333, 1000, 900.0);
     write_float_tiff(folder.path() / "one.tiff", FloatImage(17, 50, 2.0F));  // Of 16.65 pixels.
-    EXPECT_EQ(imported_depth(view, folder.path()).inverse_depth(332, 999), 0.5F);
+    EXPECT_EQ(imported(view, folder.path()).inverse_depth(332, 999), 0.5F);
 }
 
 TEST(ImportedDepth, RefusesWhatIsMissingMisshapenOrNegative) {
@@ -60,6 +64,29 @@ TEST(ImportedDepth, RefusesWhatIsMissingMisshapenOrNegative) {
     expect_refused(view_named("one.jpg"), folder.path(), "E-DEPTH-SIZE");
     write_float_tiff(folder.path() / "two.jpg.tif", FloatImage(240, 180, -1.0F));
     expect_refused(view_named("two.jpg"), folder.path(), "E-DEPTH-VALUE");
+}
+
+TEST(ImportedDepth, OfTwoPhotographsOfOneStemIsToldByTheWholeName) {
+    const ScratchFolder folder;
+    const std::vector<std::string> names{"one.jpg", "one.png", "two.jpg"};
+    const auto file_of = [&](std::size_t index) {
+        return imported_depth_file(names, index, folder.path());
+    };
+    const FloatImage depth(240, 180, 4.0F);
+    write_float_tiff(folder.path() / "one.tiff", depth);
+    write_float_tiff(folder.path() / "two.tiff", depth);
+    EXPECT_EQ(file_of(2), folder.path() / "two.tiff");
+    for (const std::size_t index : {0U, 1U}) {
+        try {
+            (void)file_of(index);
+            ADD_FAILURE() << "expected E-DEPTH-SHARED";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-DEPTH-SHARED") << error.what();
+        }
+    }
+    write_float_tiff(folder.path() / "one.png.tiff", depth);
+    EXPECT_EQ(file_of(0), folder.path() / "one.tiff") << "the other one has its own";
+    EXPECT_EQ(file_of(1), folder.path() / "one.png.tiff");
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ TEST(SurroundingDepth, LetsTheFillContinueABackgroundThatTheViewSeesAlone) {
     }
     const double one_pixel = 1 / known.scene.views[0].disparity_px_per_inverse_depth;
     const SurroundingDepth around = surrounding_depth(known.scene, maps, 0, nothing_within());
-    edge_aware_fill(map, known.scene.views[0].photograph, FloatImage(240, 180, 0.5F), one_pixel,
-                    around);
+    continue_known_depth(map, FloatImage(240, 180, 0.5F), one_pixel, around);
+    smooth_filled_depth(map, known.scene.views[0].photograph, one_pixel);
     const FloatImage errors = errors_px(map, known.inverse_depths[0], known.scene.views[0]);
     int right = 0;
     int all = 0;

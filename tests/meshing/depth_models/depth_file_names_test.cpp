@@ -28,7 +28,7 @@ TEST(DepthFile, APfmMayPutAnyWhiteSpaceBetweenTheFieldsOfItsHeader) {
     const auto path = folder.path() / "a.pfm";
     for (const char* header :
          {"Pf\n3 2\n-1.0\n", "Pf\r\n3 2\r\n-1.0\r\n", "Pf\n3\n2\n-1\n", "Pf\r3 2\r-1.0\r",
-          "Pf \n 3  2 \n -1.000000\n", "Pf\n3 2\r\n-1.0\n"}) {
+          "Pf \n 3  2 \n -1.000000\n", "Pf\n+3 +2\n-1.0\n", "Pf\n3 2\r\n-1.0\n"}) {
         write_pfm(path, header);
         const FloatImage image = read_depth_file(path, 1);
         ASSERT_EQ(image.width(), 3) << header;
@@ -79,7 +79,8 @@ TEST(ImportedDepth, IsFoundWhateverTheCaseOfItsEnding) {
                           : stem == "c" ? "c.PFM"
                                         : "d.pfm";
         write_pfm(folder.path() / file, "Pf\n3 2\n-1\n");
-        const DepthMap map = imported_depth(view, folder.path(), 1);
+        const DepthMap map =
+            imported_depth(view, imported_depth_file({view.name}, 0, folder.path()), 1);
         EXPECT_EQ(map.inverse_depth(2, 1), 1.0F / 5) << name;
     }
 }

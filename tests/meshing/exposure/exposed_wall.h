@@ -48,6 +48,19 @@ class ExposedWall {
             }
         }
     }
+    /// Light that falls on the wall differently from where a view stands: so much more of it per
+    /// width of the picture, and as much as ever in the middle.
+    void shade(int view, double slope) {
+        ColorImage& picture = photograph(view);
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                const double factor = 1 + slope * ((x + 0.5) / picture.width() - 0.5);
+                Rgb8& pixel = picture(x, y);
+                pixel = {exposed(pixel.r, factor), exposed(pixel.g, factor),
+                         exposed(pixel.b, factor)};
+            }
+        }
+    }
     /// A highlight that stands elsewhere in each photograph.
     void add_highlights() {
         for (std::size_t i = 0; i < depths_.size(); ++i) {
@@ -57,6 +70,13 @@ class ExposedWall {
                 for (int x = left; x < left + 40; ++x) picture(x, y) = {240, 235, 230};
             }
         }
+    }
+
+    /// Depth that is not seen but filled, all over the wall.
+    void forget_depth(std::uint8_t confidence) {
+        for (DepthMap& depth : depths_)
+            std::fill(depth.confidence.pixels().begin(), depth.confidence.pixels().end(),
+                      confidence);
     }
 
     /// As a lens of such a falloff does (light_left.h).

@@ -124,6 +124,62 @@ TEST(ExposureGains, AreNoneWhereNothingCanBeCompared) {
     EXPECT_EQ(found.model, ExposureModel::kNone);
     EXPECT_EQ(found.pairs, 0);
     EXPECT_EQ(exposure_gains(0, {}).gains.size(), 0U);
+    for (const std::uint8_t confidence : {std::uint8_t{0}, kFilledBeforeBackground}) {
+        ExposedWall guessed(kViews);
+        guessed.forget_depth(confidence);
+        EXPECT_EQ(gains_of(guessed).pairs, 0) << static_cast<int>(confidence);
+    }
+}
+
+TEST(ExposureGains, HaveAGeometricMeanOfOneHoweverLargeTheyAre) {
+    const std::vector<double> log_factors{12.0, -0.4, -0.2, 0.0, 0.2, 0.4};  // The first is absurd.
+    std::vector<ExposureRatio> ratios;
+    for (std::size_t second = 1; second < log_factors.size(); ++second) {
+        for (std::size_t first = 0; first < second; ++first) {
+            const Eigen::Vector3d both =
+                Eigen::Vector3d::Constant(log_factors[second] - log_factors[first]);
+            ratios.push_back(
+                {static_cast<int>(first), static_cast<int>(second), {both, both}, 0.0});
+        }
+    }
+    const ExposureGains found = exposure_gains(static_cast<int>(log_factors.size()), ratios);
+    ASSERT_NE(found.model, ExposureModel::kNone);
+    double sum_of_logs = 0;
+    for (const auto& gain : found.gains) sum_of_logs += std::log(gain[0]);
+    EXPECT_NEAR(sum_of_logs, 0.0, 1e-9);
+    EXPECT_GT(found.largest_stops, 1.5);
+}
+
+/// Of two photographs, or three that meet in one of them, whose tiles differ by this on average,
+/// and scatter by 0.1.
+ExposureModel model_of_few(int views, double log_ratio, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal(0.0, 0.1);
+    std::vector<SharedTiles> pairs;
+    for (int second = 1; second < views; ++second) {
+        SharedTiles& pair = pairs.emplace_back(SharedTiles{0, second, {}});
+        for (std::size_t i = 0; i < 40; ++i) {
+            const double tile = log_ratio + normal(random);
+            pair.tiles.push_back({i % 2, Eigen::Vector3d::Constant(tile), 0.0});
+        }
+    }
+    return exposure_gains(views, exposure_ratios(pairs, 0.0)).model;
+}
+
+TEST(ExposureGains, OfTwoOrThreePhotographsAreToldFromChance) {
+    constexpr unsigned kTrials = 200;
+    for (const int views : {2, 3}) {
+        unsigned of_chance = 0;
+        unsigned of_exposure = 0;
+        for (unsigned seed = 0; seed < kTrials; ++seed) {
+            if (model_of_few(views, 0.0, seed) != ExposureModel::kNone) ++of_chance;
+            if (model_of_few(views, 0.3, seed) == ExposureModel::kGain) ++of_exposure;
+        }
+        // Beyond a standard error of the tiles chance comes one time in six, and of that some is
+        // less than what the two colours differ by.
+        EXPECT_LT(of_chance, kTrials / 10) << views;
+        EXPECT_GT(of_exposure, kTrials * 9 / 10) << views;
+    }
 }
 
 /// Exact ratios along a chain and across it, a fifth of them wrong.
@@ -167,6 +223,19 @@ TEST(ExposureGains, DoNotAddUpWhereTilesDisagree) {
     };
     EXPECT_GT(exposure_gains(kCount, ratios_with(0.01)).largest_stops, 1.0);
     EXPECT_LT(exposure_gains(kCount, ratios_with(0.3)).largest_stops, 0.5);
+}
+
+TEST(GainsAmongNeighbours, StayWithinWhatAPackageMayHold) {
+    std::vector<std::array<double, 3>> gains(6, {0.1, 0.1, 0.1});
+    gains[0] = {100, 100, 100};
+    std::vector<Eigen::Vector3d> centres;
+    for (int i = 0; i < 6; ++i) centres.emplace_back(i, 0, 0);
+    for (const auto& gain : gains_among_neighbours(gains, centres)) {
+        for (const double of_channel : gain) {
+            EXPECT_LE(of_channel, 16);
+            EXPECT_GE(of_channel, 1.0 / 16);
+        }
+    }
 }
 
 TEST(GainsAmongNeighbours, UndoAJumpAndLeaveASlowChange) {

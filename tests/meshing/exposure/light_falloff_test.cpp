@@ -44,6 +44,16 @@ TEST(LightFalloff, IsNoneWhereCornersAreBrighter) {
     EXPECT_EQ(falloff_of(wall), 0.0);
 }
 
+TEST(LightFalloff, IsNotTakenFromTwoOrThreePhotographsOnWhichLightFallsDifferently) {
+    for (const int count : {2, 3}) {
+        for (const double slope : {-0.1, 0.1}) {
+            ExposedWall wall(count);
+            for (int view = 0; view < count; ++view) wall.shade(view, slope * view);
+            EXPECT_EQ(falloff_of(wall), 0.0) << count << " views, " << slope;
+        }
+    }
+}
+
 TEST(LightFalloff, IsNoneWhereNothingCanBeCompared) {
     ExposedWall one(1);
     EXPECT_EQ(falloff_of(one), 0.0);

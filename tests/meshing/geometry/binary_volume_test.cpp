@@ -284,6 +284,23 @@ TEST(BinaryVolume, AMetaImageWithoutElementSpacingHasItsElementSize) {
               Eigen::Vector3d(2, 3, -4));
 }
 
+TEST(BinaryVolume, AMetaImageMayWriteLocalAsItLikesAndNumbersWithTheirSign) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "v.mha";
+    for (const char* local : {"LOCAL", "Local", "local"}) {
+        write_volume(path,
+                     std::string("ObjectType = Image\nNDims = 3\nDimSize = 3 2 2\n"
+                                 "Offset = +10 -20 +30\nElementType = MET_UCHAR\n"
+                                 "ElementDataFile = ") +
+                         local + "\n",
+                     bytes_of_cells<std::uint8_t>(kCells));
+        const BinaryVolume volume = read_binary_volume(path, 0.5);
+        EXPECT_EQ(volume.solid, std::vector<bool>(kCells.begin(), kCells.end())) << local;
+        EXPECT_TRUE((volume.world_from_grid * Eigen::Vector3d(0.5, 0.5, 0.5))
+                        .isApprox(Eigen::Vector3d(10, -20, 30)));
+    }
+}
+
 TEST(BinaryVolume, ANrrdMayWriteItsByteOrderInCapitals) {
     const ScratchFolder folder;
     const auto path = folder.path() / "v.nrrd";

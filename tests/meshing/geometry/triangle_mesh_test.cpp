@@ -136,6 +136,17 @@ TEST(TriangleMesh, ReadsObjWithCommentsBehindItsNumbersAndANameInCapitals) {
     EXPECT_EQ(mesh.faces, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}));
 }
 
+TEST(TriangleMesh, NumbersMayHaveAPlusSignButNotTwoSigns) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "m.obj";
+    write_whole_text(path, "v +1 -2 +3e+0\nv 4 5 6\nv 7 8 10\nf 1 2 3\n");
+    EXPECT_EQ(read_triangle_mesh(path).vertices.front(), Eigen::Vector3d(1, -2, 3));
+    for (const char* wrong : {"+-1", "++1", "+"}) {
+        write_whole_text(path, std::string("v ") + wrong + " 2 3\nv 4 5 6\nv 7 8 10\nf 1 2 3\n");
+        EXPECT_EQ(code_of_reading(path), "E-GEOMETRY-READ") << wrong;
+    }
+}
+
 TEST(TriangleMesh, AnObjFileMayBeginWithAByteOrderMark) {
     const ScratchFolder folder;
     const auto path = folder.path() / "m.Obj";

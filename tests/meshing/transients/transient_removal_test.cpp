@@ -111,7 +111,7 @@ class Wall {
             views.push_back({&view.photograph, view.camera, view.cam_from_world, &depths_[i]});
         }
         SilentProgress progress;
-        return without_transients(views, threads, progress);
+        return without_transients(views, threads, UINT64_MAX, progress);
     }
 
     static constexpr double kDistance = 4.0;
@@ -283,7 +283,7 @@ TEST(TransientRemoval, LeavesWhatOthersCannotSee) {
         views.push_back({&view.photograph, view.camera, view.cam_from_world, &depths[i]});
     }
     SilentProgress progress;
-    EXPECT_TRUE(without_transients(views, 2, progress).empty());
+    EXPECT_TRUE(without_transients(views, 2, UINT64_MAX, progress).empty());
 }
 
 TEST(TransientRemoval, LeavesPatchesThatAreTooSmall) {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+
+#include "calib/capture/capture.h"
+#include "calib/work/progress.h"
+
+namespace lumi {
+
+/// Depth maps made elsewhere (imported_depth.h), of photographs as the lens bent them.
+struct ImportedDepthMaps {
+    std::filesystem::path folder;
+    double png_unit = 0.001;  ///< World units a level of a 16-bit PNG stands for.
+};
+
+/// The later stages see straight pictures. Brings the depth map of each of these views onto its
+/// straightened picture, as NAME.tiff in `folder`, and returns that folder: each pixel gets the
+/// nearest sample, and z as it is, since lens and pinhole look the same way. Where no lens bends,
+/// nothing is written, and the maps' own folder is returned.
+///
+/// `pinholes`: of the views; `poses_folder`: of the poses stage, which knows their lenses. Throws
+/// Error (E-DEPTH-MISSING, E-DEPTH-SHARED, E-DEPTH-SIZE, E-DEPTH-VALUE, E-DEPTH-FORMAT).
+[[nodiscard]] std::filesystem::path straighten_depth(const ImportedDepthMaps& imported,
+                                                     const Capture& pinholes,
+                                                     const std::filesystem::path& poses_folder,
+                                                     const std::filesystem::path& folder,
+                                                     int threads, Progress& progress);
+
+}  // namespace lumi
