@@ -108,6 +108,30 @@ GrayImage mask_of_background(const ColorImage& picture, Rgb8 background) {
     return mask;
 }
 
+bool holds_the_scene(const std::vector<GrayImage>& masks, const DepthScene& scene) {
+    constexpr double kBackdropDensity = 0.2;
+    double points_beyond = 0;
+    double points = 0;
+    double pixels_beyond = 0;
+    double pixels = 0;
+    for (std::size_t i = 0; i < masks.size(); ++i) {
+        const GrayImage& mask = masks[i];
+        const auto beyond = std::count(mask.pixels().begin(), mask.pixels().end(), 0);
+        pixels_beyond += static_cast<double>(beyond);
+        pixels += static_cast<double>(mask.pixels().size());
+        for (const SparsePoint& point : scene.views[i].points) {
+            const Eigen::Vector2i pixel = point.pixel.array().floor().cast<int>();
+            if (!mask.contains(pixel.x(), pixel.y())) continue;
+            ++points;
+            if (mask(pixel.x(), pixel.y()) == 0) ++points_beyond;
+        }
+    }
+    const double points_before = points - points_beyond;
+    // Densities compared, without a quotient that may be none.
+    return points_beyond * (pixels - pixels_beyond) >
+           kBackdropDensity * points_before * pixels_beyond;
+}
+
 SceneMasks scene_masks(const DepthScene& scene, const std::filesystem::path& folder,
                        bool looks_for_background, int threads) {
     const bool is_drawn = !folder.empty();
@@ -121,6 +145,8 @@ SceneMasks scene_masks(const DepthScene& scene, const std::filesystem::path& fol
             is_drawn ? drawn_mask(view.name, view.camera.width_px, view.camera.height_px, folder)
                      : mask_of_background(view.photograph, *masks.background);
     });
+    if (!is_drawn && holds_the_scene(masks.of_views, scene))
+        return {std::vector<GrayImage>(scene.views.size()), std::nullopt};
     return masks;
 }
 

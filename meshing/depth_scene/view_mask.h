@@ -18,13 +18,17 @@ namespace lumi {
 /// colour.
 [[nodiscard]] GrayImage mask_of_background(const ColorImage& picture, Rgb8 background);
 
+/// Whether what the masks of a plain background hide is a surface of the scene all the same, such as
+/// a pale wall: points were found and placed on it, a fifth as densely as on the rest or more.
+[[nodiscard]] bool holds_the_scene(const std::vector<GrayImage>& masks, const DepthScene& scene);
+
 struct SceneMasks {
     std::vector<GrayImage> of_views;  ///< Empty images where every pixel belongs to the scene.
     std::optional<Rgb8> background;   ///< The plain one that was found.
 };
 
 /// The masks of all views: drawn ones where a folder is given, else of a plain background if one
-/// is looked for and found.
+/// is looked for and found, unless it holds the scene.
 [[nodiscard]] SceneMasks scene_masks(const DepthScene& scene, const std::filesystem::path& folder,
                                      bool looks_for_background, int threads);
 

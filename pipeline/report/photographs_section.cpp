@@ -41,7 +41,11 @@ std::string used_photographs(const ReportSources& sources) {
             const auto held_out = pack.at("held_out").get<std::vector<std::string>>();
             const bool is_held_out =
                 std::binary_search(held_out.begin(), held_out.end(), photograph.name);
-            if (is_held_out) use = "held out";
+            const auto packed = pack.value("packed", std::vector<std::string>{photograph.name});
+            if (is_held_out)
+                use = "held out";
+            else if (std::find(packed.begin(), packed.end(), photograph.name) == packed.end())
+                use = "left out of the package";
         }
         rows.push_back(
             {photograph.name,

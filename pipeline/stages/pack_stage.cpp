@@ -145,7 +145,10 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     write_package(package_folder, lumigraph, extras);
     write_pack_record(folder, sources, package_folder);
 
+    Json packed = Json::array();
+    for (const LumigraphView& view : lumigraph.views) packed.push_back(view.name);
     const Json facts{{"views", lumigraph.views.size()},
+                     {"packed", std::move(packed)},
                      {"views_in_use", views_in_use},
                      {"held_out", sources.held_out},
                      {"points", sources.photographs.capture.points.size()},

@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Stress, HopelessCapture,
                          name_of_place);
 
 TEST(StressSummary, SaysWhatWasNotTried) {
-    Trial trial{Hazard::kBlur, 0.0, 1, 8, {}, {}, {}, 0, 0, {}};
+    Trial trial{Hazard::kBlur, 0.0, 1, 8, {}, {}, {}, 0, {}};
     trial.lumi.ending = Ending::kRight;
     EXPECT_THAT(hazards_text({trial}), testing::HasSubstr("COLMAP alone: not tried"));
     EXPECT_EQ(summary_of({trial}).colmap.failed, 0);
@@ -83,10 +83,10 @@ TEST(StressSummary, SaysWhatWasNotTried) {
 }
 
 TEST(StressSummary, CountsEndingsAndReasons) {
-    Trial right{Hazard::kBlur, 0.0, 1, 8, {}, {}, {}, 0, 0, {}};
+    Trial right{Hazard::kBlur, 0.0, 1, 8, {}, {}, {}, 0, {}};
     right.lumi.ending = Ending::kRight;
     right.colmap.ending = Ending::kFalse;
-    Trial refused{Hazard::kBlur, 12, 1, 8, {}, {}, {}, 0, 0, CaptureReason::kBlur};
+    Trial refused{Hazard::kBlur, 12, 1, 8, {}, {}, {}, 0, CaptureReason::kBlur};
     refused.lumi.ending = Ending::kRefused;
     refused.colmap.ending = Ending::kRefused;
     Trial misnamed = refused;

@@ -65,6 +65,32 @@ TEST(ViewMask, APlainWallIsNoBackgroundOfNothing) {
     EXPECT_FALSE(plain_background(scene));
 }
 
+/// Points of a grid over the whole picture, every so many pixels on the ball and beside it.
+void place_points(DepthScene& scene, int on_ball_px, int beside_px) {
+    for (DepthView& view : scene.views) {
+        for (int y = 0; y < 180; ++y) {
+            for (int x = 0; x < 240; ++x) {
+                const bool is_ball = (x - 120) * (x - 120) + (y - 90) * (y - 90) < 60 * 60;
+                const int every_px = is_ball ? on_ball_px : beside_px;
+                if (x % every_px == 0 && y % every_px == 0)
+                    view.points.push_back({{x + 0.5, y + 0.5}, is_ball ? 1.0 : 0.5});
+            }
+        }
+    }
+}
+
+TEST(ViewMask, APaleWallThatPointsWereFoundOnBelongsToTheScene) {
+    const auto background_of = [](int on_ball_px, int beside_px) {
+        DepthScene scene = before_black_cloth(4);
+        place_points(scene, on_ball_px, beside_px);
+        return scene_masks(scene, {}, true, 1).background;
+    };
+    EXPECT_FALSE(background_of(8, 8));
+    EXPECT_FALSE(background_of(5, 10)) << "a quarter as many";
+    EXPECT_TRUE(background_of(5, 20)) << "creases of a cloth";
+    EXPECT_TRUE(scene_masks(before_black_cloth(4), {}, true, 1).background) << "nobody knows";
+}
+
 TEST(DepthStage, WhatAMaskLeavesOutIsInfinitelyFarAndTheRestIsUnharmed) {
     const ScratchFolder folder;
     const KnownDepthScene known = known_depth_scene(
