@@ -18,8 +18,8 @@ namespace lumi {
 /// colour.
 [[nodiscard]] GrayImage mask_of_background(const ColorImage& picture, Rgb8 background);
 
-/// Whether what the masks of a plain background hide is a surface of the scene all the same, such as
-/// a pale wall: points were found and placed on it, a fifth as densely as on the rest or more.
+/// Whether what the masks of a plain background hide is a surface of the scene all the same, such
+/// as a pale wall: points were found and placed on it, a fifth as densely as on the rest or more.
 [[nodiscard]] bool holds_the_scene(const std::vector<GrayImage>& masks, const DepthScene& scene);
 
 struct SceneMasks {
