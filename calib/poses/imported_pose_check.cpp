@@ -9,6 +9,7 @@
 
 #include "calib/matching/pair_verification.h"
 #include "calib/matching/photograph_matching.h"
+#include "calib/poses/imported_model_check.h"
 #include "calib/work/error.h"
 #include "calib/work/formatted.h"
 #include "calib/work/median.h"
@@ -16,13 +17,7 @@
 namespace lumi {
 namespace {
 
-// Of a picture's diagonal: ten times what depth can be found with.
-constexpr double kDeniedShare = 0.005;
 constexpr int kLeastPairs = 3;
-
-double diagonal_px(const Camera& camera) {
-    return std::hypot(static_cast<double>(camera.width_px), static_cast<double>(camera.height_px));
-}
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -174,58 +169,6 @@ PoseCheck check_matches(const Capture& capture, const std::vector<Features>& fea
                                     {.min_inliers = min_inliers}, threads, progress));
 }
 
-void refuse_one_place(const Capture& capture) {
-    if (capture.views.size() < 2) return;
-    const Eigen::Vector3d place = centre_in_world(capture.views.front().cam_from_world);
-    const double rounding = 1e-9 * (1 + place.norm());
-    for (const View& view : capture.views) {
-        if ((centre_in_world(view.cam_from_world) - place).norm() > rounding) return;
-    }
-    throw Error(
-        ErrorKind::kBadInput, "E-IMPORT-ONEPLACE",
-        "all " + std::to_string(capture.views.size()) + " imported cameras stand at one place",
-        "check that the other program exported places beside directions, or let lumi "
-        "estimate the poses");
-}
-
-[[noreturn]] void refuse_denied(const std::string& what) {
-    throw Error(ErrorKind::kBadInput, "E-IMPORT-DENIED", what,
-                "give the photographs that the poses were found with, poses in the axes of "
-                "their format, or let lumi estimate the poses");
-}
-
-/// By the points that came with the poses.
-void refuse_own_points(const Capture& capture) {
-    constexpr std::size_t kLeastObservations = 50;
-    std::size_t behind = 0;
-    std::vector<double> shares_of_diagonal;
-    for (const ScenePoint& point : capture.points) {
-        for (const Observation& seen : point.track) {
-            const View& view = capture.views[static_cast<std::size_t>(seen.view_index)];
-            const Camera& camera = camera_of(capture, view);
-            const auto pixel = project(camera, view.cam_from_world * point.position_in_world);
-            if (!pixel)
-                ++behind;
-            else
-                shares_of_diagonal.push_back((*pixel - seen.pixel).norm() / diagonal_px(camera));
-        }
-    }
-    const std::size_t observations = behind + shares_of_diagonal.size();
-    if (observations < kLeastObservations) return;
-    if (2 * behind > observations) {
-        refuse_denied(std::to_string(behind) + " of " + std::to_string(observations) +
-                      " times that the imported model says a camera sees a point, the point lies "
-                      "behind it");
-    }
-    const double off = median_of(std::move(shares_of_diagonal));
-    if (off > kDeniedShare) {
-        refuse_denied(
-            formatted("half of the imported points lie %.1f %% of a picture's diagonal "
-                      "or more beside where the imported model says they are seen",
-                      100 * off));
-    }
-}
-
 }  // namespace
 
 double distance_from_ray_px(const Camera& first, const Rigid3& first_from_world,
@@ -242,11 +185,6 @@ double distance_from_ray_px(const Camera& first, const Rigid3& first_from_world,
     return angle * focal_length_px(second).mean();
 }
 
-void expect_consistent(const Capture& capture) {
-    refuse_one_place(capture);
-    refuse_own_points(capture);
-}
-
 PoseCheck check_poses(const Capture& capture, const std::vector<ColmapPhotograph>& photographs,
                       const std::vector<VerifiedPair>& pairs) {
     PoseCheck check;
@@ -254,7 +192,7 @@ PoseCheck check_poses(const Capture& capture, const std::vector<ColmapPhotograph
     for (const VerifiedPair& pair : pairs) {
         const std::vector<double> errors = errors_px(capture, photographs, pair, 0);
         const View& second = capture.views[static_cast<std::size_t>(pair.second)];
-        const double denied_px = kDeniedShare * diagonal_px(camera_of(capture, second));
+        const double denied_px = denied_error_px(camera_of(capture, second));
         const double error_px = median_of(errors);
         ++check.pairs;
         if (error_px > denied_px) ++check.pairs_denied;
@@ -303,7 +241,7 @@ std::string warning_of(const PoseCheck& check) {
         std::to_string(check.pairs_denied) + of_pairs + "deny the imported poses: " +
         formatted("half of all matches are %.0f px or more from where they would have to be",
                   check.median_error_px);
-    if (is_told && 2 * check.pairs_denied > check.pairs) refuse_denied(denied);
+    if (is_told && 2 * check.pairs_denied > check.pairs) refuse_imported_poses(denied);
     if (check.pairs_denied > 0) return denied;
     if (check.pairs == 0)
         return "nothing confirms the imported poses: no pair of photographs tells";

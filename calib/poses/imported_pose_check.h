@@ -28,11 +28,6 @@ struct PoseCheck {
                                           const Camera& second, const Rigid3& second_from_world,
                                           const Eigen::Vector2d& pixel_in_second);
 
-/// What imported poses say without a look at photographs. Throws Error: E-IMPORT-ONEPLACE where all
-/// of several cameras stand at one place; E-IMPORT-DENIED where the points that came with them, if
-/// they are observed often enough, lie behind their cameras or far beside where these saw them.
-void expect_consistent(const Capture& capture);
-
 /// The matches of pairs against the poses of their views. Pairs are into `photographs`, which are
 /// those of the capture's views.
 [[nodiscard]] PoseCheck check_poses(const Capture& capture,

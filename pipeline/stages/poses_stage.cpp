@@ -6,6 +6,7 @@
 
 #include "calib/capture/colmap_model.h"
 #include "calib/pictures/undistortion.h"
+#include "calib/poses/imported_model_check.h"
 #include "calib/poses/imported_pose_check.h"
 #include "pipeline/stages/left_out_json.h"
 #include "pipeline/stages/lens_choice_json.h"

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "calib/poses/imported_model_check.h"
 #include "calib/work/error.h"
 #include "tests/calib/synthetic_capture.h"
 
