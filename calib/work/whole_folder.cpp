@@ -84,19 +84,21 @@ void clean_up_after_killed_runs(const fs::path& unsettled_target) {
     }
 }
 
+void refuse_loss(const fs::path& path, const std::string& reason) {
+    throw Error(ErrorKind::kUsage, "E-OUT-EXISTS", printable(path.string()) + ": " + reason,
+                "name a folder that is new or empty, or remove what is there first");
+}
+
 void expect_only_files_of_ours(const fs::path& folder,
                                const std::function<bool(const std::string&)>& is_written_there) {
-    const auto refuse = [](const fs::path& path, const std::string& reason) {
-        throw Error(ErrorKind::kUsage, "E-OUT-EXISTS", printable(path.string()) + ": " + reason,
-                    "name a folder that is new or empty, or remove what is there first");
-    };
     std::error_code status;
     if (!fs::exists(fs::symlink_status(folder, status))) return;
-    if (!fs::is_directory(folder, status)) refuse(folder, "is there already and is not a folder");
+    if (!fs::is_directory(folder, status))
+        refuse_loss(folder, "is there already and is not a folder");
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         const bool is_file = entry.symlink_status().type() == fs::file_type::regular;
         if (!is_file || !is_written_there(entry.path().filename().string()))
-            refuse(entry.path(), "would be lost, as the folder is written anew");
+            refuse_loss(entry.path(), "would be lost, as the folder is written anew");
     }
 }
 

@@ -44,6 +44,9 @@ void require_writable_whole_folder(const std::filesystem::path& target);
 /// runs that are still alive are left alone.
 void clean_up_after_killed_runs(const std::filesystem::path& target);
 
+/// Throws Error (E-OUT-EXISTS): what stands at the path would be lost.
+[[noreturn]] void refuse_loss(const std::filesystem::path& path, const std::string& reason);
+
 /// For folders that a user names: what stands there is replaced as a whole, and a mistyped path
 /// must not cost a folder of photographs. Throws Error (E-OUT-EXISTS) unless `folder` is missing,
 /// or a folder that holds only files whose names `is_written_there` knows.

@@ -9,8 +9,8 @@
 #include "calib/work/child_process.h"
 #include "calib/work/counted.h"
 #include "calib/work/error.h"
-#include "calib/work/printable.h"
 #include "calib/work/whole_file.h"
+#include "calib/work/whole_folder.h"
 #include "pipeline/line/line.h"
 #include "pipeline/stages/photograph_list.h"
 #include "pipeline/workspace/json_file.h"
@@ -36,10 +36,7 @@ std::vector<int> read_counts(const ConfigSection& section, const std::string& ke
 void remove_links(const fs::path& folder) {
     std::error_code status;
     for (const auto& entry : fs::directory_iterator(folder, status)) {
-        if (!entry.is_symlink())
-            throw Error(ErrorKind::kUsage, "E-OUT-EXISTS",
-                        printable(entry.path().string()) + ": would be lost",
-                        "name a folder that is new or empty, or remove what is there first");
+        if (!entry.is_symlink()) refuse_loss(entry.path(), "would be lost");
         fs::remove(entry.path());
     }
 }

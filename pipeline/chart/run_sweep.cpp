@@ -135,7 +135,7 @@ class SweepRun {
             if (!result_.variants[i].failure.empty()) continue;
             std::vector<Photograph> copies =
                 read_photograph_list(
-                    workspace_of_variant(variants()[i], folder_).stage_folder("ingest"))
+                    variant_layout(variants()[i], folder_, 0).stage_folder("ingest"))
                     .photographs;
             double pixels = 0.0;
             for (const Photograph& copy : copies) {
@@ -154,7 +154,7 @@ class SweepRun {
     void measure(std::size_t index) {
         if (!result_.variants[index].failure.empty()) return;
         attempt(index, [&] {
-            const WorkspaceLayout workspace = workspace_of_variant(variants()[index], folder_);
+            const WorkspaceLayout workspace = variant_layout(variants()[index], folder_, 0);
             const std::string what = identity_of_measurement(workspace);
             std::vector<RenderMode> missing;
             for (const RenderMode mode : result_.sweep.modes) {
@@ -246,10 +246,6 @@ double package_mib(const fs::path& package_folder) {
         if (entry.is_regular_file()) bytes += entry.file_size();
     }
     return static_cast<double>(bytes) / (1024.0 * 1024.0);
-}
-
-WorkspaceLayout workspace_of_variant(const Variant& variant, const fs::path& folder) {
-    return variant_layout(variant, folder, 0);
 }
 
 ChartResult run_sweep(const Sweep& sweep, const fs::path& folder, int threads, Progress& progress,

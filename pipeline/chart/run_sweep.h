@@ -20,10 +20,6 @@ using IsEnough = std::function<bool(const MeasuredVariant&)>;
                                     int threads, Progress& progress,
                                     const IsEnough& is_enough = {});
 
-/// Where the package of a variant lies once it is built.
-[[nodiscard]] WorkspaceLayout workspace_of_variant(const Variant& variant,
-                                                   const std::filesystem::path& folder);
-
 /// What has to be handed over.
 [[nodiscard]] double package_mib(const std::filesystem::path& package_folder);
 

@@ -93,9 +93,7 @@ Job job_at_view(const RenderRequest& request, const Lumigraph& lumigraph) {
 /// Frames of all views are named like the photographs, which may lie in a folder of that name.
 void expect_nothing_lost(const fs::path& out) {
     std::error_code status;
-    if (!fs::exists(fs::symlink_status(out, status))) return;
-    throw Error(ErrorKind::kUsage, "E-OUT-EXISTS", out.string() + ": is there already",
-                "name a folder that is new or empty, or remove what is there first");
+    if (fs::exists(fs::symlink_status(out, status))) refuse_loss(out, "is there already");
 }
 
 std::vector<Job> jobs_of(const RenderRequest& request, const Eye& eye, const Lumigraph& lumigraph) {

@@ -59,6 +59,12 @@ TEST_F(Growing, EndsWithTheFirstFailureWhenNothingCouldBeMeasured) {
     }
 }
 
+TEST_F(Growing, ReplacesNoFileThatItDidNotMake) {
+    write_whole_text(folder_ / "photos-1" / "own.jpg", "the user's own");
+    EXPECT_THROW(static_cast<void>(measure("[growth]\nphotographs = [1]\n", "/bin/false")), Error);
+    EXPECT_EQ(read_whole_text(folder_ / "photos-1" / "own.jpg"), "the user's own");
+}
+
 TEST_F(Growing, ASizeThatFailsIsToldBesideTheOthers) {
     const GrowthResult result =
         measure("[growth]\nphotographs = [1, 2]\n", stand_in("photographs-2"));

@@ -172,9 +172,16 @@ TEST_F(RenderCommand, DrawsTheDifferenceFromAHeldOutPhotograph) {
             << name;
 }
 
-TEST_F(RenderCommand, FramesOfAPathReplaceNothingButFrames) {
+TEST_F(RenderCommand, FramesOfAPathReplaceNothingButFramesAndOfAllViewsNothing) {
     configure("");
     ASSERT_EQ(build(), "rrrrr");
+    const fs::path originals = scratch_ / "originals";
+    write_whole_text(originals / "IMG_0001.png", "the user's own");
+    const Outcome over = lumi("render " + quoted(package()) +
+                              " --all-views --mode lightfield --out " + quoted(originals));
+    EXPECT_EQ(over.exit_code, 2);
+    EXPECT_THAT(over.talk, HasSubstr("E-OUT-EXISTS"));
+    EXPECT_EQ(read_whole_text(originals / "IMG_0001.png"), "the user's own");
     const auto fly_to = [&](const fs::path& out) {
         return lumi("render " + quoted(package()) + " --path views --frames 2 --size 48x32 --out " +
                     quoted(out));
