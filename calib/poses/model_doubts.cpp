@@ -12,6 +12,7 @@
 #include "calib/poses/pose_shift.h"
 #include "calib/poses/residual_pattern.h"
 #include "calib/poses/supposed_adjustment.h"
+#include "calib/poses/walk_in_rounds.h"
 #include "calib/work/error.h"
 #include "calib/work/formatted.h"
 
@@ -194,6 +195,9 @@ void settle_doubts(const MappingJob& job, const MatchedPhotographs& matched, con
         refuse_contradiction(
             job, matched, CaptureReason::kRepeated,
             text_of(agreement) + "; things that look alike were taken for one another");
+    }
+    if (const auto rounds = walk_in_rounds(refined, job.photographs)) {
+        refuse_contradiction(job, matched, CaptureReason::kRepeated, rounds->text());
     }
     if (explanation) settle_explanation(job, matched, *explanation);
     if (is_contradicted) {

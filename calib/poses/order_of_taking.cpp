@@ -15,6 +15,7 @@
 #include "calib/poses/firm_joints.h"
 #include "calib/poses/pair_agreement.h"
 #include "calib/poses/stated_uncertainty.h"
+#include "calib/poses/walk_in_rounds.h"
 #include "calib/work/error.h"
 #include "calib/work/formatted.h"
 
@@ -109,7 +110,7 @@ bool leaps(const Capture& model) {
 
 /// Why the order is asked.
 enum class Cause {
-    kContradiction,  ///< Pairs deny the model: what looks alike may have been mistaken.
+    kContradiction,  ///< Pairs or the walk deny it: what looks alike may have been mistaken.
     kMissing,        ///< Many photographs were not placed: they share too little to be sure of.
 };
 
@@ -122,7 +123,8 @@ std::optional<Cause> cause_to_ask(const Capture& model, const MappingJob& job,
                                                        matched.pairs, job.progress);
     const double total = static_cast<double>(job.photographs.size());
     const bool lacks_many = total - static_cast<double>(model.views.size()) > kMany * total;
-    if (agreement.is_contradiction() || (agreement.is_mistaken() && lacks_many))
+    if (agreement.is_contradiction() || (agreement.is_mistaken() && lacks_many) ||
+        walk_in_rounds(model, job.photographs))
         return Cause::kContradiction;
     return lacks_many ? std::optional(Cause::kMissing) : std::nullopt;
 }
@@ -133,6 +135,7 @@ bool is_walk(const Capture& model, const MappingJob& job, const MatchedPhotograp
     const PairAgreement agreement = compare_with_pairs(model, job.photographs, matched.photographs,
                                                        matched.pairs, job.progress);
     return agreement.doubtful_in_order == 0 && !leaps(model) &&
+           !walk_in_rounds(model, job.photographs) &&
            (agreement.is_mistaken() || !agreement.is_contradiction());
 }
 
@@ -222,7 +225,7 @@ std::optional<SecondModel> find_model_in_order(const MappingJob& job, MatchedPho
     const std::optional<Cause> cause = cause_to_ask(refined, job, matched);
     if (!cause) return std::nullopt;
     job.progress.note(std::string(*cause == Cause::kMissing ? "many photographs are missing"
-                                                            : "pairs contradict each other") +
+                                                            : "photographs contradict each other") +
                       ": asking those that follow each other");
     const std::size_t placed = refined.views.size();
     for (const int steps : kStepsApart) {

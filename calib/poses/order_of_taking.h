@@ -9,9 +9,10 @@
 
 namespace lumi {
 
-/// Where pairs of photographs contradict the model (`refined`), because sides of one thing look
-/// alike, or many photographs were not placed, because they share too little to be sure of: what
-/// pairs say in the order in which the photographs were taken.
+/// Where pairs of photographs or the walk that it tells of (walk_in_rounds) contradict the model
+/// (`refined`), because sides of one thing look alike, or many photographs were not placed, because
+/// they share too little to be sure of: what pairs say in the order in which the photographs were
+/// taken.
 ///
 /// Who walks around a house stands next to where the photograph before was taken, and two that
 /// follow each other show the same side. Photographs are mapped anew from such pairs alone, matched

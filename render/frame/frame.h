@@ -61,7 +61,8 @@ struct RenderOptions {
     /// What no photograph shows gets the colours of what lies next to it (surroundings.h) instead
     /// of black; not where the capture fades to black, and not in `paper2001` and `heigl`.
     bool guess_surroundings = true;
-    /// For modes that subdivide, and what is filled where depth has holes.
+    /// For modes that subdivide, and what is filled where depth has holes. Lengths are in pixels of
+    /// the frame, also with four samples in each.
     double triangle_error_ratio = 1.0;    ///< `adaptive`: times DrawingChoices::triangle_error_px.
     double depth_threshold_share = 0.02;  ///< `paper2001`: of the scene's depth range.
     /// Shorter edges are not split; in `adaptive`, which cuts triangles at outlines, none that are
@@ -73,6 +74,12 @@ struct RenderOptions {
 
     bool operator==(const RenderOptions&) const = default;
 };
+
+/// How many samples are drawn along a side of each of the frame's pixels: lengths in pixels of the
+/// frame are as many times longer where samples are counted.
+[[nodiscard]] inline double samples_along_pixel(const RenderOptions& options) {
+    return options.supersample ? 2.0 : 1.0;
+}
 
 /// Without depth the modes that need it come to the light field.
 [[nodiscard]] RenderOptions possible_options(RenderOptions wanted, bool has_depth);

@@ -160,8 +160,8 @@ class PaperPatch {
 
 PaperSubdivisionOptions paper_subdivision_options(const RenderOptions& options) {
     return {.depth_threshold_share = options.depth_threshold_share,
-            .min_size_px = options.min_triangle_px,
-            .max_size_px = options.max_triangle_px};
+            .min_size_px = samples_along_pixel(options) * options.min_triangle_px,
+            .max_size_px = samples_along_pixel(options) * options.max_triangle_px};
 }
 
 BlendTriangles paper_subdivision(const std::vector<FacePolygon>& polygons,

@@ -144,7 +144,7 @@ void UploadedLumigraph::choose(const DrawingChoices& drawing) {
 
 double UploadedLumigraph::lod_of(const Eye& eye, const RenderOptions& options) const {
     // Of four samples a pixel each looks photographs up for the whole of it.
-    return photograph_lod(layout, eye, options.supersample ? 2.0 : 1.0);
+    return photograph_lod(layout, eye, samples_along_pixel(options));
 }
 
 void UploadedLumigraph::prepare(const Eye& eye, const RenderOptions& options) {
