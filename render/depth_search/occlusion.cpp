@@ -1,6 +1,7 @@
 #include "render/depth_search/occlusion.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace lumi {
 namespace {
@@ -9,6 +10,18 @@ namespace {
 constexpr double kFeather_px = 8.0;
 
 }  // namespace
+
+std::array<double, 3> redistributed_by_the_paper(const std::array<double, 3>& weights,
+                                                 const std::array<bool, 3>& is_seen) {
+    std::array<double, 3> result{};
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (is_seen[i]) sum += weights[i];
+    const auto seen = static_cast<double>(std::count(is_seen.begin(), is_seen.end(), true));
+    for (std::size_t i = 0; i < 3; ++i)
+        if (is_seen[i]) result[i] = sum > 0 ? weights[i] / sum : 1 / seen;
+    return result;
+}
 
 std::optional<std::array<double, 3>> redistributed(const std::array<double, 3>& weights,
                                                    const std::array<double, 3>& visibility) {

@@ -15,9 +15,15 @@ inline constexpr double kSureWeight = 0.05;
 /// pixels; at others it is more (uploaded/photograph_lod.h).
 inline constexpr double kFinestBorder_px = 1.0;
 
-/// The paper's occlusion correction (section 4): weights times visibility, scaled to sum 1. A view
-/// that sees nothing of the point gets 0, the others keep their ratio: (x, y, z) without z becomes
-/// (x + zx/(x+y), y + zy/(x+y), 0); one that is left alone gets 1. Empty when none sees the point.
+/// The paper's occlusion correction (section 4), to the letter. A view that does not see the point
+/// gets 0, the others keep their ratio: (x, y, z) without z becomes (x + zx/(x+y), y + zy/(x+y),
+/// 0), of two that had no weight each gets half; one that is left alone gets 1, whatever its weight
+/// was; and of three that do not see it all get 0.
+[[nodiscard]] std::array<double, 3> redistributed_by_the_paper(const std::array<double, 3>& weights,
+                                                               const std::array<bool, 3>& is_seen);
+
+/// The same without its jumps: weights times visibility, scaled to sum 1. Empty when none sees the
+/// point that counts for the ray: a view without weight has none to gain.
 [[nodiscard]] std::optional<std::array<double, 3>> redistributed(
     const std::array<double, 3>& weights, const std::array<double, 3>& visibility);
 

@@ -11,7 +11,8 @@ namespace lumi {
 
 /// The paper without geometry (sections 3 and 4): each face of the camera mesh blends its three
 /// photographs, looked up where the ray meets the scene plane (scene_plane.h) or another that the
-/// options name.
+/// options name. Of depth it knows nothing but which pixels of photographs are mixed of two
+/// surfaces (photograph_opacity.h): without that, held-out photographs are drawn as well to 0.1 dB.
 ///
 /// Most of the picture is drawn as pieces on which the lookup is affine (affine_pieces.h), for
 /// little more than the blend itself; pixel by pixel only where a photograph's border runs.

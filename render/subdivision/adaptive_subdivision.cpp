@@ -33,11 +33,11 @@ AdaptiveSubdivisionOptions subdivision_options(const Lumigraph& lumigraph,
                                                const RenderOptions& options) {
     const double error_px = options.triangle_error_ratio * lumigraph.drawing.triangle_error_px;
     const double samples = samples_along_pixel(options);
-    return {.max_error_px = error_px,
-            .min_edge_px =
-                samples * shortest_edge_px(kCutEdges * options.min_triangle_px, error_px),
-            .max_edge_px = samples * options.max_triangle_px,
-            .max_triangles = options.max_triangles};
+    return {
+        .max_error_px = error_px,
+        .min_edge_px = samples * shortest_edge_px(kCutEdges * options.min_triangle_px, error_px),
+        .max_edge_px = samples * options.max_triangle_px,
+        .max_triangles = options.max_triangles};
 }
 
 /// The polygons of one picture in parts, each of which is subdivided on one thread.

@@ -52,10 +52,9 @@ class PaperPatch {
                const PaperSubdivisionOptions& options)
         : options_(options),
           depth_threshold_(depth_threshold),
-          sampler_(polygon, search, scene_plane,
-                   {.correct_occlusion = correct_occlusion,
-                    .unseen_is_black = true,
-                    .before_shell = {}}),
+          sampler_(
+              polygon, search, scene_plane,
+              {.correct_occlusion = correct_occlusion, .by_the_paper = true, .before_shell = {}}),
           vertices_(sampler_) {}
 
     void subdivide(BorderVertices& border) {

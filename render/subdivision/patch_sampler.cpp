@@ -48,7 +48,8 @@ std::optional<RayHit> PatchSampler::first_hit(const PatchSample& sample) const {
                                                                                           : hit;
 }
 
-/// Where the ray meets the scene, or else the scene plane (the paper, section 4).
+/// Where the ray meets the scene. The paper leaves open where a vertex lies whose ray does not: on
+/// the scene plane.
 void PatchSampler::correct_depth(const std::optional<RayHit>& hit, PatchSample& sample) const {
     sample.hits = hit.has_value();
     sample.inverse_depth =
@@ -74,7 +75,7 @@ void PatchSampler::look_up(PatchSample& sample) const {
 
 /// A guess is nothing that stands before it.
 bool PatchSampler::is_guess_hidden(const PatchSample& sample, int view) const {
-    return !sample.hits && !options_.unseen_is_black &&
+    return !sample.hits && !options_.by_the_paper &&
            search_.hidden_by_px(sample.pixel, sample.inverse_depth, view) >= kSurelyBefore_px;
 }
 
@@ -97,17 +98,23 @@ std::array<double, 3> PatchSampler::visibilities(const std::optional<RayHit>& hi
     return visible;
 }
 
-/// The weights of what is seen. Where nothing is, it is a guess: by the paper weight 0, or else the
-/// ray's weights in the photographs that hold the point.
+/// The weights of what is seen. Where nothing is, it is a guess: the ray's weights in the
+/// photographs that hold the point.
 void PatchSampler::correct_occlusion(const std::array<double, 3>& visible,
                                      PatchSample& sample) const {
     sample.occluded = occluded_share(sample.ray_weights, visible);
+    if (options_.by_the_paper) {
+        sample.weights = redistributed_by_the_paper(
+            sample.ray_weights, {visible[0] > 0, visible[1] > 0, visible[2] > 0});
+        if (sample.weights == std::array<double, 3>{}) sample.confidence = 0;
+        return;
+    }
     if (const auto weights = redistributed(sample.ray_weights, visible)) {
         sample.weights = *weights;
         return;
     }
     sample.confidence = 0;
-    if (options_.unseen_is_black || !sample.hits) return;
+    if (!sample.hits) return;
     std::array<double, 3> inside{};
     for (std::size_t k = 0; k < 3; ++k)
         if (sample.depth_ratios[k] > 0)

@@ -17,9 +17,10 @@ class PatchSampler {
  public:
     struct Options {
         bool correct_occlusion = true;
-        /// The paper's rule for points that none of the three sees is weight 0; otherwise such
-        /// points keep the weights of their ray.
-        bool unseen_is_black = false;
+        /// The paper's rules, where a view sees a point or does not (redistributed_by_the_paper);
+        /// otherwise visibility is a ramp, and points that none of the three sees keep the weights
+        /// of their ray.
+        bool by_the_paper = false;
         bool fade_beyond_border = false;
         /// For faces of a shell (CameraMesh::shells), the views that are asked whether something
         /// stands before what the shell's views see.

@@ -38,6 +38,13 @@ class Subdivision : public testing::Test {
         return paper_subdivision(polygons_, search_, plane_, inverse_depth_range(lumigraph_), true,
                                  options);
     }
+    /// Of one patch, with a threshold that tells the card from the wall alone.
+    [[nodiscard]] std::size_t papers_triangles(const FacePolygon& patch, double min_size_px) const {
+        return paper_subdivision(
+                   {patch}, search_, plane_, inverse_depth_range(lumigraph_), true,
+                   {.depth_threshold_share = 0.3, .min_size_px = min_size_px, .max_size_px = 1000})
+            .count();
+    }
     [[nodiscard]] double error_of(const BlendTriangles& triangles,
                                   PlaceInterpolation places) const {
         return difference_between(draw_reference(triangles, lumigraph_, kEye, places).color,
@@ -288,6 +295,46 @@ TEST_F(Subdivision, ThePapersTrianglesAreWithinTheSizesGiven) {
     ASSERT_GT(triangles.count(), 100U);
     for (std::size_t i = 0; i < triangles.indices.size(); i += 3)
         EXPECT_LE(longest_edge_px(triangles, i), 20.001);
+}
+
+/// One triangle of a patch whose cameras are all the first one, around the middle of the card.
+FacePolygon triangle_around_card(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                                 const Eigen::Vector2d& c) {
+    const Eigen::Vector2d card =
+        project(kEye.camera, kEye.cam_from_world * Eigen::Vector3d(0, 0, 3)).value();
+    FacePolygon triangle = picture_through_camera(0, kEye);
+    triangle.corners_px = {card + a, card + b, card + c};
+    return triangle;
+}
+
+// All corners see the wall and the centre sees the card; beside the card, all four see the wall.
+TEST_F(Subdivision, ThePapersTriangleIsSplitWhereItsCentreAloneIsNearer) {
+    const FacePolygon around = triangle_around_card({-40, -40}, {45, -5}, {-5, 45});
+    EXPECT_GT(papers_triangles(around, 2), 50U);
+    EXPECT_EQ(papers_triangles(around, 1000), 1U) << "as small as it may be";
+    const FacePolygon beside = triangle_around_card({-50, -40}, {-40, -40}, {-45, 40});
+    EXPECT_EQ(papers_triangles(beside, 2), 1U) << "flat";
+}
+
+// Beyond the border of its photograph the camera sees nothing.
+TEST_F(Subdivision, ThePapersTriangleIsSplitWhereSomeRaysMissAndLeftOutWhereAllDo) {
+    const LumigraphView& camera = lumigraph_.views.front();
+    const Eigen::Vector3d on_wall =
+        inverse(camera.cam_from_world) * (6 * unproject(camera.camera, {0, 30}));
+    const double border_px = project(kEye.camera, kEye.cam_from_world * on_wall).value().x();
+    const auto inside_by = [&](double first_px, double second_px, double third_px) {
+        FacePolygon triangle = picture_through_camera(0, kEye);
+        triangle.corners_px = {
+            {border_px + first_px, 10}, {border_px + second_px, 50}, {border_px + third_px, 90}};
+        return triangle;
+    };
+    EXPECT_EQ(papers_triangles(inside_by(2, 12, 2), 2), 1U) << "none misses";
+    EXPECT_EQ(papers_triangles(inside_by(-20, -10, -20), 2), 0U) << "all miss";
+    for (const FacePolygon& cut : {inside_by(-4, 12, 4), inside_by(-4, 12, -2),
+                                   inside_by(2, -12, 2), inside_by(-12, 4, -12)})
+        EXPECT_GT(papers_triangles(cut, 2), 8U);
+    EXPECT_EQ(papers_triangles(inside_by(-4, 12, 4), 1000), 1U) << "its centre meets the wall";
+    EXPECT_EQ(papers_triangles(inside_by(2, -12, 2), 1000), 0U) << "its centre misses";
 }
 
 TEST_F(Subdivision, NoVertexOfThePapersTrianglesLiesWithinAnEdge) {
