@@ -28,8 +28,10 @@ void add_drawing_options(CLI::App& command, DrawingRequest& request) {
         "--debug", request.debug,
         debug_picture_names() + usual + std::string(name_of(RenderOptions{}.debug_picture)) + ")");
     command
-        .add_option("--focal-depth", request.focal_depth,
-                    "For modes without depth: distance of the plane that is sharp, world units")
+        .add_option(
+            "--focal-depth", request.focal_depth,
+            "lightfield and heigl: distance of the plane that is sharp, world units; depth is "
+            "not looked at then")
         ->check(positive_number());
     command.add_flag("--supersample", request.supersample,
                      "Four samples a pixel: smooth edges, about four times the work");

@@ -43,7 +43,8 @@ struct RenderOptions {
     DebugPicture debug_picture = DebugPicture::kNone;
     bool correct_occlusion = true;  ///< The paper's redistribution of weights.
     /// Distance along the optical axis of the plane that `lightfield` and `heigl` look photographs
-    /// up on (Isaksen, McMillan, Gortler 2000: a movable focal surface); 0: the scene plane.
+    /// up on (Isaksen, McMillan, Gortler 2000: a movable focal surface); 0: the scene plane, or
+    /// depth, where `heigl` has some.
     double focal_depth = 0.0;
     /// Four samples a pixel, for edges that are smooth: about four times the work. Frames
     /// (frame_target.h) take their mean; other framebuffers must be twice as wide and high, and

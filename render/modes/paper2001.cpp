@@ -5,7 +5,6 @@
 #include "render/painters/blend_painter.h"
 #include "render/shaders/shader_sources.h"
 #include "render/subdivision/paper_subdivision.h"
-#include "render/transfer/scene_plane.h"
 
 namespace lumi {
 
@@ -16,11 +15,13 @@ Paper2001::Paper2001(const UploadedLumigraph& uploaded)
       triangles_(blend_vertex_attributes()) {}
 
 DrawStatistics Paper2001::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
-    const Lumigraph& layout = uploaded_.layout;
-    const DepthSearch search(layout, uploaded_.searched_views, eye);
-    const BlendTriangles triangles = paper_subdivision(
-        face_polygons(layout.mesh, eye), search, scene_plane_inverse_depth(layout, eye),
-        inverse_depth_range(layout), options.correct_occlusion, paper_subdivision_options(options));
+    return draw_polygons(face_polygons(uploaded_.layout.mesh, eye), eye, options);
+}
+
+DrawStatistics Paper2001::draw_polygons(const std::vector<FacePolygon>& polygons, const Eye& eye,
+                                        const RenderOptions& options) {
+    const BlendTriangles triangles =
+        paper_triangles(polygons, uploaded_.layout, uploaded_.searched_views, eye, options);
     draw_passes(triangles, eye, options);
     if (options.debug_picture == DebugPicture::kGrid) grid_.draw(triangles, eye);
     return {triangles.count()};

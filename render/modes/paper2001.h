@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "render/faces/face_polygons.h"
 #include "render/frame/drawing_mode.h"
 #include "render/gl/vertex_buffer.h"
 #include "render/painters/grid_painter.h"
@@ -16,6 +19,10 @@ class Paper2001 : public DrawingMode {
     explicit Paper2001(const UploadedLumigraph& uploaded);
     DrawStatistics draw(const Eye& eye, const RenderOptions& options,
                         const Viewport& viewport) override;
+
+    /// The same for other polygons than those of the camera mesh.
+    DrawStatistics draw_polygons(const std::vector<FacePolygon>& polygons, const Eye& eye,
+                                 const RenderOptions& options);
 
     /// Adds up the three passes over such triangles.
     void draw_passes(const BlendTriangles& triangles, const Eye& eye, const RenderOptions& options);

@@ -9,7 +9,6 @@
 #include "render/subdivision/paper_subdivision.h"
 #include "render/surroundings/surroundings.h"
 #include "render/surroundings/triangle_surroundings.h"
-#include "render/transfer/scene_plane.h"
 #include "render/uploaded/photograph_lod.h"
 
 namespace lumi {
@@ -33,14 +32,20 @@ Frame draw_adaptive(const Lumigraph& lumigraph, const Eye& eye, const RenderOpti
     return frame;
 }
 
-Frame draw_paper2001(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
-    const SearchedViews views = searched_views(lumigraph);
+/// In the three passes of `paper2001`.
+Frame draw_in_passes(const std::vector<FacePolygon>& polygons, const Lumigraph& lumigraph,
+                     const Eye& eye, const RenderOptions& options) {
     const BlendTriangles triangles =
-        paper_subdivision(face_polygons(lumigraph.mesh, eye), DepthSearch(lumigraph, views, eye),
-                          scene_plane_inverse_depth(lumigraph, eye), inverse_depth_range(lumigraph),
-                          options.correct_occlusion, paper_subdivision_options(options));
+        paper_triangles(polygons, lumigraph, searched_views(lumigraph), eye, options);
     return draw_reference(triangles, lumigraph, eye, PlaceInterpolation::kProjective,
                           options.debug_picture);
+}
+
+Frame draw_heigl(const Lumigraph& lumigraph, const Eye& eye, const RenderOptions& options) {
+    const std::vector<FacePolygon> polygons = heigl_polygons(lumigraph, eye);
+    return corrects_depth_of_heigl(lumigraph, options)
+               ? draw_in_passes(polygons, lumigraph, eye, options)
+               : draw_reference(lumigraph, eye, options, polygons);
 }
 
 void expect_drawable(const RenderOptions& options) {
@@ -63,9 +68,9 @@ Frame draw_mode_reference(const Lumigraph& lumigraph, const Eye& eye, const Rend
         case RenderMode::kAdaptive:
             return draw_adaptive(lumigraph, eye, options);
         case RenderMode::kPaper2001:
-            return draw_paper2001(lumigraph, eye, options);
+            return draw_in_passes(face_polygons(lumigraph.mesh, eye), lumigraph, eye, options);
         case RenderMode::kHeigl:
-            return draw_reference(lumigraph, eye, options, heigl_polygons(lumigraph, eye));
+            return draw_heigl(lumigraph, eye, options);
         default:
             return draw_reference(lumigraph, eye, options);
     }

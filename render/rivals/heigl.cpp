@@ -69,10 +69,18 @@ std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& e
     return polygons;
 }
 
-Heigl::Heigl(const UploadedLumigraph& uploaded) : uploaded_(uploaded), light_field_(uploaded) {}
+bool corrects_depth_of_heigl(const Lumigraph& lumigraph, const RenderOptions& options) {
+    return lumigraph.has_depth() && options.focal_depth == 0;
+}
+
+Heigl::Heigl(const UploadedLumigraph& uploaded)
+    : uploaded_(uploaded), light_field_(uploaded), with_depth_(uploaded) {}
 
 DrawStatistics Heigl::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
-    return light_field_.draw_polygons(heigl_polygons(uploaded_.layout, eye), eye, options);
+    const std::vector<FacePolygon> polygons = heigl_polygons(uploaded_.layout, eye);
+    return corrects_depth_of_heigl(uploaded_.layout, options)
+               ? with_depth_.draw_polygons(polygons, eye, options)
+               : light_field_.draw_polygons(polygons, eye, options);
 }
 
 }  // namespace lumi

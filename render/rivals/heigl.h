@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/modes/light_field.h"
+#include "render/modes/paper2001.h"
 
 namespace lumi {
 
@@ -14,8 +15,13 @@ namespace lumi {
 /// beside it.
 [[nodiscard]] std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& eye);
 
-/// The light field on the scene plane, or on a focal surface, with these polygons in the place of
-/// the camera mesh.
+/// Whether depth corrects these polygons: where there is some, and no focal surface is asked for.
+[[nodiscard]] bool corrects_depth_of_heigl(const Lumigraph& lumigraph,
+                                           const RenderOptions& options);
+
+/// What the paper does, with these polygons in the place of the camera mesh: "used in very much the
+/// same way" (section 2). With depth its adaptive depth and occlusion correction (`paper2001`);
+/// without, or on a focal surface, the light field on one plane.
 class Heigl : public DrawingMode {
  public:
     explicit Heigl(const UploadedLumigraph& uploaded);
@@ -25,6 +31,7 @@ class Heigl : public DrawingMode {
  private:
     const UploadedLumigraph& uploaded_;
     LightField light_field_;
+    Paper2001 with_depth_;
 };
 
 }  // namespace lumi

@@ -8,6 +8,7 @@
 
 #include "render/subdivision/subdivided_patch.h"
 #include "render/transfer/polygon_extent.h"
+#include "render/transfer/scene_plane.h"
 
 namespace lumi {
 namespace {
@@ -157,12 +158,6 @@ class PaperPatch {
 
 }  // namespace
 
-PaperSubdivisionOptions paper_subdivision_options(const RenderOptions& options) {
-    return {.depth_threshold_share = options.depth_threshold_share,
-            .min_size_px = samples_along_pixel(options) * options.min_triangle_px,
-            .max_size_px = samples_along_pixel(options) * options.max_triangle_px};
-}
-
 BlendTriangles paper_subdivision(const std::vector<FacePolygon>& polygons,
                                  const DepthSearch& search, const Eigen::Vector3d& scene_plane,
                                  const Eigen::Vector2d& inverse_depth_range, bool correct_occlusion,
@@ -181,6 +176,18 @@ BlendTriangles paper_subdivision(const std::vector<FacePolygon>& polygons,
     BlendTriangles drawn;
     for (const auto& patch : patches) patch->remove_t_vertices(border, drawn);
     return drawn;
+}
+
+BlendTriangles paper_triangles(const std::vector<FacePolygon>& polygons, const Lumigraph& lumigraph,
+                               const SearchedViews& searched_views, const Eye& eye,
+                               const RenderOptions& options) {
+    const double samples = samples_along_pixel(options);
+    return paper_subdivision(polygons, DepthSearch(lumigraph, searched_views, eye),
+                             scene_plane_inverse_depth(lumigraph, eye),
+                             inverse_depth_range(lumigraph), options.correct_occlusion,
+                             {.depth_threshold_share = options.depth_threshold_share,
+                              .min_size_px = samples * options.min_triangle_px,
+                              .max_size_px = samples * options.max_triangle_px});
 }
 
 }  // namespace lumi

@@ -18,9 +18,6 @@ struct PaperSubdivisionOptions {
     double max_size_px = RenderOptions{}.max_triangle_px;  ///< Longer ones are, in any case.
 };
 
-/// What a frame asks for.
-[[nodiscard]] PaperSubdivisionOptions paper_subdivision_options(const RenderOptions& options);
-
 /// The paper's adaptive depth correction (section 4), to the letter: a triangle of a camera patch
 /// is split in four while the depths at its corners and its centre differ, or some of these four
 /// rays miss the scene, between a largest and a smallest size; triangles whose rays all miss are
@@ -37,5 +34,12 @@ struct PaperSubdivisionOptions {
                                                const Eigen::Vector2d& inverse_depth_range,
                                                bool correct_occlusion,
                                                const PaperSubdivisionOptions& options = {});
+
+/// What a frame of these polygons consists of: with the Lumigraph's scene plane and depth range,
+/// and the options that a frame asks for.
+[[nodiscard]] BlendTriangles paper_triangles(const std::vector<FacePolygon>& polygons,
+                                             const Lumigraph& lumigraph,
+                                             const SearchedViews& searched_views, const Eye& eye,
+                                             const RenderOptions& options);
 
 }  // namespace lumi

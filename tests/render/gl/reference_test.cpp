@@ -79,21 +79,38 @@ TEST(GlAgainstReference, LightFieldBeforeAWall) {
 
 TEST(GlAgainstReference, ViewsTriangulatedForEachFrame) {
     const Lumigraph lumigraph = card_before_wall();
-    const RenderOptions heigl{.mode = RenderMode::kHeigl};
     OffscreenRenderer renderer(lumigraph);
     const Eye at_camera{lumigraph.views[0].camera, lumigraph.views[0].cam_from_world};
-    for (const Eye& eye : {eyes_before_wall(lumigraph)[0].eye, at_camera}) {
-        const Frame drawn = renderer.draw(eye, heigl);
-        const FrameDifference difference =
-            difference_between(drawn.color, draw_mode_reference(lumigraph, eye, heigl).color);
-        EXPECT_LE(difference.mean, 1.0);
-        EXPECT_LE(difference.share_beyond_two, 0.02);
-        EXPECT_GT(mean_of(drawn.color), 20);
+    for (const double focal_depth : {0.0, 5.0}) {
+        const RenderOptions heigl{.mode = RenderMode::kHeigl, .focal_depth = focal_depth};
+        for (const Eye& eye : {eyes_before_wall(lumigraph)[0].eye, at_camera}) {
+            const Frame drawn = renderer.draw(eye, heigl);
+            const FrameDifference difference =
+                difference_between(drawn.color, draw_mode_reference(lumigraph, eye, heigl).color);
+            EXPECT_LE(difference.mean, 1.0);
+            EXPECT_LE(difference.share_beyond_two, 0.02);
+            EXPECT_GT(mean_of(drawn.color), 20);
+        }
+        EXPECT_LE(
+            difference_between(renderer.draw(at_camera, heigl).color, lumigraph.views[0].photograph)
+                .largest,
+            1);
     }
-    EXPECT_LE(
-        difference_between(renderer.draw(at_camera, heigl).color, lumigraph.views[0].photograph)
-            .largest,
-        1);
+}
+
+TEST(GlAgainstReference, DepthCorrectsViewsThatAreTriangulatedForEachFrame) {
+    const Lumigraph lumigraph = card_before_wall();
+    OffscreenRenderer renderer(lumigraph);
+    const Eye eye = eyes_before_wall(lumigraph)[0].eye;
+    const ColorImage truth = ideal_photograph(AnalyticScene::kCardBeforeWall, eye);
+    const auto error = [&](double focal_depth) {
+        return difference_between(
+                   renderer.draw(eye, {.mode = RenderMode::kHeigl, .focal_depth = focal_depth})
+                       .color,
+                   truth)
+            .mean;
+    };
+    for (const double plane : {3.0, 4.0, 6.0}) EXPECT_LT(error(0), error(plane)) << plane;
 }
 
 TEST(GlAgainstReference, WhatLiesOnTheFocalSurfaceIsSharp) {
