@@ -54,8 +54,8 @@ constexpr std::array<ReasonEntry, 18> kReasons{{
     {CaptureReason::kNoPair, "E-POSES-NOPAIR",
      "take sharp photographs that overlap by two thirds with the next one"},
     {CaptureReason::kFew, "E-POSES-FEW",
-     "add photographs, so that each overlaps by two thirds with the next; or lower [poses] "
-     "min_registered_share"},
+     "add photographs, so that each overlaps by two thirds with the next; two alone need a lens "
+     "that is known ([calibration])"},
     {CaptureReason::kUncertain, "E-POSES-UNCERTAIN",
      "add photographs of the same things from places in between and further to the sides"},
 }};

@@ -25,7 +25,7 @@ enum class CaptureReason {
     kDuplicates,  ///< Too few different places.
     kForward,     ///< The camera moved along its line of sight only.
     kNoPair,      ///< No two photographs show the same things.
-    kFew,         ///< Too few photographs could be placed.
+    kFew,         ///< Too few photographs were given, or could be placed.
     kUncertain,   ///< The places come out too uncertain, for no single cause.
 };
 

@@ -30,6 +30,9 @@ struct ExpectedCost {
     double peak_mib = 0.0;
 };
 
+/// From the sizes of the photographs, as a build scales them.
+[[nodiscard]] ExpectedCost expected_cost(const std::vector<Eigen::Vector2i>& sizes_px);
+
 /// What the doctor saw, and what to do about it.
 struct Examination {
     CaptureEvidence evidence;

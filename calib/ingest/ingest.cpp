@@ -14,6 +14,7 @@
 #include "calib/pictures/image_io.h"
 #include "calib/work/counted.h"
 #include "calib/work/error.h"
+#include "calib/work/formatted.h"
 #include "calib/work/parallel_for.h"
 
 namespace lumi {
@@ -112,19 +113,26 @@ std::vector<Candidate> ingest_folder(const PhotographFolder& folder, const Inges
     return candidates;
 }
 
+std::string advice_for_more(const IngestOptions& options, bool is_video) {
+    if (is_video) {
+        return "film longer, or raise [capture] video_fps (" +
+               formatted("%.3g", options.video_fps) + " frames a second are kept)";
+    }
+    return "give a folder with more photographs of the scene (" + std::string(kImageFormats) + ")";
+}
+
 void refuse_too_few(const IngestResult& result, const IngestOptions& options,
-                    const fs::path& source) {
+                    const fs::path& source, bool is_video) {
     if (static_cast<int>(result.photographs.size()) >= options.min_photographs) return;
-    std::string what = source.string() + ": " +
-                       counted(result.photographs.size(), "usable photograph") +
-                       ", expected at least " + std::to_string(options.min_photographs);
+    std::string what =
+        source.string() + ": " +
+        counted(result.photographs.size(), is_video ? "usable frame" : "usable photograph") +
+        ", expected at least " + std::to_string(options.min_photographs);
     constexpr std::size_t kMaxNamed = 5;
     for (std::size_t i = 0; i < std::min(kMaxNamed, result.left_out.size()); ++i) {
         what += "; " + result.left_out[i].name + ": " + result.left_out[i].reason;
     }
-    throw Error(
-        ErrorKind::kBadInput, "E-INGEST-TOOFEW", what,
-        "give a folder with more photographs of the scene (" + std::string(kImageFormats) + ")");
+    throw Error(ErrorKind::kBadInput, "E-INGEST-TOOFEW", what, advice_for_more(options, is_video));
 }
 
 }  // namespace
@@ -135,7 +143,8 @@ IngestResult ingest(const fs::path& photographs_or_video, const IngestOptions& o
     IngestResult result;
     std::vector<Candidate> candidates;
     std::error_code status;
-    if (fs::is_regular_file(photographs_or_video, status)) {
+    const bool is_video = fs::is_regular_file(photographs_or_video, status);
+    if (is_video) {
         clear_working_copies(copies_folder);
         candidates = ingest_video(photographs_or_video, options, copies_folder, progress);
     } else {
@@ -153,7 +162,7 @@ IngestResult ingest(const fs::path& photographs_or_video, const IngestOptions& o
                      [](const LeftOut& a, const LeftOut& b) { return a.name < b.name; });
     result.color_notes = color_notes(candidates);
     result.photographs = number_working_copies(candidates, copies_folder);
-    refuse_too_few(result, options, photographs_or_video);
+    refuse_too_few(result, options, photographs_or_video, is_video);
     complete_cut_outs(result.photographs, copies_folder);
     if (!options.keep_overlays) {
         IngestOptions removal = options;

@@ -178,8 +178,11 @@ PhotographFolder list_photographs(const fs::path& folder, const fs::path& workin
                                   const std::vector<fs::path>& other_folders) {
     std::error_code status;
     if (!fs::is_directory(folder, status)) {
-        throw Error(ErrorKind::kBadInput, "E-INGEST-NOFOLDER", folder.string() + ": no such folder",
-                    "give the folder that holds the photographs, or a video file");
+        const bool is_file = fs::exists(folder, status);
+        throw Error(ErrorKind::kBadInput, "E-INGEST-NOFOLDER",
+                    folder.string() + (is_file ? ": is a file, expected a folder of photographs"
+                                               : ": there is nothing at this path"),
+                    "give the folder that holds the photographs");
     }
     return FolderWalk(folder, working_folder, other_folders).take();
 }

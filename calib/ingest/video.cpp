@@ -8,6 +8,7 @@
 #include "calib/ingest/exif.h"
 #include "calib/ingest/sharpness.h"
 #include "calib/ingest/video_decoder.h"
+#include "calib/pictures/image_format.h"
 #include "calib/pictures/srgb_conversion.h"
 #include "calib/work/error.h"
 #include "calib/work/formatted.h"
@@ -49,6 +50,14 @@ ColorTags color_tags_of(const VideoFacts& facts, const std::filesystem::path& vi
     return tags;
 }
 
+/// Decoders of videos take it for a video of one frame.
+void expect_no_photograph(const std::filesystem::path& video) {
+    if (!image_format_of(video)) return;
+    throw Error(ErrorKind::kBadInput, "E-INGEST-NOVIDEO",
+                video.string() + ": is one photograph, expected a video",
+                "give the folder that it lies in");
+}
+
 std::string frame_name(std::size_t number) {
     char name[32];
     std::snprintf(name, sizeof(name), "frame-%06zu.png", number);
@@ -79,6 +88,7 @@ std::vector<Candidate> ingest_video(const std::filesystem::path& video,
                                     const IngestOptions& options,
                                     const std::filesystem::path& copies_folder,
                                     Progress& progress) {
+    expect_no_photograph(video);
     VideoDecoder decoder(video);
     const VideoFacts& facts = decoder.facts();
     const ColorTags color_tags = color_tags_of(facts, video);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <string_view>
 
 #include "calib/work/error.h"
@@ -66,6 +67,14 @@ std::optional<ImageFormat> image_format_of(std::span<const std::uint8_t> bytes) 
         return ImageFormat::kWebp;
     }
     return std::nullopt;
+}
+
+std::optional<ImageFormat> image_format_of(const std::filesystem::path& file) {
+    std::array<char, 16> first{};
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(first.data(), first.size());
+    return image_format_of(std::span(reinterpret_cast<const std::uint8_t*>(first.data()),
+                                     static_cast<std::size_t>(stream.gcount())));
 }
 
 ImageSize check_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {

@@ -14,10 +14,12 @@ namespace lumi {
 enum class ImageFormat { kJpeg, kPng, kTiff, kHeif, kWebp };
 
 /// The formats in words, for those who are told to export something else as one of them.
-inline constexpr std::string_view kImageFormats = "JPEG, PNG, TIFF, HEIF or WebP";
+inline constexpr std::string_view kImageFormats = "JPEG, PNG, TIFF, HEIC, AVIF or WebP";
 
 /// By the first bytes, whatever the file is called.
 [[nodiscard]] std::optional<ImageFormat> image_format_of(std::span<const std::uint8_t> bytes);
+/// The same of a file; none of one that cannot be read.
+[[nodiscard]] std::optional<ImageFormat> image_format_of(const std::filesystem::path& file);
 
 /// Size from the PNG header and proof that the file reaches its IEND chunk with every checksum
 /// right. Throws Error (E-IMAGE-TRUNCATED).

@@ -101,7 +101,8 @@ void refuse_too_few(const Capture& capture, const std::vector<Photograph>& photo
                     counted(photographs.size(), "photograph") + " could be placed" + names +
                     (not_registered.size() > 5 ? ", ... were not" : ""),
                 "add photographs between those that are far apart, so that each overlaps by two "
-                "thirds with the next; or lower [poses] min_registered_share");
+                "thirds with the next" +
+                    std::string(placed < 2 ? "" : "; or lower [poses] min_registered_share"));
 }
 
 std::vector<fs::path> picture_paths_of(const Capture& capture,

@@ -18,6 +18,7 @@ constexpr double kPanelHeight = 480;
 constexpr double kGap = 20;
 constexpr double kHeadline = 30;
 constexpr double kFootline = 26;
+constexpr double kNameSize = 9;  ///< Of the letters.
 /// Above this many cameras, only every other, third ... name is written.
 constexpr std::size_t kMaxNames = 14;
 constexpr std::size_t kMaxPoints = 2500;
@@ -44,6 +45,27 @@ struct Panel {
         const Eigen::Vector2d frame_middle(left + kPanelWidth / 2, kHeadline + kPanelHeight / 2);
         return frame_middle + scale * (flat(point) - middle);
     }
+};
+
+/// Where names stand: two over one another can neither be read.
+class WrittenNames {
+ public:
+    /// True where a name that begins at `at` meets none that was written; then it counts as
+    /// written.
+    [[nodiscard]] bool claim(const Eigen::Vector2d& at, const std::string& name) {
+        // Of the font's size; usual names are narrower.
+        constexpr double kLetterWidth = 0.6 * kNameSize;
+        const Eigen::Vector2d size(kLetterWidth * static_cast<double>(name.size()), kNameSize);
+        const Eigen::AlignedBox2d box(at - Eigen::Vector2d(0, size.y()),
+                                      at + Eigen::Vector2d(size.x(), 0));
+        const bool is_free = std::none_of(boxes_.begin(), boxes_.end(),
+                                          [&](const auto& other) { return box.intersects(other); });
+        if (is_free) boxes_.push_back(box);
+        return is_free;
+    }
+
+ private:
+    std::vector<Eigen::AlignedBox2d> boxes_;
 };
 
 /// What is drawn, in the world.
@@ -186,6 +208,7 @@ void draw_cameras(std::string& svg, const Panel& panel, const Drawing& drawing) 
     for (const CameraMesh& shell : drawing.mesh.shells) {
         for (const CameraMesh::Vertex& vertex : shell.vertices) kept.insert(vertex.view_index);
     }
+    WrittenNames names;
     const std::size_t name_every = 1 + (drawing.view_indices.size() - 1) / kMaxNames;
     for (std::size_t i = 0; i < drawing.view_indices.size(); ++i) {
         const int index = drawing.view_indices[i];
@@ -193,8 +216,10 @@ void draw_cameras(std::string& svg, const Panel& panel, const Drawing& drawing) 
         draw_frustum(svg, panel, drawing, camera_of(drawing.capture, view), view.cam_from_world,
                      kept.contains(index) ? kCameraStroke : kLeftOutStroke);
         if (i % name_every != 0) continue;
-        const Eigen::Vector2d at = panel.at(centre_in_world(view.cam_from_world));
-        svg += formatted("<text x=\"%.1f\" y=\"%.1f\">", at.x() + 4, at.y() - 4);
+        const Eigen::Vector2d at =
+            panel.at(centre_in_world(view.cam_from_world)) + Eigen::Vector2d(4, -4);
+        if (!names.claim(at, view.name)) continue;
+        svg += formatted("<text x=\"%.1f\" y=\"%.1f\">", at.x(), at.y());
         svg += svg_escaped(view.name) + "</text>\n";
     }
 }
@@ -272,8 +297,8 @@ std::string camera_mesh_svg(const Capture& capture, const std::vector<int>& view
     std::string svg;
     svg += formatted(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-10 0 %.0f %.0f\" "
-        "font-family=\"sans-serif\" font-size=\"9\" fill=\"#444444\" stroke-width=\"0.8\">\n",
-        2 * kPanelWidth + kGap + 20, kHeadline + kPanelHeight + kFootline);
+        "font-family=\"sans-serif\" font-size=\"%.0f\" fill=\"#444444\" stroke-width=\"0.8\">\n",
+        2 * kPanelWidth + kGap + 20, kHeadline + kPanelHeight + kFootline, kNameSize);
     svg += panel_svg(above, drawing, "Camera mesh from above", "above");
     svg += panel_svg(beside, drawing, "from the side (photographs look to the right)", "beside");
     svg += formatted("<text x=\"0\" y=\"%.0f\" font-size=\"11\">", kHeadline + kPanelHeight + 17);

@@ -52,7 +52,8 @@ Sweep read_sweep(const fs::path& file_or_folder) {
     options.expect_all_keys_known();
 
     std::vector<ConfigList> lists = document.lists_of("sweep");
-    if (lists.empty()) lists = default_sweep(document);
+    sweep.is_default = lists.empty();
+    if (sweep.is_default) lists = default_sweep(document);
     for (ConfigList& list : lists) list = with_all_spelled_out(std::move(list));
     std::size_t combinations = 1;
     for (const ConfigList& list : lists) {

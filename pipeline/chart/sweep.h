@@ -38,6 +38,7 @@ struct Sweep {
     std::vector<Variant> variants;  ///< All combinations, the last axis changing fastest.
     std::vector<RenderMode> modes;
     int repeats = 1;
+    bool is_default = false;  ///< The configuration says nothing of what to try.
 };
 
 /// Throws Error: E-CONFIG-... naming file and key (also what a setting of the sweep is told), and

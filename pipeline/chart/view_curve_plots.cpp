@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/plot.h"
@@ -10,6 +12,22 @@ namespace lumi {
 namespace {
 
 constexpr const char* kViews = "views kept";
+
+/// The numbers of views, but for those that stand too close to the one before to be read.
+std::vector<double> ticks_of(const ViewCurve& curve) {
+    constexpr double kLeastRatio = 1.15;
+    std::set<double> views;
+    for (const ViewCurvePoint& point : curve.points) views.insert(point.views);
+    if (views.size() < 2) return {};
+    std::vector<double> ticks{*views.begin()};
+    for (const double tick : views) {
+        if (tick >= kLeastRatio * ticks.back()) ticks.push_back(tick);
+    }
+    // The axis ends at the last of them.
+    if (ticks.size() > 1 && *views.rbegin() < kLeastRatio * ticks.back()) ticks.pop_back();
+    if (*views.rbegin() > ticks.back()) ticks.push_back(*views.rbegin());
+    return ticks;
+}
 
 Plot loss_plot(const ViewCurve& curve) {
     double best_db = -std::numeric_limits<double>::infinity();
@@ -29,7 +47,8 @@ Plot loss_plot(const ViewCurve& curve) {
              {},
              false});
     }
-    Plot plot{"What fewer views cost", kViews, "PSNR lost, dB", true, false, {chosen}, {}};
+    Plot plot{"What fewer views cost", kViews, "PSNR lost, dB", true, false, {chosen}, {},
+              ticks_of(curve)};
     if (!random.marks.empty()) plot.series.push_back(random);
     plot.vertical_lines.push_back({static_cast<double>(curve.third_db_views), 0});
     return plot;
@@ -41,21 +60,26 @@ Plot cost_plot(const ViewCurve& curve, const char* title, const char* label,
     for (const ViewCurvePoint& point : curve.points) {
         series.marks.push_back({static_cast<double>(point.views), point.*cost, {}, {}, {}, false});
     }
-    return {title, kViews, label, true, false, {series}, {}};
+    return {title, kViews, label, true, false, {series}, {}, ticks_of(curve)};
 }
 
 }  // namespace
 
-void draw_view_curve(const std::filesystem::path& folder, const ViewCurve& curve,
-                     const Progress& progress) {
-    write_whole_text(folder / "loss.svg", plot_svg(loss_plot(curve), progress));
-    write_whole_text(folder / "mib.svg",
-                     plot_svg(cost_plot(curve, "What views take in a GL's memory", "MiB",
-                                        &ViewCurvePoint::texture_mib),
-                              progress));
-    write_whole_text(folder / "ms.svg", plot_svg(cost_plot(curve, "What views cost in time",
-                                                           "ms a frame", &ViewCurvePoint::ms),
-                                                 progress));
+std::vector<std::filesystem::path> draw_view_curve(const std::filesystem::path& folder,
+                                                   const ViewCurve& curve,
+                                                   const Progress& progress) {
+    const std::vector<std::pair<std::filesystem::path, Plot>> plots{
+        {folder / "loss.svg", loss_plot(curve)},
+        {folder / "mib.svg",
+         cost_plot(curve, "What views take in a GL's memory", "MiB", &ViewCurvePoint::texture_mib)},
+        {folder / "ms.svg",
+         cost_plot(curve, "What views cost in time", "ms a frame", &ViewCurvePoint::ms)}};
+    std::vector<std::filesystem::path> written;
+    for (const auto& [path, plot] : plots) {
+        write_whole_text(path, plot_svg(plot, progress));
+        written.push_back(path);
+    }
+    return written;
 }
 
 }  // namespace lumi

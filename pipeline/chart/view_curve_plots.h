@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "calib/work/progress.h"
 #include "pipeline/evaluate/view_curve.h"
@@ -8,9 +9,10 @@
 namespace lumi {
 
 /// Draws the curve into the folder: what is lost in dB (loss.svg, beside random choices with their
-/// standard deviation), MiB (mib.svg) and ms (ms.svg) against the number of views. Throws what
-/// plot_svg throws, and E-FILE-WRITE.
-void draw_view_curve(const std::filesystem::path& folder, const ViewCurve& curve,
-                     const Progress& progress);
+/// standard deviation), MiB (mib.svg) and ms (ms.svg) against the number of views. Returns their
+/// paths. Throws what plot_svg throws, and E-FILE-WRITE.
+std::vector<std::filesystem::path> draw_view_curve(const std::filesystem::path& folder,
+                                                   const ViewCurve& curve,
+                                                   const Progress& progress);
 
 }  // namespace lumi

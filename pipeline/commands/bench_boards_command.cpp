@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -8,6 +9,7 @@
 #include "calib/ingest/photograph_folder.h"
 #include "calib/lens_files/lens_files.h"
 #include "calib/work/error.h"
+#include "calib/work/printable.h"
 #include "calib/work/stopwatch.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/text/number_text.h"
@@ -34,13 +36,14 @@ void add_deviation(const Camera& reference, const BoardCalibration& calibration,
     row["focal_deviation_sigma"] = (ours - theirs) / calibration.parameters.front().sigma;
 }
 
-Json row_for(const fs::path& folder, int threads, Progress& progress) {
+/// One row of the table; `refusal` gets what a folder was refused for, the first time.
+Json row_for(const fs::path& folder, const CommandContext& context, std::optional<Error>& refusal) {
     const fs::path named = folder.has_filename() ? folder : folder.parent_path();
     Json row{{"set", named.filename().string()}};
     const Stopwatch stopwatch;
     try {
-        const BoardPhotographs found = find_boards(folder, {}, threads, progress);
-        const BoardCalibration calibration = calibrate_boards(found.board, {}, progress);
+        const BoardPhotographs found = find_boards(folder, {}, context.threads, *context.progress);
+        const BoardCalibration calibration = calibrate_boards(found.board, {}, *context.progress);
         row["board"] = name_of(found.kind);
         row["photographs"] = found.photographs;
         row["used"] = calibration.views.size();
@@ -57,6 +60,9 @@ Json row_for(const fs::path& folder, int threads, Progress& progress) {
     } catch (const Error& error) {
         if (error.kind() == ErrorKind::kInterrupted) throw;
         row["refused"] = error.code();
+        row["reason"] = printable(error.what());
+        context.say(error.code() + ": " + printable(error.what()) + "\n");
+        refusal = refusal.value_or(error);
     }
     row["cpu_s"] = stopwatch.elapsed().cpu_s;
     return row;
@@ -112,14 +118,17 @@ void add_bench_boards_command(CLI::App& app, CommandContext& context) {
             for (const fs::path& folder : *folders)
                 static_cast<void>(list_photographs(folder, {}, {}));
             std::vector<Json> rows;
-            for (const fs::path& folder : *folders) {
-                rows.push_back(row_for(folder, context.threads, *context.progress));
-            }
+            std::optional<Error> refusal;
+            for (const fs::path& folder : *folders)
+                rows.push_back(row_for(folder, context, refusal));
             if (context.json) {
                 context.print_result(Json{{"sets", rows}});
             } else {
                 context.print_result(table_of(rows));
             }
+            const bool are_all_refused = std::all_of(
+                rows.begin(), rows.end(), [](const Json& row) { return row.contains("refused"); });
+            if (are_all_refused) throw *refusal;
         };
     });
 }

@@ -228,8 +228,12 @@ void add_bench_command(CLI::App& app, CommandContext& context) {
                         "From photograph to photograph (the word views), or a path that the window "
                         "recorded (a JSON file)")
             ->capture_default_str();
-    CLI::Option* mode = command.add_option(
-        "--mode", request->modes, render_mode_names() + ", also several; all of them without");
+    CLI::Option* mode = command
+                            .add_option("--mode", request->modes,
+                                        render_mode_names() +
+                                            ", also several, with commas between; all of them "
+                                            "without")
+                            ->delimiter(',');
     CLI::Option* frames = command.add_option("--frames", request->frames, "Of the path `views`")
                               ->check(CLI::Range(2, 100000))
                               ->capture_default_str();

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +12,7 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/depth_bench/rung_chart.h"
 #include "pipeline/depth_bench/stability_report.h"
-#include "pipeline/stages/pack_stage.h"
+#include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/stages/posed_files.h"
 #include "pipeline/stages/straightened_depth.h"
 #include "pipeline/stages/used_views.h"
@@ -38,13 +39,7 @@ struct BenchDepthRequest {
 /// The views that a built workspace uses and holds out, as its package was made.
 DepthBenchScene scene_of(const WorkspaceLayout& workspace, const BenchDepthRequest& request,
                          const CommandContext& context) {
-    const PackRecord record = read_pack_record(workspace.stage_folder("pack"));
-    if (record.held_out.empty()) {
-        throw Error(
-            ErrorKind::kUsage, "E-EVAL-NOHOLDOUT",
-            workspace.folder().string() + ": no photograph was held out",
-            "set hold_out_every = 8 under [evaluate] in the configuration, and build again");
-    }
+    const PackRecord record = finished_pack(workspace);
     const PosedPhotographs all =
         read_posed_photographs(workspace.stage_folder("poses") / "pinhole");
     DepthBenchScene scene{workspace.name(), without_views(all, record.held_out),
@@ -82,6 +77,16 @@ std::vector<std::string> model_names() {
     std::vector<std::string> names = depth_model_names();
     names.push_back("auto");
     return names;
+}
+
+/// Those of `known` that are asked for, each once; all of them where none is.
+std::vector<std::string> wanted_of(const std::vector<std::string>& known,
+                                   const std::vector<std::string>& asked) {
+    std::vector<std::string> wanted;
+    std::copy_if(known.begin(), known.end(), std::back_inserter(wanted), [&](const auto& name) {
+        return asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end();
+    });
+    return wanted;
 }
 
 void run_bench_depth(const BenchDepthRequest& request, const CommandContext& context) {
@@ -159,9 +164,9 @@ void run(BenchDepthRequest request, const CommandContext& context) {
                         std::string(request.stability ? "both" : "neither"),
                     "see lumi bench-depth --help");
     }
-    if (request.models.empty()) {
-        request.models = request.stability ? depth_model_names() : model_names();
-    }
+    request.models = request.models.empty() && request.stability
+                         ? depth_model_names()
+                         : wanted_of(model_names(), request.models);
     require_writable_folder(request.out);
     if (request.stability) {
         run_stability(request, context);
@@ -189,8 +194,9 @@ void add_bench_depth_command(CLI::App& app, CommandContext& context) {
     command.add_option("--model", request->models, "Models to measure; may be repeated")
         ->allow_extra_args(false)
         ->check(CLI::IsMember(model_names()));
-    command.add_option("--max-width", request->max_width_px,
-                       "Depth maps are at most this wide, px");
+    command
+        .add_option("--max-width", request->max_width_px, "Depth maps are at most this wide, px")
+        ->check(CLI::Range(16, 16384));
     command.add_option("--truth", request->truth_folder,
                        "Folder of exact depth, by photograph, as its lens bent it");
     CLI::Option* const stability = command.add_flag(

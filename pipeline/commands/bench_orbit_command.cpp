@@ -72,10 +72,11 @@ std::string report_text(const OrbitReport& report, const OrbitOptions& options) 
            " ms, 95 % within " + number_text(report.p95_frame_ms, 1) + " ms, all within " +
            number_text(report.longest_frame_ms, 0) + " ms\n" +
            counted(report.gl_errors, "OpenGL error") + "\n" +
-           number_text(mebibytes(report.memory.back().bytes), 1) + " MiB at rest at the end, " +
-           (growth ? number_text(*growth, 2) : "an unknown amount") +
-           " more than after the first " + number_text(options.warm_up_s, 0) + " s; " +
-           number_text(mebibytes(most_while_moving(report)), 1) + " at most while moving\n";
+           number_text(mebibytes(report.memory.back().bytes), 1) + " MiB at rest at the end" +
+           (growth ? ", " + number_text(*growth, 2) + " more than after the first " +
+                         number_text(options.warm_up_s, 0) + " s"
+                   : "") +
+           "; " + number_text(mebibytes(most_while_moving(report)), 1) + " at most while moving\n";
 }
 
 void run_bench_orbit(const BenchOrbitRequest& request, const CommandContext& context) {
@@ -127,8 +128,10 @@ void add_bench_orbit_command(CLI::App& app, CommandContext& context) {
         ->capture_default_str();
     command.add_option("--size", request->size, "Of the window")->capture_default_str();
     command
-        .add_option("--mode", request->modes,
-                    "Several take turns at each photograph: " + render_mode_names())
+        .add_option(
+            "--mode", request->modes,
+            "Several, with commas between, take turns at each photograph: " + render_mode_names())
+        ->delimiter(',')
         ->capture_default_str();
     command.callback([request, &context] {
         context.chosen = [request, &context] { run_bench_orbit(*request, context); };

@@ -14,7 +14,7 @@ void add_build_command(CLI::App& app, CommandContext& context) {
                     "lumi build configs/fountain.toml\n         lumi build photos/\n"
                     "         lumi build walk.mp4\n"
                     "         lumi build configs/demo.toml --target 30dB\n"
-                    "         lumi build configs/dataset.toml");
+                    "         lumi build configs/arena.toml");
     const auto request = std::make_shared<BuildRequest>();
     const auto wish = std::make_shared<std::string>();
     command

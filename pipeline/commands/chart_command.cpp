@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/chart_files.h"
@@ -60,6 +61,13 @@ Json measured_growth(const ChartRequest& request, const fs::path& folder,
     return growth_json(growth);
 }
 
+/// Told before hours are spent on it.
+std::string extent_of(const Sweep& sweep) {
+    return counted(sweep.variants.size(), "setting") + ", each drawn in " +
+           counted(sweep.modes.size(), "mode") +
+           (sweep.is_default ? ": the default sweep, as there is no table [sweep]" : "") + "\n";
+}
+
 void run_chart(const ChartRequest& request, const CommandContext& context) {
     const Sweep sweep = read_sweep(request.config);
     const fs::path folder =
@@ -70,6 +78,7 @@ void run_chart(const ChartRequest& request, const CommandContext& context) {
         if (context.json) context.print_result(Json{{"growth", growth}});
         return;
     }
+    context.say(extent_of(sweep));
     const ChartResult result = run_sweep(sweep, folder, context.threads, *context.progress);
     write_chart_files(folder, result, *context.progress);
     Json object = chart_json(result);
@@ -97,7 +106,8 @@ void add_chart_command(CLI::App& app, CommandContext& context) {
     const auto request = std::make_shared<ChartRequest>();
     command
         .add_option("CONFIG", request->config,
-                    "Configuration file with a table [sweep], or a folder of photographs")
+                    "Configuration file with a table [sweep], or a folder of photographs; without "
+                    "a table every depth model is tried at three sizes of photographs")
         ->required();
     command.add_flag("--growth-alone", request->growth_alone,
                      "Only how time and memory grow, by the table [growth]");

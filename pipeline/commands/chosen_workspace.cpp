@@ -1,5 +1,7 @@
 #include "pipeline/commands/chosen_workspace.h"
 
+#include <algorithm>
+
 #include "calib/work/config_section.h"
 #include "calib/work/error.h"
 #include "calib/work/printable.h"
@@ -10,6 +12,15 @@ namespace lumi {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Else nothing there is worth keeping: a refused attempt leaves its configuration and no more.
+bool has_finished_stage(const WorkspaceLayout& layout) {
+    const std::vector<std::string>& stages = stages_of_line();
+    return std::any_of(stages.begin(), stages.end(), [&](const std::string& stage) {
+        std::error_code status;
+        return fs::exists(layout.stage_folder(stage) / kDoneMarkerName, status);
+    });
+}
 
 /// What the configuration in the workspace is of; empty where there is none.
 fs::path capture_before(const WorkspaceLayout& layout) {
@@ -36,7 +47,8 @@ bool was_made_of_equal_files(const WorkspaceLayout& layout, const BuildConfig& c
 }
 
 void expect_no_other_capture(const WorkspaceLayout& layout, const BuildConfig& config,
-                             int threads) {
+                             const std::string& advice, int threads) {
+    if (!has_finished_stage(layout)) return;
     std::error_code status;
     const fs::path before = capture_before(layout);
     if (before.empty() || !fs::exists(before, status) ||
@@ -46,16 +58,24 @@ void expect_no_other_capture(const WorkspaceLayout& layout, const BuildConfig& c
         return;
     throw Error(ErrorKind::kUsage, "E-WORKSPACE-OTHER",
                 layout.folder().string() + ": holds what was made of " + printable(before.string()),
-                "give the configuration another name = \"...\", or build in another folder with "
-                "--workspace");
+                advice);
 }
 
 }  // namespace
 
 WorkspaceLayout layout_for(const fs::path& named_folder, const BuildConfig& config, int threads) {
-    if (!named_folder.empty()) return {named_folder, config.name};
+    if (!named_folder.empty()) {
+        const WorkspaceLayout layout(named_folder, config.name);
+        expect_no_other_capture(
+            layout, config, "name another folder with --workspace, or remove this one", threads);
+        return layout;
+    }
     const WorkspaceLayout layout = workspace_of(config);
-    if (config.workspace.empty()) expect_no_other_capture(layout, config, threads);
+    if (!config.workspace.empty()) return layout;
+    expect_no_other_capture(layout, config,
+                            "build in another folder with --workspace, or from a configuration "
+                            "with another name = \"...\"",
+                            threads);
     return layout;
 }
 

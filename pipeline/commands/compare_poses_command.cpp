@@ -4,6 +4,7 @@
 
 #include "calib/poses/pose_comparison.h"
 #include "calib/work/counted.h"
+#include "calib/work/error.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/text/number_text.h"
 
@@ -11,6 +12,19 @@ namespace lumi {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Of a folder; the poses of a workspace lie in a folder of their own.
+NamedPoses poses_in(const std::filesystem::path& folder) {
+    const std::filesystem::path of_workspace = folder / "poses" / "sparse";
+    std::error_code status;
+    if (std::filesystem::is_regular_file(folder / "config.toml", status) &&
+        std::filesystem::is_directory(of_workspace, status)) {
+        throw Error(ErrorKind::kBadInput, "E-COMPARE-WORKSPACE",
+                    folder.string() + ": is a workspace, expected a folder of poses",
+                    "did you mean " + of_workspace.string() + "?");
+    }
+    return read_named_poses(folder);
+}
 
 Json comparison_json(const PoseComparison& comparison) {
     Json views = Json::array();
@@ -58,8 +72,8 @@ void add_compare_poses_command(CLI::App& app, CommandContext& context) {
     command.add_option("B", *b, "The same; what A is measured against")->required();
     command.callback([a, b, &context] {
         context.chosen = [a, b, &context] {
-            const NamedPoses poses = read_named_poses(*a);
-            const PoseComparison comparison = compare_poses(poses, read_named_poses(*b));
+            const NamedPoses poses = poses_in(*a);
+            const PoseComparison comparison = compare_poses(poses, poses_in(*b));
             if (context.json) {
                 context.print_result(comparison_json(comparison));
             } else {

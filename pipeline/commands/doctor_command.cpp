@@ -143,6 +143,12 @@ std::string concerned_text(const Finding& finding) {
     return text.empty() ? text : text + "\n";
 }
 
+std::string angle_text(const CaptureEvidence& evidence) {
+    if (evidence.pairs.empty()) return "";
+    return "; rays meet at " + number_text(median_angle_deg(evidence), 1) +
+           " degrees in the middle pair";
+}
+
 std::string examination_text(const Examination& seen, double depth_mib, const fs::path& picture) {
     std::string text = std::string("verdict: ") + verdict_word(seen.verdict()) + "\n";
     for (const Finding& finding : seen.findings) {
@@ -159,12 +165,12 @@ std::string examination_text(const Examination& seen, double depth_mib, const fs
     const CaptureEvidence& evidence = seen.evidence;
     text += "photographs: " + std::to_string(evidence.photographs.size()) +
             ", pairs of them that show the same things: " + std::to_string(evidence.pairs.size()) +
-            "; rays meet " + "at " + number_text(median_angle_deg(evidence), 1) +
-            " degrees in the middle pair\n";
+            angle_text(evidence) + "\n";
     if (seen.verdict() == Severity::kHopeless) {
         text += "a build will be refused, or place a small part of the photographs";
     } else {
-        text += "a build will take about " + number_text(seen.build.cpu_s, 0) + " CPU s and " +
+        text += "a build will take about " + number_text(seen.build.cpu_s, 0) +
+                " CPU s (half or twice that) and " +
                 number_text(std::max(seen.build.peak_mib, depth_mib), 0) + " MiB, of these depth " +
                 number_text(depth_mib, 0) + " MiB";
     }

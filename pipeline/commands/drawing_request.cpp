@@ -33,11 +33,14 @@ void add_drawing_options(CLI::App& command, DrawingRequest& request) {
             "lightfield and heigl: distance of the plane that is sharp, world units; depth is "
             "not looked at then")
         ->check(positive_number());
-    command.add_flag("--supersample", request.supersample,
-                     "Four samples a pixel: smooth edges, about four times the work");
-    command.add_flag("--jagged", request.jagged,
-                     "One sample a pixel also where depth is as fine as the frame: silhouettes in "
-                     "steps, less work (perpixel)");
+    CLI::Option* supersample =
+        command.add_flag("--supersample", request.supersample,
+                         "Four samples a pixel: smooth edges, about four times the work");
+    command
+        .add_flag("--jagged", request.jagged,
+                  "One sample a pixel also where depth is as fine as the frame: silhouettes in "
+                  "steps, less work (perpixel)")
+        ->excludes(supersample);
     CLI::Option* fade = command.add_flag(
         "--fade", request.fade,
         "Fade to black what lies beyond the capture instead of guessing (perpixel, "

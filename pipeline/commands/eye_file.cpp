@@ -1,6 +1,9 @@
 #include "pipeline/commands/eye_file.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/workspace/json_file.h"
@@ -12,9 +15,27 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kLongestPath_s = 24 * 3600;
 
+/// As many as there have to be; `expected` says what they are.
+template <std::size_t kCount>
+std::array<double, kCount> numbers(const Json& json, const char* key, const char* expected,
+                                   const std::filesystem::path& path) {
+    const auto values = json.at(key).get<std::vector<double>>();
+    if (values.size() != kCount) refuse_json(path, std::string(key) + ": expected " + expected);
+    std::array<double, kCount> counted{};
+    std::copy(values.begin(), values.end(), counted.begin());
+    return counted;
+}
+
+int whole_number(const Json& json, const char* key, const std::filesystem::path& path) {
+    const auto value = json.at(key).get<double>();
+    if (value != std::trunc(value) || std::abs(value) > std::numeric_limits<int>::max())
+        refuse_json(path, std::string(key) + ": expected a whole number");
+    return static_cast<int>(value);
+}
+
 Rigid3 pose_from(const Json& json, const std::filesystem::path& path) {
-    const auto wxyz = json.at("rotation_wxyz").get<std::array<double, 4>>();
-    const auto xyz = json.at("translation").get<std::array<double, 3>>();
+    const auto wxyz = numbers<4>(json, "rotation_wxyz", "[w, x, y, z]", path);
+    const auto xyz = numbers<3>(json, "translation", "[x, y, z]", path);
     const Eigen::Quaterniond rotation(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
     if (!(std::abs(rotation.norm() - 1.0) < 1e-3)) {
         refuse_json(path, "rotation_wxyz: expected a quaternion of length one");
@@ -29,8 +50,8 @@ Camera camera_from(const Json& json, const std::filesystem::path& path) {
     if (json.at("model") != name_of(LensModel::kPinhole)) {
         refuse_json(path, "camera.model: expected PINHOLE, as an eye has no distortion");
     }
-    camera.width_px = json.at("width_px");
-    camera.height_px = json.at("height_px");
+    camera.width_px = whole_number(json, "width_px", path);
+    camera.height_px = whole_number(json, "height_px", path);
     camera.parameters = json.at("parameters").get<std::vector<double>>();
     if (camera.parameters.size() != parameter_count(LensModel::kPinhole)) {
         refuse_json(path, "camera.parameters: expected [fx, fy, cx, cy]");

@@ -43,6 +43,13 @@ void check_picture_out(const fs::path& out, const std::string& option) {
     require_writable_file(out);
 }
 
+void check_frames_folder(const fs::path& out) {
+    std::error_code status;
+    if (fs::exists(out, status) && !fs::is_directory(out, status))
+        refuse_loss(out, "is there already and is not a folder");
+    require_writable_folder(out);
+}
+
 void check_path_out(const fs::path& out) {
     if (names_video(out)) {
         expect_only_files_of_ours(frames_folder_of_video(out), is_sequence_frame_name);

@@ -22,6 +22,10 @@ namespace lumi {
 /// Throws Error (E-RENDER-OUT, E-FILE-WRITE).
 void check_picture_out(const std::filesystem::path& out, const std::string& option = "--out");
 
+/// The same for frames of all photographs, which go into a folder beside whatever is there. Throws
+/// Error (E-OUT-EXISTS, E-FILE-WRITE).
+void check_frames_folder(const std::filesystem::path& out);
+
 /// The same for the frames of a path: videos are MP4 files, and a folder of other things would be
 /// lost. Throws Error (E-RENDER-OUT, E-OUT-EXISTS, E-FILE-WRITE).
 void check_path_out(const std::filesystem::path& out);

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "calib/work/stopwatch.h"
@@ -8,6 +9,7 @@
 #include "meshing/geometry/triangle_mesh_writing.h"
 #include "meshing/surface/file_ending.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/number_checks.h"
 #include "pipeline/stages/chosen_views.h"
 #include "pipeline/text/number_text.h"
 #include "render/lumigraph/package.h"
@@ -69,14 +71,17 @@ void add_fuse_command(CLI::App& app, CommandContext& context) {
     command
         .add_option("--spacing", request->options.spacing_px,
                     "Pixels of the nearest camera that are averaged to one point")
+        ->check(number_from_to(1.0, 1000.0))
         ->capture_default_str();
     command
         .add_option("--max-points", request->options.max_points,
                     "Points are spaced wider where there would be more")
+        ->check(CLI::Range(1000, std::numeric_limits<int>::max()))
         ->capture_default_str();
     command
         .add_option("--agreeing", request->options.min_agreeing_views,
                     "Other views that must see the same surface")
+        ->check(CLI::Range(1, 8))
         ->capture_default_str();
     command.callback([request, &context] {
         context.chosen = [request, &context] { run_fuse(*request, context); };

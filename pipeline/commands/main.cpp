@@ -1,6 +1,7 @@
 #include <glog/logging.h>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "calib/work/error.h"
 #include "calib/work/process_memory.h"
@@ -14,8 +15,10 @@ namespace {
 
 void add_global_options(CLI::App& app, lumi::CommandContext& context) {
     app.add_flag("--json", context.json, "Results, and errors, as one JSON object on stdout");
-    app.add_flag("-q,--quiet", context.quiet, "No talk but errors");
-    app.add_flag("-v,--verbose", context.verbosity, "More talk");
+    CLI::Option* quiet = app.add_flag("-q,--quiet", context.quiet, "No talk but errors");
+    app.add_flag("-v,--verbose", context.verbosity,
+                 "Of build and its stages: also what each stage found, as JSON")
+        ->excludes(quiet);
     app.add_option("--threads", context.threads, "0: all cores")->check(CLI::Range(0, 4096));
     app.add_flag_callback(
         "--version", [] { throw CLI::CallForVersion(lumi::version_text(), 0); },
@@ -65,6 +68,15 @@ void refuse_empty_texts(CLI::App& app) {
     for (CLI::App* below : app.get_subcommands({})) refuse_empty_texts(*below);
 }
 
+/// For help, which is text also with --json, and for the version.
+int answer_early(const CLI::App& app, const CLI::ParseError& answer,
+                 lumi::CommandContext& context) {
+    context.json = app.count("--json") > 0 && answer.get_name() == "CallForVersion";
+    if (!context.json) return app.exit(answer);
+    const nlohmann::ordered_json version{{"version", lumi::version_text()}};
+    return lumi::run_and_report_errors([&] { context.print_result(version); }, context);
+}
+
 [[noreturn]] void refuse_line(const CLI::App& app, const std::string& reason) {
     if (const auto unknown = lumi::error_of_unknown_word(app)) throw *unknown;
     throw lumi::Error(lumi::ErrorKind::kUsage, "E-USAGE", reason,
@@ -90,7 +102,7 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& wrong) {
-        if (wrong.get_exit_code() == 0) return app.exit(wrong);  // Help, or the version.
+        if (wrong.get_exit_code() == 0) return answer_early(app, wrong, context);
         context.json = app.count("--json") > 0;  // A line that is wrong sets no flag.
         return lumi::run_and_report_errors([&] { refuse_line(app, wrong.what()); }, context);
     }

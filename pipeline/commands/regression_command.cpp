@@ -37,8 +37,8 @@ Json moves_json(const std::vector<FigureMove>& moves) {
     return list;
 }
 
-Json regression_json(const VersionFigures& now, const FigureComparison& comparison) {
-    Json json = version_figures_json(now);
+Json regression_json(const MeasuredVersion& now, const FigureComparison& comparison) {
+    Json json = version_json(now);
     json["compared"] = comparison.compared;
     json["moves"] = moves_json(comparison.moves);
     json["only_in_baseline"] = comparison.only_before;
@@ -63,9 +63,9 @@ std::string regression_text(const FigureComparison& comparison) {
     return text;
 }
 
-void compare(const VersionFigures& before, const VersionFigures& now, const fs::path& baseline,
+void compare(const MeasuredVersion& before, const MeasuredVersion& now, const fs::path& baseline,
              const CommandContext& context) {
-    const FigureComparison comparison = compare_figures(before, now);
+    const FigureComparison comparison = compare_figures(before.figures, now.figures);
     if (context.json) {
         context.print_result(regression_json(now, comparison));
     } else {
@@ -78,15 +78,19 @@ void run_regression(const RegressionRequest& request, const CommandContext& cont
     if (!request.write.empty()) require_writable_file(request.write);
     const WorkspaceLayout workspace = find_workspace(request.workspace);
     // Read before anything is written: figures may take the place of those they are compared with.
-    std::optional<VersionFigures> baseline;
-    if (!request.baseline.empty()) baseline = read_version_figures(request.baseline);
-    const VersionFigures figures = measure_version(workspace, request.frames, request.rounds,
-                                                   context.threads, *context.progress);
-    if (!request.write.empty()) write_json_file(request.write, version_figures_json(figures));
+    std::optional<MeasuredVersion> baseline;
+    if (!request.baseline.empty()) {
+        baseline = read_version(request.baseline);
+        expect_same_scene(baseline->scene, scene_to_measure(workspace, context.threads),
+                          request.baseline);
+    }
+    const MeasuredVersion version = measure_version(workspace, request.frames, request.rounds,
+                                                    context.threads, *context.progress);
+    if (!request.write.empty()) write_json_file(request.write, version_json(version));
     if (baseline) {
-        compare(*baseline, figures, request.baseline, context);
+        compare(*baseline, version, request.baseline, context);
     } else {
-        context.print_result(version_figures_json(figures));
+        context.print_result(version_json(version));
     }
 }
 
@@ -99,7 +103,8 @@ void add_regression_command(CLI::App& app, CommandContext& context) {
         "lumi regression work/demo --baseline configs/bench-baseline.json");
     const auto request = std::make_shared<RegressionRequest>();
     command.add_option("WORKSPACE", request->workspace, "Folder that lumi build wrote")->required();
-    command.add_option("--baseline", request->baseline, "Figures of another version");
+    command.add_option("--baseline", request->baseline,
+                       "Figures of another version, of the same photographs");
     command.add_option(
         "--write", request->write,
         "Where to write this version's figures; may be the baseline, which is compared with "

@@ -199,7 +199,7 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
         check_path_out(request.out);
         if (names_video(request.out)) check_video_programs(request.out, *context.progress);
     }
-    if (request.all_views) require_writable_folder(request.out);
+    if (request.all_views) check_frames_folder(request.out);
     if (request.path.empty() && !request.all_views) check_picture_out(request.out);
     EyeFile at;
     if (!request.eye.empty()) at = read_eye_file(request.eye);
@@ -249,12 +249,14 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     where->require_option(1);
     command.add_option("--frames", request->frames, "Of the path `views`")
         ->check(CLI::Range(2, 100000))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->needs(path);
     command
         .add_option("--video-fps", request->video_fps,
                     "Frames a second of a video, and along a recorded path")
         ->check(number_from_to(1.0, 240.0))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->needs(path);
     CLI::Option* stereo =
         command
             .add_option("--stereo", request->stereo_baseline,

@@ -13,6 +13,7 @@
 #include "pipeline/stages/mesh_stage.h"
 #include "pipeline/stages/used_views.h"
 #include "pipeline/text/number_text.h"
+#include "pipeline/text/padded.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {
@@ -37,30 +38,39 @@ Json curve_json(const ViewCurve& curve) {
                 {"curve", std::move(points)}};
 }
 
+std::string curve_row(const std::vector<std::string>& cells) {
+    constexpr std::size_t kWidth = 10;
+    std::string row;
+    for (const std::string& cell : cells) row += padded_left(cell, kWidth);
+    return row + "\n";
+}
+
 std::string curve_text(const ViewCurve& curve) {
-    std::string text = "views   PSNR dB   MiB     ms    random choices: mean, deviation, best dB\n";
+    const bool has_random = std::any_of(curve.points.begin(), curve.points.end(),
+                                        [](const auto& point) { return point.random_psnr_db > 0; });
+    std::vector<std::string> head{"views", "PSNR dB", "MiB", "ms"};
+    if (has_random) head.insert(head.end(), {"random dB", "deviation", "best dB"});
+    std::string text = curve_row(head);
     for (const ViewCurvePoint& point : curve.points) {
-        text += std::to_string(point.views) + "  " + number_text(point.psnr_db, 2) + "  " +
-                number_text(point.texture_mib, 1) + "  " + number_text(point.ms, 1);
+        std::vector<std::string> cells{std::to_string(point.views), number_text(point.psnr_db, 2),
+                                       number_text(point.texture_mib, 1), number_text(point.ms, 1)};
         if (point.random_psnr_db > 0) {
-            text += "  " + number_text(point.random_psnr_db, 2) + "  " +
-                    number_text(point.random_deviation_db, 2) + "  " +
-                    number_text(point.best_random_psnr_db, 2);
+            cells.insert(cells.end(), {number_text(point.random_psnr_db, 2),
+                                       number_text(point.random_deviation_db, 2),
+                                       number_text(point.best_random_psnr_db, 2)});
         }
-        text += "\n";
+        text += curve_row(cells);
     }
     return text + "enough by the one-standard-error rule: " + counted(curve.auto_views, "view") +
            "; within 0.3 dB of the best: " + counted(curve.third_db_views, "view") + "\n";
 }
 
-void check_sizes(const std::vector<int>& sizes, std::size_t views) {
-    for (const int size : sizes) {
-        if (static_cast<std::size_t>(size) <= views) continue;
-        throw Error(
-            ErrorKind::kUsage, "E-SELECT-SIZE",
-            "--size " + std::to_string(size) + ": the package has " + counted(views, "view"),
-            "ask for at most all of them");
-    }
+void expect_at_most(const std::string& option, int asked, std::size_t views) {
+    if (static_cast<std::size_t>(asked) <= views) return;
+    throw Error(
+        ErrorKind::kUsage, "E-SELECT-SIZE",
+        option + " " + std::to_string(asked) + ": the package has " + counted(views, "view"),
+        "ask for at most all of them");
 }
 
 void run_select(const std::filesystem::path& folder, ViewCurveOptions options,
@@ -70,7 +80,10 @@ void run_select(const std::filesystem::path& folder, ViewCurveOptions options,
     options.mesh = camera_mesh_options_of(workspace);
     const PackRecord record = finished_pack(workspace);
     const Lumigraph lumigraph = read_package(workspace.package_folder());
-    check_sizes(options.sizes, lumigraph.views.size());
+    for (const int size : options.sizes) expect_at_most("--size", size, lumigraph.views.size());
+    // The default is no wish: of fewer views than that, all are tried.
+    if (options.least_views != ViewCurveOptions{}.least_views)
+        expect_at_most("--least", options.least_views, lumigraph.views.size());
     std::vector<std::string> names;
     for (const LumigraphView& view : lumigraph.views) names.push_back(view.name);
     std::sort(names.begin(), names.end());
@@ -79,7 +92,11 @@ void run_select(const std::filesystem::path& folder, ViewCurveOptions options,
     const ViewCurve curve = measure_view_curve(
         lumigraph, capture, held_out_photographs(workspace, record, context.threads), options,
         *context.progress);
-    if (!chart.empty()) draw_view_curve(chart, curve, *context.progress);
+    if (!chart.empty()) {
+        for (const std::filesystem::path& picture :
+             draw_view_curve(chart, curve, *context.progress))
+            context.say(picture.string() + "\n");
+    }
     if (context.json) {
         context.print_result(curve_json(curve));
     } else {

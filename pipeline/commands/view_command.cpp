@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "calib/work/error.h"
+#include "calib/work/printable.h"
 #include "calib/work/process_memory.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/frame_files.h"
@@ -13,6 +14,7 @@
 #include "pipeline/evaluate/held_out_beside.h"
 #include "pipeline/plan/planned_views.h"
 #include "render/lumigraph/even_exposure.h"
+#include "render/paths/photograph_eye.h"
 #include "render/viewer/recent_packages.h"
 #include "render/viewer/screenshot.h"
 #include "render/viewer/window.h"
@@ -34,6 +36,10 @@ struct ViewRequest {
     int planned = 0;
 };
 
+bool has_photograph(const Lumigraph& lumigraph, const std::string& name) {
+    return index_of_name(names_of_views(lumigraph), name).has_value();
+}
+
 /// How the window opens packages: as the request says, with what lies beside them. What there is
 /// to compare with may be missing: a window without is better than none.
 PackageLoader loader_of(const ViewRequest& request) {
@@ -47,7 +53,9 @@ PackageLoader loader_of(const ViewRequest& request) {
             if (request.planned > 0) throw;
             opened.message = "no planned photographs: " + std::string(error.what());
         }
-        if (!request.screenshot.empty()) return opened;
+        const bool is_name_known =
+            request.view.empty() || has_photograph(opened.lumigraph, request.view);
+        if (!request.screenshot.empty() && is_name_known) return opened;
         try {
             opened.held_out = held_out_views_beside(package, opened.lumigraph.evened_falloff);
         } catch (const Error& error) {
@@ -88,6 +96,18 @@ void check_planned(const ViewRequest& request, const OpenedPackage& opened) {
                 "run `lumi plan` on the workspace first");
 }
 
+/// One that was held out is no photograph of the package.
+void check_view(const ViewRequest& request, const OpenedPackage& opened) {
+    if (request.view.empty() || has_photograph(opened.lumigraph, request.view)) return;
+    std::vector<std::string> held_out;
+    for (const HeldOutView& view : opened.held_out) held_out.push_back(view.name);
+    if (!index_of_name(held_out, request.view)) return;  // The window lists names.
+    throw Error(ErrorKind::kUsage, "E-VIEW-NAME",
+                "'" + printable(request.view) + "' was held out from this package",
+                "`lumi render` draws from its place, too; this package has: " +
+                    listed_names(names_of_views(opened.lumigraph)));
+}
+
 void run_view(const ViewRequest& request, const CommandContext& context) {
     if (!request.screenshot.empty()) {
         check_picture_out(request.screenshot, "--screenshot");
@@ -96,6 +116,7 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
     const WindowOptions options = window_options_of(request, context);
     OpenedPackage opened = options.load(request.package, options.exposures);
     check_planned(request, opened);
+    check_view(request, opened);
     if (!opened.message.empty()) context.say(opened.message + "\n");
     keep_free_memory();
     run_window(std::move(opened), options);

@@ -46,6 +46,17 @@ void visit_values(const toml::table& table, const std::string& path,
     }
 }
 
+/// A file of another name was perhaps not meant as a configuration.
+toml::table configuration_in(const std::string& text, const fs::path& path) {
+    try {
+        return parsed_toml(text, path.string());
+    } catch (const Error& error) {
+        if (path.extension() == ".toml") throw;
+        throw Error(error.kind(), error.code(), error.what(),
+                    "give a configuration in TOML, a folder of photographs, or a video");
+    }
+}
+
 /// A value that stands in the section itself says how, not what: "modes", "repeats".
 bool is_option(const std::string& name) { return name.find('.') == std::string::npos; }
 
@@ -78,7 +89,7 @@ ConfigDocument ConfigDocument::open(const fs::path& path) {
         document.default_build_name_ = path.stem().string();
         document.folder_ = fs::absolute(path).parent_path();
     }
-    toml::table root = parsed_toml(text, document.name_);
+    toml::table root = configuration_in(text, path);
     document.document_ = std::make_shared<Document>(Document{std::move(text), std::move(root)});
     return document;
 }

@@ -4,9 +4,11 @@
 #include <array>
 #include <fstream>
 
+#include "calib/pictures/image_format.h"
 #include "calib/work/config_section.h"
 #include "calib/work/error.h"
 #include "calib/work/printable.h"
+#include "meshing/surface/file_ending.h"
 
 namespace lumi {
 namespace {
@@ -19,6 +21,14 @@ bool has_zero_byte_at_its_beginning(const fs::path& file) {
     stream.read(beginning.data(), beginning.size());
     const auto end = beginning.begin() + stream.gcount();
     return std::find(beginning.begin(), end, '\0') != end;
+}
+
+/// Also of a file that is no video, so that it is not read as a configuration.
+bool is_named_like_a_video(const fs::path& file) {
+    constexpr std::array<const char*, 10> kEndings{".3gp", ".avi", ".m4v",  ".mkv", ".mov",
+                                                   ".mp4", ".mpg", ".mpeg", ".mts", ".webm"};
+    const std::string ending = lower_case_ending(file);
+    return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 
 /// Whether the folder is a workspace, and not among the photographs that it was made of.
@@ -61,16 +71,20 @@ std::optional<PlainCapture> plain_capture(const fs::path& path) {
             throw Error(ErrorKind::kBadInput, "E-CONFIG-WORKSPACE",
                         path.string() + ": is a workspace of lumi, expected photographs",
                         "give its configuration, " + (path / "config.toml").string() +
-                            "; with --workspace " + path.string() + " lumi builds there again");
+                            "; to build there again, lumi build with --workspace " + path.string());
         }
         const fs::path folder = fs::absolute(path).lexically_normal();
         const fs::path named = folder.has_filename() ? folder : folder.parent_path();
         return PlainCapture{"photos", build_name_of(named.filename().string())};
     }
-    if (path.extension() != ".toml" && fs::is_regular_file(path, status) &&
-        has_zero_byte_at_its_beginning(path))
-        return PlainCapture{"video", build_name_of(path.stem().string())};
-    return std::nullopt;
+    if (path.extension() == ".toml" || !fs::is_regular_file(path, status)) return std::nullopt;
+    if (image_format_of(path)) {
+        throw Error(ErrorKind::kBadInput, "E-CONFIG-PHOTOGRAPH",
+                    path.string() + ": is one photograph, expected a folder of them",
+                    "give the folder that it lies in");
+    }
+    if (!is_named_like_a_video(path) && !has_zero_byte_at_its_beginning(path)) return std::nullopt;
+    return PlainCapture{"video", build_name_of(path.stem().string())};
 }
 
 }  // namespace lumi

@@ -15,10 +15,11 @@ struct PlainCapture {
     std::string name;  ///< For the build: nearly that of the folder or the file.
 };
 
-/// None where the path names a configuration, or nothing: a file that is not named *.toml and has
-/// a zero byte in its first four KiB, as every video has, is taken for a video. Throws Error
-/// (E-CONFIG-PACKAGE, E-CONFIG-WORKSPACE) for the folder of a package and for a workspace, whose
-/// pictures are no capture, unless its photographs lie in that folder, too.
+/// None where the path names a configuration, or nothing: a file that is not named *.toml and is
+/// named like a video, or has a zero byte in its first four KiB, as every video has, is taken for a
+/// video. Throws Error: E-CONFIG-PHOTOGRAPH for a single photograph; E-CONFIG-PACKAGE,
+/// E-CONFIG-WORKSPACE for the folder of a package and for a workspace, whose pictures are no
+/// capture, unless its photographs lie in that folder, too.
 [[nodiscard]] std::optional<PlainCapture> plain_capture(const std::filesystem::path& path);
 
 }  // namespace lumi

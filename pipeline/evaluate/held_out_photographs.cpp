@@ -4,6 +4,7 @@
 #include "pipeline/evaluate/stale_package.h"
 #include "pipeline/stages/posed_files.h"
 #include "pipeline/stages/used_views.h"
+#include "render/lumigraph/manifest.h"
 
 namespace lumi {
 
@@ -12,7 +13,9 @@ namespace fs = std::filesystem;
 PackRecord finished_pack(const WorkspaceLayout& workspace) {
     const fs::path pack_folder = workspace.stage_folder("pack");
     std::error_code status;
-    if (!fs::is_directory(pack_folder, status)) {
+    // A workspace that was given another name has its package under the one before.
+    if (!fs::is_directory(pack_folder, status) ||
+        !fs::is_regular_file(workspace.package_folder() / kManifestName, status)) {
         throw Error(ErrorKind::kBadInput, "E-EVAL-NOPACKAGE",
                     workspace.folder().string() + ": no finished package",
                     "run `lumi build CONFIG.toml` first");

@@ -80,7 +80,7 @@ void write_gallery(const WorkspaceLayout& workspace, const fs::path& folder, Pro
     if (evaluation.is_null()) {
         throw Error(ErrorKind::kUsage, "E-GALLERY-EVALUATION",
                     workspace.folder().string() + ": its package was not evaluated",
-                    "run `lumi evaluate " + workspace.folder().string() + "` first");
+                    "run `lumi evaluate` on the workspace first");
     }
     progress.begin("drawing the gallery", 0);
     const Json& view = evaluation.at("views").at(evaluation.at("views").size() / 2);

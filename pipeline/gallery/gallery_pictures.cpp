@@ -12,7 +12,6 @@ namespace {
 
 constexpr int kGapPx = 4;
 constexpr int kPanelWidthPx = 700;
-constexpr int kPathSteps = 64;
 
 void paste(ColorImage& canvas, const ColorImage& picture, int left, int top) {
     for (int y = 0; y < picture.height(); ++y) {
@@ -28,10 +27,19 @@ ColorImage fitted_to(const ColorImage& picture, int max_width_px) {
                    std::max(1, picture.height() * max_width_px / picture.width()));
 }
 
+Eye eye_between_photographs(const Lumigraph& lumigraph, int width_px, int height_px) {
+    const int views = static_cast<int>(lumigraph.views.size());
+    // An eye at each photograph, and one halfway to the next.
+    const std::vector<Eye> path =
+        path_through_views(lumigraph, std::max(3, 2 * views - 1), width_px, height_px);
+    const int before = std::max(0, (views - 2) / 2);
+    return path[static_cast<std::size_t>(2 * before + 1)];
+}
+
 ColorImage methods_picture(const Lumigraph& lumigraph) {
     const Camera& camera = lumigraph.views.front().camera;
     const int height = kPanelWidthPx * camera.height_px / camera.width_px;
-    const std::vector<Eye> path = path_through_views(lumigraph, kPathSteps, kPanelWidthPx, height);
+    const Eye eye = eye_between_photographs(lumigraph, kPanelWidthPx, height);
     const std::array<RenderOptions, 4> panels{
         {{.mode = RenderMode::kLightField},
          {.mode = RenderMode::kPerPixel},
@@ -40,7 +48,7 @@ ColorImage methods_picture(const Lumigraph& lumigraph) {
     OffscreenRenderer renderer(lumigraph);
     ColorImage canvas(2 * kPanelWidthPx + kGapPx, 2 * height + kGapPx, {255, 255, 255});
     for (std::size_t i = 0; i < panels.size(); ++i) {
-        const Frame frame = renderer.draw(path[kPathSteps / 2], panels[i]);
+        const Frame frame = renderer.draw(eye, panels[i]);
         paste(canvas, frame.color, static_cast<int>(i % 2) * (kPanelWidthPx + kGapPx),
               static_cast<int>(i / 2) * (height + kGapPx));
     }

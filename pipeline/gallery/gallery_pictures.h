@@ -5,8 +5,12 @@
 
 namespace lumi {
 
-/// Four pictures of one eye in the middle of the path through the views, two by two: without depth,
-/// with it, the blending weights (one colour a camera), inverse depth. Throws Error (E-GL-...).
+/// The eye halfway between the two photographs in the middle of their order, as far from both as it
+/// can be; at the only photograph, where there is one.
+[[nodiscard]] Eye eye_between_photographs(const Lumigraph& lumigraph, int width_px, int height_px);
+
+/// Four pictures of that eye, two by two: without depth, with it, the blending weights (one colour
+/// a camera), inverse depth. Throws Error (E-GL-...).
 [[nodiscard]] ColorImage methods_picture(const Lumigraph& lumigraph);
 
 /// At most `max_width_px` wide.

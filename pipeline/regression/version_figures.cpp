@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "pipeline/evaluate/evaluation.h"
 #include "pipeline/evaluate/held_out_photographs.h"
@@ -12,6 +13,7 @@
 #include "render/bench/frame_timing.h"
 #include "render/lumigraph/package.h"
 #include "render/paths/path_through_views.h"
+#include "render/paths/photograph_eye.h"
 
 namespace lumi {
 namespace {
@@ -71,6 +73,27 @@ std::optional<FigureMove> move_of(const std::string& name, const VersionFigure& 
     return FigureMove{name, before.value, now.value, noise, is_better};
 }
 
+MeasuredScene scene_of(const std::string& name, const PosedPhotographs& held_out) {
+    MeasuredScene scene{name, 0, 0, {}};
+    for (const Camera& camera : held_out.capture.cameras) {
+        scene.width_px = std::max(scene.width_px, camera.width_px);
+        scene.height_px = std::max(scene.height_px, camera.height_px);
+    }
+    for (const View& view : held_out.capture.views) scene.views.push_back(view.name);
+    return scene;
+}
+
+[[noreturn]] void refuse_other(const std::filesystem::path& baseline, const std::string& what) {
+    throw Error(ErrorKind::kUsage, "E-REGRESSION-OTHER", baseline.string() + ": " + what,
+                "measure the workspace that the baseline is of, or write a new baseline with "
+                "--write");
+}
+
+std::string text_of(const MeasuredScene& scene) {
+    return scene.name + " (" + std::to_string(scene.width_px) + "x" +
+           std::to_string(scene.height_px) + ", " + listed_names(scene.views) + ")";
+}
+
 std::string missing_text(const std::vector<std::string>& names) {
     constexpr std::size_t kMaxNamed = 4;
     if (names.empty()) return "";
@@ -84,42 +107,64 @@ std::string missing_text(const std::vector<std::string>& names) {
 
 }  // namespace
 
-VersionFigures measure_version(const WorkspaceLayout& workspace, int frames, int rounds,
-                               int threads, Progress& progress) {
+MeasuredScene scene_to_measure(const WorkspaceLayout& workspace, int threads) {
+    return scene_of(workspace.name(), held_out_photographs(workspace, threads));
+}
+
+MeasuredVersion measure_version(const WorkspaceLayout& workspace, int frames, int rounds,
+                                int threads, Progress& progress) {
     const PosedPhotographs held_out = held_out_photographs(workspace, threads);
     const Lumigraph lumigraph = read_package(workspace.package_folder());
     const std::vector<RenderMode> modes = all_render_modes();
-    VersionFigures figures;
-    append_errors(figures, evaluate_held_out(
-                               lumigraph, held_out,
-                               {.modes = modes, .ghost_energy = false, .timed_frames = 1},
-                               [](RenderMode, const JudgedView&) {}, progress));
-    append_ratios(figures, lumigraph, modes, frames, rounds, progress);
-    return figures;
+    MeasuredVersion version{scene_of(workspace.name(), held_out), frames, rounds, {}};
+    append_errors(version.figures, evaluate_held_out(
+                                       lumigraph, held_out,
+                                       {.modes = modes, .ghost_energy = false, .timed_frames = 1},
+                                       [](RenderMode, const JudgedView&) {}, progress));
+    append_ratios(version.figures, lumigraph, modes, frames, rounds, progress);
+    return version;
 }
 
-Json version_figures_json(const VersionFigures& figures) {
+Json version_json(const MeasuredVersion& version) {
     Json list = Json::object();
-    for (const auto& [name, figure] : figures) {
+    for (const auto& [name, figure] : version.figures) {
         list[name] = {{"value", figure.value},
                       {"noise", figure.noise},
                       {"higher_is_better", figure.higher_is_better}};
     }
-    return Json{{"schema_version", kSchemaVersion}, {"figures", std::move(list)}};
+    return Json{{"schema_version", kSchemaVersion},
+                {"name", version.scene.name},
+                {"size", {version.scene.width_px, version.scene.height_px}},
+                {"views", version.scene.views},
+                {"frames", version.frames},
+                {"rounds", version.rounds},
+                {"figures", std::move(list)}};
 }
 
-VersionFigures read_version_figures(const std::filesystem::path& path) {
+MeasuredVersion read_version(const std::filesystem::path& path) {
     const Json json = read_json_file(path);
-    VersionFigures figures;
+    MeasuredVersion version;
     try {
         if (json.at("schema_version") != kSchemaVersion) refuse_json(path, "another version");
+        if (!json.contains("views")) refuse_other(path, "does not say which scene it is of");
+        version.scene = {json.at("name"), json.at("size").at(0), json.at("size").at(1),
+                         json.at("views").get<std::vector<std::string>>()};
+        version.frames = json.at("frames");
+        version.rounds = json.at("rounds");
         for (const auto& [name, figure] : json.at("figures").items()) {
-            figures[name] = {figure.at("value"), figure.at("noise"), figure.at("higher_is_better")};
+            version.figures[name] = {figure.at("value"), figure.at("noise"),
+                                     figure.at("higher_is_better")};
         }
     } catch (const Json::exception& error) {
         refuse_json(path, error);
     }
-    return figures;
+    return version;
+}
+
+void expect_same_scene(const MeasuredScene& before, const MeasuredScene& now,
+                       const std::filesystem::path& baseline) {
+    if (before == now) return;
+    refuse_other(baseline, "is of " + text_of(before) + ", and not of " + text_of(now));
 }
 
 FigureComparison compare_figures(const VersionFigures& before, const VersionFigures& now) {
@@ -144,7 +189,8 @@ void refuse_regression(const FigureComparison& comparison, const std::filesystem
                                      [](const FigureMove& move) { return !move.is_better; });
     if (worse > 0) {
         throw Error(ErrorKind::kPartialResult, "E-REGRESSION-WORSE",
-                    std::to_string(worse) + " figures are worse than in " + baseline.string(),
+                    counted(worse, "figure") + (worse == 1 ? " is" : " are") + " worse than in " +
+                        baseline.string(),
                     "find out what changed, or write a new baseline with --write");
     }
     if (comparison.compared > 0 && comparison.only_before.empty()) return;

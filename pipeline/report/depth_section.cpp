@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <map>
 
 #include "calib/pictures/image_io.h"
 #include "pipeline/report/sections.h"
 #include "pipeline/report/spread.h"
+#include "pipeline/stages/file_stems.h"
 #include "pipeline/text/html.h"
 #include "pipeline/text/number_text.h"
 
@@ -26,10 +28,23 @@ std::vector<fs::path> depth_pictures(const fs::path& folder) {
     return pictures;
 }
 
-std::string picture_figure(const fs::path& path) {
+/// The photographs' names by those of their depth pictures, which are names for any file system.
+std::map<std::string, std::string> photographs_by_stem(const Json& depth) {
+    std::vector<std::string> names;
+    for (const Json& view : depth.at("views")) names.push_back(text_of(view.at("name")));
+    const std::vector<std::string> stems = file_stems_of_views(names);
+    std::map<std::string, std::string> photographs;
+    for (std::size_t i = 0; i < names.size(); ++i) photographs[stems[i]] = names[i];
+    return photographs;
+}
+
+std::string picture_figure(const fs::path& path,
+                           const std::map<std::string, std::string>& photographs) {
     const std::string file = path.filename().string();
+    const std::string stem = file.substr(0, file.size() - kEnding.size());
+    const auto photograph = photographs.find(stem);
     return html_figure(read_color_image(path), kDepthWidthPx,
-                       file.substr(0, file.size() - kEnding.size()));
+                       photograph == photographs.end() ? stem : photograph->second);
 }
 
 }  // namespace
@@ -37,6 +52,7 @@ std::string picture_figure(const fs::path& path) {
 std::string depth_section(const ReportSources& sources) {
     const Json depth = evidence_of(sources.stages, "depth");
     if (depth.is_null()) return {};
+    const std::map<std::string, std::string> photographs = photographs_by_stem(depth);
     const std::vector<fs::path> pictures = depth_pictures(sources.workspace.stage_folder("depth"));
     std::string first;
     std::string more;
@@ -44,7 +60,7 @@ std::string depth_section(const ReportSources& sources) {
     for (std::size_t i = 0; i < shown.size(); ++i) {
         // The first few are spread over the capture, too.
         const bool is_first = i % std::max<std::size_t>(1, shown.size() / kPicturesAtOnce) == 0;
-        (is_first ? first : more) += picture_figure(pictures[shown[i]]);
+        (is_first ? first : more) += picture_figure(pictures[shown[i]], photographs);
     }
     std::string html = "<p>Inverse depth: near is bright, far is dark.</p>\n";
     if (depth.contains("warning"))

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "calib/work/counted.h"
 #include "pipeline/text/number_text.h"
@@ -15,6 +16,14 @@ namespace {
 /// The beginning of what was measured on them.
 std::string drawn_photographs(int pictures) {
     return counted(pictures, "photograph") + (pictures == 1 ? " is drawn " : " are drawn ");
+}
+
+/// A gain in words, with its standard error where there is one; one that rounds to none is none.
+std::string gain_text(double gain_db, std::optional<double> standard_error_db = std::nullopt) {
+    const std::string amount = number_text(std::abs(gain_db), 2);
+    const bool is_loss = gain_db < 0 && amount != number_text(0, 2);
+    return amount + (standard_error_db ? " +- " + number_text(*standard_error_db, 2) : "") +
+           (is_loss ? " dB worse" : " dB better");
 }
 
 }  // namespace
@@ -51,14 +60,13 @@ std::string text_of(const DepthEffort& effort) {
     if (effort.pictures == 0) return "";
     return std::to_string(effort.views) + " views' depth is compared at " +
            text_of_depth_blocks(effort.block_px) + ": " + drawn_photographs(effort.pictures) +
-           number_text(effort.fewer_views_lose_db, 2) + " +- " +
-           number_text(effort.standard_error_db, 2) + " dB better with " +
+           gain_text(effort.fewer_views_lose_db, effort.standard_error_db) + " with " +
            std::to_string(kMaxDepthViews) + " views than with " + std::to_string(kLeastDepthViews) +
-           ", " + number_text(effort.blocks_lose_db, 2) + " dB better pixel by pixel, " +
-           number_text(effort.holes_lose_db, 2) + " dB better with what these do not see " +
+           ", " + gain_text(effort.blocks_lose_db) + " pixel by pixel, " +
+           gain_text(effort.holes_lose_db) + " with what these do not see " +
            (effort.fills_holes ? "drawn from others, which is done"
                                : "drawn from others, which is not done") +
-           ", and " + number_text(effort.guesses_lose_db, 2) + " dB better with guesses " +
+           ", and " + gain_text(effort.guesses_lose_db) + " with guesses " +
            (effort.checks_guesses ? "checked, which is done" : "checked, which is not done");
 }
 
@@ -66,32 +74,29 @@ std::string text_of(const DepthMeshEffort& effort) {
     if (effort.pictures == 0) return "";
     return "depth is followed to " + number_text(effort.noisy_error_px, 2) +
            " px where its samples tell noise: " + drawn_photographs(effort.pictures) +
-           number_text(effort.coarsest_lose_db, 2) + " +- " +
-           number_text(effort.standard_error_db, 2) +
-           " dB better with the finest meshes than with " + number_text(kNoisyDepthError_px, 1) +
-           " px, and " + number_text(effort.loses_db, 2) + " dB better than so";
+           gain_text(effort.coarsest_lose_db, effort.standard_error_db) +
+           " with the finest meshes than with " + number_text(kNoisyDepthError_px, 1) +
+           " px, and " + gain_text(effort.loses_db) + " than so";
 }
 
 std::string text_of(const OcclusionEffort& effort) {
     if (effort.pictures == 0) return "";
     return "views are blended unless they see something else by " +
            number_text(effort.tolerance_px, 1) + " px: " + drawn_photographs(effort.pictures) +
-           number_text(effort.gains_db, 2) + " +- " + number_text(effort.standard_error_db, 2) +
-           " dB better than with " + number_text(effort.beside_px, 1);
+           gain_text(effort.gains_db, effort.standard_error_db) + " than with " +
+           number_text(effort.beside_px, 1);
 }
 
 std::string text_of(const TriangleEffort& effort) {
     if (effort.pictures == 0) return "";
-    const std::string of_error = effort.triangles > 0
-                                     ? "with " + std::to_string(std::lround(effort.triangles)) +
-                                           " of them, and at best " +
-                                           number_text(effort.loses_db, 2) + " dB better, and "
-                                     : "";
+    const std::string of_error =
+        effort.triangles > 0 ? "with " + std::to_string(std::lround(effort.triangles)) +
+                                   " of them, and at best " + gain_text(effort.loses_db) + ", and "
+                             : "";
     return "triangles may err by " + number_text(effort.error_px, 2) +
            " px: " + drawn_photographs(effort.pictures) + of_error +
-           number_text(effort.thin_gains_db, 2) + " +- " +
-           number_text(effort.thin_standard_error_db, 2) +
-           " dB better with what is thinner drawn over them, " +
+           gain_text(effort.thin_gains_db, effort.thin_standard_error_db) +
+           " with what is thinner drawn over them, " +
            (effort.draws_thin ? "which is done" : "which is not done");
 }
 

@@ -19,11 +19,12 @@ TEST(BenchCommands, DepthIsAskedForItsStabilityOrOnWorkspaces) {
     EXPECT_EQ(lumi("bench-depth" + out).exit_code, 2);
     EXPECT_EQ(lumi("bench-depth --stability work/some" + out).exit_code, 2);
     EXPECT_EQ(lumi("bench-depth --stability --hazard boredom" + out).exit_code, 2);
-    const Outcome outcome =
-        lumi("bench-depth --json --stability --quick --hazard noise --model plane" + out);
+    const Outcome outcome = lumi(
+        "bench-depth --json --stability --quick --hazard noise --model plane --model plane" + out);
     ASSERT_EQ(outcome.exit_code, 0);
     const Json json = Json::parse(outcome.out);
     ASSERT_EQ(json.at("rows").size(), 3U);
+    ASSERT_EQ(json.at("rows").at(0).at("rungs").size(), 1U) << "what is named twice is asked once";
     EXPECT_EQ(json.at("rows").at(0).at("rungs").at(0).at("model"), "plane");
     EXPECT_EQ(json, Json::parse(read_whole_text(scratch / "stability" / "stability.json")));
     EXPECT_TRUE(std::filesystem::exists(scratch / "stability" / "stability.csv"));

@@ -146,6 +146,44 @@ TEST_F(BuildCommand, FoldersOfOneNameDoNotTakeEachOthersPlace) {
     EXPECT_EQ(stages.at(0).at("evidence").at("photographs"), 9);
 }
 
+TEST_F(BuildCommand, ANamedFolderIsNotTakenFromAnotherCapture) {
+    for (const char* parent : {"a", "b"})
+        fs::copy(scene_->path() / "photos", scratch_ / parent, fs::copy_options::recursive);
+    fs::remove(scratch_ / "b/IMG_0009.png");
+    const std::string there = " --workspace " + quoted(workspace());
+    EXPECT_EQ(lumi("ingest " + quoted(scratch_ / "a") + there).exit_code, 0);
+    const std::string before = read_whole_text(workspace() / "config.toml");
+    const Outcome refused = lumi("ingest " + quoted(scratch_ / "b") + there);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.talk, HasSubstr("E-WORKSPACE-OTHER"));
+    EXPECT_EQ(read_whole_text(workspace() / "config.toml"), before);
+    EXPECT_EQ(lumi("ingest " + quoted(scratch_ / "a") + there).exit_code, 0);
+}
+
+TEST_F(BuildCommand, ARefusedAttemptHoldsNoName) {
+    fs::create_directories(scratch_ / "a/photos");
+    fs::create_directory(scratch_ / "b");
+    fs::copy(scene_->path() / "photos/IMG_0001.png", scratch_ / "a/photos");
+    fs::copy(scene_->path() / "photos", scratch_ / "b/photos", fs::copy_options::recursive);
+    const std::string here = "cd " + quoted(scratch_.path()) + " &&";
+    EXPECT_THAT(lumi("ingest a/photos", here).talk, HasSubstr("E-INGEST-TOOFEW"));
+    EXPECT_EQ(lumi("ingest b/photos", here).exit_code, 0);
+}
+
+TEST_F(BuildCommand, AWorkspaceOfAnotherNameHasNoFinishedPackage) {
+    configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
+    static_cast<void>(build());
+    EXPECT_THAT(read_whole_text(workspace() / "report.html"),
+                HasSubstr("<figcaption>IMG_0001.png</figcaption>"));
+    fs::remove_all(package());
+    const std::string out = " --out " + quoted(scratch_ / "out");
+    for (const std::string& command : {std::string("evaluate "), "bench-depth" + out + " "}) {
+        const Outcome outcome = lumi(command + quoted(workspace()));
+        EXPECT_EQ(outcome.exit_code, 3) << command;
+        EXPECT_THAT(outcome.talk, HasSubstr("E-EVAL-NOPACKAGE")) << command;
+    }
+}
+
 TEST_F(BuildCommand, ConfigurationsOfOneNameDoNotTakeEachOthersPlace) {
     const auto ingest = [&](const std::string& parent) {
         return lumi("ingest " + quoted(scratch_ / parent / "lumi.toml"),

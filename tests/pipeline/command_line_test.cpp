@@ -77,6 +77,10 @@ TEST(CommandLine, VersionNamesWhatLumiIsBuiltFrom) {
     for (const char* name : {"COLMAP", "OpenCV ", "Ceres ", "CGAL ", "OpenImageIO "}) {
         EXPECT_THAT(version.out, HasSubstr(name));
     }
+    const Outcome for_machines = lumi("--json --version");
+    EXPECT_EQ(for_machines.exit_code, 0);
+    EXPECT_THAT(version.out,
+                StartsWith(Json::parse(for_machines.out).at("version").get<std::string>()));
 }
 
 TEST(CommandLine, ErrorsSayWhatWhereAndWhatToDo) {
@@ -176,6 +180,11 @@ TEST(CommandLine, AnEmptyTextIsUsage) {
 TEST(CommandLine, WhatContradictsItselfIsUsage) {
     for (const char* line :
          {"render p.lumi --view a --out a.png --fade --no-fade", "view p.lumi --no-fade --fade",
+          "render p.lumi --view a --out a.png --supersample --jagged",
+          "render p.lumi --view a --out a.png --frames 5",
+          "render p.lumi --all-views --out a --video-fps 5", "build -v -q p.toml",
+          "fuse p.lumi --out a.ply --agreeing 0", "fuse p.lumi --out a.ply --max-points 10",
+          "bench-depth w --out o --max-width -5", "bench-hazards --out h --hazard boredom",
           "bench-mesh --seed -1", "bench-hazards --out h --seed -1"}) {
         const Outcome outcome = lumi(line);
         EXPECT_EQ(outcome.exit_code, 2) << line;
@@ -197,6 +206,60 @@ TEST(CommandLine, AWorkspaceIsNoFolderOfPhotographs) {
         lumi("doctor --workspace " + quoted(scratch / "w") + " " + quoted(scratch.path())).talk,
         HasSubstr("E-INGEST"))
         << "photographs beside what was made of them";
+}
+
+TEST(CommandLine, WhatIsNoConfigurationIsNotReadAsOne) {
+    const ScratchFolder scratch;
+    write_png(scratch / "one.png", GrayImage(320, 240, 90));
+    write_whole_text(scratch / "empty.mp4", "");
+    write_whole_text(scratch / "notes.mp4", "hello world\n");
+    write_whole_text(scratch / "mesh.ply", "ply\nformat ascii 1.0\nend_header\n");
+    const std::string workspace = " --workspace " + quoted(scratch / "w");
+    const auto talk_of = [&](const std::string& file) {
+        return lumi("build " + quoted(scratch / file) + workspace).talk;
+    };
+    EXPECT_THAT(talk_of("one.png"), HasSubstr("E-CONFIG-PHOTOGRAPH"));
+    EXPECT_FALSE(std::filesystem::exists(scratch / "w"));
+    EXPECT_THAT(talk_of("mesh.ply"), HasSubstr("a configuration in TOML, a folder of photographs"));
+    for (const char* file : {"empty.mp4", "notes.mp4"})
+        EXPECT_THAT(talk_of(file), HasSubstr("E-INGEST-NOVIDEO")) << file;
+}
+
+TEST(CommandLine, AHazardIsNamedWhereThereIsNoneAndMayBeNamedTwice) {
+    const ScratchFolder scratch;
+    const std::string command = "bench-hazards --out " + quoted(scratch / "h") + " --step 99 ";
+    EXPECT_THAT(lumi(command + "--hazard boredom").talk, HasSubstr("boredom"));
+    EXPECT_THAT(lumi(command + "--hazard noise --hazard noise").talk, HasSubstr("E-HAZARD-STEP"));
+}
+
+TEST(CommandLine, BoardsThatAllFailEndWithTheErrorOfTheFirst) {
+    const ScratchFolder scratch;
+    write_png(scratch / "a.png", GrayImage(320, 240, 90));
+    const Outcome outcome = lumi("--json bench-boards " + quoted(scratch.path()));
+    EXPECT_EQ(outcome.exit_code, 4);
+    const Json result = Json::parse(outcome.out);
+    EXPECT_EQ(result.at("error").at("code"), "E-BOARDS-NOTFOUND");
+    EXPECT_EQ(result.at("sets").at(0).at("refused"), "E-BOARDS-NOTFOUND");
+    EXPECT_FALSE(result.at("sets").at(0).at("reason").get<std::string>().empty());
+}
+
+TEST(CommandLine, PosesOfAWorkspaceAreSaidToLieInAFolderOfIt) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "w/config.toml", "name = \"w\"\n");
+    std::filesystem::create_directories(scratch / "w/poses/sparse");
+    const Outcome outcome =
+        lumi("compare-poses " + quoted(scratch / "w") + " " + quoted(scratch / "w"));
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_THAT(outcome.talk,
+                HasSubstr("did you mean " + (scratch / "w/poses/sparse").string() + "?"));
+}
+
+TEST(CommandLine, FramesOfAllViewsDoNotReplaceAFile) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "a.png", "mine");
+    const Outcome outcome = lumi("render no.lumi --all-views --out " + quoted(scratch / "a.png"));
+    EXPECT_THAT(outcome.talk, HasSubstr("E-OUT-EXISTS"));
+    EXPECT_EQ(read_whole_text(scratch / "a.png"), "mine");
 }
 
 TEST(CommandLine, APathWithNothingThereIsCalledSo) {

@@ -34,6 +34,9 @@ TEST(DoctorCommand, DoctorNamesWhatMakesACaptureHopeless) {
     EXPECT_FALSE(seen.at("findings").at(0).at("advice").get<std::string>().empty());
     EXPECT_THAT(read_whole_text(scratch / "work" / "doctor" / "match_graph.svg"),
                 HasSubstr("160.png"));
+    const Outcome told =
+        lumi("doctor " + quoted(scratch / "photos") + " --workspace " + quoted(scratch / "work"));
+    EXPECT_THAT(told.out, testing::Not(HasSubstr("rays meet"))) << "there is no pair";
 }
 
 TEST(DoctorCommand, AnOddNameIsLeftOutAndNeitherABugNorATerminalsCommand) {

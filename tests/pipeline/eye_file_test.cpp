@@ -78,6 +78,30 @@ TEST(EyeFile, WhatIsNoJsonIsSaidWithItsPlaceAndWithoutTheParsersNames) {
         EXPECT_THAT(said_of(wrong), Not(HasSubstr("json.exception"))) << wrong;
 }
 
+TEST(EyeFile, NumbersAreAsManyAndAsWholeAsTheyMustBe) {
+    const ScratchFolder scratch;
+    const auto said_of = [&](const std::string& right, const std::string& wrong) -> std::string {
+        std::string text = "{" + kEyeAlone + "}";
+        text.replace(text.find(right), right.size(), wrong);
+        write_whole_text(scratch / "eye.json", text);
+        try {
+            (void)read_eye_file(scratch / "eye.json");
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    EXPECT_EQ(said_of("[1, 2, 3]", "[1, 2, 3]"), "accepted");
+    for (const std::string wrong : {"[1, 2]", "[1, 2, 3, 4]"})
+        EXPECT_THAT(said_of("[1, 2, 3]", wrong), HasSubstr("translation: expected [x, y, z]"));
+    EXPECT_THAT(said_of("[1, 0, 0, 0]", "[1, 0, 0]"),
+                HasSubstr("rotation_wxyz: expected [w, x, y, z]"));
+    EXPECT_THAT(said_of("\"width_px\": 4", "\"width_px\": 4.7"),
+                HasSubstr("width_px: expected a whole number"));
+    EXPECT_THAT(said_of("\"width_px\": 4", "\"width_px\": 4294967300"),
+                HasSubstr("width_px: expected a whole number"));
+}
+
 TEST(EyeFile, AModeThatThereIsNoneOfIsRefusedByName) {
     const ScratchFolder scratch;
     for (const std::string wrong : {R"("mode": "photoreal")", R"("debug_picture": "mood")",

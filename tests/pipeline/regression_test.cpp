@@ -64,20 +64,53 @@ TEST(Regression, AWorseFigureIsRefusedAndNoNumberIsWorse) {
     const VersionFigures before{{"ratio.a", {3.0, 0.2, false}}};
     const auto now = [](double value) { return VersionFigures{{"ratio.a", {value, 0.2, false}}}; };
     EXPECT_EQ(refusal(before, now(2.0)), "");
-    EXPECT_EQ(refusal(before, now(4.0)),
-              "E-REGRESSION-WORSE: 1 figures are worse than in base.json");
+    EXPECT_EQ(refusal(before, now(4.0)), "E-REGRESSION-WORSE: 1 figure is worse than in base.json");
     EXPECT_THAT(refusal(before, now(std::numeric_limits<double>::quiet_NaN())),
                 StartsWith("E-REGRESSION-WORSE"));
 }
 
 TEST(Regression, FiguresAreReadBackAsTheyWereWritten) {
     const ScratchFolder scratch;
-    const VersionFigures figures{{"ratio.a", {1.0 / 3.0, 0.1, false}}};
-    write_json_file(scratch / "b.json", version_figures_json(figures));
-    const VersionFigures again = read_version_figures(scratch / "b.json");
-    EXPECT_EQ(again.at("ratio.a").value, 1.0 / 3.0);
+    const MeasuredVersion version{
+        {"demo", 768, 512, {"a.png", "b.png"}}, 20, 3, {{"ratio.a", {1.0 / 3.0, 0.1, false}}}};
+    write_json_file(scratch / "b.json", version_json(version));
+    const MeasuredVersion again = read_version(scratch / "b.json");
+    EXPECT_EQ(again.figures.at("ratio.a").value, 1.0 / 3.0);
+    EXPECT_EQ(again.scene, version.scene);
+    EXPECT_EQ(again.frames, 20);
+    EXPECT_EQ(again.rounds, 3);
     write_whole_text(scratch / "bad.json", "{\"schema_version\": 2, \"figures\": {}}");
-    EXPECT_THROW(static_cast<void>(read_version_figures(scratch / "bad.json")), Error);
+    EXPECT_THROW(static_cast<void>(read_version(scratch / "bad.json")), Error);
+}
+
+/// The code of what is thrown, and its words.
+template <class Work>
+std::string thrown_by(const Work& work) {
+    try {
+        work();
+        return "";
+    } catch (const Error& error) {
+        return error.code() + ": " + error.what();
+    }
+}
+
+TEST(Regression, FiguresOfAnotherSceneAreNotCompared) {
+    const MeasuredScene scene{"demo", 768, 512, {"a.png", "b.png"}};
+    EXPECT_EQ(thrown_by([&] { expect_same_scene(scene, scene, "base.json"); }), "");
+    for (const MeasuredScene& other : {MeasuredScene{"cube", 768, 512, {"a.png", "b.png"}},
+                                       MeasuredScene{"demo", 384, 256, {"a.png", "b.png"}},
+                                       MeasuredScene{"demo", 768, 512, {"a.png", "c.png"}}}) {
+        EXPECT_THAT(
+            thrown_by([&] { expect_same_scene(scene, other, "base.json"); }),
+            StartsWith("E-REGRESSION-OTHER: base.json: is of demo (768x512, a.png, b.png)"));
+    }
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "old.json", "{\"schema_version\": 1, \"figures\": {}}");
+    EXPECT_THAT(thrown_by([&] { static_cast<void>(read_version(scratch / "old.json")); }),
+                StartsWith("E-REGRESSION-OTHER"));
+    const MeasuredVersion ours =
+        read_version(std::filesystem::path(LUMI_SOURCE_DIR) / "configs/bench-baseline.json");
+    EXPECT_EQ(ours.scene.name, "demo") << "what ./run bench measures";
 }
 
 }  // namespace

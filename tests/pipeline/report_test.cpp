@@ -57,6 +57,19 @@ TEST(DrawingEffort, OnePhotographIsCountedInTheSingular) {
     EXPECT_THAT(text_of(effort), testing::HasSubstr(" px: 2 photographs are drawn "));
 }
 
+TEST(DrawingEffort, ALossIsNotCalledBetter) {
+    OcclusionEffort effort;
+    effort.pictures = 2;
+    effort.standard_error_db = 0.06;
+    effort.gains_db = -0.05;
+    EXPECT_THAT(text_of(effort), testing::HasSubstr(" drawn 0.05 +- 0.06 dB worse than with "));
+    for (const double gain_db : {0.05, 0.0, -0.001}) {
+        effort.gains_db = gain_db;
+        EXPECT_THAT(text_of(effort), testing::HasSubstr(" +- 0.06 dB better than with "));
+        EXPECT_THAT(text_of(effort), testing::Not(testing::HasSubstr("-0.0")));
+    }
+}
+
 TEST(Report, OfADamagedWorkspaceIsRefusedInWords) {
     const ScratchFolder scratch;
     write_whole_text(scratch / "stages.json", R"({"stages": [{"name": "ingest"}]})");

@@ -84,6 +84,7 @@ TEST_F(Sweeps, AChartComputesNothingTwiceAndGivesTheSameErrorsAgain) {
     configure("box", kSweep);
     const Outcome first = lumi("--json chart box.toml");
     ASSERT_EQ(first.exit_code, 0) << first.talk;
+    EXPECT_THAT(first.talk, HasSubstr("4 settings, each drawn in "));
     const Json chart = Json::parse(first.out);
     EXPECT_EQ(chart.at("variants").size(), 4U);
     EXPECT_GT(chart.at("work").at("cached_share").get<double>(), 0.2);

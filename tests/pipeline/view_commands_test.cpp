@@ -50,6 +50,18 @@ TEST_F(ViewCommands, DrawsTheCurveOfViewsAgainstError) {
     EXPECT_EQ(beyond.exit_code, 2);
     EXPECT_THAT(beyond.talk, HasSubstr("--size 8: the package has 7 views"));
     EXPECT_THAT(beyond.talk, testing::Not(HasSubstr("drawing")));
+    EXPECT_THAT(lumi("select --least 9999 " + quoted(workspace())).talk,
+                HasSubstr("--least 9999: the package has 7 views"));
+    const fs::path charts = scratch_ / "charts";
+    const Outcome table =
+        lumi("select --size 4 --chart " + quoted(charts) + " " + quoted(workspace()));
+    EXPECT_THAT(table.out, testing::StartsWith("     views   PSNR dB       MiB        ms\n"));
+    EXPECT_THAT(table.talk, HasSubstr((charts / "loss.svg").string()));
+
+    const Outcome held_out = lumi("view --view IMG_0005 --screenshot " +
+                                  quoted(scratch_ / "shot.png") + " " + quoted(package()));
+    EXPECT_EQ(held_out.exit_code, 2);
+    EXPECT_THAT(held_out.talk, HasSubstr("'IMG_0005' was held out from this package"));
 }
 
 /// Sixteen views of the box so close together that not all are needed.

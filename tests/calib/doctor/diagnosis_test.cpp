@@ -189,6 +189,9 @@ TEST(Diagnosis, TwoPhotographsAreHopelessUnlessTheirLensesAreKnown) {
     evidence.motion.pairs = 1;
     EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kFew);
     EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
+    // To accept a smaller share of two photographs does not help.
+    EXPECT_THAT(std::string(advice_for(CaptureReason::kFew)),
+                Not(HasSubstr("min_registered_share")));
     evidence.focal_lengths_are_known = true;
     EXPECT_THAT(diagnose(evidence), IsEmpty());
 }

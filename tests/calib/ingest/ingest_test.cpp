@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "calib/ingest/photograph_folder.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
@@ -310,6 +311,19 @@ TEST(Ingest, RefusesTooFewPhotographsAndSaysWhatWasWrongWithTheOthers) {
 TEST(Ingest, RefusesAFolderThatIsNotThere) {
     const ScratchFolder scratch;
     EXPECT_EQ(code_of_refusal(scratch), "E-INGEST-NOFOLDER");
+}
+
+TEST(Ingest, AFileIsNotCalledAFolderThatIsNotThere) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "board.png", "");
+    try {
+        static_cast<void>(list_photographs(scratch / "board.png", {}, {}));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-INGEST-NOFOLDER");
+        EXPECT_THAT(error.what(), HasSubstr("is a file, expected a folder of photographs"));
+        EXPECT_THAT(error.advice(), testing::Not(HasSubstr("video")));
+    }
 }
 
 TEST(Ingest, StopsWhenAsked) {

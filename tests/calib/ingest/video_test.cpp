@@ -62,7 +62,9 @@ TEST(Video, LeavesOutTinyFrames) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), "E-INGEST-TOOFEW");
+        EXPECT_THAT(error.what(), testing::HasSubstr("0 usable frames"));
         EXPECT_THAT(error.what(), testing::HasSubstr("frame-000004.png: 64x48 pixels"));
+        EXPECT_THAT(error.advice(), testing::HasSubstr("video_fps (1 frames a second are kept)"));
     }
     EXPECT_EQ(ingested_with({.min_width_px = 48, .video_fps = 1.0}).photographs.size(), 2U);
 }
@@ -222,12 +224,15 @@ TEST(Video, ThatWasTrimmedIsWholeAndOneThatWasCutOffIsNot) {
 TEST(Video, RefusesAFileThatIsNone) {
     const ScratchFolder scratch;
     write_whole_text(scratch / "notes.txt", "not a video");
+    write_png(scratch / "photograph.png", wavy_picture(320, 240));
     SilentProgress progress;
-    try {
-        static_cast<void>(ingest(scratch / "notes.txt", {}, scratch / "copies", 1, progress));
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), "E-INGEST-NOVIDEO");
+    for (const std::string name : {"notes.txt", "photograph.png"}) {
+        try {
+            static_cast<void>(ingest(scratch / name, {}, scratch / "copies", 1, progress));
+            FAIL() << name;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-INGEST-NOVIDEO") << name;
+        }
     }
 }
 

@@ -96,6 +96,19 @@ TEST(ConfigSection, TheResolvedTextHoldsEveryDefaultAndReadsBackToTheSame) {
     EXPECT_NO_THROW(again.expect_all_keys_known());
 }
 
+TEST(ConfigSection, TheResolvedTextHasTheShortestNumbersThatReadBack) {
+    const auto resolved_with = [](double number) {
+        const auto file = ConfigSection::from_text("", "c.toml");
+        static_cast<void>(file.number("x", number));
+        static_cast<void>(file.numbers("list", {0.4, 2.0}));
+        return file.resolved();
+    };
+    EXPECT_THAT(resolved_with(0.4), HasSubstr("x = 0.4\n"));
+    EXPECT_THAT(resolved_with(0.4), HasSubstr("[ 0.4, 2.0 ]"));
+    const double third = 1.0 / 3;
+    EXPECT_EQ(ConfigSection::from_text(resolved_with(third), "c.toml").number("x", 0), third);
+}
+
 TEST(ConfigSection, PathsAreRelativeToTheFile) {
     const ScratchFolder scratch;
     write_whole_text(scratch / "configs/c.toml", "photos = \"../photos\"\nabsolute = \"/data\"\n");

@@ -29,6 +29,17 @@ TEST(CameraMeshPicture, ShowsEveryFaceAndFrustumInBothViews) {
     EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
+TEST(CameraMeshPicture, NamesDoNotLieOverOneAnother) {
+    Capture capture =
+        capture_of({{0, 0, -3}, {0.001, 0, -3}, {1, 0, -3}}, Eigen::Vector3d::Zero(), {});
+    for (std::size_t i = 0; i < 3; ++i) capture.views[i].name = "photo" + std::to_string(i);
+    const BuiltCameraMesh built = build_camera_mesh(capture, all_views(capture), {});
+    const std::string svg = camera_mesh_svg(capture, all_views(capture), built.mesh);
+    EXPECT_EQ(occurrences(svg, ">photo0<"), 2U);
+    EXPECT_EQ(occurrences(svg, ">photo1<"), 0U);
+    EXPECT_EQ(occurrences(svg, ">photo2<"), 1U) << "from the side it hides behind the first";
+}
+
 TEST(CameraMeshPicture, ShowsWhoIsNearWhomOnAWalkForward) {
     const Capture capture =
         capture_of({{0, 0, -3}, {0, 0, -4}, {0, 0, -5}}, Eigen::Vector3d::Zero(), {});
