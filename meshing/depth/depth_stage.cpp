@@ -9,6 +9,7 @@
 #include "meshing/depth/depth_choice.h"
 #include "meshing/depth/found_depth.h"
 #include "meshing/depth_models/depth_model.h"
+#include "meshing/depth_models/imported_depth.h"
 #include "meshing/depth_scene/depth_scene.h"
 #include "meshing/depth_scene/view_mask.h"
 
@@ -71,13 +72,21 @@ DepthMemory expected_memory(const std::vector<std::uint64_t>& pixels, const Dept
     return memory;
 }
 
+std::vector<std::filesystem::path> files_to_import(const DepthScene& scene,
+                                                   const DepthOptions& options) {
+    if (!options.imported_files.empty()) return options.imported_files;
+    std::vector<std::string> names;
+    for (const DepthView& view : scene.views) names.push_back(view.name);
+    return imported_depth_files(names, options.import_folder);
+}
+
 /// The model that the options name, or that is chosen; and what that does to the memory.
 std::unique_ptr<DepthModel> model_of(const DepthScene& scene, const std::vector<GrayImage>& masks,
                                      const std::vector<std::uint64_t>& pixels,
                                      const DepthOptions& options, int threads, Progress& progress,
                                      DepthResult& result) {
     if (!options.import_folder.empty()) {
-        return imported_depth_model(options.import_folder, options.import_png_unit);
+        return imported_depth_model(files_to_import(scene, options), options.import_png_unit);
     }
     if (!options.import_mesh.empty()) return mesh_depth_model(options.import_mesh);
     if (!options.import_volume.empty()) {

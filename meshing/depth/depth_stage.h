@@ -24,6 +24,8 @@ struct DepthOptions {
     /// Depth maps made elsewhere (see imported_depth.h), of the straight pictures that depth is
     /// found from, take the place of `model`.
     std::filesystem::path import_folder = {};
+    /// The file of each view, where they were not found there by the views' names.
+    std::vector<std::filesystem::path> imported_files = {};
     double import_png_unit = 0.001;  ///< World units a level of a 16-bit PNG stands for. > 0.
     /// A triangle mesh of the scene in the world of the poses (PLY, OBJ) takes the place of
     /// `model`.

@@ -26,18 +26,16 @@ DepthEstimate exact(DepthMap map, const std::string& model) {
 
 class ImportedModel final : public DepthModel {
  public:
-    ImportedModel(std::filesystem::path folder, double png_unit)
-        : folder_(std::move(folder)), png_unit_(png_unit) {}
+    ImportedModel(std::vector<std::filesystem::path> files, double png_unit)
+        : files_(std::move(files)), png_unit_(png_unit) {}
     [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
-        std::vector<std::string> names;
-        for (const DepthView& view : scene.views) names.push_back(view.name);
-        const auto file = imported_depth_file(names, static_cast<std::size_t>(view_index), folder_);
+        const auto& file = files_[static_cast<std::size_t>(view_index)];
         return exact(imported_depth(view_of(scene, view_index), file, png_unit_), "imported");
     }
     [[nodiscard]] std::string begins_as() const override { return "imported"; }
 
  private:
-    std::filesystem::path folder_;
+    std::vector<std::filesystem::path> files_;
     double png_unit_;
 };
 
@@ -165,9 +163,9 @@ std::unique_ptr<DepthModel> depth_model_named(const std::string& name) {
     return std::make_unique<PatchMatchModel>(name, name == "refined_sweep");
 }
 
-std::unique_ptr<DepthModel> imported_depth_model(const std::filesystem::path& folder,
+std::unique_ptr<DepthModel> imported_depth_model(std::vector<std::filesystem::path> files,
                                                  double png_unit) {
-    return std::make_unique<ImportedModel>(folder, png_unit);
+    return std::make_unique<ImportedModel>(std::move(files), png_unit);
 }
 
 std::unique_ptr<DepthModel> mesh_depth_model(const std::filesystem::path& file) {

@@ -38,10 +38,10 @@ class DepthModel {
 
 [[nodiscard]] std::unique_ptr<DepthModel> depth_model_named(const std::string& name);
 
-/// Depth maps made elsewhere of the scene's own pictures, from files in `folder`
-/// (imported_depth.h).
-[[nodiscard]] std::unique_ptr<DepthModel> imported_depth_model(const std::filesystem::path& folder,
-                                                               double png_unit);
+/// Depth maps made elsewhere of the scene's own pictures (imported_depth.h), from a file of each of
+/// its views.
+[[nodiscard]] std::unique_ptr<DepthModel> imported_depth_model(
+    std::vector<std::filesystem::path> files, double png_unit);
 
 /// What a binary volume of the scene looks like from each view (volume_depth.h). Throws Error
 /// (E-VOLUME-...).

@@ -18,13 +18,16 @@ std::string upper_case(std::string text) {
     return text;
 }
 
-/// The first file there whose name is this with one of the endings of depth maps; else empty.
-fs::path file_named(const fs::path& without_ending) {
+/// The first file there whose name is one of these with one of the endings of depth maps, by
+/// endings before names; else empty.
+fs::path file_named(const std::vector<fs::path>& without_ending) {
     for (const std::string& ending : depth_file_endings()) {
         for (const std::string& written : {ending, upper_case(ending)}) {
-            fs::path file = without_ending;
-            file += written;
-            if (fs::is_regular_file(file)) return file;
+            for (fs::path file : without_ending) {
+                file += written;
+                std::error_code status;  // Names may be too long for a file system.
+                if (fs::is_regular_file(file, status)) return file;
+            }
         }
     }
     return {};
@@ -32,18 +35,31 @@ fs::path file_named(const fs::path& without_ending) {
 
 fs::path stem_of(const std::string& name) { return fs::path(name).replace_extension(); }
 
-/// Other views that have the same stem must have files of their own.
-void require_own_stem(const std::vector<std::string>& names, std::size_t index,
-                      const fs::path& folder, const fs::path& file) {
-    const fs::path stem = stem_of(names[index]);
+/// Of other views, those that have the same stem.
+std::vector<std::string> names_of_same_stem(const std::vector<std::string>& names,
+                                            std::size_t index) {
+    std::vector<std::string> same;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i == index || stem_of(names[i]) != stem) continue;
-        if (!file_named(folder / names[i]).empty()) continue;
-        throw Error(
-            ErrorKind::kBadInput, "E-DEPTH-SHARED",
-            file.string() + " may be the depth map of " + names[index] + " or of " + names[i],
-            "name depth maps like " + names[index] + file.extension().string());
+        if (i != index && stem_of(names[i]) == stem_of(names[index])) same.push_back(names[i]);
     }
+    return same;
+}
+
+/// The file of a view whose stem others have, too: by its whole name, or where they have files of
+/// that kind.
+fs::path file_beside_others(const std::string& name, const std::vector<std::string>& others,
+                            const fs::path& folder) {
+    if (fs::path own = file_named({folder / name}); !own.empty()) return own;
+    const fs::path by_stem = folder / stem_of(name);
+    fs::path file = file_named({by_stem});
+    if (file.empty()) return file;
+    for (const std::string& other : others) {
+        if (!file_named({folder / other}).empty()) continue;
+        throw Error(ErrorKind::kBadInput, "E-DEPTH-SHARED",
+                    file.string() + " may be the depth map of " + name + " or of " + other,
+                    "name depth maps like " + name + file.string().substr(by_stem.string().size()));
+    }
+    return file;
 }
 
 void check_size(const FloatImage& depth, const Camera& camera, const fs::path& path) {
@@ -75,17 +91,23 @@ void require_depths(const FloatImage& depth, const fs::path& path) {
 
 fs::path imported_depth_file(const std::vector<std::string>& names, std::size_t index,
                              const fs::path& folder) {
-    fs::path file = file_named(folder / names[index]);
+    const std::string& name = names[index];
+    const std::vector<std::string> others = names_of_same_stem(names, index);
+    fs::path file = others.empty() ? file_named({folder / stem_of(name), folder / name})
+                                   : file_beside_others(name, others, folder);
     if (!file.empty()) return file;
-    file = file_named(folder / stem_of(names[index]));
-    if (file.empty()) {
-        throw Error(ErrorKind::kBadInput, "E-DEPTH-MISSING",
-                    folder.string() + ": no depth map for view " + names[index],
-                    "name depth maps like their photographs, with .tiff, .tif, .exr, .pfm, .png, "
-                    ".geometric.bin or .photometric.bin as extension");
-    }
-    require_own_stem(names, index, folder, file);
-    return file;
+    throw Error(ErrorKind::kBadInput, "E-DEPTH-MISSING",
+                folder.string() + ": no depth map for view " + name,
+                "name depth maps like their photographs, with .tiff, .tif, .exr, .pfm, .png, "
+                ".geometric.bin or .photometric.bin as extension");
+}
+
+std::vector<fs::path> imported_depth_files(const std::vector<std::string>& names,
+                                           const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        files.push_back(imported_depth_file(names, i, folder));
+    return files;
 }
 
 FloatImage read_imported_depth(const fs::path& file, const Camera& camera, double png_unit) {

@@ -9,14 +9,18 @@
 
 namespace lumi {
 
-/// The file of the depth of view `index`, made elsewhere: in `folder`, by the view's name with one
-/// of the endings of depth_file.h after its extension, or else in place of it. `names` are those of
-/// all views: what two of them would share by the latter belongs to neither.
+/// The file of the depth of view `index`, made elsewhere: in `folder`, by the view's name with the
+/// first of the endings of depth_file.h that there is, in place of its extension or else after it.
+/// `names` are those of all views: where others have the same stem, the whole name counts first,
+/// and what two of them would share belongs to neither.
 ///
 /// Throws Error: E-DEPTH-MISSING (no file for this view), E-DEPTH-SHARED.
 [[nodiscard]] std::filesystem::path imported_depth_file(const std::vector<std::string>& names,
                                                         std::size_t index,
                                                         const std::filesystem::path& folder);
+/// Of every view.
+[[nodiscard]] std::vector<std::filesystem::path> imported_depth_files(
+    const std::vector<std::string>& names, const std::filesystem::path& folder);
 
 /// What such a file says, on its own raster: z along the optical axis in world units, of any size
 /// in the aspect ratio of `camera`. `png_unit` is the depth of one level of a 16-bit PNG in world

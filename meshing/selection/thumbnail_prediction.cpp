@@ -55,6 +55,13 @@ double thumbnail_scale(const Camera& camera) {
     return std::min(1.0, std::sqrt(kPixels / pixels));
 }
 
+/// The camera of a thumbnail.
+Camera at_thumbnail_size(const Camera& camera) {
+    const double scale = thumbnail_scale(camera);
+    return resized(camera, std::max(2, static_cast<int>(std::lround(scale * camera.width_px))),
+                   std::max(2, static_cast<int>(std::lround(scale * camera.height_px))));
+}
+
 /// The median over the views of what `kSameSurfacePx` pixels of its thumbnail are worth, seen from
 /// the nearest other camera that has parallax; infinite when all stand on one spot.
 double inverse_depth_of_same_surface(const std::vector<PicturedView>& views) {
@@ -72,17 +79,23 @@ double inverse_depth_of_same_surface(const std::vector<PicturedView>& views) {
 
 }  // namespace
 
+ColorImage thumbnail_of(const ColorImage& photograph, const Camera& camera) {
+    const Camera small = at_thumbnail_size(camera);
+    return resized(photograph, small.width_px, small.height_px);
+}
+
 ThumbnailPrediction::ThumbnailPrediction(const std::vector<PicturedView>& views) {
     for (const PicturedView& view : views) thumbnails_.push_back(thumbnail_of(view));
     same_surface_ = inverse_depth_of_same_surface(views);
 }
 
 ThumbnailPrediction::Thumbnail ThumbnailPrediction::thumbnail_of(const PicturedView& view) {
-    const double scale = thumbnail_scale(view.camera);
-    const int width = std::max(2, static_cast<int>(std::lround(scale * view.camera.width_px)));
-    const int height = std::max(2, static_cast<int>(std::lround(scale * view.camera.height_px)));
-    Thumbnail thumbnail{resized(view.camera, width, height), view.cam_from_world,
-                        resized(*view.photograph, width, height), FloatImage(width, height, -1.0F)};
+    const Camera camera = at_thumbnail_size(view.camera);
+    const int width = camera.width_px;
+    const int height = camera.height_px;
+    Thumbnail thumbnail{camera, view.cam_from_world,
+                        lumi::thumbnail_of(*view.photograph, view.camera),
+                        FloatImage(width, height, -1.0F)};
     const FloatImage& inverse_depth = view.depth->inverse_depth;
     if (inverse_depth.empty()) return thumbnail;
     for (int y = 0; y < height; ++y) {

@@ -9,6 +9,9 @@
 
 namespace lumi {
 
+/// A photograph at the size of thumbnails; `camera` is of the size of the whole photograph.
+[[nodiscard]] ColorImage thumbnail_of(const ColorImage& photograph, const Camera& camera);
+
 /// Predicts photographs from those of other views, all at the size of thumbnails: what leaving a
 /// view out costs, at a small part of what drawing costs.
 ///
@@ -17,6 +20,7 @@ namespace lumi {
 /// what none sees counts as the largest difference.
 class ThumbnailPrediction {
  public:
+    /// Photographs may be thumbnails already.
     explicit ThumbnailPrediction(const std::vector<PicturedView>& views);
 
     /// Mean squared difference in 8-bit steps between a view's thumbnail and its prediction, as

@@ -27,7 +27,7 @@ namespace lumi {
 /// those that change only because a view leaves that would have been drawn from instead: found
 /// anew, too, they draw held-out photographs of half of the views no better, mostly worse.
 /// Without any depth, or with more than 1500 views, the order is `views_far_apart`.
-/// `views` and `axes` list the same cameras.
+/// `views` and `axes` list the same cameras; photographs may be thumbnails already (thumbnail_of).
 [[nodiscard]] std::vector<int> views_by_worth(const std::vector<PicturedView>& views,
                                               const std::vector<OpticalAxis>& axes,
                                               const Eigen::Vector3d& centre,

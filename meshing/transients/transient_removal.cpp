@@ -233,8 +233,8 @@ int views_at_one_time(const std::vector<PicturedView>& views,
         largest = std::max(largest, depth.confidence.pixels().size());
     }
     release_free_memory();
-    return pieces_within(static_cast<double>(max_bytes),
-                         static_cast<double>(memory_in_use().value_or(0)),
+    const std::uint64_t budget = std::min(max_bytes, memory_available().value_or(max_bytes));
+    return pieces_within(static_cast<double>(budget), 0,
                          kOfEachPixel * static_cast<double>(largest), threads);
 }
 

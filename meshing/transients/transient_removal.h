@@ -19,8 +19,8 @@ struct ViewWithoutTransients {
 /// Paints over what was there for one photograph alone: in the colours of the three nearest views
 /// that see what lies behind it (their median, in the view's own exposure), and with that depth, as
 /// one neighbour confirms it. What no such view sees is painted from its rim (Telea 2004). Views
-/// without transients are not listed. As many views are worked on at one time as `threads` and
-/// `max_bytes` for the whole process allow, and at least one.
+/// without transients are not listed. As many views are painted at one time as `threads` allow and
+/// as take no more than `max_bytes`, nor than the machine can still give; at least one.
 [[nodiscard]] std::vector<ViewWithoutTransients> without_transients(
     const std::vector<PicturedView>& views, int threads, std::uint64_t max_bytes,
     Progress& progress);

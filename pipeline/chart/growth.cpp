@@ -32,13 +32,15 @@ std::vector<int> read_counts(const ConfigSection& section, const std::string& ke
     return counts;
 }
 
-/// What stands in a folder that an earlier run made; nothing else does.
+/// What stands in a folder that an earlier run made; where anything else does, all is left.
 void remove_links(const fs::path& folder) {
     std::error_code status;
+    std::vector<fs::path> links;
     for (const auto& entry : fs::directory_iterator(folder, status)) {
         if (!entry.is_symlink()) refuse_loss(entry.path(), "would be lost");
-        fs::remove(entry.path());
+        links.push_back(entry.path());
     }
+    for (const fs::path& link : links) fs::remove(link);
 }
 
 /// In order of name, sub-folders aside.

@@ -14,6 +14,7 @@
 #include "pipeline/stages/pack_stage.h"
 #include "pipeline/stages/photograph_list.h"
 #include "pipeline/workspace/folder_lock.h"
+#include "pipeline/workspace/folder_size.h"
 #include "pipeline/workspace/stage_store.h"
 #include "render/gl/capabilities.h"
 #include "render/gl/headless_context.h"
@@ -124,7 +125,7 @@ class SweepRun {
                     stages[i].cost.cpu_s * static_cast<double>(result_.sweep.modes.size());
             }
         }
-        measured.package_mib = package_mib(workspace.package_folder());
+        measured.package_mib = folder_mib(workspace.package_folder());
         return package_sha256(workspace);
     }
 
@@ -239,14 +240,6 @@ class SweepRun {
 };
 
 }  // namespace
-
-double package_mib(const fs::path& package_folder) {
-    std::uintmax_t bytes = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(package_folder)) {
-        if (entry.is_regular_file()) bytes += entry.file_size();
-    }
-    return static_cast<double>(bytes) / (1024.0 * 1024.0);
-}
 
 ChartResult run_sweep(const Sweep& sweep, const fs::path& folder, int threads, Progress& progress,
                       const IsEnough& is_enough) {

@@ -20,7 +20,4 @@ using IsEnough = std::function<bool(const MeasuredVariant&)>;
                                     int threads, Progress& progress,
                                     const IsEnough& is_enough = {});
 
-/// What has to be handed over.
-[[nodiscard]] double package_mib(const std::filesystem::path& package_folder);
-
 }  // namespace lumi

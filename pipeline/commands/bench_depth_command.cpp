@@ -7,6 +7,7 @@
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "calib/work/whole_folder.h"
 #include "meshing/depth_models/depth_model.h"
 #include "meshing/surface/mesh_io.h"
 #include "pipeline/commands/commands.h"
@@ -36,9 +37,10 @@ struct BenchDepthRequest {
     std::vector<std::uint64_t> seeds{1};
 };
 
-/// The views that a built workspace uses and holds out, as its package was made.
+/// The views that a built workspace uses and holds out, as its package was made. Exact depth may be
+/// straightened in `scratch`.
 DepthBenchScene scene_of(const WorkspaceLayout& workspace, const BenchDepthRequest& request,
-                         const CommandContext& context) {
+                         const fs::path& scratch, const CommandContext& context) {
     const PackRecord record = finished_pack(workspace);
     const PosedPhotographs all =
         read_posed_photographs(workspace.stage_folder("poses") / "pinhole");
@@ -46,9 +48,10 @@ DepthBenchScene scene_of(const WorkspaceLayout& workspace, const BenchDepthReque
                           only_views(all, record.held_out),
                           read_camera_mesh_ply(workspace.stage_folder("mesh") / "camera_mesh.ply")};
     if (!request.truth_folder.empty()) {
-        scene.truth_folder = straighten_depth(
-            {request.truth_folder}, scene.used.capture, workspace.stage_folder("poses"),
-            request.out / workspace.name() / "truth", context.threads, *context.progress);
+        scene.truth_folder = request.truth_folder;
+        scene.truth_files = straighten_depth({request.truth_folder}, scene.used.capture,
+                                             workspace.stage_folder("poses"), scratch,
+                                             context.threads, *context.progress);
     }
     return scene;
 }
@@ -92,7 +95,9 @@ std::vector<std::string> wanted_of(const std::vector<std::string>& known,
 void run_bench_depth(const BenchDepthRequest& request, const CommandContext& context) {
     std::vector<RungMeasurement> measured;
     for (const fs::path& folder : request.workspaces) {
-        const DepthBenchScene scene = scene_of(find_workspace(folder), request, context);
+        const WholeFolder scratch(request.out / "truth");
+        const DepthBenchScene scene =
+            scene_of(find_workspace(folder), request, scratch.staging(), context);
         for (const std::string& model : request.models) {
             DepthOptions options;
             options.model = model;

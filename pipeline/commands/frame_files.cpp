@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <set>
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "calib/work/whole_folder.h"
 #include "meshing/surface/file_ending.h"
+#include "pipeline/stages/file_stems.h"
 
 namespace lumi {
 namespace {
@@ -30,6 +32,24 @@ bool is_sequence_frame_name(const std::string& name) {
     std::size_t number = 0;
     return std::sscanf(name.c_str(), "frame-%zu.png", &number) == 1 && number > 0 &&
            name == sequence_frame_name(number - 1);
+}
+
+std::vector<fs::path> frames_of_views(const fs::path& folder, const std::vector<std::string>& views,
+                                      RenderMode mode,
+                                      const std::vector<std::string>& photographs) {
+    std::set<fs::path> of_photographs;
+    for (const std::string& name : photographs) of_photographs.insert(fs::path(name).filename());
+    std::vector<fs::path> frames;
+    for (const std::string& stem : file_stems_without_dots(views)) {
+        frames.push_back(folder / (stem + '.' + name_of(mode) + ".png"));
+        std::error_code status;
+        const fs::file_type there = fs::symlink_status(frames.back(), status).type();
+        if (there == fs::file_type::not_found) continue;
+        if (there != fs::file_type::regular) refuse_loss(frames.back(), "is there already");
+        if (of_photographs.contains(frames.back().filename()))
+            refuse_loss(frames.back(), "is named like a photograph of the capture");
+    }
+    return frames;
 }
 
 bool names_video(const fs::path& out) { return lower_case_ending(out) == ".mp4"; }

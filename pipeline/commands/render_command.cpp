@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "calib/pictures/image_io.h"
@@ -19,7 +20,6 @@
 #include "pipeline/commands/video_file.h"
 #include "pipeline/evaluate/held_out_beside.h"
 #include "pipeline/evaluate/image_metrics.h"
-#include "pipeline/stages/file_stems.h"
 #include "pipeline/text/number_text.h"
 #include "render/lumigraph/even_exposure.h"
 #include "render/lumigraph/package.h"
@@ -71,41 +71,46 @@ Job job_at(const LumigraphView& view, const fs::path& out) {
     return {eye_at(view), out, turned_upright(view.photograph, view.exif_orientation), true};
 }
 
+/// Of the package first, then of those that were held out from it, each once.
+std::vector<std::string> names_beside(const RenderRequest& request, const Lumigraph& lumigraph) {
+    std::vector<std::string> names = names_of_views(lumigraph);
+    for (std::string& name : held_out_names_beside(request.package)) {
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            names.push_back(std::move(name));
+    }
+    return names;
+}
+
 /// A photograph of the package, or one that was held out from it.
 Job job_at_view(const RenderRequest& request, const Lumigraph& lumigraph) {
-    const std::vector<std::string> names = names_of_views(lumigraph);
-    if (const auto view = index_of_name(names, request.view))
-        return job_at(lumigraph.views[static_cast<std::size_t>(*view)], request.out);
-    const std::vector<HeldOutView> held_out = held_out_views_beside(request.package, 0);
-    std::vector<std::string> held_out_names;
-    for (const HeldOutView& view : held_out) held_out_names.push_back(view.name);
-    if (const auto view = index_of_name(held_out_names, request.view)) {
-        const HeldOutView& beside = held_out[static_cast<std::size_t>(*view)];
-        return {beside.eye, request.out, beside.photograph, false, lumigraph.evened_falloff};
+    const std::vector<std::string> names = names_beside(request, lumigraph);
+    const std::optional<int> index = index_of_name(names, request.view);
+    const auto packed = static_cast<int>(lumigraph.views.size());
+    if (index && *index < packed)
+        return job_at(lumigraph.views[static_cast<std::size_t>(*index)], request.out);
+    if (index) {
+        const std::string& name = names[static_cast<std::size_t>(*index)];
+        for (HeldOutView& beside : held_out_views_beside(request.package, 0)) {
+            if (beside.name != name) continue;
+            return {beside.eye, request.out, std::move(beside.photograph), false,
+                    lumigraph.evened_falloff};
+        }
     }
-    throw Error(
-        ErrorKind::kUsage, "E-RENDER-VIEW",
-        "expected the name of one photograph, of the package or held out from it, found '" +
-            printable(request.view) + "'",
-        "this package has: " + listed_names(names) + "; `lumi inspect PACKAGE` lists all of them");
+    throw Error(ErrorKind::kUsage, "E-RENDER-VIEW",
+                "expected the name of one photograph, of the package or held out from it, found '" +
+                    printable(request.view) + "'",
+                "there are: " + listed_names(names) + "; `lumi inspect PACKAGE` lists all of them");
 }
 
-/// Frames of all views are named like the photographs, which may lie in a folder of that name.
-void expect_nothing_lost(const fs::path& out) {
-    std::error_code status;
-    if (fs::exists(fs::symlink_status(out, status))) refuse_loss(out, "is there already");
-}
-
-std::vector<Job> jobs_of(const RenderRequest& request, const Eye& eye, const Lumigraph& lumigraph) {
+std::vector<Job> jobs_of(const RenderRequest& request, const Eye& eye, RenderMode mode,
+                         const Lumigraph& lumigraph) {
     if (!request.eye.empty()) return {{eye, request.out}};
     if (!request.all_views) return {job_at_view(request, lumigraph)};
-    const std::vector<std::string> names = names_of_views(lumigraph);
-    const std::vector<std::string> stems = file_stems_of_views(names);
+    const std::vector<fs::path> frames = frames_of_views(request.out, names_of_views(lumigraph),
+                                                         mode, names_beside(request, lumigraph));
     std::vector<Job> jobs;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        jobs.push_back(job_at(lumigraph.views[i], request.out / (stems[i] + ".png")));
-        expect_nothing_lost(jobs.back().out);
-    }
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        jobs.push_back(job_at(lumigraph.views[i], frames[i]));
     return jobs;
 }
 
@@ -179,9 +184,8 @@ Json draw_path(const RenderRequest& request, const Lumigraph& lumigraph, const D
     return frames;
 }
 
-Json draw_jobs(const RenderRequest& request, const Eye& eye, const Lumigraph& lumigraph,
-               const Draw& draw, const CommandContext& context) {
-    const std::vector<Job> jobs = jobs_of(request, eye, lumigraph);
+Json draw_jobs(const RenderRequest& request, const std::vector<Job>& jobs, const Draw& draw,
+               const CommandContext& context) {
     Json frames = Json::array();
     context.progress->begin("drawing", jobs.size());
     for (const Job& job : jobs) {
@@ -216,8 +220,10 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
                         : draw_mode_reference(lumigraph, eye, options);
     };
 
-    Json frames = request.path.empty() ? draw_jobs(request, at.eye, lumigraph, draw, context)
-                                       : draw_path(request, lumigraph, draw, context);
+    Json frames =
+        request.path.empty()
+            ? draw_jobs(request, jobs_of(request, at.eye, options.mode, lumigraph), draw, context)
+            : draw_path(request, lumigraph, draw, context);
     if (!context.json) return;
     context.print_result(Json{{"mode", name_of(options.mode)},
                               {"renderer", renderer ? renderer->gl_description() : "reference"},
@@ -241,7 +247,8 @@ void add_render_command(CLI::App& app, CommandContext& context) {
                       "package lies in its workspace");
     CLI::Option* eye = where->add_option("--eye", request->eye, kEyeFileHelp);
     where->add_flag("--all-views", request->all_views,
-                    "From every photograph's place; --out names a folder");
+                    "From every photograph's place; --out names a folder, for PHOTOGRAPH.MODE.png "
+                    "of each");
     CLI::Option* path = where->add_option(
         "--path", request->path,
         "Along a path that the window recorded (a JSON file), or from photograph to "
@@ -275,7 +282,8 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     command.add_flag("--reference", request->reference, "By the plain-code renderer; slow");
     command
         .add_option("--out", request->out,
-                    "PNG file; folder with --all-views; folder or .mp4 file with --path")
+                    "PNG file; folder with --all-views; folder or .mp4 file with --path. Frames "
+                    "of an earlier run give way, and nothing else that lies in a folder")
         ->required();
     command.callback([request, &context] {
         context.chosen = [request, &context] { run_render(*request, context); };

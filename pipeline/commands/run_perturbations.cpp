@@ -85,8 +85,7 @@ void run_perturbations(const PerturbationRequest& request, const CommandContext&
     result.max_loss_db = task.options.max_loss_db;
     result.views_are_held_out = task.subject.views_are_held_out;
     for (const StressView& view : task.subject.views) result.views.push_back(view.name);
-    result.curves =
-        stress_curves(task.subject.lumigraph, task.subject.views, task.options, *context.progress);
+    result.curves = stress_curves(task.subject, task.options, *context.progress);
     write_stress_files(out, result, *context.progress);
     if (context.json) {
         context.print_result(stress_json(result));

@@ -77,7 +77,7 @@ void run_select(const std::filesystem::path& folder, ViewCurveOptions options,
                 const std::filesystem::path& chart, const CommandContext& context) {
     if (!chart.empty()) require_writable_folder(chart);
     const WorkspaceLayout workspace = find_workspace(folder);
-    options.mesh = camera_mesh_options_of(workspace);
+    options.mesh = camera_mesh_options_of(workspace.config_path());
     const PackRecord record = finished_pack(workspace);
     const Lumigraph lumigraph = read_package(workspace.package_folder());
     for (const int size : options.sizes) expect_at_most("--size", size, lumigraph.views.size());

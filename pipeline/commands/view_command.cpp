@@ -40,6 +40,10 @@ bool has_photograph(const Lumigraph& lumigraph, const std::string& name) {
     return index_of_name(names_of_views(lumigraph), name).has_value();
 }
 
+void add_message(OpenedPackage& opened, const std::string& message) {
+    opened.message += (opened.message.empty() ? "" : "; ") + message;
+}
+
 /// How the window opens packages: as the request says, with what lies beside them. What there is
 /// to compare with may be missing: a window without is better than none.
 PackageLoader loader_of(const ViewRequest& request) {
@@ -51,7 +55,7 @@ PackageLoader loader_of(const ViewRequest& request) {
             opened.planned = planned_views_beside(package);
         } catch (const Error& error) {
             if (request.planned > 0) throw;
-            opened.message = "no planned photographs: " + std::string(error.what());
+            add_message(opened, "no planned photographs: " + std::string(error.what()));
         }
         const bool is_name_known =
             request.view.empty() || has_photograph(opened.lumigraph, request.view);
@@ -59,7 +63,7 @@ PackageLoader loader_of(const ViewRequest& request) {
         try {
             opened.held_out = held_out_views_beside(package, opened.lumigraph.evened_falloff);
         } catch (const Error& error) {
-            opened.message = "nothing to compare with: " + std::string(error.what());
+            add_message(opened, "nothing to compare with: " + std::string(error.what()));
         }
         return opened;
     };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "calib/lens_files/lens_files.h"
+#include "calib/work/printable.h"
 #include "pipeline/config/config_variant.h"
 #include "pipeline/config/lens_file.h"
 #include "pipeline/config/plain_capture.h"
@@ -158,7 +159,7 @@ bool is_plain_name(const std::string& name) {
     const auto is_plain = [](char c) {
         return c != '/' && c != '\\' && static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
     };
-    return !name.empty() && name.size() <= kMaxBuildName && name.front() != '.' &&
+    return !name.empty() && name.size() <= kMaxBuildName && name.front() != '.' && is_utf8(name) &&
            std::all_of(name.begin(), name.end(), is_plain);
 }
 

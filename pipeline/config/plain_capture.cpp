@@ -9,6 +9,7 @@
 #include "calib/work/error.h"
 #include "calib/work/printable.h"
 #include "meshing/surface/file_ending.h"
+#include "render/lumigraph/manifest.h"
 
 namespace lumi {
 namespace {
@@ -56,12 +57,20 @@ std::string build_name_of(const std::string& file_name) {
     return name.empty() ? "capture" : name;
 }
 
+/// Configurations, which are UTF-8, name it by its whole path.
+void expect_utf8(const fs::path& absolute) {
+    if (is_utf8(absolute.string())) return;
+    throw Error(ErrorKind::kBadInput, "E-CONFIG-NAME",
+                printable(absolute.string()) + ": the name of a folder or of the file is not UTF-8",
+                "rename the folder or the file: what is no text in its name stands as \\x above");
+}
+
 }  // namespace
 
 std::optional<PlainCapture> plain_capture(const fs::path& path) {
     std::error_code status;
     if (fs::is_directory(path, status)) {
-        if (fs::exists(path / "lumigraph.json", status)) {
+        if (fs::exists(path / kManifestName, status)) {
             throw Error(
                 ErrorKind::kBadInput, "E-CONFIG-PACKAGE",
                 path.string() + ": is a package, expected photographs",
@@ -74,6 +83,7 @@ std::optional<PlainCapture> plain_capture(const fs::path& path) {
                             "; to build there again, lumi build with --workspace " + path.string());
         }
         const fs::path folder = fs::absolute(path).lexically_normal();
+        expect_utf8(folder);
         const fs::path named = folder.has_filename() ? folder : folder.parent_path();
         return PlainCapture{"photos", build_name_of(named.filename().string())};
     }
@@ -84,6 +94,7 @@ std::optional<PlainCapture> plain_capture(const fs::path& path) {
                     "give the folder that it lies in");
     }
     if (!is_named_like_a_video(path) && !has_zero_byte_at_its_beginning(path)) return std::nullopt;
+    expect_utf8(fs::absolute(path));
     return PlainCapture{"video", build_name_of(path.stem().string())};
 }
 

@@ -19,7 +19,8 @@ struct PlainCapture {
 /// named like a video, or has a zero byte in its first four KiB, as every video has, is taken for a
 /// video. Throws Error: E-CONFIG-PHOTOGRAPH for a single photograph; E-CONFIG-PACKAGE,
 /// E-CONFIG-WORKSPACE for the folder of a package and for a workspace, whose pictures are no
-/// capture, unless its photographs lie in that folder, too.
+/// capture, unless its photographs lie in that folder, too; E-CONFIG-NAME
+/// where the path is not UTF-8, which a configuration could not name.
 [[nodiscard]] std::optional<PlainCapture> plain_capture(const std::filesystem::path& path);
 
 }  // namespace lumi

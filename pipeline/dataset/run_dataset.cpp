@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/error_of_exception.h"
-#include "pipeline/chart/run_sweep.h"
 #include "pipeline/evaluate/evaluate_workspace.h"
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/line/code_version.h"
@@ -11,6 +10,7 @@
 #include "pipeline/line/placed_photographs.h"
 #include "pipeline/report/workspace_report.h"
 #include "pipeline/stages/pack_stage.h"
+#include "pipeline/workspace/folder_size.h"
 
 namespace lumi {
 namespace {
@@ -60,7 +60,7 @@ void build(const DatasetScene& scene, const fs::path& folder, int threads, Scene
         outcome.wall_s += stage.cost.wall_s;
     }
     outcome.photographs = placed_photographs(stages).value_or(PlacedPhotographs{});
-    outcome.package_mib = package_mib(workspace.package_folder());
+    outcome.package_mib = folder_mib(workspace.package_folder());
     if (!read_pack_record(workspace.stage_folder("pack")).held_out.empty()) {
         const ModeScores scores = current_scores(workspace, scene_threads, progress);
         outcome.mean = mean_score(scores.views);

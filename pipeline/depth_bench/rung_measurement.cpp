@@ -121,11 +121,8 @@ void take_truth(const DepthBenchScene& scene, const DepthOptions& options,
         {.max_width_px = options.max_width_px, .max_neighbours = options.max_neighbours}, threads,
         progress);
     std::vector<DepthMap> truth;
-    const std::vector<std::string> names = view_names(scene.used.capture);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        truth.push_back(imported_depth(depth_scene.views[i],
-                                       imported_depth_file(names, i, scene.truth_folder)));
-    }
+    for (std::size_t i = 0; i < scene.truth_files.size(); ++i)
+        truth.push_back(imported_depth(depth_scene.views[i], scene.truth_files[i]));
     require_one_unit(depth_scene, truth, scene.truth_folder);
     const RightShares shares = right_shares(depth_scene, truth, depth_maps);
     measured.right_share = shares.of_confident;
@@ -164,7 +161,7 @@ RungMeasurement measure_rung(const DepthBenchScene& scene, const DepthOptions& o
         measured.peak_mib = static_cast<double>(*peak) / (1 << 20);
     }
     take_evidence(result, measured);
-    if (!scene.truth_folder.empty()) {
+    if (!scene.truth_files.empty()) {
         take_truth(scene, options, result.depth_maps, threads, progress, measured);
     }
     Lumigraph lumigraph = lumigraph_of(scene, std::move(result.depth_maps), threads);

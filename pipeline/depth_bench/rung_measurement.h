@@ -16,9 +16,10 @@ struct DepthBenchScene {
     PosedPhotographs used;
     PosedPhotographs held_out;  ///< Take no part in depth.
     CameraMesh mesh;            ///< Over the views of `used`.
-    /// Exact depth (float TIFF, imported_depth.h) of the straight pictures of the used views; empty
-    /// when it is not known.
-    std::filesystem::path truth_folder = {};
+    /// Exact depth (float TIFF, imported_depth.h) of the straight pictures of the used views, a
+    /// file of each; empty when it is not known.
+    std::vector<std::filesystem::path> truth_files = {};
+    std::filesystem::path truth_folder = {};  ///< What it was made from, for messages.
 };
 
 /// Accuracy and cost of one rung on one scene.

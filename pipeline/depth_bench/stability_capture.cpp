@@ -23,14 +23,6 @@ std::uint64_t seed_for(std::uint64_t seed, Chance use, std::size_t view) {
     return HashedRandom(mixed(seed) ^ mixed(view + 1), static_cast<std::uint64_t>(use)).word();
 }
 
-/// Towards an even grey.
-void fade(Image<LinearColor>& light, double contrast) {
-    const LinearColor grey = LinearColor::Constant(0.2F);
-    for (LinearColor& color : light.pixels()) {
-        color = grey + static_cast<float>(contrast) * (color - grey);
-    }
-}
-
 SensorOptions sensor_of(DepthHazard hazard, double strength) {
     SensorOptions sensor;
     sensor.noise_sigma = hazard == DepthHazard::kNoise ? strength : 1.0;
@@ -137,7 +129,7 @@ StabilityCapture stability_capture(DepthHazard hazard, double strength, std::uin
                                           exact.views[index].cam_from_world, SamplingOptions{});
         write_png(capture.harmless.picture_paths[index],
                   develop(picture.light, SensorOptions{}, 0));
-        if (hazard == DepthHazard::kTexture) fade(picture.light, strength);
+        if (hazard == DepthHazard::kTexture) fade_to_grey(picture.light, strength);
         write_png(capture.told.picture_paths[index],
                   develop(picture.light, sensor_of(hazard, strength),
                           seed_for(seed, Chance::kSensor, index)));

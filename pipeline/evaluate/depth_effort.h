@@ -11,12 +11,13 @@ namespace lumi {
 ///
 /// The one-standard-error rule chooses how many views' depth is compared: a further view shows what
 /// the others miss, but may as well be wrong. It also decides whether what they miss is drawn from
-/// others, and whether guesses are checked; neither is done where nobody would miss it. Guesses are
-/// judged with the most views and with holes filled, whatever is chosen. Blocks of pixels lose a
-/// little on every silhouette, which is measured without any doubt: they are chosen as wide as
-/// loses less than anyone sees (block_width.h). All else is drawn as `drawing` says, and as many
-/// views' depth is compared as are given, unless 0 are. For fewer than eight views nobody is asked.
-/// Throws Error (E-GL-...).
+/// others, and whether guesses are checked; neither is done where nobody would miss it. Blocks of
+/// pixels lose a little on every silhouette, which is measured without any doubt: they are chosen
+/// as wide as loses less than anyone sees (block_width.h). All else is drawn as `drawing` says.
+///
+/// As many views' depth is compared as are given, unless 0 are, and holes are judged with as many.
+/// Blocks are judged with the fewest, and guesses with the most and with holes filled, whatever is
+/// given or chosen. For fewer than eight views nobody is asked. Throws Error (E-GL-...).
 [[nodiscard]] DepthEffort sufficient_depth_effort(KeptBackPhotographs& photographs,
                                                   const DrawingChoices& drawing,
                                                   int given_views = 0);

@@ -7,6 +7,7 @@
 #include "pipeline/stages/pack_stage.h"
 #include "pipeline/workspace/json_file.h"
 #include "pipeline/workspace/optional_json.h"
+#include "render/lumigraph/manifest.h"
 
 namespace lumi {
 namespace {
@@ -104,17 +105,18 @@ Json evaluation_of_workspace(const WorkspaceLayout& workspace) {
     expect_known_version(evaluation, path);
     if (is_of_package(evaluation, workspace)) return evaluation;
     throw Error(ErrorKind::kBadInput, "E-EVAL-STALE",
-                path.string() + ": of another package than the one that stands there now",
+                path.string() +
+                    ": not of the package, photographs and depth that stand there now, or "
+                    "written by a version before",
                 "run `lumi evaluate " + workspace.folder().string() + "` again");
 }
 
-/// Null when it cannot be read.
-Json json_or_null(const fs::path& path) {
-    try {
-        return read_json_file(path);
-    } catch (const Error&) {
-        return nullptr;
-    }
+/// Null when it is of another version, or not of what stands in the workspace.
+Json evaluation_if_current(const fs::path& path, const WorkspaceLayout& workspace) {
+    Json evaluation = read_json_file(path);
+    const bool is_current = says(evaluation, "schema_version", kEvaluationSchemaVersion) &&
+                            is_of_package(evaluation, workspace);
+    return is_current ? evaluation : Json();
 }
 
 std::optional<double> optional_number(const Json& value) {
@@ -202,7 +204,7 @@ Json made_with_json(const EvaluationOptions& options, const std::string& code_ve
 }
 
 std::string package_sha256(const WorkspaceLayout& workspace) {
-    return sha256_hex_of_file(workspace.package_folder() / "lumigraph.json");
+    return sha256_hex_of_file(workspace.package_folder() / kManifestName);
 }
 
 Json read_evaluation(const fs::path& file_or_folder) {
@@ -218,10 +220,11 @@ Json read_current_evaluation(const WorkspaceLayout& workspace) {
     const fs::path path = workspace.evaluation_folder() / kEvaluationName;
     std::error_code status;
     if (!fs::is_regular_file(path, status)) return nullptr;
-    const Json evaluation = json_or_null(path);
-    const bool is_current = says(evaluation, "schema_version", kEvaluationSchemaVersion) &&
-                            is_of_package(evaluation, workspace);
-    return is_current ? evaluation : Json();
+    try {
+        return evaluation_if_current(path, workspace);
+    } catch (const Error&) {
+        return nullptr;  // It or the record of the package is damaged.
+    }
 }
 
 }  // namespace lumi

@@ -36,12 +36,14 @@ constexpr int kEvaluationSchemaVersion = 4;
 [[nodiscard]] std::string package_sha256(const WorkspaceLayout& workspace);
 
 /// An evaluation from a file, or from the workspace whose folder is named, where it must be of the
-/// package that stands there now. Throws Error (E-JSON-READ, E-EVAL-SCHEMA: another version,
-/// E-EVAL-STALE: of another package, E-FILE-READ, E-WORKSPACE-NONE).
+/// package, the photographs and the depth that stand there now. Throws Error (E-JSON-READ,
+/// E-EVAL-SCHEMA: another version, E-EVAL-STALE: of others, or of a version of lumi that did not
+/// say of which, E-FILE-READ, E-WORKSPACE-NONE).
 [[nodiscard]] nlohmann::ordered_json read_evaluation(const std::filesystem::path& file_or_folder);
 
-/// The evaluation in the workspace; null when there is none, when it is damaged, or when it is of
-/// another package than the one that stands there now. What it was made with may be anything.
+/// The evaluation in the workspace; null when there is none, when it or the record of the package
+/// is damaged, or when read_evaluation would refuse it as stale. What it was made with may be
+/// anything.
 [[nodiscard]] nlohmann::ordered_json read_current_evaluation(const WorkspaceLayout& workspace);
 
 }  // namespace lumi

@@ -7,6 +7,7 @@
 #include "calib/work/whole_file.h"
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/gallery/gallery_pictures.h"
+#include "pipeline/report/stress_charts.h"
 #include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 #include "render/lumigraph/package.h"
@@ -28,17 +29,23 @@ struct KnownChart {
 
 std::vector<KnownChart> charts_of(const WorkspaceLayout& workspace) {
     const fs::path sweep = workspace.folder().string() + "-chart";
-    const fs::path stress = workspace.folder() / "stress";
-    return {
+    std::vector<KnownChart> charts{
         {sweep / "end-to-end.svg", "chart-end-to-end.svg",
          "What each second buys: photographs to the first picture"},
         {sweep / "drawing.svg", "chart-drawing.svg", "What each millisecond of a frame buys"},
         {sweep / "stage-depth.svg", "chart-depth.svg", "What each second of depth buys"},
         {sweep / "growth-cpu-photographs.svg", "growth-cpu.svg",
-         "How the stages grow with the number of photographs"},
-        {stress / "pose_rotation_deg.svg", "stress-poses.svg", "What wrong poses cost"},
-        {stress / "depth_percent.svg", "stress-depth.svg", "What wrong depth costs"},
-        {stress / "views_dropped_percent.svg", "stress-views.svg", "What fewer photographs cost"}};
+         "How the stages grow with the number of photographs"}};
+    const auto of_stress = stress_charts_of(workspace);
+    const auto add_of_stress = [&](const char* perturbation, const char* name,
+                                   const char* caption) {
+        const auto chart = of_stress.find(perturbation);
+        if (chart != of_stress.end()) charts.push_back({chart->second, name, caption});
+    };
+    add_of_stress("pose_rotation_deg", "stress-poses.svg", "What wrong poses cost");
+    add_of_stress("depth_percent", "stress-depth.svg", "What wrong depth costs");
+    add_of_stress("views_dropped_percent", "stress-views.svg", "What fewer photographs cost");
+    return charts;
 }
 
 std::string figure(const std::string& file, const std::string& caption) {

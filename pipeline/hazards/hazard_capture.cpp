@@ -47,14 +47,6 @@ Image<LinearColor> rolling_shutter_light(const Scene& scene, const Camera& camer
     return light;
 }
 
-/// Towards an even grey.
-void fade(Image<LinearColor>& light, double contrast) {
-    const LinearColor grey = LinearColor::Constant(0.2f);
-    for (LinearColor& color : light.pixels()) {
-        color = grey + static_cast<float>(contrast) * (color - grey);
-    }
-}
-
 /// The same round stickers in every photograph, each time at other places: features that look alike
 /// but belong to nothing that stands still.
 void cover_with_stickers(ColorImage& picture, double share, std::uint64_t seed,
@@ -98,7 +90,7 @@ Image<LinearColor> light_of(const HazardScene& scene, std::size_t index, Hazard 
         return rolling_shutter_light(scene.scene, camera, pose, strength, random);
     }
     Image<LinearColor> light = photograph(scene.scene, camera, pose, {}).light;
-    if (hazard == Hazard::kTexture) fade(light, strength);
+    if (hazard == Hazard::kTexture) fade_to_grey(light, strength);
     return light;
 }
 

@@ -107,7 +107,7 @@ WorkspacePlan plan_workspace(const Workspace& workspace, const CapturePlanOption
         suggested.push_back(view.cam_from_world);
     }
     const CameraMesh mesh =
-        build_camera_mesh(capture, views, camera_mesh_options_of(workspace)).mesh;
+        build_camera_mesh(capture, views, camera_mesh_options_of(workspace.config_path())).mesh;
     WholeFolder folder(workspace.folder() / "plan");
     write_json_file(folder.staging() / kPlanName, plan_json(planned));
     write_whole_text(folder.staging() / "plan.svg",

@@ -6,14 +6,15 @@
 #include "calib/features/nearest_descriptors.h"
 #include "calib/poses/colmap_reconstruction.h"
 #include "calib/work/error.h"
+#include "calib/work/whole_folder.h"
 
 namespace lumi {
 namespace {
 
 /// Poses and points, whoever found them.
 PoseResult poses_by(const PoseTrialSetting& setting, const PoseMeans& means,
-                    const std::vector<Photograph>& photographs, Progress& progress) {
-    const std::filesystem::path scratch = setting.scratch_folder / "poses";
+                    const std::vector<Photograph>& photographs,
+                    const std::filesystem::path& scratch, Progress& progress) {
     if (means.is_colmap_alone) {
         PoseResult result;
         result.capture = reconstruct_with_colmap(photographs, setting.given_lens, setting.options,
@@ -55,16 +56,18 @@ std::string name_of(const PoseMeans& means) {
 PoseTrial try_poses(const PoseTrialSetting& setting, const PoseMeans& means, Progress& progress) {
     IngestOptions ingest_options = setting.ingest;
     ingest_options.max_width_px = means.max_width_px;
+    const WholeFolder scratch(setting.scratch_folder / "trial");
     const std::vector<Photograph> photographs =
-        ingest(setting.photographs, ingest_options, setting.scratch_folder / "copies",
-               setting.threads, progress)
+        ingest(setting.photographs, ingest_options, scratch.staging() / "copies", setting.threads,
+               progress)
             .photographs;
     PoseTrial trial;
     trial.means = means;
     trial.photographs = static_cast<int>(photographs.size());
     const Stopwatch stopwatch;
     try {
-        const PoseResult result = poses_by(setting, means, photographs, progress);
+        const PoseResult result =
+            poses_by(setting, means, photographs, scratch.staging() / "poses", progress);
         const Capture& capture = result.capture;
         trial.cost = stopwatch.elapsed();
         trial.placed = static_cast<int>(capture.views.size());

@@ -44,6 +44,7 @@ struct PoseTrialSetting {
     std::optional<Camera> given_lens;
     PoseOptions options;
     NamedPoses truth;  ///< Empty: not known.
+    /// Where each trial has a folder for what is needed on the way, which goes with it.
     std::filesystem::path scratch_folder;
     int threads = 0;
 };

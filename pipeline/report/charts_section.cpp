@@ -1,11 +1,7 @@
-#include <exception>
-#include <nlohmann/json.hpp>
-
 #include "calib/work/whole_file.h"
-#include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/report/sections.h"
+#include "pipeline/report/stress_charts.h"
 #include "pipeline/text/html.h"
-#include "pipeline/workspace/json_file.h"
 
 namespace lumi {
 namespace {
@@ -17,33 +13,22 @@ struct KnownChart {
     const char* caption;
 };
 
-/// What a package that is gone could bear would be read as this one's.
-bool is_of_this_package(const fs::path& stress_folder, const WorkspaceLayout& workspace) {
-    std::error_code status;
-    const fs::path figures = stress_folder / "stress.json";
-    if (!fs::is_regular_file(figures, status)) return false;
-    try {
-        return read_json_file(figures).value("package_sha256", "") == package_sha256(workspace);
-    } catch (const std::exception&) {
-        return false;  // One of the two is damaged, or not there.
-    }
-}
-
 }  // namespace
 
 std::string charts_section(const ReportSources& sources) {
     const fs::path& folder = sources.workspace.folder();
     const fs::path sweep = folder.string() + "-chart";
-    const fs::path stress = folder / "stress";
     std::vector<KnownChart> charts{
         {sweep / "end-to-end.svg", "Speed against accuracy, end to end (lumi chart)"},
         {sweep / "drawing.svg", "Speed against accuracy of drawing (lumi chart)"}};
-    if (is_of_this_package(stress, sources.workspace)) {
-        charts.push_back({stress / "pose_rotation_deg.svg", "What wrong poses cost (lumi stress)"});
-        charts.push_back({stress / "depth_percent.svg", "What wrong depth costs (lumi stress)"});
-        charts.push_back(
-            {stress / "views_dropped_percent.svg", "What fewer photographs cost (lumi stress)"});
-    }
+    const auto of_stress = stress_charts_of(sources.workspace);
+    const auto add_of_stress = [&](const char* perturbation, const char* caption) {
+        const auto chart = of_stress.find(perturbation);
+        if (chart != of_stress.end()) charts.push_back({chart->second, caption});
+    };
+    add_of_stress("pose_rotation_deg", "What wrong poses cost (lumi stress)");
+    add_of_stress("depth_percent", "What wrong depth costs (lumi stress)");
+    add_of_stress("views_dropped_percent", "What fewer photographs cost (lumi stress)");
     std::string html;
     for (const KnownChart& chart : charts) {
         std::error_code status;

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <string>
 
+#include "calib/work/parallel_for.h"
 #include "meshing/cameras/scene_centre.h"
+#include "meshing/selection/thumbnail_prediction.h"
 #include "meshing/selection/view_worth.h"
 #include "pipeline/stages/used_views.h"
+#include "render/lumigraph/even_exposure.h"
 
 namespace lumi {
 
@@ -39,9 +42,18 @@ std::vector<PicturedView> pictured_views(const Lumigraph& lumigraph) {
 
 std::vector<int> views_by_worth(const Lumigraph& lumigraph, const Capture& capture,
                                 const std::vector<int>& views, const Progress& progress) {
-    const std::vector<PicturedView> all = pictured_views(lumigraph);
     std::vector<PicturedView> pictured;
-    for (const int view : views) pictured.push_back(all[static_cast<std::size_t>(view)]);
+    std::vector<ColorImage> thumbnails(views.size());
+    parallel_for(static_cast<int>(views.size()), 0, [&](int i) {
+        const auto index = static_cast<std::size_t>(i);
+        const LumigraphView& view = lumigraph.views[static_cast<std::size_t>(views[index])];
+        thumbnails[index] =
+            thumbnail_of(evened_photograph(view, lumigraph.light_falloff), view.camera);
+    });
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const LumigraphView& view = lumigraph.views[static_cast<std::size_t>(views[i])];
+        pictured.push_back({&thumbnails[i], view.camera, view.cam_from_world, &view.depth});
+    }
     const std::vector<OpticalAxis> axes = optical_axes(capture, views);
     std::vector<int> order;
     for (const int i : views_by_worth(pictured, axes, estimate_scene_centre(axes), progress)) {

@@ -24,8 +24,8 @@ namespace lumi {
 /// What measurements on photographs need of each view of the Lumigraph, which must outlive it.
 [[nodiscard]] std::vector<PicturedView> pictured_views(const Lumigraph& lumigraph);
 
-/// The listed views, the one that is missed most first (view_worth.h). `views` and `capture` as
-/// above.
+/// The listed views, the one that is missed most first (view_worth.h), in evened exposures: a
+/// photograph is not to be missed for how it was exposed. `views` and `capture` as above.
 [[nodiscard]] std::vector<int> views_by_worth(const Lumigraph& lumigraph, const Capture& capture,
                                               const std::vector<int>& views,
                                               const Progress& progress);

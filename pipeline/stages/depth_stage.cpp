@@ -53,7 +53,7 @@ StageEvidence run_depth_stage(const PosedPhotographs& photographs, const MaskedP
         straighten_masks(masked, options.mask_folder, threads, progress);
     }
     if (!options.import_folder.empty()) {
-        options.import_folder =
+        options.imported_files =
             straighten_depth({options.import_folder, options.import_png_unit}, photographs.capture,
                              masked.poses_folder, folder / kImportedDepthFolder, threads, progress);
     }

@@ -11,9 +11,8 @@
 
 namespace lumi {
 
-CameraMeshOptions camera_mesh_options_of(const WorkspaceLayout& workspace) {
-    return read_camera_mesh_options(
-        ConfigSection::from_file(workspace.config_path()).section("mesh"));
+CameraMeshOptions camera_mesh_options_of(const std::filesystem::path& configuration) {
+    return read_camera_mesh_options(ConfigSection::from_file(configuration).section("mesh"));
 }
 
 StageEvidence run_mesh_stage(const Capture& capture, const CameraMeshOptions& options,

@@ -13,8 +13,8 @@ constexpr const char* kTransientFolder = "transients";
 
 /// Takes out of the Lumigraph what was there for one photograph alone (transient_removal.h), notes
 /// it, and writes each such photograph, small, before and after, into `pack_folder`/transients.
-/// Returns their names, files and shares of the picture: the stage's evidence. `max_memory_mib`: of
-/// the process, by which fewer views are worked on at one time.
+/// Returns their names, files and shares of the picture: the stage's evidence. Where views that are
+/// painted at one time would take more than `max_memory_mib`, they are fewer.
 [[nodiscard]] nlohmann::ordered_json remove_transients(Lumigraph& lumigraph,
                                                        const std::filesystem::path& pack_folder,
                                                        int threads, int max_memory_mib,

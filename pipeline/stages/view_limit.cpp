@@ -8,23 +8,12 @@
 
 #include "calib/work/error.h"
 #include "pipeline/stages/chosen_views.h"
+#include "pipeline/workspace/folder_size.h"
 #include "render/depth_mesh/view_depth_mesh.h"
-#include "render/lumigraph/even_exposure.h"
 
 namespace lumi {
-namespace {
 
 namespace fs = std::filesystem;
-
-double folder_mib(const fs::path& folder) {
-    std::uintmax_t bytes = 0;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file()) bytes += entry.file_size();
-    }
-    return static_cast<double>(bytes) / (1 << 20);
-}
-
-}  // namespace
 
 ViewLimit::ViewLimit(const PackSources& sources, const PackageExtras& extras,
                      const ViewExposures& exposures, const fs::path& folder, int threads,
@@ -85,16 +74,13 @@ void ViewLimit::reduce(Lumigraph& lumigraph, int views) {
     even_among_neighbours(exposures_, lumigraph);
 }
 
-/// Once, of all views that are there the first time, in evened exposures: a photograph is not to be
-/// missed for how it was exposed.
+/// Once, of all views that are there the first time.
 void ViewLimit::rank(const Lumigraph& lumigraph) {
     std::vector<int> all(lumigraph.views.size());
     std::iota(all.begin(), all.end(), 0);
-    Lumigraph evened = lumigraph;
-    even_exposures(evened);
     for (const int view :
-         views_by_worth(evened, capture_of(evened, sources_.photographs), all, progress_)) {
-        names_by_worth_.push_back(evened.views[static_cast<std::size_t>(view)].name);
+         views_by_worth(lumigraph, capture_of(lumigraph, sources_.photographs), all, progress_)) {
+        names_by_worth_.push_back(lumigraph.views[static_cast<std::size_t>(view)].name);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "meshing/cameras/camera_mesh_builder.h"
 #include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
@@ -14,8 +15,10 @@ struct Perturbation {
     std::string words;              ///< "rotation of the poses (degrees)".
     std::vector<double> strengths;  ///< Rising, above 0: from harmless to hopeless.
     /// The Lumigraph with the error of that strength. The same for the same seed; errors of
-    /// different strengths are the same error scaled.
-    Lumigraph (*apply)(const Lumigraph& lumigraph, double strength, std::uint64_t seed) = nullptr;
+    /// different strengths are the same error scaled. `mesh_options`: of its camera mesh, where
+    /// another has to be built.
+    Lumigraph (*apply)(const Lumigraph& lumigraph, double strength, std::uint64_t seed,
+                       const CameraMeshOptions& mesh_options) = nullptr;
 };
 
 /// All of them: rotation and position of the poses, focal length, depth, exposure, sharpness, views
@@ -44,6 +47,7 @@ struct Perturbation {
 /// `percent` of the views left out, and a camera mesh over the others; a greater share leaves out
 /// the same views and more. At least one view stays.
 [[nodiscard]] Lumigraph with_views_dropped(const Lumigraph& lumigraph, double percent,
-                                           std::uint64_t seed);
+                                           std::uint64_t seed,
+                                           const CameraMeshOptions& mesh_options);
 
 }  // namespace lumi

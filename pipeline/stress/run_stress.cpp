@@ -74,10 +74,10 @@ StressOptions read_stress_options(const ConfigSection& section) {
     return options;
 }
 
-std::vector<StressCurve> stress_curves(const Lumigraph& lumigraph,
-                                       const std::vector<StressView>& views,
-                                       const StressOptions& options, Progress& progress) {
-    const std::vector<double> unperturbed = mean_psnr_db(lumigraph, views, options.modes, progress);
+std::vector<StressCurve> stress_curves(const StressSubject& subject, const StressOptions& options,
+                                       Progress& progress) {
+    const std::vector<double> unperturbed =
+        mean_psnr_db(subject.lumigraph, subject.views, options.modes, progress);
     std::size_t steps = 0;
     for (const Perturbation& one : options.perturbations) steps += one.strengths.size();
     progress.begin("perturbing", steps);
@@ -88,9 +88,9 @@ std::vector<StressCurve> stress_curves(const Lumigraph& lumigraph,
             curves.push_back({perturbation.name, options.modes[m], {0.0}, {unperturbed[m]}, {}});
         }
         for (const double strength : perturbation.strengths) {
-            const std::vector<double> means =
-                mean_psnr_db(perturbation.apply(lumigraph, strength, options.seed), views,
-                             options.modes, progress);
+            const std::vector<double> means = mean_psnr_db(
+                perturbation.apply(subject.lumigraph, strength, options.seed, subject.mesh_options),
+                subject.views, options.modes, progress);
             for (std::size_t m = 0; m < means.size(); ++m) {
                 curves[first + m].strengths.push_back(strength);
                 curves[first + m].psnr_db.push_back(means[m]);

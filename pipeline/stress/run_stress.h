@@ -40,10 +40,17 @@ struct StressView {
     double falloff = 0.0;  ///< Of the lens (light_left.h): in the photograph, and not in drawings.
 };
 
+/// What is perturbed, and what it is compared with.
+struct StressSubject {
+    Lumigraph lumigraph;
+    std::vector<StressView> views;
+    bool views_are_held_out = true;
+    CameraMeshOptions mesh_options = {};  ///< Its camera mesh was built with these.
+};
+
 /// Perturbs the Lumigraph in every way and draws the views in every mode. The figures are the same
 /// in every run. Throws Error (E-GL-...).
-[[nodiscard]] std::vector<StressCurve> stress_curves(const Lumigraph& lumigraph,
-                                                     const std::vector<StressView>& views,
+[[nodiscard]] std::vector<StressCurve> stress_curves(const StressSubject& subject,
                                                      const StressOptions& options,
                                                      Progress& progress);
 

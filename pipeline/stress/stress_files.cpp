@@ -6,6 +6,7 @@
 #include "calib/work/counted.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/plot.h"
+#include "pipeline/report/stress_charts.h"
 #include "pipeline/stress/perturbation.h"
 #include "pipeline/text/csv.h"
 #include "pipeline/text/html.h"
@@ -125,14 +126,15 @@ Json stress_json(const StressResult& result) {
 
 void write_stress_files(const std::filesystem::path& folder, const StressResult& result,
                         const Progress& progress) {
-    write_json_file(folder / "stress.json", stress_json(result));
     write_whole_text(folder / "stress.csv", csv_of(result));
     std::vector<std::string> drawings;
     for (const std::string& name : perturbations_of(result)) {
         drawings.push_back(plot_svg(plot_of(result, name), progress));
-        write_whole_text(folder / (name + ".svg"), drawings.back());
+        write_whole_text(stress_chart_path(folder, name), drawings.back());
     }
     write_whole_text(folder / "stress.html", page_of(result, drawings));
+    // At last, as it vouches for the charts.
+    write_json_file(folder / kStressFiguresName, stress_json(result));
 }
 
 }  // namespace lumi

@@ -5,13 +5,25 @@
 #include "calib/work/error.h"
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/protocol/view_subset.h"
+#include "pipeline/stages/mesh_stage.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {
+namespace {
+
+/// A package has the configuration that it was made with.
+CameraMeshOptions mesh_options_of_package(const std::filesystem::path& package) {
+    return camera_mesh_options_of(package / "config.toml");
+}
+
+}  // namespace
 
 StressSubject subject_of_workspace(const WorkspaceLayout& workspace, int threads) {
     const PosedPhotographs held_out = held_out_photographs(workspace, threads);
-    StressSubject subject{read_package(workspace.package_folder()), {}, true};
+    StressSubject subject{read_package(workspace.package_folder()),
+                          {},
+                          true,
+                          mesh_options_of_package(workspace.package_folder())};
     for (std::size_t i = 0; i < held_out.capture.views.size(); ++i) {
         const View& view = held_out.capture.views[i];
         const Camera& camera = camera_of(held_out.capture, view);
@@ -35,6 +47,7 @@ StressSubject subject_of_package(const std::filesystem::path& package) {
     }
     StressSubject subject;
     subject.views_are_held_out = false;
+    subject.mesh_options = mesh_options_of_package(package);
     std::vector<int> kept;
     for (std::size_t i = 0; i < whole.views.size(); ++i) {
         LumigraphView& view = whole.views[i];
@@ -44,7 +57,7 @@ StressSubject subject_of_package(const std::filesystem::path& package) {
         }
         subject.views.push_back({view.name, {view.camera, view.cam_from_world}, view.photograph});
     }
-    subject.lumigraph = only_these_views(whole, kept);
+    subject.lumigraph = only_these_views(whole, kept, subject.mesh_options);
     return subject;
 }
 

@@ -7,13 +7,6 @@
 
 namespace lumi {
 
-/// What is perturbed, and what it is compared with.
-struct StressSubject {
-    Lumigraph lumigraph;
-    std::vector<StressView> views;
-    bool views_are_held_out = true;
-};
-
 /// The package of a workspace and its held-out photographs. Throws Error (E-EVAL-...,
 /// E-PACKAGE-...).
 [[nodiscard]] StressSubject subject_of_workspace(const WorkspaceLayout& workspace, int threads);

@@ -73,6 +73,12 @@ Image<LinearColor> behind_lens(Image<LinearColor> light, const Camera& camera,
     return light;
 }
 
+void fade_to_grey(Image<LinearColor>& light, double contrast) {
+    const LinearColor grey = LinearColor::Constant(0.2F);
+    for (LinearColor& color : light.pixels())
+        color = grey + static_cast<float>(contrast) * (color - grey);
+}
+
 ColorImage develop(const Image<LinearColor>& light, const SensorOptions& options,
                    std::uint64_t photograph_seed) {
     HashedRandom random(photograph_seed);

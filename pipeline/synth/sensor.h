@@ -23,6 +23,9 @@ struct SensorOptions {
 [[nodiscard]] Image<LinearColor> behind_lens(Image<LinearColor> light, const Camera& camera,
                                              double light_falloff);
 
+/// Leaves so much of how the light differs from an even grey.
+void fade_to_grey(Image<LinearColor>& light, double contrast);
+
 /// The photograph that a camera makes of the light: blurred, exposed, encoded as sRGB, noisy, and
 /// rounded, in this order. `photograph_seed` decides exposure and noise.
 [[nodiscard]] ColorImage develop(const Image<LinearColor>& light, const SensorOptions& options,

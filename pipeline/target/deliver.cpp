@@ -7,9 +7,9 @@
 #include "calib/work/error.h"
 #include "calib/work/whole_folder.h"
 #include "pipeline/chart/reference_photographs.h"
-#include "pipeline/chart/run_sweep.h"
 #include "pipeline/line/line.h"
 #include "pipeline/target/candidates.h"
+#include "pipeline/workspace/folder_size.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {
@@ -70,7 +70,7 @@ class Delivering {
         });
         const ViewScore mean = mean_score(views);
         return {mean.ms > 0.0 ? 1000.0 / mean.ms : 0.0, mean.psnr_db,
-                package_mib(workspace_.package_folder()), 0.0};
+                folder_mib(workspace_.package_folder()), 0.0};
     }
 
     const Wish& wish_;

@@ -1,11 +1,14 @@
 #include "pipeline/workspace/workspace.h"
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "calib/work/config_section.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "calib/work/whole_folder.h"
+#include "pipeline/workspace/json_file.h"
 #include "pipeline/workspace/stage_outputs.h"
 #include "render/lumigraph/manifest.h"
 
@@ -29,53 +32,87 @@ std::vector<fs::path> files_of(const WorkspaceLayout& layout) {
     return {layout.config_path(), layout.stages_path(), layout.report_path()};
 }
 
-std::vector<fs::path> folders_of(const WorkspaceLayout& layout) {
-    std::vector<fs::path> folders{layout.evaluation_folder(), layout.package_folder()};
-    for (const char* stage : {"ingest", "calibrate", "poses", "mesh", "depth", "pack", "plan"})
-        folders.push_back(layout.stage_folder(stage));
+/// A folder of the workspace, and the file that lumi leaves in it.
+struct MarkedFolder {
+    fs::path path;
+    const char* marker;
+};
+
+/// All but the package, whose writer tells for itself what it replaces.
+std::vector<MarkedFolder> marked_folders_of(const WorkspaceLayout& layout) {
+    std::vector<MarkedFolder> folders{{layout.evaluation_folder(), kEvaluationName},
+                                      {layout.stage_folder("plan"), kPlanName}};
+    for (const char* stage : {"ingest", "calibrate", "poses", "mesh", "depth", "pack"})
+        folders.push_back({layout.stage_folder(stage), kDoneMarkerName});
     return folders;
 }
 
-/// Its lock tells; where it was copied without, its configuration.
-bool is_workspace(const WorkspaceLayout& layout) {
+bool has_lock(const WorkspaceLayout& layout) {
     std::error_code status;
-    if (fs::exists(layout.folder() / kLockName, status)) return true;
+    return fs::exists(layout.folder() / kLockName, status);
+}
+
+bool has_own_configuration(const WorkspaceLayout& layout) {
+    std::error_code status;
     return fs::is_regular_file(layout.config_path(), status) &&
            read_whole_text(layout.config_path()).starts_with(kWorkspaceConfigHeader);
+}
+
+/// The stages of the last run; none where its file does not tell.
+std::vector<std::string> listed_stages(const WorkspaceLayout& layout) {
+    try {
+        const auto run = read_json_file(layout.stages_path());
+        std::vector<std::string> names;
+        for (const auto& stage : run.at("stages")) names.push_back(stage.at("name"));
+        return names;
+    } catch (const Error&) {
+        return {};
+    } catch (const nlohmann::json::exception&) {
+        return {};
+    }
 }
 
 void expect_nothing_at(const fs::path& path) {
     std::error_code status;
     if (!fs::exists(fs::symlink_status(path, status))) return;
     throw Error(ErrorKind::kBadInput, "E-WORKSPACE-FOREIGN",
-                path.string() + ": would be replaced, and was not written by lumi",
-                "choose another folder with --workspace, or give this one another name");
+                path.string() + ": would be replaced, and nothing tells that lumi wrote it",
+                "choose another folder with --workspace, or give this one another name; or remove "
+                "it, if an earlier run of lumi left it");
 }
 
-/// By the file that lumi leaves in each; that of the package is up to its writer.
-bool is_ours_or_empty(const WorkspaceLayout& layout, const fs::path& folder) {
-    if (folder == layout.package_folder()) return true;
+bool has_marker_or_nothing(const MarkedFolder& folder) {
     std::error_code status;
-    if (fs::is_directory(folder, status) && fs::is_empty(folder, status)) return true;
-    return fs::exists(folder / kDoneMarkerName, status) ||
-           fs::exists(folder / kEvaluationName, status) || fs::exists(folder / kPlanName, status);
+    if (fs::is_directory(folder.path, status) && fs::is_empty(folder.path, status)) return true;
+    return fs::is_regular_file(folder.path / folder.marker, status);
 }
 
-/// Somebody's dataset may well have a folder that is called depth, also beside a lock: that of
-/// another program, or of a run that ended before it wrote anything.
+/// Somebody's dataset may well have a folder that is called depth and a file config.toml, also
+/// beside a lock: that of another program, or of a run that ended before it wrote anything. Where
+/// the configuration is lumi's own, so is a stage that it says it has run: whoever wants it to run
+/// again removes its marker.
 WorkspaceLayout without_foreign_files(const WorkspaceLayout& layout) {
-    const bool is_known = is_workspace(layout);
-    for (const fs::path& folder : folders_of(layout)) {
-        if (!is_known || !is_ours_or_empty(layout, folder)) expect_nothing_at(folder);
+    const bool is_workspace = has_own_configuration(layout);
+    const bool may_hold_ours = is_workspace || has_lock(layout);
+    if (!may_hold_ours) expect_nothing_at(layout.package_folder());
+    const std::vector<std::string> listed =
+        is_workspace ? listed_stages(layout) : std::vector<std::string>{};
+    for (const MarkedFolder& folder : marked_folders_of(layout)) {
+        const bool is_listed =
+            std::find(listed.begin(), listed.end(), folder.path.filename()) != listed.end();
+        const bool is_ours = is_listed || (may_hold_ours && has_marker_or_nothing(folder));
+        if (!is_ours) expect_nothing_at(folder.path);
     }
-    if (is_known) return layout;
+    if (is_workspace) return layout;
     for (const fs::path& file : files_of(layout)) expect_nothing_at(file);
     return layout;
 }
 
 void remove_leftovers(const WorkspaceLayout& layout) {
     for (const fs::path& file : files_of(layout)) remove_unfinished_siblings(file);
-    for (const fs::path& folder : folders_of(layout)) clean_up_after_killed_runs(folder);
+    for (const MarkedFolder& folder : marked_folders_of(layout))
+        clean_up_after_killed_runs(folder.path);
+    clean_up_after_killed_runs(layout.package_folder());
 }
 
 fs::path without_slash_at_end(const fs::path& folder) {

@@ -48,6 +48,14 @@ TEST_F(BuildCommand, MakesHarmedFilesAgain) {
     EXPECT_EQ(build(), "uuuur");
 }
 
+TEST_F(BuildCommand, AStageWhoseMarkerIsRemovedRunsAgain) {
+    configure("");
+    ASSERT_EQ(build(), "rrrrr");
+    fs::remove(workspace() / "ingest" / "done.json");
+    EXPECT_EQ(build(), "ruuuu");
+    EXPECT_EQ(build(), "uuuuu");
+}
+
 TEST_F(BuildCommand, WhatIsAskedOfDrawingReachesThePackage) {
     for (const std::string answer : {"yes", "no"}) {
         const bool is_yes = answer == "yes";

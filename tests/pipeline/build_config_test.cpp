@@ -49,6 +49,32 @@ TEST(BuildConfig, NeedsNothingButPhotographs) {
     EXPECT_EQ(config.hold_out.every, 0);
 }
 
+/// The code of the Error that opening ends in; empty when it is read.
+std::string code_of_loading(const std::filesystem::path& path) {
+    try {
+        static_cast<void>(load_build_config(path));
+    } catch (const Error& error) {
+        return error.code();
+    }
+    return {};
+}
+
+TEST(BuildConfig, WhatNoConfigurationCouldNameIsRefusedBeforeAnythingIsDone) {
+    const ScratchFolder scratch;
+    const std::string latin_1 = "caf\xe9";
+    std::filesystem::create_directories(scratch / latin_1);
+    std::filesystem::create_directories(scratch / "café");
+    EXPECT_EQ(code_of_loading(scratch / latin_1), "E-CONFIG-NAME");
+    EXPECT_EQ(code_of_loading(scratch / "café"), "");
+    write_whole_text(scratch / (latin_1 + ".mp4"), std::string(8, '\0'));
+    EXPECT_EQ(code_of_loading(scratch / (latin_1 + ".mp4")), "E-CONFIG-NAME");
+    const std::string photos = "[capture]\nphotos = \"p\"\n";
+    write_whole_text(scratch / (latin_1 + ".toml"), photos);
+    EXPECT_EQ(code_of_loading(scratch / (latin_1 + ".toml")), "E-CONFIG-VALUE");
+    write_whole_text(scratch / (latin_1 + ".toml"), "name = \"named\"\n" + photos);
+    EXPECT_EQ(code_of_loading(scratch / (latin_1 + ".toml")), "");
+}
+
 bool crops_bars(const std::string& toml) { return read(toml).ingest.crop_bars; }
 
 TEST(BuildConfig, BarsAreNotCutOffWhereSomethingWasMadeForTheRaster) {
@@ -221,7 +247,7 @@ TEST(BuildConfig, AFolderOfPhotographsIsAConfiguration) {
     EXPECT_TRUE(std::filesystem::equivalent(config.photographs_or_video, photos));
 }
 
-TEST(BuildConfig, AnyFolderOfPhotographsHasANameForItsBuild) {
+TEST(BuildConfig, AnyFolderThatCanBeNamedHasANameForItsBuild) {
     const auto name_of_build_in = [](const std::string& folder) {
         const ScratchFolder scratch;
         std::filesystem::create_directories(scratch / folder);
@@ -233,7 +259,6 @@ TEST(BuildConfig, AnyFolderOfPhotographsHasANameForItsBuild) {
     EXPECT_EQ(name_of_build_in("a" + letters), "a" + letters.substr(0, 98)) << "whole letters";
     EXPECT_EQ(name_of_build_in(".photos"), "photos");
     EXPECT_EQ(name_of_build_in("..."), "capture");
-    EXPECT_EQ(name_of_build_in("caf\xe9"), "caf_xe9") << "Latin-1";
     EXPECT_EQ(name_of_build_in("a \"b\" 100%#"), "a \"b\" 100%#");
 }
 

@@ -321,10 +321,10 @@ TEST(CommandLine, PicturesAreComparedByAllFigures) {
 
 TEST(CommandLine, AnInterruptionEndsWith130) {
     const ScratchFolder scratch;
-    // The demo scene takes tens of seconds; it is stopped after three, when a busy machine has
-    // begun with it, too. In the foreground `timeout` signals once: a second interruption ends
-    // without a word.
-    const Outcome outcome = lumi("synth --out " + quoted(scratch / "scene"),
+    // On one thread the demo scene takes a minute; it is stopped after three seconds, when a busy
+    // machine has begun with it, too. In the foreground `timeout` signals once: a second
+    // interruption ends without a word.
+    const Outcome outcome = lumi("synth --threads 1 --out " + quoted(scratch / "scene"),
                                  "timeout --foreground --preserve-status --signal=INT 3");
     EXPECT_EQ(outcome.exit_code, 130);
     EXPECT_THAT(outcome.talk, HasSubstr("error E-INTERRUPTED"));

@@ -11,12 +11,12 @@
 namespace lumi {
 namespace {
 
-DepthEffort effort_in(Studio& studio) {
+DepthEffort effort_in(Studio& studio, int given_views = 0) {
     studio.find_points();
     SilentProgress progress;
     const Lumigraph lumigraph = with_camera_mesh(studio);
     KeptBackPhotographs photographs(lumigraph, studio.capture, {}, progress);
-    return sufficient_depth_effort(photographs, lumigraph.drawing);
+    return sufficient_depth_effort(photographs, lumigraph.drawing, given_views);
 }
 
 TEST(DepthEffort, IsTheLeastWhereEachViewSeesEverything) {
@@ -42,6 +42,17 @@ TEST(DepthEffort, IsTheMostWhereEachViewSeesAPart) {
     const DepthEffort effort = effort_in(studio);
     EXPECT_EQ(effort.views, kMaxDepthViews);
     EXPECT_GT(effort.fewer_views_lose_db, effort.standard_error_db);
+}
+
+TEST(DepthEffort, JudgesHolesWithAsManyViewsAsAreGiven) {
+    Studio studio = before_a_board(18, 1.6);
+    const DepthEffort asked = effort_in(studio);
+    ASSERT_EQ(asked.views, kMaxDepthViews);
+    EXPECT_EQ(effort_in(studio, kMaxDepthViews).holes_lose_db, asked.holes_lose_db);
+    const DepthEffort of_few = effort_in(studio, kLeastDepthViews);
+    EXPECT_EQ(of_few.views, kLeastDepthViews);
+    EXPECT_EQ(of_few.fewer_views_lose_db, asked.fewer_views_lose_db);
+    EXPECT_GT(of_few.holes_lose_db, asked.holes_lose_db) << "fewer views leave more holes";
 }
 
 /// Before an even background nothing has to be filled: it surrounds the scene.

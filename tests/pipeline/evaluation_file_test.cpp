@@ -74,6 +74,26 @@ TEST_F(CurrentEvaluation, IsNoneWhenItsFileIsDamaged) {
     }
 }
 
+TEST_F(CurrentEvaluation, IsNoneWhereTheRecordOfThePackageIsDamaged) {
+    static_cast<void>(read_back(evaluation().dump()));
+    write_whole_text(layout_.stage_folder("pack") / "pack.json", "{");
+    EXPECT_TRUE(read_current_evaluation(layout_).is_null());
+}
+
+TEST_F(CurrentEvaluation, OneOfAVersionThatDoesNotSayOfWhichPhotographsIsNotCalledThatOfAnother) {
+    write_whole_text(layout_.config_path(), "name = \"box\"\n");
+    Json before = evaluation();
+    before.erase("pictures_sha256");
+    EXPECT_TRUE(read_back(before.dump()).is_null());
+    try {
+        static_cast<void>(read_evaluation(layout_.folder()));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-EVAL-STALE");
+        EXPECT_NE(std::string(error.what()).find("a version before"), std::string::npos);
+    }
+}
+
 TEST_F(CurrentEvaluation, OneThatIsNamedIsRefusedWhenItIsDamaged) {
     const auto path = scratch_ / "evaluation.json";
     for (const char* damaged : {"[]", "{\"schema_version\": \"three\"}"}) {

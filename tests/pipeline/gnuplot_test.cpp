@@ -63,7 +63,7 @@ class GnuplotStandIn {
 
 constexpr const char* kExecuted = "executed-by-gnuplot";
 
-/// Names that would end a string, be markup, or run a program in the folder of these tests.
+/// Names that would end a string, be markup, or run a program in the working folder.
 const std::vector<std::string>& hostile_names() {
     static const std::vector<std::string> names{"x`touch executed-by-gnuplot`",
                                                 "Bob's garden",
@@ -121,11 +121,16 @@ RungMeasurement rung_of(const std::string& text, double cpu_s_per_megapixel) {
     return rung;
 }
 
+/// In a working folder of its own, where nothing that a name says is executed.
 class Gnuplot : public testing::Test {
  protected:
-    Gnuplot() { fs::remove(kExecuted); }
-    ~Gnuplot() override { EXPECT_FALSE(fs::exists(kExecuted)); }
+    Gnuplot() { fs::current_path(scratch_.path()); }
+    ~Gnuplot() override {
+        EXPECT_FALSE(fs::exists(scratch_ / kExecuted));
+        fs::current_path(before_);
+    }
 
+    fs::path before_ = fs::current_path();
     ScratchFolder scratch_;
     SilentProgress progress_;
 };

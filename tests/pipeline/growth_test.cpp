@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
+#include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"
@@ -18,8 +21,9 @@ using testing::SizeIs;
 class Growing : public testing::Test {
  protected:
     Growing() {
-        write_whole_text(scratch_ / "photos" / "1.png", "one");
-        write_whole_text(scratch_ / "photos" / "2.png", "two");
+        write_png(scratch_ / "photos" / "1.png", ColorImage(4, 4));
+        write_png(scratch_ / "photos" / "2.png", ColorImage(4, 4));
+        write_whole_text(scratch_ / "photos" / "readme.txt", "no photograph");
     }
     GrowthResult measure(const std::string& more, const fs::path& program) {
         write_whole_text(scratch_ / "cat.toml", "[capture]\nphotos = \"photos\"\n" + more);
@@ -63,6 +67,35 @@ TEST_F(Growing, ReplacesNoFileThatItDidNotMake) {
     write_whole_text(folder_ / "photos-1" / "own.jpg", "the user's own");
     EXPECT_THROW(static_cast<void>(measure("[growth]\nphotographs = [1]\n", "/bin/false")), Error);
     EXPECT_EQ(read_whole_text(folder_ / "photos-1" / "own.jpg"), "the user's own");
+}
+
+TEST_F(Growing, LeavesAllThatStandsBesideSuchAFile) {
+    const fs::path folder = folder_ / "photos-1";
+    write_whole_text(folder / "own.jpg", "the user's own");
+    constexpr int kLinks = 20;
+    for (int i = 0; i < kLinks; ++i) {
+        fs::create_symlink(scratch_ / "photos" / "1.png", folder / (std::to_string(i) + ".png"));
+    }
+    EXPECT_THROW(static_cast<void>(measure("[growth]\nphotographs = [1]\n", "/bin/false")), Error);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), kLinks + 1);
+}
+
+TEST_F(Growing, IsMeasuredOnTheFirstPhotographsInOrderOfName) {
+    fs::create_directories(folder_ / "photos-1");
+    fs::create_symlink(scratch_ / "photos" / "2.png", folder_ / "photos-1" / "of a run before.png");
+    static_cast<void>(measure("[growth]\nphotographs = [1, 2, 3]\n", stand_in("nothing")));
+    const auto links_in = [&](const std::string& name) {
+        std::map<std::string, fs::path> links;
+        for (const auto& entry : fs::directory_iterator(folder_ / name))
+            links[entry.path().filename().string()] = fs::read_symlink(entry.path());
+        return links;
+    };
+    const std::map<std::string, fs::path> first{{"1.png", scratch_ / "photos" / "1.png"}};
+    std::map<std::string, fs::path> both = first;
+    both["2.png"] = scratch_ / "photos" / "2.png";
+    EXPECT_EQ(links_in("photos-1"), first);
+    EXPECT_EQ(links_in("photos-2"), both);
+    EXPECT_EQ(links_in("photos-3"), both) << "there are no more";
 }
 
 TEST_F(Growing, ASizeThatFailsIsToldBesideTheOthers) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "calib/pictures/image_io.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/pose_bench/pose_chart.h"
 #include "tests/calib/scratch_folder.h"
@@ -76,6 +77,26 @@ TEST(PoseBench, TimingOfMatchingCanBeInterrupted) {
     SilentProgress progress;
     progress.interrupt();
     EXPECT_THROW(static_cast<void>(time_matching(64, progress)), Error);
+}
+
+TEST(PoseBench, TrialsLeaveNothingAndTouchNothingInTheScratchFolder) {
+    const ScratchFolder scratch;
+    write_png(scratch / "photos" / "1.png", ColorImage(128, 96, {90, 120, 30}));
+    write_png(scratch / "photos" / "2.png", ColorImage(128, 96, {30, 90, 120}));
+    PoseTrialSetting setting;
+    setting.photographs = scratch / "photos";
+    setting.scratch_folder = scratch / "user";
+    setting.threads = 1;
+    write_whole_text(setting.scratch_folder / "poses" / "notes.txt", "the user's own");
+    write_whole_text(setting.scratch_folder / "copies" / "1.png", "the user's own");
+    SilentProgress progress;
+    EXPECT_NE(try_poses(setting, {}, progress).refusal, "");
+    EXPECT_EQ(read_whole_text(setting.scratch_folder / "poses" / "notes.txt"), "the user's own");
+    EXPECT_EQ(read_whole_text(setting.scratch_folder / "copies" / "1.png"), "the user's own");
+    EXPECT_EQ(
+        std::distance(std::filesystem::directory_iterator(setting.scratch_folder / "copies"), {}),
+        1);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(setting.scratch_folder), {}), 2);
 }
 
 }  // namespace

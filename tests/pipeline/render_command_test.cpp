@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "calib/capture/colmap_model.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/whole_file.h"
 #include "tests/pipeline/box_line.h"
@@ -172,16 +173,55 @@ TEST_F(RenderCommand, DrawsTheDifferenceFromAHeldOutPhotograph) {
             << name;
 }
 
-TEST_F(RenderCommand, FramesOfAPathReplaceNothingButFramesAndOfAllViewsNothing) {
+/// The photographs of the box in two folders, the fifth named like the first.
+void part_into_folders(const fs::path& scene, const fs::path& parted) {
+    Capture capture = read_colmap_model(scene / "truth" / "sparse");
+    for (std::size_t i = 0; i < capture.views.size(); ++i) {
+        std::string& name = capture.views[i].name;
+        const fs::path photograph = scene / "photos" / name;
+        name = i == 4 ? "right/" + capture.views[0].name.substr(5) : "left/" + name;
+        fs::create_directories((parted / "photos" / name).parent_path());
+        fs::copy_file(photograph, parted / "photos" / name);
+    }
+    write_colmap_model_binary(capture, parted / "sparse");
+}
+
+TEST_F(RenderCommand, ANameOfTwoPhotographsIsRefusedThoughOneOfThemWasHeldOut) {
+    part_into_folders(scene_->path(), scratch_ / "parted");
+    write_whole_text(config_path(),
+                     "name = \"box\"\n[capture]\nphotos = \"parted/photos\"\n"
+                     "import = \"parted/sparse\"\n"
+                     "[evaluate]\nhold_out = [\"right/IMG_0001.png\"]\n" +
+                         std::string(kSparseDepth) + kToldDrawing);
+    ASSERT_EQ(build(), "rrrrr");
+    const auto difference_at = [&](const std::string& name) {
+        return lumi("--json render " + quoted(package()) + " --difference --view " + name +
+                    " --out " + quoted(scratch_ / "error.png"));
+    };
+    const Outcome either = difference_at("IMG_0001");
+    EXPECT_EQ(either.exit_code, 2);
+    EXPECT_THAT(either.talk, AllOf(HasSubstr("E-RENDER-VIEW"), HasSubstr("left/IMG_0001.png")));
+    const auto is_held_out = [&](const std::string& name) {
+        return Json::parse(difference_at(name).out).at("frames").at(0).at("is_held_out");
+    };
+    EXPECT_EQ(is_held_out("right/IMG_0001.png"), true);
+    EXPECT_EQ(is_held_out("left/IMG_0001.png"), false);
+    EXPECT_EQ(is_held_out("IMG_0002"), false);
+}
+
+TEST_F(RenderCommand, FramesReplaceNothingButFrames) {
     configure("");
     ASSERT_EQ(build(), "rrrrr");
     const fs::path originals = scratch_ / "originals";
     write_whole_text(originals / "IMG_0001.png", "the user's own");
-    const Outcome over = lumi("render " + quoted(package()) +
-                              " --all-views --mode lightfield --out " + quoted(originals));
-    EXPECT_EQ(over.exit_code, 2);
-    EXPECT_THAT(over.talk, HasSubstr("E-OUT-EXISTS"));
+    for (int run = 0; run < 2; ++run) {
+        const Outcome all = lumi("render " + quoted(package()) +
+                                 " --all-views --mode lightfield --out " + quoted(originals));
+        EXPECT_EQ(all.exit_code, 0) << all.talk;
+        EXPECT_EQ(std::distance(fs::directory_iterator(originals), fs::directory_iterator()), 10);
+    }
     EXPECT_EQ(read_whole_text(originals / "IMG_0001.png"), "the user's own");
+    EXPECT_EQ(read_color_image(originals / "IMG_0009.lightfield.png").width(), 160);
     const auto fly_to = [&](const fs::path& out) {
         return lumi("render " + quoted(package()) + " --path views --frames 2 --size 48x32 --out " +
                     quoted(out));

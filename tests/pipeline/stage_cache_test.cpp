@@ -132,18 +132,24 @@ TEST_F(StageCache, WhatAKilledRunLeftIsCleanedUp) {
                                                            "notes.txt", "config.toml.backup"}));
 }
 
+/// The folder is refused and left as it is.
+void expect_foreign(const fs::path& folder, const fs::path& file) {
+    const std::string before = read_whole_text(folder / file);
+    try {
+        const Workspace workspace(WorkspaceLayout(folder, "scene"));
+        FAIL() << file << " would be lost";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-WORKSPACE-FOREIGN");
+    }
+    EXPECT_EQ(read_whole_text(folder / file), before);
+}
+
 TEST_F(StageCache, AFolderOfOtherThingsIsNoWorkspace) {
     for (const char* name : {"depth/0001.exr", "evaluation/scores.txt", "config.toml",
                              "report.html", "scene.lumi/notes.txt"}) {
         const ScratchFolder dataset;
         write_whole_text(dataset / name, "the user's own");
-        try {
-            const Workspace workspace(WorkspaceLayout(dataset.path(), "scene"));
-            FAIL() << name << " would be lost";
-        } catch (const Error& error) {
-            EXPECT_EQ(error.code(), "E-WORKSPACE-FOREIGN");
-        }
-        EXPECT_EQ(read_whole_text(dataset / name), "the user's own");
+        expect_foreign(dataset.path(), name);
     }
     const ScratchFolder photographs;
     write_whole_text(photographs / "images/0001.jpg", "the user's own");
@@ -151,20 +157,43 @@ TEST_F(StageCache, AFolderOfOtherThingsIsNoWorkspace) {
 }
 
 TEST_F(StageCache, WhatLiesBesideALockAloneIsNotLumisOwn) {
+    for (const char* name : {"config.toml", "stages.json", "report.html"}) {
+        const ScratchFolder dataset;
+        write_whole_text(dataset / kLockName, "");
+        write_whole_text(dataset / name, "the user's own");
+        expect_foreign(dataset.path(), name);
+    }
     const ScratchFolder dataset;
     write_whole_text(dataset / kLockName, "");
     write_whole_text(dataset / "depth" / "0001.exr", "the user's own");
-    try {
-        const Workspace workspace(WorkspaceLayout(dataset.path(), "scene"));
-        FAIL() << "it would be lost";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), "E-WORKSPACE-FOREIGN");
-    }
-    EXPECT_EQ(read_whole_text(dataset / "depth" / "0001.exr"), "the user's own");
+    expect_foreign(dataset.path(), "depth/0001.exr");
     fs::remove(dataset / "depth" / "0001.exr");
     EXPECT_NO_THROW(Workspace(WorkspaceLayout(dataset.path(), "scene")));
     write_whole_text(dataset / "depth" / kDoneMarkerName, "{}");
     EXPECT_NO_THROW(Workspace(WorkspaceLayout(dataset.path(), "scene")));
+}
+
+TEST_F(StageCache, AFolderIsLumisOwnByItsOwnMarkerAlone) {
+    const ScratchFolder dataset;
+    write_whole_text(dataset / "config.toml", kWorkspaceConfigHeader);
+    write_whole_text(dataset / "depth" / kPlanName, "{}");
+    expect_foreign(dataset.path(), fs::path("depth") / kPlanName);
+}
+
+TEST_F(StageCache, AStageWithoutMarkerIsLumisOwnWhereTheLastRunListsIt) {
+    const ScratchFolder folder;
+    write_whole_text(folder / "config.toml", kWorkspaceConfigHeader);
+    write_whole_text(folder / "ingest" / "photographs.json", "{}");
+    write_whole_text(folder / "stages.json", R"({"stages": [{"name": "mesh"}]})");
+    expect_foreign(folder.path(), "ingest/photographs.json");
+    write_whole_text(folder / "stages.json", R"({"stages": [{"name": "ingest"}]})");
+    EXPECT_NO_THROW(Workspace(WorkspaceLayout(folder.path(), "scene")));
+    write_whole_text(folder / "stages.json", "damaged");
+    expect_foreign(folder.path(), "ingest/photographs.json");
+    write_whole_text(folder / "stages.json", R"({"stages": [{"name": "ingest"}]})");
+    write_whole_text(folder / "config.toml", "name = \"the user's own\"");
+    write_whole_text(folder / kLockName, "");
+    expect_foreign(folder.path(), "ingest/photographs.json");
 }
 
 TEST_F(StageCache, AHarmedProductGivesWayWhateverElseChanged) {

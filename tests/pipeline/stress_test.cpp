@@ -8,18 +8,26 @@
 #include <set>
 
 #include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/protocol/view_subset.h"
+#include "pipeline/report/stress_charts.h"
 #include "pipeline/stress/seeded_normal.h"
 #include "pipeline/stress/stress_files.h"
+#include "pipeline/stress/stress_subject.h"
 #include "render/depth_mesh/view_depth_mesh.h"
 #include "render/lumigraph/even_exposure.h"
+#include "render/lumigraph/manifest.h"
+#include "render/lumigraph/package.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "render/transfer/view_geometry.h"
+#include "tests/calib/scratch_folder.h"
 #include "tests/truth/textured_box_scene.h"
 
 namespace lumi {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 class Stress : public testing::Test {
@@ -116,7 +124,7 @@ TEST_F(Stress, DroppingMoreDropsTheSameViewsAndMore) {
     const Lumigraph before = lumigraph();
     const auto names = [&](double percent) {
         std::set<std::string> left;
-        for (const LumigraphView& view : with_views_dropped(before, percent, 2).views) {
+        for (const LumigraphView& view : with_views_dropped(before, percent, 2, {}).views) {
             left.insert(view.name);
         }
         return left;
@@ -127,6 +135,48 @@ TEST_F(Stress, DroppingMoreDropsTheSameViewsAndMore) {
     EXPECT_EQ(few.size(), 4U);
     EXPECT_TRUE(std::includes(many.begin(), many.end(), few.begin(), few.end()));
     EXPECT_EQ(names(100.0).size(), 1U);
+}
+
+/// One that nothing but options would build of cameras before a box.
+const CameraMeshOptions kOnlyWhenAsked{.construction = "nearest"};
+
+TEST_F(Stress, TheCameraMeshOverFewerViewsIsBuiltAsItWas) {
+    const Lumigraph before = lumigraph();
+    EXPECT_NE(with_views_dropped(before, 20.0, 2, {}).mesh.construction,
+              MeshConstruction::kNearest);
+    EXPECT_EQ(with_views_dropped(before, 20.0, 2, kOnlyWhenAsked).mesh.construction,
+              MeshConstruction::kNearest);
+}
+
+TEST_F(Stress, APackageTellsHowItsCameraMeshIsBuilt) {
+    const ScratchFolder scratch;
+    const fs::path package = scratch / "box.lumi";
+    PackageExtras extras;
+    extras.resolved_config_toml = "[mesh]\nconstruction = \"nearest\"\n";
+    write_package(package, lumigraph(), extras);
+    const StressSubject subject = subject_of_package(package);
+    EXPECT_EQ(subject.mesh_options.construction, kOnlyWhenAsked.construction);
+    EXPECT_EQ(subject.lumigraph.mesh.construction, MeshConstruction::kNearest);
+}
+
+TEST(StressFiles, ChartsOfOtherRunsAndOtherPackagesAreNotTheseOnes) {
+    const ScratchFolder scratch;
+    const WorkspaceLayout workspace(scratch.path(), "box");
+    const fs::path stress = workspace.folder() / "stress";
+    write_whole_text(workspace.package_folder() / kManifestName, "the package");
+    write_whole_text(stress / "depth_percent.svg", "of a run before");
+    EXPECT_TRUE(stress_charts_of(workspace).empty());
+    StressResult result;
+    result.package_sha256 = package_sha256(workspace);
+    result.curves = {{"blur_px", RenderMode::kPerPixel, {0, 1}, {30, 29}, {}}};
+    write_stress_files(stress, result, SilentProgress());
+    const std::map<std::string, fs::path> charts = stress_charts_of(workspace);
+    ASSERT_EQ(charts.size(), 1U);
+    EXPECT_EQ(charts.at("blur_px"), stress / "blur_px.svg");
+    write_whole_text(workspace.package_folder() / kManifestName, "another package");
+    EXPECT_TRUE(stress_charts_of(workspace).empty());
+    write_whole_text(stress / "stress.json", "{\"curves\": 3}");
+    EXPECT_TRUE(stress_charts_of(workspace).empty());
 }
 
 TEST_F(Stress, EveryCurveStartsUnperturbedAndEndsLower) {
@@ -142,30 +192,32 @@ TEST_F(Stress, EveryCurveStartsUnperturbedAndEndsLower) {
     StressOptions options = options_from("modes = [\"perpixel\"]");
     for (Perturbation& one : options.perturbations) one.strengths = {one.strengths.back()};
     SilentProgress progress;
-    const Lumigraph eight = only_these_views(whole, kept);
-    const std::vector<StressCurve> curves = stress_curves(eight, {view}, options, progress);
+    const StressSubject eight{only_these_views(whole, kept, {}), {view}};
+    const std::vector<StressCurve> curves = stress_curves(eight, options, progress);
     EXPECT_EQ(curves.size(), known_perturbations().size());
     for (const StressCurve& curve : curves) {
         EXPECT_EQ(curve.strengths.front(), 0.0);
         EXPECT_EQ(curve.psnr_db.front(), curves[0].psnr_db.front()) << curve.perturbation;
         EXPECT_LT(curve.psnr_db.back(), curve.psnr_db.front() - 1.0) << curve.perturbation;
     }
-    const std::vector<StressCurve> again = stress_curves(eight, {view}, options, progress);
+    const std::vector<StressCurve> again = stress_curves(eight, options, progress);
     for (std::size_t i = 0; i < curves.size(); ++i) EXPECT_EQ(again[i].psnr_db, curves[i].psnr_db);
 }
 
 TEST_F(Stress, APhotographIsComparedWithWhatItsLensWouldTake) {
-    const Lumigraph whole = lumigraph();
+    StressSubject subject{lumigraph(), {}};
+    const Lumigraph& whole = subject.lumigraph;
     const Eye eye{whole.views[0].camera, whole.views[0].cam_from_world};
-    StressView view{"held out", eye, OffscreenRenderer(whole).draw(eye, {}).color};
+    subject.views = {{"held out", eye, OffscreenRenderer(whole).draw(eye, {}).color}};
+    StressView& view = subject.views[0];
     constexpr double kFalloff = -1.5;
     view.photograph = darkened_by_lens(std::move(view.photograph), eye.camera, kFalloff);
     StressOptions options =
         options_from("modes = [\"perpixel\"]\nperturbations = [\"blur_px\"]\nblur_px = [1]\n");
     SilentProgress progress;
-    EXPECT_LT(stress_curves(whole, {view}, options, progress)[0].psnr_db.front(), 30);
+    EXPECT_LT(stress_curves(subject, options, progress)[0].psnr_db.front(), 30);
     view.falloff = kFalloff;
-    EXPECT_GT(stress_curves(whole, {view}, options, progress)[0].psnr_db.front(), 90);
+    EXPECT_GT(stress_curves(subject, options, progress)[0].psnr_db.front(), 90);
 }
 
 TEST(BreakingPoint, IsInterpolatedBetweenStrengths) {

@@ -1,15 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
-
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"
+#include "tests/pipeline/built_program.h"
 #include "tests/pipeline/told_choices.h"
 #include "tests/truth/textured_box_scene.h"
 
@@ -19,14 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
-
-struct Outcome {
-    int exit_code = -1;
-    std::string out;
-    std::string talk;
-};
-
-std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 
 /// The textured box with its true poses, and commands that build many packages of it.
 class Sweeps : public testing::Test {
@@ -39,11 +29,7 @@ class Sweeps : public testing::Test {
     static void TearDownTestSuite() { delete scene_; }
 
     Outcome lumi(const std::string& arguments) const {
-        const std::string command = "cd " + quoted(scratch_.path()) + " && " + quoted(LUMI_BINARY) +
-                                    " " + arguments + " > out 2> talk";
-        const int status = std::system(command.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_whole_text(scratch_ / "out"),
-                read_whole_text(scratch_ / "talk")};
+        return lumi::lumi(arguments, "cd " + quoted(scratch_.path()) + " &&");
     }
     /// A configuration with true poses, one photograph held out, and drawing that is told.
     void configure(const std::string& name, const std::string& more) const {
@@ -218,6 +204,17 @@ TEST_F(Sweeps, LeaveOneOutJudgesEveryPhotographWithAndWithoutItsDepth) {
               held_out.at("mean").at("psnr_db"));
 }
 
+TEST_F(Sweeps, LeaveOneOutBuildsTheCameraMeshesThatAreConfigured) {
+    const auto middle_psnr_db = [&](const std::string& mesh) {
+        configure("box", kSparseDepth + mesh);
+        const Outcome outcome =
+            lumi("--json evaluate box.toml --leave-one-out --keep-depth --mode perpixel");
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.talk;
+        return Json::parse(outcome.out).at("depth_kept").at("views").at(4).at("psnr_db");
+    };
+    EXPECT_NE(middle_psnr_db(""), middle_psnr_db("[mesh]\nconstruction = \"nearest\"\n"));
+}
+
 TEST_F(Sweeps, LeaveOneOutDrawsPhotographsAsTakenWhereThatIsAsked) {
     SceneDescription of_many_exposures = textured_box_description();
     of_many_exposures.sensor.exposure_drift_stops = 0.7;
@@ -255,6 +252,33 @@ TEST_F(Sweeps, CornersThatTheLensDarkensAreEvenedOutAndJudgedAsItTakesThem) {
         return result.at("mean").at("psnr_covered_db").get<double>();
     };
     EXPECT_GT(psnr_db(""), psnr_db(" --as-taken") + 0.5);
+}
+
+TEST_F(Sweeps, ExactDepthIsStraightenedWhereNobodysFilesAre) {
+    SceneDescription bent = textured_box_description();
+    const Camera straight = bent.camera;
+    bent.camera = {
+        straight.width_px,
+        straight.height_px,
+        LensModel::kSimpleRadial,
+        {focal_length_px(straight).x(), 0.5 * straight.width_px, 0.5 * straight.height_px, -0.1}};
+    SilentProgress progress;
+    synthesize_into(scratch_.path(), bent, 0, progress);
+    write_whole_text(scratch_ / "box.toml",
+                     "[capture]\nphotos = \"photos\"\nimport = \"truth/sparse\"\n[evaluate]\n"
+                     "hold_out = [\"IMG_0005.png\"]\n" +
+                         std::string(kSparseDepth) + kToldDrawing);
+    ASSERT_EQ(lumi("build box.toml").exit_code, 0);
+    const fs::path own = scratch_.path() / "rungs" / "box" / "truth" / "IMG_0001.png.tiff";
+    write_whole_text(own, "the user's own");
+    const Outcome outcome =
+        lumi("--json bench-depth work/box --model sparse --truth truth/depth --out rungs");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+    EXPECT_THAT(outcome.out, HasSubstr("right_share"));
+    EXPECT_EQ(read_whole_text(own), "the user's own");
+    EXPECT_EQ(std::distance(fs::directory_iterator(own.parent_path()), {}), 1);
+    for (const auto& entry : fs::directory_iterator(scratch_.path() / "rungs"))
+        EXPECT_FALSE(entry.path().filename().string().starts_with('.')) << entry.path();
 }
 
 TEST_F(Sweeps, StressTakesAConfigurationAWorkspaceOrAPackage) {

@@ -1,9 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <stdexcept>
 
 #include "calib/capture/colmap_model.h"
 #include "calib/pictures/image_io.h"
@@ -11,6 +9,7 @@
 #include "calib/work/progress.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/synth/synthesize.h"
+#include "tests/calib/scratch_folder.h"
 #include "tests/truth/textured_box_scene.h"
 
 namespace lumi {
@@ -18,22 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-class TemporaryFolder {
- public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "lumi-synth-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-        path_ = name;
-    }
-    ~TemporaryFolder() { fs::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-    fs::path path_;
-};
 
 constexpr const char* kBall = R"(
 [camera]
@@ -177,7 +160,7 @@ TEST(Synthesize, PointsReprojectExactlyIntoTheViewsThatSeeThem) {
 }
 
 TEST(Synthesize, AnInterruptedSceneDoesNotPassForAFinishedOne) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const SceneDescription description = description_of(kBall);
     SilentProgress progress;
     synthesize_into(folder.path(), description, 1, progress);
@@ -188,7 +171,7 @@ TEST(Synthesize, AnInterruptedSceneDoesNotPassForAFinishedOne) {
 }
 
 TEST(Synthesize, FilesHoldWhatMemoryHolds) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const SceneDescription description = description_of(kBall);
     SilentProgress progress;
     const SyntheticCapture expected = synthesize(description, 2, progress);
@@ -212,7 +195,7 @@ TEST(Synthesize, FilesHoldWhatMemoryHolds) {
 }
 
 TEST(Synthesize, RefusesAFolderWithPhotographsOfAnotherScene) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     SilentProgress progress;
     synthesize_into(folder.path(), description_of(kBall), 1, progress);
     synthesize_into(folder.path(), description_of(kBall), 1, progress);

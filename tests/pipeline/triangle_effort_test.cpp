@@ -11,11 +11,11 @@
 namespace lumi {
 namespace {
 
-TriangleEffort effort_of(const Studio& studio) {
+TriangleEffort effort_of(const Studio& studio, double given_error_px = 0) {
     SilentProgress progress;
     const Lumigraph lumigraph = with_camera_mesh(studio);
     KeptBackPhotographs photographs(lumigraph, studio.capture, {}, progress);
-    return sufficient_triangle_effort(photographs, lumigraph.drawing);
+    return sufficient_triangle_effort(photographs, lumigraph.drawing, given_error_px);
 }
 
 TEST(TriangleEffort, IsTheLeastWherePicturesShowTheSameEverywhere) {
@@ -66,6 +66,9 @@ TEST(TriangleEffort, DrawsWhatIsThinWhereThatStandsApart) {
     EXPECT_GT(effort.thin_gains_db, 0.1);
     EXPECT_GT(effort.thin_gains_db, effort.thin_standard_error_db);
     EXPECT_TRUE(effort.draws_thin);
+    // With triangles that are given, among those asked or not.
+    EXPECT_EQ(effort_of(studio, kTriangleError_px).thin_gains_db, effort.thin_gains_db);
+    EXPECT_GT(effort_of(studio, 3.0).thin_gains_db, effort.thin_gains_db) << "they miss more bars";
 }
 
 TEST(TriangleEffort, IsGreaterWhereBodiesHideOneAnother) {

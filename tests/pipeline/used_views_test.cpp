@@ -6,6 +6,8 @@
 #include "calib/capture/colmap_model.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "pipeline/stages/depth_stage.h"
 #include "pipeline/stages/straightened_depth.h"
 #include "pipeline/stages/straightened_masks.h"
 #include "tests/calib/scratch_folder.h"
@@ -128,10 +130,11 @@ TEST(StraightenedDepth, ASlantedPlaneIsWhereThePinholeSeesIt) {
     }
     write_float_tiff(scratch / "depth" / "walk" / "a.tiff", depth);
     SilentProgress progress;
-    const auto folder = straighten_depth({scratch / "depth"}, view.pinholes, scratch / "poses",
-                                         scratch / "out", 1, progress);
-    ASSERT_EQ(folder, scratch / "out");
-    const FloatImage straight = read_float_tiff(folder / "walk" / "a.jpg.tiff");
+    const auto files = straighten_depth({scratch / "depth"}, view.pinholes, scratch / "poses",
+                                        scratch / "out", 1, progress);
+    ASSERT_EQ(files.size(), 1U);
+    ASSERT_EQ(files[0].parent_path(), scratch / "out");
+    const FloatImage straight = read_float_tiff(files[0]);
     ASSERT_EQ(straight.width(), 320);
     for (int y = 0; y < 240; ++y) {
         for (int x = 0; x < 320; ++x) {
@@ -147,10 +150,63 @@ TEST(StraightenedDepth, IsTheUsersOwnWhereNoLensBends) {
     const ScratchFolder scratch;
     const Capture pinholes = BentView(scratch / "poses").pinholes;
     write_colmap_model_binary(pinholes, scratch / "poses" / "sparse");
+    write_float_tiff(scratch / "depth" / "walk" / "a.tiff", FloatImage(320, 240, 2.0F));
     SilentProgress progress;
-    EXPECT_EQ(straighten_depth({scratch / "depth"}, pinholes, scratch / "poses", scratch / "out", 1,
-                               progress),
-              scratch / "depth");
+    EXPECT_THAT(straighten_depth({scratch / "depth"}, pinholes, scratch / "poses", scratch / "out",
+                                 1, progress),
+                ElementsAre(scratch / "depth" / "walk" / "a.tiff"));
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
+}
+
+TEST(StraightenedDepth, OfAPhotographWithTheLongestNameHasAFileAsWell) {
+    const ScratchFolder scratch;
+    BentView view(scratch / "poses");
+    const std::string name = std::string(251, 'a') + ".jpg";
+    view.lenses.views[0].name = name;
+    view.pinholes.views[0].name = name;
+    write_colmap_model_binary(view.lenses, scratch / "poses" / "sparse");
+    write_float_tiff(scratch / "depth.tif", FloatImage(320, 240, 2.0F));
+    std::filesystem::create_directories(scratch / "depth");
+    std::filesystem::rename(scratch / "depth.tif",
+                            scratch / "depth" / (std::string(251, 'a') + ".tif"));
+    SilentProgress progress;
+    const auto files = straighten_depth({scratch / "depth"}, view.pinholes, scratch / "poses",
+                                        scratch / "out", 1, progress);
+    ASSERT_EQ(files.size(), 1U);
+    EXPECT_EQ(read_float_tiff(files[0])(160, 120), 2.0F);
+}
+
+TEST(StraightenedDepth, MapsOfPicturesThatColmapStraightenedAreNotBentOnceMore) {
+    const ScratchFolder scratch;
+    const BentView view(scratch / "poses");
+    write_whole_text(scratch / "depth" / "walk" / "a.jpg.geometric.bin", "320&240&1&");
+    SilentProgress progress;
+    try {
+        static_cast<void>(straighten_depth({scratch / "depth"}, view.pinholes, scratch / "poses",
+                                           scratch / "out", 1, progress));
+        FAIL() << "expected E-DEPTH-UNDISTORTED";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-DEPTH-UNDISTORTED") << error.what();
+    }
+}
+
+TEST(StraightenedDepth, ThatSaysNothingIsNamedByTheFolderThatWasGiven) {
+    const ScratchFolder scratch;
+    const BentView view(scratch / "poses");
+    write_float_tiff(scratch / "depth" / "walk" / "a.tiff", FloatImage(320, 240, 0.0F));
+    write_png(scratch / "a.png", ColorImage(320, 240));
+    DepthOptions options;
+    options.import_folder = scratch / "depth";
+    SilentProgress progress;
+    try {
+        static_cast<void>(run_depth_stage({view.pinholes, {scratch / "a.png"}},
+                                          {{}, scratch / "poses", {"walk/a.jpg"}, {}}, options,
+                                          scratch / "stage", 1, progress));
+        FAIL() << "expected E-DEPTH-EMPTY";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-DEPTH-EMPTY") << error.what();
+        EXPECT_THAT(error.what(), testing::StartsWith((scratch / "depth").string() + ": "));
+    }
 }
 
 }  // namespace

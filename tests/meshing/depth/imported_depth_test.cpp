@@ -6,6 +6,7 @@
 
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
+#include "calib/work/whole_file.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
@@ -87,6 +88,34 @@ TEST(ImportedDepth, OfTwoPhotographsOfOneStemIsToldByTheWholeName) {
     write_float_tiff(folder.path() / "one.png.tiff", depth);
     EXPECT_EQ(file_of(0), folder.path() / "one.tiff") << "the other one has its own";
     EXPECT_EQ(file_of(1), folder.path() / "one.png.tiff");
+}
+
+TEST(ImportedDepth, IsOfTheFirstEndingWhereverItStandsInTheName) {
+    const ScratchFolder folder;
+    const FloatImage depth(240, 180, 4.0F);
+    write_png(folder.path() / "one.jpg.png", GrayImage(240, 180));
+    write_float_tiff(folder.path() / "one.tiff", depth);
+    EXPECT_EQ(imported_depth_file({"one.jpg"}, 0, folder.path()), folder.path() / "one.tiff");
+    write_float_tiff(folder.path() / "two.tiff", depth);
+    write_float_tiff(folder.path() / "two.jpg.tiff", depth);
+    EXPECT_EQ(imported_depth_file({"two.jpg"}, 0, folder.path()), folder.path() / "two.tiff");
+}
+
+TEST(ImportedDepth, WhatIsSharedIsToBeNamedWithItsWholeEnding) {
+    const ScratchFolder folder;
+    write_whole_text(folder.path() / "one.geometric.bin", "");
+    try {
+        (void)imported_depth_file({"one.jpg", "one.png"}, 0, folder.path());
+        ADD_FAILURE() << "expected E-DEPTH-SHARED";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-DEPTH-SHARED") << error.what();
+        EXPECT_EQ(error.advice(), "name depth maps like one.jpg.geometric.bin");
+    }
+}
+
+TEST(ImportedDepth, OfANameTooLongForAFileIsMissing) {
+    const ScratchFolder folder;
+    expect_refused(view_named(std::string(300, 'a') + ".jpg"), folder.path(), "E-DEPTH-MISSING");
 }
 
 }  // namespace

@@ -124,6 +124,19 @@ TEST(ThumbnailPrediction, LosesLittleFromNeighboursAndMuchFromNothing) {
     EXPECT_EQ(prediction.loss_db(5, {{4, 6}, {0.5, 0.5}}), near);
 }
 
+TEST(ThumbnailPrediction, IsTheSameOfPhotographsThatAreThumbnailsAlready) {
+    const PhotographedWall wall(grid_of_centres());
+    std::vector<PicturedView> views = wall.views();
+    std::vector<ColorImage> thumbnails;
+    for (const PicturedView& view : views)
+        thumbnails.push_back(thumbnail_of(*view.photograph, view.camera));
+    ASSERT_LT(thumbnails[0].width(), views[0].photograph->width());
+    const EnclosingViews from{{4, 6}, {0.5, 0.5}};
+    const double of_photographs = ThumbnailPrediction(views).loss_db(5, from);
+    for (std::size_t i = 0; i < views.size(); ++i) views[i].photograph = &thumbnails[i];
+    EXPECT_EQ(ThumbnailPrediction(views).loss_db(5, from), of_photographs);
+}
+
 TEST(EnclosingViews, AreTheDelaunayTriangleWithBarycentricWeights) {
     const auto towards = [](double x, double y) { return Eigen::Vector3d(x, y, 1).normalized(); };
     const std::vector<Eigen::Vector3d> directions{towards(-0.1, -0.1), towards(0.1, -0.1),
