@@ -1,7 +1,6 @@
 #include "calib/adjust/bundle_adjustment.h"
 
 #include <ceres/ceres.h>
-#include <glog/logging.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "calib/adjust/bundle_problem.h"
+#include "calib/adjust/silence_ceres.h"
 #include "calib/adjust/stop_on_interrupt.h"
 #include "calib/work/error.h"
 #include "calib/work/median.h"
@@ -79,15 +79,6 @@ bool any_beyond(const Capture& capture, double limit_px) {
                 return !(reprojection_error_px(capture, point, observation) <= limit_px);
             });
     });
-}
-
-/// Ceres tells of every step that it had to shorten, on stderr, where libraries say nothing.
-void silence_ceres() {
-    static const bool is_silent = [] {
-        FLAGS_minloglevel = google::GLOG_FATAL;
-        return true;
-    }();
-    static_cast<void>(is_silent);
 }
 
 ceres::Solver::Summary solve_pass(Capture& capture, const BundleAdjustmentOptions& options,

@@ -7,6 +7,7 @@
 
 #include "calib/adjust/camera_blocks.h"
 #include "calib/adjust/reprojection_cost.h"
+#include "calib/adjust/silence_ceres.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 
@@ -64,6 +65,7 @@ Rigid3 resected(const Camera& lens, Rigid3 pose, std::vector<Sighting>& sighting
     solver.max_num_iterations = 20;
     solver.function_tolerance = 1e-8;
     solver.logging_type = ceres::SILENT;
+    silence_ceres();
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);
     return pose_of(block);

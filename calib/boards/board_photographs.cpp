@@ -2,6 +2,7 @@
 #include <array>
 #include <compare>
 #include <map>
+#include <new>
 #include <opencv2/core.hpp>
 
 #include "calib/boards/board_detection.h"
@@ -90,6 +91,7 @@ BoardAnswer answer_for(const PhotographFile& file, BoardKind kind, const BoardRe
         if (error.kind() == ErrorKind::kInterrupted) throw;
         return {std::nullopt, {file.name, error.code(), error.what()}};
     } catch (const cv::Exception& exception) {
+        if (exception.code == cv::Error::StsNoMem) throw std::bad_alloc();
         // Such as a window that is larger than the picture.
         return {std::nullopt,
                 {file.name, "E-BOARD-FAILED", "OpenCV cannot look at it: " + exception.err}};

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "calib/adjust/silence_ceres.h"
 #include "calib/boards/board_pose.h"
 
 namespace lumi {
@@ -175,6 +176,7 @@ LensFit fit_lens(const BoardViews& board, const BoardSolution& start,
     }
     if (!std::isfinite(residual_sum_px2(board, solution))) return fit;
     hold_parameters(problem, solution, estimates_size(board));
+    silence_ceres();
     ceres::Solver::Summary summary;
     ceres::Solve(solver_options(problem, solution, options), &problem, &summary);
     fit.iterations = static_cast<int>(summary.iterations.size());

@@ -189,7 +189,8 @@ void judge_count(const CaptureEvidence& evidence, std::vector<Finding>& findings
              ? "two photographs alone do not tell how far a lens of unknown focal length "
                "turned and moved: a third would, or the lens ([calibration])"
              : "a build ends with E-INGEST-TOOFEW: " + counted(count, "usable photograph") +
-                   ", expected at least " + std::to_string(evidence.min_photographs),
+                   ", expected at least " + std::to_string(evidence.min_photographs) +
+                   (evidence.min_photographs > 2 ? " ([capture] min_photographs)" : ""),
          {}});
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calib/ingest/working_copies.h"
 #include "calib/matching/camera_groups.h"
 #include "calib/matching/inlier_shares.h"
 #include "calib/matching/pair_verification.h"
@@ -91,22 +90,10 @@ std::vector<Eigen::Vector2i> sizes_in_build(const std::vector<Photograph>& photo
 /// Small copies, of all that a build would take.
 IngestOptions options_of_copies(const ExaminationOptions& options) {
     IngestOptions of_copies = options.build;
+    of_copies.judged_width_px = options.build.max_width_px;
     of_copies.max_width_px = options.width_px;
-    of_copies.min_width_px = 1;
     of_copies.min_photographs = 1;
     return of_copies;
-}
-
-/// By the width that the build has, not by the doctor's.
-void leave_out_tiny(IngestResult& ingested, const IngestOptions& build) {
-    std::erase_if(ingested.photographs, [&](const Photograph& photograph) {
-        const auto tiny = left_out_as_tiny(
-            photograph.name, {photograph.original_width_px, photograph.original_height_px}, build);
-        if (tiny) ingested.left_out.push_back(*tiny);
-        return tiny.has_value();
-    });
-    std::stable_sort(ingested.left_out.begin(), ingested.left_out.end(),
-                     [](const LeftOut& a, const LeftOut& b) { return a.name < b.name; });
 }
 
 int longer_side_px(const Photograph& photograph) {
@@ -143,7 +130,6 @@ Examination examine_capture(const fs::path& photographs_or_video,
     const WholeFolder copies(folder / "copies");
     IngestResult ingested = ingest(photographs_or_video, options_of_copies(options),
                                    copies.staging(), threads, progress);
-    leave_out_tiny(ingested, options.build);
     for (Photograph& photograph : ingested.photographs) {
         if (options.told_focal_length_px) photograph.focal_length_px = options.told_focal_length_px;
     }

@@ -50,10 +50,10 @@ bool is_any_in_the_middle(const Image<std::uint32_t>& counts) {
     return false;
 }
 
-/// What straightening a lens leaves: a little of the rim, and the same in all photographs.
-bool is_left_by_straightening(const PhotographsOfSize& photographs) {
+/// What straightening a lens leaves: a little of the rim, no more than this share, and the same in
+/// all photographs.
+bool is_left_by_straightening(const PhotographsOfSize& photographs, double most_share) {
     constexpr double kSame = 0.9;
-    constexpr double kLittle = 0.3;
     const Image<std::uint32_t> counts = hidden_in(photographs.masks);
     const auto hidden_px = [&](std::size_t least) {
         return static_cast<double>(
@@ -61,8 +61,29 @@ bool is_left_by_straightening(const PhotographsOfSize& photographs) {
                           [&](std::uint32_t count) { return count >= least; }));
     };
     return hidden_px(photographs.count) >= kSame * hidden_px(1) &&
-           hidden_px(1) <= kLittle * static_cast<double>(counts.pixels().size()) &&
+           hidden_px(1) <= most_share * static_cast<double>(counts.pixels().size()) &&
            !is_any_in_the_middle(counts);
+}
+
+using PhotographsBySize = std::map<std::pair<int, int>, PhotographsOfSize>;
+
+/// Whether what is hidden is around a subject. Of a photograph of its own size no other tells
+/// whether they hide the same; but where most are, they were cropped to what they show, while
+/// straightening leaves them the size of their camera.
+bool are_outlines(const PhotographsBySize& by_size) {
+    constexpr double kLittle = 0.3;
+    constexpr double kVeryLittle = 0.05;
+    std::size_t all = 0;
+    std::size_t alone = 0;
+    for (const auto& [size, photographs] : by_size) {
+        all += photographs.count;
+        if (photographs.count == 1) ++alone;
+    }
+    const bool are_cropped = 2 * alone > all;
+    return std::any_of(by_size.begin(), by_size.end(), [&](const auto& entry) {
+        const bool is_cropped = are_cropped && entry.second.count == 1;
+        return !is_left_by_straightening(entry.second, is_cropped ? kVeryLittle : kLittle);
+    });
 }
 
 }  // namespace
@@ -74,7 +95,7 @@ void write_cut_out(const std::string& name, const GrayImage& shown, const fs::pa
 void complete_cut_outs(const std::vector<Photograph>& photographs, const fs::path& copies_folder) {
     std::set<fs::path> wanted;
     std::vector<const Photograph*> opaque;
-    std::map<std::pair<int, int>, PhotographsOfSize> by_size;
+    PhotographsBySize by_size;
     std::error_code status;
     for (const Photograph& photograph : photographs) {
         const fs::path file = file_of(photograph.name, copies_folder);
@@ -88,10 +109,7 @@ void complete_cut_outs(const std::vector<Photograph>& photographs, const fs::pat
             opaque.push_back(&photograph);
         }
     }
-    const bool are_outlines = std::any_of(by_size.begin(), by_size.end(), [](const auto& entry) {
-        return !is_left_by_straightening(entry.second);
-    });
-    if (!are_outlines) return clear_cut_outs(copies_folder);
+    if (!are_outlines(by_size)) return clear_cut_outs(copies_folder);
     std::vector<fs::path> stale;
     for (const auto& entry : fs::recursive_directory_iterator(folder_in(copies_folder)))
         if (entry.is_regular_file() && !wanted.contains(entry.path()))

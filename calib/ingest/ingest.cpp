@@ -137,6 +137,12 @@ void refuse_too_few(const IngestResult& result, const IngestOptions& options,
 
 }  // namespace
 
+std::vector<std::string> names_of(const std::vector<Photograph>& photographs) {
+    std::vector<std::string> names;
+    for (const Photograph& photograph : photographs) names.push_back(photograph.name);
+    return names;
+}
+
 IngestResult ingest(const fs::path& photographs_or_video, const IngestOptions& options,
                     const fs::path& copies_folder, int threads, Progress& progress) {
     validate(options);
@@ -148,8 +154,9 @@ IngestResult ingest(const fs::path& photographs_or_video, const IngestOptions& o
         clear_working_copies(copies_folder);
         candidates = ingest_video(photographs_or_video, options, copies_folder, progress);
     } else {
-        PhotographFolder folder =
-            list_photographs(photographs_or_video, copies_folder, options.other_folders);
+        PhotographFolder folder = list_photographs(
+            photographs_or_video, options.workspace.empty() ? copies_folder : options.workspace,
+            options.other_folders);
         result.left_out = std::move(folder.left_out);
         clear_working_copies(copies_folder);
         candidates = ingest_folder(folder, options, copies_folder, threads, progress);

@@ -16,6 +16,8 @@ namespace lumi {
 struct IngestOptions {
     int max_width_px = 1600;  ///< Longer sides are scaled down to this. 0: as they are.
     int min_width_px = 64;    ///< Shorter sides of copies below this are "tiny". > 0.
+    /// As max_width_px, of the copies that are asked whether they are tiny; none: of these.
+    std::optional<int> judged_width_px = {};
     int min_photographs = 2;  ///< Fewer than this left over: E-INGEST-TOOFEW.
     double video_fps = 2.0;   ///< Frames taken from each second of a video. > 0.
     /// Whether what was laid over all photographs (overlay.h) is left in them.
@@ -26,6 +28,8 @@ struct IngestOptions {
     bool crop_bars = true;
     /// Of masks, boards or depth maps: no photographs, should they lie among these.
     std::vector<std::filesystem::path> other_folders = {};
+    /// In which nothing is a photograph, though nothing marks it yet; empty: that of the copies.
+    std::filesystem::path workspace = {};
 };
 
 void validate(const IngestOptions& options);
@@ -46,6 +50,9 @@ struct Photograph {
     std::string camera_key;  ///< Photographs of one camera and zoom have equal keys (size, make,
                              ///< model, focal length).
 };
+
+/// In their order.
+[[nodiscard]] std::vector<std::string> names_of(const std::vector<Photograph>& photographs);
 
 /// What was taken out of working copies of one size.
 struct RemovedOverlay {

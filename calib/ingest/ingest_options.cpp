@@ -16,7 +16,8 @@ struct Fault {
 std::optional<Fault> first_fault(const IngestOptions& options) {
     if (options.max_width_px < 0) return Fault{"max_width_px", "0 (as they are) or more"};
     if (options.min_width_px <= 0) return Fault{"min_width_px", "more than 0"};
-    if (options.max_width_px > 0 && options.max_width_px < options.min_width_px) {
+    const int judged_width_px = options.judged_width_px.value_or(options.max_width_px);
+    if (judged_width_px > 0 && judged_width_px < options.min_width_px) {
         return Fault{"max_width_px", "0 or at least min_width_px"};
     }
     if (options.min_photographs < 1) return Fault{"min_photographs", "1 or more"};

@@ -51,6 +51,11 @@ bool is_any(const Overlay& overlay, const Photograph& photograph) {
     return has_bars(overlay, photograph) || !overlay.mask.empty();
 }
 
+/// What bars have to leave. Where others are judged, copies are smaller than those.
+int least_side_px(const IngestOptions& options) {
+    return options.judged_width_px ? 1 : options.min_width_px;
+}
+
 /// Asks all photographs only where a few show something: an overlay that two of these lack, though
 /// nearly all others have it, is missed.
 Overlay overlay_over(const std::vector<Photograph*>& photographs, int min_side_px,
@@ -157,7 +162,7 @@ std::vector<RemovedOverlay> remove_overlays(std::vector<Photograph>& photographs
     for (const auto& [raster, group] : by_raster(photographs)) {
         if (group.size() < static_cast<std::size_t>(kFewestForOverlay)) continue;
         progress.begin("looking for what was laid over photographs", 0);
-        Overlay overlay = overlay_over(group, options.min_width_px, progress);
+        Overlay overlay = overlay_over(group, least_side_px(options), progress);
         if (!options.crop_bars) overlay = without_crop(overlay, *group.front());
         if (!is_any(overlay, *group.front())) continue;
         const fs::path mask_path =

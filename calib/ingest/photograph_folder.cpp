@@ -7,6 +7,7 @@
 #include <set>
 #include <string_view>
 
+#include "calib/ingest/made_by_lumi.h"
 #include "calib/work/error.h"
 #include "calib/work/printable.h"
 
@@ -45,13 +46,6 @@ std::vector<std::uint8_t> first_bytes(const fs::path& path) {
     stream.read(reinterpret_cast<char*>(bytes.data()), kMagicBytes);
     bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
     return bytes;
-}
-
-/// A package, or a workspace.
-bool is_made_by_lumi(const fs::path& folder) {
-    std::error_code ignored;
-    return folder.extension() == ".lumi" || (fs::exists(folder / "stages.json", ignored) &&
-                                             fs::exists(folder / "config.toml", ignored));
 }
 
 /// What of lumi's own lies there: the workspace around the working folder, else that folder alone.

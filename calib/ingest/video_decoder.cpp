@@ -188,10 +188,13 @@ class VideoDecoder::Stream {
     /// Of the frame when the side along which its pixels are longer is stretched, and nothing lost.
     [[nodiscard]] ImageSize size_of_square_pixels() {
         constexpr double kMostStretch = 4.0;  // No tape or telephone has more: a damaged header.
+        // Nor less, unless none: what rounding a picture's shape to that of a screen leaves.
+        constexpr double kLeastStretch = 0.005;
         const double shape = av_q2d(
             av_guess_sample_aspect_ratio(format_.get(), format_->streams[index_], frame_.get()));
-        if (!(shape > 1 / kMostStretch && shape < kMostStretch))
-            return {frame_->width, frame_->height};
+        const bool is_stretched =
+            shape > 1 / kMostStretch && shape < kMostStretch && std::abs(shape - 1) > kLeastStretch;
+        if (!is_stretched) return {frame_->width, frame_->height};
         const auto stretched = [](int side_px, double factor) {
             return static_cast<int>(std::lround(side_px * std::max(1.0, factor)));
         };

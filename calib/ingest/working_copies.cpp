@@ -50,6 +50,22 @@ ImageSize working_size(ImageSize original, int max_width_px) {
     return {scaled(original.width_px), scaled(original.height_px)};
 }
 
+/// Why a photograph of this size is left out: the shorter side of the copy that it is judged by is
+/// tiny. None where it is not.
+std::optional<LeftOut> left_out_as_tiny(const std::string& name, ImageSize original,
+                                        const IngestOptions& options) {
+    const ImageSize copy =
+        working_size(original, options.judged_width_px.value_or(options.max_width_px));
+    // Never scaled up: a tiny original has a tiny copy.
+    if (std::min(copy.width_px, copy.height_px) >= options.min_width_px) return std::nullopt;
+    const bool is_scaled =
+        copy.width_px != original.width_px || copy.height_px != original.height_px;
+    return LeftOut{name, "E-INGEST-TINY",
+                   size_text(original) + " pixels" +
+                       (is_scaled ? ", scaled to " + size_text(copy) : "") +
+                       "; the shorter side needs at least " + std::to_string(options.min_width_px)};
+}
+
 }  // namespace
 
 int threads_within_memory(std::size_t bytes_of_photograph, int threads) {
@@ -72,19 +88,6 @@ void clear_working_copies(const fs::path& folder) {
         fs::remove(path, status);
         if (status) refuse_folder(folder, status);
     }
-}
-
-std::optional<LeftOut> left_out_as_tiny(const std::string& name, ImageSize original,
-                                        const IngestOptions& options) {
-    const ImageSize copy = working_size(original, options.max_width_px);
-    // Never scaled up: a tiny original has a tiny copy.
-    if (std::min(copy.width_px, copy.height_px) >= options.min_width_px) return std::nullopt;
-    const bool is_scaled =
-        copy.width_px != original.width_px || copy.height_px != original.height_px;
-    return LeftOut{name, "E-INGEST-TINY",
-                   size_text(original) + " pixels" +
-                       (is_scaled ? ", scaled to " + size_text(copy) : "") +
-                       "; the shorter side needs at least " + std::to_string(options.min_width_px)};
 }
 
 Candidate make_working_copy(const ColorImage& raster, const std::string& name,

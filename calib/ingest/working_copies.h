@@ -30,13 +30,8 @@ inline constexpr const char* kOverlayPrefix = "overlay-";
 /// Removes the working copies of an earlier run and makes the folder.
 void clear_working_copies(const std::filesystem::path& folder);
 
-/// Why a photograph of this size is left out (E-INGEST-TINY): the shorter side of its copy, as it
-/// is or scaled down as the options ask, is tiny. None where it is not.
-[[nodiscard]] std::optional<LeftOut> left_out_as_tiny(const std::string& name, ImageSize original,
-                                                      const IngestOptions& options);
-
 /// Scales `raster` down as the options ask and writes it as copy `number` (from 1), unless it is
-/// tiny.
+/// tiny (E-INGEST-TINY).
 [[nodiscard]] Candidate make_working_copy(const ColorImage& raster, const std::string& name,
                                           const IngestOptions& options,
                                           const std::filesystem::path& folder, std::size_t number);

@@ -292,12 +292,14 @@ void map_from_start(GrowingModel& model, const std::vector<VerifiedPair>& pairs,
     // Little parallax is all there is in a shallow capture.
     constexpr TwoViewStartOptions kShallow{
         .min_angle_rad = 0.035, .full_angle_rad = 0.09, .min_points = 30};
+    std::optional<GrowingModel> best;
     for (const TwoViewStartOptions& start_options : {TwoViewStartOptions{}, kShallow}) {
-        if (auto best = best_model_of(model, pairs, start_options, options, on_placed, progress)) {
-            model = std::move(*best);
-            return;
-        }
+        auto found = best_model_of(model, pairs, start_options, options, on_placed, progress);
+        if (found && (!best || is_better(*found, *best))) best = std::move(found);
+        // Two that nothing can be added to are no more than a start.
+        if (best && (best->placed() > 2 || model.pixels.size() == 2)) break;
     }
+    if (best) model = std::move(*best);
 }
 
 }  // namespace lumi

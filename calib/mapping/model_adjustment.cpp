@@ -10,6 +10,7 @@
 #include "calib/adjust/gauge.h"
 #include "calib/adjust/longest_tracks.h"
 #include "calib/adjust/reprojection_cost.h"
+#include "calib/adjust/silence_ceres.h"
 #include "calib/adjust/stop_on_interrupt.h"
 #include "calib/lens/lens_form.h"
 
@@ -97,6 +98,7 @@ class Adjustment {
         solver.num_threads = 1;
         solver.logging_type = ceres::SILENT;
         solver.callbacks = {&stop};
+        silence_ceres();
         ceres::Solver::Summary summary;
         ceres::Solve(solver, &problem_, &summary);
         progress.throw_if_interrupted();

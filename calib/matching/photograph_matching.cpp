@@ -18,6 +18,7 @@ constexpr std::size_t kMinMatches = 20;
 std::vector<Features> detect_features(const std::vector<Photograph>& photographs,
                                       const std::filesystem::path& mask_folder,
                                       const SiftOptions& options, int threads, Progress& progress) {
+    if (!mask_folder.empty()) expect_own_masks(names_of(photographs), mask_folder);
     progress.begin("finding features", photographs.size());
     std::vector<Features> features(photographs.size());
     parallel_for(static_cast<int>(photographs.size()), threads, [&](int index) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <system_error>
 
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
@@ -34,11 +36,25 @@ GrayImage read_gray_picture(const fs::path& path) {
 fs::path mask_file_of(const std::string& name, const fs::path& folder) {
     fs::path appended = folder / name;
     appended += ".png";
+    std::error_code ignored;  // With its ending a name may be longer than any file's.
     // First: x.jpg and x.png have a stem in common.
-    if (fs::is_regular_file(appended)) return appended;
+    if (fs::is_regular_file(appended, ignored)) return appended;
     fs::path by_stem = folder / name;
     by_stem.replace_extension(".png");
-    return fs::is_regular_file(by_stem) ? by_stem : fs::path();
+    return fs::is_regular_file(by_stem, ignored) ? by_stem : fs::path();
+}
+
+void expect_own_masks(const std::vector<std::string>& names, const fs::path& folder) {
+    std::map<fs::path, std::string> photograph_of;
+    for (const std::string& name : names) {
+        const fs::path file = mask_file_of(name, folder);
+        if (file.empty()) continue;
+        const auto [other, is_own] = photograph_of.emplace(file, name);
+        if (is_own) continue;
+        throw Error(ErrorKind::kBadInput, "E-MASK-SHARED",
+                    file.string() + " may be the mask of " + other->second + " or of " + name,
+                    "name masks like " + other->second + ".png");
+    }
 }
 
 GrayImage read_drawn_mask(const std::string& name, int width_px, int height_px,

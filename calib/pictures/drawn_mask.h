@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "calib/capture/image.h"
 
@@ -11,6 +12,9 @@ namespace lumi {
 /// name, its extension followed by ".png", else replaced by it. Empty when there is none.
 [[nodiscard]] std::filesystem::path mask_file_of(const std::string& name,
                                                  const std::filesystem::path& folder);
+
+/// Throws Error (E-MASK-SHARED) where one file is the mask of two of these photographs.
+void expect_own_masks(const std::vector<std::string>& names, const std::filesystem::path& folder);
 
 /// The mask drawn for a photograph of this size, in its own raster, which has the photograph's
 /// aspect ratio and any size: 255 where something counts, 0 where the drawing is darker than half

@@ -30,6 +30,7 @@ void link_pictures(const std::vector<Photograph>& photographs, const fs::path& f
 /// Masks as COLMAP expects them, NAME.png of each picture; empty without masks.
 fs::path write_masks(const MappingJob& job, const fs::path& folder) {
     if (job.options.mask_folder.empty()) return {};
+    expect_own_masks(names_of(job.photographs), job.options.mask_folder);
     for (std::size_t index = 0; index < job.photographs.size(); ++index) {
         const Photograph& photograph = job.photographs[index];
         write_png(folder / (colmap_image_name(static_cast<int>(index)) + ".png"),

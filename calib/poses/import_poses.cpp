@@ -6,6 +6,7 @@
 #include "calib/known_poses/name_matching.h"
 #include "calib/poses/model_check.h"
 #include "calib/poses/pose_stage.h"
+#include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "calib/work/printable.h"
 
@@ -17,17 +18,13 @@ using PhotographOfView = std::vector<std::optional<std::size_t>>;
 /// A picture that was there when the poses were found, though it is none of the photographs.
 bool may_have_a_pose(const LeftOut& left_out) { return left_out.code != "E-INGEST-OWN"; }
 
-std::string counted(std::size_t count, const char* what) {
-    return std::to_string(count) + " " + what;
-}
-
 [[noreturn]] void refuse_count(const KnownPoses& known, const std::vector<Photograph>& photographs,
                                const std::vector<std::string>& left_out,
                                const std::filesystem::path& path) {
-    std::string what = path.string() + ": " + counted(known.views.size(), "poses without names") +
-                       " for " + counted(photographs.size(), "photographs");
+    std::string what = path.string() + ": " + counted(known.views.size(), "pose") +
+                       " without names for " + counted(photographs.size(), "photograph");
     if (!left_out.empty()) {
-        what += " and " + counted(left_out.size(), "pictures that were left out") + ", such as " +
+        what += " and " + counted(left_out.size(), "picture") + " that were left out, such as " +
                 left_out.front();
     }
     throw Error(ErrorKind::kBadInput, "E-IMPORT-COUNT", what,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "calib/capture/one_place.h"
 #include "calib/work/error.h"
 #include "calib/work/formatted.h"
 #include "calib/work/median.h"
@@ -15,10 +16,9 @@ constexpr double kDeniedShare = 0.005;  // Of a picture's diagonal.
 
 void refuse_one_place(const Capture& capture) {
     if (capture.views.size() < 2) return;
-    const Eigen::Vector3d place = centre_in_world(capture.views.front().cam_from_world);
-    const double rounding = 1e-9 * (1 + place.norm());
+    const Rigid3& first = capture.views.front().cam_from_world;
     for (const View& view : capture.views) {
-        if ((centre_in_world(view.cam_from_world) - place).norm() > rounding) return;
+        if (!are_at_one_place(first, view.cam_from_world)) return;
     }
     throw Error(
         ErrorKind::kBadInput, "E-IMPORT-ONEPLACE",

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "calib/capture/one_place.h"
 #include "calib/matching/pair_verification.h"
 #include "calib/matching/photograph_matching.h"
 #include "calib/poses/imported_model_check.h"
@@ -93,7 +94,7 @@ std::optional<int> neighbour_of(const Capture& capture, int index) {
         const Rigid3& candidate = capture.views[static_cast<std::size_t>(other)].cam_from_world;
         const double distance = (centre_in_world(candidate) - centre_in_world(pose)).norm();
         const double cosine = optical_axis_in_world(candidate).dot(optical_axis_in_world(pose));
-        if (other == index || distance == 0 || cosine < kLeastCosine) continue;
+        if (are_at_one_place(pose, candidate) || cosine < kLeastCosine) continue;
         if (distance >= nearest_distance) continue;
         nearest = other;
         nearest_distance = distance;
@@ -180,14 +181,16 @@ double distance_from_ray_px(const Camera& first, const Rigid3& first_from_world,
         second_from_first.rotation * unproject(first, pixel_in_first);
     const Eigen::Vector3d& at_first = second_from_first.translation;
     const Eigen::Vector3d seen = unproject(second, pixel_in_second);
-    const double angle = at_first.norm() > 0 ? angle_from_arc(seen, at_first, infinitely_far)
-                                             : angle_between(seen, infinitely_far);
+    const double angle = are_at_one_place(first_from_world, second_from_world)
+                             ? angle_between(seen, infinitely_far)
+                             : angle_from_arc(seen, at_first, infinitely_far);
     return angle * focal_length_px(second).mean();
 }
 
 PoseCheck check_poses(const Capture& capture, const std::vector<ColmapPhotograph>& photographs,
                       const std::vector<VerifiedPair>& pairs) {
     PoseCheck check;
+    check.pairs_asked = static_cast<int>(pairs.size());
     std::vector<double> all;
     for (const VerifiedPair& pair : pairs) {
         const std::vector<double> errors = errors_px(capture, photographs, pair, 0);
@@ -227,8 +230,9 @@ PoseCheck check_imported_poses(const Capture& capture, const std::vector<Photogr
 
 std::string warning_of(const PoseCheck& check) {
     const std::string of_pairs = " of " + std::to_string(check.pairs) + " pairs of photographs ";
-    const bool is_told =
-        check.pairs >= kLeastPairs || (check.pairs > 0 && check.pairs >= check.pairs_asked);
+    // Where the poses make no neighbours, things that look alike from all sides match as well.
+    const bool is_told = check.pairs_asked > 0 && check.pairs > 0 &&
+                         check.pairs >= std::min(kLeastPairs, check.pairs_asked);
     if (is_told && 2 * check.pairs_turned > check.pairs) {
         throw Error(ErrorKind::kBadInput, "E-IMPORT-TURNED",
                     std::to_string(check.pairs_turned) + of_pairs +

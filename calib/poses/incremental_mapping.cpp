@@ -33,12 +33,6 @@ IncrementalMappingOptions mapping_options(const MappingJob& job, const Attempt& 
     return options;
 }
 
-std::vector<std::string> names_of(const std::vector<Photograph>& photographs) {
-    std::vector<std::string> names;
-    for (const Photograph& photograph : photographs) names.push_back(photograph.name);
-    return names;
-}
-
 bool is_complete(const GrowingModel& model) {
     return model.placed() == static_cast<int>(model.pixels.size());
 }
@@ -157,24 +151,29 @@ GrowingModel placed_as_well_as_possible(const MappingJob& job, MatchedPhotograph
     return model;
 }
 
+/// From other matches, which are taken with their model if more photographs are placed by them.
+void map_again(const MappingJob& job, MatchedPhotographs others, MatchedPhotographs& matched,
+               GrowingModel& model) {
+    const std::string start = job.evidence.start;
+    GrowingModel again = placed_as_well_as_possible(job, others);
+    if (again.placed() > model.placed()) {
+        model = std::move(again);
+        matched = std::move(others);
+        job.evidence.start += ", more features";
+    } else {
+        job.evidence.start = start;
+    }
+}
+
 }  // namespace
 
 std::optional<Capture> map_incrementally(const MappingJob& job, MatchedPhotographs& matched) {
     const double total = static_cast<double>(job.photographs.size());
     GrowingModel model = placed_as_well_as_possible(job, matched);
     if (model.placed() < kEnoughPlacedShare * total && !matched.features.empty()) {
-        job.progress.note("placed " + std::to_string(model.placed()) + " of " +
-                          std::to_string(job.photographs.size()) + ": trying more features");
-        const std::string start = job.evidence.start;
-        MatchedPhotographs detailed = match_and_verify(job, FeatureDetail::kMore, "detailed");
-        GrowingModel other = placed_as_well_as_possible(job, detailed);
-        if (other.placed() > model.placed()) {
-            model = std::move(other);
-            matched = std::move(detailed);
-            job.evidence.start += ", more features";
-        } else {
-            job.evidence.start = start;
-        }
+        auto detailed =
+            match_more_features(job, static_cast<std::size_t>(model.placed()), "detailed");
+        if (detailed) map_again(job, std::move(*detailed), matched, model);
     }
     if (model.placed() < 2) return std::nullopt;
     job.evidence.models_found = 1;

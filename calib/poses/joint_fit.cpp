@@ -10,6 +10,8 @@
 #include <memory>
 #include <numbers>
 
+#include "calib/adjust/silence_ceres.h"
+
 namespace lumi {
 namespace {
 
@@ -117,6 +119,7 @@ double JointFit::minimise(Similarity& similarity, std::vector<Eigen::Vector3d>& 
     solver.max_num_iterations = 100;
     solver.num_threads = 1;
     solver.logging_type = ceres::SILENT;
+    silence_ceres();
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);
     similarity.rotation.normalize();

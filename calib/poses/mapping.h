@@ -56,6 +56,12 @@ enum class FeatureDetail {
 [[nodiscard]] MatchedPhotographs match_and_verify(const MappingJob& job, FeatureDetail detail,
                                                   const std::string& name);
 
+/// The same once more, named `name`, with more features than those by which `placed` photographs
+/// were placed, and says so. Empty where it fails though that is a model: better than none.
+[[nodiscard]] std::optional<MatchedPhotographs> match_more_features(const MappingJob& job,
+                                                                    std::size_t placed,
+                                                                    const std::string& name);
+
 /// The same by COLMAP's own extractor and matcher, all photographs with all; the pairs are not
 /// judged yet.
 [[nodiscard]] MatchedPhotographs match_with_colmap_alone(const MappingJob& job,

@@ -81,10 +81,6 @@ void write_database(const MappingJob& job, MatchedPhotographs& matched) {
     write_verified_pairs(matched.database, matched.pairs);
 }
 
-std::string share_text(std::size_t placed, std::size_t total) {
-    return std::to_string(placed) + " of " + std::to_string(total);
-}
-
 }  // namespace
 
 std::optional<BestModel> read_best_model(const fs::path& models,
@@ -113,8 +109,9 @@ std::optional<Capture> map_by_ladder(const MappingJob& job, MatchedPhotographs& 
             break;
         }
         if (rung.more_features) {
-            job.progress.note("placed " + share_text(placed, total) + ": trying more features");
-            matched = match_and_verify(job, FeatureDetail::kMore, rung.name);
+            auto detailed = match_more_features(job, placed, rung.name);
+            if (!detailed) break;
+            matched = std::move(*detailed);
         }
         write_database(job, matched);
         const fs::path models = job.scratch_folder / ("models_" + std::string(rung.name));

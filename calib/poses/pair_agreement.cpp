@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "calib/capture/one_place.h"
 #include "calib/ingest/photograph_order.h"
 #include "calib/matching/pair_geometry.h"
 #include "calib/poses/pair_ties.h"
@@ -54,7 +55,9 @@ std::size_t count_agreeing(const VerifiedPair& pair, const Capture& capture, con
                            const View& second, const std::vector<ColmapPhotograph>& features) {
     const Camera& first_lens = camera_of(capture, first);
     const Camera& second_lens = camera_of(capture, second);
-    const Rigid3 second_from_first = second.cam_from_world * inverse(first.cam_from_world);
+    Rigid3 second_from_first = second.cam_from_world * inverse(first.cam_from_world);
+    if (are_at_one_place(first.cam_from_world, second.cam_from_world))
+        second_from_first.translation.setZero();
     const double longer_px = std::max(second_lens.width_px, second_lens.height_px);
     const double tolerance_rad = kToleranceShare * longer_px / focal_length_px(second_lens).mean();
     const auto& first_px = features[static_cast<std::size_t>(pair.first)].keypoints_px;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "calib/adjust/longest_tracks.h"
+#include "calib/adjust/silence_ceres.h"
 #include "calib/adjust/stop_on_interrupt.h"
 #include "calib/poses/supposed_costs.h"
 
@@ -103,6 +104,7 @@ class Fit {
         solver.num_threads = 1;
         solver.logging_type = ceres::SILENT;
         solver.callbacks = {&stop};
+        silence_ceres();
         ceres::Solver::Summary summary;
         ceres::Solve(solver, &problem, &summary);
         progress.throw_if_interrupted();

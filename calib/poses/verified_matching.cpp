@@ -61,4 +61,18 @@ MatchedPhotographs match_and_verify(const MappingJob& job, FeatureDetail detail,
     return result;
 }
 
+std::optional<MatchedPhotographs> match_more_features(const MappingJob& job, std::size_t placed,
+                                                      const std::string& name) {
+    job.progress.note("placed " + std::to_string(placed) + " of " +
+                      std::to_string(job.photographs.size()) + ": trying more features");
+    try {
+        return match_and_verify(job, FeatureDetail::kMore, name);
+    } catch (const Error& error) {
+        if (placed < 2 || error.kind() == ErrorKind::kInterrupted) throw;
+        job.progress.note(std::string("more features could not be tried: ") + error.what() + " (" +
+                          error.code() + ")");
+        return std::nullopt;
+    }
+}
+
 }  // namespace lumi

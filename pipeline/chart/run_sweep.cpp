@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "calib/ingest/made_by_lumi.h"
 #include "calib/work/content_hash.h"
 #include "calib/work/error.h"
 #include "calib/work/stopwatch.h"
@@ -243,7 +244,7 @@ class SweepRun {
 
 ChartResult run_sweep(const Sweep& sweep, const fs::path& folder, int threads, Progress& progress,
                       const IsEnough& is_enough) {
-    fs::create_directories(folder);
+    mark_as_made_by_lumi(folder);
     const FolderLock lock(folder);
     return SweepRun(sweep, folder, threads, progress, is_enough).run();
 }

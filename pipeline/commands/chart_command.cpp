@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/ingest/made_by_lumi.h"
 #include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
@@ -74,6 +75,7 @@ void run_chart(const ChartRequest& request, const CommandContext& context) {
         request.out.empty() ? fs::path("work") / (sweep.name + "-chart") : request.out;
     require_writable_folder(folder);
     if (request.growth_alone) {
+        mark_as_made_by_lumi(folder);
         const Json growth = measured_growth(request, folder, context);
         if (context.json) context.print_result(Json{{"growth", growth}});
         return;

@@ -183,9 +183,11 @@ void run_doctor(const DoctorRequest& request, CommandContext& context) {
     const BuildConfig config = load_build_config(request.config);
     expect_named_paths(config, "pack");
     const int threads = context.threads > 0 ? context.threads : config.threads;
-    const fs::path folder = layout_for(request.workspace, config, threads).folder() / "doctor";
+    const WorkspaceLayout workspace = layout_for(request.workspace, config, threads);
+    const fs::path folder = workspace.folder() / "doctor";
     ExaminationOptions options;
     options.build = config.ingest;
+    options.build.workspace = workspace.folder();
     options.mask_folder = config.poses.mask_folder;
     options.lens_is_told_elsewhere = !config.boards.empty() || !config.imported_poses.empty();
     const Examination seen = examine_capture(config.photographs_or_video, config.given_lens,

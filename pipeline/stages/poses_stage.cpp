@@ -26,6 +26,8 @@ PoseResult find_poses(const IngestResult& ingested, const PoseSource& source,
         PoseResult result =
             import_poses(ingested.photographs, ingested.left_out, source.imported_poses);
         expect_consistent(result.capture);
+        // No other confirms a photograph alone.
+        if (result.capture.views.size() < 2) return result;
         const std::string warning = warning_of(check_imported_poses(
             result.capture, ingested.photographs, source.options.mask_folder, threads, progress));
         if (!warning.empty()) result.evidence.warnings.push_back(warning);

@@ -53,6 +53,7 @@ fs::path straightened_mask_file(const fs::path& folder, const std::string& name)
 
 void straighten_masks(const MaskedPhotographs& photographs, const fs::path& folder, int threads,
                       Progress& progress) {
+    expect_own_masks(photographs.all_names, photographs.mask_folder);
     const Capture lenses = read_colmap_model(photographs.poses_folder / "sparse");
     const Capture pinholes = read_colmap_model(photographs.poses_folder / "pinhole");
     const auto may_lack = [&](const std::string& name) {

@@ -89,6 +89,31 @@ TEST_F(Sweeps, AChartComputesNothingTwiceAndGivesTheSameErrorsAgain) {
     EXPECT_EQ(errors_of(elsewhere), errors_of(chart));
 }
 
+/// Copies of another size are no duplicates of their photographs.
+TEST_F(Sweeps, AChartTakesNoneOfItsCopiesForAPhotographWhereItWorksAmongThem) {
+    std::size_t photographs = 0;
+    for (const auto& entry : fs::directory_iterator(scene_->path() / "photos")) {
+        fs::copy_file(entry.path(), scratch_ / entry.path().filename());
+        if (entry.path().extension() == ".png") ++photographs;
+    }
+    configure("box", std::string(kSparseDepth) +
+                         "[sweep]\nmodes = [\"perpixel\"]\n"
+                         "capture.max_width_px = [100, 120, 140]\n");
+    std::string text = read_whole_text(scratch_ / "box.toml");
+    const std::string elsewhere = (scene_->path() / "photos").string();
+    text.replace(text.find(elsewhere), elsewhere.size(), ".");
+    write_whole_text(scratch_ / "box.toml", text);
+    const Outcome chart = lumi("--json chart box.toml");
+    ASSERT_EQ(chart.exit_code, 0) << chart.talk;
+    int variants = 0;
+    for (const auto& entry : fs::directory_iterator(scratch_ / "work/box-chart/variants")) {
+        const fs::path list = entry.path() / "ingest" / "photographs.json";
+        EXPECT_EQ(Json::parse(read_whole_text(list)).at("photographs").size(), photographs);
+        ++variants;
+    }
+    EXPECT_EQ(variants, 3);
+}
+
 TEST_F(Sweeps, AVariantThatCannotBeBuiltIsToldAndTheOthersGoOn) {
     configure("box", std::string(kSparseDepth) +
                          "[sweep]\nmodes = [\"perpixel\"]\ncapture.min_photographs = [2, 50]\n");

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/ingest/made_by_lumi.h"
 #include "calib/work/whole_file.h"
 #include "tests/pipeline/box_line.h"
 #include "tests/pipeline/built_program.h"
@@ -72,6 +73,7 @@ TEST_F(ViewCommands, AChartTellsMachinesHowTimeAndMemoryGrow) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
     EXPECT_EQ(Json::parse(outcome.out).at("growth"),
               Json::parse(read_whole_text(scratch_ / "chart" / "growth.json")));
+    EXPECT_TRUE(is_made_by_lumi(scratch_ / "chart"));
 }
 
 TEST_F(ViewCommands, AutoPacksAsManyViewsAsAreEnough) {

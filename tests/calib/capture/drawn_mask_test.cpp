@@ -28,6 +28,33 @@ TEST(DrawnMask, TheWholeNameComesBeforeTheStem) {
     EXPECT_EQ(mask_file_of("one.png", folder.path()), folder.path() / "one.png.png");
 }
 
+TEST(DrawnMask, ANameThatIsTooLongWithItsEndingIsLookedForByItsStem) {
+    const ScratchFolder folder;
+    const std::string stem(250, 'a');
+    write_png(folder.path() / "short.png", GrayImage(240, 180, 255));
+    std::filesystem::rename(folder.path() / "short.png", folder.path() / (stem + ".png"));
+    EXPECT_EQ(mask_file_of(stem + ".jpg", folder.path()), folder.path() / (stem + ".png"));
+    EXPECT_EQ(mask_file_of(stem + "aaa.jpg", folder.path()), "");
+}
+
+TEST(DrawnMask, OfTwoPhotographsOfOneStemEachNeedsItsOwn) {
+    const ScratchFolder folder;
+    const auto code_of_names = [&](const std::vector<std::string>& names) {
+        try {
+            expect_own_masks(names, folder.path());
+        } catch (const Error& error) {
+            return error.code();
+        }
+        return std::string("none");
+    };
+    write_png(folder.path() / "one.png", GrayImage(240, 180, 255));
+    write_png(folder.path() / "two.png", GrayImage(240, 180, 255));
+    EXPECT_EQ(code_of_names({"one.jpg", "two.png", "none.png", "none.jpg"}), "none");
+    EXPECT_EQ(code_of_names({"one.jpg", "two.png", "one.png"}), "E-MASK-SHARED");
+    write_png(folder.path() / "one.jpg.png", GrayImage(240, 180, 255));
+    EXPECT_EQ(code_of_names({"one.jpg", "two.png", "one.png"}), "none");
+}
+
 TEST(DrawnMask, RefusesWhatIsMissingMisshapenOrEmpty) {
     const ScratchFolder folder;
     const auto code = [&] {

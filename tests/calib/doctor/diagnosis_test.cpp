@@ -214,7 +214,9 @@ TEST(Diagnosis, FewerThanABuildIsToldToAcceptAreHopeless) {
     EXPECT_EQ(first_finding(evidence).reason, CaptureReason::kFew);
     EXPECT_EQ(first_finding(evidence).severity, Severity::kHopeless);
     EXPECT_THAT(first_finding(evidence).what,
-                HasSubstr("8 usable photographs, expected at least 9"));
+                HasSubstr("8 usable photographs, expected at least 9 ([capture] min_photographs)"));
+    EXPECT_THAT(std::string(advice_for(CaptureReason::kFew)),
+                testing::Not(HasSubstr("min_registered_share")));
     evidence.min_photographs = kPhotographs;
     EXPECT_THAT(diagnose(evidence), IsEmpty());
 }

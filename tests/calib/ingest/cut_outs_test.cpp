@@ -112,6 +112,30 @@ TEST(CutOuts, OfEachSizeTheOutlinesAreCompared) {
     EXPECT_TRUE(are_cut_out(upright));
 }
 
+/// No two of one size, and the same share hidden in each.
+TEST(CutOuts, PhotographsThatWereCroppedToRoundSubjectsKeepThem) {
+    const ScratchFolder cropped;
+    const ScratchFolder straightened;
+    for (int i = 0; i < 8; ++i) {
+        const int width = kWidth + 6 * i;
+        const int height = kHeight + 10 * i;
+        GrayImage ellipse(width, height, 0);
+        GrayImage rim(width, height, 255);
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                if (std::hypot((x + 0.5) / width - 0.5, (y + 0.5) / height - 0.5) < 0.5)
+                    ellipse(x, y) = 255;
+                if (y < 4) rim(x, y) = 0;
+            }
+        }
+        const std::string name = "photos/" + std::to_string(i) + ".png";
+        write_cut_out_png(cropped / name, wavy_picture(width, height, 7.0 * i), ellipse);
+        write_cut_out_png(straightened / name, wavy_picture(width, height, 7.0 * i), rim);
+    }
+    EXPECT_TRUE(are_cut_out(cropped));
+    EXPECT_FALSE(are_cut_out(straightened));
+}
+
 TEST(CutOuts, OneAmongOpaquePhotographsIsOne) {
     const ScratchFolder scratch;
     write_disc(scratch / "photos/0.png", kWidth, kHeight, 80, 60, 60);

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "calib/ingest/made_by_lumi.h"
 #include "calib/ingest/photograph_folder.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
@@ -292,6 +293,35 @@ TEST(Ingest, TakesPhotographsThatLieBesideItsWorkingFolder) {
         EXPECT_THAT(names(result), ElementsAre("left/1.png", "left/work/2.png", "right/3.png"));
         EXPECT_THAT(result.left_out, IsEmpty());
     }
+}
+
+TEST(Ingest, PassesOverWhatLumiMarkedAsItsOwn) {
+    const ScratchFolder scratch;
+    write_png(scratch / "1.png", wavy_picture(100, 80));
+    write_png(scratch / "2.png", wavy_picture(100, 80, 11));
+    const std::filesystem::path chart = scratch / "work/scene-chart";
+    mark_as_made_by_lumi(chart);
+    write_png(chart / "store-0/3.png", wavy_picture(100, 80, 23));
+    SilentProgress progress;
+    for (const std::filesystem::path& copies :
+         {scratch / "work/scene/ingest", chart / "variants/one/ingest"}) {
+        const IngestResult result = ingest(scratch.path(), {}, copies, 1, progress);
+        EXPECT_THAT(names(result), ElementsAre("1.png", "2.png")) << copies;
+    }
+}
+
+TEST(Ingest, AWorkspaceThatIsNoneYetIsPassedOverAsItWillBe) {
+    const ScratchFolder scratch;
+    write_png(scratch / "1.png", wavy_picture(100, 80));
+    write_png(scratch / "2.png", wavy_picture(100, 80, 11));
+    write_whole_text(scratch / "work/other/config.toml", "");
+    write_whole_text(scratch / "work/other/stages.json", "");
+    write_png(scratch / "work/scene/doctor/3.png", wavy_picture(100, 80, 23));
+    SilentProgress progress;
+    const IngestResult result = ingest(scratch.path(), {.workspace = scratch / "work/scene"},
+                                       scratch / "work/scene/doctor/.copies", 1, progress);
+    EXPECT_THAT(names(result), ElementsAre("1.png", "2.png"));
+    EXPECT_THAT(result.left_out, IsEmpty());
 }
 
 TEST(Ingest, RefusesTooFewPhotographsAndSaysWhatWasWrongWithTheOthers) {

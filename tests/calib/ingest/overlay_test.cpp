@@ -262,6 +262,47 @@ TEST(Overlay, APlainBackdropBesideWhatTurnsIsNoBar) {
     EXPECT_EQ(picture_of_turntable(plain, {30, 30, 60, 48}), kWhole) << "below the middle";
 }
 
+/// On all four sides, of these widths.
+void frame(ColorImage& picture, int above, int below, int beside, Rgb8 color) {
+    fill(picture, {0, 0, kStillWidth, above}, color);
+    fill(picture, {0, kStillHeight - below, kStillWidth, below}, color);
+    fill(picture, {0, 0, beside, kStillHeight}, color);
+    fill(picture, {kStillWidth - beside, 0, beside, kStillHeight}, color);
+}
+
+TEST(Overlay, AFrameMayBeWiderBelowWhereItIsBlackOrWhiteButNotGrey) {
+    const auto picture_in_frame_of = [](Rgb8 color) {
+        return overlay_printed([&](ColorImage& picture) { frame(picture, 8, 24, 8, color); })
+            .picture;
+    };
+    const ImageRectangle inside{10, 10, kStillWidth - 20, kStillHeight - 36};
+    EXPECT_EQ(picture_in_frame_of(kWhite), inside);
+    EXPECT_EQ(picture_in_frame_of(kBlack), inside);
+    EXPECT_EQ(picture_in_frame_of(kGrey), kWhole);
+}
+
+TEST(Overlay, AFrameThatIsBlackAboveAndWhiteBesideIsAFrameOnlyInTheMiddle) {
+    const auto picture_with_margin_above = [](int above) {
+        return overlay_printed([&](ColorImage& picture) {
+                   frame(picture, above, 8, 8, kWhite);
+                   fill(picture, {0, 0, kStillWidth, above}, kBlack);
+               })
+            .picture;
+    };
+    EXPECT_EQ(picture_with_margin_above(8),
+              (ImageRectangle{10, 10, kStillWidth - 20, kStillHeight - 20}));
+    EXPECT_EQ(picture_with_margin_above(24), kWhole);
+}
+
+TEST(Overlay, ABarMayHaveACaptionOverMostOfItsWidth) {
+    const Overlay overlay = overlay_printed([](ColorImage& picture) {
+        fill(picture, {0, 66, kStillWidth, 24}, kBlack);
+        for (int x = 10; x < 110; x += 4) fill(picture, {x, 74, 2, 8}, kWhite);
+    });
+    EXPECT_EQ(overlay.picture, (ImageRectangle{0, 0, kStillWidth, 64}));
+    EXPECT_TRUE(overlay.mask.empty());
+}
+
 TEST(Overlay, ABarMayHaveALineOfTextInIt) {
     const Overlay overlay = overlay_printed([](ColorImage& picture) {
         fill(picture, {0, 70, kStillWidth, 20}, kBlack);

@@ -45,5 +45,24 @@ TEST_F(TinyPictures, AreAlsoThoseThatScalingMakesTiny) {
     EXPECT_THAT(strip.reason, HasSubstr("64x6400 pixels, scaled to 16x1600"));
 }
 
+/// Copies of 50 pixels of pictures that would be large enough at 1600.
+TEST_F(TinyPictures, MayBeJudgedByOtherCopiesAndBeforeDuplicatesAre) {
+    write_png(scratch_ / "photos/1.png", wavy_picture(100, 64));
+    write_png(scratch_ / "photos/2.png", wavy_picture(100, 64, 11));
+    write_png(scratch_ / "photos/icon.png", wavy_picture(100, 63, 22));
+    write_png(scratch_ / "photos/icon again.png", wavy_picture(100, 63, 22));
+    SilentProgress progress;
+    const IngestResult result =
+        ingest(scratch_ / "photos", {.max_width_px = 50, .judged_width_px = 1600},
+               scratch_ / "copies", 2, progress);
+    ASSERT_EQ(result.photographs.size(), 2U);
+    EXPECT_EQ(result.photographs[0].width_px, 50);
+    ASSERT_EQ(result.left_out.size(), 2U);
+    for (const LeftOut& icon : result.left_out) {
+        EXPECT_EQ(icon.code, "E-INGEST-TINY");
+        EXPECT_THAT(icon.reason, HasSubstr("100x63 pixels; "));
+    }
+}
+
 }  // namespace
 }  // namespace lumi

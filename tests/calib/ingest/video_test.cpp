@@ -192,6 +192,17 @@ TEST(Video, WhosePixelsAreNotSquareIsStretchedUntilTheyAre) {
     }
 }
 
+/// As where a picture's shape was rounded to that of a screen.
+TEST(Video, WhosePixelsAreAllButSquareKeepsThem) {
+    const ScratchFolder scratch;
+    write_green(scratch / "screen.mp4", "smpte170m", {"-vf", "setsar=240/239:max=1000"});
+    SilentProgress progress;
+    const IngestResult result =
+        ingest(scratch / "screen.mp4", {.min_photographs = 1}, scratch / "copies", 1, progress);
+    EXPECT_EQ(result.photographs.at(0).width_px, 320);
+    EXPECT_EQ(result.photographs.at(0).height_px, 240);
+}
+
 TEST(Video, ThatIsTurnedForDisplayKeepsItsRasterAndSaysSo) {
     const ScratchFolder scratch;
     write_green(scratch / "walk.mp4", "bt709", {});

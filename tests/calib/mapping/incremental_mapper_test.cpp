@@ -309,6 +309,27 @@ TEST(IncrementalMapper, BeginsWithLittleParallaxWhereThereIsNoMore) {
     EXPECT_LT(relative_position_error(capture_of(model, names_of(scene.truth)), scene.truth), 1e-3);
 }
 
+/// A pair with a wide angle between them shares nothing with the others.
+TEST(IncrementalMapper, BeginsWithLittleParallaxWhereAWideStartPlacesNothingElse) {
+    IncrementalMappingOptions mapping;
+    mapping.refine_lenses = false;
+    MatchedScene scene = matched_scene(shallow_capture(6));
+    SyntheticCaptureOptions wide = arc(2);
+    wide.arc_radius = 8;
+    wide.arc_deg = 20;
+    const MatchedScene pair =
+        matched_scene(synthetic_capture(pinhole_camera(1000, 800, 2400), wide));
+    scene.photographs.insert(scene.photographs.end(), pair.photographs.begin(),
+                             pair.photographs.end());
+    for (VerifiedPair more : pair.pairs) {
+        more.first += 6;
+        more.second += 6;
+        scene.pairs.push_back(std::move(more));
+    }
+    EXPECT_EQ(mapped(scene, mapping).placed(), 6);
+    EXPECT_EQ(mapped(pair, mapping).placed(), 2);
+}
+
 /// Six photographs with little parallax, and one from far aside. It is matched with the second one
 /// by mistakes, and with the first one rightly, but less often: no track takes these matches.
 MatchedScene scene_with_a_wide_pair_that_tracks_deny() {

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "calib/poses/imported_model_check.h"
 #include "calib/work/error.h"
 #include "tests/calib/synthetic_capture.h"
@@ -105,6 +108,18 @@ TEST(ImportedPoseCheck, TwoOrThreePhotographsAreNotTooFewToDenyTheirPoses) {
     EXPECT_EQ(refusal_of({.pairs_asked = 1, .pairs = 1}), "");
 }
 
+/// An object that looks alike from all sides, from its sides.
+TEST(ImportedPoseCheck, WhereThePosesMakeNoNeighboursPairsThatLookAlikeOnlyWarn) {
+    for (const int pairs : {1, 6}) {
+        EXPECT_THAT(refusal_of({.pairs_asked = 0, .pairs = pairs, .pairs_denied = pairs}),
+                    testing::HasSubstr("deny the imported poses"));
+        EXPECT_THAT(
+            refusal_of(
+                {.pairs_asked = 0, .pairs = pairs, .pairs_denied = pairs, .pairs_turned = pairs}),
+            testing::HasSubstr("deny the imported poses"));
+    }
+}
+
 std::string contradiction_in(const Capture& capture) {
     try {
         expect_consistent(capture);
@@ -137,6 +152,24 @@ TEST(ImportedPoseCheck, CamerasThatAllStandAtOnePlaceAreRefused) {
     EXPECT_EQ(contradiction_in(turning), "E-IMPORT-ONEPLACE");
     turning.views.resize(1);
     EXPECT_EQ(contradiction_in(turning), "");
+}
+
+/// Far from the origin rounding leaves them some way apart.
+TEST(ImportedPoseCheck, OfCamerasAtOnePlaceADistanceIsMeasuredTowardsAllSides) {
+    const Eigen::Vector3d place(300000, 5000000, 200);
+    const Rigid3 first = looking_at(place, place + Eigen::Vector3d(1, 0, 4));
+    const Rigid3 second = looking_at(place, place + Eigen::Vector3d(0, 0.2, 4));
+    const Eigen::Vector3d far = first.rotation.conjugate() * Eigen::Vector3d(0.1, 0.2, 1);
+    const Eigen::Vector2d in_first = *project(camera(), first.rotation * far);
+    const Eigen::Vector2d in_second = *project(camera(), second.rotation * far);
+    for (int eighth = 0; eighth < 8; ++eighth) {
+        const double angle = eighth * std::numbers::pi / 4;
+        const Eigen::Vector2d aside_px(3 * std::cos(angle), 3 * std::sin(angle));
+        EXPECT_NEAR(
+            distance_from_ray_px(camera(), first, in_first, camera(), second, in_second + aside_px),
+            3, 0.3)
+            << eighth;
+    }
 }
 
 TEST(ImportedPoseCheck, TheDistanceFromARayIsNoneBeforeTheFirstCameraAloneAndSidewaysInPixels) {

@@ -77,6 +77,19 @@ TEST_F(IncrementalMapping, BridgesPartsThatTheirFeaturesConnect) {
     EXPECT_EQ(evidence_.models_found, 1);
 }
 
+/// There are no pictures to look for more features in.
+TEST_F(IncrementalMapping, KeepsItsModelWhereMoreFeaturesCannotBeFound) {
+    cut(4);
+    add_features();
+    for (Features& features : matched_.features) {
+        for (Descriptor& look : features.descriptors) look.fill(0);  // Nothing bridges the parts.
+    }
+    const auto capture = map();
+    ASSERT_TRUE(capture.has_value());
+    EXPECT_EQ(capture->views.size(), 6u);
+    EXPECT_EQ(evidence_.start.find("more features"), std::string::npos);
+}
+
 TEST_F(IncrementalMapping, HasNoModelWithoutAPair) {
     matched_.pairs.clear();
     EXPECT_FALSE(map().has_value());

@@ -103,6 +103,19 @@ TEST_F(Mapping, KeepsTheStricterModelWhenAGentlerOneIsNoBetter) {
     EXPECT_EQ(evidence_.start, "COLMAP's own start");
 }
 
+/// The last rung looks for more features, and there are no pictures here to look in.
+TEST_F(Mapping, AModelIsKeptWhereMoreFeaturesCannotBeFound) {
+    plan_model(1, 0, 4);
+    const auto capture = map();
+    ASSERT_TRUE(capture.has_value());
+    EXPECT_EQ(capture->views.size(), 4u);
+    EXPECT_EQ(runs(), 3);
+}
+
+TEST_F(Mapping, WithoutAModelWhatKeepsMoreFeaturesFromBeingFoundIsSaid) {
+    EXPECT_THROW(static_cast<void>(map()), Error);
+}
+
 TEST_F(Mapping, ChoosesTheModelWithMostPhotographsNotTheFirst) {
     plan_model(1, 0, 2);
     plan_model(1, 1, 9, 1);

@@ -376,6 +376,34 @@ TEST(PairAgreement, CamerasAtOnePlaceAgreeOnlyWithMatchesThatATurnExplains) {
     EXPECT_EQ(PairsOfCapture(capture).with(capture).agreeing_share, 1.0);
 }
 
+/// Far from the origin, as on a map. The second sees points where it would if it stood half a unit
+/// away in the very direction that rounding tells.
+TEST(PairAgreement, WhatRoundingLeavesBetweenCamerasAtOnePlaceIsNoBaseLine) {
+    Capture capture = noisy_capture(6);
+    capture.views.resize(2);
+    capture.points.clear();
+    for (View& view : capture.views) {
+        view.cam_from_world.translation =
+            -(view.cam_from_world.rotation * Eigen::Vector3d(300000, 5000000, 200));
+    }
+    const Rigid3& first = capture.views[0].cam_from_world;
+    const Rigid3& second = capture.views[1].cam_from_world;
+    const Rigid3 second_from_first = second * inverse(first);
+    ASSERT_GT(second_from_first.translation.norm(), 0);
+    const Eigen::Vector3d base_line = 0.5 * second_from_first.translation.normalized();
+    for (int i = 0; i < 49; ++i) {
+        const Eigen::Vector3d in_first(0.2 * (i % 7 - 3), 0.2 * (i / 7 - 3), 4);
+        const Eigen::Vector3d in_second = second_from_first.rotation * in_first + base_line;
+        ScenePoint point;
+        point.track = {{0, project(capture.cameras[0], in_first).value()},
+                       {1, project(capture.cameras[0], in_second).value()}};
+        capture.points.push_back(std::move(point));
+    }
+    const PairAgreement agreement = PairsOfCapture(capture).with(capture);
+    EXPECT_EQ(agreement.pairs, 1);
+    EXPECT_EQ(agreement.contradicted, 1);
+}
+
 TEST(PairAgreement, ComparisonStopsOnRequest) {
     const Capture capture = noisy_capture(6);
     const PairsOfCapture all(capture);

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+namespace lumi {
+
+/// Whether all that lies in the folder is lumi's: a package, a workspace, or a folder that was
+/// marked.
+[[nodiscard]] bool is_made_by_lumi(const std::filesystem::path& folder);
+
+/// Leaves a hidden file in the folder that says so, for work that keeps pictures in a folder that
+/// is none of the others. To be called before the first of them. The folder is made where there is
+/// none. Throws Error (E-FILE-WRITE).
+void mark_as_made_by_lumi(const std::filesystem::path& folder);
+
+}  // namespace lumi
