@@ -33,6 +33,11 @@ constexpr double kThinAltitude = 0.3;
 /// view from the pole is as natural as from the ring, and the hull serves it better.
 constexpr double kMaxRingElevation = 0.7;
 constexpr std::size_t kLeastRing = 5;
+/// A strip about a ring that is asked for keeps this share of its cameras' distance free for the
+/// scene; of fewer cameras or higher up less is left, and a line that they lie along serves better.
+constexpr double kLeastRoomInRing = 0.34;
+/// A ring has no camera nearer to its axis than this share of the farthest one's distance from it.
+constexpr double kRingHole = 0.5;
 /// A cap without cameras is a gap when its radius is larger than this, and than three usual ones.
 constexpr double kLeastGap_deg = 60.0;
 /// Caps near a half-sphere are gaps in any case: the plane of their face passes the centre.
@@ -86,9 +91,21 @@ std::string with_figure(const char* format, double figure) {
     return text.data();
 }
 
+/// The cone about the centre that directions lie near.
+struct Cone {
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitY();
+    double thickness = 0.0;
+    double sine_of_elevation = 0.0;
+};
+
+Cone cone_of(const std::vector<Eigen::Vector3d>& directions) {
+    const Eigen::Vector3d mean = mean_of(directions);
+    const Spread spread = spread_about(directions, mean);
+    return {spread.least_axis, thickness(spread), std::abs(spread.least_axis.dot(mean))};
+}
+
 /// A row, arc or ring: directions near one plane through the centre, or near one cone about it.
-std::optional<Arrangement> as_line(const CameraStar& star, double max_thickness,
-                                   double max_ring_elevation = kMaxRingElevation) {
+std::optional<Arrangement> as_line(const CameraStar& star, double max_thickness) {
     Arrangement line;
     line.construction = MeshConstruction::kLine;
     const Spread plane = spread_about(star.directions, Eigen::Vector3d::Zero());
@@ -100,18 +117,29 @@ std::optional<Arrangement> as_line(const CameraStar& star, double max_thickness,
             100 * thickness(plane));
         return line;
     }
-    const Eigen::Vector3d mean = mean_of(star.directions);
-    const Spread cone = spread_about(star.directions, mean);
-    const double sine_of_elevation = std::abs(cone.least_axis.dot(mean));
-    if (star.directions.size() >= kLeastRing && thickness(cone) < max_thickness &&
-        sine_of_elevation < max_ring_elevation) {
+    const Cone cone = cone_of(star.directions);
+    if (star.directions.size() >= kLeastRing && cone.thickness < max_thickness &&
+        cone.sine_of_elevation < kMaxRingElevation) {
         line.strip_normal = plane_of_places(star);
         line.reason =
             with_figure("the cameras stand on one ring or arc, %.0f degrees off the scene's level",
-                        std::asin(sine_of_elevation) * 180 / std::numbers::pi);
+                        std::asin(cone.sine_of_elevation) * 180 / std::numbers::pi);
         return line;
     }
     return std::nullopt;
+}
+
+/// Whether the cameras stand around a cone's axis, with room for the scene. A patch or grid of
+/// cameras on one side of the scene is flat along the line of sight, too, but not hollow.
+bool stand_around(const std::vector<Eigen::Vector3d>& directions, const Cone& cone) {
+    std::vector<double> sines;  // Of the angles to the axis.
+    for (const Eigen::Vector3d& direction : directions) {
+        sines.push_back(direction.cross(cone.axis).norm());
+    }
+    const auto [nearest, farthest] = std::minmax_element(sines.begin(), sines.end());
+    const double room =
+        *nearest * std::cos(std::numbers::pi / static_cast<double>(directions.size()));
+    return *nearest > kRingHole * *farthest && room > kLeastRoomInRing;
 }
 
 /// Angular radius of the circumscribed cap of each face, the largest one's centre first.
@@ -191,12 +219,18 @@ Arrangement as_surface(const CameraStar& star) {
 }
 
 /// What a line that is asked for is stretched along: what `arrange` would take, if need be of a
-/// thicker line and of a ring of any elevation; else the axis that directions lie least along.
+/// thicker line; or the axis of a ring of any elevation that goes around the scene; else the axis
+/// that directions lie least along.
 Eigen::Vector3d demanded_strip_normal(const CameraStar& star) {
-    constexpr double kAnyElevation = 1.0;
-    if (auto line = as_line(star, line_thickness_limit(star.directions.size())))
-        return line->strip_normal;
-    if (auto line = as_line(star, kMostLineThickness, kAnyElevation)) return line->strip_normal;
+    for (const double max_thickness :
+         {line_thickness_limit(star.directions.size()), kThinLineThickness}) {
+        if (auto line = as_line(star, max_thickness)) return line->strip_normal;
+    }
+    const Cone cone = cone_of(star.directions);
+    if (star.directions.size() > 2 && cone.thickness < kMostLineThickness &&
+        stand_around(star.directions, cone)) {
+        return plane_of_places(star);
+    }
     return spread_about(star.directions, Eigen::Vector3d::Zero()).least_axis;
 }
 

@@ -67,7 +67,7 @@ LightGrid grid_of(const PicturedView& view) {
             if (inverse_depth.empty()) continue;
             const int column = (2 * x + 1) * inverse_depth.width() / (2 * width);
             const int row = (2 * y + 1) * inverse_depth.height() / (2 * height);
-            if (view.depth->confidence(column, row) > kFilledBeforeBackground) {
+            if (was_seen(view.depth->confidence(column, row))) {
                 grid.inverse_depth(x, y) = inverse_depth(column, row);
             }
         }

@@ -14,13 +14,15 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// Small triangles first, and none whose edges are too long for the spacing of their points.
 class SmallEnough {
  public:
-    explicit SmallEnough(const std::vector<SurfacePoint>& points) : points_(&points) {}
+    SmallEnough(const std::vector<SurfacePoint>& points, const std::vector<Kernel::Point_3>& places)
+        : points_(&points), places_(&places) {}
 
     template <class Front, class Cell>
     double operator()(const Front& front, Cell& cell, const int& index) const {
         for (int a = 1; a <= 3; ++a) {
             const auto& from = cell->vertex((index + a) % 4);
             const auto& to = cell->vertex((index + a % 3 + 1) % 4);
+            if (!is_of_points(*from) || !is_of_points(*to)) return front.infinity();
             const double longest =
                 kLongestEdge * std::max(spacing(from->info()), spacing(to->info()));
             if (CGAL::squared_distance(from->point(), to->point()) > longest * longest) {
@@ -33,11 +35,17 @@ class SmallEnough {
  private:
     /// Neighbouring cells' points are up to 2 sqrt(3) cells apart.
     static constexpr double kLongestEdge = 3.5;
+    /// Where all points lie in one plane, CGAL adds one beside it, whose number is anything.
+    template <class Vertex>
+    [[nodiscard]] bool is_of_points(const Vertex& vertex) const {
+        return vertex.info() < places_->size() && (*places_)[vertex.info()] == vertex.point();
+    }
     [[nodiscard]] double spacing(std::size_t point) const {
         return static_cast<double>((*points_)[point].spacing);
     }
 
     const std::vector<SurfacePoint>* points_;
+    const std::vector<Kernel::Point_3>* places_;
 };
 
 }  // namespace
@@ -49,8 +57,8 @@ std::vector<std::array<std::uint32_t, 3>> front_surface(const std::vector<Surfac
         places.emplace_back(point.position.x(), point.position.y(), point.position.z());
     }
     std::vector<std::array<std::size_t, 3>> found;
-    CGAL::advancing_front_surface_reconstruction(places.begin(), places.end(),
-                                                 std::back_inserter(found), SmallEnough(points));
+    CGAL::advancing_front_surface_reconstruction(
+        places.begin(), places.end(), std::back_inserter(found), SmallEnough(points, places));
     std::vector<std::array<std::uint32_t, 3>> faces;
     faces.reserve(found.size());
     for (const auto& corners : found) {

@@ -75,7 +75,7 @@ Answer answer_of(const Neighbour& neighbour, const Eigen::Vector2d& pixel, doubl
     const Eigen::Vector3d there = neighbour.there(pixel, inverse_depth);
     const GrayImage& confidence = neighbour.depth->confidence;
     const auto place = pixel_in_picture(there, confidence.width(), confidence.height());
-    if (!place || confidence(place->x(), place->y()) == 0) return {};
+    if (!place || !was_seen(confidence(place->x(), place->y()))) return {};
     const auto found = static_cast<double>(neighbour.depth->inverse_depth(place->x(), place->y()));
     const Eigen::Vector3d back = neighbour.back(there.hnormalized(), found);
     constexpr double kTolerancePx = 1.0;

@@ -21,4 +21,10 @@ struct DepthMap {
 /// more is known of it.
 inline constexpr std::uint8_t kFilledBeforeBackground = 1;
 
+/// Whether depth of this confidence tells where a surface is. What was filled does not, whether it
+/// stands before a background or not.
+[[nodiscard]] constexpr bool was_seen(std::uint8_t confidence) {
+    return confidence > kFilledBeforeBackground;
+}
+
 }  // namespace lumi

@@ -21,7 +21,7 @@ void append_scene_points(const LumigraphView& view, std::vector<ScenePoint>& poi
     for (int y = step / 2; y < inverse_depth.height(); y += step) {
         for (int x = step / 2; x < inverse_depth.width(); x += step) {
             const auto value = static_cast<double>(inverse_depth(x, y));
-            if (value <= 0.0 || view.depth.confidence(x, y) == 0) continue;
+            if (value <= 0.0 || !was_seen(view.depth.confidence(x, y))) continue;
             ScenePoint point;
             point.position_in_world =
                 world_from_cam * (unproject(camera, {x + 0.5, y + 0.5}) / value);

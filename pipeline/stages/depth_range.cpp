@@ -13,7 +13,7 @@ std::vector<float> inverse_depths(const std::vector<LumigraphView>& views, bool 
         const std::vector<float>& pixels = view.depth.inverse_depth.pixels();
         const std::vector<std::uint8_t>& confidence = view.depth.confidence.pixels();
         for (std::size_t i = 0; i < pixels.size(); i += kStride) {
-            if (pixels[i] > 0.0F && (!only_confident || confidence[i] > 0)) {
+            if (pixels[i] > 0.0F && (!only_confident || was_seen(confidence[i]))) {
                 values.push_back(pixels[i]);
             }
         }

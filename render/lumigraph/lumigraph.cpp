@@ -44,10 +44,10 @@ void validate_depth_mesh(const DepthMesh& mesh, const std::string& where) {
         refuse_lumigraph(where, "expected a depth mesh of triangles between finite vertices");
 }
 
-/// Of the picture's longer side: a picture 179.9 degrees across has the least focal length, a
-/// hundred pixels that a telescope took have a hundred thousand sides; where they were cut from the
-/// border of a large picture, the principal point lies a hundred sides away. Beyond all that are no
-/// cameras, and numbers whose squares are none.
+/// Of the picture's longer side. A picture 179.8 degrees across has the least focal length; a
+/// hundred pixels that a telescope took have a tenth of the most, and where they were cut from the
+/// border of a large picture, the principal point lies a hundredth of the farthest away. Beyond all
+/// that are no cameras, and numbers whose squares are none.
 constexpr double kLeastFocalLength_sides = 1e-3;
 constexpr double kMostFocalLength_sides = 1e6;
 constexpr double kFarthestPrincipalPoint_sides = 1e4;

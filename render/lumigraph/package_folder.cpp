@@ -28,13 +28,19 @@ constexpr const char* kNameThePackage = "name the folder that `lumi build` made;
                 "the package is damaged: copy it again, or build it again with `lumi build`");
 }
 
-/// For a value of errno: throws where the system keeps from reading what may well be whole.
+/// For a value of errno: throws where the system keeps from reading what may well be whole, that
+/// is, for all but what names say that lead nowhere.
 void expect_access(const fs::path& path, int error_number) {
     const auto no_access = [&](ErrorKind kind, const std::string& advice) {
         return Error(kind, "E-PACKAGE-ACCESS",
                      path.string() + ": cannot be read: " + std::strerror(error_number), advice);
     };
     switch (error_number) {
+        case ENOENT:
+        case ENOTDIR:
+        case ELOOP:
+        case ENAMETOOLONG:
+            return;
         case EACCES:
         case EPERM:
             throw no_access(ErrorKind::kBadInput,
@@ -43,11 +49,11 @@ void expect_access(const fs::path& path, int error_number) {
         case ENFILE:
             throw no_access(ErrorKind::kResources,
                             "close other programs, or raise the limit of open files (ulimit -n)");
-        case EIO:
+        case ENOMEM:
+            throw no_access(ErrorKind::kResources, "close other programs");
+        default:
             throw no_access(ErrorKind::kResources,
                             "the disk fails, or the network to it: copy the package to another");
-        default:
-            return;
     }
 }
 
@@ -88,8 +94,9 @@ Descriptor open_below(int root, std::string_view path, const fs::path& shown) {
         const int kind = is_last ? O_NONBLOCK : O_DIRECTORY;
         const int next =
             ::openat(current.get(), part.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | kind);
-        // A link is ELOOP where a file was asked for and ENOTDIR where a folder was.
-        if (next < 0 && (errno == ELOOP || errno == ENOTDIR))
+        // A link is ELOOP where a file was asked for and ENOTDIR where a folder was, a socket
+        // ENXIO.
+        if (next < 0 && (errno == ELOOP || errno == ENOTDIR || errno == ENXIO))
             refuse("E-PACKAGE-PATH", shown, "expected a plain file reached without a link");
         if (next < 0) refuse_reading(shown, errno);
         current = Descriptor(next);
@@ -100,9 +107,8 @@ Descriptor open_below(int root, std::string_view path, const fs::path& shown) {
 
 std::uint64_t size_of_plain_file(const Descriptor& file, const fs::path& shown) {
     struct stat status {};
-    if (::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
-        refuse("E-PACKAGE-PATH", shown, "expected a plain file");
-    }
+    if (::fstat(file.get(), &status) != 0) refuse_reading(shown, errno);
+    if (!S_ISREG(status.st_mode)) refuse("E-PACKAGE-PATH", shown, "expected a plain file");
     return static_cast<std::uint64_t>(status.st_size);
 }
 
@@ -155,8 +161,7 @@ bool is_safe_package_path(std::string_view path) {
 const fs::path& not_around_package(const fs::path& folder) {
     std::error_code status;
     // What cannot be looked into says so when it is opened.
-    if (fs::exists(folder / kManifestName, status) || status == std::errc::permission_denied)
-        return folder;
+    if (fs::exists(folder / kManifestName, status) || status) return folder;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, status)) {
         if (entry.path().extension() != ".lumi" || !entry.is_directory(status)) continue;
         throw Error(ErrorKind::kBadInput, "E-PACKAGE-MISSING",

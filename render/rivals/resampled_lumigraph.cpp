@@ -6,7 +6,6 @@
 #include "render/reference/eye_depths.h"
 
 namespace lumi {
-namespace {}  // namespace
 
 Eigen::Matrix3d rotation_with_axis(const Eigen::Vector3d& z, const Eigen::Vector3d& down) {
     const Eigen::Vector3d x = down.cross(z).normalized();

@@ -27,7 +27,7 @@ std::vector<Eigen::Vector3d> confident_points(const Lumigraph& lumigraph) {
             std::max(1, std::max(inverse_depth.width(), inverse_depth.height()) / kGrid);
         for (int y = step / 2; y < inverse_depth.height(); y += step) {
             for (int x = step / 2; x < inverse_depth.width(); x += step) {
-                if (inverse_depth(x, y) > 0.0F && view.depth.confidence(x, y) > 0) {
+                if (inverse_depth(x, y) > 0.0F && was_seen(view.depth.confidence(x, y))) {
                     points.push_back(point_at(view, x, y));
                 }
             }

@@ -52,7 +52,8 @@ struct ViewerWindow::Implementation {
           comparison(std::move(opened.held_out)),
           load(options.load),
           shown_exposures(options.exposures),
-          recent_file(options.recent_file) {
+          recent_file(options.recent_file),
+          progress(options.progress) {
         statistics.gl_description = query_capabilities().description;
         statistics.message = opened.message;
         remember(state.package);
@@ -62,6 +63,7 @@ struct ViewerWindow::Implementation {
     void draw_where_needed();
     void give_back_at_rest();
     void record_path();
+    void keep_path_of_what_failed() noexcept;
     void replay_path();
     bool show_read(const std::filesystem::path& package);
     void show_wished_exposures();
@@ -82,6 +84,7 @@ struct ViewerWindow::Implementation {
     PackageLoader load;
     Exposures shown_exposures;
     std::filesystem::path recent_file;
+    Progress* progress;  ///< May be null.
     FrameStatistics statistics;
     Stopwatch clock;
     double last_motion_s = -std::numeric_limits<double>::infinity();
@@ -137,6 +140,16 @@ void ViewerWindow::Implementation::record_path() {
             : recording.end(kWrittenInto);
     if (!message.empty()) statistics.message = message;
     state.has_path = !state.records_path && !recording.path().empty();
+}
+
+/// As where the window is closed. What made it fail counts more than what fails here.
+void ViewerWindow::Implementation::keep_path_of_what_failed() noexcept {
+    try {
+        const std::string message = recording.end(kWrittenInto);
+        if (progress && !message.empty()) progress->note(message);
+    } catch (...) {
+        return;
+    }
 }
 
 void ViewerWindow::Implementation::replay_path() {
@@ -230,8 +243,7 @@ bool ViewerWindow::step(const WindowInput* in_place_of_user) {
     try {
         return step_unguarded(in_place_of_user);
     } catch (...) {
-        // As where the window is closed.
-        implementation_->recording.end(kWrittenInto);
+        implementation_->keep_path_of_what_failed();
         throw;
     }
 }

@@ -31,7 +31,8 @@ struct WindowOptions {
     /// (recent_packages.h); empty: it cannot be read again, and they are not kept.
     std::filesystem::path package;
     std::filesystem::path recent_file;
-    const Progress* progress = nullptr;  ///< Where it is interrupted, the window is closed.
+    /// Where it is interrupted, the window is closed; told of what a window that fails cannot show.
+    Progress* progress = nullptr;
     /// Not empty: one frame is drawn, without panels, and written here as PNG with its pose as JSON
     /// beside it; nobody sees a window.
     std::filesystem::path screenshot_path;
@@ -49,7 +50,8 @@ class ViewerWindow {
     ViewerWindow& operator=(const ViewerWindow&) = delete;
 
     /// Takes in what the user did, or what is said here in its place, and shows a frame. False when
-    /// the window was closed. Where it throws, a path that is recorded is written first.
+    /// the window was closed. Where it throws, a path that is recorded is written first,
+    /// and where to is noted.
     bool step(const WindowInput* in_place_of_user = nullptr);
     /// Draws the whole picture of the present eye and writes it with its pose.
     void write_screenshot_to(const std::filesystem::path& path);

@@ -102,11 +102,13 @@ TEST(DepthRange, IsThatOfConfidentPixels) {
     for (int y = 0; y < 50; ++y) {
         for (int x = 0; x < 160; ++x) view.depth.inverse_depth(x, y) = 0.25F;
     }
-    LumigraphView fill;
-    fill.depth = {FloatImage(160, 100, 100.0F), GrayImage(160, 100, 0)};
-    const DepthRange range = depth_range_of({view, fill});
-    EXPECT_DOUBLE_EQ(range.near_depth, 2.0);
-    EXPECT_DOUBLE_EQ(range.far_depth, 4.0);
+    for (const std::uint8_t confidence : {std::uint8_t{0}, kFilledBeforeBackground}) {
+        LumigraphView fill;
+        fill.depth = {FloatImage(160, 100, 100.0F), GrayImage(160, 100, confidence)};
+        const DepthRange range = depth_range_of({view, fill});
+        EXPECT_DOUBLE_EQ(range.near_depth, 2.0);
+        EXPECT_DOUBLE_EQ(range.far_depth, 4.0);
+    }
 }
 
 }  // namespace

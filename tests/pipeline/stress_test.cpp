@@ -179,6 +179,25 @@ TEST(StressFiles, ChartsOfOtherRunsAndOtherPackagesAreNotTheseOnes) {
     EXPECT_TRUE(stress_charts_of(workspace).empty());
 }
 
+TEST_F(Stress, ViewsThatAreLeftHaveTheirMeshByWhatTheySeeAlone) {
+    const std::vector<int> kept{0, 1, 2, 3, 5, 6, 7, 8};
+    std::vector<CameraMesh> meshes;
+    for (const std::uint8_t confidence : {std::uint8_t{0}, kFilledBeforeBackground}) {
+        Lumigraph whole = lumigraph();
+        for (LumigraphView& view : whole.views) {
+            for (int y = 0; y < view.depth.confidence.height(); ++y) {
+                for (int x = 0; x < view.depth.confidence.width() / 2; ++x) {
+                    view.depth.inverse_depth(x, y) *= 4.0F;
+                    view.depth.confidence(x, y) = confidence;
+                }
+            }
+        }
+        meshes.push_back(only_these_views(whole, kept, {}).mesh);
+    }
+    EXPECT_EQ(meshes[1].scene_centre_in_world, meshes[0].scene_centre_in_world);
+    EXPECT_EQ(meshes[1].faces, meshes[0].faces);
+}
+
 TEST_F(Stress, EveryCurveStartsUnperturbedAndEndsLower) {
     const Lumigraph whole = lumigraph();
     const auto middle = static_cast<std::size_t>(textured_box_view(1, 1));

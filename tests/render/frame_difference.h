@@ -11,6 +11,7 @@ struct FrameDifference {
     double mean = 0.0;              ///< Over pixels and channels.
     double share_beyond_two = 0.0;  ///< Pixels of which a channel differs by more than 2.
     int largest = 0;
+    int largest_of_patches = 0;  ///< By which all of some 3 x 3 pixels differ at least.
 };
 
 [[nodiscard]] ColorImage as_color(const GrayImage& gray);

@@ -91,6 +91,52 @@ TEST(Strip, OfARaisedRingIsTheSameWhetherItIsFoundOrAskedFor) {
     }
 }
 
+/// So many cameras beside and above each other before the scene, 4 from its middle.
+Points grid(int columns, int rows, double step_deg) {
+    Points centres;
+    for (int row = 0; row < rows; ++row) {
+        const double elevation = (row - 0.5 * (rows - 1)) * step_deg * kRadiansPerDegree;
+        for (int column = 0; column < columns; ++column) {
+            const double azimuth = (column - 0.5 * (columns - 1)) * step_deg * kRadiansPerDegree;
+            centres.push_back(4 * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
+                                                  std::cos(elevation) * std::sin(azimuth),
+                                                  std::sin(elevation)));
+        }
+    }
+    return centres;
+}
+
+BuiltCameraMesh line_over(const Points& centres) {
+    std::mt19937 random(1);
+    const Capture capture = capture_of(centres, Eigen::Vector3d::Zero(),
+                                       points_in_ball(300, Eigen::Vector3d::Zero(), 1, random));
+    return build_camera_mesh(capture, all_views(capture), {.construction = "line"});
+}
+
+TEST(Strip, ThatIsAskedForOverAGridIsNotStretchedAlongTheLineOfSight) {
+    for (const auto& [columns, rows] : {std::pair(2, 2), std::pair(3, 2), std::pair(4, 3),
+                                        std::pair(5, 3), std::pair(4, 4), std::pair(6, 4)}) {
+        for (const double step_deg : {4.0, 8.0, 15.0}) {
+            const BuiltCameraMesh built = line_over(grid(columns, rows, step_deg));
+            EXPECT_EQ(built.evidence.scene_share_in_kernel, 1.0)
+                << columns << " times " << rows << " by " << step_deg << ": "
+                << built.evidence.faces_with_scene_outside;
+        }
+    }
+}
+
+TEST(Strip, ThatIsAskedForOverARaisedRingOfFewCamerasGoesAround) {
+    for (const auto& [count, elevation_deg] :
+         {std::pair(3, 40.0), std::pair(4, 40.0), std::pair(4, 55.0), std::pair(5, 60.0)}) {
+        const double height = 4 * std::tan(elevation_deg * kRadiansPerDegree);
+        const BuiltCameraMesh built = line_over(arc(count, 0, 360.0 - 360.0 / count, height));
+        EXPECT_EQ(built.mesh.vertices.size(), 2U * static_cast<std::size_t>(count))
+            << count << " at " << elevation_deg;
+        EXPECT_GE(built.evidence.kernel_radius_over_scene_radius, 1.0)
+            << count << " at " << elevation_deg;
+    }
+}
+
 /// s_i = det[C_i - X, v, n]; between neighbours with different signs w_i = |s_i+1| / (|s_i| +
 /// |s_i+1|). Rays that meet the row from its cameras' side of the scene.
 TEST(Strip, HasTheWeightsOfTheClosedForm) {

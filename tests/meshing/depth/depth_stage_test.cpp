@@ -10,6 +10,7 @@
 #include "calib/work/error.h"
 #include "calib/work/formatted.h"
 #include "calib/work/median.h"
+#include "tests/calib/scratch_folder.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {

@@ -9,9 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "meshing/depth/finished_depth.h"
 #include "meshing/geometry/mesh_depth.h"
 #include "meshing/geometry/triangle_mesh.h"
+#include "tests/calib/interrupted_progress.h"
 #include "tests/calib/noted_progress.h"
+#include "tests/calib/scratch_folder.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
@@ -191,6 +194,28 @@ TEST(FoundDepth, LeavesEveryPixelOfGivenGeometryAndFillsTheRest) {
             }
         }
         EXPECT_GT(filled, 0) << i << ": the hole";
+    }
+}
+
+TEST(FoundDepth, StopsAtEachViewThatIsAskedHowItsFillRecedes) {
+    const DepthScene scene = receding_wall();
+    const ModelThatMayRefine model(false, kViews);
+    std::vector<DepthEstimate> estimates;
+    std::vector<DepthMap> confirmed_maps;
+    for (int view = 0; view < kViews; ++view) {
+        estimates.push_back(model.estimate(scene, view));
+        confirmed_maps.push_back(estimates.back().map);
+    }
+    for (int questions = 0; questions < kViews; ++questions) {
+        const InterruptedProgress progress(questions);
+        std::vector<DepthMap> maps = confirmed_maps;
+        try {
+            (void)fill_recession(scene, std::vector<GrayImage>(kViews), estimates, 1, progress,
+                                 maps);
+            ADD_FAILURE() << "went on after " << questions;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-INTERRUPTED");
+        }
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace lumi {
 namespace {
 
@@ -14,8 +16,10 @@ TEST(GapClosing, GivesAGapTheMedianAroundItAndLeavesLonePixelsOut) {
         }
     }
     map.confidence(4, 5) = 0;
+    map.inverse_depth(4, 5) = 50.0F;   // What it holds is nothing.
     map.inverse_depth(6, 3) = 100.0F;  // One wrong pixel.
     map.confidence(2, 5) = 0;          // Among pixels that one view alone confirms.
+    map.inverse_depth(2, 5) = 50.0F;
     for (int y = 4; y < 7; ++y) {
         for (int x = 1; x < 4; ++x) map.confidence(x, y) = map.confidence(x, y) == 0 ? 0 : 128;
     }
@@ -29,6 +33,18 @@ TEST(GapClosing, GivesAGapTheMedianAroundItAndLeavesLonePixelsOut) {
     EXPECT_NEAR(closed.inverse_depth(6, 3), 6.0F, 1.0F);
     EXPECT_EQ(closed.confidence(15, 5), 0);
     EXPECT_EQ(closed.confidence(12, 5), 0) << "wider gaps stay";
+}
+
+TEST(GapClosing, AsksKnownPixelsAlone) {
+    DepthMap map{FloatImage(10, 10, 2.0F), GrayImage(10, 10, 255)};
+    for (const auto& [x, y] :
+         {std::pair(4, 4), std::pair(4, 5), std::pair(5, 4), std::pair(5, 5), std::pair(5, 6)}) {
+        map.confidence(x, y) = 0;
+        map.inverse_depth(x, y) = 50.0F;
+    }
+    const DepthMap closed = with_gaps_closed(map);
+    EXPECT_EQ(closed.inverse_depth(4, 5), 2.0F) << "five of nine pixels around it are unknown";
+    EXPECT_EQ(closed.confidence(4, 5), 255);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "meshing/depth_models/depth_model.h"
 #include "meshing/depth_models/pair_stereo.h"
 #include "meshing/depth_models/patch_match.h"
+#include "tests/calib/interrupted_progress.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
@@ -409,6 +410,23 @@ TEST(HeldOutPhotograph, AsksARungThatRefinesForItsRefinement) {
     const SilentProgress progress;
     const double swept = rms_of(photograph.loss("sweep", 2, progress));
     EXPECT_LT(rms_of(photograph.loss("patch_match", 2, progress)), 0.97 * swept);
+}
+
+TEST(HeldOutPhotograph, StopsAtEachStepOfEachOfItsNeighbours) {
+    const KnownDepthScene known = slanted_wall({0, 0, 1});
+    const std::vector<GrayImage> masks = no_masks(known);
+    // Four neighbours are matched, confirmed and filled.
+    for (int questions = 0; questions <= 12; ++questions) {
+        HeldOutPhotograph photograph(known.scene, masks, 0);
+        const InterruptedProgress progress(questions);
+        try {
+            (void)photograph.loss("sweep", 1, progress);
+            EXPECT_EQ(questions, 12) << "went on";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-INTERRUPTED");
+            EXPECT_LT(questions, 12);
+        }
+    }
 }
 
 TEST(DepthChoice, TheSweepIsRefinedWhereItWinsAndNothingElseIs) {

@@ -1,7 +1,6 @@
 #include "tests/meshing/depth/raycast_scene.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -145,17 +144,6 @@ FloatImage errors_px(const DepthMap& map, const FloatImage& truth, const DepthVi
                              static_cast<float>(view.disparity_px_per_inverse_depth);
     }
     return errors;
-}
-
-ScratchFolder::ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "lumi-depth-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder: " + name);
-    path_ = name;
-}
-
-ScratchFolder::~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace lumi

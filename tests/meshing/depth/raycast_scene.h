@@ -57,17 +57,4 @@ struct KnownDepthScene {
 [[nodiscard]] FloatImage errors_px(const DepthMap& map, const FloatImage& truth,
                                    const DepthView& view);
 
-/// A folder of its own for one test, removed with it.
-class ScratchFolder {
- public:
-    ScratchFolder();
-    ~ScratchFolder();
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-    std::filesystem::path path_;
-};
-
 }  // namespace lumi

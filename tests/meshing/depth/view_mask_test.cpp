@@ -8,6 +8,7 @@
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "meshing/depth/depth_stage.h"
+#include "tests/calib/scratch_folder.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {

@@ -7,6 +7,7 @@
 #include "calib/work/whole_file.h"
 #include "meshing/depth_models/depth_file.h"
 #include "meshing/depth_models/imported_depth.h"
+#include "tests/calib/scratch_folder.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {

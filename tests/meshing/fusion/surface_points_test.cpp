@@ -38,6 +38,28 @@ TEST(SurfacePoints, PhotographsOfOneBurstDoNotConfirmEachOther) {
     }
 }
 
+TEST(SurfacePoints, WhatWasFilledConfirmsNothing) {
+    const KnownDepthScene known = known_depth_scene(
+        {{{0, 0, 2}, {0, 0, 1}, [](const auto&) { return true; }, noise_texture(0.1, 5)}},
+        {{0, 0, 0}, {-0.12, 0, 0}, {0.12, 0, 0}}, {});
+    SilentProgress progress;
+    for (const std::uint8_t confidence :
+         {std::uint8_t{0}, kFilledBeforeBackground, std::uint8_t{128}}) {
+        std::vector<DepthMap> maps;
+        for (const FloatImage& truth : known.inverse_depths) {
+            maps.push_back({truth, GrayImage(truth.width(), truth.height(),
+                                             maps.empty() ? std::uint8_t{255} : confidence)});
+        }
+        std::vector<PicturedView> views;
+        for (std::size_t i = 0; i < maps.size(); ++i) {
+            const DepthView& view = known.scene.views[i];
+            views.push_back({&view.photograph, view.camera, view.cam_from_world, &maps[i]});
+        }
+        EXPECT_EQ(surface_points(views, {}, 1, progress).points.empty(), confidence < 128)
+            << static_cast<int>(confidence);
+    }
+}
+
 /// A wall seen by five cameras: each has four others to agree with.
 TEST(SurfacePoints, OfAsManyAgreeingViewsAsThereAreAndNoMore) {
     const KnownDepthScene known = known_depth_scene(

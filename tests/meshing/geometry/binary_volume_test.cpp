@@ -12,6 +12,7 @@
 #include "calib/work/whole_file.h"
 #include "meshing/depth/depth_stage.h"
 #include "meshing/geometry/volume_depth.h"
+#include "tests/calib/scratch_folder.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {

@@ -11,6 +11,7 @@
 #include "calib/work/whole_file.h"
 #include "meshing/geometry/mesh_depth.h"
 #include "meshing/geometry/triangle_mesh_writing.h"
+#include "tests/calib/scratch_folder.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {

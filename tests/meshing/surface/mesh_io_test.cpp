@@ -6,28 +6,17 @@
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "tests/calib/scratch_folder.h"
 
 namespace lumi {
 namespace {
 
-/// A folder of its own for each test, removed at its end.
 class CameraMeshFile : public testing::Test {
  protected:
-    CameraMeshFile()
-        : folder_(std::filesystem::path(testing::TempDir()) /
-                  (std::string("lumi_mesh_io_") +
-                   testing::UnitTest::GetInstance()->current_test_info()->name())) {
-        std::filesystem::remove_all(folder_);
-        std::filesystem::create_directories(folder_);
-    }
-    ~CameraMeshFile() override { std::filesystem::remove_all(folder_); }
-    CameraMeshFile(const CameraMeshFile&) = delete;
-    CameraMeshFile& operator=(const CameraMeshFile&) = delete;
-
-    [[nodiscard]] std::filesystem::path path() const { return folder_ / "camera_mesh.ply"; }
+    [[nodiscard]] std::filesystem::path path() const { return scratch_ / "camera_mesh.ply"; }
 
  private:
-    std::filesystem::path folder_;
+    ScratchFolder scratch_;
 };
 
 CameraMesh tiny_mesh() {

@@ -177,16 +177,17 @@ TEST(TransientRemoval, LeavesAllElseAsItWas) {
 
 TEST(TransientRemoval, PaintsToTheBorderOfThePicture) {
     Wall wall;
-    wall.walk_through(4, {0, 120, 50, 180}, kRed);
+    const ColorImage truth = wall.photograph(4);
+    constexpr Block kInTheCorner{0, 120, 50, 180};
+    wall.walk_through(4, kInTheCorner, kRed);
     const auto cleaned = wall.cleaned();
     ASSERT_EQ(cleaned.size(), 1U);
-    for (int y = 120; y < 180; ++y) {
-        for (int x = 0; x < 50; ++x) EXPECT_NE(cleaned[0].photograph(x, y), kRed);
-    }
+    EXPECT_LT(mean_difference(cleaned[0].photograph, truth, kInTheCorner), 2.0);
 }
 
 TEST(TransientRemoval, PaintsFromTheRimWhatNobodyKnows) {
     Wall wall;
+    const ColorImage truth = wall.photograph(4);
     wall.walk_through(4, kBlock, kRed);
     for (int view = 0; view < 9; ++view) {
         if (view == 4) continue;
@@ -203,10 +204,10 @@ TEST(TransientRemoval, PaintsFromTheRimWhatNobodyKnows) {
     ASSERT_EQ(cleaned.size(), 1U);
     for (int y = kBlock.top; y < kBlock.bottom; ++y) {
         for (int x = kBlock.left; x < kBlock.right; ++x) {
-            EXPECT_NE(cleaned[0].photograph(x, y), kRed);
             EXPECT_NEAR(cleaned[0].depth.inverse_depth(x, y), 1 / Wall::kDistance, 1e-2);
         }
     }
+    EXPECT_LT(mean_difference(cleaned[0].photograph, truth, kBlock), 4.0);
     EXPECT_EQ(cleaned[0].depth.confidence(115, 85), 0);
 }
 

@@ -23,6 +23,7 @@ TEST(DepthLayerDraws, EachKindOfAViewIsDrawnIntoItsLayer) {
 
 TEST(DepthLayerDraws, AViewThatTwoSetsHaveIsDrawnOnceForBoth) {
     const auto draws = depth_layer_draws({{{0, 1}, 0.5}, {{0, 2}, 0.5}}, 2, 100, kMeshes);
+    ASSERT_EQ(draws.size(), 4U) << "three kinds of view 0, one of view 1";
     for (const DepthLayerDraw& draw : draws) {
         EXPECT_NE(draw.view_index, 2) << "it has no triangles";
         EXPECT_EQ(draw.strip_begin_px, 0);

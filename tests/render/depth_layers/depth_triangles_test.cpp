@@ -133,13 +133,20 @@ TEST(DepthTriangles, OfAPlaneThatReachesBehindTheEyeAreDrawnWhereTheyAreBeforeIt
     }
 }
 
+std::size_t count_drawn(const std::vector<float>& texels) {
+    return texels.size() - static_cast<std::size_t>(std::count(texels.begin(), texels.end(), 1.0F));
+}
+
 TEST(DepthTriangles, SeenFromBehindAreNotDrawn) {
     std::mt19937 random(3);
     Square square = uneven_square(random);
+    Eigen::Matrix3f window = similarity(random);
+    window(0, 2) = 0.5F * kWidth;
+    window(1, 2) = 0.5F * kHeight;
+    EXPECT_GT(count_drawn(drawn(square, plane_seen_by(window))), 10U) << "seen from before";
     for (std::size_t i = 0; i < square.indices.size(); i += 3)
         std::swap(square.indices[i], square.indices[i + 1]);
-    for (const float texel : drawn(square, plane_seen_by(similarity(random))))
-        EXPECT_EQ(texel, 1.0F);
+    EXPECT_EQ(count_drawn(drawn(square, plane_seen_by(window))), 0U);
 }
 
 TEST(DepthTriangles, AreTheSameInOneBoxAndInSeveral) {
@@ -157,23 +164,41 @@ TEST(DepthTriangles, AreTheSameInOneBoxAndInSeveral) {
     }
 }
 
+/// Triangles whose corners lie nearly on a line, at any depth.
+Square slivers(std::mt19937& random) {
+    std::uniform_real_distribution<float> any(-1.0F, 1.0F);
+    const auto anywhere = [&] {
+        const float x = any(random);
+        return Eigen::Vector2f(x, any(random));
+    };
+    Square made;
+    for (std::uint32_t i = 0; i < 3000; i += 3) {
+        const Eigen::Vector2f a = anywhere();
+        const Eigen::Vector2f b = anywhere();
+        for (const float share : {0.0F, 0.5F, 1.0F}) {
+            const Eigen::Vector2f at = a + share * (b - a) + 1e-6F * anywhere();
+            made.vertices.emplace_back(at.x(), at.y(), any(random));
+        }
+        made.indices.insert(made.indices.end(), {i, i + 1, i + 2});
+    }
+    return made;
+}
+
 TEST(DepthTriangles, AsThinAsTheyMayBeHaveNoDepthBeyondThatOfTheirCorners) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> any(-1.0F, 1.0F);
-    WindowFromView matrix = plane_seen_by(similarity(random));
-    matrix.row(3) << 0.0F, 0.0F, 0.5F, 0.25F;  // Depth from 0.25 to 0.75.
-    Square slivers;
-    for (std::uint32_t i = 0; i < 3000; i += 3) {
-        const Eigen::Vector2f a(any(random), any(random));
-        const Eigen::Vector2f b(any(random), any(random));
-        for (const float share : {0.0F, 0.5F, 1.0F}) {
-            const Eigen::Vector2f at = a + share * (b - a) + 1e-6F * Eigen::Vector2f::Random();
-            slivers.vertices.emplace_back(at.x(), at.y(), any(random));
-        }
-        slivers.indices.insert(slivers.indices.end(), {i, i + 1, i + 2});
+    std::size_t count = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        WindowFromView matrix = plane_seen_by(similarity(random));
+        matrix(0, 2) = kWidth * (0.5F + 0.3F * any(random));
+        matrix(1, 2) = kHeight * (0.5F + 0.3F * any(random));
+        matrix.row(3) << 0.0F, 0.0F, 0.5F, 0.25F;  // Depth from 0.25 to 0.75.
+        const std::vector<float> texels = drawn(slivers(random), matrix);
+        count += count_drawn(texels);
+        for (const float texel : texels)
+            EXPECT_TRUE(texel == 1.0F || (texel > 0.2499F && texel < 0.7501F)) << texel;
     }
-    for (const float texel : drawn(slivers, matrix))
-        EXPECT_TRUE(texel == 1.0F || (texel > 0.2499F && texel < 0.7501F)) << texel;
+    EXPECT_GT(count, 100U);
 }
 
 }  // namespace

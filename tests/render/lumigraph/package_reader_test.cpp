@@ -1,7 +1,12 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstdarg>
 #include <fstream>
 
 #include "calib/pictures/image_io.h"
@@ -10,8 +15,25 @@
 #include "meshing/surface/mesh_io.h"
 #include "render/lumigraph/deflate.h"
 #include "render/lumigraph/manifest.h"
+#include "render/lumigraph/package_folder.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/render/lumigraph/tiny_package.h"
+
+/// What opening a file of a folder fails with, a value of errno; 0: it does not.
+static int failing_openat = 0;
+
+/// In the C library's place.
+extern "C" int openat(int folder, const char* path, int flags, ...) {
+    if (failing_openat != 0) {
+        errno = failing_openat;
+        return -1;
+    }
+    va_list arguments;
+    va_start(arguments, flags);
+    const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
+    va_end(arguments);
+    return static_cast<int>(::syscall(SYS_openat, folder, path, flags, mode));
+}
 
 namespace lumi {
 namespace {
@@ -319,6 +341,37 @@ TEST_F(PackageReader, DoesNotCallAPackageDamagedWhereTheSystemRefuses) {
     EXPECT_EQ(code, "E-PACKAGE-ACCESS");
     EXPECT_EQ(advice.find("damaged"), std::string::npos) << advice;
     EXPECT_EQ(code_of_reading(folder_), "");
+}
+
+TEST_F(PackageReader, DoesNotCallAPackageDamagedWhereDiskNetworkOrMemoryFail) {
+    for (const auto& [error_number, code] :
+         {std::pair(ESTALE, "E-PACKAGE-ACCESS"), std::pair(ETIMEDOUT, "E-PACKAGE-ACCESS"),
+          std::pair(ENOTCONN, "E-PACKAGE-ACCESS"), std::pair(EREMOTEIO, "E-PACKAGE-ACCESS"),
+          std::pair(ENOMEM, "E-PACKAGE-ACCESS"), std::pair(EIO, "E-PACKAGE-ACCESS"),
+          std::pair(EACCES, "E-PACKAGE-ACCESS"), std::pair(ENOENT, "E-PACKAGE-MISSING"),
+          std::pair(ENAMETOOLONG, "E-PACKAGE-MISSING")}) {
+        std::string found = "was read";
+        std::string advice;
+        failing_openat = error_number;
+        try {
+            static_cast<void>(PackageFolder(folder_).read_unchecked(kManifestName, 1U << 20U));
+        } catch (const Error& error) {
+            found = error.code();
+            advice = error.advice();
+        }
+        failing_openat = 0;
+        EXPECT_EQ(found, code) << error_number;
+        EXPECT_EQ(advice.find("damaged") != std::string::npos, found == "E-PACKAGE-MISSING")
+            << advice;
+    }
+    EXPECT_EQ(code_of_reading(folder_), "");
+}
+
+TEST_F(PackageReader, RefusesASocket) {
+    const fs::path photograph = folder_ / "views/000001.png";
+    fs::remove(photograph);
+    ASSERT_EQ(::mknod(photograph.c_str(), S_IFSOCK | 0600, 0), 0);
+    EXPECT_EQ(code_of_reading(folder_), "E-PACKAGE-PATH");
 }
 
 TEST_F(PackageReader, NamesTheFolderThatIsNoPackage) {

@@ -86,7 +86,9 @@ TEST_F(PackageReplacement, AFailingWriteLeavesTheOldPackage) {
 TEST_F(PackageReplacement, AKilledRunLeavesTheOldPackageAndIsCleanedUpAfter) {
     const pid_t child = ::fork();
     if (child == 0) {
-        // Dies of the signal in the middle of a file: no destructor runs.
+        // Dies of the signal in the middle of a file: no destructor runs. That leaves no core.
+        const rlimit no_core{0, 0};
+        ::setrlimit(RLIMIT_CORE, &no_core);
         const rlimit limit{300, RLIM_INFINITY};
         ::setrlimit(RLIMIT_FSIZE, &limit);
         std::signal(SIGXFSZ, SIG_DFL);

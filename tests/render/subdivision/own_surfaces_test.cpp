@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "tests/render/analytic_scene.h"
 
@@ -48,7 +49,13 @@ class OwnSurfaces : public testing::Test {
 
     [[nodiscard]] static bool is_unchanged(const BlendTriangles& before,
                                            const BlendTriangles& after) {
-        return before.indices == after.indices && before.vertices.size() == after.vertices.size();
+        return before.indices == after.indices &&
+               std::equal(before.vertices.begin(), before.vertices.end(), after.vertices.begin(),
+                          after.vertices.end(), [](const BlendVertex& a, const BlendVertex& b) {
+                              return a.pixel == b.pixel && a.view_pixels == b.view_pixels &&
+                                     a.weights == b.weights && a.inverse_depth == b.inverse_depth &&
+                                     a.confidence == b.confidence;
+                          });
     }
 
     Lumigraph lumigraph_ = card_before_wall();

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -13,6 +14,7 @@
 #include "render/paths/photograph_eye.h"
 #include "render/viewer/window.h"
 #include "render/viewer/window_input.h"
+#include "tests/calib/noted_progress.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/render/viewer/xvfb_display.h"
 #include "tests/truth/textured_box_scene.h"
@@ -240,6 +242,8 @@ TEST_F(LongLivedWindow, WritesThePathThatIsRecordedWhenItEndsInAnError) {
     options.load = [](const fs::path&, Exposures) -> OpenedPackage {
         throw std::logic_error("a bug");
     };
+    NotedProgress progress;
+    options.progress = &progress;
     ViewerWindow window({shown_box()}, options);
     window.state().records_path = true;
     ASSERT_TRUE(window.step());
@@ -247,6 +251,28 @@ TEST_F(LongLivedWindow, WritesThePathThatIsRecordedWhenItEndsInAnError) {
     input.dropped = {"other.lumi"};
     EXPECT_THROW(window.step(&input), std::logic_error);
     EXPECT_TRUE(fs::exists("lumi-path-0001.json"));
+    EXPECT_THAT(progress.notes, testing::ElementsAre(testing::HasSubstr("lumi-path-0001.json")));
+}
+
+TEST_F(LongLivedWindow, EndsInItsFirstErrorWhereThePathCannotBeWrittenEither) {
+    const fs::path gone = scratch_ / "gone";
+    fs::create_directory(gone);
+    WindowOptions options = window_of_320x240();
+    options.load = [](const fs::path&, Exposures) -> OpenedPackage {
+        throw std::logic_error("a bug");
+    };
+    NotedProgress progress;
+    options.progress = &progress;
+    ViewerWindow window({shown_box()}, options);
+    window.state().records_path = true;
+    ASSERT_TRUE(window.step());
+    fs::current_path(gone);
+    fs::remove(gone);
+    WindowInput input;
+    input.dropped = {"other.lumi"};
+    EXPECT_THROW(window.step(&input), std::logic_error);
+    fs::current_path(scratch_.path());
+    EXPECT_EQ(progress.notes.size(), 1U);
 }
 
 TEST_F(LongLivedWindow, HasNoPathOfAnotherPackageToReplay) {

@@ -38,14 +38,16 @@ TEST(SceneBounds, DoNotFollowAFewWildDepths) {
 }
 
 TEST(SceneBounds, LookAtConfidentDepthOnly) {
-    Lumigraph lumigraph = wall();
-    for (int x = 0; x < 100; ++x) {
-        for (int y = 0; y < 25; ++y) {
-            lumigraph.views[0].depth.inverse_depth(x, y) = 1e-3F;
-            lumigraph.views[0].depth.confidence(x, y) = 0;
+    for (const std::uint8_t confidence : {std::uint8_t{0}, kFilledBeforeBackground}) {
+        Lumigraph lumigraph = wall();
+        for (int x = 0; x < 100; ++x) {
+            for (int y = 0; y < 30; ++y) {
+                lumigraph.views[0].depth.inverse_depth(x, y) = 1e-3F;
+                lumigraph.views[0].depth.confidence(x, y) = confidence;
+            }
         }
+        EXPECT_NEAR(bounds_of(lumigraph).centre_in_world.z(), 5.0, 1e-6);
     }
-    EXPECT_NEAR(bounds_of(lumigraph).centre_in_world.z(), 5.0, 1e-6);
 }
 
 TEST(SceneBounds, WithoutDepthAreHalfAsWideAsTheCamerasStandAway) {

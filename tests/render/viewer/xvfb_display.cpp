@@ -1,6 +1,7 @@
 #include "tests/render/viewer/xvfb_display.h"
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,8 +25,12 @@ std::string read_line(int descriptor) {
 XvfbDisplay::XvfbDisplay() {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) return;
+    const pid_t test = ::getpid();
     process_ = ::fork();
     if (process_ == 0) {
+        // Not longer than the test, which may be killed.
+        ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+        if (::getppid() != test) ::_exit(127);
         const int nowhere = ::open("/dev/null", O_RDWR);
         ::dup2(nowhere, STDOUT_FILENO);
         ::dup2(nowhere, STDERR_FILENO);
@@ -38,11 +43,14 @@ XvfbDisplay::XvfbDisplay() {
     ::close(ends[1]);
     number_ = read_line(ends[0]);
     ::close(ends[0]);
-    if (is_running()) ::setenv("DISPLAY", (":" + number_).c_str(), 1);
+    if (!is_running()) return;
+    if (const char* before = std::getenv("DISPLAY")) display_before_ = before;
+    ::setenv("DISPLAY", (":" + number_).c_str(), 1);
 }
 
 XvfbDisplay::~XvfbDisplay() {
-    ::unsetenv("DISPLAY");
+    if (is_running() && display_before_) ::setenv("DISPLAY", display_before_->c_str(), 1);
+    if (is_running() && !display_before_) ::unsetenv("DISPLAY");
     if (process_ <= 0) return;
     ::kill(process_, SIGTERM);
     ::waitpid(process_, nullptr, 0);

@@ -2,12 +2,13 @@
 
 #include <sys/types.h>
 
+#include <optional>
 #include <string>
 
 namespace lumi {
 
 /// A display that nobody sees: an Xvfb of its own on a free number, DISPLAY set to it while this
-/// lives.
+/// lives, and afterwards what it was.
 class XvfbDisplay {
  public:
     XvfbDisplay();
@@ -20,6 +21,7 @@ class XvfbDisplay {
  private:
     pid_t process_ = -1;
     std::string number_;
+    std::optional<std::string> display_before_;
 };
 
 }  // namespace lumi
