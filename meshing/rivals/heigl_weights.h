@@ -15,7 +15,9 @@ namespace lumi {
 /// differently in another frame.
 class HeiglFrame {
  public:
-    /// Cameras behind the eye's plane, or that look back at it, take no part.
+    /// Cameras that look the other way take no part. Of a camera before the eye or behind it the
+    /// line through both counts; the eye at a camera has that camera's weights, and in a camera's
+    /// plane it is taken to be a little beside it: as they are drawn (render/rivals/heigl.h).
     HeiglFrame(const std::vector<Eigen::Vector3d>& centres_in_world,
                const std::vector<Eigen::Vector3d>& axes_in_world, const Rigid3& eye_from_world);
     ~HeiglFrame();

@@ -9,6 +9,7 @@
 #include "pipeline/synth/photographer.h"
 #include "pipeline/synth/scene_description.h"
 #include "pipeline/synth/synthesize.h"
+#include "render/depth_mesh/view_depth_mesh.h"
 #include "render/paths/pose_between.h"
 
 namespace lumi {
@@ -187,6 +188,7 @@ RivalCapture rival_capture(const std::string& name, const RivalCaptureOptions& o
     lumigraph.mesh = build_camera_mesh(kept, all, {}).mesh;
     lumigraph.near_depth = 1 / inverse_depth_at(taken.depths, 0.99);
     lumigraph.far_depth = 1 / inverse_depth_at(taken.depths, 0.01);
+    make_depth_meshes(lumigraph, 0, progress);
     for (TrueFrame& frame : result.held_out)
         frame.shown = shown_pixels(frame.depth, frame.eye, lumigraph.views);
     for (int i = 0; i < options.path_frames; ++i)

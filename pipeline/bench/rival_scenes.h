@@ -17,7 +17,7 @@ struct TrueFrame {
     GrayImage shown;   ///< 255: some photograph shows what is there; 0: none does.
 };
 
-/// A Lumigraph of a synthetic scene with exact poses and depth.
+/// A Lumigraph of a synthetic scene with exact poses and depth, and depth meshes of it.
 struct RivalCapture {
     std::string name;
     std::string paper;

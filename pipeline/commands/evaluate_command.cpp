@@ -76,6 +76,16 @@ std::string not_judged_text(const Evaluation& evaluation) {
     return text + (missing.size() == 1 ? " has" : " have") + " no pose\n";
 }
 
+/// Every method on the same pixels.
+std::string common_pixels_text(const CommonPixelScores& scores) {
+    std::string text = "PSNR over the " + number_text(100.0 * scores.share, 2) +
+                       " % of pixels that all methods with depth cover:\n";
+    for (const CommonPixelScores::Method& method : scores.methods)
+        text += "  " + method.name + "  " +
+                (method.psnr_db ? number_text(*method.psnr_db, 2) + " dB" : "none") + "\n";
+    return text;
+}
+
 void print_rivals(const RivalEvaluation& rivals, const CommandContext& context) {
     for (const RivalScores& scores : rivals.methods) {
         for (const ViewScore& view : scores.views)
@@ -87,6 +97,7 @@ void print_rivals(const RivalEvaluation& rivals, const CommandContext& context) 
     }
     for (const RivalLeftOut& rival : rivals.left_out)
         context.print_result("not drawn: " + rival.method + "; " + rival.reason + "\n");
+    if (rivals.common) context.print_result(common_pixels_text(*rivals.common));
 }
 
 void print_scores(const Evaluation& evaluation, const CommandContext& context) {

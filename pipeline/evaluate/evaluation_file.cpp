@@ -63,6 +63,13 @@ Json scores_json(const std::vector<ViewScore>& all) {
                 {"views", std::move(views)}};
 }
 
+Json common_pixels_json(const CommonPixelScores& scores) {
+    Json psnr_db = Json::object();
+    for (const CommonPixelScores::Method& method : scores.methods)
+        psnr_db[method.name] = optional_json(method.psnr_db);
+    return Json{{"share", scores.share}, {"psnr_db", std::move(psnr_db)}};
+}
+
 Json rivals_json(const RivalEvaluation& rivals) {
     Json methods = Json::object();
     for (const RivalScores& scores : rivals.methods) {
@@ -71,7 +78,9 @@ Json rivals_json(const RivalEvaluation& rivals) {
     }
     Json left_out = Json::object();
     for (const RivalLeftOut& rival : rivals.left_out) left_out[rival.method] = rival.reason;
-    return Json{{"methods", std::move(methods)}, {"left_out", std::move(left_out)}};
+    Json json{{"methods", std::move(methods)}, {"left_out", std::move(left_out)}};
+    if (rivals.common) json["common_pixels"] = common_pixels_json(*rivals.common);
+    return json;
 }
 
 /// False for what is no object, too.

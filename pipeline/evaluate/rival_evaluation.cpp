@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "calib/work/stopwatch.h"
+#include "pipeline/evaluate/common_pixels.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "render/rivals/rival_methods.h"
+#include "render/surroundings/surroundings.h"
 
 namespace lumi {
 namespace {
@@ -40,8 +42,12 @@ class RivalJudge {
     }
 
     void judge_plain(const PlainRival& rival) {
-        judge_views(rival.name, 0.0, [&](const Eye& eye, Frame& frame) {
-            return times_of(1, [&] { frame = rival.draw(lumigraph_, eye); });
+        judge_views(rival.name, true, 0.0, [&](const Eye& eye, Frame& frame) {
+            const RepeatedTimes times = times_of(1, [&] {
+                frame = rival.draw(lumigraph_, eye, depths_for(rival, lumigraph_, eye));
+            });
+            frame = filled(std::move(frame), surroundings_picture(lumigraph_, eye));
+            return times;
         });
     }
 
@@ -58,16 +64,21 @@ class RivalJudge {
         const double cpu_s = stopwatch.elapsed().cpu_s;
         OffscreenRenderer renderer(pictures);
         for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kAdaptive}) {
-            judge_views(rival.name + ' ' + name_of(mode), cpu_s, [&](const Eye& eye, Frame& frame) {
-                frame = renderer.draw(eye, {.mode = mode});
-                return times_of(timed_frames_,
-                                [&] { static_cast<void>(renderer.draw(eye, {.mode = mode})); });
-            });
+            const bool by_depth =
+                draws_from_depth(possible_options({.mode = mode}, pictures.has_depth()).mode);
+            judge_views(rival.name + ' ' + name_of(mode), by_depth, cpu_s,
+                        [&](const Eye& eye, Frame& frame) {
+                            frame = renderer.draw(eye, {.mode = mode});
+                            return times_of(timed_frames_, [&] {
+                                static_cast<void>(renderer.draw(eye, {.mode = mode}));
+                            });
+                        });
         }
     }
 
     using DrawAndTime = std::function<RepeatedTimes(const Eye& eye, Frame& frame)>;
-    void judge_views(const std::string& method, double resampling_cpu_s, const DrawAndTime& draw) {
+    void judge_views(const std::string& method, bool by_depth, double resampling_cpu_s,
+                     const DrawAndTime& draw) {
         RivalScores scores{method, {}, resampling_cpu_s};
         progress_.begin("drawing held-out views by " + method, eyes_.size());
         for (std::size_t i = 0; i < eyes_.size(); ++i) {
@@ -76,7 +87,7 @@ class RivalJudge {
             const RepeatedTimes times = draw(eyes_[i], frame);
             const JudgedView judged =
                 judged_view(held_out_, i, lumigraph_, subject_mask_, std::move(frame), times);
-            keep_(method, judged);
+            keep_(method, by_depth, judged);
             scores.views.push_back(judged.score);
             progress_.advance();
         }

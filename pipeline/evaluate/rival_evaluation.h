@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,18 +25,31 @@ struct RivalLeftOut {
     std::string reason;
 };
 
+/// Every mode and every other method on the same pixels (common_pixels.h).
+struct CommonPixelScores {
+    struct Method {
+        std::string name;
+        std::optional<double> psnr_db;  ///< Mean over the views that have such pixels.
+    };
+    double share = 0.0;  ///< Of all pixels, that all methods that draw from depth cover.
+    std::vector<Method> methods;
+};
+
 struct RivalEvaluation {
     std::vector<RivalScores> methods;
     std::vector<RivalLeftOut> left_out;
+    std::optional<CommonPixelScores> common = {};  ///< Empty where it was not measured.
 };
 
 /// Called once per method and view, in order, with what is to be kept of it.
-using JudgedRivalSink = std::function<void(const std::string& method, const JudgedView& view)>;
+using JudgedRivalSink =
+    std::function<void(const std::string& method, bool draws_from_depth, const JudgedView& view)>;
 
 /// Draws every view of `held_out` from the Lumigraph by the methods that the paper is compared with
 /// (render/rivals/rival_methods.h), as evaluate_held_out does in lumi's modes. Plain code draws
-/// each frame once. What is resampled is drawn in the modes `lightfield` and `adaptive`. Throws
-/// Error (E-GL-...).
+/// each frame once, and what it does not cover has the colours of the surroundings
+/// (surroundings.h), as in lumi's modes. What is resampled is drawn in the modes `lightfield` and
+/// `adaptive`. Throws Error (E-GL-...).
 [[nodiscard]] RivalEvaluation evaluate_rivals(const Lumigraph& lumigraph,
                                               const PosedPhotographs& held_out,
                                               const SubjectMask& subject_mask, int timed_frames,

@@ -93,6 +93,22 @@ std::string mode_tables(const std::string& mode, const Json& scores, bool has_su
            html_details("Every view", html_table(headings(has_subject), rows));
 }
 
+/// Evaluations of early versions say nothing of it.
+std::string common_pixels_remark(const Json& rivals) {
+    const auto common = rivals.find("common_pixels");
+    if (common == rivals.end()) return {};
+    std::string html = "<p>Over the " + number_text(100 * common->at("share").get<double>(), 1) +
+                       " % of pixels that all methods with depth cover:";
+    const char* separator = " ";
+    for (const auto& [method, psnr_db] : common->at("psnr_db").items()) {
+        if (psnr_db.is_null()) continue;
+        html +=
+            separator + html_escaped(method) + " " + number_text(psnr_db.get<double>(), 2) + " dB";
+        separator = ", ";
+    }
+    return html + ".</p>\n";
+}
+
 /// Other methods, a line each, and why some are not among them.
 std::string rivals_table(const Json& rivals, bool has_subject) {
     if (rivals.is_null()) return {};
@@ -103,6 +119,7 @@ std::string rivals_table(const Json& rivals, bool has_subject) {
     for (const auto& [method, reason] : rivals.at("left_out").items())
         html += "<p>Not drawn: " + html_escaped(method) + ". " + html_escaped(text_of(reason)) +
                 ".</p>\n";
+    html += common_pixels_remark(rivals);
     return html +
            "<p>Means. Unstructured lumigraph, view-dependent texture and forward warping are drawn "
            "in plain code; two-plane and spherical from photographs that were resampled.</p>\n";

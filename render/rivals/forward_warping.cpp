@@ -31,6 +31,7 @@ void warp(const LumigraphView& view, const Eye& eye, double weight,
           const ForwardWarpingOptions& options, Image<Arrived>& arrived) {
     const PixelTransfer eye_from_view =
         pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
+    const double zoom = focal_length_px(eye.camera).mean() / focal_length_px(view.camera).mean();
     const FloatImage& map = view.depth.inverse_depth;
     for (int y = 0; y < view.camera.height_px; ++y) {
         for (int x = 0; x < view.camera.width_px; ++x) {
@@ -41,14 +42,16 @@ void warp(const LumigraphView& view, const Eye& eye, double weight,
                                        q * eye_from_view.per_inverse_depth;
             if (!(at.z() > 0)) continue;
             const Eigen::Vector2d there = at.hnormalized();
+            if (there.cwiseAbs().maxCoeff() > 1e6) continue;
+            // `at.z()` is the depth in the eye over that in the view.
+            const double splat_px = options.splat_px * std::max(1.0, zoom / at.z());
             const auto first = [&](double place) {
-                return static_cast<int>(std::max(0.0, std::ceil(place - options.splat_px - 0.5)));
+                return static_cast<int>(std::max(0.0, std::ceil(place - splat_px - 0.5)));
             };
             const auto end = [&](double place, int size) {
                 return static_cast<int>(
-                    std::min<double>(size, std::floor(place + options.splat_px - 0.5) + 1));
+                    std::min<double>(size, std::floor(place + splat_px - 0.5) + 1));
             };
-            if (there.cwiseAbs().maxCoeff() > 1e6) continue;
             for (int row = first(there.y()); row < end(there.y(), arrived.height()); ++row)
                 for (int column = first(there.x()); column < end(there.x(), arrived.width());
                      ++column)

@@ -2,10 +2,25 @@
 
 #include <Eigen/Geometry>
 #include <string>
+#include <vector>
 
+#include "calib/work/median.h"
 #include "render/reference/eye_depths.h"
 
 namespace lumi {
+
+Eigen::Vector2d seen_half_size(const Lumigraph& source) {
+    std::vector<double> widths;
+    std::vector<double> heights;
+    for (const LumigraphView& view : source.views) {
+        const double half_pixel = 0.5 *
+                                  (view.cam_from_world * source.mesh.scene_centre_in_world).norm() /
+                                  focal_length_px(view.camera).mean();
+        widths.push_back(half_pixel * view.camera.width_px);
+        heights.push_back(half_pixel * view.camera.height_px);
+    }
+    return {median_of(std::move(widths)), median_of(std::move(heights))};
+}
 
 Eigen::Matrix3d rotation_with_axis(const Eigen::Vector3d& z, const Eigen::Vector3d& down) {
     const Eigen::Vector3d x = down.cross(z).normalized();

@@ -17,6 +17,10 @@ struct LightFieldLayout {
     CameraMesh mesh;  ///< Its view indices point into `eyes`.
 };
 
+/// Half the width and half the height that the median photograph shows at the scene's centre: what
+/// the pictures of a parameterised light field show.
+[[nodiscard]] Eigen::Vector2d seen_half_size(const Lumigraph& source);
+
 /// The frame of a picture whose z axis is `z` (unit), with `down` as its y axis as far as that
 /// goes: its rows are the axes in the world.
 [[nodiscard]] Eigen::Matrix3d rotation_with_axis(const Eigen::Vector3d& z,

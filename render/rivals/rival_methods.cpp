@@ -22,7 +22,7 @@ std::string depth_that_lacks(const Lumigraph& lumigraph) {
            " photographs have no depth, which it draws from";
 }
 
-/// All look to one side of it.
+/// The axes of all are within a right angle of their mean, so that all look to one side of a plane.
 bool can_one_plane_stand_before_all(const Lumigraph& lumigraph) {
     Eigen::Vector3d mean_axis = Eigen::Vector3d::Zero();
     for (const LumigraphView& view : lumigraph.views)
@@ -53,43 +53,56 @@ std::string directions_that_lack(const Lumigraph& lumigraph) {
     return planes_that_lack(lumigraph);
 }
 
-/// Of a square picture with as many pixels as the median photograph.
-int resampled_size_px(const Lumigraph& source) {
-    std::vector<double> sizes;
-    for (const LumigraphView& view : source.views)
-        sizes.push_back(
-            std::sqrt(static_cast<double>(view.camera.width_px) * view.camera.height_px));
-    return static_cast<int>(std::lround(median_of(std::move(sizes))));
+/// Width and height of the median photograph.
+Eigen::Vector2i median_size_px(const Lumigraph& source) {
+    std::vector<int> widths;
+    std::vector<int> heights;
+    for (const LumigraphView& view : source.views) {
+        widths.push_back(view.camera.width_px);
+        heights.push_back(view.camera.height_px);
+    }
+    return {median_of(std::move(widths)), median_of(std::move(heights))};
 }
 
 LightFieldLayout two_planes_of(const Lumigraph& source) {
-    const bool is_one_slab = can_one_plane_stand_before_all(source);
-    const double pictures = static_cast<double>(source.views.size()) / (is_one_slab ? 1 : 6);
-    const int side = std::max(2, static_cast<int>(std::lround(std::sqrt(pictures))));
-    const TwoPlaneOptions grid{.columns = side, .rows = side, .size_px = resampled_size_px(source)};
-    return is_one_slab ? two_plane_slab(source, grid) : two_plane_cube(source, grid);
+    const Eigen::Vector2i size_px = median_size_px(source);
+    TwoPlaneOptions options{.width_px = size_px.x(), .height_px = size_px.y()};
+    if (can_one_plane_stand_before_all(source))
+        return two_plane_slab(source, with_even_grid(source, source.views.size(), options));
+    const double pictures_a_side = static_cast<double>(source.views.size()) / 6;
+    options.columns = std::max(2, static_cast<int>(std::lround(std::sqrt(pictures_a_side))));
+    return two_plane_cube(source, options);
 }
 
 LightFieldLayout directions_of(const Lumigraph& source) {
-    return spherical_light_field(source, {.size_px = resampled_size_px(source)});
+    const double pixels = median_size_px(source).cast<double>().prod();
+    return spherical_light_field(source,
+                                 {.subdivisions = subdivisions_for(source.views.size()),
+                                  .size_px = static_cast<int>(std::lround(std::sqrt(pixels)))});
 }
 
 }  // namespace
 
 const std::vector<PlainRival>& plain_rivals() {
     static const std::vector<PlainRival> rivals{
-        {"unstructured lumigraph", depth_that_lacks,
-         [](const Lumigraph& lumigraph, const Eye& eye) {
-             return draw_unstructured_lumigraph(lumigraph, eye);
+        {"unstructured lumigraph", depth_that_lacks, true,
+         [](const Lumigraph& lumigraph, const Eye& eye, const EyeDepths& known) {
+             return draw_unstructured_lumigraph(lumigraph, eye, known);
          }},
-        {"view-dependent texture", depth_that_lacks,
-         [](const Lumigraph& lumigraph, const Eye& eye) {
-             return draw_view_dependent_texture(lumigraph, eye);
+        {"view-dependent texture", depth_that_lacks, true,
+         [](const Lumigraph& lumigraph, const Eye& eye, const EyeDepths& known) {
+             return draw_view_dependent_texture(lumigraph, eye, known);
          }},
-        {"forward warping", depth_that_lacks, [](const Lumigraph& lumigraph, const Eye& eye) {
+        {"forward warping", depth_that_lacks, false,
+         [](const Lumigraph& lumigraph, const Eye& eye, const EyeDepths&) {
              return draw_forward_warping(lumigraph, eye);
          }}};
     return rivals;
+}
+
+EyeDepths depths_for(const PlainRival& rival, const Lumigraph& lumigraph, const Eye& eye) {
+    return rival.draws_on_eye_depths ? eye_depths(lumigraph, eye, kAgreeingDisparity_px)
+                                     : EyeDepths{};
 }
 
 const std::vector<ResampledRival>& resampled_rivals() {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "render/reference/eye_depths.h"
 #include "render/rivals/resampled_lumigraph.h"
 
 namespace lumi {
@@ -14,7 +15,10 @@ using ReasonAgainst = std::string (*)(const Lumigraph& lumigraph);
 struct PlainRival {
     std::string name;
     ReasonAgainst reason_against;
-    Frame (*draw)(const Lumigraph& lumigraph, const Eye& eye);
+    /// Whether it draws on geometry that its paper is given: what all depth comes to at the eye.
+    bool draws_on_eye_depths;
+    /// `known` is that of depths_for.
+    Frame (*draw)(const Lumigraph& lumigraph, const Eye& eye, const EyeDepths& known);
 };
 
 /// A rival that draws from pictures in an arrangement of its own: the photographs are resampled
@@ -28,9 +32,16 @@ struct ResampledRival {
 /// Unstructured lumigraph, view-dependent texture, forward warping.
 [[nodiscard]] const std::vector<PlainRival>& plain_rivals();
 
-/// Two-plane, with about as many pictures as there are photographs: one slab where one plane can
-/// stand between all cameras and the scene, else six. Spherical, where none can. Pictures are
-/// square and have about as many pixels as a photograph.
+/// The geometry that such a rival draws on (eye_depths.h), whose finding is no part of its paper;
+/// empty for one that draws on none.
+[[nodiscard]] EyeDepths depths_for(const PlainRival& rival, const Lumigraph& lumigraph,
+                                   const Eye& eye);
+
+/// Two-plane, with about as many pictures as there are photographs: one slab where all cameras look
+/// to one side of a plane, within a right angle of their mean axis; else six. Spherical where they
+/// do not, with the number of directions that is nearest to the number of photographs. Pictures
+/// have as many pixels as the median photograph and show as much; those of a slab have its shape,
+/// others are square.
 [[nodiscard]] const std::vector<ResampledRival>& resampled_rivals();
 
 }  // namespace lumi

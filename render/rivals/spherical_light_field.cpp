@@ -6,8 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "calib/work/median.h"
-
 namespace lumi {
 namespace {
 
@@ -73,17 +71,16 @@ Rigid3 looking_along(const Eigen::Vector3d& from, const Eigen::Vector3d& directi
     return pose;
 }
 
-/// Half of what the median photograph shows at the scene's centre.
-double scene_radius(const Lumigraph& source) {
-    std::vector<double> radii;
-    for (const LumigraphView& view : source.views)
-        radii.push_back(0.5 * view.camera.height_px *
-                        (view.cam_from_world * source.mesh.scene_centre_in_world).norm() /
-                        focal_length_px(view.camera).mean());
-    return median_of(std::move(radii));
-}
-
 }  // namespace
+
+int subdivisions_for(std::size_t pictures) {
+    const auto off = [&](int subdivisions) {
+        return std::abs(10.0 * std::pow(4.0, subdivisions) + 2 - static_cast<double>(pictures));
+    };
+    int best = 0;
+    while (off(best + 1) < off(best)) ++best;
+    return best;
+}
 
 LightFieldLayout spherical_light_field(const Lumigraph& source, const SphericalOptions& options) {
     Sphere sphere = icosahedron();
@@ -92,7 +89,8 @@ LightFieldLayout spherical_light_field(const Lumigraph& source, const SphericalO
     layout.mesh.construction = MeshConstruction::kClosed;
     const Eigen::Vector3d centre = source.mesh.scene_centre_in_world;
     layout.mesh.scene_centre_in_world = centre;
-    const double radius = scene_radius(source);
+    const Eigen::Vector2d half_size = seen_half_size(source);
+    const double radius = std::sqrt(half_size.x() * half_size.y());
     const Camera camera =
         pinhole_camera(options.size_px, options.size_px, 0.5 * kDistanceInRadii * options.size_px);
     for (const Eigen::Vector3d& direction : sphere.corners) {

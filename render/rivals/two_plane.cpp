@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace lumi {
 namespace {
@@ -12,16 +14,33 @@ struct PlaneFrame {
     Eigen::Vector3d scene_centre_in_world;
 };
 
-/// The view through `eye_in_world` whose picture is the square of half width `half` around the
-/// scene's centre on the plane through it.
-Eye sheared_view(const PlaneFrame& plane, const Eigen::Vector3d& eye_in_world, double half,
-                 int size_px) {
+/// The pictures of a plane's eye points: what they show of the parallel plane through the scene's
+/// centre, around it.
+struct SharedRectangle {
+    Eigen::Vector2d half_size;
+    int width_px = 0;
+    int height_px = 0;
+};
+
+/// As large, and with as many pixels.
+SharedRectangle as_square(const SharedRectangle& rectangle) {
+    const double half = std::sqrt(rectangle.half_size.x() * rectangle.half_size.y());
+    const auto side_px = static_cast<int>(
+        std::lround(std::sqrt(static_cast<double>(rectangle.width_px) * rectangle.height_px)));
+    return {{half, half}, side_px, side_px};
+}
+
+/// The view through `eye_in_world` whose picture is the rectangle.
+Eye sheared_view(const PlaneFrame& plane, const Eigen::Vector3d& eye_in_world,
+                 const SharedRectangle& picture) {
     const Eigen::Vector3d to_centre =
         plane.plane_from_world * (plane.scene_centre_in_world - eye_in_world);
-    const double focal_px = 0.5 * size_px * to_centre.z() / half;
-    Camera camera = pinhole_camera(size_px, size_px, focal_px);
-    camera.parameters[2] = 0.5 * size_px - focal_px * to_centre.x() / to_centre.z();
-    camera.parameters[3] = 0.5 * size_px - focal_px * to_centre.y() / to_centre.z();
+    const Eigen::Vector2d half_px(0.5 * picture.width_px, 0.5 * picture.height_px);
+    const Eigen::Vector2d focal_px = to_centre.z() * half_px.cwiseQuotient(picture.half_size);
+    const Eigen::Vector2d centre_px =
+        half_px - focal_px.cwiseProduct(to_centre.head<2>()) / to_centre.z();
+    Camera camera = pinhole_camera(picture.width_px, picture.height_px, focal_px.x());
+    camera.parameters = {focal_px.x(), focal_px.y(), centre_px.x(), centre_px.y()};
     Rigid3 cam_from_world;
     cam_from_world.rotation = Eigen::Quaterniond(plane.plane_from_world);
     cam_from_world.translation = -(cam_from_world.rotation * eye_in_world);
@@ -35,15 +54,23 @@ std::vector<Eigen::Vector3d> centres_of(const Lumigraph& source) {
     return centres;
 }
 
-/// Half the width that all photographs show at the scene's centre, at most.
-double seen_half_width(const Lumigraph& source) {
-    double half = 0;
+/// The plane across the mean of the cameras' axes.
+PlaneFrame plane_of(const Lumigraph& source) {
+    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+    Eigen::Vector3d down = Eigen::Vector3d::Zero();
     for (const LumigraphView& view : source.views) {
-        const Eigen::Vector3d centre = view.cam_from_world * source.mesh.scene_centre_in_world;
-        half = std::max(
-            half, 0.5 * view.camera.width_px * centre.z() / focal_length_px(view.camera).mean());
+        axis += view.cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitZ();
+        down += view.cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitY();
     }
-    return half;
+    return {rotation_with_axis(axis.normalized(), down), source.mesh.scene_centre_in_world};
+}
+
+Eigen::AlignedBox3d extent_on(const PlaneFrame& plane,
+                              const std::vector<Eigen::Vector3d>& centres_in_world) {
+    Eigen::AlignedBox3d extent;
+    for (const Eigen::Vector3d& centre : centres_in_world)
+        extent.extend((plane.plane_from_world * centre).eval());
+    return extent;
 }
 
 /// Two triangles a square; seen from outside they turn counter-clockwise.
@@ -60,26 +87,37 @@ void append_square(CameraMesh& mesh, int a, int b, int c, int d) {
 
 }  // namespace
 
+TwoPlaneOptions with_even_grid(const Lumigraph& source, std::size_t pictures,
+                               TwoPlaneOptions options) {
+    const Eigen::Vector3d size = extent_on(plane_of(source), centres_of(source)).sizes();
+    const double least_size = 1e-9 * size.maxCoeff();
+    const double width = std::max(least_size, size.x());
+    const double height = std::max(least_size, size.y());
+    const auto wanted = std::max(4.0, static_cast<double>(pictures));
+    double least = std::numeric_limits<double>::infinity();
+    for (int columns = 2; 2 * columns <= wanted; ++columns) {
+        const int rows = std::max(2, static_cast<int>(std::lround(wanted / columns)));
+        const double unevenness = std::abs(std::log(width / (columns - 1) / (height / (rows - 1))));
+        const double cost = unevenness + std::abs(std::log(columns * rows / wanted));
+        if (cost >= least) continue;
+        least = cost;
+        options.columns = columns;
+        options.rows = rows;
+    }
+    return options;
+}
+
 LightFieldLayout two_plane_slab(const Lumigraph& source, const TwoPlaneOptions& options) {
     const std::vector<Eigen::Vector3d> centres = centres_of(source);
-    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-    Eigen::Vector3d down = Eigen::Vector3d::Zero();
-    for (const LumigraphView& view : source.views) {
-        axis += view.cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitZ();
-        down += view.cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitY();
-    }
-    const PlaneFrame plane{rotation_with_axis(axis.normalized(), down),
-                           source.mesh.scene_centre_in_world};
-    Eigen::AlignedBox3d extent;
+    const PlaneFrame plane = plane_of(source);
+    const Eigen::AlignedBox3d extent = extent_on(plane, centres);
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& centre : centres) {
-        extent.extend((plane.plane_from_world * centre).eval());
+    for (const Eigen::Vector3d& centre : centres)
         mean += plane.plane_from_world * centre / static_cast<double>(centres.size());
-    }
     LightFieldLayout layout;
     layout.mesh.construction = MeshConstruction::kOpen;
     layout.mesh.scene_centre_in_world = plane.scene_centre_in_world;
-    const double half = seen_half_width(source);
+    const SharedRectangle picture{seen_half_size(source), options.width_px, options.height_px};
     for (int row = 0; row < options.rows; ++row) {
         for (int column = 0; column < options.columns; ++column) {
             const Eigen::Vector3d share(static_cast<double>(column) / (options.columns - 1),
@@ -89,7 +127,7 @@ LightFieldLayout two_plane_slab(const Lumigraph& source, const TwoPlaneOptions& 
             const Eigen::Vector3d eye_in_world = plane.plane_from_world.transpose() * at;
             layout.mesh.vertices.push_back(
                 {eye_in_world, static_cast<int>(layout.mesh.vertices.size())});
-            layout.eyes.push_back(sheared_view(plane, eye_in_world, half, options.size_px));
+            layout.eyes.push_back(sheared_view(plane, eye_in_world, picture));
             if (row == 0 || column == 0) continue;
             const int here = static_cast<int>(layout.mesh.vertices.size()) - 1;
             append_square(layout.mesh, here, here - 1, here - 1 - options.columns,
@@ -107,7 +145,8 @@ LightFieldLayout two_plane_cube(const Lumigraph& source, const TwoPlaneOptions& 
     double distance = 0;
     for (const Eigen::Vector3d& at : centres_of(source))
         distance += (at - centre).norm() / static_cast<double>(source.views.size());
-    const double half = seen_half_width(source);
+    const SharedRectangle picture =
+        as_square({seen_half_size(source), options.width_px, options.height_px});
     const int last = options.columns - 1;
     for (int side = 0; side < 6; ++side) {
         const int axis = side / 2;
@@ -124,7 +163,7 @@ LightFieldLayout two_plane_cube(const Lumigraph& source, const TwoPlaneOptions& 
                                                         (outwards + (2.0 * column / last - 1) * u +
                                                          (2.0 * row / last - 1) * v);
                 layout.mesh.vertices.push_back({at, static_cast<int>(layout.mesh.vertices.size())});
-                layout.eyes.push_back(sheared_view(plane, at, half, options.size_px));
+                layout.eyes.push_back(sheared_view(plane, at, picture));
                 if (row == 0 || column == 0) continue;
                 const int here = first + row * options.columns + column;
                 append_square(layout.mesh, here, here - 1, here - 1 - options.columns,

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -32,8 +33,11 @@ TEST(BenchCommands, DepthIsAskedForItsStabilityOrOnWorkspaces) {
 }
 
 TEST(BenchCommands, MeasuresTheRivalsOnAPaperScene) {
+    const ScratchFolder scratch;
     const Outcome outcome = lumi(
-        "bench-rivals --json --scene coke --size 64 --frames 2 --held-out 2 --flicker-frames 2");
+        "bench-rivals --json --scene coke --size 64 --frames 2 --held-out 2 --flicker-frames 2 "
+        "--out " +
+        quoted(scratch.path()));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
     const Json scene = Json::parse(outcome.out).at("scenes").at(0);
     EXPECT_EQ(scene.at("photographs"), 33);
@@ -47,6 +51,28 @@ TEST(BenchCommands, MeasuresTheRivalsOnAPaperScene) {
     // What depth is worth, and what resampling costs.
     EXPECT_GT(covered_db["perpixel"], covered_db["lightfield"] + 3);
     EXPECT_GT(covered_db["adaptive"], covered_db["two-plane adaptive"]);
+    // All on the same pixels, each frame by itself.
+    const auto common = scene.at("common_share").get<double>();
+    EXPECT_GT(common, 0.3);
+    for (const Json& rival : scene.at("rivals")) {
+        const auto method = rival.at("method").get<std::string>();
+        ASSERT_EQ(rival.at("frames").size(), 2U) << method;
+        EXPECT_NEAR(rival.at("psnr_common_db").get<double>(),
+                    (rival.at("frames").at(0).at("psnr_common_db").get<double>() +
+                     rival.at("frames").at(1).at("psnr_common_db").get<double>()) /
+                        2,
+                    1e-9)
+            << method;
+        if (method != "lightfield" && method != "heigl" && !method.ends_with(" lightfield")) {
+            EXPECT_GE(rival.at("coverage").get<double>(), common) << method;
+        }
+        EXPECT_EQ(rival.at("resampling_cpu_s").is_null(), !method.starts_with("two-plane"));
+        EXPECT_EQ(rival.at("depth_cpu_ms").is_null(),
+                  method != "unstructured lumigraph" && method != "view-dependent texture");
+    }
+    const std::string csv = read_whole_text(scratch / "rivals.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'),
+              static_cast<long>(1 + 3 * scene.at("rivals").size()));
     EXPECT_EQ(lumi("bench-rivals --scene pepsi").exit_code, 2);
 }
 

@@ -136,6 +136,11 @@ TEST_F(DrawnPackage, IsDrawnByTheMethodsOfOthersBesideLumis) {
             << method;
     }
     EXPECT_TRUE(rivals.at("left_out").contains("spherical"));
+    // Modes and methods on the same pixels.
+    const Json& common = rivals.at("common_pixels");
+    EXPECT_GT(common.at("share").get<double>(), 0.2);
+    for (const char* method : {"adaptive", "heigl", "forward warping", "unstructured lumigraph"})
+        EXPECT_GT(common.at("psnr_db").at(method).get<double>(), 10.0) << method;
     EXPECT_TRUE(
         fs::exists(*folder_ / "work" / "evaluation" / "IMG_0005.unstructured-lumigraph.png"));
     const std::string report = read_whole_text(*folder_ / "work" / "report.html");

@@ -297,8 +297,9 @@ TEST_F(HeldOutEvaluation, RivalsDrawTheSamePhotographsAndAreKept) {
     std::set<std::string> kept;
     const RivalEvaluation rivals = evaluate_rivals(
         exact_lumigraph(*scene_, mesh()), posed(scratch, {middle}), {}, 1,
-        [&](const std::string& method, const JudgedView& view) {
+        [&](const std::string& method, bool draws_from_depth, const JudgedView& view) {
             kept.insert(method);
+            EXPECT_EQ(draws_from_depth, method != "two-plane lightfield") << method;
             EXPECT_EQ(view.rendering.color.width(), 160) << method;
         },
         progress);
@@ -327,7 +328,7 @@ TEST_F(HeldOutEvaluation, RivalsWithoutWhatTheyNeedAreLeftOutByName) {
     Lumigraph lumigraph = exact_lumigraph(*scene_, mesh());
     for (LumigraphView& view : lumigraph.views) view.depth = {};
     const RivalEvaluation rivals = evaluate_rivals(
-        lumigraph, posed(scratch, {0}), {}, 1, [](const std::string&, const JudgedView&) {},
+        lumigraph, posed(scratch, {0}), {}, 1, [](const std::string&, bool, const JudgedView&) {},
         progress);
     std::map<std::string, std::string> reasons;
     for (const RivalLeftOut& rival : rivals.left_out) reasons[rival.method] = rival.reason;
@@ -341,12 +342,15 @@ TEST(EvaluationFile, OfRivalsConformsToItsSchemaAndIsCompared) {
     evaluation.modes = {{RenderMode::kPerPixel, {ViewScore{.name = "x"}}, {}, {}}};
     EXPECT_TRUE(evaluation_json(evaluation).at("rivals").is_null());
     evaluation.rivals = RivalEvaluation{{{"forward warping", {ViewScore{.name = "x"}}, 0.0}},
-                                        {{"spherical", "not all around"}}};
+                                        {{"spherical", "not all around"}},
+                                        CommonPixelScores{0.5, {{"perpixel", 30.0}, {"none", {}}}}};
     const Json json = evaluation_json(evaluation);
     const Json schema = Json::parse(read_whole_text(std::string(LUMI_SOURCE_DIR) +
                                                     "/pipeline/evaluate/evaluation.schema.json"));
     expect_conforms(json, schema, schema, "");
     EXPECT_EQ(json.at("rivals").at("left_out").at("spherical"), "not all around");
+    EXPECT_EQ(json.at("rivals").at("common_pixels").at("psnr_db").at("perpixel"), 30.0);
+    EXPECT_TRUE(json.at("rivals").at("common_pixels").at("psnr_db").at("none").is_null());
     const auto comparisons = compare_evaluations(json, json);
     ASSERT_EQ(comparisons.size(), 2U);
     EXPECT_EQ(comparisons[0].mode, "forward warping");

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "render/rivals/spherical_light_field.h"
 #include "tests/render/analytic_scene.h"
 
 namespace lumi {
@@ -38,12 +40,41 @@ TEST(RivalMethods, TwoPlaneIsOneSlabBeforeAWallAndSixAroundABall) {
     EXPECT_EQ(two_plane.layout(ball).eyes.size(), 6U * 4U) << "the least grid on each side";
 }
 
-TEST(RivalMethods, PicturesAreSquareWithThePixelsOfAPhotograph) {
-    // Of 64 x 48: the square of 55.4.
+TEST(RivalMethods, PicturesOfASlabAreLikeThePhotographsAndOthersSquareWithTheirPixels) {
     for (const Eye& eye : rival_named("two-plane").layout(card_before_wall()).eyes) {
-        EXPECT_EQ(eye.camera.width_px, 55);
-        EXPECT_EQ(eye.camera.height_px, 55);
+        EXPECT_EQ(eye.camera.width_px, 64);
+        EXPECT_EQ(eye.camera.height_px, 48);
     }
+    const Lumigraph ball = ball_in_sky();
+    const Camera& photograph = ball.views[0].camera;
+    const double side_px =
+        std::sqrt(static_cast<double>(photograph.width_px) * photograph.height_px);
+    for (const char* name : {"two-plane", "spherical"}) {
+        for (const Eye& eye : rival_named(name).layout(ball).eyes) {
+            EXPECT_EQ(eye.camera.width_px, std::lround(side_px)) << name;
+            EXPECT_EQ(eye.camera.height_px, std::lround(side_px)) << name;
+        }
+    }
+}
+
+TEST(RivalMethods, TwoPlaneStandsAsManyEyePointsInRowsAsTheCamerasReach) {
+    std::vector<Eye> cameras;
+    for (int column = 0; column < 11; ++column)
+        for (int row = 0; row < 3; ++row)
+            cameras.push_back(eye_at({0.2 * column - 1, 0.2 * row - 0.2, 0}, {0, 0, 4},
+                                     pinhole_camera(64, 48, 60)));
+    const LightFieldLayout slab =
+        rival_named("two-plane").layout(photographed(AnalyticScene::kCardBeforeWall, cameras));
+    ASSERT_EQ(slab.eyes.size(), 33U);
+    const auto at = [&](std::size_t i) { return centre_in_world(slab.eyes[i].cam_from_world); };
+    const double column_step = (at(1) - at(0)).norm();
+    EXPECT_NEAR((at(11) - at(0)).norm(), column_step, 0.02 * column_step);
+}
+
+TEST(RivalMethods, SphericalHasTheNumberOfDirectionsNearestToThatOfPhotographs) {
+    EXPECT_EQ(rival_named("spherical").layout(ball_in_sky()).eyes.size(), 12U);
+    EXPECT_EQ(subdivisions_for(30), 1);
+    EXPECT_EQ(subdivisions_for(107), 2) << "162 is nearer than 42";
 }
 
 TEST(RivalMethods, SphericalWantsCamerasAllAround) {

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lumi {
+
+/// One frame of a method beside the photograph that was held out.
+struct RivalFrameFigures {
+    double psnr_db = 0.0;                   ///< All pixels (RivalFigures::psnr_db).
+    double psnr_as_drawn_db = 0.0;          ///< All pixels (RivalFigures::psnr_as_drawn_db).
+    std::optional<double> psnr_covered_db;  ///< Over what the method covers; empty: nothing.
+    std::optional<double> psnr_common_db;   ///< Over what all methods with depth cover.
+    double coverage = 0.0;
+};
+
+/// One way of drawing one of the scenes.
+struct RivalFigures {
+    std::string method;
+    std::string settings;
+    int pictures = 0;  ///< That are drawn from: photographs, or those they were resampled to.
+    double triangles = 0.0;
+    std::optional<double> cpu_ms;   ///< Median CPU time of a frame.
+    std::optional<double> wall_ms;  ///< The same by the clock: what frames a second are counted by.
+    /// Of the CPU time, what finding the depth at the eye takes, which papers take for given: of
+    /// methods in plain code that draw on it.
+    std::optional<double> depth_cpu_ms;
+    /// To a full-screen blend of three textures; empty for plain code, on one core.
+    std::optional<double> cpu_ratio;
+    /// Before the first frame; empty where photographs are drawn from.
+    std::optional<double> resampling_cpu_s;
+    /// Mean over held-out photographs, all pixels. What a method does not cover has the colours of
+    /// its surroundings (surroundings.h), the same for all methods.
+    double psnr_db = 0.0;
+    /// The same of frames as they are drawn: lumi's modes guess what they do not cover, by depth
+    /// that is stretched and by surroundings; other methods leave it black.
+    double psnr_as_drawn_db = 0.0;
+    /// Over what the method covers; of the frames of which it covers anything, so many.
+    std::optional<double> psnr_covered_db;
+    int covered_frames = 0;
+    /// Over what all methods that draw from depth cover: the same pixels for all of them.
+    std::optional<double> psnr_common_db;
+    double coverage = 0.0;
+    /// Share of pixels that show another surface: off by more than a fifth of the range, and not
+    /// within two pixels of a silhouette.
+    double wrong_layer_share = 0.0;
+    /// Of these, where some photograph shows the surface that is there (shown_pixels.h): what a
+    /// method gets wrong, not what nobody can know.
+    double avoidable_wrong_layer_share = 0.0;
+    /// Mean absolute difference between the change from frame to frame and the true change, in
+    /// steps of 1/255, over all pixels as in psnr_db.
+    std::optional<double> flicker;
+    std::vector<RivalFrameFigures> frames;  ///< Of each held-out photograph.
+};
+
+}  // namespace lumi

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pipeline/bench/rival_figures.h"
+#include "pipeline/bench/rival_scenes.h"
+#include "pipeline/evaluate/common_pixels.h"
+
+namespace lumi {
+
+/// Draws one frame by some method.
+using DrawFrame = std::function<Frame(const Eye&)>;
+
+/// Which method draws, from what.
+struct RivalMethod {
+    std::string method;
+    std::string settings;
+    int pictures = 0;
+    bool draws_from_depth = false;
+};
+
+/// Measures the pictures that several methods draw of one capture, all on the same pixels.
+class RivalMeasurement {
+ public:
+    /// `capture` outlives this.
+    explicit RivalMeasurement(const RivalCapture& capture);
+
+    /// The figures of a method's pictures, but for those of common pixels, and no times.
+    [[nodiscard]] RivalFigures measured(const RivalMethod& method, const DrawFrame& draw);
+
+    /// Fills in what is measured on the pixels that all methods cover: those of `rivals`, which are
+    /// all that were measured.
+    void measure_common_pixels(std::vector<RivalFigures>& rivals) const;
+    [[nodiscard]] double common_share() const { return common_.share(); }
+
+ private:
+    [[nodiscard]] double flicker_of(const DrawFrame& draw) const;
+
+    const RivalCapture& capture_;
+    std::vector<ColorImage> held_out_surroundings_;
+    std::vector<ColorImage> path_surroundings_;
+    CommonPixels common_;
+};
+
+}  // namespace lumi

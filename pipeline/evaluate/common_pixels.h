@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "render/frame/frame.h"
+
+namespace lumi {
+
+/// Frames that several methods draw of the same views, judged on the same pixels: those that every
+/// method covers that draws from depth. Each method's own coverage is no ground to compare them on:
+/// whoever leaves out what is difficult would be ahead. Methods without depth cover what they know
+/// nothing of, and have no say.
+class CommonPixels {
+ public:
+    /// One frame of a method and what should be seen in it.
+    void add(const std::string& method, bool draws_from_depth, const std::string& view,
+             const ColorImage& truth, const Frame& frame);
+
+    /// Of a method's frame; empty where there is no such pixel. The frame was added.
+    [[nodiscard]] std::optional<double> psnr_db(const std::string& method,
+                                                const std::string& view) const;
+    /// The mean over the views that have such pixels.
+    [[nodiscard]] std::optional<double> mean_psnr_db(const std::string& method) const;
+    /// Of all pixels of all views, the mean over views.
+    [[nodiscard]] double share() const;
+
+ private:
+    struct View {
+        ColorImage truth;
+        GrayImage common;
+        std::map<std::string, ColorImage> drawn;
+    };
+    std::map<std::string, View> views_;
+};
+
+/// Whether a mode draws from depth where a Lumigraph has any.
+[[nodiscard]] bool draws_from_depth(RenderMode mode);
+
+/// The frame with other colours where it knows nothing, so that all methods show the same there.
+[[nodiscard]] Frame filled(Frame frame, const ColorImage& surroundings);
+
+}  // namespace lumi
