@@ -71,6 +71,8 @@ std::vector<NamedOptions> settings_of_free_form(const std::vector<std::size_t>& 
     for (const double min_px : {24.0, 12.0, 6.0})
         all.push_back({"triangles >= " + std::to_string(static_cast<int>(min_px)) + " px",
                        {.mode = RenderMode::kPaper2001, .min_triangle_px = min_px}});
+    all.push_back({"triangles >= 6 px, depths within 0.5 %",
+                   {.mode = RenderMode::kPaper2001, .depth_threshold_share = 0.005}});
     return all;
 }
 

@@ -6,6 +6,7 @@
 
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "pipeline/bench/shown_pixels.h"
+#include "pipeline/evaluate/asked_efforts.h"
 #include "pipeline/synth/photographer.h"
 #include "pipeline/synth/scene_description.h"
 #include "pipeline/synth/synthesize.h"
@@ -189,6 +190,7 @@ RivalCapture rival_capture(const std::string& name, const RivalCaptureOptions& o
     lumigraph.near_depth = 1 / inverse_depth_at(taken.depths, 0.99);
     lumigraph.far_depth = 1 / inverse_depth_at(taken.depths, 0.01);
     make_depth_meshes(lumigraph, 0, progress);
+    choose(asked_drawing_efforts(lumigraph, kept, {}, {}, progress), lumigraph.drawing);
     for (TrueFrame& frame : result.held_out)
         frame.shown = shown_pixels(frame.depth, frame.eye, lumigraph.views);
     for (int i = 0; i < options.path_frames; ++i)
