@@ -97,7 +97,7 @@ std::vector<RivalFigures> measured_modes(const std::string& prefix, const Lumigr
         progress.throw_if_interrupted();
         RivalFigures figures = measurement.measured(
             {prefix + name_of(options[i].mode), modes[i].settings,
-             static_cast<int>(lumigraph.views.size()), draws_from_depth(options[i].mode)},
+             static_cast<int>(lumigraph.views.size()), covers_by_depth(options[i].mode)},
             [&](const Eye& eye) { return renderer.draw(eye, options[i]); });
         figures.triangles = timing.modes[i].triangles;
         figures.cpu_ms = timing.modes[i].cost.cpu_ms;

@@ -91,7 +91,7 @@ RivalFigures RivalMeasurement::measured(const RivalMethod& method, const DrawFra
         const TrueFrame& truth = capture_.held_out[i];
         const Frame as_drawn = draw(truth.eye);
         const Frame drawn = filled(as_drawn, held_out_surroundings_[i]);
-        common_.add(key_of(method.method, method.settings), method.draws_from_depth,
+        common_.add(key_of(method.method, method.settings), method.covers_by_depth,
                     std::to_string(i), truth.picture, drawn);
         const RivalFrameFigures frame{psnr_db(drawn.color, truth.picture),
                                       psnr_db(as_drawn.color, truth.picture),

@@ -18,7 +18,7 @@ struct RivalMethod {
     std::string method;
     std::string settings;
     int pictures = 0;
-    bool draws_from_depth = false;
+    bool covers_by_depth = false;
 };
 
 /// Measures the pictures that several methods draw of one capture, all on the same pixels.

@@ -9,13 +9,13 @@
 namespace lumi {
 
 /// Frames that several methods draw of the same views, judged on the same pixels: those that every
-/// method covers that draws from depth. Each method's own coverage is no ground to compare them on:
-/// whoever leaves out what is difficult would be ahead. Methods without depth cover what they know
-/// nothing of, and have no say.
+/// method covers of which depth decides that. Each method's own coverage is no ground to compare
+/// them on: whoever leaves out what is difficult would be ahead. Methods without depth cover what
+/// they know nothing of, and have no say.
 class CommonPixels {
  public:
     /// One frame of a method and what should be seen in it.
-    void add(const std::string& method, bool draws_from_depth, const std::string& view,
+    void add(const std::string& method, bool covers_by_depth, const std::string& view,
              const ColorImage& truth, const Frame& frame);
 
     /// Of a method's frame; empty where there is no such pixel. The frame was added.
@@ -35,8 +35,9 @@ class CommonPixels {
     std::map<std::string, View> views_;
 };
 
-/// Whether a mode draws from depth where a Lumigraph has any.
-[[nodiscard]] bool draws_from_depth(RenderMode mode);
+/// Whether depth decides what a mode covers, where a Lumigraph has any: of `heigl` its triangles
+/// do.
+[[nodiscard]] bool covers_by_depth(RenderMode mode);
 
 /// The frame with other colours where it knows nothing, so that all methods show the same there.
 [[nodiscard]] Frame filled(Frame frame, const ColorImage& surroundings);

@@ -140,7 +140,7 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
             write_pictures(folder.staging(), names, mode, view);
             if (!common) return;
             const RenderMode drawn = possible_options({.mode = mode}, lumigraph.has_depth()).mode;
-            common->add(name_of(mode), draws_from_depth(drawn), view.score.name, view.photograph,
+            common->add(name_of(mode), covers_by_depth(drawn), view.score.name, view.photograph,
                         view.rendering);
         },
         progress);

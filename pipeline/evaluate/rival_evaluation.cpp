@@ -65,7 +65,7 @@ class RivalJudge {
         OffscreenRenderer renderer(pictures);
         for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kAdaptive}) {
             const bool by_depth =
-                draws_from_depth(possible_options({.mode = mode}, pictures.has_depth()).mode);
+                covers_by_depth(possible_options({.mode = mode}, pictures.has_depth()).mode);
             judge_views(rival.name + ' ' + name_of(mode), by_depth, cpu_s,
                         [&](const Eye& eye, Frame& frame) {
                             frame = renderer.draw(eye, {.mode = mode});

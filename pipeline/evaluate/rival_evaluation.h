@@ -43,7 +43,7 @@ struct RivalEvaluation {
 
 /// Called once per method and view, in order, with what is to be kept of it.
 using JudgedRivalSink =
-    std::function<void(const std::string& method, bool draws_from_depth, const JudgedView& view)>;
+    std::function<void(const std::string& method, bool covers_by_depth, const JudgedView& view)>;
 
 /// Draws every view of `held_out` from the Lumigraph by the methods that the paper is compared with
 /// (render/rivals/rival_methods.h), as evaluate_held_out does in lumi's modes. Plain code draws

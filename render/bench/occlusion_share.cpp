@@ -8,10 +8,7 @@
 
 namespace lumi {
 
-bool corrects_occlusion(RenderMode mode) {
-    return mode == RenderMode::kPaper2001 || mode == RenderMode::kAdaptive ||
-           mode == RenderMode::kPerPixel;
-}
+bool corrects_occlusion(RenderMode mode) { return mode != RenderMode::kLightField; }
 
 double median_share_saved(const std::vector<double>& with_ms,
                           const std::vector<double>& without_ms) {

@@ -297,9 +297,9 @@ TEST_F(HeldOutEvaluation, RivalsDrawTheSamePhotographsAndAreKept) {
     std::set<std::string> kept;
     const RivalEvaluation rivals = evaluate_rivals(
         exact_lumigraph(*scene_, mesh()), posed(scratch, {middle}), {}, 1,
-        [&](const std::string& method, bool draws_from_depth, const JudgedView& view) {
+        [&](const std::string& method, bool covers_by_depth, const JudgedView& view) {
             kept.insert(method);
-            EXPECT_EQ(draws_from_depth, method != "two-plane lightfield") << method;
+            EXPECT_EQ(covers_by_depth, method != "two-plane lightfield") << method;
             EXPECT_EQ(view.rendering.color.width(), 160) << method;
         },
         progress);
