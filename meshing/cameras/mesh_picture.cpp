@@ -1,6 +1,5 @@
 #include "meshing/cameras/mesh_picture.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <map>
@@ -9,6 +8,7 @@
 #include "calib/work/formatted.h"
 #include "calib/work/median.h"
 #include "calib/work/svg_escaped.h"
+#include "meshing/cameras/written_names.h"
 
 namespace lumi {
 namespace {
@@ -45,27 +45,6 @@ struct Panel {
         const Eigen::Vector2d frame_middle(left + kPanelWidth / 2, kHeadline + kPanelHeight / 2);
         return frame_middle + scale * (flat(point) - middle);
     }
-};
-
-/// Where names stand: two over one another can neither be read.
-class WrittenNames {
- public:
-    /// True where a name that begins at `at` meets none that was written; then it counts as
-    /// written.
-    [[nodiscard]] bool claim(const Eigen::Vector2d& at, const std::string& name) {
-        // Of the font's size; usual names are narrower.
-        constexpr double kLetterWidth = 0.6 * kNameSize;
-        const Eigen::Vector2d size(kLetterWidth * static_cast<double>(name.size()), kNameSize);
-        const Eigen::AlignedBox2d box(at - Eigen::Vector2d(0, size.y()),
-                                      at + Eigen::Vector2d(size.x(), 0));
-        const bool is_free = std::none_of(boxes_.begin(), boxes_.end(),
-                                          [&](const auto& other) { return box.intersects(other); });
-        if (is_free) boxes_.push_back(box);
-        return is_free;
-    }
-
- private:
-    std::vector<Eigen::AlignedBox2d> boxes_;
 };
 
 /// What is drawn, in the world.
@@ -208,7 +187,7 @@ void draw_cameras(std::string& svg, const Panel& panel, const Drawing& drawing) 
     for (const CameraMesh& shell : drawing.mesh.shells) {
         for (const CameraMesh::Vertex& vertex : shell.vertices) kept.insert(vertex.view_index);
     }
-    WrittenNames names;
+    WrittenNames names(kNameSize);
     const std::size_t name_every = 1 + (drawing.view_indices.size() - 1) / kMaxNames;
     for (std::size_t i = 0; i < drawing.view_indices.size(); ++i) {
         const int index = drawing.view_indices[i];

@@ -26,6 +26,17 @@ Eye some_eye() {
             {Eigen::Quaterniond(turn), Eigen::Vector3d(0.1, -0.2, 1.0 / 3)}};
 }
 
+/// What reading such a text ends in.
+std::string said_of_file(const std::filesystem::path& file, const std::string& text) {
+    write_whole_text(file, text);
+    try {
+        (void)read_eye_file(file);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
 TEST(EyeFile, TellsWhatTheWindowWroteBesideAScreenshot) {
     const ScratchFolder scratch;
     const Frame frame{ColorImage(4, 3), GrayImage(4, 3, 255), {}};
@@ -62,13 +73,7 @@ TEST(EyeFile, MayBeAnEyeAlone) {
 TEST(EyeFile, WhatIsNoJsonIsSaidWithItsPlaceAndWithoutTheParsersNames) {
     const ScratchFolder scratch;
     const auto said_of = [&](const std::string& text) -> std::string {
-        write_whole_text(scratch / "eye.json", text);
-        try {
-            (void)read_eye_file(scratch / "eye.json");
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "accepted";
+        return said_of_file(scratch / "eye.json", text);
     };
     const std::string file = (scratch / "eye.json").string();
     EXPECT_THAT(said_of("{\n  \"camera\": 3,\n}"), StartsWith(file + ":3:1: unexpected '}'"));
@@ -83,13 +88,7 @@ TEST(EyeFile, NumbersAreAsManyAndAsWholeAsTheyMustBe) {
     const auto said_of = [&](const std::string& right, const std::string& wrong) -> std::string {
         std::string text = "{" + kEyeAlone + "}";
         text.replace(text.find(right), right.size(), wrong);
-        write_whole_text(scratch / "eye.json", text);
-        try {
-            (void)read_eye_file(scratch / "eye.json");
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "accepted";
+        return said_of_file(scratch / "eye.json", text);
     };
     EXPECT_EQ(said_of("[1, 2, 3]", "[1, 2, 3]"), "accepted");
     for (const std::string wrong : {"[1, 2]", "[1, 2, 3, 4]"})

@@ -237,14 +237,19 @@ TEST_F(LongLivedWindow, WritesThePathThatIsRecordedWhenItIsClosed) {
     EXPECT_TRUE(fs::exists("lumi-path-0001.json"));
 }
 
-TEST_F(LongLivedWindow, WritesThePathThatIsRecordedWhenItEndsInAnError) {
+/// A window that ends in an error where a package is dropped on it.
+WindowOptions that_fails_to_load(Progress& progress) {
     WindowOptions options = window_of_320x240();
     options.load = [](const fs::path&, Exposures) -> OpenedPackage {
         throw std::logic_error("a bug");
     };
-    NotedProgress progress;
     options.progress = &progress;
-    ViewerWindow window({shown_box()}, options);
+    return options;
+}
+
+TEST_F(LongLivedWindow, WritesThePathThatIsRecordedWhenItEndsInAnError) {
+    NotedProgress progress;
+    ViewerWindow window({shown_box()}, that_fails_to_load(progress));
     window.state().records_path = true;
     ASSERT_TRUE(window.step());
     WindowInput input;
@@ -257,13 +262,8 @@ TEST_F(LongLivedWindow, WritesThePathThatIsRecordedWhenItEndsInAnError) {
 TEST_F(LongLivedWindow, EndsInItsFirstErrorWhereThePathCannotBeWrittenEither) {
     const fs::path gone = scratch_ / "gone";
     fs::create_directory(gone);
-    WindowOptions options = window_of_320x240();
-    options.load = [](const fs::path&, Exposures) -> OpenedPackage {
-        throw std::logic_error("a bug");
-    };
     NotedProgress progress;
-    options.progress = &progress;
-    ViewerWindow window({shown_box()}, options);
+    ViewerWindow window({shown_box()}, that_fails_to_load(progress));
     window.state().records_path = true;
     ASSERT_TRUE(window.step());
     fs::current_path(gone);
