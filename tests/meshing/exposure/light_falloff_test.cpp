@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "calib/capture/light_left.h"
 #include "meshing/exposure/exposure_gains.h"
 #include "tests/meshing/exposure/exposed_wall.h"
 
@@ -35,6 +36,16 @@ TEST(LightFalloff, IsNoneWhereNothingDarkensCorners) {
     noisy.add_highlights();
     for (const int view : {2, 5}) noisy.expose(view, Eigen::Array3d(0.5, 0.6, 0.5));
     EXPECT_EQ(falloff_of(noisy), 0.0);
+}
+
+// As much as surfaces that shine may seem to take.
+TEST(LightFalloff, IsNoneWhereCornersLoseLittle) {
+    ExposedWall wall(kWallViews);
+    const Camera camera = wall.views().front().camera;
+    const double falloff = -0.3 * 0.05 / (1 - light_left_in_corner(-0.3, camera));
+    EXPECT_NEAR(light_left_in_corner(falloff, camera), 0.95, 0.005);
+    wall.darken_corners(falloff);
+    EXPECT_EQ(falloff_of(wall), 0.0);
 }
 
 TEST(LightFalloff, IsNoneWhereCornersAreBrighter) {
