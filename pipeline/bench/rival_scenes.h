@@ -17,8 +17,8 @@ struct TrueFrame {
     GrayImage shown;   ///< 255: some photograph shows what is there; 0: none does.
 };
 
-/// A Lumigraph of a synthetic scene with exact poses and depth, and what a package of it would have:
-/// depth meshes, and how its own photographs choose that it is drawn.
+/// A Lumigraph of a synthetic scene with exact poses and depth, and what a package of it would
+/// have: depth meshes, and how its own photographs choose that it is drawn.
 struct RivalCapture {
     std::string name;
     std::string paper;
