@@ -13,6 +13,8 @@ struct Rigid3 {
     [[nodiscard]] Eigen::Vector3d operator*(const Eigen::Vector3d& point) const {
         return rotation * point + translation;
     }
+
+    friend bool operator==(const Rigid3&, const Rigid3&) = default;
 };
 
 [[nodiscard]] inline Rigid3 inverse(const Rigid3& b_from_a) {

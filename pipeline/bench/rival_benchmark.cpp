@@ -16,7 +16,6 @@ namespace {
 
 constexpr int kOftener = 4;  // Small differences are timed so many times as often.
 
-/// Plain code, on one core.
 RivalFigures measured_and_timed(const PlainRival& rival, const Lumigraph& lumigraph,
                                 RivalMeasurement& measurement) {
     std::vector<double> depth_cpu_ms;
@@ -32,8 +31,10 @@ RivalFigures measured_and_timed(const PlainRival& rival, const Lumigraph& lumigr
         wall_ms.push_back(1000 * cost.wall_s);
         return frame;
     };
-    RivalFigures figures = measurement.measured(
-        {rival.name, "plain code", static_cast<int>(lumigraph.views.size()), true}, draw);
+    RivalFigures figures =
+        measurement.measured({rival.name, "plain code", static_cast<int>(lumigraph.views.size()),
+                              rival.draws_from_depth},
+                             draw);
     figures.cpu_ms = median_of(std::move(cpu_ms));
     figures.wall_ms = median_of(std::move(wall_ms));
     if (rival.draws_on_eye_depths) figures.depth_cpu_ms = median_of(std::move(depth_cpu_ms));

@@ -7,14 +7,38 @@
 namespace lumi {
 namespace {
 
-void check_focal_depth(const RenderOptions& options) {
-    if (options.focal_depth == 0 || options.mode == RenderMode::kLightField ||
-        options.mode == RenderMode::kHeigl)
+void check_focus(const DrawingRequest& request, RenderMode mode) {
+    if (request.aperture > 0 && mode != RenderMode::kLightField)
+        throw Error(ErrorKind::kUsage, "E-RENDER-FOCAL",
+                    name_of(mode) + " blends three photographs, and has no --aperture",
+                    "leave it out, or use --mode lightfield");
+    if (request.focal_depth == 0 || mode == RenderMode::kLightField || mode == RenderMode::kHeigl)
         return;
     throw Error(ErrorKind::kUsage, "E-RENDER-FOCAL",
-                std::string(name_of(options.mode)) +
-                    " knows how far the scene is, and needs no --focal-depth",
+                name_of(mode) + " knows how far the scene is, and needs no --focal-depth",
                 "leave it out, or use --mode lightfield");
+}
+
+void add_focus_options(CLI::App& command, DrawingRequest& request) {
+    CLI::Option* focal_depth =
+        command
+            .add_option(
+                "--focal-depth", request.focal_depth,
+                "lightfield and heigl: distance of the plane that is sharp, world units; depth is "
+                "not looked at then")
+            ->check(positive_number());
+    command
+        .add_option("--focal-view", request.focal_view,
+                    "The plane stands fixed before this photograph's camera, instead of moving "
+                    "with the eye")
+        ->needs(focal_depth);
+    command
+        .add_option(
+            "--aperture", request.aperture,
+            "lightfield: diameter of a lens that is as wide as several cameras stand apart, "
+            "world units; what lies off the plane blurs, and what stands before it is seen "
+            "through; plain code")
+        ->check(positive_number());
 }
 
 }  // namespace
@@ -27,24 +51,25 @@ void add_drawing_options(CLI::App& command, DrawingRequest& request) {
     command.add_option(
         "--debug", request.debug,
         debug_picture_names() + usual + std::string(name_of(RenderOptions{}.debug_picture)) + ")");
-    command
-        .add_option(
-            "--focal-depth", request.focal_depth,
-            "lightfield and heigl: distance of the plane that is sharp, world units; depth is "
-            "not looked at then")
-        ->check(positive_number());
+    add_focus_options(command, request);
+    CLI::Option* aperture = command.get_option("--aperture");
+    aperture->excludes(command.get_option("--debug"));
     CLI::Option* supersample =
-        command.add_flag("--supersample", request.supersample,
-                         "Four samples a pixel: smooth edges, about four times the work");
+        command
+            .add_flag("--supersample", request.supersample,
+                      "Four samples a pixel: smooth edges, about four times the work")
+            ->excludes(aperture);
     command
         .add_flag("--jagged", request.jagged,
                   "One sample a pixel also where depth is as fine as the frame: silhouettes in "
                   "steps, less work (perpixel)")
         ->excludes(supersample);
-    CLI::Option* fade = command.add_flag(
-        "--fade", request.fade,
-        "Fade to black what lies beyond the capture instead of guessing (perpixel, "
-        "adaptive, lightfield)");
+    CLI::Option* fade =
+        command
+            .add_flag("--fade", request.fade,
+                      "Fade to black what lies beyond the capture instead of guessing (perpixel, "
+                      "adaptive, lightfield)")
+            ->excludes(aperture);
     command
         .add_flag("--no-fade", request.no_fade,
                   "Do not, though the package was built with [render] fade_beyond_capture")
@@ -64,12 +89,11 @@ RenderOptions render_options_of(const DrawingRequest& request, const DrawnAlike&
     options.debug_picture = request.debug ? debug_picture_from(*request.debug)
                                           : eye_file.debug_picture.value_or(options.debug_picture);
     options.correct_occlusion = eye_file.correct_occlusion.value_or(options.correct_occlusion);
-    options.focal_depth = request.focal_depth;
     options.supersample = request.supersample;
     options.smooth_silhouettes = !request.jagged;
     options.guess_surroundings = !request.black_surroundings &&
                                  eye_file.guess_surroundings.value_or(options.guess_surroundings);
-    check_focal_depth(options);
+    check_focus(request, options.mode);
     return options;
 }
 

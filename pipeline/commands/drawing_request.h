@@ -15,6 +15,8 @@ struct DrawingRequest {
     std::optional<std::string> mode;
     std::optional<std::string> debug;
     double focal_depth = 0.0;
+    std::string focal_view;
+    double aperture = 0.0;
     bool supersample = false;
     bool jagged = false;
     bool fade = false;
@@ -27,7 +29,8 @@ void add_drawing_options(CLI::App& command, DrawingRequest& request);
 
 /// What the command line says, else what the eye's file says, else what is usual; whether the
 /// capture fades is then left to the package. Throws Error (E-RENDER-MODE, E-RENDER-DEBUG;
-/// E-RENDER-FOCAL: the mode has no use for a focal depth).
+/// E-RENDER-FOCAL: the mode has no use for a focal depth, or for an aperture). Where the focal
+/// plane stands is not among it: that may take a photograph of the package (frame_drawer.h).
 [[nodiscard]] RenderOptions render_options_of(const DrawingRequest& request,
                                               const DrawnAlike& eye_file);
 /// Whether what lies beyond the capture fades to black; empty: as the package says.

@@ -14,6 +14,7 @@
 #include "pipeline/commands/drawing_request.h"
 #include "pipeline/commands/eye_file.h"
 #include "pipeline/commands/eye_path.h"
+#include "pipeline/commands/frame_drawer.h"
 #include "pipeline/commands/frame_files.h"
 #include "pipeline/commands/number_checks.h"
 #include "pipeline/commands/stereo_pair.h"
@@ -24,8 +25,6 @@
 #include "render/lumigraph/even_exposure.h"
 #include "render/lumigraph/package.h"
 #include "render/paths/photograph_eye.h"
-#include "render/renderer/mode_reference.h"
-#include "render/renderer/offscreen_renderer.h"
 #include "render/viewer/difference_picture.h"
 
 namespace lumi {
@@ -213,20 +212,15 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
     keep_free_memory();
     options.fade_beyond_capture =
         fade_of(request.drawing, at.drawn).value_or(lumigraph.drawing.fade_beyond_capture);
-    std::unique_ptr<OffscreenRenderer> renderer;
-    if (!request.reference) renderer = std::make_unique<OffscreenRenderer>(lumigraph);
-    const Draw draw = [&](const Eye& eye) {
-        return renderer ? renderer->draw(eye, options)
-                        : draw_mode_reference(lumigraph, eye, options);
-    };
+    const FrameDrawer drawer = frame_drawer(lumigraph, options, request.drawing, request.reference);
 
-    Json frames =
-        request.path.empty()
-            ? draw_jobs(request, jobs_of(request, at.eye, options.mode, lumigraph), draw, context)
-            : draw_path(request, lumigraph, draw, context);
+    Json frames = request.path.empty()
+                      ? draw_jobs(request, jobs_of(request, at.eye, options.mode, lumigraph),
+                                  drawer.draw, context)
+                      : draw_path(request, lumigraph, drawer.draw, context);
     if (!context.json) return;
     context.print_result(Json{{"mode", name_of(options.mode)},
-                              {"renderer", renderer ? renderer->gl_description() : "reference"},
+                              {"renderer", drawer.renderer},
                               {"frames", std::move(frames)}});
 }
 
@@ -279,7 +273,8 @@ void add_render_command(CLI::App& app, CommandContext& context) {
                   "Instead of the picture how far it is from the photograph that was taken there, "
                   "four times as bright, and its PSNR")
         ->excludes(eye, path, stereo, command.get_option("--debug"), size);
-    command.add_flag("--reference", request->reference, "By the plain-code renderer; slow");
+    command.add_flag("--reference", request->reference, "By the plain-code renderer; slow")
+        ->excludes(command.get_option("--aperture"));
     command
         .add_option("--out", request->out,
                     "PNG file; folder with --all-views; folder or .mp4 file with --path. Frames "

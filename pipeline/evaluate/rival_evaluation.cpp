@@ -42,7 +42,7 @@ class RivalJudge {
     }
 
     void judge_plain(const PlainRival& rival) {
-        judge_views(rival.name, true, 0.0, [&](const Eye& eye, Frame& frame) {
+        judge_views(rival.name, rival.draws_from_depth, 0.0, [&](const Eye& eye, Frame& frame) {
             const RepeatedTimes times = times_of(1, [&] {
                 frame = rival.draw(lumigraph_, eye, depths_for(rival, lumigraph_, eye));
             });

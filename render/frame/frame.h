@@ -7,6 +7,7 @@
 
 #include "calib/capture/camera.h"
 #include "calib/capture/image.h"
+#include "render/transfer/focal_plane.h"
 
 namespace lumi {
 
@@ -42,10 +43,9 @@ struct RenderOptions {
     RenderMode mode = RenderMode::kPerPixel;
     DebugPicture debug_picture = DebugPicture::kNone;
     bool correct_occlusion = true;  ///< The paper's redistribution of weights.
-    /// Distance along the optical axis of the plane that `lightfield` and `heigl` look photographs
-    /// up on (Isaksen, McMillan, Gortler 2000: a movable focal surface); 0: the scene plane, or
-    /// depth, where `heigl` has some.
-    double focal_depth = 0.0;
+    /// The plane that `lightfield` and `heigl` look photographs up on; where there is none, the
+    /// scene plane, or depth, where `heigl` has some.
+    FocalPlane focal_plane{};
     /// Four samples a pixel, for edges that are smooth: about four times the work. Frames
     /// (frame_target.h) take their mean; other framebuffers must be twice as wide and high, and
     /// hold the samples, in a viewport whose origin is even: those of a pixel know each other by

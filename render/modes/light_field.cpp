@@ -8,6 +8,7 @@
 #include "render/shaders/shader_sources.h"
 #include "render/subdivision/affine_pieces.h"
 #include "render/surroundings/empty_cells.h"
+#include "render/transfer/focal_plane.h"
 #include "render/transfer/pixel_transfer.h"
 #include "render/transfer/polygon_clipping.h"
 #include "render/transfer/scene_plane.h"
@@ -81,8 +82,8 @@ std::size_t LightField::draw_fading(const CameraMesh& mesh, const Eye& eye,
 }
 
 Eigen::Vector3d LightField::plane_of(const Eye& eye, const RenderOptions& options) const {
-    return options.focal_depth > 0 ? focal_plane_inverse_depth(options.focal_depth)
-                                   : scene_plane_inverse_depth(uploaded_.layout, eye);
+    return options.focal_plane.depth > 0 ? focal_plane_inverse_depth(options.focal_plane, eye)
+                                         : scene_plane_inverse_depth(uploaded_.layout, eye);
 }
 
 DrawStatistics LightField::draw_polygons(std::vector<FacePolygon> polygons, const Eye& eye,

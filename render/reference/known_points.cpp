@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "render/transfer/focal_plane.h"
 #include "render/transfer/scene_plane.h"
 
 namespace lumi {
@@ -10,8 +11,8 @@ namespace lumi {
 KnownPoints::KnownPoints(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
                          const Eye& eye, const RenderOptions& options)
     : eye_(eye),
-      plane_inverse_depth_(options.focal_depth > 0 && options.mode != RenderMode::kPerPixel
-                               ? focal_plane_inverse_depth(options.focal_depth)
+      plane_inverse_depth_(options.focal_plane.depth > 0 && options.mode != RenderMode::kPerPixel
+                               ? focal_plane_inverse_depth(options.focal_plane, eye)
                                : scene_plane_inverse_depth(lumigraph, eye)) {
     if (options.mode == RenderMode::kPerPixel && lumigraph.has_depth())
         depth_.emplace(lumigraph, geometries, eye, options);

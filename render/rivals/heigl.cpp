@@ -70,7 +70,7 @@ std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& e
 }
 
 bool corrects_depth_of_heigl(const Lumigraph& lumigraph, const RenderOptions& options) {
-    return lumigraph.has_depth() && options.focal_depth == 0;
+    return lumigraph.has_depth() && options.focal_plane.depth == 0;
 }
 
 Heigl::Heigl(const UploadedLumigraph& uploaded)

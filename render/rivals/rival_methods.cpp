@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "calib/work/median.h"
+#include "render/rivals/dynamically_reparameterized.h"
 #include "render/rivals/forward_warping.h"
 #include "render/rivals/spherical_light_field.h"
 #include "render/rivals/two_plane.h"
@@ -12,6 +13,8 @@
 
 namespace lumi {
 namespace {
+
+std::string nothing_that_lacks(const Lumigraph&) { return {}; }
 
 std::string depth_that_lacks(const Lumigraph& lumigraph) {
     const auto without =
@@ -85,17 +88,22 @@ LightFieldLayout directions_of(const Lumigraph& source) {
 
 const std::vector<PlainRival>& plain_rivals() {
     static const std::vector<PlainRival> rivals{
-        {"unstructured lumigraph", depth_that_lacks, true,
+        {"unstructured lumigraph", depth_that_lacks, true, true,
          [](const Lumigraph& lumigraph, const Eye& eye, const EyeDepths& known) {
              return draw_unstructured_lumigraph(lumigraph, eye, known);
          }},
-        {"view-dependent texture", depth_that_lacks, true,
+        {"view-dependent texture", depth_that_lacks, true, true,
          [](const Lumigraph& lumigraph, const Eye& eye, const EyeDepths& known) {
              return draw_view_dependent_texture(lumigraph, eye, known);
          }},
-        {"forward warping", depth_that_lacks, false,
+        {"forward warping", depth_that_lacks, true, false,
          [](const Lumigraph& lumigraph, const Eye& eye, const EyeDepths&) {
              return draw_forward_warping(lumigraph, eye);
+         }},
+        {"dynamically reparameterized", nothing_that_lacks, false, false,
+         [](const Lumigraph& lumigraph, const Eye& eye, const EyeDepths&) {
+             return draw_dynamically_reparameterized(
+                 lumigraph, eye, {.diameter = usual_aperture_diameter(lumigraph), .threads = 1});
          }}};
     return rivals;
 }

@@ -11,10 +11,11 @@ namespace lumi {
 /// Why a rival cannot be drawn from a Lumigraph, in words; empty where it can.
 using ReasonAgainst = std::string (*)(const Lumigraph& lumigraph);
 
-/// A rival that draws in plain code from the photographs and their depth.
+/// A rival that draws in plain code from the photographs, and from their depth or without.
 struct PlainRival {
     std::string name;
     ReasonAgainst reason_against;
+    bool draws_from_depth;
     /// Whether it draws on geometry that its paper is given: what all depth comes to at the eye.
     bool draws_on_eye_depths;
     /// `known` is that of depths_for.
@@ -29,7 +30,8 @@ struct ResampledRival {
     LightFieldLayout (*layout)(const Lumigraph& source);
 };
 
-/// Unstructured lumigraph, view-dependent texture, forward warping.
+/// Unstructured lumigraph, view-dependent texture, forward warping; without depth, dynamically
+/// reparameterized light fields.
 [[nodiscard]] const std::vector<PlainRival>& plain_rivals();
 
 /// The geometry that such a rival draws on (eye_depths.h), whose finding is no part of its paper;

@@ -33,28 +33,35 @@ Eigen::Vector4d scene_point(const Eye& eye, int x, int y, double inverse_depth) 
     return point;
 }
 
-Eigen::Vector3d SeenPoint::color() const { return bilinear(view->photograph, pixel); }
+Eigen::Vector3d PhotographedPoint::color() const { return bilinear(view->photograph, pixel); }
 
-bool SeenPoint::is_of(const SameSurface& same_surface) const {
-    return same_surface(inverse_depth, map_inverse_depth);
-}
-
-double SeenPoint::share_in_view() const {
+double PhotographedPoint::share_in_view() const {
     const Eigen::Vector2d beyond =
         Eigen::Vector2d(view->camera.width_px, view->camera.height_px) - pixel;
     return border_fade(std::min(pixel.minCoeff(), beyond.minCoeff()));
 }
 
-std::optional<SeenPoint> seen_point(const LumigraphView& view,
-                                    const Eigen::Vector4d& point_in_world) {
+std::optional<PhotographedPoint> photographed_point(const LumigraphView& view,
+                                                    const Eigen::Vector4d& point_in_world) {
     const Eigen::Vector3d in_view = view.cam_from_world.rotation * point_in_world.head<3>() +
                                     point_in_world.w() * view.cam_from_world.translation;
     const auto pixel = project(view.camera, in_view);
     if (!pixel || !is_inside(view.camera, *pixel)) return std::nullopt;
+    return PhotographedPoint{&view, *pixel, point_in_world.w() / in_view.z()};
+}
+
+bool SeenPoint::is_of(const SameSurface& same_surface) const {
+    return same_surface(inverse_depth, map_inverse_depth);
+}
+
+std::optional<SeenPoint> seen_point(const LumigraphView& view,
+                                    const Eigen::Vector4d& point_in_world) {
+    const auto point = photographed_point(view, point_in_world);
+    if (!point) return std::nullopt;
     const FloatImage& map = view.depth.inverse_depth;
-    return SeenPoint{&view, *pixel, point_in_world.w() / in_view.z(),
-                     nearest(map, {pixel->x() * map.width() / view.camera.width_px,
-                                   pixel->y() * map.height() / view.camera.height_px})};
+    return SeenPoint{*point,
+                     nearest(map, {point->pixel.x() * map.width() / view.camera.width_px,
+                                   point->pixel.y() * map.height() / view.camera.height_px})};
 }
 
 double least_weighed_inverse_depth(const Lumigraph& lumigraph, const Eye& eye) {

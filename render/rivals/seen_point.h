@@ -24,21 +24,30 @@ class SameSurface {
     double least_compared_;
 };
 
-/// A point of the scene as one view sees it.
-struct SeenPoint {
+/// Where a point of the scene lies in one view's photograph, whatever that shows there.
+struct PhotographedPoint {
     const LumigraphView* view = nullptr;
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
-    double inverse_depth = 0.0;      ///< Of the point.
-    double map_inverse_depth = 0.0;  ///< Of what the view sees there.
+    double inverse_depth = 0.0;  ///< Of the point, in the view.
 
     [[nodiscard]] Eigen::Vector3d color() const;  ///< 0 to 255.
-    /// Whether it is what the view sees there.
-    [[nodiscard]] bool is_of(const SameSurface& same_surface) const;
     /// 1 well inside of the photograph; it fades to 0 at its border as in lumi's own modes.
     [[nodiscard]] double share_in_view() const;
 };
 
-/// Empty when the point lies behind the view or outside of its photograph. The view has depth.
+/// Empty when the point lies behind the view or outside of its photograph.
+[[nodiscard]] std::optional<PhotographedPoint> photographed_point(
+    const LumigraphView& view, const Eigen::Vector4d& point_in_world);
+
+/// The same, and what the view sees there.
+struct SeenPoint : PhotographedPoint {
+    double map_inverse_depth = 0.0;  ///< Of what the view sees.
+
+    /// Whether the point is what the view sees.
+    [[nodiscard]] bool is_of(const SameSurface& same_surface) const;
+};
+
+/// As photographed_point. The view has depth.
 [[nodiscard]] std::optional<SeenPoint> seen_point(const LumigraphView& view,
                                                   const Eigen::Vector4d& point_in_world);
 

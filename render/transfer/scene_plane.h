@@ -13,10 +13,4 @@ namespace lumi {
 /// plane; where it passes the centre the plane recedes to infinity, as it turns about there.
 [[nodiscard]] Eigen::Vector3d scene_plane_inverse_depth(const Lumigraph& lumigraph, const Eye& eye);
 
-/// The same for a plane across the eye's optical axis, so far away (> 0): the movable focal surface
-/// of Isaksen, McMillan and Gortler (2000), what lies on which is sharp.
-[[nodiscard]] inline Eigen::Vector3d focal_plane_inverse_depth(double focal_depth) {
-    return {0, 0, 1 / focal_depth};
-}
-
 }  // namespace lumi

@@ -57,6 +57,7 @@ TEST(CommandLine, WhatIsNoNumberIsUsage) {
     for (const char* line :
          {"plan w --wish nan", "plan w --wish inf", "plan w --wish 0", "bench p.lumi --fps nan",
           "render p.lumi --view a --out a.png --focal-depth nan",
+          "render p.lumi --view a --out a.png --aperture nan",
           "render p.lumi --path views --out a.mp4 --video-fps nan", "view p.lumi --fps nan",
           "bench-orbit p.lumi --minutes nan", "bench-mesh --roughness nan",
           "bench-mesh --scene 1.5", "calibrate p --square-ratio nan"}) {
@@ -68,6 +69,19 @@ TEST(CommandLine, WhatIsNoNumberIsUsage) {
                 HasSubstr("--wish: expected a number above 0, found inf\n"));
     EXPECT_THAT(lumi("bench-mesh --roughness nan").talk,
                 HasSubstr("--roughness: expected 0 to 0.9, found nan\n"));
+}
+
+TEST(CommandLine, AFocusIsRefusedWhereNothingWouldComeOfIt) {
+    for (const char* options : {"--focal-depth 2", "--mode adaptive --focal-depth 2",
+                                "--aperture 0.5", "--mode heigl --aperture 0.5"}) {
+        const Outcome outcome = lumi(std::string("render p.lumi --view a --out a.png ") + options);
+        EXPECT_EQ(outcome.exit_code, 2) << options;
+        EXPECT_THAT(outcome.talk, HasSubstr("E-RENDER-FOCAL")) << options;
+    }
+    const Outcome no_depth =
+        lumi("render p.lumi --view a --out a.png --mode lightfield --focal-view a");
+    EXPECT_EQ(no_depth.exit_code, 2);
+    EXPECT_THAT(no_depth.talk, HasSubstr("--focal-depth"));
 }
 
 TEST(CommandLine, VersionNamesWhatLumiIsBuiltFrom) {

@@ -82,7 +82,8 @@ TEST(GlAgainstReference, ViewsTriangulatedForEachFrame) {
     OffscreenRenderer renderer(lumigraph);
     const Eye at_camera{lumigraph.views[0].camera, lumigraph.views[0].cam_from_world};
     for (const double focal_depth : {0.0, 5.0}) {
-        const RenderOptions heigl{.mode = RenderMode::kHeigl, .focal_depth = focal_depth};
+        const RenderOptions heigl{.mode = RenderMode::kHeigl,
+                                  .focal_plane = {.depth = focal_depth}};
         for (const Eye& eye : {eyes_before_wall(lumigraph)[0].eye, at_camera}) {
             const Frame drawn = renderer.draw(eye, heigl);
             const FrameDifference difference =
@@ -104,10 +105,11 @@ TEST(GlAgainstReference, DepthCorrectsViewsThatAreTriangulatedForEachFrame) {
     const Eye eye = eyes_before_wall(lumigraph)[0].eye;
     const ColorImage truth = ideal_photograph(AnalyticScene::kCardBeforeWall, eye);
     const auto error = [&](double focal_depth) {
-        return difference_between(
-                   renderer.draw(eye, {.mode = RenderMode::kHeigl, .focal_depth = focal_depth})
-                       .color,
-                   truth)
+        return difference_between(renderer
+                                      .draw(eye, {.mode = RenderMode::kHeigl,
+                                                  .focal_plane = {.depth = focal_depth}})
+                                      .color,
+                                  truth)
             .mean;
     };
     for (const double plane : {3.0, 4.0, 6.0}) EXPECT_LT(error(0), error(plane)) << plane;
@@ -120,7 +122,8 @@ TEST(GlAgainstReference, WhatLiesOnTheFocalSurfaceIsSharp) {
     const Eye eye = eye_at({0.21, 0.13, 0}, {0.21, 0.13, 4}, pinhole_camera(80, 60, 70));
     const ColorImage truth = ideal_photograph(AnalyticScene::kCardBeforeWall, eye);
     const auto error_at = [&](double focal_depth) {
-        const RenderOptions options{.mode = RenderMode::kLightField, .focal_depth = focal_depth};
+        const RenderOptions options{.mode = RenderMode::kLightField,
+                                    .focal_plane = {.depth = focal_depth}};
         const ColorImage drawn = renderer.draw(eye, options).color;
         EXPECT_LE(
             difference_between(drawn, draw_mode_reference(lumigraph, eye, options).color).mean,

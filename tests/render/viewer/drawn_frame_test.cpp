@@ -23,7 +23,7 @@ TEST(WindowPictureGl, IsDrawnAnewForWhateverIsChosenAndNotForTheSame) {
           RenderOptions{.mode = RenderMode::kAdaptive, .max_triangles = 50},
           RenderOptions{.mode = RenderMode::kAdaptive, .min_triangle_px = 30},
           RenderOptions{.mode = RenderMode::kLightField},
-          RenderOptions{.mode = RenderMode::kLightField, .focal_depth = 2}}) {
+          RenderOptions{.mode = RenderMode::kLightField, .focal_plane = {.depth = 2}}}) {
         const std::size_t before = frames();
         state.render = options;
         picture.draw_whole(state, {64, 48}, statistics);

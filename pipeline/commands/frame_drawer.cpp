@@ -1,0 +1,53 @@
+#include "pipeline/commands/frame_drawer.h"
+
+#include <memory>
+#include <utility>
+
+#include "render/paths/photograph_eye.h"
+#include "render/renderer/mode_reference.h"
+#include "render/renderer/offscreen_renderer.h"
+#include "render/rivals/dynamically_reparameterized.h"
+#include "render/surroundings/surroundings.h"
+
+namespace lumi {
+namespace {
+
+FocalPlane focal_plane_of(const DrawingRequest& request, const Lumigraph& lumigraph) {
+    FocalPlane plane{.depth = request.focal_depth};
+    if (request.focal_view.empty()) return plane;
+    const int view = index_of_view(lumigraph, request.focal_view);
+    plane.cam_from_world = lumigraph.views[static_cast<std::size_t>(view)].cam_from_world;
+    return plane;
+}
+
+Draw through_aperture(const Lumigraph& lumigraph, const SyntheticAperture& aperture,
+                      const RenderOptions& options) {
+    return [&lumigraph, aperture, options](const Eye& eye) {
+        Frame frame = draw_dynamically_reparameterized(lumigraph, eye, aperture);
+        return are_surroundings_drawn(options)
+                   ? filled(std::move(frame), surroundings_picture(lumigraph, eye))
+                   : frame;
+    };
+}
+
+}  // namespace
+
+FrameDrawer frame_drawer(const Lumigraph& lumigraph, RenderOptions options,
+                         const DrawingRequest& request, bool by_reference) {
+    options.focal_plane = focal_plane_of(request, lumigraph);
+    if (request.aperture > 0)
+        return {through_aperture(lumigraph,
+                                 {.diameter = request.aperture, .focal_plane = options.focal_plane},
+                                 options),
+                "synthetic aperture"};
+    if (by_reference)
+        return {[&lumigraph, options](const Eye& eye) {
+                    return draw_mode_reference(lumigraph, eye, options);
+                },
+                "reference"};
+    const auto renderer = std::make_shared<OffscreenRenderer>(lumigraph);
+    return {[renderer, options](const Eye& eye) { return renderer->draw(eye, options); },
+            renderer->gl_description()};
+}
+
+}  // namespace lumi

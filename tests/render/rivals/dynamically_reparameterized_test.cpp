@@ -1,0 +1,144 @@
+#include "render/rivals/dynamically_reparameterized.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/render/analytic_scene.h"
+#include "tests/render/frame_difference.h"
+
+namespace lumi {
+namespace {
+
+constexpr double kSpacing = 0.2;
+
+/// Five rows of five cameras before the wall, side by side, all looking along z.
+Lumigraph wall_of_cameras() {
+    std::vector<Eye> cameras;
+    for (int row = -2; row <= 2; ++row) {
+        for (int column = -2; column <= 2; ++column) {
+            const Eigen::Vector3d place(kSpacing * column, kSpacing * row, 0);
+            cameras.push_back(
+                eye_at(place, place + Eigen::Vector3d::UnitZ(), pinhole_camera(64, 48, 30)));
+        }
+    }
+    return photographed(AnalyticScene::kCardBeforeWall, cameras);
+}
+
+/// The camera of row and column is all of one level.
+void paint(Lumigraph& lumigraph, int row, int column, unsigned char level) {
+    ColorImage& photograph = lumigraph.views[static_cast<std::size_t>(5 * row + column)].photograph;
+    std::fill(photograph.pixels().begin(), photograph.pixels().end(), Rgb8{level, level, level});
+}
+
+TEST(DynamicallyReparameterized, ACameraWeighsTheLessTheFartherTheRayPassesIt) {
+    Lumigraph lumigraph = wall_of_cameras();
+    for (int row = 0; row < 5; ++row)
+        for (int column = 0; column < 5; ++column) paint(lumigraph, row, column, 0);
+    paint(lumigraph, 2, 2, 200);
+    // Through the middle of the picture, from the camera in the middle: that weighs 1, its four
+    // neighbours 1 - 0.2 / 0.25, and all others are farther than the radius.
+    const Eye eye = eye_at({0, 0, 0}, {0, 0, 1}, pinhole_camera(33, 33, 30));
+    const Frame frame = draw_dynamically_reparameterized(
+        lumigraph, eye, {.diameter = 0.5, .focal_plane = {.depth = 6}});
+    EXPECT_NEAR(frame.color(16, 16).g, 200 / (1 + 4 * 0.2), 1);
+    EXPECT_EQ(frame.coverage(16, 16), 255);
+}
+
+TEST(DynamicallyReparameterized, BlendsTheThreeNearestWhereCamerasAreSparse) {
+    Lumigraph lumigraph = wall_of_cameras();
+    for (int row = 0; row < 5; ++row)
+        for (int column = 0; column < 5; ++column) paint(lumigraph, row, column, 0);
+    paint(lumigraph, 2, 2, 200);
+    // The ray passes cameras of the middle row at 0.05, 0.15, 0.25 and others of the rows beside it
+    // at 0.206: the three nearest are within the fourth's distance, of which there are two.
+    const Eye eye = eye_at({0.05, 0, 0}, {0.05, 0, 1}, pinhole_camera(33, 33, 30));
+    const Frame frame = draw_dynamically_reparameterized(
+        lumigraph, eye, {.diameter = 1e-6, .focal_plane = {.depth = 6}});
+    const double radius = std::hypot(0.05, 0.2);
+    const double nearest = 1 - 0.05 / radius;
+    EXPECT_NEAR(frame.color(16, 16).g, 200 * nearest / (nearest + 1 - 0.15 / radius), 1);
+}
+
+double error_of_middle(const Lumigraph& lumigraph, const SyntheticAperture& aperture,
+                       const ColorImage& truth, const Eye& eye) {
+    const Frame frame = draw_dynamically_reparameterized(lumigraph, eye, aperture);
+    double error = 0;
+    for (int y = 22; y < 26; ++y)
+        for (int x = 30; x < 34; ++x) error += std::abs(frame.color(x, y).g - truth(x, y).g);
+    return error / 16;
+}
+
+TEST(DynamicallyReparameterized, WhatLiesOnTheFocalPlaneIsSharp) {
+    const Lumigraph lumigraph = wall_of_cameras();
+    const Eye eye = eye_at({0.07, 0.03, 0}, {0.07, 0.03, 1}, pinhole_camera(64, 48, 30));
+    const ColorImage truth = ideal_photograph(AnalyticScene::kCardBeforeWall, eye);
+    const auto error = [&](double depth) {
+        return error_of_middle(lumigraph, {.diameter = 0.6, .focal_plane = {.depth = depth}}, truth,
+                               eye);
+    };
+    // The card at z = 3 fills the middle of the picture.
+    EXPECT_LT(error(3), 2);
+    EXPECT_GT(error(6), 2 * error(3));
+}
+
+TEST(DynamicallyReparameterized, AWideApertureSeesThroughWhatStandsBeforeItsPlane) {
+    std::vector<Eye> cameras;
+    for (int column = -10; column <= 10; ++column) {
+        const Eigen::Vector3d place(0.1 * column, 0, 0);
+        cameras.push_back(
+            eye_at(place, place + Eigen::Vector3d::UnitZ(), pinhole_camera(192, 48, 60)));
+    }
+    const Lumigraph lumigraph = photographed(AnalyticScene::kBarBeforeWall, cameras);
+    const Eye eye = eye_at({0, 0, 0}, {0, 0, 1}, pinhole_camera(64, 48, 60));
+    // The wall without its bar, as a camera beside it sees the same place.
+    const Eigen::Vector2d behind_bar(32.5, 24.5);
+    const Eigen::Vector3d on_wall = 6 * unproject(eye.camera, behind_bar);
+    const Eye beside = eye_at({0.8, 0, 0}, {0.8, 0, 1}, pinhole_camera(192, 48, 60));
+    const auto pixel = project(beside.camera, beside.cam_from_world * on_wall);
+    ASSERT_TRUE(pixel.has_value());
+    const ColorImage seen_beside = ideal_photograph(AnalyticScene::kBarBeforeWall, beside);
+    const int wall = seen_beside(static_cast<int>(pixel->x()), static_cast<int>(pixel->y())).r;
+    const auto off = [&](double diameter) {
+        const Frame frame = draw_dynamically_reparameterized(
+            lumigraph, eye, {.diameter = diameter, .focal_plane = {.depth = 6}});
+        return std::abs(frame.color(32, 24).r - wall);
+    };
+    EXPECT_LT(off(2), 0.25 * off(0.1));
+}
+
+TEST(DynamicallyReparameterized, CamerasBeyondThePointHaveNoWeight) {
+    Lumigraph lumigraph = ball_in_sky();
+    const LumigraphView& view = lumigraph.views[0];
+    const Eigen::Vector3d towards_ball = -centre_in_world(view.cam_from_world).normalized();
+    for (LumigraphView& other : lumigraph.views)
+        if (optical_axis_in_world(other.cam_from_world).dot(towards_ball) < 0)
+            std::fill(other.photograph.pixels().begin(), other.photograph.pixels().end(),
+                      Rgb8{255, 0, 255});
+    const Eye eye{view.camera, view.cam_from_world};
+    const Frame frame = draw_dynamically_reparameterized(lumigraph, eye, {.diameter = 0.1});
+    const int middle_x = view.camera.width_px / 2;
+    const int middle_y = view.camera.height_px / 2;
+    const ColorImage truth = ideal_photograph(AnalyticScene::kBallInSky, eye);
+    EXPECT_NEAR(frame.color(middle_x, middle_y).g, truth(middle_x, middle_y).g, 40);
+}
+
+TEST(DynamicallyReparameterized, IsTheSameByAnyNumberOfThreads) {
+    const Lumigraph lumigraph = wall_of_cameras();
+    const Eye eye = eye_at({0.07, 0.03, 0}, {0, 0, 3}, pinhole_camera(64, 48, 30));
+    const Frame one =
+        draw_dynamically_reparameterized(lumigraph, eye, {.diameter = 0.6, .threads = 1});
+    const Frame three =
+        draw_dynamically_reparameterized(lumigraph, eye, {.diameter = 0.6, .threads = 3});
+    EXPECT_EQ(one.color.pixels(), three.color.pixels());
+}
+
+TEST(DynamicallyReparameterized, TheUsualApertureIsTwoSpacingsWide) {
+    EXPECT_NEAR(usual_aperture_diameter(wall_of_cameras()), 2 * kSpacing, 1e-9);
+    Lumigraph alone = wall_of_cameras();
+    alone.views.resize(1);
+    EXPECT_EQ(usual_aperture_diameter(alone), 0);
+}
+
+}  // namespace
+}  // namespace lumi
