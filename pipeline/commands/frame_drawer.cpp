@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "pipeline/evaluate/common_pixels.h"
 #include "render/paths/photograph_eye.h"
 #include "render/renderer/mode_reference.h"
 #include "render/renderer/offscreen_renderer.h"
@@ -22,11 +23,13 @@ FocalPlane focal_plane_of(const DrawingRequest& request, const Lumigraph& lumigr
 
 Draw through_aperture(const Lumigraph& lumigraph, const SyntheticAperture& aperture,
                       const RenderOptions& options) {
-    return [&lumigraph, aperture, options](const Eye& eye) {
+    // Where nothing fades, what is not covered is guessed also in packages that are to fade.
+    RenderOptions unfaded = options;
+    unfaded.fade_beyond_capture = false;
+    const bool guesses = are_surroundings_drawn(unfaded);
+    return [&lumigraph, aperture, guesses](const Eye& eye) {
         Frame frame = draw_dynamically_reparameterized(lumigraph, eye, aperture);
-        return are_surroundings_drawn(options)
-                   ? filled(std::move(frame), surroundings_picture(lumigraph, eye))
-                   : frame;
+        return guesses ? filled(std::move(frame), surroundings_picture(lumigraph, eye)) : frame;
     };
 }
 

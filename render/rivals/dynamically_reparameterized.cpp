@@ -15,6 +15,9 @@ namespace {
 
 /// So many cameras are blended at least, where as many show the point.
 constexpr std::size_t kLeastBlended = 3;
+/// Of the distance of the first that is left out: so that cameras that are all as far, as in the
+/// middle of a grid or at one place, are blended.
+constexpr double kBeyondLeftOut = 1 + 1e-6;
 
 /// A camera that shows the point of the focal plane that a ray meets.
 struct ApertureCamera {
@@ -70,7 +73,8 @@ class ApertureBlend {
                          [](const ApertureCamera& a, const ApertureCamera& b) {
                              return a.from_ray < b.from_ray;
                          });
-        return std::max(diameter_ / 2, first_left_out->from_ray);
+        const double radius = std::max(diameter_ / 2, kBeyondLeftOut * first_left_out->from_ray);
+        return radius > 0 ? radius : std::numeric_limits<double>::infinity();
     }
 
     static void blend(const std::vector<ApertureCamera>& cameras, double radius, int x, int y,

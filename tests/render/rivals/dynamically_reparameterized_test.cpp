@@ -60,6 +60,23 @@ TEST(DynamicallyReparameterized, BlendsTheThreeNearestWhereCamerasAreSparse) {
     EXPECT_NEAR(frame.color(16, 16).g, 200 * nearest / (nearest + 1 - 0.15 / radius), 1);
 }
 
+TEST(DynamicallyReparameterized, CamerasThatAreAllAsFarAreBlendedAlike) {
+    Lumigraph lumigraph = wall_of_cameras();
+    for (int row = 0; row < 5; ++row)
+        for (int column = 0; column < 5; ++column) paint(lumigraph, row, column, 100);
+    const Eye in_middle_of_four = eye_at({0.1, 0.1, 0}, {0.1, 0.1, 1}, pinhole_camera(33, 33, 30));
+    const Frame frame = draw_dynamically_reparameterized(
+        lumigraph, in_middle_of_four, {.diameter = 1e-6, .focal_plane = {.depth = 6}});
+    EXPECT_EQ(frame.color(16, 16).g, 100);
+    EXPECT_EQ(frame.coverage(16, 16), 255);
+    for (LumigraphView& view : lumigraph.views)
+        view.cam_from_world = lumigraph.views[12].cam_from_world;
+    const Frame at_one_place = draw_dynamically_reparameterized(
+        lumigraph, eye_at({0, 0, 0}, {0, 0, 1}, pinhole_camera(33, 33, 30)),
+        {.diameter = usual_aperture_diameter(lumigraph), .focal_plane = {.depth = 6}});
+    EXPECT_EQ(at_one_place.color(16, 16).g, 100);
+}
+
 double error_of_middle(const Lumigraph& lumigraph, const SyntheticAperture& aperture,
                        const ColorImage& truth, const Eye& eye) {
     const Frame frame = draw_dynamically_reparameterized(lumigraph, eye, aperture);
