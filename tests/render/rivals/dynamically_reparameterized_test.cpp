@@ -12,17 +12,18 @@ namespace {
 
 constexpr double kSpacing = 0.2;
 
-/// Five rows of five cameras before the wall, side by side, all looking along z.
-Lumigraph wall_of_cameras() {
+/// Five rows of five cameras side by side, all looking along z.
+Lumigraph wall_of_cameras(AnalyticScene scene = AnalyticScene::kCardBeforeWall,
+                          double focal_px = 30) {
     std::vector<Eye> cameras;
     for (int row = -2; row <= 2; ++row) {
         for (int column = -2; column <= 2; ++column) {
             const Eigen::Vector3d place(kSpacing * column, kSpacing * row, 0);
             cameras.push_back(
-                eye_at(place, place + Eigen::Vector3d::UnitZ(), pinhole_camera(64, 48, 30)));
+                eye_at(place, place + Eigen::Vector3d::UnitZ(), pinhole_camera(64, 48, focal_px)));
         }
     }
-    return photographed(AnalyticScene::kCardBeforeWall, cameras);
+    return photographed(scene, cameras);
 }
 
 /// The camera of row and column is all of one level.
@@ -87,16 +88,17 @@ double error_of_middle(const Lumigraph& lumigraph, const SyntheticAperture& aper
 }
 
 TEST(DynamicallyReparameterized, WhatLiesOnTheFocalPlaneIsSharp) {
-    const Lumigraph lumigraph = wall_of_cameras();
-    const Eye eye = eye_at({0.07, 0.03, 0}, {0.07, 0.03, 1}, pinhole_camera(64, 48, 30));
-    const ColorImage truth = ideal_photograph(AnalyticScene::kCardBeforeWall, eye);
+    // The print on the card, at z = 3, which fills the middle of the picture, is 8 pixels fine.
+    const Lumigraph lumigraph = wall_of_cameras(AnalyticScene::kPrintedCard, 120);
+    const Eye eye = eye_at({0.07, 0.03, 0}, {0.07, 0.03, 1}, pinhole_camera(64, 48, 120));
+    const ColorImage truth = ideal_photograph(AnalyticScene::kPrintedCard, eye);
     const auto error = [&](double depth) {
         return error_of_middle(lumigraph, {.diameter = 0.6, .focal_plane = {.depth = depth}}, truth,
                                eye);
     };
-    // The card at z = 3 fills the middle of the picture.
-    EXPECT_LT(error(3), 2);
-    EXPECT_GT(error(6), 2 * error(3));
+    EXPECT_LT(error(3), 12);
+    EXPECT_GT(error(6), 3 * error(3));
+    EXPECT_GT(error(2), 3 * error(3));
 }
 
 TEST(DynamicallyReparameterized, AWideApertureSeesThroughWhatStandsBeforeItsPlane) {
@@ -104,14 +106,14 @@ TEST(DynamicallyReparameterized, AWideApertureSeesThroughWhatStandsBeforeItsPlan
     for (int column = -10; column <= 10; ++column) {
         const Eigen::Vector3d place(0.1 * column, 0, 0);
         cameras.push_back(
-            eye_at(place, place + Eigen::Vector3d::UnitZ(), pinhole_camera(192, 48, 60)));
+            eye_at(place, place + Eigen::Vector3d::UnitZ(), pinhole_camera(192, 48, 240)));
     }
     const Lumigraph lumigraph = photographed(AnalyticScene::kBarBeforeWall, cameras);
-    const Eye eye = eye_at({0, 0, 0}, {0, 0, 1}, pinhole_camera(64, 48, 60));
+    const Eye eye = eye_at({0, 0, 0}, {0, 0, 1}, pinhole_camera(64, 48, 240));
     // The wall without its bar, as a camera beside it sees the same place.
     const Eigen::Vector2d behind_bar(32.5, 24.5);
     const Eigen::Vector3d on_wall = 6 * unproject(eye.camera, behind_bar);
-    const Eye beside = eye_at({0.8, 0, 0}, {0.8, 0, 1}, pinhole_camera(192, 48, 60));
+    const Eye beside = eye_at({0.3, 0, 0}, {0.3, 0, 1}, pinhole_camera(192, 48, 240));
     const auto pixel = project(beside.camera, beside.cam_from_world * on_wall);
     ASSERT_TRUE(pixel.has_value());
     const ColorImage seen_beside = ideal_photograph(AnalyticScene::kBarBeforeWall, beside);
@@ -121,7 +123,8 @@ TEST(DynamicallyReparameterized, AWideApertureSeesThroughWhatStandsBeforeItsPlan
             lumigraph, eye, {.diameter = diameter, .focal_plane = {.depth = 6}});
         return std::abs(frame.color(32, 24).r - wall);
     };
-    EXPECT_LT(off(2), 0.25 * off(0.1));
+    EXPECT_GT(off(0.1), 20);
+    EXPECT_LT(off(2), 0.3 * off(0.1));
 }
 
 TEST(DynamicallyReparameterized, CamerasBeyondThePointHaveNoWeight) {
