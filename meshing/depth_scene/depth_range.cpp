@@ -13,15 +13,15 @@ namespace {
 
 constexpr std::size_t kMinPoints = 12;
 
-/// Of every scene point inside the picture, whether or not this view's track found it.
-std::vector<double> inverse_depths_inside(const DepthScene& scene, const DepthView& view) {
-    std::vector<double> inverse_depths;
+/// Every scene point inside the picture, whether or not this view's track found it.
+std::vector<SparsePoint> points_inside(const DepthScene& scene, const DepthView& view) {
+    std::vector<SparsePoint> points;
     for (const ScenePoint& point : scene.points) {
         const Eigen::Vector3d in_cam = view.cam_from_world * point.position_in_world;
         const auto pixel = project(view.camera, in_cam);
-        if (pixel && is_inside(view.camera, *pixel)) inverse_depths.push_back(1.0 / in_cam.z());
+        if (pixel && is_inside(view.camera, *pixel)) points.push_back({*pixel, 1.0 / in_cam.z()});
     }
-    return inverse_depths;
+    return points;
 }
 
 /// Median over the views of the distance to the nearest other centre that has parallax.
@@ -38,9 +38,42 @@ double typical_baseline(const DepthScene& scene) {
     return quantile_of(std::move(nearest), 0.5);
 }
 
-InverseDepthRange widened(std::vector<double> inverse_depths) {
+/// Whether at least five others lie beside it at like depths.
+bool is_of_a_patch(const SparsePoint& point, const std::vector<SparsePoint>& points,
+                   const Camera& camera) {
+    constexpr double kBesideShareOfWidth = 0.1;
+    constexpr double kLikeRatio = 1.25;
+    constexpr std::ptrdiff_t kLeastPoints = 6;
+    const double beside_px = kBesideShareOfWidth * camera.width_px;
+    const auto alike = std::count_if(points.begin(), points.end(), [&](const SparsePoint& other) {
+        const double ratio = other.inverse_depth / point.inverse_depth;
+        return ratio < kLikeRatio && ratio * kLikeRatio > 1 &&
+               (other.pixel - point.pixel).norm() < beside_px;
+    });
+    return alike >= kLeastPoints;
+}
+
+/// The inverse depth of the nearest patch of points, of those nearer than `bound`; empty: of none.
+std::optional<double> nearest_patch(const std::vector<SparsePoint>& points, double bound,
+                                    const Camera& camera) {
+    std::optional<double> nearest;
+    for (const SparsePoint& point : points) {
+        if (point.inverse_depth > nearest.value_or(bound) && is_of_a_patch(point, points, camera))
+            nearest = point.inverse_depth;
+    }
+    return nearest;
+}
+
+InverseDepthRange range_of(const std::vector<SparsePoint>& points, const Camera& camera) {
     constexpr double kTail = 0.01;
-    return {0.0, 1.5 * quantile_of(std::move(inverse_depths), 1 - kTail)};
+    constexpr double kWidened = 1.5;
+    /// Points of a patch are near its surface; strays beyond them do not count.
+    constexpr double kPatchWidened = 1.1;
+    std::vector<double> inverse_depths;
+    for (const SparsePoint& point : points) inverse_depths.push_back(point.inverse_depth);
+    const double near = kWidened * quantile_of(std::move(inverse_depths), 1 - kTail);
+    const auto patch = nearest_patch(points, near / kPatchWidened, camera);
+    return {0.0, patch ? kPatchWidened * *patch : near};
 }
 
 }  // namespace
@@ -65,8 +98,8 @@ std::optional<Eigen::Vector3d> convergence_point(const DepthScene& scene) {
 
 std::optional<InverseDepthRange> inverse_depth_range(const DepthScene& scene, int index) {
     const DepthView& view = scene.views[static_cast<std::size_t>(index)];
-    std::vector<double> inverse_depths = inverse_depths_inside(scene, view);
-    if (inverse_depths.size() >= kMinPoints) return widened(std::move(inverse_depths));
+    const std::vector<SparsePoint> points = points_inside(scene, view);
+    if (points.size() >= kMinPoints) return range_of(points, view.camera);
 
     const double baseline = typical_baseline(scene);
     if (baseline <= 0) return std::nullopt;

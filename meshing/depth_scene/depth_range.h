@@ -10,7 +10,9 @@ namespace lumi {
 ///
 /// From infinity, which costs few planes and holds what no point told of (a strip of background,
 /// the sky), to two thirds of the distance of the nearest scene point in the picture, one in a
-/// hundred left out. With too few points: to where the nearest camera would lose sight of half its
+/// hundred left out; or nearer, to where scene points lie beside each other at like depths: a post
+/// that is small in the picture has few points, but they agree, as strays do not. With too few
+/// points: to where the nearest camera would lose sight of half its
 /// picture, but no nearer than a fifth of the way to the point where the optical axes meet, if they
 /// do. Empty when all cameras stand in one place: nothing then tells depth.
 [[nodiscard]] std::optional<InverseDepthRange> inverse_depth_range(const DepthScene& scene,

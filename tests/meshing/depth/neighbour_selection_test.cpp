@@ -125,6 +125,44 @@ TEST(InverseDepthRange, HoldsTheScenePointsWithRoomToSpare) {
     EXPECT_EQ(range->far, 0);
 }
 
+/// A wall of a thousand points at depth 5 before the first view of an arc.
+DepthScene wall_of_points() {
+    DepthScene scene = arc(3, 5.0, 6.0);
+    for (int i = 0; i < 1000; ++i) {
+        ScenePoint point;
+        point.position_in_world = {0.06 * (i % 40) - 1.2, 0.06 * (i / 40) - 0.75, 0};
+        scene.points.push_back(point);
+    }
+    return scene;
+}
+
+/// Seen by the first view at this depth, so far aside of its axis on its picture of unit depth.
+void add_point(DepthScene& scene, double depth, double aside) {
+    ScenePoint point;
+    point.position_in_world =
+        inverse(scene.views[0].cam_from_world) * (depth * Eigen::Vector3d(aside, 0.1, 1));
+    scene.points.push_back(point);
+}
+
+TEST(InverseDepthRange, HoldsAThingThatHasFewPointsBesideEachOther) {
+    DepthScene scene = wall_of_points();
+    const double without = inverse_depth_range(scene, 0)->near;
+    EXPECT_LT(without, 1 / 2.0);
+    for (int i = 0; i < 6; ++i) add_point(scene, 1.5 + 0.02 * i, 0.2 + 0.002 * i);
+    EXPECT_GT(inverse_depth_range(scene, 0)->near, 1 / 1.5);
+}
+
+TEST(InverseDepthRange, LeavesOutAsManyStrayPoints) {
+    DepthScene scene = wall_of_points();
+    const double without = inverse_depth_range(scene, 0)->near;
+    for (int i = 0; i < 6; ++i) add_point(scene, 0.4 * std::pow(1.3, i), 0.2);
+    EXPECT_NEAR(inverse_depth_range(scene, 0)->near, without, 0.02 * without)
+        << "beside each other, but each at a depth of its own";
+    for (int i = 0; i < 4; ++i) add_point(scene, 1.5, 0.08 * i - 0.12);
+    EXPECT_NEAR(inverse_depth_range(scene, 0)->near, without, 0.02 * without)
+        << "at one depth, but all over the picture";
+}
+
 TEST(InverseDepthRange, WithoutPointsHoldsWhatTheCamerasLookAt) {
     const DepthScene scene = arc(8, 5.0, 10.0);
     EXPECT_LT((*convergence_point(scene)).norm(), 1e-9);
