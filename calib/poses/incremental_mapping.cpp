@@ -141,7 +141,8 @@ void look_for_another_part(const MappingJob& job, const MatchedPhotographs& matc
     job.evidence.warnings.push_back(
         "the photographs fall into parts that nothing connects: " + std::to_string(model.placed()) +
         " are used; another " + std::to_string(part.placed()) +
-        " fit together, but not with these. Photographs between both would join them");
+        " fit together, but not with these. Photographs between both would join them; if they "
+        "show something else, build them alone");
 }
 
 GrowingModel placed_as_well_as_possible(const MappingJob& job, MatchedPhotographs& matched) {

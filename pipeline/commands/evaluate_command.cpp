@@ -33,14 +33,19 @@ struct EvaluateRequest {
 std::string score_line(const std::string& mode, const ViewScore& score) {
     const std::string covered =
         score.psnr_covered_db ? number_text(*score.psnr_covered_db, 2) : std::string("none");
+    const auto but_for_exposure =
+        psnr_but_for_exposure_db(score.psnr_covered_db, score.psnr_gain_fitted_db);
+    const std::string exposure =
+        but_for_exposure ? ", " + number_text(*but_for_exposure, 2) + " dB but for exposure"
+                         : std::string();
     const std::string subject =
         score.psnr_subject_db
             ? "  subject " + number_text(*score.psnr_subject_db, 2) + " dB at " +
                   number_text(100.0 * score.subject_coverage.value_or(0.0), 2) + " %"
             : std::string();
     return mode + "  " + printable(score.name) + "  PSNR " + number_text(score.psnr_db, 2) +
-           " dB  covered " + covered + " dB" + subject + "  SSIM " + number_text(score.ssim, 4) +
-           "  FLIP " + number_text(score.flip, 4) + "  coverage " +
+           " dB  covered " + covered + " dB" + exposure + subject + "  SSIM " +
+           number_text(score.ssim, 4) + "  FLIP " + number_text(score.flip, 4) + "  coverage " +
            number_text(100.0 * score.coverage, 2) + " %  " + number_text(score.ms, 1) +
            " ms  CPU " + number_text(score.cpu_ms, 1) + " ms\n";
 }

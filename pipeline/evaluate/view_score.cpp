@@ -7,6 +7,15 @@
 
 namespace lumi {
 
+std::optional<double> psnr_but_for_exposure_db(const std::optional<double>& psnr_covered_db,
+                                               const std::optional<double>& psnr_gain_fitted_db) {
+    constexpr double kWorthTelling_db = 1.0;
+    if (!psnr_covered_db || !psnr_gain_fitted_db ||
+        *psnr_gain_fitted_db < *psnr_covered_db + kWorthTelling_db)
+        return std::nullopt;
+    return psnr_gain_fitted_db;
+}
+
 const std::vector<ScoreMetric>& score_metrics() {
     using Value = std::optional<double>;
     static const std::vector<ScoreMetric> metrics{

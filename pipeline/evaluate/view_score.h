@@ -41,6 +41,11 @@ struct ViewScore {
     std::string photograph_sha256 = {};
 };
 
+/// The dB over covered pixels but for exposure and white balance, where that makes a difference of
+/// a decibel and more: what a low figure is then due to.
+[[nodiscard]] std::optional<double> psnr_but_for_exposure_db(
+    const std::optional<double>& psnr_covered_db, const std::optional<double>& psnr_gain_fitted_db);
+
 /// A figure of a view's score, by the name it has in JSON.
 struct ScoreMetric {
     const char* name;

@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/counted.h"
+#include "pipeline/evaluate/view_score.h"
 #include "pipeline/text/number_text.h"
+#include "pipeline/workspace/optional_json.h"
 
 namespace lumi {
 namespace {
@@ -60,6 +62,10 @@ void judge_evaluation(Verdict& verdict, const Json& evaluation) {
                         number_text(mean.at("psnr_db").get<double>(), 1) + " dB, " +
                         number_text(100.0 * mean.at("coverage").get<double>(), 1) +
                         " % of the frame covered.";
+    if (const auto but_for_exposure = psnr_but_for_exposure_db(
+            optional_number(mean, "psnr_covered_db"), optional_number(mean, "psnr_gain_fitted_db")))
+        verdict.headline += " They differ from it in exposure: over what is covered it would be " +
+                            number_text(*but_for_exposure, 1) + " dB without that.";
 }
 
 }  // namespace

@@ -238,6 +238,22 @@ TEST(Verdict, CountsThePhotographsThatWereJudged) {
     EXPECT_NE(headline().find("Held-out photographs are"), std::string::npos);
 }
 
+TEST(Verdict, SaysWhereExposureAloneMakesPicturesDiffer) {
+    Json evaluation{{"mean",
+                     {{"psnr_db", 23.1},
+                      {"coverage", 1.0},
+                      {"psnr_covered_db", 23.5},
+                      {"psnr_gain_fitted_db", 24.4}}},
+                    {"views", Json::array({"a"})}};
+    const auto headline = [&] {
+        return verdict_of(stages_of_a_good_run(), kMade, evaluation).headline;
+    };
+    EXPECT_EQ(headline().find("exposure"), std::string::npos) << "within a decibel";
+    evaluation["mean"]["psnr_gain_fitted_db"] = 31.8;
+    EXPECT_NE(headline().find("in exposure: over what is covered it would be 31.8 dB"),
+              std::string::npos);
+}
+
 TEST(Report, SaysWhereSettingsWereChosenByTheHeldOutPhotographs) {
     const ScratchFolder scratch;
     ReportSources sources{WorkspaceLayout(scratch.path(), "box"),
