@@ -8,6 +8,9 @@ namespace lumi {
 /// marked.
 [[nodiscard]] bool is_made_by_lumi(const std::filesystem::path& folder);
 
+/// Whether the folder was marked, whatever else speaks for it.
+[[nodiscard]] bool is_marked_as_made_by_lumi(const std::filesystem::path& folder);
+
 /// Leaves a hidden file in the folder that says so, for work that keeps pictures in a folder that
 /// is none of the others. To be called before the first of them. The folder is made where there is
 /// none. Throws Error (E-FILE-WRITE).

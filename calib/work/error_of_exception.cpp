@@ -31,4 +31,10 @@ std::optional<Error> error_of_exception(const std::exception& exception) {
     return std::nullopt;
 }
 
+bool ends_all_work(const Error& error) {
+    const bool is_of_files = error.code() == "E-FILE-WRITE" || error.code() == "E-FILE-SYSTEM";
+    return error.kind() == ErrorKind::kInterrupted ||
+           (error.kind() == ErrorKind::kResources && is_of_files);
+}
+
 }  // namespace lumi

@@ -8,7 +8,7 @@
 #include "calib/ingest/photograph_folder.h"
 #include "calib/work/child_process.h"
 #include "calib/work/counted.h"
-#include "calib/work/error.h"
+#include "calib/work/error_of_exception.h"
 #include "calib/work/whole_file.h"
 #include "calib/work/whole_folder.h"
 #include "pipeline/line/line.h"
@@ -111,13 +111,12 @@ class GrowthRun {
         progress_.note("growth: " + name);
         try {
             work();
-        } catch (const Error& error) {
-            if (error.kind() == ErrorKind::kInterrupted || error.kind() == ErrorKind::kResources) {
-                throw;
-            }
-            result.failures.push_back(name + ": " + failure_text(error));
+        } catch (const std::exception& exception) {
+            const std::optional<Error> error = error_of_exception(exception);
+            if (!error || ends_all_work(*error)) throw;
+            result.failures.push_back(name + ": " + failure_text(*error));
             progress_.note(result.failures.back());
-            first_error_ = first_error_.value_or(error);
+            first_error_ = first_error_.value_or(*error);
         }
     }
 

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <set>
 
-#include "calib/ingest/made_by_lumi.h"
 #include "calib/work/content_hash.h"
-#include "calib/work/error.h"
+#include "calib/work/error_of_exception.h"
+#include "calib/work/printable.h"
 #include "calib/work/stopwatch.h"
 #include "calib/work/whole_folder.h"
+#include "pipeline/chart/chart_folder.h"
 #include "pipeline/chart/measurement_cache.h"
 #include "pipeline/chart/reference_photographs.h"
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/line/line.h"
 #include "pipeline/stages/pack_stage.h"
 #include "pipeline/stages/photograph_list.h"
-#include "pipeline/workspace/folder_lock.h"
 #include "pipeline/workspace/folder_size.h"
 #include "pipeline/workspace/stage_store.h"
 #include "render/gl/capabilities.h"
@@ -65,18 +65,17 @@ class SweepRun {
  private:
     [[nodiscard]] const std::vector<Variant>& variants() const { return result_.sweep.variants; }
 
-    /// A variant's error is part of what a chart shows; only the user ends the sweep.
+    /// A variant's error is part of what a chart shows; the user and a full disk end it.
     template <class Work>
     void attempt(std::size_t index, const Work& work) {
         try {
             work();
-        } catch (const Error& error) {
-            if (error.kind() == ErrorKind::kInterrupted || error.kind() == ErrorKind::kResources) {
-                throw;
-            }
-            result_.variants[index].failure = failure_text(error);
+        } catch (const std::exception& exception) {
+            const std::optional<Error> error = error_of_exception(exception);
+            if (!error || ends_all_work(*error)) throw;
+            result_.variants[index].failure = printable(failure_text(*error));
             progress_.note(variants()[index].label + ": " + result_.variants[index].failure);
-            first_error_ = first_error_.value_or(error);
+            first_error_ = first_error_.value_or(*error);
         }
     }
 
@@ -244,8 +243,7 @@ class SweepRun {
 
 ChartResult run_sweep(const Sweep& sweep, const fs::path& folder, int threads, Progress& progress,
                       const IsEnough& is_enough) {
-    mark_as_made_by_lumi(folder);
-    const FolderLock lock(folder);
+    const WorkFolder held = take_chart_folder(folder);
     return SweepRun(sweep, folder, threads, progress, is_enough).run();
 }
 

@@ -2,11 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "calib/ingest/made_by_lumi.h"
 #include "calib/work/counted.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/chart_files.h"
+#include "pipeline/chart/chart_folder.h"
 #include "pipeline/chart/growth_files.h"
 #include "pipeline/chart/run_sweep.h"
 #include "pipeline/chart/sweep_plots.h"
@@ -44,17 +44,21 @@ std::string front_table(const ChartResult& result) {
 /// Where this program lies, to run stages in processes of their own.
 fs::path this_program() { return fs::read_symlink("/proc/self/exe"); }
 
-/// Its samples and exponents; null where none is wanted.
-Json measured_growth(const ChartRequest& request, const fs::path& folder,
-                     const CommandContext& context) {
-    const ConfigDocument document = ConfigDocument::open(request.config);
-    const GrowthPlan plan = read_growth_plan(document);
+GrowthPlan wanted_growth(const ChartRequest& request, const ConfigDocument& document) {
+    GrowthPlan plan = read_growth_plan(document);
     if (plan.is_empty() && request.growth_alone) {
         throw Error(ErrorKind::kUsage, "E-GROWTH-NOTHING",
                     request.config.string() + ": nothing to measure",
                     "add a table [growth] with photographs = [10, 30, 100]");
     }
+    return plan;
+}
+
+/// Its samples and exponents; null where none is wanted.
+Json measured_growth(const ConfigDocument& document, const GrowthPlan& plan, const fs::path& folder,
+                     const CommandContext& context) {
     if (plan.is_empty()) return {};
+    const WorkFolder held = take_chart_folder(folder);
     const GrowthResult growth = measure_growth(document, plan, this_program(), folder / "growth",
                                                context.threads, *context.progress);
     write_growth_files(folder, document.build_config_with({}).name, growth, *context.progress);
@@ -74,9 +78,11 @@ void run_chart(const ChartRequest& request, const CommandContext& context) {
     const fs::path folder =
         request.out.empty() ? fs::path("work") / (sweep.name + "-chart") : request.out;
     require_writable_folder(folder);
+    // Before hours are spent: what is wrong with it is said at once, and leaves the folder alone.
+    const ConfigDocument document = ConfigDocument::open(request.config);
+    const GrowthPlan plan = wanted_growth(request, document);
     if (request.growth_alone) {
-        mark_as_made_by_lumi(folder);
-        const Json growth = measured_growth(request, folder, context);
+        const Json growth = measured_growth(document, plan, folder, context);
         if (context.json) context.print_result(Json{{"growth", growth}});
         return;
     }
@@ -90,7 +96,7 @@ void run_chart(const ChartRequest& request, const CommandContext& context) {
     } else {
         context.print_result(front_table(result));
     }
-    if (Json growth = measured_growth(request, folder, context);
+    if (Json growth = measured_growth(document, plan, folder, context);
         !growth.is_null() && context.json) {
         object["growth"] = std::move(growth);
         context.print_result(object);

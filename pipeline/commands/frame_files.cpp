@@ -35,13 +35,13 @@ bool is_sequence_frame_name(const std::string& name) {
 }
 
 std::vector<fs::path> frames_of_views(const fs::path& folder, const std::vector<std::string>& views,
-                                      RenderMode mode,
+                                      const std::string& kind,
                                       const std::vector<std::string>& photographs) {
     std::set<fs::path> of_photographs;
     for (const std::string& name : photographs) of_photographs.insert(fs::path(name).filename());
     std::vector<fs::path> frames;
     for (const std::string& stem : file_stems_without_dots(views)) {
-        frames.push_back(folder / (stem + '.' + name_of(mode) + ".png"));
+        frames.push_back(folder / (stem + '.' + kind + ".png"));
         std::error_code status;
         const fs::file_type there = fs::symlink_status(frames.back(), status).type();
         if (there == fs::file_type::not_found) continue;

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "render/frame/frame.h"
-
 namespace lumi {
 
 /// The name of frame `index` of a sequence, from 0: frame-000001.png.
@@ -15,13 +13,13 @@ namespace lumi {
 /// Whether it is the name of a frame of any sequence.
 [[nodiscard]] bool is_sequence_frame_name(const std::string& name);
 
-/// Where frames from the places of views go, each in `folder` by its view and the mode:
-/// STEM.MODE.png (file_stems_without_dots). Such a file may stand there from before and is then
-/// replaced. Throws Error (E-OUT-EXISTS) where it is no file, or is named like one of
-/// `photographs`, which are all that are known of the capture.
+/// Where frames from the places of views go, each in `folder` by its view and the kind of frame,
+/// such as its mode: STEM.KIND.png (file_stems_without_dots). Such a file may stand there from
+/// before and is then replaced. Throws Error (E-OUT-EXISTS) where it is no file, or is named like
+/// one of `photographs`, which are all that are known of the capture.
 [[nodiscard]] std::vector<std::filesystem::path> frames_of_views(
-    const std::filesystem::path& folder, const std::vector<std::string>& views, RenderMode mode,
-    const std::vector<std::string>& photographs);
+    const std::filesystem::path& folder, const std::vector<std::string>& views,
+    const std::string& kind, const std::vector<std::string>& photographs);
 
 /// Whether frames of a path go to one video file there, instead of a folder.
 [[nodiscard]] bool names_video(const std::filesystem::path& out);

@@ -81,6 +81,7 @@ void run_regression(const RegressionRequest& request, const CommandContext& cont
     std::optional<MeasuredVersion> baseline;
     if (!request.baseline.empty()) {
         baseline = read_version(request.baseline);
+        expect_same_timing(*baseline, request.frames, request.rounds, request.baseline);
         expect_same_scene(baseline->scene, scene_to_measure(workspace, context.threads),
                           request.baseline);
     }

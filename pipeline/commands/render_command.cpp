@@ -70,19 +70,30 @@ Job job_at(const LumigraphView& view, const fs::path& out) {
     return {eye_at(view), out, turned_upright(view.photograph, view.exif_orientation), true};
 }
 
-/// Of the package first, then of those that were held out from it, each once.
-std::vector<std::string> names_beside(const RenderRequest& request, const Lumigraph& lumigraph) {
-    std::vector<std::string> names = names_of_views(lumigraph);
-    for (std::string& name : held_out_names_beside(request.package)) {
-        if (std::find(names.begin(), names.end(), name) == names.end())
-            names.push_back(std::move(name));
+/// The names of what can be drawn and compared with.
+struct KnownPhotographs {
+    std::vector<std::string> names;  ///< Of the package first, then held out from it; each once.
+    std::optional<Error> failure;    ///< Why those that were held out are not known.
+};
+
+KnownPhotographs known_photographs(const RenderRequest& request, const Lumigraph& lumigraph) {
+    KnownPhotographs known{names_of_views(lumigraph), {}};
+    std::vector<std::string>& names = known.names;
+    try {
+        for (std::string& name : held_out_names_beside(request.package)) {
+            if (std::find(names.begin(), names.end(), name) == names.end())
+                names.push_back(std::move(name));
+        }
+    } catch (const Error& error) {
+        known.failure = error;
     }
-    return names;
+    return known;
 }
 
 /// A photograph of the package, or one that was held out from it.
 Job job_at_view(const RenderRequest& request, const Lumigraph& lumigraph) {
-    const std::vector<std::string> names = names_beside(request, lumigraph);
+    const KnownPhotographs known = known_photographs(request, lumigraph);
+    const std::vector<std::string>& names = known.names;
     const std::optional<int> index = index_of_name(names, request.view);
     const auto packed = static_cast<int>(lumigraph.views.size());
     if (index && *index < packed)
@@ -95,18 +106,29 @@ Job job_at_view(const RenderRequest& request, const Lumigraph& lumigraph) {
                     lumigraph.evened_falloff};
         }
     }
+    if (known.failure) throw Error(*known.failure);
     throw Error(ErrorKind::kUsage, "E-RENDER-VIEW",
                 "expected the name of one photograph, of the package or held out from it, found '" +
                     printable(request.view) + "'",
                 "there are: " + listed_names(names) + "; `lumi inspect PACKAGE` lists all of them");
 }
 
-std::vector<Job> jobs_of(const RenderRequest& request, const Eye& eye, RenderMode mode,
+/// What the files of frames are named after, so that those of one kind replace no others.
+std::string kind_of_frames(const RenderRequest& request, const RenderOptions& options) {
+    std::string kind = name_of(options.mode);
+    if (options.debug_picture != DebugPicture::kNone) kind += '.' + name_of(options.debug_picture);
+    if (request.difference) kind += ".difference";
+    if (request.stereo_baseline > 0.0) kind += ".stereo";
+    return kind;
+}
+
+std::vector<Job> jobs_of(const RenderRequest& request, const Eye& eye, const RenderOptions& options,
                          const Lumigraph& lumigraph) {
     if (!request.eye.empty()) return {{eye, request.out}};
     if (!request.all_views) return {job_at_view(request, lumigraph)};
-    const std::vector<fs::path> frames = frames_of_views(request.out, names_of_views(lumigraph),
-                                                         mode, names_beside(request, lumigraph));
+    const std::vector<fs::path> frames =
+        frames_of_views(request.out, names_of_views(lumigraph), kind_of_frames(request, options),
+                        known_photographs(request, lumigraph).names);
     std::vector<Job> jobs;
     for (std::size_t i = 0; i < frames.size(); ++i)
         jobs.push_back(job_at(lumigraph.views[i], frames[i]));
@@ -214,10 +236,10 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
         fade_of(request.drawing, at.drawn).value_or(lumigraph.drawing.fade_beyond_capture);
     const FrameDrawer drawer = frame_drawer(lumigraph, options, request.drawing, request.reference);
 
-    Json frames = request.path.empty()
-                      ? draw_jobs(request, jobs_of(request, at.eye, options.mode, lumigraph),
-                                  drawer.draw, context)
-                      : draw_path(request, lumigraph, drawer.draw, context);
+    Json frames =
+        request.path.empty()
+            ? draw_jobs(request, jobs_of(request, at.eye, options, lumigraph), drawer.draw, context)
+            : draw_path(request, lumigraph, drawer.draw, context);
     if (!context.json) return;
     context.print_result(Json{{"mode", name_of(options.mode)},
                               {"renderer", drawer.renderer},
@@ -242,7 +264,7 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     CLI::Option* eye = where->add_option("--eye", request->eye, kEyeFileHelp);
     where->add_flag("--all-views", request->all_views,
                     "From every photograph's place; --out names a folder, for PHOTOGRAPH.MODE.png "
-                    "of each");
+                    "of each, or with .difference, .stereo or the debug picture after the mode");
     CLI::Option* path = where->add_option(
         "--path", request->path,
         "Along a path that the window recorded (a JSON file), or from photograph to "

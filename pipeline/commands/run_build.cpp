@@ -34,31 +34,6 @@ std::string evidence_text(const std::vector<FinishedStage>& stages) {
     return text;
 }
 
-/// A report that tells why is worth most when there is no package; but what ended the line must not
-/// be lost over it.
-void write_report_of_failure(const Workspace& workspace) {
-    try {
-        write_workspace_report(workspace);
-    } catch (const std::exception&) {
-        return;
-    }
-}
-
-std::vector<FinishedStage> run_and_report(const BuildConfig& config, const Workspace& workspace,
-                                          const std::string& last_stage,
-                                          const CommandContext& context) {
-    const int threads = context.threads > 0 ? context.threads : config.threads;
-    try {
-        std::vector<FinishedStage> stages =
-            run_line(config, workspace, last_stage, threads, *context.progress);
-        write_workspace_report(workspace);
-        return stages;
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::kInterrupted) write_report_of_failure(workspace);
-        throw;
-    }
-}
-
 /// What was made stands, and is not what was asked for.
 void refuse_partial(const std::vector<FinishedStage>& stages, const WorkspaceLayout& layout) {
     const auto photographs = placed_photographs(stages);
@@ -77,8 +52,11 @@ void run_build(const BuildRequest& request, const std::string& last_stage,
                const CommandContext& context) {
     const BuildConfig config = load_build_config(request.config);
     const Workspace workspace(layout_for(request.workspace, config, context.threads));
-    const std::vector<FinishedStage> stages =
-        run_and_report(config, workspace, last_stage, context);
+    const int threads = context.threads > 0 ? context.threads : config.threads;
+    std::vector<FinishedStage> stages;
+    work_and_report(workspace, [&] {
+        stages = run_line(config, workspace, last_stage, threads, *context.progress);
+    });
 
     context.say("\n" + seconds_table(stages));
     if (context.verbosity > 0) context.say(evidence_text(stages));

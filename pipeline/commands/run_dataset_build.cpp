@@ -4,6 +4,7 @@
 
 #include "calib/work/counted.h"
 #include "calib/work/error.h"
+#include "calib/work/printable.h"
 #include "pipeline/dataset/dataset_files.h"
 #include "pipeline/dataset/run_dataset.h"
 #include "pipeline/text/number_text.h"
@@ -21,7 +22,7 @@ std::string table_of(const std::vector<SceneOutcome>& outcomes) {
     for (const SceneOutcome& outcome : outcomes) {
         table += padded_right(outcome.name, 24);
         if (outcome.failure) {
-            table += "  " + failure_text(*outcome.failure) + "\n";
+            table += "  " + printable(failure_text(*outcome.failure)) + "\n";
             continue;
         }
         table += padded_left(number_text(outcome.cpu_s, 1), 9) +

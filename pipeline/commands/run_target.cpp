@@ -39,23 +39,24 @@ void run_target(const BuildRequest& request, const std::string& wish,
                     request.config.string() + ": no photograph is held out to measure with",
                     "set hold_out_every = 8 under [evaluate] in the configuration");
     }
-    const WorkspaceLayout layout = layout_for(request.workspace, config, context.threads);
-    const fs::path chart_folder = layout.folder().string() + "-chart";
+    // Before hours are spent: whoever else works there, or has files there, is heard first.
+    const Workspace workspace(layout_for(request.workspace, config, context.threads));
+    const fs::path chart_folder = workspace.folder().string() + "-chart";
     const int threads = context.threads > 0 ? context.threads : config.threads;
     const ChartResult chart =
         run_sweep(sweep, chart_folder, threads, *context.progress,
                   [&](const MeasuredVariant& variant) { return ends_the_sweep(wanted, variant); });
     write_chart_files(chart_folder, chart, *context.progress);
-    const Delivery delivery = deliver(wanted, chart, layout, threads, *context.progress);
+    const Delivery delivery = deliver(wanted, chart, workspace, threads, *context.progress);
     nlohmann::ordered_json told_to_report = delivery_json(delivery);
-    told_to_report["package_sha256"] = package_sha256(layout);
-    write_json_file(layout.folder() / "target.json", told_to_report);
-    write_workspace_report(layout);
+    told_to_report["package_sha256"] = package_sha256(workspace);
+    write_json_file(workspace.folder() / "target.json", told_to_report);
+    write_workspace_report(workspace);
 
     if (context.json) {
         context.print_result(delivery_json(delivery));
     } else {
-        context.print_result(layout.package_folder().string() + "\n" + told(delivery));
+        context.print_result(workspace.package_folder().string() + "\n" + told(delivery));
     }
     if (meets(delivery.wish, delivery.delivered)) return;
     throw Error(ErrorKind::kPartialResult, "E-TARGET-MISSED",

@@ -91,7 +91,7 @@ void run_select(const std::filesystem::path& folder, ViewCurveOptions options,
         only_views(packed_photographs(workspace, record, context.threads), names).capture;
     const ViewCurve curve = measure_view_curve(
         lumigraph, capture, held_out_photographs(workspace, record, context.threads), options,
-        *context.progress);
+        context.threads, *context.progress);
     if (!chart.empty()) {
         for (const std::filesystem::path& picture :
              draw_view_curve(chart, curve, *context.progress))

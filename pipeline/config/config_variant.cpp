@@ -85,6 +85,7 @@ ConfigDocument ConfigDocument::open(const fs::path& path) {
         document.default_build_name_ = plain->name;
         document.folder_ = fs::current_path();
     } else {
+        expect_utf8(fs::absolute(path).parent_path());
         text = read_whole_text(path, std::size_t{1} << 24);
         document.default_build_name_ = path.stem().string();
         document.folder_ = fs::absolute(path).parent_path();

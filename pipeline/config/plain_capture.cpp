@@ -57,15 +57,14 @@ std::string build_name_of(const std::string& file_name) {
     return name.empty() ? "capture" : name;
 }
 
-/// Configurations, which are UTF-8, name it by its whole path.
+}  // namespace
+
 void expect_utf8(const fs::path& absolute) {
     if (is_utf8(absolute.string())) return;
     throw Error(ErrorKind::kBadInput, "E-CONFIG-NAME",
                 printable(absolute.string()) + ": the name of a folder or of the file is not UTF-8",
                 "rename the folder or the file: what is no text in its name stands as \\x above");
 }
-
-}  // namespace
 
 std::optional<PlainCapture> plain_capture(const fs::path& path) {
     std::error_code status;

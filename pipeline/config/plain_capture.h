@@ -23,4 +23,8 @@ struct PlainCapture {
 /// where the path is not UTF-8, which a configuration could not name.
 [[nodiscard]] std::optional<PlainCapture> plain_capture(const std::filesystem::path& path);
 
+/// Configurations, which are UTF-8, name what lies beside them by its whole path. Throws Error
+/// (E-CONFIG-NAME) where this one is not UTF-8.
+void expect_utf8(const std::filesystem::path& absolute);
+
 }  // namespace lumi

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "calib/work/printable.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/chart/plot.h"
 #include "pipeline/text/csv.h"
@@ -19,7 +20,7 @@ using Rows = std::vector<std::vector<std::string>>;
 std::vector<std::string> row_of(const SceneOutcome& outcome) {
     std::vector<std::string> row{outcome.name};
     if (outcome.failure) {
-        row.push_back(failure_text(*outcome.failure));
+        row.push_back(printable(failure_text(*outcome.failure)));
         row.resize(9);
         return row;
     }
@@ -83,8 +84,8 @@ Json dataset_json(const std::string& name, const std::vector<SceneOutcome>& outc
     for (const SceneOutcome& outcome : outcomes) {
         Json scene{{"name", outcome.name},
                    {"failure_code", outcome.failure ? outcome.failure->code() : ""},
-                   {"failure", outcome.failure ? outcome.failure->what() : ""},
-                   {"failure_advice", outcome.failure ? outcome.failure->advice() : ""},
+                   {"failure", outcome.failure ? printable(outcome.failure->what()) : ""},
+                   {"failure_advice", outcome.failure ? printable(outcome.failure->advice()) : ""},
                    {"photographs", outcome.photographs.total},
                    {"placed", outcome.photographs.placed},
                    {"cpu_s", outcome.cpu_s},

@@ -10,6 +10,7 @@
 #include "pipeline/line/placed_photographs.h"
 #include "pipeline/report/workspace_report.h"
 #include "pipeline/stages/pack_stage.h"
+#include "pipeline/workspace/folder_lock.h"
 #include "pipeline/workspace/folder_size.h"
 
 namespace lumi {
@@ -53,34 +54,28 @@ void build(const DatasetScene& scene, const fs::path& folder, int threads, Scene
            Progress& progress) {
     const Workspace workspace(WorkspaceLayout(folder / scene.name, scene.config.name));
     const int scene_threads = threads > 0 ? threads : scene.config.threads;
-    const std::vector<FinishedStage> stages =
-        run_line(scene.config, workspace, "pack", scene_threads, progress);
-    for (const FinishedStage& stage : stages) {
-        outcome.cpu_s += stage.cost.cpu_s;
-        outcome.wall_s += stage.cost.wall_s;
-    }
-    outcome.photographs = placed_photographs(stages).value_or(PlacedPhotographs{});
-    outcome.package_mib = folder_mib(workspace.package_folder());
-    if (!read_pack_record(workspace.stage_folder("pack")).held_out.empty()) {
+    work_and_report(workspace, [&] {
+        const std::vector<FinishedStage> stages =
+            run_line(scene.config, workspace, "pack", scene_threads, progress);
+        for (const FinishedStage& stage : stages) {
+            outcome.cpu_s += stage.cost.cpu_s;
+            outcome.wall_s += stage.cost.wall_s;
+        }
+        outcome.photographs = placed_photographs(stages).value_or(PlacedPhotographs{});
+        outcome.package_mib = folder_mib(workspace.package_folder());
+        if (read_pack_record(workspace.stage_folder("pack")).held_out.empty()) return;
         const ModeScores scores = current_scores(workspace, scene_threads, progress);
         outcome.mean = mean_score(scores.views);
         outcome.flip_interval = flip_interval_of(scores.views);
-    }
-    write_workspace_report(workspace);
-}
-
-/// A full disk meets the next scene, too; memory that one scene is too large for may suffice for
-/// the next.
-bool ends_all_scenes(const Error& error) {
-    const bool is_of_files = error.code() == "E-FILE-WRITE" || error.code() == "E-FILE-SYSTEM";
-    return error.kind() == ErrorKind::kInterrupted ||
-           (error.kind() == ErrorKind::kResources && is_of_files);
+    });
 }
 
 }  // namespace
 
 std::vector<SceneOutcome> run_dataset(const Dataset& dataset, const fs::path& folder, int threads,
                                       Progress& progress) {
+    fs::create_directories(folder);
+    const FolderLock lock(folder);
     std::vector<SceneOutcome> outcomes;
     for (const DatasetScene& scene : dataset.scenes) {
         progress.note("scene " + std::to_string(outcomes.size() + 1) + " of " +
@@ -93,7 +88,7 @@ std::vector<SceneOutcome> run_dataset(const Dataset& dataset, const fs::path& fo
                 build(scene, folder, threads, outcome, progress);
             } catch (const std::exception& exception) {
                 outcome.failure = error_of_exception(exception);
-                if (!outcome.failure || ends_all_scenes(*outcome.failure)) throw;
+                if (!outcome.failure || ends_all_work(*outcome.failure)) throw;
                 progress.note(scene.name + ": " + failure_text(*outcome.failure));
             }
         }

@@ -27,7 +27,8 @@ struct SceneOutcome {
 
 /// Builds every scene in FOLDER/NAME, evaluates those with held-out photographs, all alike, and
 /// writes their reports. What is up to date is not made again. A scene that fails does not stop the
-/// others; only an interruption and a full disk do.
+/// others; only an interruption and a full disk do. Throws Error; E-WORKSPACE-BUSY where another
+/// run builds a dataset in the folder.
 [[nodiscard]] std::vector<SceneOutcome> run_dataset(const Dataset& dataset,
                                                     const std::filesystem::path& folder,
                                                     int threads, Progress& progress);

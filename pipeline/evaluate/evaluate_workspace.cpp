@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "calib/ingest/made_by_lumi.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/content_hash.h"
 #include "calib/work/whole_folder.h"
@@ -164,6 +165,8 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
     json["depth_sha256"] = record.depth_sha256;
     json["made_with"] = made_with_json(options, code_version);
     name_pictures(json["views"], names, options.modes.front());
+    // The workspace may lie among the photographs, and strips are none.
+    mark_as_made_by_lumi(folder.staging());
     write_json_file(folder.staging() / kEvaluationName, json);
     folder.put_in_place();
     return evaluation;

@@ -132,28 +132,28 @@ std::optional<double> optional_number(const Json& value) {
     return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
+/// What an early version did not write down stays as it is.
+template <class Value>
+void read_where_it_is(const Json& json, const char* key, Value& value) {
+    const auto found = json.find(key);
+    if (found != json.end() && !found->is_null()) value = found->get<Value>();
+}
+
 ViewScore view_score_from(const Json& json) {
     ViewScore score;
     score.name = json.at("name");
     score.place = json.at("place") == "interior" ? ViewPlace::kInterior : ViewPlace::kBorder;
-    score.psnr_db = json.at("psnr_db");
-    score.psnr_covered_db = optional_number(json.at("psnr_covered_db"));
-    score.ssim = json.at("ssim");
-    score.flip = json.at("flip");
-    score.flip_covered = optional_number(json.at("flip_covered"));
-    score.edge_sharpness = optional_number(json.at("edge_sharpness"));
-    score.psnr_gain_fitted_db = optional_number(json.at("psnr_gain_fitted_db"));
-    score.ghost_energy = optional_number(json.at("ghost_energy"));
-    score.psnr_subject_db = optional_number(json.at("psnr_subject_db"));
-    score.flip_subject = optional_number(json.at("flip_subject"));
-    score.subject_coverage = optional_number(json.at("subject_coverage"));
-    score.subject_share = optional_number(json.at("subject_share"));
-    score.coverage = json.at("coverage");
-    score.ms = json.at("ms");
-    score.cpu_ms = json.at("cpu_ms");
+    for (const ScoreMetric& metric : score_metrics()) {
+        const Json& value = json.at(metric.name);
+        metric.set(score, metric.may_lack ? optional_number(value) : value.get<double>());
+    }
     score.fastest_ms = json.at("ms_range").at(0);
     score.slowest_ms = json.at("ms_range").at(1);
     score.gain = json.at("gain");
+    score.subject_share = optional_number(json.at("subject_share"));
+    read_where_it_is(json, "width_px", score.width_px);
+    read_where_it_is(json, "height_px", score.height_px);
+    read_where_it_is(json, "photograph_sha256", score.photograph_sha256);
     return score;
 }
 

@@ -17,6 +17,7 @@ std::optional<WorkspaceLayout> workspace_around(const std::filesystem::path& pac
     const std::filesystem::path folder = folder_around(package_folder);
     std::error_code status;
     if (!std::filesystem::is_regular_file(folder / "pack" / "pack.json", status)) return {};
+    if (!is_workspace(folder)) return {};
     WorkspaceLayout workspace = find_workspace(folder);
     if (!std::filesystem::equivalent(workspace.package_folder(), package_folder, status)) return {};
     return workspace;

@@ -113,7 +113,7 @@ int next_fewer(const std::vector<ViewCurvePoint>& points, int views) {
 
 ViewCurve measure_view_curve(const Lumigraph& lumigraph, const Capture& capture,
                              const PosedPhotographs& held_out, const ViewCurveOptions& options,
-                             Progress& progress) {
+                             int threads, Progress& progress) {
     std::vector<PicturedEye> pictures;
     for (std::size_t i = 0; i < held_out.capture.views.size(); ++i) {
         const View& view = held_out.capture.views[i];
@@ -128,7 +128,7 @@ ViewCurve measure_view_curve(const Lumigraph& lumigraph, const Capture& capture,
     ViewCurve curve;
     const Stopwatch stopwatch;
     const std::vector<int> by_worth =
-        views_by_worth(lumigraph, capture, all_of(all_views), progress);
+        views_by_worth(lumigraph, capture, all_of(all_views), threads, progress);
     curve.ranking_cpu_s = stopwatch.elapsed().cpu_s;
     const auto measure = [&](const std::vector<int>& views) {
         progress.throw_if_interrupted();
@@ -157,7 +157,7 @@ ViewCurve measure_view_curve(const Lumigraph& lumigraph, const Capture& capture,
 }
 
 int sufficient_views(const Lumigraph& lumigraph, const Capture& capture,
-                     const CameraMeshOptions& mesh_options, Progress& progress) {
+                     const CameraMeshOptions& mesh_options, int threads, Progress& progress) {
     const auto count = static_cast<int>(lumigraph.views.size());
     if (count < kLeastToChooseFrom) return count;
     Lumigraph evened = lumigraph;
@@ -169,7 +169,7 @@ int sufficient_views(const Lumigraph& lumigraph, const Capture& capture,
     const std::vector<int> sizes = selection_sizes(static_cast<int>(candidates.size()), 4);
     progress.begin("looking for the fewest views", sizes.size());
     const ViewSelection selection =
-        select_views(views_by_worth(evened, capture, candidates, progress), sizes,
+        select_views(views_by_worth(evened, capture, candidates, threads, progress), sizes,
                      [&](const std::vector<int>& views) {
                          progress.throw_if_interrupted();
                          progress.advance();

@@ -46,12 +46,14 @@ struct ViewCurveOptions {
 /// order.
 [[nodiscard]] ViewCurve measure_view_curve(const Lumigraph& lumigraph, const Capture& capture,
                                            const PosedPhotographs& held_out,
-                                           const ViewCurveOptions& options, Progress& progress);
+                                           const ViewCurveOptions& options, int threads,
+                                           Progress& progress);
 
 /// How many of the Lumigraph's views are enough, without any held-out photograph: every sixth of
 /// its own (three at least) is drawn from ever fewer of the others, and the one-standard-error rule
 /// chooses a share of them. All of fewer than 12.
 [[nodiscard]] int sufficient_views(const Lumigraph& lumigraph, const Capture& capture,
-                                   const CameraMeshOptions& mesh_options, Progress& progress);
+                                   const CameraMeshOptions& mesh_options, int threads,
+                                   Progress& progress);
 
 }  // namespace lumi

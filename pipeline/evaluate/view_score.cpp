@@ -2,10 +2,38 @@
 
 #include <algorithm>
 #include <iterator>
+#include <type_traits>
 
 #include "calib/work/mean.h"
 
 namespace lumi {
+
+namespace {
+
+template <auto kMember>
+std::optional<double> value_of(const ViewScore& score) {
+    return score.*kMember;
+}
+
+template <auto kMember>
+constexpr bool kMayLack = std::is_same_v<decltype(kMember), std::optional<double> ViewScore::*>;
+
+template <auto kMember>
+void set_value(ViewScore& score, std::optional<double> value) {
+    if constexpr (kMayLack<kMember>) {
+        score.*kMember = value;
+    } else {
+        score.*kMember = value.value_or(0.0);
+    }
+}
+
+template <auto kMember>
+ScoreMetric metric_of(const char* name, bool higher_is_better, bool is_time = false) {
+    return {name,   &value_of<kMember>, &set_value<kMember>, kMayLack<kMember>, higher_is_better,
+            is_time};
+}
+
+}  // namespace
 
 std::optional<double> psnr_but_for_exposure_db(const std::optional<double>& psnr_covered_db,
                                                const std::optional<double>& psnr_gain_fitted_db) {
@@ -17,22 +45,21 @@ std::optional<double> psnr_but_for_exposure_db(const std::optional<double>& psnr
 }
 
 const std::vector<ScoreMetric>& score_metrics() {
-    using Value = std::optional<double>;
     static const std::vector<ScoreMetric> metrics{
-        {"psnr_db", [](const ViewScore& s) -> Value { return s.psnr_db; }, true},
-        {"psnr_covered_db", [](const ViewScore& s) { return s.psnr_covered_db; }, true},
-        {"ssim", [](const ViewScore& s) -> Value { return s.ssim; }, true},
-        {"flip", [](const ViewScore& s) -> Value { return s.flip; }, false},
-        {"flip_covered", [](const ViewScore& s) { return s.flip_covered; }, false},
-        {"edge_sharpness", [](const ViewScore& s) { return s.edge_sharpness; }, true},
-        {"psnr_gain_fitted_db", [](const ViewScore& s) { return s.psnr_gain_fitted_db; }, true},
-        {"ghost_energy", [](const ViewScore& s) { return s.ghost_energy; }, false},
-        {"psnr_subject_db", [](const ViewScore& s) { return s.psnr_subject_db; }, true},
-        {"flip_subject", [](const ViewScore& s) { return s.flip_subject; }, false},
-        {"subject_coverage", [](const ViewScore& s) { return s.subject_coverage; }, true},
-        {"coverage", [](const ViewScore& s) -> Value { return s.coverage; }, true},
-        {"ms", [](const ViewScore& s) -> Value { return s.ms; }, false, true},
-        {"cpu_ms", [](const ViewScore& s) -> Value { return s.cpu_ms; }, false, true}};
+        metric_of<&ViewScore::psnr_db>("psnr_db", true),
+        metric_of<&ViewScore::psnr_covered_db>("psnr_covered_db", true),
+        metric_of<&ViewScore::ssim>("ssim", true),
+        metric_of<&ViewScore::flip>("flip", false),
+        metric_of<&ViewScore::flip_covered>("flip_covered", false),
+        metric_of<&ViewScore::edge_sharpness>("edge_sharpness", true),
+        metric_of<&ViewScore::psnr_gain_fitted_db>("psnr_gain_fitted_db", true),
+        metric_of<&ViewScore::ghost_energy>("ghost_energy", false),
+        metric_of<&ViewScore::psnr_subject_db>("psnr_subject_db", true),
+        metric_of<&ViewScore::flip_subject>("flip_subject", false),
+        metric_of<&ViewScore::subject_coverage>("subject_coverage", true),
+        metric_of<&ViewScore::coverage>("coverage", true),
+        metric_of<&ViewScore::ms>("ms", false, true),
+        metric_of<&ViewScore::cpu_ms>("cpu_ms", false, true)};
     return metrics;
 }
 
@@ -60,28 +87,9 @@ std::optional<Interval> range_of(const ScoreMetric& metric, const std::vector<Vi
 }
 
 ViewScore mean_score(const std::vector<ViewScore>& views) {
-    const auto mean = [&](const std::string& name) {
-        const auto metric =
-            std::find_if(score_metrics().begin(), score_metrics().end(),
-                         [&](const ScoreMetric& candidate) { return name == candidate.name; });
-        return mean_of(*metric, views);
-    };
     ViewScore score;
     score.name = "mean";
-    score.psnr_db = mean("psnr_db").value_or(0.0);
-    score.psnr_covered_db = mean("psnr_covered_db");
-    score.ssim = mean("ssim").value_or(0.0);
-    score.coverage = mean("coverage").value_or(0.0);
-    score.ms = mean("ms").value_or(0.0);
-    score.cpu_ms = mean("cpu_ms").value_or(0.0);
-    score.flip = mean("flip").value_or(0.0);
-    score.flip_covered = mean("flip_covered");
-    score.edge_sharpness = mean("edge_sharpness");
-    score.psnr_gain_fitted_db = mean("psnr_gain_fitted_db");
-    score.ghost_energy = mean("ghost_energy");
-    score.psnr_subject_db = mean("psnr_subject_db");
-    score.flip_subject = mean("flip_subject");
-    score.subject_coverage = mean("subject_coverage");
+    for (const ScoreMetric& metric : score_metrics()) metric.set(score, mean_of(metric, views));
     return score;
 }
 

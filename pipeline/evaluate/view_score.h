@@ -39,6 +39,8 @@ struct ViewScore {
     /// Which photograph it is, by its working copy, however that was straightened; "" where that is
     /// not known.
     std::string photograph_sha256 = {};
+
+    friend bool operator==(const ViewScore&, const ViewScore&) = default;
 };
 
 /// The dB over covered pixels but for exposure and white balance, where that makes a difference of
@@ -50,6 +52,9 @@ struct ViewScore {
 struct ScoreMetric {
     const char* name;
     std::optional<double> (*value)(const ViewScore& score);
+    /// No value is 0 for a figure that no view may lack.
+    void (*set)(ViewScore& score, std::optional<double> value);
+    bool may_lack;  ///< Whether a view may be without it.
     bool higher_is_better;
     bool is_time = false;  ///< Differs from run to run, by what else the machine does.
 };

@@ -22,7 +22,7 @@ constexpr int kStripWidthPx = 1500;
 constexpr int kJpegQuality = 88;
 
 struct KnownChart {
-    fs::path path;
+    fs::path path;  ///< Empty where there is none of the package.
     std::string name;
     std::string caption;
 };
@@ -40,7 +40,8 @@ std::vector<KnownChart> charts_of(const WorkspaceLayout& workspace) {
     const auto add_of_stress = [&](const char* perturbation, const char* name,
                                    const char* caption) {
         const auto chart = of_stress.find(perturbation);
-        if (chart != of_stress.end()) charts.push_back({chart->second, name, caption});
+        const bool is_current = chart != of_stress.end();
+        charts.push_back({is_current ? chart->second : fs::path(), name, caption});
     };
     add_of_stress("pose_rotation_deg", "stress-poses.svg", "What wrong poses cost");
     add_of_stress("depth_percent", "stress-depth.svg", "What wrong depth costs");
@@ -109,6 +110,8 @@ void write_gallery(const WorkspaceLayout& workspace, const fs::path& folder, Pro
                "One eye: without depth, with depth; blending weights, inverse depth");
     for (const KnownChart& chart : charts_of(workspace)) {
         std::error_code status;
+        // A gallery made before shows that of another package there.
+        if (chart.path.empty()) fs::remove(folder / chart.name);
         if (!fs::is_regular_file(chart.path, status)) continue;
         write_whole_text(folder / chart.name, read_whole_text(chart.path));
         page += figure(chart.name, chart.caption);

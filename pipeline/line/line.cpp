@@ -177,27 +177,44 @@ class Line {
         inputs.push_back({"facts of all stages", sha256_hex(facts_of(finished_))});
         return {identity("pack", inputs),
                 [this](const fs::path& folder) {
-                    return run_pack_stage(
-                        {config_.name, used_, ingested_, held_out_, workspace_.stage_folder("mesh"),
-                         workspace_.stage_folder("depth"), sha256_of_content(pictures_and_poses()),
-                         sha256_of_content(outputs_of("mesh", "")),
-                         sha256_of_content(outputs_of("depth", "")), configuration_sha256_,
-                         config_.resolved_toml, facts_of(finished_), config_.package,
-                         config_.drawing, config_.mesh, config_.depth.max_memory_mib,
-                         [this](const Lumigraph& lumigraph, const Capture& capture) {
-                             return sufficient_views(lumigraph, capture, config_.mesh, progress_);
-                         },
-                         [this](const Lumigraph& lumigraph, const Capture& capture) {
-                             return asked_depth_mesh_effort(lumigraph, capture, config_.mesh,
-                                                            config_.drawing, progress_);
-                         },
-                         [this](const Lumigraph& lumigraph, const Capture& capture) {
-                             return asked_drawing_efforts(lumigraph, capture, config_.mesh,
-                                                          config_.drawing, progress_);
-                         }},
-                        workspace_.package_folder(), folder, threads_, progress_);
+                    return run_pack_stage(pack_sources(), workspace_.package_folder(), folder,
+                                          threads_, progress_);
                 },
                 workspace_.package_folder()};
+    }
+
+    [[nodiscard]] PackSources pack_sources() const {
+        return {.name = config_.name,
+                .photographs = used_,
+                .ingested = ingested_,
+                .held_out = held_out_,
+                .mesh_folder = workspace_.stage_folder("mesh"),
+                .depth_folder = workspace_.stage_folder("depth"),
+                .pictures_sha256 = sha256_of_content(pictures_and_poses()),
+                .mesh_sha256 = sha256_of_content(outputs_of("mesh", "")),
+                .depth_sha256 = sha256_of_content(outputs_of("depth", "")),
+                .configuration_sha256 = configuration_sha256_,
+                .resolved_config_toml = config_.resolved_toml,
+                .evidence_json = facts_of(finished_),
+                .options = config_.package,
+                .drawing = config_.drawing,
+                .mesh_options = config_.mesh,
+                .max_memory_mib = config_.depth.max_memory_mib,
+                .sufficient_views =
+                    [this](const Lumigraph& lumigraph, const Capture& capture) {
+                        return sufficient_views(lumigraph, capture, config_.mesh, threads_,
+                                                progress_);
+                    },
+                .depth_mesh_effort =
+                    [this](const Lumigraph& lumigraph, const Capture& capture) {
+                        return asked_depth_mesh_effort(lumigraph, capture, config_.mesh,
+                                                       config_.drawing, progress_);
+                    },
+                .drawing_efforts =
+                    [this](const Lumigraph& lumigraph, const Capture& capture) {
+                        return asked_drawing_efforts(lumigraph, capture, config_.mesh,
+                                                     config_.drawing, progress_);
+                    }};
     }
 
     void read_ingested() {

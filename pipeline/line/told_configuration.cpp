@@ -22,8 +22,8 @@ std::string configuration_sha256(const BuildConfig& config) {
 }
 
 void write_configuration(const Workspace& workspace, const BuildConfig& config) {
-    write_whole_text(workspace.config_path(),
-                     std::string(kWorkspaceConfigHeader) + kConfigNotes + config.movable_toml);
+    write_whole_text(workspace.config_path(), std::string(kWorkspaceConfigHeader) + '\n' +
+                                                  kConfigNotes + config.movable_toml);
 }
 
 }  // namespace lumi

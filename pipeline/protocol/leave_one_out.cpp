@@ -8,6 +8,7 @@
 #include "pipeline/stages/posed_files.h"
 #include "pipeline/stages/used_views.h"
 #include "pipeline/workspace/stage_store.h"
+#include "pipeline/workspace/work_folder.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {
@@ -116,6 +117,7 @@ class LeavingOneOut {
 LeaveOneOut leave_one_out(const ConfigDocument& document, const std::vector<RenderMode>& modes,
                           Exposures exposures, bool remove_depth, const fs::path& folder,
                           int threads, Progress& progress) {
+    const WorkFolder held(folder, {"store", "whole", "leave-one-out.json"});
     return LeavingOneOut(document, modes, exposures, folder, threads, progress).run(remove_depth);
 }
 

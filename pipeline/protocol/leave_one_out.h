@@ -23,8 +23,8 @@ struct LeaveOneOut {
 /// Works in `folder`, where all packages share ingest and poses; what was made before is not made
 /// again. Removing the depth, too, takes the depth stage as many times as there are photographs.
 /// Photographs are drawn with these exposures, in these modes.
-/// Throws Error (as run_line and evaluate_held_out do; E-EVAL-FEW for fewer than three placed
-/// photographs).
+/// Throws Error (as WorkFolder, run_line and evaluate_held_out do; E-EVAL-FEW for fewer than three
+/// placed photographs).
 [[nodiscard]] LeaveOneOut leave_one_out(const ConfigDocument& document,
                                         const std::vector<RenderMode>& modes, Exposures exposures,
                                         bool remove_depth, const std::filesystem::path& folder,

@@ -75,11 +75,13 @@ std::optional<FigureMove> move_of(const std::string& name, const VersionFigure& 
 
 MeasuredScene scene_of(const std::string& name, const PosedPhotographs& held_out) {
     MeasuredScene scene{name, 0, 0, {}};
-    for (const Camera& camera : held_out.capture.cameras) {
+    for (const View& view : held_out.capture.views) {
+        // Cameras of the capture may be those of other photographs, too.
+        const Camera& camera = camera_of(held_out.capture, view);
         scene.width_px = std::max(scene.width_px, camera.width_px);
         scene.height_px = std::max(scene.height_px, camera.height_px);
+        scene.views.push_back(view.name);
     }
-    for (const View& view : held_out.capture.views) scene.views.push_back(view.name);
     return scene;
 }
 
@@ -92,6 +94,21 @@ MeasuredScene scene_of(const std::string& name, const PosedPhotographs& held_out
 std::string text_of(const MeasuredScene& scene) {
     return scene.name + " (" + std::to_string(scene.width_px) + "x" +
            std::to_string(scene.height_px) + ", " + listed_names(scene.views) + ")";
+}
+
+/// Lists of names are shortened, so that two may read alike.
+std::string first_difference(const std::vector<std::string>& before,
+                             const std::vector<std::string>& now) {
+    const auto [left, right] = std::mismatch(before.begin(), before.end(), now.begin(), now.end());
+    if (left == before.end() && right == now.end()) return "";
+    const auto named = [](const auto& name, const std::vector<std::string>& names) {
+        return name == names.end() ? std::string("nothing") : *name;
+    };
+    return ": " + named(left, before) + " stands there, and here " + named(right, now);
+}
+
+std::string timing_text(int frames, int rounds) {
+    return "--frames " + std::to_string(frames) + " --rounds " + std::to_string(rounds);
 }
 
 std::string missing_text(const std::vector<std::string>& names) {
@@ -161,10 +178,21 @@ MeasuredVersion read_version(const std::filesystem::path& path) {
     return version;
 }
 
+void expect_same_timing(const MeasuredVersion& before, int frames, int rounds,
+                        const std::filesystem::path& baseline) {
+    if (before.frames == frames && before.rounds == rounds) return;
+    throw Error(ErrorKind::kUsage, "E-REGRESSION-OTHER",
+                baseline.string() + ": was measured with " +
+                    timing_text(before.frames, before.rounds) + ", and not with " +
+                    timing_text(frames, rounds),
+                "say the same, or write a new baseline with --write");
+}
+
 void expect_same_scene(const MeasuredScene& before, const MeasuredScene& now,
                        const std::filesystem::path& baseline) {
     if (before == now) return;
-    refuse_other(baseline, "is of " + text_of(before) + ", and not of " + text_of(now));
+    refuse_other(baseline, "is of " + text_of(before) + ", and not of " + text_of(now) +
+                               first_difference(before.views, now.views));
 }
 
 FigureComparison compare_figures(const VersionFigures& before, const VersionFigures& now) {

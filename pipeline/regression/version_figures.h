@@ -52,6 +52,11 @@ struct MeasuredVersion {
 /// Throws Error (E-JSON-READ; E-REGRESSION-OTHER where the file does not say what it is of).
 [[nodiscard]] MeasuredVersion read_version(const std::filesystem::path& path);
 
+/// Throws Error (E-REGRESSION-OTHER) unless the frames of a baseline were timed as often, along as
+/// long a path.
+void expect_same_timing(const MeasuredVersion& before, int frames, int rounds,
+                        const std::filesystem::path& baseline);
+
 /// Throws Error (E-REGRESSION-OTHER) unless a baseline is of the same scene.
 void expect_same_scene(const MeasuredScene& before, const MeasuredScene& now,
                        const std::filesystem::path& baseline);

@@ -52,6 +52,16 @@ std::string body_of(const ReportSources& sources) {
     return body;
 }
 
+/// A report that tells why is worth most when there is no package; but what ended the work must not
+/// be lost over it.
+void write_report_of_failure(const WorkspaceLayout& workspace) {
+    try {
+        write_workspace_report(workspace);
+    } catch (const std::exception&) {
+        return;
+    }
+}
+
 }  // namespace
 
 void write_workspace_report(const WorkspaceLayout& workspace) {
@@ -65,6 +75,16 @@ void write_workspace_report(const WorkspaceLayout& workspace) {
                                fault),
                     "run `lumi build` again, to its end, and then `lumi evaluate`");
     }
+}
+
+void work_and_report(const WorkspaceLayout& workspace, const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::kInterrupted) write_report_of_failure(workspace);
+        throw;
+    }
+    write_workspace_report(workspace);
 }
 
 }  // namespace lumi

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "pipeline/workspace/workspace.h"
 
 namespace lumi {
@@ -8,5 +10,10 @@ namespace lumi {
 /// (sections.h): pictures first, tables folded. Throws Error (E-JSON-READ) where the files of the
 /// workspace do not say what they should.
 void write_workspace_report(const WorkspaceLayout& workspace);
+
+/// Does work in a workspace and writes its report: also when the work ends with an Error other than
+/// an interruption, so that none stays there that tells of a run before. Throws what `work` and
+/// write_workspace_report do.
+void work_and_report(const WorkspaceLayout& workspace, const std::function<void()>& work);
 
 }  // namespace lumi

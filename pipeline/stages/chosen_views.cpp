@@ -41,10 +41,11 @@ std::vector<PicturedView> pictured_views(const Lumigraph& lumigraph) {
 }
 
 std::vector<int> views_by_worth(const Lumigraph& lumigraph, const Capture& capture,
-                                const std::vector<int>& views, const Progress& progress) {
+                                const std::vector<int>& views, int threads,
+                                const Progress& progress) {
     std::vector<PicturedView> pictured;
     std::vector<ColorImage> thumbnails(views.size());
-    parallel_for(static_cast<int>(views.size()), 0, [&](int i) {
+    parallel_for(static_cast<int>(views.size()), threads, [&](int i) {
         const auto index = static_cast<std::size_t>(i);
         const LumigraphView& view = lumigraph.views[static_cast<std::size_t>(views[index])];
         thumbnails[index] =

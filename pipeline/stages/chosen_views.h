@@ -27,7 +27,7 @@ namespace lumi {
 /// The listed views, the one that is missed most first (view_worth.h), in evened exposures: a
 /// photograph is not to be missed for how it was exposed. `views` and `capture` as above.
 [[nodiscard]] std::vector<int> views_by_worth(const Lumigraph& lumigraph, const Capture& capture,
-                                              const std::vector<int>& views,
+                                              const std::vector<int>& views, int threads,
                                               const Progress& progress);
 
 /// The first `count` of them, ascending; all when there are no more.

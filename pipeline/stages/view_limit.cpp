@@ -78,8 +78,8 @@ void ViewLimit::reduce(Lumigraph& lumigraph, int views) {
 void ViewLimit::rank(const Lumigraph& lumigraph) {
     std::vector<int> all(lumigraph.views.size());
     std::iota(all.begin(), all.end(), 0);
-    for (const int view :
-         views_by_worth(lumigraph, capture_of(lumigraph, sources_.photographs), all, progress_)) {
+    const Capture capture = capture_of(lumigraph, sources_.photographs);
+    for (const int view : views_by_worth(lumigraph, capture, all, threads_, progress_)) {
         names_by_worth_.push_back(lumigraph.views[static_cast<std::size_t>(view)].name);
     }
 }

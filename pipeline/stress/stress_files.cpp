@@ -126,6 +126,8 @@ Json stress_json(const StressResult& result) {
 
 void write_stress_files(const std::filesystem::path& folder, const StressResult& result,
                         const Progress& progress) {
+    // It vouches for the charts: until all are written, none does.
+    std::filesystem::remove(folder / kStressFiguresName);
     write_whole_text(folder / "stress.csv", csv_of(result));
     std::vector<std::string> drawings;
     for (const std::string& name : perturbations_of(result)) {
@@ -133,7 +135,6 @@ void write_stress_files(const std::filesystem::path& folder, const StressResult&
         write_whole_text(stress_chart_path(folder, name), drawings.back());
     }
     write_whole_text(folder / "stress.html", page_of(result, drawings));
-    // At last, as it vouches for the charts.
     write_json_file(folder / kStressFiguresName, stress_json(result));
 }
 

@@ -21,9 +21,13 @@ using Json = nlohmann::ordered_json;
 /// Makes packages in one workspace, one after the other.
 class Delivering {
  public:
-    Delivering(const Wish& wish, const ChartResult& chart, const WorkspaceLayout& layout,
-               int threads, Progress& progress)
-        : wish_(wish), chart_(chart), workspace_(layout), threads_(threads), progress_(progress) {}
+    Delivering(const Wish& wish, const ChartResult& chart, const Workspace& workspace, int threads,
+               Progress& progress)
+        : wish_(wish),
+          chart_(chart),
+          workspace_(workspace),
+          threads_(threads),
+          progress_(progress) {}
 
     Delivery deliver_best() {
         std::optional<Delivery> nearest;
@@ -75,7 +79,7 @@ class Delivering {
 
     const Wish& wish_;
     const ChartResult& chart_;
-    Workspace workspace_;
+    const Workspace& workspace_;
     int threads_;
     Progress& progress_;
 };
@@ -89,7 +93,7 @@ Json achievement_json(const Achievement& achievement) {
 
 }  // namespace
 
-Delivery deliver(const Wish& wish, const ChartResult& chart, const WorkspaceLayout& workspace,
+Delivery deliver(const Wish& wish, const ChartResult& chart, const Workspace& workspace,
                  int threads, Progress& progress) {
     return Delivering(wish, chart, workspace, threads, progress).deliver_best();
 }

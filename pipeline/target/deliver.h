@@ -24,7 +24,7 @@ struct Delivery {
 /// first that meets the wish, or, after `kMaxDeliveries`, the one that comes nearest; that one
 /// stands in the workspace. Throws Error (as run_line and evaluate_held_out do).
 [[nodiscard]] Delivery deliver(const Wish& wish, const ChartResult& chart,
-                               const WorkspaceLayout& workspace, int threads, Progress& progress);
+                               const Workspace& workspace, int threads, Progress& progress);
 
 constexpr int kMaxDeliveries = 3;
 

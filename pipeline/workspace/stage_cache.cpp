@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <set>
 
+#include "calib/ingest/made_by_lumi.h"
 #include "calib/work/stopwatch.h"
 #include "calib/work/whole_folder.h"
 #include "pipeline/workspace/stage_outputs.h"
@@ -36,6 +38,20 @@ std::vector<ContentEntry> outputs_in(const fs::path& product,
     return inside;
 }
 
+/// True where nothing lies in the product but what a run wrote, whether or not that was harmed.
+bool holds_nothing_but(const std::vector<ContentEntry>& outputs, const fs::path& product) {
+    std::set<std::string> names;
+    for (const ContentEntry& output : outputs) names.insert(output.name);
+    std::error_code status;
+    fs::recursive_directory_iterator entry(product, status);
+    for (; !status && entry != fs::recursive_directory_iterator(); entry.increment(status)) {
+        if (entry->symlink_status().type() == fs::file_type::directory) continue;
+        const fs::path name = entry->path().lexically_relative(product.parent_path());
+        if (!names.contains(name.generic_string())) return false;
+    }
+    return !status;
+}
+
 /// The files of `folder`, named as they will be called below the workspace.
 void append_content(std::vector<ContentEntry>& outputs, const fs::path& folder,
                     const std::string& final_name, int threads) {
@@ -57,6 +73,8 @@ FinishedStage run_stage(const Workspace& workspace, const Stage& stage, int thre
         append_content(marker.outputs, stage.product, stage.product.filename().string(), threads);
     }
     marker.cost = stopwatch.elapsed();
+    // Hidden, and so no output: it outlives the marker, which is removed to run a stage again.
+    mark_as_made_by_lumi(folder.staging());
     write_done_marker(folder.staging() / kDoneMarkerName, marker);
     folder.put_in_place();
     return {name, true, {}, marker.cost, marker.evidence, std::move(marker.outputs)};
@@ -84,9 +102,12 @@ FinishedStage bring_up_to_date(const Workspace& workspace, const Stage& stage, i
     }
     progress.note(name + ": runs (" + reason + ")");
     // What stands there is ours, as the marker says, but no longer what its writer would replace.
-    if (before && !stage.product.empty() &&
-        !are_unharmed(workspace.folder(), outputs_in(stage.product, before->outputs), threads))
-        fs::remove_all(stage.product);
+    if (before && !stage.product.empty()) {
+        const std::vector<ContentEntry> outputs = outputs_in(stage.product, before->outputs);
+        if (holds_nothing_but(outputs, stage.product) &&
+            !are_unharmed(workspace.folder(), outputs, threads))
+            fs::remove_all(stage.product);
+    }
     FinishedStage finished = run_stage(workspace, stage, threads);
     finished.reason = std::move(reason);
     if (is_shared) store->keep(stage.identity, workspace);

@@ -1,13 +1,16 @@
 #include "pipeline/workspace/workspace.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "calib/ingest/made_by_lumi.h"
 #include "calib/work/config_section.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "calib/work/whole_folder.h"
+#include "pipeline/workspace/done_marker.h"
 #include "pipeline/workspace/json_file.h"
 #include "pipeline/workspace/stage_outputs.h"
 #include "render/lumigraph/manifest.h"
@@ -16,6 +19,9 @@ namespace lumi {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 6> kStages{"ingest", "calibrate", "poses",
+                                             "mesh",   "depth",     "pack"};
 
 const fs::path& made(const fs::path& folder) {
     std::error_code status;
@@ -42,7 +48,7 @@ struct MarkedFolder {
 std::vector<MarkedFolder> marked_folders_of(const WorkspaceLayout& layout) {
     std::vector<MarkedFolder> folders{{layout.evaluation_folder(), kEvaluationName},
                                       {layout.stage_folder("plan"), kPlanName}};
-    for (const char* stage : {"ingest", "calibrate", "poses", "mesh", "depth", "pack"})
+    for (const char* stage : kStages)
         folders.push_back({layout.stage_folder(stage), kDoneMarkerName});
     return folders;
 }
@@ -58,52 +64,59 @@ bool has_own_configuration(const WorkspaceLayout& layout) {
            read_whole_text(layout.config_path()).starts_with(kWorkspaceConfigHeader);
 }
 
-/// The stages of the last run; none where its file does not tell.
-std::vector<std::string> listed_stages(const WorkspaceLayout& layout) {
+bool has_record_of_runs(const WorkspaceLayout& layout) {
     try {
         const auto run = read_json_file(layout.stages_path());
-        std::vector<std::string> names;
-        for (const auto& stage : run.at("stages")) names.push_back(stage.at("name"));
-        return names;
+        return run.contains("schema_version") && run.contains("configuration_sha256");
     } catch (const Error&) {
-        return {};
-    } catch (const nlohmann::json::exception&) {
-        return {};
+        return false;
     }
 }
 
-void expect_nothing_at(const fs::path& path) {
+bool has_finished_stage(const WorkspaceLayout& layout) {
+    return std::any_of(kStages.begin(), kStages.end(), [&](const char* stage) {
+        return read_done_marker(layout.stage_folder(stage) / kDoneMarkerName).has_value();
+    });
+}
+
+/// Who edits or converts a configuration still has a workspace.
+bool is_known_for_workspace(const WorkspaceLayout& layout) {
+    return has_own_configuration(layout) ||
+           (has_record_of_runs(layout) && has_finished_stage(layout));
+}
+
+void expect_nothing_at(const fs::path& path, const std::string& more_advice = "") {
     std::error_code status;
     if (!fs::exists(fs::symlink_status(path, status))) return;
     throw Error(ErrorKind::kBadInput, "E-WORKSPACE-FOREIGN",
                 path.string() + ": would be replaced, and nothing tells that lumi wrote it",
-                "choose another folder with --workspace, or give this one another name; or remove "
-                "it, if an earlier run of lumi left it");
+                "give it another name or move it elsewhere" + more_advice +
+                    "; lumi build can work in another folder, too, with --workspace");
 }
 
-bool has_marker_or_nothing(const MarkedFolder& folder) {
+void expect_no_folder_at(const fs::path& path) {
+    expect_nothing_at(path, ", or remove it, if an earlier run of lumi left it");
+}
+
+bool is_lumis_own(const MarkedFolder& folder) {
     std::error_code status;
     if (fs::is_directory(folder.path, status) && fs::is_empty(folder.path, status)) return true;
-    return fs::is_regular_file(folder.path / folder.marker, status);
+    return fs::is_regular_file(folder.path / folder.marker, status) ||
+           is_marked_as_made_by_lumi(folder.path);
 }
 
 /// Somebody's dataset may well have a folder that is called depth and a file config.toml, also
-/// beside a lock: that of another program, or of a run that ended before it wrote anything. Where
-/// the configuration is lumi's own, so is a stage that it says it has run: whoever wants it to run
-/// again removes its marker.
+/// beside a lock: that of another program, or of a run that ended before it wrote anything. What
+/// lies in a folder has to say so itself: whoever wants a stage to run again removes its marker,
+/// which leaves the mark of what lumi made.
 WorkspaceLayout without_foreign_files(const WorkspaceLayout& layout) {
-    const bool is_workspace = has_own_configuration(layout);
-    const bool may_hold_ours = is_workspace || has_lock(layout);
-    if (!may_hold_ours) expect_nothing_at(layout.package_folder());
-    const std::vector<std::string> listed =
-        is_workspace ? listed_stages(layout) : std::vector<std::string>{};
+    const bool is_known = is_known_for_workspace(layout);
+    const bool may_hold_ours = is_known || has_lock(layout);
+    if (!may_hold_ours) expect_no_folder_at(layout.package_folder());
     for (const MarkedFolder& folder : marked_folders_of(layout)) {
-        const bool is_listed =
-            std::find(listed.begin(), listed.end(), folder.path.filename()) != listed.end();
-        const bool is_ours = is_listed || (may_hold_ours && has_marker_or_nothing(folder));
-        if (!is_ours) expect_nothing_at(folder.path);
+        if (!may_hold_ours || !is_lumis_own(folder)) expect_no_folder_at(folder.path);
     }
-    if (is_workspace) return layout;
+    if (is_known) return layout;
     for (const fs::path& file : files_of(layout)) expect_nothing_at(file);
     return layout;
 }
@@ -141,6 +154,12 @@ std::filesystem::path folder_around(const std::filesystem::path& package_folder)
     return ends_in_slash ? path.parent_path().parent_path() : path.parent_path();
 }
 
+bool is_workspace(const fs::path& folder) {
+    const WorkspaceLayout layout(folder, "");
+    std::error_code status;
+    return fs::is_regular_file(layout.config_path(), status) && is_known_for_workspace(layout);
+}
+
 WorkspaceLayout find_workspace(const fs::path& folder) {
     const fs::path config_path = WorkspaceLayout(folder, "").config_path();
     std::error_code status;
@@ -150,9 +169,13 @@ WorkspaceLayout find_workspace(const fs::path& folder) {
                     folder.string() + ": is a package, where a workspace is expected",
                     "name the folder that `lumi build` made it in, such as work/NAME");
     }
-    if (!fs::is_regular_file(config_path, status)) {
+    if (!is_workspace(folder)) {
+        const bool has_configuration = fs::is_regular_file(config_path, status);
         throw Error(ErrorKind::kBadInput, "E-WORKSPACE-NONE",
-                    folder.string() + ": no workspace of lumi (it has no config.toml)",
+                    folder.string() + ": no workspace of lumi (" +
+                        (has_configuration ? "nothing tells that lumi wrote its config.toml"
+                                           : "it has no config.toml") +
+                        ")",
                     "name the folder that `lumi build` wrote, such as work/NAME");
     }
     return {folder, ConfigSection::from_file(config_path).text("name", "")};

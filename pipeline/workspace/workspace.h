@@ -48,15 +48,19 @@ class Workspace : public WorkspaceLayout {
 inline constexpr const char* kEvaluationName = "evaluation.json";
 inline constexpr const char* kPlanName = "plan.json";
 
-/// How the configuration of a workspace begins: by it a folder is known for one.
+/// The first line of a workspace's configuration, without its end: by it a folder is known for one.
 inline constexpr const char* kWorkspaceConfigHeader =
-    "# Written by lumi: every default, and paths that hold anywhere. It can be built from, too.\n";
+    "# Written by lumi: every default, and paths that hold anywhere. It can be built from, too.";
 
 /// The folder that a package lies in, with or without a slash at the end of its name.
 [[nodiscard]] std::filesystem::path folder_around(const std::filesystem::path& package_folder);
 
-/// The layout of a workspace that `lumi build` made, by its config.toml. Throws Error
-/// (E-WORKSPACE-NONE) when there is none.
+/// Whether the folder has a configuration that lumi wrote; or one that was edited or converted
+/// since, beside what lumi wrote down of its runs and a stage that it finished.
+[[nodiscard]] bool is_workspace(const std::filesystem::path& folder);
+
+/// The layout of a workspace that `lumi build` made (is_workspace), by its config.toml. Throws
+/// Error (E-WORKSPACE-NONE) when there is none.
 [[nodiscard]] WorkspaceLayout find_workspace(const std::filesystem::path& folder);
 
 }  // namespace lumi

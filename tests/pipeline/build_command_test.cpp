@@ -56,6 +56,18 @@ TEST_F(BuildCommand, AStageWhoseMarkerIsRemovedRunsAgain) {
     EXPECT_EQ(build(), "uuuuu");
 }
 
+TEST_F(BuildCommand, AStageWhoseMarkerIsRemovedRunsAgainAlsoAfterARunThatFailed) {
+    configure("");
+    ASSERT_EQ(build(), "rrrrr");
+    fs::remove(workspace() / "depth" / "done.json");
+    configure("[evaluate]\nhold_out = [\"no.png\"]\n");
+    const Outcome failed =
+        lumi("build " + quoted(config_path()) + " --workspace " + quoted(workspace()));
+    EXPECT_THAT(failed.talk, HasSubstr("error E-EVAL-NAME"));
+    configure("");
+    EXPECT_EQ(build(), "uuuru");
+}
+
 TEST_F(BuildCommand, WhatIsAskedOfDrawingReachesThePackage) {
     for (const std::string answer : {"yes", "no"}) {
         const bool is_yes = answer == "yes";
@@ -166,6 +178,19 @@ TEST_F(BuildCommand, ANamedFolderIsNotTakenFromAnotherCapture) {
     EXPECT_THAT(refused.talk, HasSubstr("E-WORKSPACE-OTHER"));
     EXPECT_EQ(read_whole_text(workspace() / "config.toml"), before);
     EXPECT_EQ(lumi("ingest " + quoted(scratch_ / "a") + there).exit_code, 0);
+}
+
+TEST_F(BuildCommand, ANamedFolderIsThatOfItsCaptureThoughThisCannotBeReached) {
+    for (const char* parent : {"a", "b"})
+        fs::copy(scene_->path() / "photos", scratch_ / parent, fs::copy_options::recursive);
+    fs::remove(scratch_ / "b/IMG_0009.png");
+    const std::string there = " --workspace " + quoted(workspace());
+    EXPECT_EQ(lumi("ingest " + quoted(scratch_ / "a") + there).exit_code, 0);
+    fs::rename(scratch_ / "a", scratch_ / "unmounted");
+    EXPECT_THAT(lumi("ingest " + quoted(scratch_ / "b") + there).talk,
+                HasSubstr("E-WORKSPACE-OTHER"));
+    EXPECT_EQ(lumi("ingest " + quoted(scratch_ / "unmounted") + there).exit_code, 0)
+        << "the same photographs, moved";
 }
 
 TEST_F(BuildCommand, ARefusedAttemptHoldsNoName) {

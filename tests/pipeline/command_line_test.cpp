@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "calib/ingest/made_by_lumi.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"
@@ -282,6 +283,58 @@ TEST(CommandLine, APathWithNothingThereIsCalledSo) {
         EXPECT_EQ(outcome.exit_code, 3) << line;
         EXPECT_THAT(outcome.talk, HasSubstr("there is nothing at this path")) << line;
     }
+}
+
+TEST(CommandLine, AFolderWithAConfigurationOfTheUsersIsNoWorkspace) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "config.toml", "name = \"cat\"\n");
+    for (const char* command : {"plan ", "select ", "evaluate ", "regression "}) {
+        const Outcome outcome = lumi(command + quoted(scratch.path()));
+        EXPECT_EQ(outcome.exit_code, 3) << command;
+        EXPECT_THAT(outcome.talk, HasSubstr("E-WORKSPACE-NONE")) << command;
+        EXPECT_THAT(outcome.talk, testing::Not(HasSubstr("--workspace"))) << command;
+    }
+}
+
+TEST(CommandLine, AChartTakesNoFolderOfTheUsersForLumis) {
+    const ScratchFolder scratch;
+    write_png(scratch / "photos/a.png", GrayImage(320, 240, 90));
+    write_png(scratch / "mine/a.png", GrayImage(320, 240, 90));
+    const std::string chart =
+        "chart " + quoted(scratch / "c.toml") + " --growth-alone --out " + quoted(scratch / "mine");
+    write_whole_text(scratch / "c.toml", "[capture]\nphotos = \"photos\"\n");
+    EXPECT_THAT(lumi(chart).talk, HasSubstr("E-GROWTH-NOTHING"));
+    EXPECT_FALSE(is_made_by_lumi(scratch / "mine"));
+    write_whole_text(scratch / "c.toml",
+                     "[capture]\nphotos = \"photos\"\n[growth]\nphotographs = [1]\n");
+    EXPECT_THAT(lumi(chart).talk, HasSubstr("E-OUT-EXISTS"));
+    EXPECT_FALSE(is_made_by_lumi(scratch / "mine"));
+}
+
+TEST(CommandLine, GrowthIsMeasuredByOneRunAtATime) {
+    const ScratchFolder scratch;
+    write_png(scratch / "photos/a.png", GrayImage(320, 240, 90));
+    write_whole_text(scratch / "c.toml",
+                     "[capture]\nphotos = \"photos\"\n[growth]\nphotographs = [1]\n");
+    std::filesystem::create_directory(scratch / "chart");
+    const Outcome outcome = lumi("chart " + quoted(scratch / "c.toml") + " --growth-alone --out " +
+                                     quoted(scratch / "chart"),
+                                 "flock " + quoted(scratch / "chart/.lock"));
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_THAT(outcome.talk, HasSubstr("E-WORKSPACE-BUSY"));
+}
+
+TEST(CommandLine, ATargetFindsOutBeforeItMeasuresThatItMayNotWrite) {
+    const ScratchFolder scratch;
+    write_png(scratch / "photos/a.png", GrayImage(320, 240, 90));
+    write_whole_text(scratch / "c.toml",
+                     "[capture]\nphotos = \"photos\"\n[evaluate]\nhold_out_every = 2\n");
+    write_whole_text(scratch / "w/depth/notes.txt", "the user's own");
+    const Outcome outcome = lumi("build " + quoted(scratch / "c.toml") +
+                                 " --target 20dB --workspace " + quoted(scratch / "w"));
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_THAT(outcome.talk, HasSubstr("E-WORKSPACE-FOREIGN"));
+    EXPECT_FALSE(std::filesystem::exists(scratch / "w-chart"));
 }
 
 TEST(CommandLine, APackageIsNoWorkspace) {

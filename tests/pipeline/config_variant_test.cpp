@@ -124,5 +124,17 @@ TEST_F(ConfigFile, AFolderIsAConfigurationWhateverItIsCalled) {
     EXPECT_TRUE(fs::equivalent(load_build_config(photos).photographs_or_video, photos));
 }
 
+TEST_F(ConfigFile, OneThatLiesWhereNoTextCanNameItIsRefused) {
+    const fs::path config = scratch_.path() / "n\xff" / "cat.toml";
+    write_whole_text(config, "[capture]\nphotos = \"photos\"\n");
+    try {
+        static_cast<void>(load_build_config(config));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-CONFIG-NAME");
+        EXPECT_THAT(error.what(), testing::HasSubstr("n\\xff: "));
+    }
+}
+
 }  // namespace
 }  // namespace lumi

@@ -141,6 +141,21 @@ TEST_F(DatasetFile, ANameThatLeadsElsewhereIsRefused) {
     }
 }
 
+TEST(DatasetFiles, HoldTheTextOfAFailureThatIsNotUtf8) {
+    const ScratchFolder scratch;
+    SceneOutcome bad;
+    bad.name = "bad";
+    bad.failure = Error(ErrorKind::kBadInput, "E-FILE-READ", "n\xff.jpg", "rename n\xff.jpg");
+    const SilentProgress progress;
+    write_dataset_files(scratch.path(), "set", {bad}, progress);
+    const auto scene = read_json_file(scratch / "dataset.json").at("scenes").at(0);
+    EXPECT_EQ(scene.at("failure"), "n\\xff.jpg");
+    EXPECT_EQ(scene.at("failure_advice"), "rename n\\xff.jpg");
+    for (const char* name : {"dataset.csv", "dataset.html"})
+        EXPECT_THAT(read_whole_text(scratch / name), HasSubstr("E-FILE-READ: n\\xff.jpg -"))
+            << name;
+}
+
 TEST(DatasetFiles, TellFailuresBesideResultsAndEscapeThem) {
     const ScratchFolder scratch;
     SceneOutcome good;

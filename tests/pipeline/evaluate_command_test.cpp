@@ -54,6 +54,18 @@ TEST_F(EvaluateCommand, EvaluatesHeldOutViews) {
     EXPECT_EQ(psnr.at("b_is"), "same");
 }
 
+TEST_F(EvaluateCommand, ItsPicturesAreNoPhotographsWhereTheWorkspaceLiesAmongThese) {
+    fs::copy(scene_->path() / "photos", workspace(), fs::copy_options::recursive);
+    configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
+    std::string text = read_whole_text(config_path());
+    const std::string elsewhere = (scene_->path() / "photos").string();
+    text.replace(text.find(elsewhere), elsewhere.size(), workspace().string());
+    write_whole_text(config_path(), text);
+    ASSERT_EQ(build(), "rrrrr");
+    ASSERT_EQ(lumi("evaluate --mode lightfield " + quoted(workspace())).exit_code, 0);
+    EXPECT_EQ(build(), "uuuuu");
+}
+
 TEST_F(EvaluateCommand, EvaluateSaysWhatToSetWhenNothingIsHeldOut) {
     configure("");
     static_cast<void>(build());

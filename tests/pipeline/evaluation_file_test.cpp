@@ -38,6 +38,10 @@ class CurrentEvaluation : public testing::Test {
                 {"pictures_sha256", "pictures"},
                 {"depth_sha256", "depth"}};
     }
+    void write_configuration() const {
+        write_whole_text(layout_.config_path(),
+                         std::string(kWorkspaceConfigHeader) + "\nname = \"box\"\n");
+    }
     [[nodiscard]] Json read_back(const std::string& text) const {
         write_whole_text(layout_.evaluation_folder() / "evaluation.json", text);
         return read_current_evaluation(layout_);
@@ -81,7 +85,7 @@ TEST_F(CurrentEvaluation, IsNoneWhereTheRecordOfThePackageIsDamaged) {
 }
 
 TEST_F(CurrentEvaluation, OneOfAVersionThatDoesNotSayOfWhichPhotographsIsNotCalledThatOfAnother) {
-    write_whole_text(layout_.config_path(), "name = \"box\"\n");
+    write_configuration();
     Json before = evaluation();
     before.erase("pictures_sha256");
     EXPECT_TRUE(read_back(before.dump()).is_null());
@@ -108,7 +112,7 @@ TEST_F(CurrentEvaluation, OneThatIsNamedIsRefusedWhenItIsDamaged) {
 }
 
 TEST_F(CurrentEvaluation, OneThatIsNamedByItsWorkspaceIsOfThePackageThatStandsThere) {
-    write_whole_text(layout_.config_path(), "name = \"box\"\n");
+    write_configuration();
     static_cast<void>(read_back(evaluation().dump()));
     EXPECT_EQ(read_evaluation(layout_.folder()), evaluation());
     write_whole_text(layout_.package_folder() / "lumigraph.json", "{\"other\": 1}");
@@ -122,6 +126,34 @@ TEST_F(CurrentEvaluation, OneThatIsNamedByItsWorkspaceIsOfThePackageThatStandsTh
     // The file alone may be kept to compare with what comes after it.
     EXPECT_NO_THROW(
         static_cast<void>(read_evaluation(layout_.evaluation_folder() / "evaluation.json")));
+}
+
+TEST(Scores, AreReadBackAsTheyWereWritten) {
+    ViewScore score{.name = "IMG_1.jpg", .psnr_db = 31.5, .ssim = 0.9, .coverage = 0.75, .ms = 4};
+    score.cpu_ms = 7;
+    score.flip = 0.125;
+    score.gain = {1.25, 1.0, 0.5};
+    score.place = ViewPlace::kBorder;
+    score.fastest_ms = 3;
+    score.slowest_ms = 5;
+    ViewScore whole = score;
+    whole.psnr_covered_db = 32.25;
+    whole.flip_covered = 0.0625;
+    whole.edge_sharpness = 0.8;
+    whole.psnr_gain_fitted_db = 33.5;
+    whole.ghost_energy = 2.5;
+    whole.psnr_subject_db = 30.5;
+    whole.flip_subject = 0.25;
+    whole.subject_coverage = 0.5;
+    whole.subject_share = 0.1;
+    whole.width_px = 768;
+    whole.height_px = 512;
+    whole.photograph_sha256 = "a";
+    const ModeScores scores{RenderMode::kPerPixel, {score, whole}, 0.5, {}};
+    const ModeScores again = mode_scores_from(scores.mode, mode_scores_json(scores));
+    EXPECT_EQ(again.views, scores.views);
+    EXPECT_EQ(again.ghost_between_blocks, scores.ghost_between_blocks);
+    EXPECT_EQ(again.ghost_between_views, scores.ghost_between_views);
 }
 
 TEST(EvaluationMadeWith, TellsEverythingThatDecidesFiguresApart) {

@@ -19,7 +19,7 @@ class FramesOfViews : public testing::Test {
                                  const std::vector<std::string>& held_out = {}) {
         std::vector<std::string> photographs = views;
         photographs.insert(photographs.end(), held_out.begin(), held_out.end());
-        return frames_of_views(scratch_.path(), views, RenderMode::kPerPixel, photographs);
+        return frames_of_views(scratch_.path(), views, kind_, photographs);
     }
     void expect_refused(const std::vector<std::string>& views,
                         const std::vector<std::string>& held_out = {}) {
@@ -32,6 +32,7 @@ class FramesOfViews : public testing::Test {
     }
 
     ScratchFolder scratch_;
+    std::string kind_ = "perpixel";
 };
 
 TEST_F(FramesOfViews, AreNamedByViewAndMode) {
@@ -44,6 +45,14 @@ TEST_F(FramesOfViews, TakeThePlaceOfThoseOfARunBefore) {
     const std::vector<fs::path> first = frames({"a.jpg", "b.jpg"});
     for (const fs::path& frame : first) write_whole_text(frame, "a frame");
     EXPECT_EQ(frames({"a.jpg", "b.jpg"}), first);
+}
+
+TEST_F(FramesOfViews, OfOneKindTakeThePlaceOfNoOthers) {
+    const std::vector<fs::path> plain = frames({"a.jpg"});
+    kind_ = "perpixel.difference";
+    EXPECT_THAT(frames({"a.jpg"}), ElementsAre(scratch_ / "a.perpixel.difference.png"));
+    kind_ = "perpixel";
+    EXPECT_THAT(frames({"a.difference.jpg"}), ElementsAre(scratch_ / "a_difference.perpixel.png"));
 }
 
 TEST_F(FramesOfViews, NeverTakeThePlaceOfAPhotograph) {

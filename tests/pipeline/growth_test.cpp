@@ -106,6 +106,14 @@ TEST_F(Growing, ASizeThatFailsIsToldBesideTheOthers) {
     EXPECT_THAT(result.failures.front(), HasSubstr("2 photographs: E-GROWTH-STAGE"));
 }
 
+TEST_F(Growing, ASizeThatTheFileSystemRefusesIsToldBesideTheOthers) {
+    write_whole_text(folder_ / "photos-2", "a file where a folder is to be");
+    const GrowthResult result = measure("[growth]\nphotographs = [1, 2]\n", stand_in("nothing"));
+    EXPECT_THAT(result.by_photographs, SizeIs(5));
+    ASSERT_THAT(result.failures, SizeIs(1));
+    EXPECT_THAT(result.failures.front(), HasSubstr("2 photographs: E-FILE-SYSTEM"));
+}
+
 TEST_F(Growing, IsToldOfEveryFileWhereItLies) {
     static_cast<void>(
         measure("import = \"poses\"\n[poses]\nmasks = \"poses masks\"\n[depth]\nmasks = \"masks\"\n"

@@ -117,7 +117,7 @@ TEST(SufficientViews, LeavesOutNearDuplicates) {
     }
     studio.find_points();
     SilentProgress progress;
-    const int enough = sufficient_views(studio.lumigraph, studio.capture, {}, progress);
+    const int enough = sufficient_views(studio.lumigraph, studio.capture, {}, 1, progress);
     EXPECT_LE(enough, 36);
     EXPECT_GE(enough, 6);
 }
@@ -129,7 +129,7 @@ TEST(SufficientViews, AreAllOfFewerThanTwelve) {
     }
     studio.find_points();
     SilentProgress progress;
-    EXPECT_EQ(sufficient_views(studio.lumigraph, studio.capture, {}, progress), 8);
+    EXPECT_EQ(sufficient_views(studio.lumigraph, studio.capture, {}, 1, progress), 8);
 }
 
 }  // namespace

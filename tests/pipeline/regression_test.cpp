@@ -14,6 +14,7 @@ namespace lumi {
 namespace {
 
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::StartsWith;
 
 TEST(Regression, SaysWhatMovedBeyondTheNoiseOfBoth) {
@@ -104,6 +105,12 @@ TEST(Regression, FiguresOfAnotherSceneAreNotCompared) {
             thrown_by([&] { expect_same_scene(scene, other, "base.json"); }),
             StartsWith("E-REGRESSION-OTHER: base.json: is of demo (768x512, a.png, b.png)"));
     }
+    MeasuredScene many = scene;
+    for (int i = 0; i < 30; ++i) many.views.push_back("c" + std::to_string(i) + ".png");
+    MeasuredScene others = many;
+    others.views[20] = "d.png";
+    EXPECT_THAT(thrown_by([&] { expect_same_scene(many, others, "base.json"); }),
+                EndsWith(": c18.png stands there, and here d.png"));
     const ScratchFolder scratch;
     write_whole_text(scratch / "old.json", "{\"schema_version\": 1, \"figures\": {}}");
     EXPECT_THAT(thrown_by([&] { static_cast<void>(read_version(scratch / "old.json")); }),
@@ -111,6 +118,17 @@ TEST(Regression, FiguresOfAnotherSceneAreNotCompared) {
     const MeasuredVersion ours =
         read_version(std::filesystem::path(LUMI_SOURCE_DIR) / "configs/bench-baseline.json");
     EXPECT_EQ(ours.scene.name, "demo") << "what ./run bench measures";
+}
+
+TEST(Regression, FiguresThatWereTimedOtherwiseAreNotCompared) {
+    const MeasuredVersion version{{"demo", 768, 512, {"a.png"}}, 20, 3, {}};
+    EXPECT_EQ(thrown_by([&] { expect_same_timing(version, 20, 3, "base.json"); }), "");
+    for (const auto& [frames, rounds] : {std::pair(2, 3), std::pair(20, 1)})
+        EXPECT_THAT(thrown_by([&, frames = frames, rounds = rounds] {
+                        expect_same_timing(version, frames, rounds, "base.json");
+                    }),
+                    StartsWith("E-REGRESSION-OTHER: base.json: was measured with --frames 20 "
+                               "--rounds 3, and not with "));
 }
 
 }  // namespace

@@ -88,6 +88,26 @@ TEST_F(DatasetRun, AWorkspaceThatAnotherRunHoldsDoesNotEndTheOthers) {
     EXPECT_TRUE(code_of(outcomes[1]).starts_with("E-INGEST")) << code_of(outcomes[1]);
 }
 
+TEST_F(DatasetRun, TwoRunsDoNotBuildOneDataset) {
+    fs::create_directories(folder());
+    const FolderLock other_run(folder());
+    SilentProgress progress;
+    try {
+        static_cast<void>(run(progress));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-WORKSPACE-BUSY");
+    }
+    EXPECT_FALSE(fs::exists(folder() / "statue"));
+}
+
+TEST_F(DatasetRun, TheReportOfASceneThatFailsTellsOfTheFailure) {
+    SilentProgress progress;
+    for (const SceneOutcome& outcome : run(progress))
+        EXPECT_THAT(read_whole_text(folder() / outcome.name / "report.html"),
+                    testing::HasSubstr(code_of(outcome)));
+}
+
 TEST_F(DatasetRun, WhatToDoAboutAFailureIsToldWithIt) {
     NotedProgress progress;
     for (const SceneOutcome& outcome : run(progress)) {

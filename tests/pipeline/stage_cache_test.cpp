@@ -180,20 +180,79 @@ TEST_F(StageCache, AFolderIsLumisOwnByItsOwnMarkerAlone) {
     expect_foreign(dataset.path(), fs::path("depth") / kPlanName);
 }
 
-TEST_F(StageCache, AStageWithoutMarkerIsLumisOwnWhereTheLastRunListsIt) {
-    const ScratchFolder folder;
-    write_whole_text(folder / "config.toml", kWorkspaceConfigHeader);
-    write_whole_text(folder / "ingest" / "photographs.json", "{}");
-    write_whole_text(folder / "stages.json", R"({"stages": [{"name": "mesh"}]})");
-    expect_foreign(folder.path(), "ingest/photographs.json");
-    write_whole_text(folder / "stages.json", R"({"stages": [{"name": "ingest"}]})");
-    EXPECT_NO_THROW(Workspace(WorkspaceLayout(folder.path(), "scene")));
-    write_whole_text(folder / "stages.json", "damaged");
-    expect_foreign(folder.path(), "ingest/photographs.json");
-    write_whole_text(folder / "stages.json", R"({"stages": [{"name": "ingest"}]})");
-    write_whole_text(folder / "config.toml", "name = \"the user's own\"");
-    write_whole_text(folder / kLockName, "");
-    expect_foreign(folder.path(), "ingest/photographs.json");
+TEST_F(StageCache, AStageWithoutMarkerIsLumisOwnWhateverTheLastRunWroteDown) {
+    static_cast<void>(bring());
+    for (const char* run : {"damaged", R"({"stages": []})", R"({"stages": [{"name": "mesh"}]})"}) {
+        write_whole_text(scratch_ / "work/stages.json", run);
+        fs::remove(scratch_ / "work/mesh" / kDoneMarkerName);
+        EXPECT_TRUE(bring().was_run) << run;
+    }
+    EXPECT_EQ(runs_, 4);
+    EXPECT_EQ(content_of(scratch_ / "work/mesh", 1).size(), 2U) << "the copy and the marker";
+}
+
+TEST_F(StageCache, AFolderThatTookTheNameOfAStageIsNotLumisOwn) {
+    static_cast<void>(bring());
+    write_whole_text(scratch_ / "work/stages.json", R"({"stages": [{"name": "mesh"}]})");
+    fs::remove_all(scratch_ / "work/mesh");
+    write_whole_text(scratch_ / "work/mesh/notes.txt", "the user's own");
+    expect_foreign(scratch_ / "work", "mesh/notes.txt");
+}
+
+constexpr const char* kRecordOfRuns =
+    R"({"schema_version": 1, "stages": [], "configuration_sha256": "a"})";
+
+TEST_F(StageCache, AWorkspaceIsKnownThoughItsConfigurationWasEditedOrConverted) {
+    const fs::path work = scratch_ / "work";
+    const auto expect_known = [&] {
+        EXPECT_NO_THROW(Workspace(WorkspaceLayout(work, "scene")));
+        EXPECT_EQ(find_workspace(work).name(), "cat");
+    };
+    static_cast<void>(bring());
+    write_whole_text(work / "config.toml",
+                     std::string(kWorkspaceConfigHeader) + "\r\nname = \"cat\"\r\n");
+    expect_known();
+    write_whole_text(work / "stages.json", kRecordOfRuns);
+    write_whole_text(work / "config.toml", "name = \"cat\"\n");
+    expect_known();
+    fs::remove(work / "mesh" / kDoneMarkerName);
+    expect_foreign(work, "config.toml");
+    EXPECT_THROW(static_cast<void>(find_workspace(work)), Error);
+}
+
+TEST_F(StageCache, NobodyIsToldToRemoveAConfiguration) {
+    write_whole_text(scratch_ / "config.toml", "name = \"the user's own\"");
+    try {
+        const Workspace workspace(WorkspaceLayout(scratch_.path(), "scene"));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-WORKSPACE-FOREIGN");
+        EXPECT_EQ(error.advice().find("remove"), std::string::npos) << error.advice();
+    }
+}
+
+TEST_F(StageCache, AProductThatHoldsFilesOfTheUsersIsLeftToItsWriter) {
+    const fs::path product = scratch_ / "work" / "scene.lumi";
+    bool stood = false;
+    const auto pack = [&](const std::string& parameters) {
+        const Workspace workspace(WorkspaceLayout(scratch_ / "work", "scene"));
+        write_whole_text(workspace.config_path(), kWorkspaceConfigHeader);
+        SilentProgress progress;
+        const Stage stage{{"pack", "code", parameters, "", "inputs"},
+                          [&](const fs::path&) -> StageEvidence {
+                              stood = fs::exists(product);
+                              write_whole_text(product / "manifest.txt", parameters);
+                              return {"{}", "{}"};
+                          },
+                          product};
+        static_cast<void>(bring_up_to_date(workspace, stage, 1, progress));
+    };
+    pack("width = 1");
+    fs::remove_all(product);
+    write_whole_text(product / "below" / "notes.txt", "the user's own");
+    pack("width = 2");
+    EXPECT_TRUE(stood);
+    EXPECT_EQ(read_whole_text(product / "below" / "notes.txt"), "the user's own");
 }
 
 TEST_F(StageCache, AHarmedProductGivesWayWhateverElseChanged) {

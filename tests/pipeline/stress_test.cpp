@@ -179,6 +179,18 @@ TEST(StressFiles, ChartsOfOtherRunsAndOtherPackagesAreNotTheseOnes) {
     EXPECT_TRUE(stress_charts_of(workspace).empty());
 }
 
+TEST(StressFiles, NothingVouchesForChartsOfARunThatWasStopped) {
+    const ScratchFolder scratch;
+    StressResult result;
+    result.curves = {{"blur_px", RenderMode::kPerPixel, {0, 1}, {30, 29}, {}}};
+    write_stress_files(scratch.path(), result, SilentProgress());
+    ASSERT_TRUE(fs::exists(scratch / "stress.json"));
+    SilentProgress stopped;
+    stopped.interrupt();
+    EXPECT_THROW(write_stress_files(scratch.path(), result, stopped), Error);
+    EXPECT_FALSE(fs::exists(scratch / "stress.json"));
+}
+
 TEST_F(Stress, ViewsThatAreLeftHaveTheirMeshByWhatTheySeeAlone) {
     const std::vector<int> kept{0, 1, 2, 3, 5, 6, 7, 8};
     std::vector<CameraMesh> meshes;

@@ -214,6 +214,27 @@ TEST_F(Sweeps, ADatasetTakesNoEvaluationThatWasMadeOtherwise) {
     }
 }
 
+TEST_F(Sweeps, LeaveOneOutTakesNoneOfItsCopiesForAPhotographWhereItWorksAmongThem) {
+    std::size_t photographs = 0;
+    for (const auto& entry : fs::directory_iterator(scene_->path() / "photos")) {
+        fs::copy_file(entry.path(), scratch_ / entry.path().filename());
+        if (entry.path().extension() == ".png") ++photographs;
+    }
+    write_whole_text(scratch_ / "box.toml",
+                     "[capture]\nphotos = \".\"\nmax_width_px = 100\nimport = \"" +
+                         (scene_->path() / "truth" / "sparse").string() + "\"\n" + kSparseDepth +
+                         kToldDrawing);
+    for (int run = 0; run < 2; ++run) {
+        const Outcome outcome =
+            lumi("evaluate box.toml --leave-one-out --keep-depth --mode lightfield");
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
+        const Json list = Json::parse(
+            read_whole_text(scratch_ / "work/box-leave-one-out/whole/ingest/photographs.json"));
+        EXPECT_EQ(list.at("photographs").size(), photographs);
+        EXPECT_EQ(list.at("left_out").size(), 0U) << list.at("left_out");
+    }
+}
+
 TEST_F(Sweeps, LeaveOneOutJudgesEveryPhotographWithAndWithoutItsDepth) {
     configure("box", kSparseDepth);
     const Outcome outcome = lumi("--json evaluate box.toml --leave-one-out --mode perpixel");
@@ -328,12 +349,14 @@ TEST_F(Sweeps, RegressionAndGalleryTakeAnEvaluatedWorkspace) {
     ASSERT_EQ(lumi("build box.toml").exit_code, 0);
     EXPECT_EQ(lumi("gallery work/box --out pictures").exit_code, 2);
     ASSERT_EQ(lumi("evaluate work/box --no-ghost-energy").exit_code, 0);
+    write_whole_text(scratch_ / "pictures/stress-poses.svg", "of another package");
     const Outcome gallery = lumi("--json gallery work/box --out pictures");
     EXPECT_EQ(gallery.exit_code, 0) << gallery.talk;
     EXPECT_EQ(Json::parse(gallery.out).at("page"), "pictures/gallery.md");
     for (const char* name : {"held-out.jpg", "methods.jpg", "gallery.md"}) {
         EXPECT_TRUE(fs::exists(scratch_.path() / "pictures" / name)) << name;
     }
+    EXPECT_FALSE(fs::exists(scratch_.path() / "pictures" / "stress-poses.svg"));
     const std::string small = " --frames 2 --rounds 1";
     ASSERT_EQ(lumi("regression work/box --write base.json" + small).exit_code, 0);
     Json base = Json::parse(read_whole_text(scratch_ / "base.json"));
@@ -346,6 +369,8 @@ TEST_F(Sweeps, RegressionAndGalleryTakeAnEvaluatedWorkspace) {
     }
     write_whole_text(scratch_ / "base.json", base.dump());
     EXPECT_EQ(lumi("regression work/box --baseline base.json" + small).exit_code, 0);
+    EXPECT_THAT(lumi("regression work/box --baseline base.json").talk,
+                HasSubstr("E-REGRESSION-OTHER"));
     base["figures"]["error.perpixel.psnr_db"] = {
         {"value", 99.0}, {"noise", 0.01}, {"higher_is_better", true}};
     write_whole_text(scratch_ / "base.json", base.dump());
