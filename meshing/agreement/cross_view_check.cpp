@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "meshing/warp/inverse_depth_warp.h"
 #include "meshing/warp/parallax.h"
+#include "meshing/warp/round_trip.h"
 
 namespace lumi {
 namespace {
@@ -14,11 +14,10 @@ constexpr double kMaxDisagreementPx = 1.0;
 constexpr double kMaxOfFastestPx = 2.0;  // The same, as the fastest neighbour would see it.
 constexpr double kMaxStepPx = 4.0;       // Disparity between neighbouring pixels of a steep floor.
 
-/// The two directions between a view and its neighbour.
-struct RoundTrip {
-    const DepthMap* other;
-    InverseDepthWarp there;
-    InverseDepthWarp back;
+/// A neighbour that is asked whether it agrees.
+struct AskedNeighbour {
+    const DepthMap* map;
+    RoundTrip trip;
     double max_step_there;  ///< Inverse depth by which pixels of one surface differ at most.
     double max_disagreement_px;
 };
@@ -50,18 +49,15 @@ std::optional<double> sample(const DepthMap& map, const Eigen::Vector2d& pixel, 
 }
 
 /// What the neighbour says of this pixel, as inverse depth here; empty unless it agrees.
-std::optional<double> confirmation(const RoundTrip& trip, const Eigen::Vector2d& pixel,
+std::optional<double> confirmation(const AskedNeighbour& asked, const Eigen::Vector2d& pixel,
                                    double inverse_depth) {
-    const Eigen::Vector3d there = trip.there(pixel, inverse_depth);
-    if (there.z() <= 0) return std::nullopt;
-    const Eigen::Vector2d pixel_there = there.hnormalized();
-    const auto found = sample(*trip.other, pixel_there, trip.max_step_there);
+    const auto there = asked.trip.there.at(pixel, inverse_depth);
+    if (!there) return std::nullopt;
+    const auto found = sample(*asked.map, there->pixel, asked.max_step_there);
     if (!found) return std::nullopt;
-    const Eigen::Vector3d back = trip.back(pixel_there, *found);
-    if (back.z() <= 0) return std::nullopt;
-    const double max_squared_px = trip.max_disagreement_px * trip.max_disagreement_px;
-    if ((back.hnormalized() - pixel).squaredNorm() > max_squared_px) return std::nullopt;
-    return *found / back.z();
+    const auto returned = asked.trip.returned(pixel, there->pixel, *found);
+    if (!returned || returned->error_px > asked.max_disagreement_px) return std::nullopt;
+    return returned->inverse_depth;
 }
 
 /// Of each of a view's neighbours, as a share of the fastest one's.
@@ -77,24 +73,21 @@ std::vector<double> parallax_shares(const DepthScene& scene, const DepthView& vi
     return shares;
 }
 
-std::vector<RoundTrip> round_trips(const DepthScene& scene,
-                                   const std::vector<DepthEstimate>& estimates,
-                                   const DepthView& view) {
-    std::vector<RoundTrip> trips;
+std::vector<AskedNeighbour> asked_neighbours(const DepthScene& scene,
+                                             const std::vector<DepthEstimate>& estimates,
+                                             const DepthView& view) {
+    std::vector<AskedNeighbour> neighbours;
     const std::vector<double> shares = parallax_shares(scene, view);
     for (std::size_t k = 0; k < shares.size(); ++k) {
         const auto index = static_cast<std::size_t>(view.neighbours[k]);
         const DepthView& other = scene.views[index];
         if (!estimates[index].needs_confirmation) continue;  // Not found from the photographs.
         if (shares[k] < kLeastParallaxShare) continue;
-        trips.push_back(
-            {&estimates[index].map,
-             warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world),
-             warp_b_from_a(other.camera, other.cam_from_world, view.camera, view.cam_from_world),
-             kMaxStepPx / other.disparity_px_per_inverse_depth,
-             std::min(kMaxDisagreementPx, kMaxOfFastestPx * shares[k])});
+        neighbours.push_back({&estimates[index].map, round_trip(view, other),
+                              kMaxStepPx / other.disparity_px_per_inverse_depth,
+                              std::min(kMaxDisagreementPx, kMaxOfFastestPx * shares[k])});
     }
-    return trips;
+    return neighbours;
 }
 
 /// Pixels of the patch around `start`, flooded by confidence and nearness in inverse depth.
@@ -125,7 +118,7 @@ void flood(const DepthMap& map, int start, double max_step, std::vector<char>& v
 DepthMap cross_view_check(const DepthScene& scene, const std::vector<DepthEstimate>& estimates,
                           int view_index) {
     const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
-    const std::vector<RoundTrip> trips = round_trips(scene, estimates, view);
+    const std::vector<AskedNeighbour> neighbours = asked_neighbours(scene, estimates, view);
     DepthMap map = estimates[static_cast<std::size_t>(view_index)].map;
     for (int y = 0; y < map.inverse_depth.height(); ++y) {
         for (int x = 0; x < map.inverse_depth.width(); ++x) {
@@ -133,8 +126,8 @@ DepthMap cross_view_check(const DepthScene& scene, const std::vector<DepthEstima
             const double own = static_cast<double>(map.inverse_depth(x, y));
             double sum = own;
             int agreeing = 0;
-            for (const RoundTrip& trip : trips) {
-                const auto said = confirmation(trip, {x + 0.5, y + 0.5}, own);
+            for (const AskedNeighbour& neighbour : neighbours) {
+                const auto said = confirmation(neighbour, {x + 0.5, y + 0.5}, own);
                 if (!said) continue;
                 sum += *said;
                 ++agreeing;

@@ -109,8 +109,7 @@ std::optional<Witness> witness(const DepthScene& scene, const std::vector<DepthM
     const DepthView& view = scene.views[static_cast<std::size_t>(view_index)];
     const DepthView& other = scene.views[static_cast<std::size_t>(other_index)];
     const DepthMap& map = maps[static_cast<std::size_t>(other_index)];
-    const InverseDepthWarp own_from_other =
-        warp_b_from_a(other.camera, other.cam_from_world, view.camera, view.cam_from_world);
+    const InverseDepthWarp own_from_other = warp_from(other).to(view);
     ColorImage picture = averaged(other.photograph);
     constexpr int kStep = 8;
     const auto match = color_match(shared_colors(
@@ -241,8 +240,7 @@ void take_claims_against(const DepthScene& scene, const std::vector<DepthMap>& m
         const auto last = std::find_if(first, claims.end(),
                                        [&](const Claim& claim) { return claim.view != asked; });
         if (const auto other = witness(scene, maps, view_index, own_picture, asked)) {
-            const InverseDepthWarp other_from_own = warp_b_from_a(
-                view.camera, view.cam_from_world, other->view->camera, other->view->cam_from_world);
+            const InverseDepthWarp other_from_own = warp_from(view).to(*other->view);
             std::for_each(first, last, [&](const Claim& claim) {
                 float& continued = map.inverse_depth(claim.x, claim.y);
                 const Rgb8& color = own_picture(claim.x, claim.y);

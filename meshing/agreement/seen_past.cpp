@@ -10,8 +10,7 @@ namespace {
 void leave_what_is_seen_past(const DepthView& view, const DepthMap& map, const DepthView& other,
                              const DepthMap& known, GrayImage& pixels) {
     if (other.disparity_px_per_inverse_depth <= 0) return;
-    const InverseDepthWarp other_from_own =
-        warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world);
+    const InverseDepthWarp other_from_own = warp_from(view).to(other);
     const double clearly = kClearlyApartPx / other.disparity_px_per_inverse_depth;
     for (int y = 0; y < pixels.height(); ++y) {
         for (int x = 0; x < pixels.width(); ++x) {
@@ -27,14 +26,13 @@ void leave_what_is_seen_past(const DepthView& view, const DepthMap& map, const D
 std::optional<PlaceInView> place_in_view(const DepthMap& known,
                                          const InverseDepthWarp& view_from_own, int x, int y,
                                          float inverse_depth) {
-    const Eigen::Vector3d there =
-        view_from_own({x + 0.5, y + 0.5}, static_cast<double>(inverse_depth));
+    const auto there = view_from_own.at({x + 0.5, y + 0.5}, static_cast<double>(inverse_depth));
     const auto pixel = pixel_in_picture(there, known.confidence.width(), known.confidence.height());
     if (!pixel) return std::nullopt;
     PlaceInView place{pixel->x(), pixel->y(), 0.0};
     if (known.confidence(place.x, place.y) != 0) {
-        place.ahead = static_cast<double>(inverse_depth) / there.z() -
-                      static_cast<double>(known.inverse_depth(place.x, place.y));
+        place.ahead =
+            there->inverse_depth - static_cast<double>(known.inverse_depth(place.x, place.y));
     }
     return place;
 }

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "meshing/depth_scene/depth_scene.h"
 #include "meshing/surface/depth_map.h"
-#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 

@@ -56,9 +56,7 @@ SurroundingDepth surrounding_depth(const DepthScene& scene, const std::vector<De
     for (const int j : views_around(scene, view_index)) {
         const auto index = static_cast<std::size_t>(j);
         const DepthView& other = scene.views[index];
-        splat(maps[index],
-              warp_b_from_a(other.camera, other.cam_from_world, view.camera, view.cam_from_world),
-              within.confidence, surrounding);
+        splat(maps[index], warp_from(other).to(view), within.confidence, surrounding);
     }
     surrounding.map = with_gaps_closed(surrounding.map);
     put_within(within, surrounding);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "meshing/depth_scene/views_around.h"
-#include "meshing/warp/inverse_depth_warp.h"
 #include "meshing/warp/pixel_in_picture.h"
 
 namespace lumi {
@@ -48,9 +48,7 @@ class VisualHull::Rays {
             const GrayImage& mask = hull.masks_[static_cast<std::size_t>(i)];
             if (mask.empty()) continue;
             const DepthView& other = hull.scene_.views[static_cast<std::size_t>(i)];
-            asked_.push_back({warp_b_from_a(view.camera, view.cam_from_world, other.camera,
-                                            other.cam_from_world),
-                              &mask});
+            asked_.push_back({warp_from(view).to(other), &mask});
         }
     }
 
@@ -59,7 +57,7 @@ class VisualHull::Rays {
         int against = 0;
         for (const Asked& other : asked_) {
             const auto pixel = pixel_in_picture(
-                other.from_own({x + 0.5, y + 0.5}, static_cast<double>(inverse_depth)),
+                other.from_own.at({x + 0.5, y + 0.5}, static_cast<double>(inverse_depth)),
                 other.mask->width(), other.mask->height());
             if (!pixel || !is_surely_background(*other.mask, pixel->x(), pixel->y())) continue;
             if (++against == kLeastAgainst) return true;

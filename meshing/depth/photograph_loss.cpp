@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "calib/capture/gray.h"
+#include "calib/capture/inverse_depth_warp.h"
 #include "meshing/selection/one_standard_error.h"
-#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 namespace {
@@ -35,9 +35,9 @@ struct Place {
 };
 std::optional<Place> place_of(const InverseDepthWarp& warp, int x, int y, double inverse_depth,
                               const Camera& there) {
-    const Eigen::Vector3d p = warp(Eigen::Vector2d(x + 0.5, y + 0.5), inverse_depth);
-    if (p.z() <= 0) return std::nullopt;
-    const Place place{p.x() / p.z() - 0.5, p.y() / p.z() - 0.5, inverse_depth / p.z()};
+    const auto at = warp.at({x + 0.5, y + 0.5}, inverse_depth);
+    if (!at) return std::nullopt;
+    const Place place{at->pixel.x() - 0.5, at->pixel.y() - 0.5, at->inverse_depth};
     const bool is_inside = place.u >= 0 && place.v >= 0 && place.u < there.width_px - 1 &&
                            place.v < there.height_px - 1;
     return is_inside ? std::optional(place) : std::nullopt;
@@ -48,13 +48,11 @@ class Prediction {
  public:
     Prediction(const PredictingView& from, const DepthView& photograph)
         : gray_(gray_of(from.view->photograph)),
-          back_(warp_b_from_a(photograph.camera, photograph.cam_from_world, from.view->camera,
-                              from.view->cam_from_world)),
+          back_(warp_from(photograph).to(*from.view)),
           camera_(from.view->camera),
           weight_(1.0 / std::max(kLeastDistance, distance(*from.view, photograph))),
           nearest_(photograph.camera.width_px, photograph.camera.height_px, kNothing) {
-        const InverseDepthWarp there = warp_b_from_a(from.view->camera, from.view->cam_from_world,
-                                                     photograph.camera, photograph.cam_from_world);
+        const InverseDepthWarp there = warp_from(*from.view).to(photograph);
         for (int y = 0; y < gray_.height(); ++y) {
             for (int x = 0; x < gray_.width(); ++x) {
                 const auto inverse_depth = static_cast<double>((*from.inverse_depth)(x, y));

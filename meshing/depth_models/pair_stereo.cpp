@@ -10,7 +10,6 @@
 #include <span>
 
 #include "calib/capture/gray.h"
-#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 namespace {

@@ -8,8 +8,8 @@
 #include "calib/work/median.h"
 #include "meshing/agreement/cross_view_check.h"
 #include "meshing/matching/window_match.h"
-#include "meshing/warp/inverse_depth_warp.h"
 #include "meshing/warp/pixel_in_picture.h"
+#include "meshing/warp/round_trip.h"
 
 namespace lumi {
 namespace {
@@ -28,9 +28,8 @@ float hashed(std::uint32_t pixel, std::uint32_t iteration, std::uint32_t channel
 }
 
 /// Another view's estimate, to ask whether it agrees.
-struct Witness {
-    InverseDepthWarp there;
-    InverseDepthWarp back;
+struct OtherEstimate {
+    RoundTrip trip;
     const DepthMap* map;
 };
 
@@ -49,13 +48,9 @@ class Refinement {
         for (const int j : view_.neighbours) {
             if (views_.size() == kMaxViews) break;
             const DepthView& other = scene.views[static_cast<std::size_t>(j)];
-            const InverseDepthWarp there = warp_b_from_a(view_.camera, view_.cam_from_world,
-                                                         other.camera, other.cam_from_world);
-            views_.push_back(compared_view(there, gray_of(other.photograph)));
-            witnesses_.push_back({there,
-                                  warp_b_from_a(other.camera, other.cam_from_world, view_.camera,
-                                                view_.cam_from_world),
-                                  &estimates[static_cast<std::size_t>(j)].map});
+            const RoundTrip trip = round_trip(view_, other);
+            views_.push_back(compared_view(trip.there, gray_of(other.photograph)));
+            estimates_.push_back({trip, &estimates[static_cast<std::size_t>(j)].map});
         }
         begin_with(own_.inverse_depth);
         is_settled_ = GrayImage(width_, height_, 0);
@@ -185,18 +180,17 @@ class Refinement {
                                         const PixelPlane& plane) const {
         constexpr float kMaxPx = 3.0F;
         constexpr float kExpectedPx = 0.5F;  // Of an estimate that is to be refined.
-        const Witness& witness = witnesses_[k];
+        const OtherEstimate& other = estimates_[k];
         const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
-        const Eigen::Vector3d there =
-            witness.there(pixel, static_cast<double>(plane.inverse_depth));
-        const GrayImage& confidence = witness.map->confidence;
+        const auto there = other.trip.there.at(pixel, static_cast<double>(plane.inverse_depth));
+        const GrayImage& confidence = other.map->confidence;
         const auto found = pixel_in_picture(there, confidence.width(), confidence.height());
         if (!found || confidence(found->x(), found->y()) == 0) return kMaxPx;
-        const Eigen::Vector3d back =
-            witness.back(there.hnormalized(),
-                         static_cast<double>(witness.map->inverse_depth(found->x(), found->y())));
-        if (back.z() <= 0) return kMaxPx;
-        const auto apart = static_cast<float>((back.hnormalized() - pixel).norm());
+        const auto returned = other.trip.returned(
+            pixel, there->pixel,
+            static_cast<double>(other.map->inverse_depth(found->x(), found->y())));
+        if (!returned) return kMaxPx;
+        const auto apart = static_cast<float>(returned->error_px);
         return std::clamp(apart - kExpectedPx, 0.0F, kMaxPx);
     }
 
@@ -247,7 +241,7 @@ class Refinement {
     int height_;
     float one_pixel_;
     std::vector<ComparedView> views_;
-    std::vector<Witness> witnesses_;
+    std::vector<OtherEstimate> estimates_;
     Image<PixelPlane> planes_;
     FloatImage costs_;
     GrayImage is_settled_;

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/depth_scene/depth_range.h"
 #include "meshing/depth_scene/neighbour_selection.h"
-#include "meshing/warp/inverse_depth_warp.h"
+#include "meshing/warp/disparity.h"
 
 namespace lumi {
 namespace {
@@ -79,8 +80,7 @@ double fastest_disparity(const DepthScene& scene, const DepthView& view) {
 
 double disparity_px_per_inverse_depth(const DepthView& view, const DepthView& other) {
     constexpr int kSide = 7;
-    const InverseDepthWarp warp =
-        warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world);
+    const InverseDepthWarp warp = warp_from(view).to(other);
     std::vector<double> disparities;
     for (int i = 0; i < kSide * kSide; ++i) {
         const Eigen::Vector2d pixel((i % kSide + 0.5) * view.camera.width_px / kSide,

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "meshing/exposure/color_match.h"
 #include "meshing/surface/depth_map.h"
-#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 

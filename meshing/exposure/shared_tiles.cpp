@@ -11,7 +11,7 @@
 #include "calib/work/mean.h"
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
-#include "meshing/warp/inverse_depth_warp.h"
+#include "meshing/warp/round_trip.h"
 
 namespace lumi {
 namespace {
@@ -75,16 +75,12 @@ LightGrid grid_of(const PicturedView& view) {
     return grid;
 }
 
-InverseDepthWarp warp_between(const LightGrid& to, const LightGrid& from) {
-    return warp_b_from_a(from.camera, from.cam_from_world, to.camera, to.cam_from_world);
-}
-
 /// Where a cell's surface lies in the other view's raster, when it does.
 std::optional<Eigen::Vector2d> place_in(const LightGrid& other, const InverseDepthWarp& warp, int x,
                                         int y, double inverse_depth) {
-    const Eigen::Vector3d at = warp(Eigen::Vector2d(x + 0.5, y + 0.5), inverse_depth);
-    if (at.z() <= 0) return std::nullopt;
-    const Eigen::Vector2d place = at.hnormalized();
+    const auto at = warp.at({x + 0.5, y + 0.5}, inverse_depth);
+    if (!at) return std::nullopt;
+    const Eigen::Vector2d& place = at->pixel;
     const bool is_within = place.x() >= 0.5 && place.y() >= 0.5 &&
                            place.x() <= other.camera.width_px - 0.5 &&
                            place.y() <= other.camera.height_px - 0.5;
@@ -93,7 +89,7 @@ std::optional<Eigen::Vector2d> place_in(const LightGrid& other, const InverseDep
 
 /// The share of a view's places, on a very coarse raster, that another view has in its picture.
 double shared_sight(const LightGrid& view, const LightGrid& other) {
-    const InverseDepthWarp warp = warp_between(other, view);
+    const InverseDepthWarp warp = warp_from(view).to(other);
     int known = 0;
     int seen = 0;
     for (int y = kSightStep / 2; y < view.inverse_depth.height(); y += kSightStep) {
@@ -159,14 +155,14 @@ std::optional<Eigen::Vector3f> light_at(const Image<Eigen::Vector3f>& light,
 }
 
 /// Whether the surface that the second view has at a place is the one the first has at its cell.
-bool is_same_surface(const LightGrid& second, const InverseDepthWarp& first_from_second,
-                     const Eigen::Vector2d& place, int x, int y) {
+bool is_same_surface(const LightGrid& second, const RoundTrip& trip, const Eigen::Vector2d& place,
+                     int x, int y) {
     const float inverse_depth =
         second.inverse_depth(static_cast<int>(place.x()), static_cast<int>(place.y()));
     if (inverse_depth < 0) return false;
-    const Eigen::Vector3d back = first_from_second(place, static_cast<double>(inverse_depth));
-    return back.z() > 0 &&
-           (back.hnormalized() - Eigen::Vector2d(x + 0.5, y + 0.5)).norm() < kSameSurfaceCells;
+    const auto returned =
+        trip.returned({x + 0.5, y + 0.5}, place, static_cast<double>(inverse_depth));
+    return returned && returned->error_px < kSameSurfaceCells;
 }
 
 /// What the cells of a tile say.
@@ -179,16 +175,16 @@ struct TileSamples {
 using SamplesOfTiles = std::map<std::pair<int, int>, TileSamples>;
 
 SamplesOfTiles samples_of(const LightGrid& first, const LightGrid& second) {
-    const InverseDepthWarp there = warp_between(second, first);
-    const InverseDepthWarp back = warp_between(first, second);
+    const RoundTrip trip = round_trip(first, second);
     SamplesOfTiles tiles;
     for (int y = 0; y < first.light.height(); ++y) {
         for (int x = 0; x < first.light.width(); ++x) {
             const float inverse_depth = first.inverse_depth(x, y);
             const Eigen::Vector3f& own = first.light(x, y);
             if (inverse_depth < 0 || own.x() < 0) continue;
-            const auto place = place_in(second, there, x, y, static_cast<double>(inverse_depth));
-            if (!place || !is_same_surface(second, back, *place, x, y)) continue;
+            const auto place =
+                place_in(second, trip.there, x, y, static_cast<double>(inverse_depth));
+            if (!place || !is_same_surface(second, trip, *place, x, y)) continue;
             const auto other = light_at(second.light, *place);
             if (!other) continue;
             TileSamples& tile = tiles[{x / kTile, y / kTile}];

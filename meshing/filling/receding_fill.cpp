@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "calib/pictures/image_io.h"
 #include "meshing/exposure/color_match.h"
-#include "meshing/warp/inverse_depth_warp.h"
 #include "meshing/warp/pixel_in_picture.h"
 
 namespace lumi {
@@ -42,14 +42,13 @@ struct Witness {
 std::optional<double> difference_in(const Witness& witness, const Eigen::Vector2d& pixel,
                                     const Rgb8& color, double inverse_depth) {
     constexpr double kOtherColor = 40;
-    const Eigen::Vector3d there = witness.there(pixel, inverse_depth);
+    const auto there = witness.there.at(pixel, inverse_depth);
     const GrayImage& confidence = witness.map->confidence;
     const auto found = pixel_in_picture(there, confidence.width(), confidence.height());
     if (!found) return std::nullopt;
     if (confidence(found->x(), found->y()) != 0) {
-        const double nearer =
-            inverse_depth / there.z() -
-            static_cast<double>(witness.map->inverse_depth(found->x(), found->y()));
+        const auto known = static_cast<double>(witness.map->inverse_depth(found->x(), found->y()));
+        const double nearer = there->inverse_depth - known;
         if (nearer < -witness.tolerance) return std::nullopt;
         if (nearer > witness.tolerance) return kOtherColor;
     }
@@ -80,10 +79,8 @@ std::vector<Witness> witnesses_of(const DepthScene& scene,
         const auto index = static_cast<std::size_t>(j);
         const DepthView& other = scene.views[index];
         if (other.disparity_px_per_inverse_depth <= 0) continue;
-        witnesses.push_back(
-            {warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world),
-             small_picture(other.photograph), &confirmed_maps[index],
-             2.0 / other.disparity_px_per_inverse_depth});
+        witnesses.push_back({warp_from(view).to(other), small_picture(other.photograph),
+                             &confirmed_maps[index], 2.0 / other.disparity_px_per_inverse_depth});
     }
     return witnesses;
 }

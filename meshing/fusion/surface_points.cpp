@@ -9,9 +9,9 @@
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/fusion/surface_grid.h"
-#include "meshing/warp/inverse_depth_warp.h"
 #include "meshing/warp/parallax.h"
 #include "meshing/warp/pixel_in_picture.h"
+#include "meshing/warp/round_trip.h"
 
 namespace lumi {
 namespace {
@@ -28,8 +28,7 @@ Camera depth_camera(const PicturedView& view) {
 
 struct Neighbour {
     const DepthMap* depth = nullptr;
-    InverseDepthWarp there;  ///< From the view whose neighbour it is.
-    InverseDepthWarp back;
+    RoundTrip trip;         ///< From the view whose neighbour it is.
     double distance = 0.0;  ///< Between the cameras, world units.
 };
 
@@ -57,8 +56,7 @@ std::vector<Neighbour> nearest_neighbours(const std::vector<PicturedView>& views
         const Camera camera = depth_camera(views[other]);
         neighbours.push_back(
             {views[other].depth,
-             warp_b_from_a(own, views[index].cam_from_world, camera, views[other].cam_from_world),
-             warp_b_from_a(camera, views[other].cam_from_world, own, views[index].cam_from_world),
+             round_trip({own, views[index].cam_from_world}, {camera, views[other].cam_from_world}),
              distances[k]});
     }
     return neighbours;
@@ -72,17 +70,17 @@ struct Answer {
 };
 
 Answer answer_of(const Neighbour& neighbour, const Eigen::Vector2d& pixel, double inverse_depth) {
-    const Eigen::Vector3d there = neighbour.there(pixel, inverse_depth);
+    const auto there = neighbour.trip.there.at(pixel, inverse_depth);
     const GrayImage& confidence = neighbour.depth->confidence;
     const auto place = pixel_in_picture(there, confidence.width(), confidence.height());
     if (!place || !was_seen(confidence(place->x(), place->y()))) return {};
     const auto found = static_cast<double>(neighbour.depth->inverse_depth(place->x(), place->y()));
-    const Eigen::Vector3d back = neighbour.back(there.hnormalized(), found);
+    const auto returned = neighbour.trip.returned(pixel, there->pixel, found);
     constexpr double kTolerancePx = 1.0;
-    if (back.z() > 0 && (back.hnormalized() - pixel).norm() <= kTolerancePx) {
-        return {Vote::kAgrees, found / back.z()};
+    if (returned && returned->error_px <= kTolerancePx) {
+        return {Vote::kAgrees, returned->inverse_depth};
     }
-    return {found < inverse_depth / there.z() ? Vote::kSeesThrough : Vote::kNone, 0.0};
+    return {found < there->inverse_depth ? Vote::kSeesThrough : Vote::kNone, 0.0};
 }
 
 /// Takes the samples of one view.

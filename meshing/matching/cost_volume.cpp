@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "meshing/matching/patch_matching.h"
-#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 namespace {
@@ -114,9 +114,7 @@ CostVolume sweep_costs(const SweepView& view, const std::vector<SweepView>& neig
                        std::vector<std::uint8_t> memory) {
     std::vector<Comparison> comparisons;
     for (const SweepView& other : neighbours) {
-        comparisons.push_back(
-            {warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world),
-             packed(other.gray)});
+        comparisons.push_back({warp_from(view).to(other), packed(other.gray)});
     }
     CostVolume volume(view.gray.width(), view.gray.height(), std::move(tiles), std::move(memory));
     for (int top = 0; top < volume.height(); top += kTileSide) {

@@ -180,7 +180,7 @@ PatchRays patch_rays(const InverseDepthWarp& warp, int left, int top,
         for (int x = 0; x < kPatchSide; ++x, ++next) {
             const Eigen::Vector2d pixel(left + x - kCensusRadius + 0.5,
                                         top + y - kCensusRadius + 0.5);
-            const Eigen::Vector3d ray = warp(pixel, slope.dot(pixel - centre));
+            const Eigen::Vector3d ray = warp.homogeneous_at(pixel, slope.dot(pixel - centre));
             rays.x[next] = static_cast<float>(ray.x());
             rays.y[next] = static_cast<float>(ray.y());
             rays.z[next] = static_cast<float>(ray.z());

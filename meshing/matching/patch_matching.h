@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "calib/capture/image.h"
-#include "meshing/warp/inverse_depth_warp.h"
+#include "calib/capture/inverse_depth_warp.h"
 
 namespace lumi {
 

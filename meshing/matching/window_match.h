@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "calib/capture/image.h"
+#include "calib/capture/inverse_depth_warp.h"
 #include "meshing/matching/patch_matching.h"
-#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 
@@ -44,7 +44,7 @@ struct ReferenceWindow {
 
 /// Another view, ready to be compared with.
 struct ComparedView {
-    std::array<float, 9> homography{};  ///< By rows; warp_b_from_a in single precision.
+    std::array<float, 9> homography{};  ///< By rows; InverseDepthWarp in single precision.
     std::array<float, 3> epipole{};
     PackedPicture picture;
 };

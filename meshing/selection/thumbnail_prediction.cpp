@@ -7,10 +7,10 @@
 #include <optional>
 #include <utility>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "calib/capture/nearest_byte.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/median.h"
-#include "meshing/warp/inverse_depth_warp.h"
 #include "meshing/warp/parallax.h"
 
 namespace lumi {
@@ -27,8 +27,12 @@ Eigen::Vector3d steps_of(const Rgb8& color) {
             static_cast<double>(color.b)};
 }
 
-/// At pixel centres counted from zero; `u` and `v` lie within them.
-Rgb8 bilinear(const ColorImage& image, double u, double v) {
+/// Bilinear; empty outside of the outermost centres of pixels.
+std::optional<Rgb8> color_at(const ColorImage& image, const Eigen::Vector2d& pixel) {
+    const double u = pixel.x() - 0.5;
+    const double v = pixel.y() - 0.5;
+    if (!(u >= 0 && v >= 0 && u <= image.width() - 1 && v <= image.height() - 1))
+        return std::nullopt;
     const int x = std::min(static_cast<int>(u), image.width() - 2);
     const int y = std::min(static_cast<int>(v), image.height() - 2);
     const double right = u - x;
@@ -36,7 +40,7 @@ Rgb8 bilinear(const ColorImage& image, double u, double v) {
     const Eigen::Vector3d color =
         (1 - down) * ((1 - right) * steps_of(image(x, y)) + right * steps_of(image(x + 1, y))) +
         down * ((1 - right) * steps_of(image(x, y + 1)) + right * steps_of(image(x + 1, y + 1)));
-    return {nearest_byte(color.x()), nearest_byte(color.y()), nearest_byte(color.z())};
+    return Rgb8{nearest_byte(color.x()), nearest_byte(color.y()), nearest_byte(color.z())};
 }
 
 /// Onto the four pixels around, so that a surface seen from farther off has no gaps.
@@ -113,33 +117,26 @@ ThumbnailPrediction::Carried ThumbnailPrediction::carry(const Thumbnail& from,
     const int width = to.camera.width_px;
     const int height = to.camera.height_px;
     Carried result{FloatImage(width, height, -1.0F), ColorImage(width, height)};
-    const InverseDepthWarp there =
-        warp_b_from_a(from.camera, from.cam_from_world, to.camera, to.cam_from_world);
+    const InverseDepthWarp there = warp_from(from).to(to);
     for (int y = 0; y < from.camera.height_px; ++y) {
         for (int x = 0; x < from.camera.width_px; ++x) {
             const auto inverse_depth = static_cast<double>(from.inverse_depth(x, y));
             if (inverse_depth < 0) continue;
-            const Eigen::Vector3d at = there(Eigen::Vector2d(x + 0.5, y + 0.5), inverse_depth);
+            const auto at = there.at({x + 0.5, y + 0.5}, inverse_depth);
             // Far outside, pixels could not even be counted.
-            if (at.z() <= 0 || at.head<2>().cwiseAbs().maxCoeff() > 1e6 * at.z()) continue;
-            splat(result.inverse_depth, at.hnormalized(),
-                  static_cast<float>(inverse_depth / at.z()));
+            if (!at || at->pixel.cwiseAbs().maxCoeff() > 1e6) continue;
+            splat(result.inverse_depth, at->pixel, static_cast<float>(at->inverse_depth));
         }
     }
-    const InverseDepthWarp back =
-        warp_b_from_a(to.camera, to.cam_from_world, from.camera, from.cam_from_world);
+    const InverseDepthWarp back = warp_from(to).to(from);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             float& inverse_depth = result.inverse_depth(x, y);
             if (inverse_depth < 0) continue;
-            const Eigen::Vector3d at =
-                back(Eigen::Vector2d(x + 0.5, y + 0.5), static_cast<double>(inverse_depth));
-            const double u = at.x() / at.z() - 0.5;
-            const double v = at.y() / at.z() - 0.5;
-            const bool is_inside = at.z() > 0 && u >= 0 && v >= 0 &&
-                                   u <= from.camera.width_px - 1 && v <= from.camera.height_px - 1;
-            if (is_inside) {
-                result.color(x, y) = bilinear(from.photograph, u, v);
+            const auto at = back.at({x + 0.5, y + 0.5}, static_cast<double>(inverse_depth));
+            const auto color = at ? color_at(from.photograph, at->pixel) : std::nullopt;
+            if (color) {
+                result.color(x, y) = *color;
             } else {
                 inverse_depth = -1.0F;
             }

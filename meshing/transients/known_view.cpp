@@ -7,6 +7,7 @@
 #include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/exposure/shared_colors.h"
+#include "meshing/warp/disparity.h"
 #include "meshing/warp/parallax.h"
 #include "meshing/warp/pixel_in_picture.h"
 
@@ -45,10 +46,6 @@ KnownView known_view(const PicturedView& view, int max_side_px) {
             0.0};
 }
 
-InverseDepthWarp warp_between(const KnownView& to, const KnownView& from) {
-    return warp_b_from_a(from.camera, from.cam_from_world, to.camera, to.cam_from_world);
-}
-
 /// Calls `take(pixel, inverse depth)` for places that the view knows, all over its picture.
 template <typename Take>
 void for_known_places(const KnownView& view, const Take& take) {
@@ -65,13 +62,14 @@ void for_known_places(const KnownView& view, const Take& take) {
 
 /// The share of a view's places that another view has in its picture.
 double shared_sight(const KnownView& view, const KnownView& other) {
-    const InverseDepthWarp warp = warp_between(other, view);
+    const InverseDepthWarp warp = warp_from(view).to(other);
     int known = 0;
     int seen = 0;
     for_known_places(view, [&](const Eigen::Vector2d& pixel, double inverse_depth) {
         ++known;
         const ColorImage& picture = other.picture;
-        if (pixel_in_picture(warp(pixel, inverse_depth), picture.width(), picture.height())) ++seen;
+        if (pixel_in_picture(warp.at(pixel, inverse_depth), picture.width(), picture.height()))
+            ++seen;
     });
     return known == 0 ? 0.0 : static_cast<double>(seen) / known;
 }
@@ -100,7 +98,7 @@ double disparity_of(const std::vector<KnownView>& views, const KnownView& view) 
     constexpr std::size_t kNearest = 4;
     std::vector<double> parallaxes;
     for (const int j : view.near) {
-        const InverseDepthWarp warp = warp_between(views[static_cast<std::size_t>(j)], view);
+        const InverseDepthWarp warp = warp_from(view).to(views[static_cast<std::size_t>(j)]);
         std::vector<double> disparities;
         for_known_places(view, [&](const Eigen::Vector2d& pixel, double inverse_depth) {
             disparities.push_back(disparity_per_inverse_depth(warp, pixel, inverse_depth));
@@ -139,12 +137,12 @@ std::vector<Witness> witnesses_of(const std::vector<KnownView>& views, int view_
     for (const int other_index : own.near) {
         const KnownView& other = views[static_cast<std::size_t>(other_index)];
         const int step = std::max(1, other.picture.width() / 100);  // It is asked pixel by pixel.
-        const InverseDepthWarp own_from_other = warp_between(own, other);
+        const InverseDepthWarp own_from_other = warp_from(other).to(own);
         const auto match =
             color_match(shared_colors({own.known, own.picture}, {other.known, other.picture},
                                       own_from_other, one_pixel, step));
         if (match)
-            witnesses.push_back({other_index, own_from_other, warp_between(other, own), *match});
+            witnesses.push_back({other_index, own_from_other, warp_from(own).to(other), *match});
     }
     return witnesses;
 }

@@ -5,11 +5,11 @@
 
 #include "calib/capture/camera.h"
 #include "calib/capture/image.h"
+#include "calib/capture/inverse_depth_warp.h"
 #include "calib/capture/rigid3.h"
 #include "meshing/exposure/color_match.h"
 #include "meshing/surface/depth_map.h"
 #include "meshing/surface/pictured_view.h"
-#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 

@@ -121,12 +121,8 @@ std::vector<Painter> painters_of(const std::vector<PicturedView>& views,
         const auto other = static_cast<std::size_t>(witness.view);
         const double disparity = known[other].disparity_px_per_inverse_depth;
         if (disparity <= 0) continue;
-        painters.push_back({&views[other], &known[other],
-                            warp_b_from_a(own.camera, own.cam_from_world, views[other].camera,
-                                          views[other].cam_from_world),
-                            warp_b_from_a(own.camera, own.cam_from_world, known[other].camera,
-                                          known[other].cam_from_world),
-                            1 / disparity, witness.match});
+        painters.push_back({&views[other], &known[other], warp_from(own).to(views[other]),
+                            warp_from(own).to(known[other]), 1 / disparity, witness.match});
     }
     return painters;
 }
@@ -156,16 +152,16 @@ Rgb8 color_between(const ColorImage& picture, const Eigen::Vector2d& place) {
 std::optional<Rgb8> color_from(const Painter& painter, const Eigen::Vector2d& pixel,
                                double inverse_depth) {
     constexpr double kSameSurfacePx = 1.5;
-    const Eigen::Vector3d there = painter.known_from_own(pixel, inverse_depth);
-    const Eigen::Vector3d at = painter.other_from_own(pixel, inverse_depth);
+    const auto there = painter.known_from_own.at(pixel, inverse_depth);
+    const auto at = painter.other_from_own.at(pixel, inverse_depth);
     const DepthMap& known = painter.known->known;
     const auto sample =
         pixel_in_picture(there, known.confidence.width(), known.confidence.height());
-    if (!sample || known.confidence(sample->x(), sample->y()) == 0) return std::nullopt;
-    const double apart = inverse_depth / there.z() -
-                         static_cast<double>(known.inverse_depth(sample->x(), sample->y()));
+    if (!sample || !at || known.confidence(sample->x(), sample->y()) == 0) return std::nullopt;
+    const double apart =
+        there->inverse_depth - static_cast<double>(known.inverse_depth(sample->x(), sample->y()));
     if (std::abs(apart) > kSameSurfacePx * painter.one_pixel) return std::nullopt;
-    const Rgb8 color = color_between(*painter.view->photograph, at.hnormalized());
+    const Rgb8 color = color_between(*painter.view->photograph, at->pixel);
     return painter.match.in_own_colors(color);
 }
 

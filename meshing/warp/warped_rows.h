@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "meshing/surface/depth_map.h"
-#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "calib/work/parallel_for.h"
-#include "render/transfer/pixel_transfer.h"
 
 namespace lumi {
 namespace {
@@ -32,23 +32,17 @@ bool shows(const FloatImage& inverse_depth, const Eigen::Vector2d& pixel, double
 
 GrayImage shown_pixels(const FloatImage& z, const Eye& eye,
                        const std::vector<LumigraphView>& views) {
-    std::vector<PixelTransfer> view_from_eye;
+    std::vector<InverseDepthWarp> view_from_eye;
     view_from_eye.reserve(views.size());
-    for (const LumigraphView& view : views)
-        view_from_eye.push_back(
-            pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world));
+    for (const LumigraphView& view : views) view_from_eye.push_back(warp_from(eye).to(view));
     GrayImage shown(z.width(), z.height(), 0);
     parallel_for(z.height(), 0, [&](int y) {
         for (int x = 0; x < z.width(); ++x) {
             const double q = z(x, y) > 0 ? 1 / static_cast<double>(z(x, y)) : 0.0;
             for (std::size_t i = 0; i < views.size() && shown(x, y) == 0; ++i) {
-                const Eigen::Vector3d in_view =
-                    view_from_eye[i].at_infinity * Eigen::Vector3d(x + 0.5, y + 0.5, 1) +
-                    q * view_from_eye[i].per_inverse_depth;
-                if (in_view.z() <= 0) continue;
-                const Eigen::Vector2d pixel = in_view.hnormalized();
-                if (is_inside(views[i].camera, pixel) &&
-                    shows(views[i].depth.inverse_depth, pixel, q / in_view.z()))
+                const auto in_view = view_from_eye[i].at({x + 0.5, y + 0.5}, q);
+                if (in_view && is_inside(views[i].camera, in_view->pixel) &&
+                    shows(views[i].depth.inverse_depth, in_view->pixel, in_view->inverse_depth))
                     shown(x, y) = 255;
             }
         }

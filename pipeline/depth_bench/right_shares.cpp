@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "calib/capture/gray.h"
+#include "calib/capture/inverse_depth_warp.h"
 #include "calib/work/median.h"
 #include "meshing/matching/window_match.h"
-#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 namespace {
@@ -20,16 +20,13 @@ bool is_seen(const DepthScene& scene, const std::vector<DepthMap>& truth, std::s
     return std::any_of(view.neighbours.begin(), view.neighbours.end(), [&](int j) {
         const DepthView& other = scene.views[static_cast<std::size_t>(j)];
         const DepthMap& map = truth[static_cast<std::size_t>(j)];
-        const Eigen::Vector3d there =
-            warp_b_from_a(view.camera, view.cam_from_world, other.camera, other.cam_from_world)(
-                Eigen::Vector2d(x + 0.5, y + 0.5), inverse_depth);
-        if (there.z() <= 0) return false;
-        const Eigen::Vector2d pixel = there.hnormalized();
-        const int column = static_cast<int>(std::floor(pixel.x()));
-        const int row = static_cast<int>(std::floor(pixel.y()));
+        const auto there = warp_from(view).to(other).at({x + 0.5, y + 0.5}, inverse_depth);
+        if (!there) return false;
+        const int column = static_cast<int>(std::floor(there->pixel.x()));
+        const int row = static_cast<int>(std::floor(there->pixel.y()));
         if (!map.confidence.contains(column, row)) return false;
         const double before =
-            static_cast<double>(map.inverse_depth(column, row)) - inverse_depth / there.z();
+            static_cast<double>(map.inverse_depth(column, row)) - there->inverse_depth;
         return before * other.disparity_px_per_inverse_depth <= kMaxApartPx;
     });
 }

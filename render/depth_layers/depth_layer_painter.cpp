@@ -2,10 +2,10 @@
 
 #include <epoxy/gl.h>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "render/depth_layers/depth_kind_ranges.h"
 #include "render/gl/to_glm.h"
 #include "render/shaders/shader_sources.h"
-#include "render/transfer/pixel_transfer.h"
 
 namespace lumi {
 namespace {
@@ -73,12 +73,11 @@ void DepthLayerPainter::draw(const Eye& eye, const std::vector<DepthLayerDraw>& 
 void DepthLayerPainter::aim_at_view(const Eye& eye, int view_index,
                                     double max_inverse_depth) const {
     const LumigraphView& view = views_[static_cast<std::size_t>(view_index)];
-    const PixelTransfer eye_from_view =
-        pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
+    const InverseDepthWarp eye_from_view = warp_from(view).to(eye);
     // (x, y, 1, q) of the view to (X, Y, W, q) of the eye.
     Eigen::Matrix4d transfer = Eigen::Matrix4d::Identity();
-    transfer.topLeftCorner<3, 3>() = eye_from_view.at_infinity;
-    transfer.topRightCorner<3, 1>() = eye_from_view.per_inverse_depth;
+    transfer.topLeftCorner<3, 3>() = eye_from_view.infinite_homography;
+    transfer.topRightCorner<3, 1>() = eye_from_view.epipole;
     const Eigen::Matrix4d clip =
         clip_from_pixel(eye.camera.width_px, eye.camera.height_px, max_inverse_depth);
     program_.set("clip_from_view_pixel", to_glm(Eigen::Matrix4d(clip * transfer)));

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "calib/work/parallel_for.h"
 #include "render/depth_layers/depth_kind_ranges.h"
-#include "render/transfer/pixel_transfer.h"
 
 namespace lumi {
 namespace {
@@ -27,10 +27,9 @@ int bands_of(int layers) {
 /// (x, y, 1, inverse depth) in the view to (X, Y, W, depth * W) in the eye's window.
 Eigen::Matrix4f window_from_view(const Eye& eye, const LumigraphView& view,
                                  double max_inverse_depth) {
-    const PixelTransfer eye_from_view =
-        pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
+    const InverseDepthWarp eye_from_view = warp_from(view).to(eye);
     Eigen::Matrix<double, 3, 4> pixel;
-    pixel << eye_from_view.at_infinity, eye_from_view.per_inverse_depth;
+    pixel << eye_from_view.infinite_homography, eye_from_view.epipole;
     Eigen::Matrix4d window;
     window.row(0) = pixel.row(0);
     window.row(1) = eye.camera.height_px * pixel.row(2) - pixel.row(1);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "render/transfer/pixel_transfer.h"
+#include "calib/capture/inverse_depth_warp.h"
 
 namespace lumi {
 
@@ -15,8 +15,7 @@ Eigen::AlignedBox3d box_of(const DepthMesh& mesh) {
 
 double depth_reach(const LumigraphView& view, const Eigen::AlignedBox3d& box, const Eye& eye) {
     if (box.isEmpty()) return 0;
-    const PixelTransfer eye_from_view =
-        pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
+    const InverseDepthWarp eye_from_view = warp_from(view).to(eye);
     // Inverse depth in the eye is a ratio of two linear functions of pixel and inverse depth in the
     // view: where the lower one is positive, it is largest at a corner.
     double largest = 0;
@@ -24,10 +23,10 @@ double depth_reach(const LumigraphView& view, const Eigen::AlignedBox3d& box, co
     bool is_any_behind = false;
     for (int i = 0; i < 8; ++i) {
         const Eigen::Vector3d corner = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
-        const double depth_ratio = eye_from_view.at(corner.head<2>(), corner.z()).z();
-        if (depth_ratio > 0) {
+        const auto in_eye = eye_from_view.at(corner.head<2>(), corner.z());
+        if (in_eye) {
             is_any_before = true;
-            largest = std::max(largest, corner.z() / depth_ratio);
+            largest = std::max(largest, in_eye->inverse_depth);
         } else {
             is_any_behind = true;
         }

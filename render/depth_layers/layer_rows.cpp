@@ -2,21 +2,21 @@
 
 #include <cstddef>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "render/gl/to_glm.h"
 #include "render/transfer/past_sight.h"
-#include "render/transfer/pixel_transfer.h"
 
 namespace lumi {
 namespace {
 
 /// The three that take (x, y, 1, inverse depth) in a window of this height to the target.
-void append_transfer(const PixelTransfer& target_from_eye, int height_px, LayerRows& rows) {
+void append_transfer(const InverseDepthWarp& target_from_eye, int height_px, LayerRows& rows) {
     const Eigen::Matrix3d target_from_window =
-        target_from_eye.at_infinity * pixel_from_window(height_px);
+        target_from_eye.infinite_homography * pixel_from_window(height_px);
     for (Eigen::Index row = 0; row < 3; ++row)
-        rows.push_back(to_glm(
-            Eigen::Vector4d(target_from_window(row, 0), target_from_window(row, 1),
-                            target_from_window(row, 2), target_from_eye.per_inverse_depth[row])));
+        rows.push_back(
+            to_glm(Eigen::Vector4d(target_from_window(row, 0), target_from_window(row, 1),
+                                   target_from_window(row, 2), target_from_eye.epipole[row])));
 }
 
 /// `append` adds those of a view; layers without one get three of zeros and `of_none`.
@@ -43,9 +43,7 @@ LayerRows pixel_rows(const Lumigraph& lumigraph, const Eye& eye,
     return rows_of_layers(
         view_indices, glm::vec4(kNoView, 0.0F, 0.0F, 0.0F), [&](int index, LayerRows& rows) {
             const LumigraphView& view = lumigraph.views[static_cast<std::size_t>(index)];
-            append_transfer(
-                pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world),
-                eye.camera.height_px, rows);
+            append_transfer(warp_from(eye).to(view), eye.camera.height_px, rows);
             rows.emplace_back(index, 0.0F, 0.0F, 0.0F);
         });
 }

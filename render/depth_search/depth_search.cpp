@@ -108,9 +108,9 @@ std::optional<RayHit> DepthSearch::lone_hit_before(
 bool DepthSearch::looks_past(const Eigen::Vector2d& pixel, double inverse_depth,
                              double nearest_seen, int view_index) const {
     const ViewSearch& asked = view(view_index);
-    const Eigen::Vector3d at = asked.line_of(pixel).at(inverse_depth);
-    if (at.z() <= 0 || asked.to_border_px(at.hnormalized()) < 0) return false;
-    const double seen = at.z() * asked.surface_at(at).inverse_depth;
+    const auto at = asked.line_of(pixel).at(inverse_depth);
+    if (!at || asked.to_border_px(at->pixel) < 0) return false;
+    const double seen = at->depth_ratio * asked.surface_at(at->pixel).inverse_depth;
     return inverse_depth - seen > agreeing_inverse_depth_ && seen <= nearest_seen;
 }
 
@@ -126,12 +126,11 @@ double DepthSearch::inner_share_of(int view_index, const Eigen::Vector2d& view_p
 double DepthSearch::hidden_by_px(const Eigen::Vector2d& pixel, double inverse_depth,
                                  int view_index) const {
     const ViewSearch& seen_by = view(view_index);
-    const Eigen::Vector3d at = seen_by.line_of(pixel).at(inverse_depth);
-    if (at.z() <= 0 || seen_by.depth().empty() || inside(view_index, at.hnormalized()) <= 0)
-        return 0;
-    const SeenSurface surface = seen_by.surface_at(at);
+    const auto at = seen_by.line_of(pixel).at(inverse_depth);
+    if (!at || seen_by.depth().empty() || inside(view_index, at->pixel) <= 0) return 0;
+    const SeenSurface surface = seen_by.surface_at(at->pixel);
     if (surface.kind != DepthKind::kSeen) return 0;
-    return std::max(0.0, surface.inverse_depth - inverse_depth / at.z()) * seen_by.disparity_px();
+    return std::max(0.0, surface.inverse_depth - at->inverse_depth) * seen_by.disparity_px();
 }
 
 bool DepthSearch::is_part_hidden(const Footprint& corners, double least_px, int view_index) const {
@@ -146,12 +145,12 @@ bool DepthSearch::is_part_hidden(const Footprint& corners, double least_px, int 
 double DepthSearch::visibility(const Eigen::Vector2d& pixel, double inverse_depth,
                                int view_index) const {
     const ViewSearch& seen_by = view(view_index);
-    const Eigen::Vector3d at = seen_by.line_of(pixel).at(inverse_depth);
-    if (at.z() <= 0) return 0;
-    const double inside_share = inside(view_index, at.hnormalized());
+    const auto at = seen_by.line_of(pixel).at(inverse_depth);
+    if (!at) return 0;
+    const double inside_share = inside(view_index, at->pixel);
     if (inside_share <= 0 || seen_by.depth().empty()) return inside_share;
     const double difference_px =
-        std::abs(inverse_depth / at.z() - seen_by.surface_at(at).inverse_depth) *
+        std::abs(at->inverse_depth - seen_by.surface_at(at->pixel).inverse_depth) *
         seen_by.disparity_px();
     return inside_share * visibility_of(difference_px, occlusion_tolerance_px_);
 }

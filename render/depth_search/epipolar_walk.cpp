@@ -34,8 +34,8 @@ double per_unit_of(double way) { return way == 0 ? std::numeric_limits<double>::
 EpipolarWalk::EpipolarWalk(const EpipolarLine& line_in_samples, const RayStretch& stretch,
                            const TiledDepth& depth)
     : depth_(depth) {
-    const Eigen::Vector3d near = line_in_samples.at(stretch.near_end);
-    const Eigen::Vector3d far = line_in_samples.at(stretch.far_end);
+    const Eigen::Vector3d near = line_in_samples.homogeneous_at(stretch.near_end);
+    const Eigen::Vector3d far = line_in_samples.homogeneous_at(stretch.far_end);
     const double near_eye_over_view = 1 / near.z();
     const double far_eye_over_view = 1 / far.z();
     begin_ = {near.x() * near_eye_over_view, near.y() * near_eye_over_view,

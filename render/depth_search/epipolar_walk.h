@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "render/depth_search/tiled_depth.h"
 
 namespace lumi {
@@ -11,8 +13,12 @@ struct EpipolarLine {
     Eigen::Vector3d at_infinity;        ///< Homogeneous place at inverse depth 0.
     Eigen::Vector3d per_inverse_depth;  ///< What each unit of the eye's inverse depth adds.
 
-    [[nodiscard]] Eigen::Vector3d at(double inverse_depth) const {
+    [[nodiscard]] Eigen::Vector3d homogeneous_at(double inverse_depth) const {
         return at_infinity + inverse_depth * per_inverse_depth;
+    }
+    /// Empty where the point is not in front of the view.
+    [[nodiscard]] std::optional<WarpedPixel> at(double inverse_depth) const {
+        return WarpedPixel::of(homogeneous_at(inverse_depth), inverse_depth);
     }
 };
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "render/transfer/pixel_transfer.h"
+#include "calib/capture/calibration_matrix.h"
 
 namespace lumi {
 namespace {
@@ -23,7 +23,7 @@ PointsInView seen_by(const LumigraphView& view, const Eigen::Vector3d& eye_in_wo
     const Eigen::Index count = points.inverse_depths.size();
     const Eigen::Vector3d eye_from_view = centre_in_world(view.cam_from_world) - eye_in_world;
     const Eigen::Matrix3d pixel_from_world =
-        pinhole_matrix(view.camera) * view.cam_from_world.rotation.toRotationMatrix();
+        calibration_matrix(view.camera) * view.cam_from_world.rotation.toRotationMatrix();
     PointsInView seen{PointsInView::Row(count), PointsInView::Row(count),
                       Eigen::Array<bool, 1, Eigen::Dynamic>(count), PointsInView::Row(count)};
     for (Eigen::Index i = 0; i < count; ++i) {

@@ -45,8 +45,7 @@ double steps_on(const EpipolarWalk& walk, double ahead) {
 
 ViewSearch::ViewSearch(const LumigraphView& view, const TiledDepth& depth,
                        const ViewGeometry& geometry, const Eye& eye, double max_inverse_depth)
-    : view_from_eye_(
-          pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world)),
+    : view_from_eye_(warp_from(eye).to(view)),
       samples_per_pixel_(static_cast<double>(depth.width()) / view.camera.width_px,
                          static_cast<double>(depth.height()) / view.camera.height_px),
       disparity_px_(disparity_px_per_inverse_depth(geometry, centre_in_world(eye.cam_from_world))),

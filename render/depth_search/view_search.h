@@ -6,12 +6,12 @@
 #include <cmath>
 #include <optional>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "render/depth_search/epipolar_walk.h"
 #include "render/depth_search/tiled_depth.h"
 #include "render/lumigraph/depth_mesh.h"
 #include "render/lumigraph/lumigraph.h"
 #include "render/transfer/border_distance.h"
-#include "render/transfer/pixel_transfer.h"
 #include "render/transfer/view_geometry.h"
 
 namespace lumi {
@@ -50,13 +50,13 @@ class ViewSearch {
 
     /// The places in its photograph at which it sees the eye's ray through `eye_pixel`.
     [[nodiscard]] EpipolarLine line_of(const Eigen::Vector2d& eye_pixel) const {
-        return {view_from_eye_.at_infinity * eye_pixel.homogeneous(),
-                view_from_eye_.per_inverse_depth};
+        return {view_from_eye_.infinite_homography * eye_pixel.homogeneous(),
+                view_from_eye_.epipole};
     }
 
-    /// At a homogeneous pixel; needs a depth map.
-    [[nodiscard]] SeenSurface surface_at(const Eigen::Vector3d& in_view) const {
-        const Eigen::Vector2d in_depth = in_view.hnormalized().cwiseProduct(samples_per_pixel_);
+    /// At a pixel of the photograph; needs a depth map.
+    [[nodiscard]] SeenSurface surface_at(const Eigen::Vector2d& pixel) const {
+        const Eigen::Vector2d in_depth = pixel.cwiseProduct(samples_per_pixel_);
         return surface_at_sample(in_depth.x(), in_depth.y());
     }
 
@@ -87,7 +87,7 @@ class ViewSearch {
     [[nodiscard]] std::optional<ViewHit> refined(const EpipolarWalk& walk, double before,
                                                  double behind) const;
 
-    PixelTransfer view_from_eye_;
+    InverseDepthWarp view_from_eye_;
     Eigen::Vector2d samples_per_pixel_;
     double disparity_px_;
     double max_disparity_px_;

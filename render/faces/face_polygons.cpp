@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calib/capture/calibration_matrix.h"
 #include "render/faces/blend_strips.h"
 #include "render/faces/paint_order.h"
-#include "render/transfer/pixel_transfer.h"
 #include "render/transfer/polygon_clipping.h"
 
 namespace lumi {
@@ -44,7 +44,7 @@ EyeRays eye_rays(const Eye& eye) {
     rays.eye_in_world = centre_in_world(eye.cam_from_world);
     rays.line_of_sight = optical_axis_in_world(eye.cam_from_world);
     rays.direction_from_pixel = eye.cam_from_world.rotation.conjugate().toRotationMatrix() *
-                                pinhole_matrix(eye.camera).inverse();
+                                calibration_matrix(eye.camera).inverse();
     rays.picture = picture_corners_px(eye.camera);
     for (const Eigen::Vector2d& corner : rays.picture)
         rays.longest_direction = std::max(

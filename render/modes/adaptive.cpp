@@ -1,7 +1,6 @@
 #include "render/modes/adaptive.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <set>
 
@@ -20,12 +19,6 @@
 
 namespace lumi {
 namespace {
-
-/// Views that are most use to the eye; some may be named twice.
-std::array<int, 3> three_depth_views(const Lumigraph& layout, const Eye& eye) {
-    const std::vector<int> chosen = choose_depth_views(layout, eye, 3);
-    return {chosen[0], chosen[std::min<std::size_t>(1, chosen.size() - 1)], chosen.back()};
-}
 
 /// Without the triangles that nothing is seen of.
 BlendTriangles without_unseen(BlendTriangles triangles) {
@@ -109,7 +102,8 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const Searc
         most_of_layers(polygons, rest_of(options.max_triangles, thin.count()));
     std::vector<BlendTriangles> layers(polygons.size());
     PatchSampler::Options sampling = sampling_options(options);
-    if (layers.size() > 1) sampling.before_shell = three_depth_views(layout, eye);
+    if (layers.size() > 1)
+        sampling.before_shell = three_with_repeats(choose_depth_views(layout, eye, 3));
     for (std::size_t shell = 1; shell < layers.size(); ++shell) {
         layers[shell] = without_unseen(subdivided(polygons[shell], sampling, most[shell]));
         // What it does not need is the mesh's.

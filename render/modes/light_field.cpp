@@ -4,12 +4,12 @@
 
 #include <utility>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "render/faces/off_cameras.h"
 #include "render/shaders/shader_sources.h"
 #include "render/subdivision/affine_pieces.h"
 #include "render/surroundings/empty_cells.h"
 #include "render/transfer/focal_plane.h"
-#include "render/transfer/pixel_transfer.h"
 #include "render/transfer/polygon_clipping.h"
 #include "render/transfer/scene_plane.h"
 #include "render/uploaded/photograph_lod.h"
@@ -22,12 +22,9 @@ std::vector<PlaneView> plane_views(const Lumigraph& lumigraph, const Eye& eye,
                                    const Eigen::Vector3d& plane_inverse_depth) {
     std::vector<PlaneView> views;
     for (const LumigraphView& view : lumigraph.views) {
-        const PixelTransfer transfer =
-            pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world);
-        views.push_back(
-            {transfer.at_infinity + transfer.per_inverse_depth * plane_inverse_depth.transpose(),
-             static_cast<double>(view.camera.width_px),
-             static_cast<double>(view.camera.height_px)});
+        views.push_back({warp_from(eye).to(view).homography_of(plane_inverse_depth),
+                         static_cast<double>(view.camera.width_px),
+                         static_cast<double>(view.camera.height_px)});
     }
     return views;
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "render/transfer/pixel_transfer.h"
+#include "calib/capture/inverse_depth_warp.h"
 
 namespace lumi {
 namespace {
@@ -16,7 +16,7 @@ const std::vector<VertexAttribute> kFaceVertex{{0, 2},  {1, 4},  {2, 3}, {3, 3},
 
 /// What one corner of a face needs to know of its view, for one eye.
 struct ViewForEye {
-    PixelTransfer view_from_eye;
+    InverseDepthWarp view_from_eye;
     double disparity_px = 0.0;
 };
 
@@ -35,7 +35,7 @@ std::vector<ViewForEye> views_for_eye(const UploadedLumigraph& uploaded, const E
     for (std::size_t i = 0; i < uploaded.layout.views.size(); ++i) {
         const LumigraphView& view = uploaded.layout.views[i];
         views.push_back(
-            {pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world),
+            {warp_from(eye).to(view),
              disparity_px_per_inverse_depth(uploaded.searched_views.geometries[i], eye_in_world)});
     }
     return views;
@@ -55,9 +55,9 @@ class VertexWriter {
             append(vertices, line.dot(homogeneous));
         append(vertices, plane_.dot(homogeneous));
         for (const int view : polygon.view_indices)
-            append_all(vertices, (of(view).view_from_eye.at_infinity * homogeneous).eval());
+            append_all(vertices, (of(view).view_from_eye.infinite_homography * homogeneous).eval());
         for (const int view : polygon.view_indices) {
-            append_all(vertices, of(view).view_from_eye.per_inverse_depth);
+            append_all(vertices, of(view).view_from_eye.epipole);
             append(vertices, view);
         }
         for (const int view : polygon.view_indices) append_sizes(vertices, view);

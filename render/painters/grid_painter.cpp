@@ -4,7 +4,6 @@
 
 #include "render/gl/to_glm.h"
 #include "render/shaders/shader_sources.h"
-#include "render/transfer/pixel_transfer.h"
 
 namespace lumi {
 namespace {

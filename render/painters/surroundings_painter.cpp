@@ -7,7 +7,6 @@
 #include "render/gl/to_glm.h"
 #include "render/shaders/shader_sources.h"
 #include "render/surroundings/surroundings.h"
-#include "render/transfer/pixel_transfer.h"
 
 namespace lumi {
 namespace {

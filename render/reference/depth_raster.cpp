@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/transfer/pixel_transfer.h"
+#include "calib/capture/inverse_depth_warp.h"
 
 namespace lumi {
 namespace {
@@ -67,8 +67,7 @@ void draw(const EyeTriangle& triangle, const Camera& camera, double max_inverse_
 
 Image<EyeDepth> rasterise(const DepthMesh& mesh, const LumigraphView& view, const Eye& eye,
                           double max_inverse_depth) {
-    const PixelTransfer eye_from_view =
-        pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
+    const InverseDepthWarp eye_from_view = warp_from(view).to(eye);
     Image<EyeDepth> drawn(eye.camera.width_px, eye.camera.height_px);
     for (std::size_t kind = 0; kind < static_cast<std::size_t>(kDepthKinds); ++kind) {
         for (std::size_t i = mesh.kind_begin[kind]; i < mesh.kind_begin[kind + 1]; i += 3) {
@@ -79,7 +78,8 @@ Image<EyeDepth> rasterise(const DepthMesh& mesh, const LumigraphView& view, cons
                     mesh.vertices[mesh.indices[i + static_cast<std::size_t>(corner)]]
                         .cast<double>();
                 triangle.inverse_depths_in_view[corner] = vertex.z();
-                triangle.corners.col(corner) = eye_from_view.at(vertex.head<2>(), vertex.z());
+                triangle.corners.col(corner) =
+                    eye_from_view.homogeneous_at(vertex.head<2>(), vertex.z());
             }
             draw(triangle, eye.camera, max_inverse_depth, drawn);
         }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "render/rivals/seen_point.h"
-#include "render/transfer/pixel_transfer.h"
 #include "render/transfer/sampling.h"
 #include "render/view_choice/depth_view_choice.h"
 
@@ -29,8 +29,7 @@ void arrive(Arrived& pixel, double inverse_depth, const Rgb8& color, double weig
 
 void warp(const LumigraphView& view, const Eye& eye, double weight,
           const ForwardWarpingOptions& options, Image<Arrived>& arrived) {
-    const PixelTransfer eye_from_view =
-        pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
+    const InverseDepthWarp eye_from_view = warp_from(view).to(eye);
     const double zoom = focal_length_px(eye.camera).mean() / focal_length_px(view.camera).mean();
     const FloatImage& map = view.depth.inverse_depth;
     for (int y = 0; y < view.camera.height_px; ++y) {
@@ -38,13 +37,10 @@ void warp(const LumigraphView& view, const Eye& eye, double weight,
             const Eigen::Vector2d pixel(x + 0.5, y + 0.5);
             const double q = nearest(map, {pixel.x() * map.width() / view.camera.width_px,
                                            pixel.y() * map.height() / view.camera.height_px});
-            const Eigen::Vector3d at = eye_from_view.at_infinity * pixel.homogeneous() +
-                                       q * eye_from_view.per_inverse_depth;
-            if (!(at.z() > 0)) continue;
-            const Eigen::Vector2d there = at.hnormalized();
-            if (there.cwiseAbs().maxCoeff() > 1e6) continue;
-            // `at.z()` is the depth in the eye over that in the view.
-            const double splat_px = options.splat_px * std::max(1.0, zoom / at.z());
+            const auto at = eye_from_view.at(pixel, q);
+            if (!at || at->pixel.cwiseAbs().maxCoeff() > 1e6) continue;
+            const Eigen::Vector2d& there = at->pixel;
+            const double splat_px = options.splat_px * std::max(1.0, zoom / at->depth_ratio);
             const auto first = [&](double place) {
                 return static_cast<int>(std::max(0.0, std::ceil(place - splat_px - 0.5)));
             };
@@ -55,7 +51,7 @@ void warp(const LumigraphView& view, const Eye& eye, double weight,
             for (int row = first(there.y()); row < end(there.y(), arrived.height()); ++row)
                 for (int column = first(there.x()); column < end(there.x(), arrived.width());
                      ++column)
-                    arrive(arrived(column, row), q / at.z(), view.photograph(x, y), weight,
+                    arrive(arrived(column, row), at->inverse_depth, view.photograph(x, y), weight,
                            options.same_share);
         }
     }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calib/capture/calibration_matrix.h"
 #include "render/rivals/planar_delaunay.h"
-#include "render/transfer/pixel_transfer.h"
 #include "render/transfer/polygon_clipping.h"
 
 namespace lumi {
@@ -30,7 +30,7 @@ FacePolygon picture_of(int view, const Eye& eye) {
 }  // namespace
 
 std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& eye) {
-    const Eigen::Matrix3d pixel_from_eye = pinhole_matrix(eye.camera);
+    const Eigen::Matrix3d pixel_from_eye = calibration_matrix(eye.camera);
     const Eigen::Vector3d eye_axis_in_world = optical_axis_in_world(eye.cam_from_world);
     const double scene_distance = 1 / inverse_depth_range(lumigraph).y();
     std::vector<Eigen::Vector2d> pixels;

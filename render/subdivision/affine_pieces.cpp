@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "render/transfer/pixel_transfer.h"
+#include "calib/capture/inverse_depth_warp.h"
 #include "render/transfer/polygon_clipping.h"
 #include "render/transfer/polygon_extent.h"
 

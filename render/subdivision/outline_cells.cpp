@@ -1,9 +1,9 @@
 #include "render/subdivision/outline_cells.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <cmath>
 
-#include "render/transfer/pixel_transfer.h"
+#include "calib/capture/inverse_depth_warp.h"
 #include "render/transfer/view_geometry.h"
 
 namespace lumi {
@@ -27,23 +27,22 @@ OutlineCells::OutlineCells(const Lumigraph& lumigraph, const SearchedViews& view
     for (const int index : view_indices) {
         const auto i = static_cast<std::size_t>(index);
         const LumigraphView& view = lumigraph.views[i];
-        const PixelTransfer eye_from_view =
-            pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
+        const InverseDepthWarp eye_from_view = warp_from(view).to(eye);
         const double disparity_px =
             disparity_px_per_inverse_depth(views.geometries[i], eye_in_world);
         for (const OutlinePoint& point : views.outlines[i]) {
             if (static_cast<double>(point.step) * disparity_px < kLeastStep_px) continue;
             const Eigen::Vector2d pixel(point.x_px, point.y_px);
-            mark(eye_from_view.at(pixel, static_cast<double>(point.inverse_depth)));
+            const auto in_eye = eye_from_view.at(pixel, static_cast<double>(point.inverse_depth));
+            if (in_eye) mark(in_eye->pixel);
         }
     }
     sum_up();
 }
 
 /// In the cell to the right of and below its own place: sums begin with 0.
-void OutlineCells::mark(const Eigen::Vector3d& in_eye) {
-    if (in_eye.z() <= 0) return;
-    const Eigen::Vector2d cell = in_eye.hnormalized() / kCell_px;
+void OutlineCells::mark(const Eigen::Vector2d& pixel) {
+    const Eigen::Vector2d cell = pixel / kCell_px;
     if (cell.minCoeff() < 0 || cell.x() >= columns_ || cell.y() >= rows_) return;
     counts_[place(static_cast<int>(cell.x()) + 1, static_cast<int>(cell.y()) + 1)] = 1;
 }

@@ -34,7 +34,7 @@ class OutlineCells {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_ + 1) +
                static_cast<std::size_t>(column);
     }
-    void mark(const Eigen::Vector3d& in_eye);
+    void mark(const Eigen::Vector2d& pixel);
     void sum_up();
 
     int columns_ = 0;

@@ -1,6 +1,6 @@
 #include "render/subdivision/outline_crossing.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
 
@@ -25,10 +25,9 @@ double jump_px(const DepthSearch& search, const BlendVertex& a, const BlendVerte
     for (std::size_t k = 0; k < 3; ++k) {
         if (a.weights[k] <= 0 && b.weights[k] <= 0) continue;
         const EpipolarLine line = search.line_in(static_cast<int>(a.view_layers[k]), pixel);
-        const Eigen::Vector3d at_a = line.at(static_cast<double>(a.inverse_depth));
-        const Eigen::Vector3d at_b = line.at(static_cast<double>(b.inverse_depth));
-        if (at_a.z() <= 0 || at_b.z() <= 0) continue;
-        farthest_px = std::max(farthest_px, (at_a.hnormalized() - at_b.hnormalized()).norm());
+        const auto at_a = line.at(static_cast<double>(a.inverse_depth));
+        const auto at_b = line.at(static_cast<double>(b.inverse_depth));
+        if (at_a && at_b) farthest_px = std::max(farthest_px, (at_a->pixel - at_b->pixel).norm());
     }
     return farthest_px;
 }
@@ -37,12 +36,11 @@ double jump_px(const DepthSearch& search, const BlendVertex& a, const BlendVerte
 BlendVertex moved_to(const Eigen::Vector2d& pixel, const DepthSearch& search, BlendVertex vertex) {
     vertex.pixel = {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
     for (std::size_t k = 0; k < 3; ++k) {
-        const Eigen::Vector3d in_view =
-            search.line_in(static_cast<int>(vertex.view_layers[k]), pixel)
-                .at(static_cast<double>(vertex.inverse_depth));
-        if (in_view.z() <= 0) continue;
-        const Eigen::Vector2d place = in_view.hnormalized();
-        vertex.view_pixels[k] = {static_cast<float>(place.x()), static_cast<float>(place.y())};
+        const auto in_view = search.line_in(static_cast<int>(vertex.view_layers[k]), pixel)
+                                 .at(static_cast<double>(vertex.inverse_depth));
+        if (!in_view) continue;
+        vertex.view_pixels[k] = {static_cast<float>(in_view->pixel.x()),
+                                 static_cast<float>(in_view->pixel.y())};
     }
     return vertex;
 }

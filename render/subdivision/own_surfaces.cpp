@@ -1,7 +1,6 @@
 #include "render/subdivision/own_surfaces.h"
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -65,14 +64,14 @@ class Triangle {
 /// behind the camera, or no farther off than the triangle is long: that is no sweep.
 bool look_up_at(double inverse_depth, std::size_t k, double longest_edge_px,
                 const DepthSearch& search, BlendVertex& corner) {
-    const Eigen::Vector3d in_view =
+    const auto in_view =
         search.line_in(static_cast<int>(corner.view_layers[k]), vector_of(corner.pixel))
             .at(inverse_depth);
-    if (in_view.z() <= 0) return false;
-    const Eigen::Vector2d own = in_view.hnormalized();
+    if (!in_view) return false;
+    const Eigen::Vector2d& own = in_view->pixel;
     if ((own - vector_of(corner.view_pixels[k])).norm() <= longest_edge_px) return false;
     corner.view_pixels[k] = {static_cast<float>(own.x()), static_cast<float>(own.y())};
-    corner.depth_ratios[k] = static_cast<float>(in_view.z());
+    corner.depth_ratios[k] = static_cast<float>(in_view->depth_ratio);
     return true;
 }
 

@@ -63,12 +63,12 @@ void PatchSampler::correct_depth(const std::optional<RayHit>& hit, PatchSample& 
 void PatchSampler::look_up(PatchSample& sample) const {
     double ratio = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Eigen::Vector3d in_view =
+        const auto in_view =
             search_.line_in(polygon_.view_indices[k], sample.pixel).at(sample.inverse_depth);
-        if (in_view.z() <= 0) continue;
-        sample.view_pixels[k] = in_view.hnormalized();
-        sample.depth_ratios[k] = in_view.z();
-        ratio += sample.ray_weights[k] * in_view.z();
+        if (!in_view) continue;
+        sample.view_pixels[k] = in_view->pixel;
+        sample.depth_ratios[k] = in_view->depth_ratio;
+        ratio += sample.ray_weights[k] * in_view->depth_ratio;
     }
     if (ratio > 0) sample.affine_depth = 1 / ratio;
 }

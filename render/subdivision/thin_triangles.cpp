@@ -1,6 +1,6 @@
 #include "render/subdivision/thin_triangles.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "calib/work/parallel_for.h"
-#include "render/transfer/pixel_transfer.h"
 #include "render/transfer/polygon_extent.h"
 #include "render/view_choice/depth_view_choice.h"
 
@@ -39,8 +39,7 @@ class ThinPicture {
           thin_(thin),
           size_px_(eye.camera.width_px, eye.camera.height_px) {
         const LumigraphView& view = lumigraph.views[static_cast<std::size_t>(view_index)];
-        const PixelTransfer eye_from_view =
-            pixel_transfer(eye.camera, eye.cam_from_world, view.camera, view.cam_from_world);
+        const InverseDepthWarp eye_from_view = warp_from(view).to(eye);
         corners_.reserve(thin.vertices.size());
         for (const Eigen::Vector3f& vertex : thin.vertices)
             corners_.push_back(corner_at(vertex.cast<double>(), eye_from_view));
@@ -76,18 +75,18 @@ class ThinPicture {
  private:
     /// Without weight where it lies behind the eye.
     [[nodiscard]] BlendVertex corner_at(const Eigen::Vector3d& vertex,
-                                        const PixelTransfer& eye_from_view) const {
-        const Eigen::Vector3d in_eye = eye_from_view.at(vertex.head<2>(), vertex.z());
+                                        const InverseDepthWarp& eye_from_view) const {
+        const auto in_eye = eye_from_view.at(vertex.head<2>(), vertex.z());
         BlendVertex corner;
         corner.view_layers.fill(static_cast<float>(view_index_));
-        if (in_eye.z() <= kLeastDepthRatio) return corner;
-        corner.pixel = {static_cast<float>(in_eye.x() / in_eye.z()),
-                        static_cast<float>(in_eye.y() / in_eye.z())};
-        corner.depth = static_cast<float>(in_eye.z());
+        if (!in_eye || in_eye->depth_ratio <= kLeastDepthRatio) return corner;
+        corner.pixel = {static_cast<float>(in_eye->pixel.x()),
+                        static_cast<float>(in_eye->pixel.y())};
+        corner.depth = static_cast<float>(in_eye->depth_ratio);
         corner.view_pixels.fill({static_cast<float>(vertex.x()), static_cast<float>(vertex.y())});
-        corner.depth_ratios.fill(static_cast<float>(1 / in_eye.z()));
+        corner.depth_ratios.fill(static_cast<float>(1 / in_eye->depth_ratio));
         corner.weights = {1.0F, 0.0F, 0.0F};
-        corner.inverse_depth = static_cast<float>(vertex.z() / in_eye.z());
+        corner.inverse_depth = static_cast<float>(in_eye->inverse_depth);
         corner.confidence = 1.0F;
         return corner;
     }
@@ -101,8 +100,8 @@ class ThinPicture {
 /// Whether a view that comes first has a say: it has the place in its photograph, and nothing
 /// hides it there.
 bool is_for_view(int view_index, const Middle& middle, const DepthSearch& search) {
-    const Eigen::Vector3d at = search.line_in(view_index, middle.pixel).at(middle.inverse_depth);
-    return at.z() > 0 && search.inside(view_index, at.hnormalized()) > 0 &&
+    const auto at = search.line_in(view_index, middle.pixel).at(middle.inverse_depth);
+    return at && search.inside(view_index, at->pixel) > 0 &&
            search.hidden_by_px(middle.pixel, middle.inverse_depth, view_index) < kHides_px;
 }
 
@@ -154,8 +153,7 @@ BlendTriangles sorted(const std::vector<ThinPicture>& pictures, std::vector<Draw
 BlendTriangles thin_triangles(const Lumigraph& lumigraph, const SearchedViews& views,
                               const Eye& eye, const DepthSearch& search, std::size_t most) {
     const std::vector<int> chosen = choose_depth_views(lumigraph, eye, kMostViews);
-    const std::array<int, 3> asked{chosen[0], chosen[std::min<std::size_t>(1, chosen.size() - 1)],
-                                   chosen.back()};
+    const std::array<int, 3> asked = three_with_repeats(chosen);
     std::vector<ThinPicture> pictures;
     std::vector<Drawn> drawn;
     for (const int view : chosen) {

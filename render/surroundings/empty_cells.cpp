@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "render/transfer/pixel_transfer.h"
+#include "calib/capture/inverse_depth_warp.h"
 #include "render/transfer/polygon_clipping.h"
 #include "render/transfer/polygon_extent.h"
 
@@ -44,9 +44,7 @@ class OnPlane {
     OnPlane(const std::vector<LumigraphView>& views, const Eye& eye, const Eigen::Vector3d& plane,
             double border_px)
         : views_(views), plane_(plane), border_px_(border_px) {
-        for (const LumigraphView& view : views)
-            transfers_.push_back(
-                pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world));
+        for (const LumigraphView& view : views) view_from_eye_.push_back(warp_from(eye).to(view));
     }
 
     [[nodiscard]] bool is_surely_shown(const FacePolygon& polygon,
@@ -73,15 +71,14 @@ class OnPlane {
 
  private:
     [[nodiscard]] Eigen::Matrix3d view_from_plane(int view, bool is_near) const {
-        const PixelTransfer& transfer = transfers_[static_cast<std::size_t>(view)];
-        if (!is_near) return transfer.at_infinity;
-        return transfer.at_infinity + transfer.per_inverse_depth * plane_.transpose();
+        const InverseDepthWarp& warp = view_from_eye_[static_cast<std::size_t>(view)];
+        return is_near ? warp.homography_of(plane_) : warp.infinite_homography;
     }
 
     const std::vector<LumigraphView>& views_;
     Eigen::Vector3d plane_;
     double border_px_;
-    std::vector<PixelTransfer> transfers_;
+    std::vector<InverseDepthWarp> view_from_eye_;
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "render/transfer/pixel_transfer.h"
+#include "calib/capture/calibration_matrix.h"
 
 namespace lumi {
 
@@ -14,7 +14,7 @@ Eigen::Vector3d focal_plane_inverse_depth(const FocalPlane& plane, const Eye& ey
         eye.cam_from_world.rotation * optical_axis_in_world(across);
     // A ray d of unit depth meets the plane normal . X = eye_to_plane at depth
     // eye_to_plane / (normal . d).
-    return pinhole_matrix(eye.camera).inverse().transpose() * normal_in_eye / eye_to_plane;
+    return calibration_matrix(eye.camera).inverse().transpose() * normal_in_eye / eye_to_plane;
 }
 
 }  // namespace lumi

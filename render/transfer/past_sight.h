@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <limits>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "render/lumigraph/lumigraph.h"
-#include "render/transfer/pixel_transfer.h"
 
 namespace lumi {
 
@@ -42,10 +42,10 @@ class PastSight {
                             double least_difference, double nearest_seen = kAnywhere) const;
 
     /// From the eye's pixels to samples of the depth map.
-    [[nodiscard]] const PixelTransfer& samples_from_eye() const { return samples_from_eye_; }
+    [[nodiscard]] const InverseDepthWarp& samples_from_eye() const { return samples_from_eye_; }
 
  private:
-    PixelTransfer samples_from_eye_;
+    InverseDepthWarp samples_from_eye_;
     const DepthMap* depth_;
 };
 

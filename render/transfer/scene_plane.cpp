@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "render/transfer/pixel_transfer.h"
+#include "calib/capture/calibration_matrix.h"
 
 namespace lumi {
 
@@ -19,7 +19,7 @@ Eigen::Vector3d scene_plane_inverse_depth(const Lumigraph& lumigraph, const Eye&
     if (!(distance > 0)) return Eigen::Vector3d::Zero();
     const Eigen::Vector3d normal = centre_in_eye / length;
     // A ray d of unit depth meets the plane normal . X = distance at depth distance / (normal . d).
-    return pinhole_matrix(eye.camera).inverse().transpose() * normal / distance;
+    return calibration_matrix(eye.camera).inverse().transpose() * normal / distance;
 }
 
 }  // namespace lumi

@@ -1,6 +1,7 @@
 #include "render/view_choice/depth_view_choice.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -139,6 +140,12 @@ void keep_largest(std::vector<DepthViewSet>& sets) {
 
 std::vector<int> choose_depth_views(const Lumigraph& lumigraph, const Eye& eye, int max_views) {
     return Choice(lumigraph, eye, max_views, kOnlyTheBest).sets().front().view_indices;
+}
+
+std::array<int, 3> three_with_repeats(const std::vector<int>& view_indices) {
+    assert(!view_indices.empty() && view_indices.size() <= 3);
+    return {view_indices.front(), view_indices[std::min<std::size_t>(1, view_indices.size() - 1)],
+            view_indices.back()};
 }
 
 std::vector<DepthViewSet> depth_view_sets(const Lumigraph& lumigraph, const Eye& eye,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "render/lumigraph/lumigraph.h"
@@ -34,6 +35,9 @@ inline constexpr int kMaxDepthViewSets = 8;
 /// the eye.
 [[nodiscard]] std::vector<DepthViewSet> depth_view_sets(const Lumigraph& lumigraph, const Eye& eye,
                                                         int max_views);
+
+/// One to three views, for what asks three always: where there are less the last is named again.
+[[nodiscard]] std::array<int, 3> three_with_repeats(const std::vector<int>& view_indices);
 
 /// agreeing_inverse_depth (view_geometry.h) of the sets' views: the mean by their shares.
 [[nodiscard]] double agreeing_inverse_depth(const Lumigraph& lumigraph,

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "meshing/agreement/seen_past.h"
 #include "meshing/depth/finished_depth.h"
-#include "meshing/warp/inverse_depth_warp.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
@@ -60,12 +60,9 @@ struct RodsBeforeWall {
         const auto& views = known.scene.views;
         int count = 0;
         for (std::size_t j = 1; j < views.size(); ++j) {
-            const Eigen::Vector2d there =
-                warp_b_from_a(views[0].camera, views[0].cam_from_world, views[j].camera,
-                              views[j].cam_from_world)({x + 0.5, y + 0.5},
-                                                       static_cast<double>(inverse_depth))
-                    .hnormalized();
-            const Eigen::Vector2i pixel = there.array().floor().cast<int>();
+            const auto there = warp_from(views[0]).to(views[j]).at(
+                {x + 0.5, y + 0.5}, static_cast<double>(inverse_depth));
+            const Eigen::Vector2i pixel = there->pixel.array().floor().cast<int>();
             const FloatImage& seen = known.inverse_depths[j];
             if (!seen.contains(pixel.x(), pixel.y())) continue;
             if (std::abs(seen(pixel.x(), pixel.y()) - inverse_depth) < 0.01F) ++count;

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "calib/pictures/image_io.h"
-#include "meshing/warp/inverse_depth_warp.h"
 
 namespace lumi {
 namespace {

@@ -12,7 +12,7 @@ TEST(WarpedRows, FallWhereEachPixelFallsByItself) {
     Rigid3 turned = looking_ahead_from({0.4, -0.1, 0.3});
     turned.rotation = Eigen::AngleAxisd(0.1, Eigen::Vector3d(0.2, 1, 0.3).normalized());
     const InverseDepthWarp warp =
-        warp_b_from_a(camera, looking_ahead_from({0, 0, 0}), camera, turned);
+        warp_from({camera, looking_ahead_from({0, 0, 0})}).to({camera, turned});
     DepthMap map{FloatImage(240, 180), GrayImage(240, 180)};
     for (int y = 0; y < 180; ++y) {
         for (int x = 0; x < 240; ++x) {
@@ -31,7 +31,7 @@ TEST(WarpedRows, FallWhereEachPixelFallsByItself) {
         for (int x = 0; x < 240; ++x) {
             const auto i = static_cast<std::size_t>(x);
             const double inverse_depth = static_cast<double>(map.inverse_depth(x, y));
-            const Eigen::Vector3d there = warp({x + 0.5, y + 0.5}, inverse_depth);
+            const Eigen::Vector3d there = warp.homogeneous_at({x + 0.5, y + 0.5}, inverse_depth);
             const double column = there.x() / there.z() + 30;
             const double at_row = there.y() / there.z() + 10;
             const bool is_in = map.confidence(x, y) != 0 && there.z() > 0 && column >= 0 &&

@@ -22,8 +22,7 @@ class SlantedWall : public testing::Test {
         const auto& views = known_.scene.views;
         gray_ = gray_of(views[0].photograph);
         for (const std::size_t i : {std::size_t{1}, std::size_t{2}}) {
-            warps_.push_back(warp_b_from_a(views[0].camera, views[0].cam_from_world,
-                                           views[i].camera, views[i].cam_from_world));
+            warps_.push_back(warp_from(views[0]).to(views[i]));
             views_.push_back(compared_view(warps_.back(), gray_of(views[i].photograph)));
         }
     }
@@ -45,7 +44,9 @@ class SlantedWall : public testing::Test {
             for (int dx = -3; dx <= 3; dx += 2, ++next) {
                 const double q = static_cast<double>(plane.at(dx, dy).inverse_depth);
                 const Eigen::Vector2d there =
-                    warps_[0](Eigen::Vector2d(x + dx + 0.5, y + dy + 0.5), q).hnormalized() -
+                    warps_[0]
+                        .homogeneous_at(Eigen::Vector2d(x + dx + 0.5, y + dy + 0.5), q)
+                        .hnormalized() -
                     Eigen::Vector2d(0.5, 0.5);
                 const int column = static_cast<int>(there.x());
                 const int row = static_cast<int>(there.y());

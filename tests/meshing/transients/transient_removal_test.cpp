@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/progress.h"
 #include "meshing/transients/transients.h"
-#include "meshing/warp/inverse_depth_warp.h"
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
@@ -69,12 +69,8 @@ class Wall {
                                            const Eigen::Vector2d& pixel) const {
         const DepthView& from = known_.scene.views[static_cast<std::size_t>(other)];
         const DepthView& to = known_.scene.views[static_cast<std::size_t>(view)];
-        return warp_b_from_a(from.camera, from.cam_from_world, to.camera, to.cam_from_world)(
-                   pixel, 1 / kDistance)
-            .hnormalized()
-            .array()
-            .floor()
-            .cast<int>();
+        const auto there = warp_from(from).to(to).at(pixel, 1 / kDistance);
+        return there->pixel.array().floor().cast<int>();
     }
 
     /// Photographs of so many times as many pixels across; depth as it is.

@@ -65,9 +65,8 @@ TEST(InstructionSets, CompareWindowsTheSame) {
     const GrayImage gray = gray_of(views[0].photograph);
     std::vector<ComparedView> others;
     for (std::size_t i = 1; i < views.size(); ++i) {
-        others.push_back(compared_view(warp_b_from_a(views[0].camera, views[0].cam_from_world,
-                                                     views[i].camera, views[i].cam_from_world),
-                                       gray_of(views[i].photograph)));
+        others.push_back(
+            compared_view(warp_from(views[0]).to(views[i]), gray_of(views[i].photograph)));
     }
     expect_the_same_on_every_set([&] {
         std::vector<float> all;
@@ -104,7 +103,7 @@ TEST(InstructionSets, WarpTheSame) {
     Rigid3 turned = looking_ahead_from({0.4, -0.1, 0.3});
     turned.rotation = Eigen::AngleAxisd(0.1, Eigen::Vector3d(0.2, 1, 0.3).normalized());
     const InverseDepthWarp warp =
-        warp_b_from_a(small_camera(), looking_ahead_from({0, 0, 0}), small_camera(), turned);
+        warp_from({small_camera(), looking_ahead_from({0, 0, 0})}).to({small_camera(), turned});
     expect_the_same_on_every_set([&] {
         std::vector<float> all;
         warp_rows(map, warp, {240, 180, 0, 0}, 1, [&](int, const WarpedRow& row) {

@@ -86,6 +86,12 @@ TEST(DepthViewSets, AskNoViewThatHasNone) {
     }
 }
 
+TEST(ThreeWithRepeats, NameTheLastAgain) {
+    EXPECT_EQ(three_with_repeats({7}), (std::array<int, 3>{7, 7, 7}));
+    EXPECT_EQ(three_with_repeats({7, 2}), (std::array<int, 3>{7, 2, 2}));
+    EXPECT_EQ(three_with_repeats({7, 2, 5}), (std::array<int, 3>{7, 2, 5}));
+}
+
 // A choice without shares changes by a whole view, however short the way.
 TEST(DepthViewSets, ChangeSteadilyWithTheEye) {
     const Lumigraph lumigraph = ball_in_sky();

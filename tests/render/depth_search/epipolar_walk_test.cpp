@@ -73,7 +73,7 @@ bool is_in_picture(const Eigen::Vector3d& place) {
 /// From near on, as long as the ray is in the picture.
 RayStretch stretch_from(const EpipolarLine& line, double near_end) {
     double far_end = near_end;
-    while (far_end > 0.001 && is_in_picture(line.at(far_end - 0.001))) far_end -= 0.001;
+    while (far_end > 0.001 && is_in_picture(line.homogeneous_at(far_end - 0.001))) far_end -= 0.001;
     return {near_end, far_end};
 }
 
@@ -112,13 +112,14 @@ TEST(EpipolarWalk, PlacesAndInverseDepthsAreThoseOfTheLine) {
         const bool comes_back = i % 2 == 1;
         const EpipolarLine line = comes_back ? line_that_comes_back(random) : random_line(random);
         const RayStretch stretch = stretch_from(line, 0.6);
-        if (!is_in_picture(line.at(0.6)) || stretch.far_end == stretch.near_end) continue;
+        if (!is_in_picture(line.homogeneous_at(0.6)) || stretch.far_end == stretch.near_end)
+            continue;
         const EpipolarWalk walk(line, stretch, tiled);
         EXPECT_NEAR(walk.inverse_depth_in_eye(0), stretch.near_end, 1e-9);
         EXPECT_NEAR(walk.inverse_depth_in_eye(1), stretch.far_end, 1e-9);
         for (const double share : shares_up_to(1)) {
             const double in_eye = walk.inverse_depth_in_eye(share);
-            const Eigen::Vector3d expected = line.at(in_eye);
+            const Eigen::Vector3d expected = line.homogeneous_at(in_eye);
             const EpipolarWalk::Place place = walk.at(share);
             EXPECT_NEAR(place.x, expected.x() / expected.z(), 1e-6) << i << ' ' << share;
             EXPECT_NEAR(place.y, expected.y() / expected.z(), 1e-6) << i << ' ' << share;
@@ -152,7 +153,7 @@ TEST(EpipolarWalk, PassesNothingThatTheRayMeets) {
     std::size_t passed = 0;
     for (int i = 0; i < 2000; ++i) {
         const EpipolarLine line = random_line(random);
-        if (!is_in_picture(line.at(0.6))) continue;
+        if (!is_in_picture(line.homogeneous_at(0.6))) continue;
         const EpipolarWalk walk(line, stretch_from(line, 0.6), tiled);
         for (const double share : shares_up_to(walk.past_free(0))) {
             const EpipolarWalk::Place place = walk.at(share);
@@ -171,7 +172,7 @@ TEST(EpipolarWalk, ComesToWhereTheRayIsAsFarAsSomethingNearby) {
     int arrived = 0;
     for (int i = 0; i < 2000; ++i) {
         const EpipolarLine line = random_line(random);
-        if (!is_in_picture(line.at(0.6))) continue;
+        if (!is_in_picture(line.homogeneous_at(0.6))) continue;
         const EpipolarWalk walk(line, stretch_from(line, 0.6), tiled);
         const double share = walk.past_free(0);
         if (share >= 1) continue;
@@ -192,7 +193,7 @@ TEST(EpipolarWalk, StaysBehindWhatHidesTheRay) {
     std::size_t hidden = 0;
     for (int i = 0; i < 2000; ++i) {
         const EpipolarLine line = i % 4 == 0 ? line_that_comes_back(random) : random_line(random);
-        if (!is_in_picture(line.at(0.3))) continue;
+        if (!is_in_picture(line.homogeneous_at(0.3))) continue;
         const EpipolarWalk walk(line, stretch_from(line, 0.3), tiled);
         for (const double share : shares_up_to(walk.past_hiding(0))) {
             const EpipolarWalk::Place place = walk.at(share);

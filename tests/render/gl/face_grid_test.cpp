@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "calib/capture/inverse_depth_warp.h"
 #include "render/faces/face_polygons.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "render/subdivision/affine_pieces.h"
-#include "render/transfer/pixel_transfer.h"
 #include "render/transfer/polygon_clipping.h"
 #include "render/transfer/scene_plane.h"
 #include "tests/render/analytic_scene.h"
@@ -85,10 +85,8 @@ std::vector<FacePolygon> exact_pieces(const Lumigraph& lumigraph, const Eye& eye
     const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
     std::vector<PlaneView> views;
     for (const LumigraphView& view : lumigraph.views) {
-        const PixelTransfer transfer =
-            pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world);
-        views.push_back({transfer.at_infinity + transfer.per_inverse_depth * plane.transpose(),
-                         1.0 * view.camera.width_px, 1.0 * view.camera.height_px});
+        views.push_back({warp_from(eye).to(view).homography_of(plane), 1.0 * view.camera.width_px,
+                         1.0 * view.camera.height_px});
     }
     BlendTriangles affine;
     std::vector<FacePolygon> exact;

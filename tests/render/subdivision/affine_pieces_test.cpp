@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "render/transfer/pixel_transfer.h"
+#include "calib/capture/inverse_depth_warp.h"
 #include "render/transfer/scene_plane.h"
 #include "tests/render/analytic_scene.h"
 
@@ -22,12 +22,9 @@ Pieces pieces_of(const Lumigraph& lumigraph, const Eye& eye,
     Pieces pieces;
     const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
     for (const LumigraphView& view : lumigraph.views) {
-        const PixelTransfer transfer =
-            pixel_transfer(view.camera, view.cam_from_world, eye.camera, eye.cam_from_world);
-        pieces.views.push_back(
-            {transfer.at_infinity + transfer.per_inverse_depth * plane.transpose(),
-             static_cast<double>(view.camera.width_px),
-             static_cast<double>(view.camera.height_px)});
+        pieces.views.push_back({warp_from(eye).to(view).homography_of(plane),
+                                static_cast<double>(view.camera.width_px),
+                                static_cast<double>(view.camera.height_px)});
     }
     for (const FacePolygon& polygon : polygons)
         cut_into_affine_pieces(polygon, pieces.views, plane, options, pieces.affine, pieces.exact);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -178,7 +178,7 @@ TEST_F(HiddenPhotographs, LieBehindWhatIsAsManyPixelsBeforeThemAsItsDepthSays) {
                 const double within = within_card({x, y}, view);
                 if (std::abs(within) < 0.04) continue;
                 const Eigen::Vector2d in_view =
-                    search_.line_in(view, {x, y}).at(1 / kWallDepth).hnormalized();
+                    search_.line_in(view, {x, y}).at(1 / kWallDepth)->pixel;
                 const bool is_shown =
                     in_view.x() > 1 && in_view.y() > 1 && in_view.x() < 255 && in_view.y() < 191;
                 if (!is_shown) continue;

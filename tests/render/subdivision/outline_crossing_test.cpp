@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include "render/transfer/scene_plane.h"
 #include "tests/render/analytic_scene.h"
@@ -45,7 +45,7 @@ class ThroughCamera {
     }
     [[nodiscard]] Eigen::Vector2d looked_up(const Eigen::Vector2d& pixel,
                                             float inverse_depth) const {
-        return search_.line_in(0, pixel).at(static_cast<double>(inverse_depth)).hnormalized();
+        return search_.line_in(0, pixel).at(static_cast<double>(inverse_depth))->pixel;
     }
 
  private:

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <algorithm>
 
 #include "tests/render/analytic_scene.h"
@@ -43,7 +43,7 @@ class OwnSurfaces : public testing::Test {
     [[nodiscard]] std::array<float, 2> place_in(int view, const Eigen::Vector2d& pixel,
                                                 float inverse_depth) const {
         const Eigen::Vector2d place =
-            search_.line_in(view, pixel).at(static_cast<double>(inverse_depth)).hnormalized();
+            search_.line_in(view, pixel).at(static_cast<double>(inverse_depth))->pixel;
         return {static_cast<float>(place.x()), static_cast<float>(place.y())};
     }
 

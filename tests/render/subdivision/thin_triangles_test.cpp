@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "render/modes/adaptive.h"
@@ -73,10 +73,11 @@ TEST_F(ThinTriangles, LookTheBarUpWhereAPhotographShowsIt) {
     const DepthSearch search(scene_, views_, eye);
     for (const BlendVertex& corner : drawn_from(eye).vertices) {
         const auto view = static_cast<int>(corner.view_layers[0]);
-        const Eigen::Vector3d in_view = search.line_in(view, vector_of(corner.pixel))
-                                            .at(static_cast<double>(corner.inverse_depth));
-        EXPECT_LT((in_view.hnormalized() - vector_of(corner.view_pixels[0])).norm(), 0.01);
-        EXPECT_NEAR(in_view.z(), static_cast<double>(corner.depth_ratios[0]), 1e-3);
+        const auto in_view = search.line_in(view, vector_of(corner.pixel))
+                                 .at(static_cast<double>(corner.inverse_depth));
+        ASSERT_TRUE(in_view.has_value());
+        EXPECT_LT((in_view->pixel - vector_of(corner.view_pixels[0])).norm(), 0.01);
+        EXPECT_NEAR(in_view->depth_ratio, static_cast<double>(corner.depth_ratios[0]), 1e-3);
         EXPECT_EQ(corner.weights, (std::array<float, 3>{1, 0, 0}));
     }
 }

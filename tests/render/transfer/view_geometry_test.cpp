@@ -2,39 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
-#include "render/transfer/pixel_transfer.h"
 #include "render/transfer/scene_plane.h"
 #include "render/view_choice/depth_view_choice.h"
 #include "tests/render/analytic_scene.h"
 
 namespace lumi {
 namespace {
-
-TEST(PixelTransfer, MeetsTheProjectionOfThePoint) {
-    const Camera source_camera{64, 48, LensModel::kPinhole, {55, 61, 30, 25}};
-    const Camera target_camera = pinhole_camera(80, 60, 70);
-    const Eye source = eye_at({0.3, -0.2, 0.1}, {0, 0, 4}, source_camera);
-    const Eye target = eye_at({-0.4, 0.3, 0.5}, {0.2, 0, 4}, target_camera);
-    const PixelTransfer transfer =
-        pixel_transfer(target.camera, target.cam_from_world, source.camera, source.cam_from_world);
-    std::mt19937 random(1);
-    std::uniform_real_distribution<double> share(0, 1);
-    for (int i = 0; i < 200; ++i) {
-        const Eigen::Vector2d pixel(64 * share(random), 48 * share(random));
-        const double inverse_depth = 0.05 + share(random);
-        const Eigen::Vector3d in_target =
-            target.cam_from_world *
-            (inverse(source.cam_from_world) * (unproject(source_camera, pixel) / inverse_depth));
-        const Eigen::Vector3d moved =
-            transfer.at_infinity * pixel.homogeneous() + inverse_depth * transfer.per_inverse_depth;
-        const auto expected = project(target_camera, in_target);
-        ASSERT_TRUE(expected.has_value());
-        EXPECT_LT((moved.hnormalized() - *expected).norm(), 1e-9);
-        EXPECT_NEAR(inverse_depth / moved.z(), 1 / in_target.z(), 1e-12);
-    }
-}
 
 TEST(ScenePlane, PassesThroughTheCentreAndFacesTheEye) {
     Lumigraph lumigraph;
