@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "calib/adjust/bundle_problem.h"
-#include "calib/adjust/silence_ceres.h"
+#include "calib/adjust/quiet_solver.h"
 #include "calib/adjust/stop_on_interrupt.h"
+#include "calib/work/cauchy_scale.h"
 #include "calib/work/error.h"
 #include "calib/work/median.h"
 
@@ -83,7 +84,6 @@ bool any_beyond(const Capture& capture, double limit_px) {
 
 ceres::Solver::Summary solve_pass(Capture& capture, const BundleAdjustmentOptions& options,
                                   double cauchy_scale_px, double tolerance, Progress& progress) {
-    silence_ceres();
     ceres::Problem::Options problem_options;
     problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ceres::CauchyLoss cauchy(cauchy_scale_px > 0 ? cauchy_scale_px : 1.0);
@@ -95,7 +95,7 @@ ceres::Solver::Summary solve_pass(Capture& capture, const BundleAdjustmentOption
     constexpr std::size_t kDenseUpToViews = 60;
     AdvanceProgress advance(progress);
     StopOnInterrupt stop(progress);
-    ceres::Solver::Options solver;
+    ceres::Solver::Options solver = quiet_solver_options();
     solver.linear_solver_type =
         capture.views.size() <= kDenseUpToViews ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
     solver.linear_solver_ordering = elimination_order(problem, capture, cameras);
@@ -103,8 +103,6 @@ ceres::Solver::Summary solve_pass(Capture& capture, const BundleAdjustmentOption
     solver.function_tolerance = tolerance;
     solver.gradient_tolerance = 1e-10;
     solver.parameter_tolerance = 1e-10;
-    solver.num_threads = 1;
-    solver.logging_type = ceres::SILENT;
     solver.callbacks = {&advance, &stop};
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);
@@ -165,7 +163,7 @@ double cauchy_scale_px(const Capture& capture) {
     constexpr double kLeast_px = 0.05;
     // Of two Gaussian coordinates: the median of Rayleigh's distribution.
     const double sigma_px = median_of(std::move(errors_px)) / std::sqrt(2 * std::numbers::ln2);
-    return std::max(kLeast_px, 2.385 * sigma_px);
+    return std::max(kLeast_px, kCauchyScalePerSigma * sigma_px);
 }
 
 BundleFit fit_bundle(Capture& capture, const BundleAdjustmentOptions& options, Progress& progress) {

@@ -47,10 +47,8 @@ struct BundleAdjustmentEvidence {
 BundleAdjustmentEvidence adjust_bundle(Capture& capture, const BundleAdjustmentOptions& options,
                                        Progress& progress);
 
-/// The scale of Cauchy's loss at which it is nearly as good as least squares where noise is
-/// Gaussian (95 %: Holland and Welsch, Robust regression using iteratively reweighted
-/// least-squares, 1977): 2.385 standard deviations of a coordinate, these from the median distance.
-/// At least 0.05 px.
+/// The scale of Cauchy's loss (cauchy_scale.h), of the standard deviation of a coordinate, this
+/// from the median distance. At least 0.05 px.
 [[nodiscard]] double cauchy_scale_px(const Capture& capture);
 
 /// What one pass of least squares came to.

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "calib/adjust/camera_blocks.h"
+#include "calib/adjust/quiet_solver.h"
 #include "calib/adjust/reprojection_cost.h"
-#include "calib/adjust/silence_ceres.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 
@@ -60,12 +60,10 @@ Rigid3 resected(const Camera& lens, Rigid3 pose, std::vector<Sighting>& sighting
     if (problem.NumResidualBlocks() < kMinSightings) return pose;
     problem.SetParameterBlockConstant(parameters.data());
     problem.SetManifold(block.data(), new_pose_manifold());
-    ceres::Solver::Options solver;
+    ceres::Solver::Options solver = quiet_solver_options();
     solver.linear_solver_type = ceres::DENSE_QR;
     solver.max_num_iterations = 20;
     solver.function_tolerance = 1e-8;
-    solver.logging_type = ceres::SILENT;
-    silence_ceres();
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);
     return pose_of(block);

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <memory>
 
-#include "calib/adjust/silence_ceres.h"
+#include "calib/adjust/quiet_solver.h"
 #include "calib/boards/board_pose.h"
 
 namespace lumi {
@@ -48,7 +48,7 @@ void hold_parameters(ceres::Problem& problem, BoardSolution& solution, bool is_s
 
 ceres::Solver::Options solver_options(ceres::Problem& problem, BoardSolution& solution,
                                       const LensFitOptions& options) {
-    ceres::Solver::Options result;
+    ceres::Solver::Options result = quiet_solver_options();
     result.linear_solver_type = ceres::DENSE_SCHUR;
     result.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
     for (BoardPose& pose : solution.cam_from_board) {
@@ -63,8 +63,6 @@ ceres::Solver::Options solver_options(ceres::Problem& problem, BoardSolution& so
     result.function_tolerance = 1e-9;
     result.parameter_tolerance = 1e-10;
     result.gradient_tolerance = 1e-12;
-    result.num_threads = 1;
-    result.logging_type = ceres::SILENT;
     return result;
 }
 
@@ -176,7 +174,6 @@ LensFit fit_lens(const BoardViews& board, const BoardSolution& start,
     }
     if (!std::isfinite(residual_sum_px2(board, solution))) return fit;
     hold_parameters(problem, solution, estimates_size(board));
-    silence_ceres();
     ceres::Solver::Summary summary;
     ceres::Solve(solver_options(problem, solution, options), &problem, &summary);
     fit.iterations = static_cast<int>(summary.iterations.size());

@@ -39,40 +39,49 @@ Image<std::uint32_t> hidden_in(const std::vector<fs::path>& masks) {
     return counts;
 }
 
-/// Whether any count in the middle half of the picture is not 0.
-bool is_any_in_the_middle(const Image<std::uint32_t>& counts) {
-    for (int y = counts.height() / 4; y < counts.height() - counts.height() / 4; ++y) {
+/// The share of what lies within a border, as wide as this share of either side, that any of the
+/// masks hides.
+double share_hidden_within(double border_share, const Image<std::uint32_t>& counts) {
+    const int left = static_cast<int>(border_share * counts.width());
+    const int top = static_cast<int>(border_share * counts.height());
+    std::ptrdiff_t hidden_px = 0;
+    for (int y = top; y < counts.height() - top; ++y) {
         const std::uint32_t* row = counts.row(y);
-        if (std::any_of(row + counts.width() / 4, row + counts.width() - counts.width() / 4,
-                        [](std::uint32_t count) { return count > 0; }))
-            return true;
+        hidden_px += std::count_if(row + left, row + counts.width() - left,
+                                   [](std::uint32_t count) { return count > 0; });
     }
-    return false;
+    const int all_px = (counts.width() - 2 * left) * (counts.height() - 2 * top);
+    return static_cast<double>(hidden_px) / std::max(1, all_px);
 }
 
-/// What straightening a lens leaves: a little of the rim, no more than this share, and the same in
-/// all photographs.
-bool is_left_by_straightening(const PhotographsOfSize& photographs, double most_share) {
+/// What straightening a lens leaves: a little of the rim, and the same in all photographs.
+bool is_left_by_straightening(const PhotographsOfSize& photographs) {
+    constexpr double kLittle = 0.3;
     constexpr double kSame = 0.9;
     const Image<std::uint32_t> counts = hidden_in(photographs.masks);
-    const auto hidden_px = [&](std::size_t least) {
-        return static_cast<double>(
-            std::count_if(counts.pixels().begin(), counts.pixels().end(),
-                          [&](std::uint32_t count) { return count >= least; }));
-    };
-    return hidden_px(photographs.count) >= kSame * hidden_px(1) &&
-           hidden_px(1) <= most_share * static_cast<double>(counts.pixels().size()) &&
-           !is_any_in_the_middle(counts);
+    const auto hidden_in_all = static_cast<double>(
+        std::count_if(counts.pixels().begin(), counts.pixels().end(),
+                      [&](std::uint32_t count) { return count >= photographs.count; }));
+    const double hidden_share = share_hidden_within(0, counts);
+    return hidden_in_all >= kSame * hidden_share * static_cast<double>(counts.pixels().size()) &&
+           hidden_share <= kLittle && share_hidden_within(0.25, counts) == 0;
+}
+
+/// Of a photograph of its own size no other tells whether they hide the same. But a rim hides
+/// hardly anything farther inside, while around a subject that a picture was cropped to, corners
+/// are hidden.
+bool is_left_along_the_rim(const PhotographsOfSize& photographs) {
+    constexpr double kRim = 0.1;
+    constexpr double kHardlyAnything = 0.01;
+    return is_left_by_straightening(photographs) &&
+           share_hidden_within(kRim, hidden_in(photographs.masks)) <= kHardlyAnything;
 }
 
 using PhotographsBySize = std::map<std::pair<int, int>, PhotographsOfSize>;
 
-/// Whether what is hidden is around a subject. Of a photograph of its own size no other tells
-/// whether they hide the same; but where most are, they were cropped to what they show, while
-/// straightening leaves them the size of their camera.
+/// Whether what is hidden is around a subject. Where most photographs have a size of their own,
+/// they were cropped to what they show.
 bool are_outlines(const PhotographsBySize& by_size) {
-    constexpr double kLittle = 0.3;
-    constexpr double kVeryLittle = 0.05;
     std::size_t all = 0;
     std::size_t alone = 0;
     for (const auto& [size, photographs] : by_size) {
@@ -82,7 +91,8 @@ bool are_outlines(const PhotographsBySize& by_size) {
     const bool are_cropped = 2 * alone > all;
     return std::any_of(by_size.begin(), by_size.end(), [&](const auto& entry) {
         const bool is_cropped = are_cropped && entry.second.count == 1;
-        return !is_left_by_straightening(entry.second, is_cropped ? kVeryLittle : kLittle);
+        return !(is_cropped ? is_left_along_the_rim(entry.second)
+                            : is_left_by_straightening(entry.second));
     });
 }
 

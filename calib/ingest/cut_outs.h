@@ -21,7 +21,8 @@ void write_cut_out(const std::string& name, const GrayImage& shown,
 /// them are removed; and all of them, where photographs of one size hide the same (nine tenths of
 /// what any of them hides), and no more than three tenths of the picture, none of it in the middle
 /// half: what straightening a lens left along the rim is no outline of a subject. Where most
-/// photographs have a size of their own, they may hide no more than a twentieth each.
+/// photographs have a size of their own, it must lie along the rim of each: of what is farther from
+/// it than a tenth of a side it may hide no more than a hundredth.
 void complete_cut_outs(const std::vector<Photograph>& photographs,
                        const std::filesystem::path& copies_folder);
 

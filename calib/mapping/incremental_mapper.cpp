@@ -295,7 +295,8 @@ void map_from_start(GrowingModel& model, const std::vector<VerifiedPair>& pairs,
     std::optional<GrowingModel> best;
     for (const TwoViewStartOptions& start_options : {TwoViewStartOptions{}, kShallow}) {
         auto found = best_model_of(model, pairs, start_options, options, on_placed, progress);
-        if (found && (!best || is_better(*found, *best))) best = std::move(found);
+        // As few from a shallow start are no better for having more points.
+        if (found && (!best || found->placed() > best->placed())) best = std::move(found);
         // Two that nothing can be added to are no more than a start.
         if (best && (best->placed() > 2 || model.pixels.size() == 2)) break;
     }

@@ -9,8 +9,8 @@
 #include "calib/adjust/camera_blocks.h"
 #include "calib/adjust/gauge.h"
 #include "calib/adjust/longest_tracks.h"
+#include "calib/adjust/quiet_solver.h"
 #include "calib/adjust/reprojection_cost.h"
-#include "calib/adjust/silence_ceres.h"
 #include "calib/adjust/stop_on_interrupt.h"
 #include "calib/lens/lens_form.h"
 
@@ -89,16 +89,13 @@ class Adjustment {
         const auto photographs =
             std::count(moving_.photographs.begin(), moving_.photographs.end(), char{1});
         constexpr std::ptrdiff_t kDenseUpToPhotographs = 40;
-        ceres::Solver::Options solver;
+        ceres::Solver::Options solver = quiet_solver_options();
         solver.linear_solver_type =
             photographs <= kDenseUpToPhotographs ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
         solver.linear_solver_ordering = order_;
         solver.max_num_iterations = max_iterations;
         solver.function_tolerance = 1e-4;
-        solver.num_threads = 1;
-        solver.logging_type = ceres::SILENT;
         solver.callbacks = {&stop};
-        silence_ceres();
         ceres::Solver::Summary summary;
         ceres::Solve(solver, &problem_, &summary);
         progress.throw_if_interrupted();

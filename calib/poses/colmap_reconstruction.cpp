@@ -22,15 +22,15 @@ ColmapReconstruction reconstruct_with_colmap(const std::vector<Photograph>& phot
         group_cameras(photographs, given_lens,
                       {.lens_model = colmaps.lens_model, .shared_lens = colmaps.shared_lens});
     PoseEvidence evidence;
-    const MappingJob job{photographs,
-                         groups,
-                         colmaps,
-                         given_lens.has_value(),
-                         !given_lens || options.refine_lens,
-                         scratch_folder,
-                         resolve_threads(threads),
-                         progress,
-                         evidence};
+    const MappingJob job{.photographs = photographs,
+                         .groups = groups,
+                         .options = colmaps,
+                         .lens_is_calibrated = given_lens.has_value(),
+                         .refine_lens = !given_lens || options.refine_lens,
+                         .scratch_folder = scratch_folder,
+                         .threads = resolve_threads(threads),
+                         .progress = progress,
+                         .evidence = evidence};
     const MatchedPhotographs matched =
         match_with_colmap_alone(job, FeatureDetail::kUsual, "colmap");
     progress.begin("placing photographs with COLMAP alone", photographs.size());

@@ -230,9 +230,12 @@ PoseCheck check_imported_poses(const Capture& capture, const std::vector<Photogr
 
 std::string warning_of(const PoseCheck& check) {
     const std::string of_pairs = " of " + std::to_string(check.pairs) + " pairs of photographs ";
-    // Where the poses make no neighbours, things that look alike from all sides match as well.
-    const bool is_told = check.pairs_asked > 0 && check.pairs > 0 &&
-                         check.pairs >= std::min(kLeastPairs, check.pairs_asked);
+    // Where the poses make no neighbours, things that look alike from all sides match as well: then
+    // only many, and all of them, tell.
+    const bool is_told =
+        check.pairs_asked == 0
+            ? check.pairs >= kLeastPairs && check.pairs_denied == check.pairs
+            : check.pairs > 0 && check.pairs >= std::min(kLeastPairs, check.pairs_asked);
     if (is_told && 2 * check.pairs_turned > check.pairs) {
         throw Error(ErrorKind::kBadInput, "E-IMPORT-TURNED",
                     std::to_string(check.pairs_turned) + of_pairs +

@@ -44,9 +44,9 @@ struct PoseCheck {
                                              Progress& progress);
 
 /// A sentence where some pairs deny the poses, or fewer than half tell; else empty.
-/// Throws Error where pairs were asked, and more than half of at least three or of all of these do:
-/// E-IMPORT-TURNED where turned pictures would do (what is turned by half a turn seems to be
-/// itself, inside out), else E-IMPORT-DENIED.
+/// Throws Error where more than half of at least three pairs or of all that were asked do, or,
+/// where none were asked, all of at least three: E-IMPORT-TURNED where turned pictures would do
+/// (what is turned by half a turn seems to be itself, inside out), else E-IMPORT-DENIED.
 [[nodiscard]] std::string warning_of(const PoseCheck& check);
 
 }  // namespace lumi

@@ -10,7 +10,8 @@
 #include <memory>
 #include <numbers>
 
-#include "calib/adjust/silence_ceres.h"
+#include "calib/adjust/quiet_solver.h"
+#include "calib/work/cauchy_scale.h"
 
 namespace lumi {
 namespace {
@@ -113,13 +114,10 @@ double JointFit::minimise(Similarity& similarity, std::vector<Eigen::Vector3d>& 
     problem.SetManifold(similarity.rotation.coeffs().data(), new ceres::EigenQuaternionManifold);
     // How large a part of one camera is, nobody can see.
     if (!has_size_) problem.SetParameterBlockConstant(&similarity.log_scale);
-    ceres::Solver::Options solver;
+    ceres::Solver::Options solver = quiet_solver_options();
     solver.linear_solver_type = ceres::DENSE_SCHUR;
     solver.linear_solver_ordering = order_of(similarity, points);
     solver.max_num_iterations = 100;
-    solver.num_threads = 1;
-    solver.logging_type = ceres::SILENT;
-    silence_ceres();
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);
     similarity.rotation.normalize();
@@ -205,9 +203,7 @@ PoseShift JointFit::uncertainty_of(ceres::Problem& problem, const Similarity& at
         !covariance.allFinite()) {
         return unknown;
     }
-    // Cauchy's scale is that many standard deviations of the noise.
-    constexpr double kScaleOverNoise = 2.385;
-    const double noise_px = scale_px_ / kScaleOverNoise;
+    const double noise_px = scale_px_ / kCauchyScalePerSigma;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
     PoseShift total{static_cast<int>(capture_.views.size()), 0, 0};
     for (Eigen::Index axis = 0; axis < unknowns; ++axis) {

@@ -32,6 +32,19 @@ struct MappingJob {
     PoseEvidence& evidence;  ///< Receives the calls and the start that succeeded.
 };
 
+/// The same job, told of elsewhere: whether its model is taken is decided later.
+[[nodiscard]] inline MappingJob with_evidence(const MappingJob& job, PoseEvidence& evidence) {
+    return {.photographs = job.photographs,
+            .groups = job.groups,
+            .options = job.options,
+            .lens_is_calibrated = job.lens_is_calibrated,
+            .refine_lens = job.refine_lens,
+            .scratch_folder = job.scratch_folder,
+            .threads = job.threads,
+            .progress = job.progress,
+            .evidence = evidence};
+}
+
 /// Photographs with their features and the pairs that were verified.
 struct MatchedPhotographs {
     std::string name;                ///< Names the files.
@@ -85,8 +98,8 @@ struct BestModel {
 
 /// Runs COLMAP's mapper from strict to gentle until nearly all photographs are placed, and returns
 /// the best model of all runs; empty when no run made one. The last rung matches again with more
-/// features, and `matched` is then replaced. Throws Error (E-COLMAP-TIME) when no run made a model
-/// and one of them had to be ended.
+/// features; where its model is taken, `matched` is replaced. Throws Error (E-COLMAP-TIME) when no
+/// run made a model and one of them had to be ended.
 [[nodiscard]] std::optional<Capture> map_by_ladder(const MappingJob& job,
                                                    MatchedPhotographs& matched);
 

@@ -108,19 +108,21 @@ std::optional<Capture> map_by_ladder(const MappingJob& job, MatchedPhotographs& 
         if (best && static_cast<double>(placed) >= rung.until_share * static_cast<double>(total)) {
             break;
         }
+        std::optional<MatchedPhotographs> detailed;
         if (rung.more_features) {
-            auto detailed = match_more_features(job, placed, rung.name);
+            detailed = match_more_features(job, placed, rung.name);
             if (!detailed) break;
-            matched = std::move(*detailed);
         }
-        write_database(job, matched);
+        MatchedPhotographs& mapped_from = detailed ? *detailed : matched;
+        write_database(job, mapped_from);
         const fs::path models = job.scratch_folder / ("models_" + std::string(rung.name));
         fs::create_directories(models);
         MapperSettings settings = rung.settings;
         settings.refine_lens = job.refine_lens;
         job.progress.begin(std::string("placing photographs: ") + rung.description, total);
         const ColmapRun run = map_with_colmap(
-            colmap_of(job), matched.database, models, settings, "mapper_" + std::string(rung.name),
+            colmap_of(job), mapped_from.database, models, settings,
+            "mapper_" + std::string(rung.name),
             [&](int count) { job.progress.advance(static_cast<std::size_t>(count)); },
             job.progress);
         record(job.evidence, run);
@@ -128,6 +130,7 @@ std::optional<Capture> map_by_ladder(const MappingJob& job, MatchedPhotographs& 
         std::optional<BestModel> model = model_of(run, models, job.photographs);
         if (!model || (best && !is_better(model->capture, *best))) continue;
         best = std::move(model->capture);
+        if (detailed) matched = std::move(*detailed);
         job.evidence.models_found = model->models_found;
         job.evidence.start = rung.description;
     }

@@ -36,7 +36,8 @@ double largest_angle_rad(const std::vector<Eigen::Vector3d>& centres, const Scen
     return largest;
 }
 
-/// The points without the tenth that is farthest from their middle.
+/// The points, of which there are two or more, without the tenth that is farthest from their
+/// middle.
 std::vector<Eigen::Vector3d> central_points(const Capture& capture) {
     Eigen::Vector3d middle;
     for (int axis = 0; axis < 3; ++axis) {
@@ -51,7 +52,7 @@ std::vector<Eigen::Vector3d> central_points(const Capture& capture) {
     std::sort(points.begin(), points.end(), [&](const auto& a, const auto& b) {
         return (a - middle).squaredNorm() < (b - middle).squaredNorm();
     });
-    points.resize(std::max<std::size_t>(1, points.size() * 9 / 10));
+    points.resize(points.size() * 9 / 10);
     return points;
 }
 

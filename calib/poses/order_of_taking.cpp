@@ -221,19 +221,17 @@ std::optional<Answer> answer_of(const OrderQuestion& question, const Followers& 
 
 std::optional<SecondModel> find_model_in_order(const MappingJob& job, MatchedPhotographs& matched,
                                                LensPolicy policy, const Capture& refined) {
-    if (job.options.mapper != "lumi") return std::nullopt;
+    if (job.options.mapper != PoseProgram::kLumi) return std::nullopt;
     const std::optional<Cause> cause = cause_to_ask(refined, job, matched);
     if (!cause) return std::nullopt;
-    job.progress.note(std::string(*cause == Cause::kMissing ? "many photographs are missing"
-                                                            : "photographs contradict each other") +
+    job.progress.note(std::string(*cause == Cause::kMissing
+                                      ? "many photographs are missing"
+                                      : "what looks alike may have been mistaken") +
                       ": asking those that follow each other");
     const std::size_t placed = refined.views.size();
     for (const int steps : kStepsApart) {
         PoseEvidence evidence;
-        const MappingJob own_job{
-            job.photographs, job.groups,         job.options, job.lens_is_calibrated,
-            job.refine_lens, job.scratch_folder, job.threads, job.progress,
-            evidence};
+        const MappingJob own_job = with_evidence(job, evidence);
         const OrderQuestion question(own_job, matched, *cause, placed);
         auto answer =
             answer_of(question, Followers(steps, job.photographs), own_job, matched, policy);

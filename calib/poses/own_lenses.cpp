@@ -144,7 +144,7 @@ bool focal_lengths_differ(const Capture& own, const PoseEvidence& evidence, cons
 bool is_worth_asking(const MappingJob& job, const Capture& refined, bool is_contradicted) {
     constexpr std::size_t kMinViews = 4;
     constexpr std::size_t kMaxViews = 30;
-    if (job.lens_is_calibrated || job.options.mapper != "lumi" ||
+    if (job.lens_is_calibrated || job.options.mapper != PoseProgram::kLumi ||
         refined.views.size() < kMinViews || refined.cameras.size() == refined.views.size()) {
         return false;
     }
@@ -258,9 +258,15 @@ std::optional<SecondModel> find_own_lenses(const MappingJob& job, const MatchedP
         group_cameras(job.photographs, std::nullopt,
                       {.lens_model = job.options.lens_model, .shared_lens = false});
     PoseEvidence evidence;
-    const MappingJob own_job{job.photographs, own_groups,      job.options,
-                             false,           job.refine_lens, job.scratch_folder,
-                             job.threads,     job.progress,    evidence};
+    const MappingJob own_job{.photographs = job.photographs,
+                             .groups = own_groups,
+                             .options = job.options,
+                             .lens_is_calibrated = false,
+                             .refine_lens = job.refine_lens,
+                             .scratch_folder = job.scratch_folder,
+                             .threads = job.threads,
+                             .progress = job.progress,
+                             .evidence = evidence};
     const ZoomQuestion question(job, matched, refined);
     std::optional<SecondModel> own =
         answer_of(question, own_job, with_own_lenses(matched, own_groups), policy);

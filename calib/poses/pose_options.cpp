@@ -27,15 +27,22 @@ std::optional<PoseFault> first_fault(const PoseOptions& options) {
         return PoseFault{"min_registered_share", "more than 0 and at most 1"};
     }
     if (!(options.time_limit_s > 0)) return PoseFault{"time_limit_s", "more than 0"};
-    for (const auto& [option, value] :
-         {std::pair("front_end", options.front_end), std::pair("mapper", options.mapper)}) {
-        if (value != "lumi" && value != "colmap") return PoseFault{option, R"("lumi" or "colmap")"};
-    }
     if (options.colmap.empty()) return PoseFault{"colmap", "the name of a program"};
     return std::nullopt;
 }
 
+PoseProgram read_program(const ConfigSection& section, const char* key, PoseProgram otherwise) {
+    const std::string name = section.text(key, std::string(name_of(otherwise)));
+    for (const PoseProgram program : {PoseProgram::kLumi, PoseProgram::kColmap})
+        if (name == name_of(program)) return program;
+    section.refuse(key, R"("lumi" or "colmap")");
+}
+
 }  // namespace
+
+std::string_view name_of(PoseProgram program) {
+    return program == PoseProgram::kLumi ? "lumi" : "colmap";
+}
 
 void validate(const PoseOptions& options) {
     if (const auto fault = first_fault(options)) {
@@ -57,8 +64,8 @@ PoseOptions read_pose_options(const ConfigSection& section) {
     options.min_registered_share =
         section.number("min_registered_share", options.min_registered_share);
     options.time_limit_s = section.number("time_limit_s", options.time_limit_s);
-    options.front_end = section.text("front_end", options.front_end);
-    options.mapper = section.text("mapper", options.mapper);
+    options.front_end = read_program(section, "front_end", options.front_end);
+    options.mapper = read_program(section, "mapper", options.mapper);
     options.colmap = section.text("colmap", options.colmap);
     options.mask_folder = section.path("masks");
     if (const auto fault = first_fault(options)) section.refuse(fault->option, fault->expected);

@@ -44,11 +44,11 @@ void expect_photographs(const std::vector<Photograph>& photographs) {
                 "add photographs of the same subject from other places");
 }
 
-/// Runs `work`; what it refuses may be an effect, and the evidence may name the cause.
+/// What `work` returns; what it refuses may be an effect, and the evidence may name the cause.
 template <class Work>
-void or_explain(const MappingJob& job, const MatchedPhotographs& matched, const Work& work) {
+auto or_explain(const MappingJob& job, const MatchedPhotographs& matched, const Work& work) {
     try {
-        work();
+        return work();
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::kDegenerateCapture) throw;
         refuse_explained(job, matched,
@@ -57,34 +57,82 @@ void or_explain(const MappingJob& job, const MatchedPhotographs& matched, const 
     }
 }
 
-void refuse_without_model(const std::optional<Capture>& mapped, std::size_t photographs) {
-    if (mapped) return;
-    refuse_capture(CaptureReason::kNoPair, "no two of the " + std::to_string(photographs) +
-                                               " photographs share enough to start from");
+MatchedPhotographs matched_photographs(const MappingJob& job) {
+    MatchedPhotographs matched = or_explain(
+        job, {}, [&] { return match_and_verify(job, FeatureDetail::kUsual, "default"); });
+    refuse_turning_camera(matched.motion);
+    return matched;
+}
+
+Capture mapped_photographs(const MappingJob& job, MatchedPhotographs& matched) {
+    std::optional<Capture> mapped = job.options.mapper == PoseProgram::kColmap
+                                        ? map_by_ladder(job, matched)
+                                        : map_incrementally(job, matched);
+    if (!mapped) {
+        refuse_capture(CaptureReason::kNoPair, "no two of the " +
+                                                   std::to_string(job.photographs.size()) +
+                                                   " photographs share enough to start from");
+    }
+    return std::move(*mapped);
+}
+
+/// What the photographs were taken to show, so far.
+struct PosesInQuestion {
+    Capture mapped;             ///< Before the refinement, with the observations that it dropped.
+    Capture refined;            ///< After it.
+    std::string joint_trouble;  ///< JointCheck::trouble.
+    std::vector<std::string> warnings;  ///< Of second models that were taken.
+};
+
+PosesInQuestion refined_from(JointCheck joints, LensPolicy policy, const MappingJob& job) {
+    PosesInQuestion poses{joints.mapped, std::move(joints.mapped), std::move(joints.trouble), {}};
+    refine(poses.refined, policy, job.options, job.threads, job.evidence, job.progress);
+    return poses;
 }
 
 /// Joints tell nothing of a camera that only turned: they are asked about where the mapped model
 /// shows parallax, or else where the refined one does.
-void refine_with_firm_joints(const MappingJob& job, const MatchedPhotographs& matched,
-                             LensPolicy policy, Capture& mapped, std::string& joint_trouble,
-                             Capture& refined) {
-    const auto ask_joints = [&] {
-        JointCheck joints = with_firm_joints(job, mapped);
-        mapped = std::move(joints.mapped);
-        joint_trouble = std::move(joints.trouble);
+PosesInQuestion refined_with_firm_joints(const Capture& mapped, LensPolicy policy,
+                                         const MappingJob& job, const MatchedPhotographs& matched) {
+    if (lacks_parallax(matched.motion, mapped)) {
+        PoseEvidence evidence = job.evidence;
+        PosesInQuestion unasked = refined_from({mapped, {}}, policy, with_evidence(job, evidence));
+        if (lacks_parallax(matched.motion, unasked.refined)) {
+            job.evidence = std::move(evidence);
+            return unasked;
+        }
+    }
+    return refined_from(with_firm_joints(job, mapped), policy, job);
+}
+
+/// By a second model, where the first is in doubt.
+void replace_if_in_doubt(PosesInQuestion& poses, LensPolicy policy, const MappingJob& job,
+                         MatchedPhotographs& matched) {
+    const auto take = [&](SecondModel model) {
+        poses.mapped = std::move(model.mapped);
+        poses.refined = std::move(model.refined);
+        poses.joint_trouble = std::move(model.joint_trouble);
+        poses.warnings.push_back(std::move(model.warning));
     };
-    const auto refine_mapped = [&] {
-        refined = mapped;
-        refine(refined, policy, job.options, job.threads, job.evidence, job.progress);
-    };
-    const bool seems_turned = lacks_parallax(matched.motion, mapped);
-    if (!seems_turned) ask_joints();
-    PoseEvidence before = job.evidence;
-    refine_mapped();
-    if (!seems_turned || lacks_parallax(matched.motion, refined)) return;
-    job.evidence = std::move(before);
-    ask_joints();
-    refine_mapped();
+    if (auto in_order = find_model_in_order(job, matched, policy, poses.refined))
+        take(std::move(*in_order));
+    if (auto own = find_own_lenses(job, matched, policy, poses.refined)) take(std::move(*own));
+    if (auto own = find_own_focal_lengths(job, policy, poses.mapped, poses.refined)) {
+        own->joint_trouble = poses.joint_trouble;
+        take(std::move(*own));
+    }
+}
+
+/// Throws Error (E-POSES-...) where the poses do not stand.
+void settle(const PosesInQuestion& poses, const MappingJob& job,
+            const MatchedPhotographs& matched) {
+    settle_doubts(job, matched, poses.mapped, poses.refined);
+    if (!poses.joint_trouble.empty())
+        refuse_contradiction(job, matched, CaptureReason::kSplit, poses.joint_trouble);
+}
+
+void append_warnings(std::vector<std::string>& warnings, std::vector<std::string> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(warnings));
 }
 
 void refuse_too_few(const Capture& capture, const std::vector<Photograph>& photographs,
@@ -143,51 +191,35 @@ PoseResult estimate_poses(const std::vector<Photograph>& photographs,
     const CameraGroups groups =
         group_cameras(photographs, given_lens,
                       {.lens_model = options.lens_model, .shared_lens = options.shared_lens});
-    // A given lens is held until there are poses to judge it by.
-    const bool refine_lens = !given_lens;
-    const MappingJob job{photographs,    groups,  options,  given_lens.has_value(), refine_lens,
-                         scratch_folder, threads, progress, result.evidence};
-
-    MatchedPhotographs matched;
-    or_explain(job, {}, [&] { matched = match_and_verify(job, FeatureDetail::kUsual, "default"); });
-    std::optional<Capture> mapped;
-    std::string joint_trouble;
+    const MappingJob job{.photographs = photographs,
+                         .groups = groups,
+                         .options = options,
+                         .lens_is_calibrated = given_lens.has_value(),
+                         // A given lens is held until there are poses to judge it by.
+                         .refine_lens = !given_lens,
+                         .scratch_folder = scratch_folder,
+                         .threads = threads,
+                         .progress = progress,
+                         .evidence = result.evidence};
     const LensPolicy policy = lens_policy(given_lens.has_value(), options);
-    refuse_turning_camera(matched.motion);
-    or_explain(job, matched, [&] {
-        mapped = options.mapper == "colmap" ? map_by_ladder(job, matched)
-                                            : map_incrementally(job, matched);
-        refuse_without_model(mapped, photographs.size());
-        refine_with_firm_joints(job, matched, policy, *mapped, joint_trouble, result.capture);
+
+    MatchedPhotographs matched = matched_photographs(job);
+    PosesInQuestion poses = or_explain(job, matched, [&] {
+        const Capture mapped = mapped_photographs(job, matched);
+        return refined_with_firm_joints(mapped, policy, job, matched);
     });
-    std::vector<std::string> told;
-    const auto take = [&](SecondModel model) {
-        mapped = std::move(model.mapped);
-        result.capture = std::move(model.refined);
-        joint_trouble = std::move(model.joint_trouble);
-        told.push_back(std::move(model.warning));
-    };
-    if (auto in_order = find_model_in_order(job, matched, policy, result.capture))
-        take(std::move(*in_order));
-    if (auto own = find_own_lenses(job, matched, policy, result.capture)) take(std::move(*own));
-    if (auto own = find_own_focal_lengths(job, policy, *mapped, result.capture)) {
-        own->joint_trouble = joint_trouble;
-        take(std::move(*own));
-    }
-    for (std::string& warning : warnings_of_uncertainty(result.capture, result.evidence.views)) {
-        result.evidence.warnings.push_back(std::move(warning));
-    }
-    std::move(told.begin(), told.end(), std::back_inserter(result.evidence.warnings));
-    settle_doubts(job, matched, *mapped, result.capture);
-    if (!joint_trouble.empty()) {
-        refuse_contradiction(job, matched, CaptureReason::kSplit, joint_trouble);
-    }
+    replace_if_in_doubt(poses, policy, job, matched);
+    append_warnings(result.evidence.warnings,
+                    warnings_of_uncertainty(poses.refined, result.evidence.views));
+    append_warnings(result.evidence.warnings, std::move(poses.warnings));
+    settle(poses, job, matched);
+
+    result.capture = std::move(poses.refined);
     result.not_registered =
         explain_unregistered(result.capture, photographs, matched.photographs, matched.pairs);
     refuse_too_few(result.capture, photographs, result.not_registered, options);
-    for (std::string& warning : check_model(result.capture, focal_lengths_are_known(groups))) {
-        result.evidence.warnings.push_back(std::move(warning));
-    }
+    append_warnings(result.evidence.warnings,
+                    check_model(result.capture, focal_lengths_are_known(groups)));
     color_points(result.capture, picture_paths_of(result.capture, photographs), threads);
     complete(result.evidence, result.capture, matched);
     validate(result.capture, "the estimated poses");

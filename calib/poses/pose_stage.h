@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "calib/capture/posed_photographs.h"
@@ -14,6 +15,12 @@
 
 namespace lumi {
 
+/// Whose program does a step.
+enum class PoseProgram { kLumi, kColmap };
+
+/// As configurations name it: "lumi" or "colmap".
+[[nodiscard]] std::string_view name_of(PoseProgram program);
+
 /// How poses are found.
 struct PoseOptions {
     /// What is estimated when no lens is given: a model, or "auto" (as the photographs support).
@@ -21,13 +28,13 @@ struct PoseOptions {
     bool shared_lens = true;  ///< One lens for photographs of one camera and zoom.
     bool refine_lens = true;  ///< Refine a given lens where held-out photographs ask for it.
     int max_features = 4096;  ///< Per photograph. > 0.
-    double max_reprojection_error_px = 2.0;  ///< Observations beyond this are outliers. > 0.
-    int min_track_length = 2;                ///< Points seen by fewer views are dropped. >= 2.
-    double min_registered_share = 0.4;       ///< Below this share the stage refuses. (0, 1].
-    double time_limit_s = 3600;              ///< For each external program. > 0.
-    std::string front_end = "lumi";          ///< Features and matches: "lumi" or "colmap".
-    std::string mapper = "lumi";             ///< Who places photographs: "lumi" or "colmap".
-    std::string colmap = "colmap";           ///< The program to run.
+    double max_reprojection_error_px = 2.0;      ///< Observations beyond this are outliers. > 0.
+    int min_track_length = 2;                    ///< Points seen by fewer views are dropped. >= 2.
+    double min_registered_share = 0.4;           ///< Below this share the stage refuses. (0, 1].
+    double time_limit_s = 3600;                  ///< For each external program. > 0.
+    PoseProgram front_end = PoseProgram::kLumi;  ///< Finds features and matches.
+    PoseProgram mapper = PoseProgram::kLumi;     ///< Places photographs.
+    std::string colmap = "colmap";               ///< The program to run for COLMAP.
     /// Masks of what holds still while the camera moves, as in drawn_mask; empty: everything does.
     std::filesystem::path mask_folder = {};
 };

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "calib/adjust/longest_tracks.h"
-#include "calib/adjust/silence_ceres.h"
+#include "calib/adjust/quiet_solver.h"
 #include "calib/adjust/stop_on_interrupt.h"
 #include "calib/poses/supposed_costs.h"
 
@@ -93,7 +93,7 @@ class Fit {
         hold(problem, *order);
         if (supposition_ == Supposition::kTurning) expect_nothing_in_common(problem);
         StopOnInterrupt stop(progress);
-        ceres::Solver::Options solver;
+        ceres::Solver::Options solver = quiet_solver_options();
         solver.linear_solver_type =
             capture_.views.size() <= 40 ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
         solver.linear_solver_ordering = order;
@@ -101,10 +101,7 @@ class Fit {
         solver.function_tolerance = 1e-6;
         // The scale of the model stays free: the damping that holds it must not vanish.
         solver.max_trust_region_radius = 1e8;
-        solver.num_threads = 1;
-        solver.logging_type = ceres::SILENT;
         solver.callbacks = {&stop};
-        silence_ceres();
         ceres::Solver::Summary summary;
         ceres::Solve(solver, &problem, &summary);
         progress.throw_if_interrupted();

@@ -52,7 +52,7 @@ MatchedPhotographs match_by_ourselves(const MappingJob& job, FeatureDetail detai
 
 MatchedPhotographs match_and_verify(const MappingJob& job, FeatureDetail detail,
                                     const std::string& name) {
-    MatchedPhotographs result = job.options.front_end == "colmap"
+    MatchedPhotographs result = job.options.front_end == PoseProgram::kColmap
                                     ? match_with_colmap_alone(job, detail, name)
                                     : match_by_ourselves(job, detail, name);
     if (result.pairs.empty()) refuse_unmatched(result.photographs);

@@ -24,8 +24,11 @@ struct WalkInRounds {
 /// contradicts none of its pairs and leaves no residual. What gives it away is the walk that it
 /// tells of. Every round meets the places of the one before, more closely than a hand does, and
 /// then leaps back to the first place, where one who really walks around arrives by a step like the
-/// others. Empty for any other walk: once around or several times, to and fro, row by row.
-/// `photographs` are all that were taken, for their order.
+/// others. Empty for any other walk: once around or several times, to and fro, row by row; and
+/// where rounds lie side by side (by the same in the cameras' axes: two lenses of a rig, rows of
+/// another height) or are of different cameras, by what the files say or as their names do not
+/// count on (L_1, L_2, R_1, R_2). Some photographs may be missing, in the model or altogether, or
+/// misplaced. `photographs` are all that were taken, for their order.
 [[nodiscard]] std::optional<WalkInRounds> walk_in_rounds(
     const Capture& model, const std::vector<Photograph>& photographs);
 

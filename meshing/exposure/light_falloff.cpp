@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calib/capture/light_left.h"
+#include "calib/work/cauchy_scale.h"
 #include "calib/work/median.h"
 #include "meshing/selection/one_standard_error.h"
 
@@ -15,11 +16,11 @@ constexpr int kFalloffRounds = 10;
 constexpr std::size_t kLeastFalloffTiles = 4;  // Of a pair, of one colour.
 constexpr int kLeastTellingPairs = 6;
 constexpr double kLeastScale = 0.005;  // Of the logarithm of light: below that all is rounding.
-constexpr double kCauchy = 2.385;  // In standard deviations: nearly all of least squares' power.
 constexpr double kLargestTileError = 0.25;  // A tile that is further off is no worse.
 constexpr double kFalloffNoiseFactor = 2.0;
-/// Surfaces that shine deceive: of one capture the corners seem to be brighter by as much (chair),
-/// of a scene without any falloff they seem to be darker by a quarter of it.
+/// Surfaces that shine deceive, and may do so either way: of one capture the corners seem to be
+/// brighter by as much (chair), which is no lens's doing; of a scene without any falloff they seem
+/// to be darker by a quarter of it.
 constexpr double kLeastCornerLoss = 0.08;
 constexpr double kLeastCornerLight = 1.0 / 8;
 
@@ -92,7 +93,7 @@ TileWeights weights_for_tiles(const std::vector<PairTiles>& centred, double fall
         all_off.insert(all_off.end(), off.begin(), off.end());
     }
     const double sigma = kSigmaPerMedianOff * median_of(all_off);
-    const double scale = kCauchy * std::max(kLeastScale, sigma);
+    const double scale = kCauchyScalePerSigma * std::max(kLeastScale, sigma);
     for (std::vector<double>& of_pair : weights)
         for (double& weight : of_pair) weight = 1 / (1 + std::pow(weight / scale, 2));
     return weights;

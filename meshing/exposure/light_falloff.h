@@ -17,7 +17,8 @@ namespace lumi {
 /// differently on what it shows; fitted to one colour of the chequerboard it must be better
 /// at the other than no falloff, by more than one standard error (Breiman et al. 1984), more than
 /// twice as large as the fits to the two colours are off from their mean, and take at least 8 % of
-/// its light from a corner, as surfaces that shine seem to, but no more than 7/8. Pictures that are
+/// its light from a corner, as surfaces that shine seem to add or take up to so much, but no more
+/// than 7/8. Pictures that are
 /// brighter in their corners have none: no lens makes them so.
 [[nodiscard]] double light_falloff(const std::vector<PicturedView>& views,
                                    const std::vector<SharedTiles>& pairs);

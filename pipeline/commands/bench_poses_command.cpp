@@ -125,7 +125,8 @@ void run_bench_poses(const BenchPosesRequest& request, const CommandContext& con
     std::vector<PoseMeans> means{
         {poses.front_end, poses.mapper, false, poses.max_features, width_px, poses.lens_model}};
     if (request.with_colmap) {
-        means.push_back({"colmap", "colmap", true, 8192, width_px, poses.lens_model});
+        means.push_back(
+            {PoseProgram::kColmap, PoseProgram::kColmap, true, 8192, width_px, poses.lens_model});
     }
     if (!request.chart_folder.empty()) {
         for (PoseMeans& one : chart_means(width_px)) {

@@ -131,8 +131,8 @@ class Line {
                     },
                     {}};
         const bool runs_colmap =
-            config_.imported_poses.empty() &&
-            (config_.poses.front_end == "colmap" || config_.poses.mapper == "colmap");
+            config_.imported_poses.empty() && (config_.poses.front_end == PoseProgram::kColmap ||
+                                               config_.poses.mapper == PoseProgram::kColmap);
         if (runs_colmap) stage.identity.external_tool = colmap_version(config_.poses.colmap);
         return stage;
     }

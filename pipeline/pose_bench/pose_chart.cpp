@@ -118,22 +118,22 @@ std::string chart_commands(const std::vector<PoseTrial>& trials, const std::stri
 
 std::vector<PoseMeans> chart_means(int max_width_px) {
     std::vector<PoseMeans> means;
-    const auto add_mapper = [&](const char* mapper) {
+    const auto add_mapper = [&](PoseProgram mapper) {
         for (const int width_px : {max_width_px, max_width_px / 2}) {
             for (const int features : {1024, 2048, 4096, 8192}) {
-                means.push_back({"lumi", mapper, false, features, width_px});
+                means.push_back({PoseProgram::kLumi, mapper, false, features, width_px});
             }
         }
     };
-    add_mapper("lumi");
+    add_mapper(PoseProgram::kLumi);
     for (const char* const model :
          {"SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "FULL_OPENCV", "OPENCV_FISHEYE"}) {
-        means.push_back({"lumi", "lumi", false, 4096, max_width_px, model});
+        means.push_back({PoseProgram::kLumi, PoseProgram::kLumi, false, 4096, max_width_px, model});
     }
-    add_mapper("colmap");
-    for (const char* const mapper : {"lumi", "colmap"}) {
+    add_mapper(PoseProgram::kColmap);
+    for (const PoseProgram mapper : {PoseProgram::kLumi, PoseProgram::kColmap}) {
         for (const int features : {1024, 2048}) {
-            means.push_back({"colmap", mapper, false, features, max_width_px});
+            means.push_back({PoseProgram::kColmap, mapper, false, features, max_width_px});
         }
     }
     return means;
@@ -147,13 +147,13 @@ std::string trials_csv(const std::vector<PoseTrial>& trials) {
         "refusal\n";
     for (const PoseTrial& trial : trials) {
         const PoseMeans& means = trial.means;
-        text += means.front_end + "," + means.mapper + "," + (means.is_colmap_alone ? "1" : "0") +
-                "," + std::to_string(means.max_features) + "," +
-                std::to_string(means.max_width_px) + "," + means.lens_model + "," +
-                number_text(trial.cost.cpu_s, 3) + "," + number_text(trial.cost.wall_s, 3) + "," +
-                std::to_string(trial.photographs) + "," + std::to_string(trial.placed) + "," +
-                std::to_string(trial.points) + ",\"" + trial.lens + "\"," +
-                number_text(trial.focal_px, 2) + ",";
+        text += std::string(name_of(means.front_end)) + "," + std::string(name_of(means.mapper)) +
+                "," + (means.is_colmap_alone ? "1" : "0") + "," +
+                std::to_string(means.max_features) + "," + std::to_string(means.max_width_px) +
+                "," + means.lens_model + "," + number_text(trial.cost.cpu_s, 3) + "," +
+                number_text(trial.cost.wall_s, 3) + "," + std::to_string(trial.photographs) + "," +
+                std::to_string(trial.placed) + "," + std::to_string(trial.points) + ",\"" +
+                trial.lens + "\"," + number_text(trial.focal_px, 2) + ",";
         if (trial.difference) {
             text += number_text(trial.difference->median_position, 6) + "," +
                     number_text(trial.difference->mean_position, 6) + "," +

@@ -50,7 +50,8 @@ std::vector<Descriptor> random_descriptors(int count, unsigned seed) {
 
 std::string name_of(const PoseMeans& means) {
     if (means.is_colmap_alone) return "COLMAP alone";
-    return means.front_end + " front end, " + means.mapper + " mapper";
+    return std::string(name_of(means.front_end)) + " front end, " +
+           std::string(name_of(means.mapper)) + " mapper";
 }
 
 PoseTrial try_poses(const PoseTrialSetting& setting, const PoseMeans& means, Progress& progress) {

@@ -13,8 +13,8 @@ namespace lumi {
 
 /// One way from photographs to poses.
 struct PoseMeans {
-    std::string front_end = "lumi";  ///< As in PoseOptions.
-    std::string mapper = "lumi";
+    PoseProgram front_end = PoseProgram::kLumi;
+    PoseProgram mapper = PoseProgram::kLumi;
     bool is_colmap_alone = false;  ///< COLMAP with its defaults, and nothing of ours.
     int max_features = 4096;
     int max_width_px = 1600;          ///< Of the working copies.

@@ -25,7 +25,8 @@ PoseTrial trial(const PoseMeans& means, double cpu_s, int placed, double median_
 }
 
 TEST(PoseBench, TableHasALineForEachTrial) {
-    PoseTrial refused = trial({"lumi", "colmap", false, 1024, 800}, 2, 0, 0);
+    PoseTrial refused =
+        trial({PoseProgram::kLumi, PoseProgram::kColmap, false, 1024, 800}, 2, 0, 0);
     refused.refusal = "E-POSES-NOPAIR";
     PoseTrial placed = trial({}, 7.5, 11, 0.0025);
     placed.lens = "RADIAL";
@@ -43,10 +44,10 @@ TEST(PoseBench, ChartShowsWhatWasTried) {
     const ScratchFolder scratch;
     SilentProgress progress;
     const std::vector<PoseTrial> trials{
-        trial({"lumi", "lumi", false, 2048, 1600}, 5, 11, 0.003),
-        trial({"lumi", "lumi", false, 8192, 1600}, 12, 11, 0.0024),
-        trial({"lumi", "lumi", false, 4096, 1600, "RADIAL"}, 8, 11, 0.003),
-        trial({"colmap", "colmap", true, 8192, 1600}, 90, 10, 0.0026)};
+        trial({PoseProgram::kLumi, PoseProgram::kLumi, false, 2048, 1600}, 5, 11, 0.003),
+        trial({PoseProgram::kLumi, PoseProgram::kLumi, false, 8192, 1600}, 12, 11, 0.0024),
+        trial({PoseProgram::kLumi, PoseProgram::kLumi, false, 4096, 1600, "RADIAL"}, 8, 11, 0.003),
+        trial({PoseProgram::kColmap, PoseProgram::kColmap, true, 8192, 1600}, 90, 10, 0.0026)};
     draw_pose_chart(trials, "the title", scratch / "poses.svg", progress);
     const std::string svg = read_whole_text(scratch / "poses.svg");
     EXPECT_THAT(svg, HasSubstr("<svg"));

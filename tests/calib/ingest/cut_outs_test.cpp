@@ -136,6 +136,29 @@ TEST(CutOuts, PhotographsThatWereCroppedToRoundSubjectsKeepThem) {
     EXPECT_FALSE(are_cut_out(straightened));
 }
 
+/// Programs may fit each picture that they straighten for itself.
+TEST(CutOuts, ARimOfPhotographsOfSizesOfTheirOwnIsNoOutline) {
+    const ScratchFolder scratch;
+    for (int i = 0; i < 6; ++i) {
+        const int width = kWidth + 6 * i;
+        const int height = kHeight + 10 * i;
+        GrayImage alpha(width, height, 0);
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                const double across = 2 * (x + 0.5) / width - 1;
+                const double down = 2 * (y + 0.5) / height - 1;
+                // A pincushion: a sixth of the picture is hidden, mostly along its sides' middles.
+                if (std::abs(across) < 0.85 + 0.15 * down * down &&
+                    std::abs(down) < 0.9 + 0.1 * across * across)
+                    alpha(x, y) = 255;
+            }
+        }
+        write_cut_out_png(scratch / ("photos/" + std::to_string(i) + ".png"),
+                          wavy_picture(width, height, 7.0 * i), alpha);
+    }
+    EXPECT_FALSE(are_cut_out(scratch));
+}
+
 TEST(CutOuts, OneAmongOpaquePhotographsIsOne) {
     const ScratchFolder scratch;
     write_disc(scratch / "photos/0.png", kWidth, kHeight, 80, 60, 60);

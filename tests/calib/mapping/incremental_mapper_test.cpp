@@ -309,12 +309,11 @@ TEST(IncrementalMapper, BeginsWithLittleParallaxWhereThereIsNoMore) {
     EXPECT_LT(relative_position_error(capture_of(model, names_of(scene.truth)), scene.truth), 1e-3);
 }
 
-/// A pair with a wide angle between them shares nothing with the others.
-TEST(IncrementalMapper, BeginsWithLittleParallaxWhereAWideStartPlacesNothingElse) {
-    IncrementalMappingOptions mapping;
-    mapping.refine_lenses = false;
-    MatchedScene scene = matched_scene(shallow_capture(6));
+/// Appended to photographs that share nothing with them: two with a wide angle between them.
+void append_wide_pair(MatchedScene& scene, int points) {
+    const int first = static_cast<int>(scene.photographs.size());
     SyntheticCaptureOptions wide = arc(2);
+    wide.points = points;
     wide.arc_radius = 8;
     wide.arc_deg = 20;
     const MatchedScene pair =
@@ -322,12 +321,34 @@ TEST(IncrementalMapper, BeginsWithLittleParallaxWhereAWideStartPlacesNothingElse
     scene.photographs.insert(scene.photographs.end(), pair.photographs.begin(),
                              pair.photographs.end());
     for (VerifiedPair more : pair.pairs) {
-        more.first += 6;
-        more.second += 6;
+        more.first += first;
+        more.second += first;
         scene.pairs.push_back(std::move(more));
     }
+}
+
+TEST(IncrementalMapper, BeginsWithLittleParallaxWhereAWideStartPlacesNothingElse) {
+    IncrementalMappingOptions mapping;
+    mapping.refine_lenses = false;
+    MatchedScene scene = matched_scene(shallow_capture(6));
+    append_wide_pair(scene, 400);
     EXPECT_EQ(mapped(scene, mapping).placed(), 6);
+    MatchedScene pair = matched_scene(shallow_capture(6));
+    pair.photographs.clear();
+    pair.pairs.clear();
+    append_wide_pair(pair, 400);
     EXPECT_EQ(mapped(pair, mapping).placed(), 2);
+}
+
+TEST(IncrementalMapper, OfTwoPairsKeepsTheOneWithParallaxThoughItSharesFewerPoints) {
+    IncrementalMappingOptions mapping;
+    mapping.refine_lenses = false;
+    MatchedScene scene = matched_scene(shallow_capture(2));
+    append_wide_pair(scene, 200);
+    const GrowingModel model = mapped(scene, mapping);
+    EXPECT_EQ(model.placed(), 2);
+    EXPECT_EQ(model.is_placed[2], 1);
+    EXPECT_EQ(model.is_placed[3], 1);
 }
 
 /// Six photographs with little parallax, and one from far aside. It is matched with the second one

@@ -108,15 +108,29 @@ TEST(ImportedPoseCheck, TwoOrThreePhotographsAreNotTooFewToDenyTheirPoses) {
     EXPECT_EQ(refusal_of({.pairs_asked = 1, .pairs = 1}), "");
 }
 
-/// An object that looks alike from all sides, from its sides.
+/// An object that looks alike from all sides, from its sides: opposite ones may.
 TEST(ImportedPoseCheck, WhereThePosesMakeNoNeighboursPairsThatLookAlikeOnlyWarn) {
-    for (const int pairs : {1, 6}) {
+    for (const int pairs : {1, 2}) {
         EXPECT_THAT(refusal_of({.pairs_asked = 0, .pairs = pairs, .pairs_denied = pairs}),
                     testing::HasSubstr("deny the imported poses"));
         EXPECT_THAT(
             refusal_of(
                 {.pairs_asked = 0, .pairs = pairs, .pairs_denied = pairs, .pairs_turned = pairs}),
             testing::HasSubstr("deny the imported poses"));
+    }
+    EXPECT_THAT(refusal_of({.pairs_asked = 0, .pairs = 6, .pairs_denied = 5}),
+                testing::HasSubstr("deny the imported poses"));
+}
+
+/// One facade, by axes that were exported wrongly.
+TEST(ImportedPoseCheck, WhereThePosesMakeNoNeighboursAllPairsTogetherRefuseThem) {
+    for (const int pairs : {3, 6}) {
+        EXPECT_EQ(refusal_of({.pairs_asked = 0, .pairs = pairs, .pairs_denied = pairs}),
+                  "E-IMPORT-DENIED");
+        EXPECT_EQ(
+            refusal_of(
+                {.pairs_asked = 0, .pairs = pairs, .pairs_denied = pairs, .pairs_turned = pairs}),
+            "E-IMPORT-TURNED");
     }
 }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <string>
 
 #include "calib/poses/pose_stage.h"
 #include "calib/work/error.h"
@@ -56,10 +57,22 @@ masks = "/turntable/masks"
     EXPECT_EQ(options.min_track_length, 3);
     EXPECT_EQ(options.min_registered_share, 0.75);
     EXPECT_EQ(options.time_limit_s, 60.5);
-    EXPECT_EQ(options.front_end, "colmap");
-    EXPECT_EQ(options.mapper, "colmap");
+    EXPECT_EQ(options.front_end, PoseProgram::kColmap);
+    EXPECT_EQ(options.mapper, PoseProgram::kColmap);
     EXPECT_EQ(options.colmap, "/opt/colmap");
     EXPECT_EQ(options.mask_folder, "/turntable/masks");
+}
+
+TEST(PoseOptions, RefusesProgramsThatItDoesNotKnow) {
+    for (const char* const key : {"front_end", "mapper"}) {
+        const auto read = [&](const std::string& name) {
+            return read_pose_options(
+                ConfigSection::from_text(key + (" = \"" + name + "\""), "programs"));
+        };
+        EXPECT_NO_THROW(static_cast<void>(read("lumi")));
+        EXPECT_NO_THROW(static_cast<void>(read("colmap")));
+        EXPECT_THROW(static_cast<void>(read("hand")), Error) << key;
+    }
 }
 
 TEST(PoseOptions, RefusesEachValueOutOfRange) {
@@ -71,8 +84,6 @@ TEST(PoseOptions, RefusesEachValueOutOfRange) {
         [](PoseOptions& options) { options.min_registered_share = 0; },
         [](PoseOptions& options) { options.min_registered_share = 1.01; },
         [](PoseOptions& options) { options.time_limit_s = 0; },
-        [](PoseOptions& options) { options.front_end = "hand"; },
-        [](PoseOptions& options) { options.mapper = "hand"; },
         [](PoseOptions& options) { options.colmap.clear(); }};
     for (std::size_t index = 0; index < mistakes.size(); ++index) {
         PoseOptions options;

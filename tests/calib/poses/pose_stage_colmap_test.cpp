@@ -75,8 +75,8 @@ double true_extent() {
 }
 
 struct Means {
-    const char* front_end;
-    const char* mapper;
+    PoseProgram front_end;
+    PoseProgram mapper;
 };
 
 class PoseStageBy : public testing::TestWithParam<Means> {};
@@ -100,10 +100,13 @@ TEST_P(PoseStageBy, PlacesEveryPhotographOfARenderedScene) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PoseStageBy,
-                         testing::Values(Means{"lumi", "lumi"}, Means{"lumi", "colmap"},
-                                         Means{"colmap", "lumi"}, Means{"colmap", "colmap"}),
+                         testing::Values(Means{PoseProgram::kLumi, PoseProgram::kLumi},
+                                         Means{PoseProgram::kLumi, PoseProgram::kColmap},
+                                         Means{PoseProgram::kColmap, PoseProgram::kLumi},
+                                         Means{PoseProgram::kColmap, PoseProgram::kColmap}),
                          [](const auto& means) {
-                             return std::string(means.param.front_end) + "And" + means.param.mapper;
+                             return std::string(name_of(means.param.front_end)) + "And" +
+                                    std::string(name_of(means.param.mapper));
                          });
 
 /// What a camera on a tripod sees around a window, behind which the box turns.
@@ -117,7 +120,7 @@ ColorImage behind_a_window(ColorImage picture, const GrayImage& window) {
     return picture;
 }
 
-class PoseStageWithMasks : public testing::TestWithParam<const char*> {};
+class PoseStageWithMasks : public testing::TestWithParam<PoseProgram> {};
 
 TEST_P(PoseStageWithMasks, PlacesWhatTurnedBeforeACameraThatStoodStill) {
     const ScratchFolder folder;
@@ -146,7 +149,8 @@ TEST_P(PoseStageWithMasks, PlacesWhatTurnedBeforeACameraThatStoodStill) {
                  Error);
 }
 
-INSTANTIATE_TEST_SUITE_P(FrontEnds, PoseStageWithMasks, testing::Values("lumi", "colmap"));
+INSTANTIATE_TEST_SUITE_P(FrontEnds, PoseStageWithMasks,
+                         testing::Values(PoseProgram::kLumi, PoseProgram::kColmap));
 
 TEST(PoseStageWithColmap, IsTheSameForAnyNumberOfThreads) {
     const ScratchFolder folder;
@@ -291,7 +295,7 @@ TEST(PoseStageWithColmap, SaysWhenColmapIsNotInstalled) {
     const ScratchFolder folder;
     SilentProgress progress;
     PoseOptions options;
-    options.mapper = "colmap";
+    options.mapper = PoseProgram::kColmap;
     options.colmap = "no-such-colmap";
     try {
         static_cast<void>(estimate_poses(box_photographs(folder), std::nullopt, options,
