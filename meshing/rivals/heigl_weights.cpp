@@ -42,7 +42,7 @@ HeiglFrame::HeiglFrame(const std::vector<Eigen::Vector3d>& centres_in_world,
         farthest = std::max(farthest, (eye_from_world * centre).norm());
     const double closest = kAtCamera * farthest;
     for (std::size_t i = 0; i < centres_in_world.size(); ++i) {
-        if ((eye_from_world.rotation * axes_in_world[i]).z() <= 0) continue;
+        if ((eye_from_world.rotation * axes_in_world[i]).z() < kHeiglLeastCosine) continue;
         Eigen::Vector3d in_eye = eye_from_world * centres_in_world[i];
         if (in_eye.norm() <= closest) implementation_->at_eye = i;
         in_eye.z() = std::copysign(std::max(std::abs(in_eye.z()), closest), in_eye.z());

@@ -8,6 +8,12 @@
 
 namespace lumi {
 
+/// Cosine of 45 degrees: cameras whose axes are farther from the eye's take no part. The paper's
+/// cameras all look one way. All around a scene, where the eye looks at it as they do, they are
+/// projected the closer to the middle of the picture the more they look aside, so that the
+/// triangles there are of those that look aside the most of all that take part.
+inline constexpr double kHeiglLeastCosine = 0.70710678;
+
 /// The weights of Heigl et al. ("Plenoptic modeling and rendering from image sequences taken by a
 /// hand-held camera", DAGM 1999), to compare with: all camera centres are projected into the novel
 /// view and triangulated there (Delaunay), anew for each frame; a ray is blended from the triangle
@@ -15,9 +21,10 @@ namespace lumi {
 /// differently in another frame.
 class HeiglFrame {
  public:
-    /// Cameras that look the other way take no part. Of a camera before the eye or behind it the
-    /// line through both counts; the eye at a camera has that camera's weights, and in a camera's
-    /// plane it is taken to be a little beside it: as they are drawn (render/rivals/heigl.h).
+    /// Cameras that look elsewhere take no part (kHeiglLeastCosine); axes have length 1. Of a
+    /// camera before the eye or behind it the line through both counts; the eye at a camera has
+    /// that camera's weights, and in a camera's plane it is taken to be a little beside it: as they
+    /// are drawn (render/rivals/heigl.h).
     HeiglFrame(const std::vector<Eigen::Vector3d>& centres_in_world,
                const std::vector<Eigen::Vector3d>& axes_in_world, const Rigid3& eye_from_world);
     ~HeiglFrame();

@@ -12,9 +12,10 @@ namespace lumi {
 /// penalty, so that cameras come and go without a jump. Fewer are all far within the threshold, and
 /// count alike. A camera without penalty, where the eye stands or on the ray, counts alone: that is
 /// what the paper calls epipole consistency. The other usual form, (1 - penalty_i / threshold) /
-/// penalty_i, comes to it steadily, but pictures of the benchmark's scenes are less like the truth
-/// by it: of what is covered by 0.1 to 0.2 dB, as four photographs even out more than one. The
-/// second term depends on where along the ray the eye stands.
+/// penalty_i, comes to it steadily, and does not even the others out where the fourth is near its
+/// border, but pictures of the benchmark's scenes are less like the truth by it: of what is covered
+/// by 0.1 to 0.2 dB, as four photographs even out more than one. Where depth is estimated they are
+/// as good or 0.1 dB better by it. The second term depends on where along the ray the eye stands.
 ///
 /// `in_view_shares` are the paper's penalty for the field of view: 1 well inside a photograph and
 /// 0 at its border, where the penalty is infinite; > 0. Empty: all are 1. One weight a camera, of

@@ -16,17 +16,22 @@ namespace {
 
 constexpr int kOftener = 4;  // Small differences are timed so many times as often.
 
-RivalFigures measured_and_timed(const PlainRival& rival, const Lumigraph& lumigraph,
-                                RivalMeasurement& measurement) {
+/// Only frames of held-out places are timed, which are drawn first: modes are timed by no others.
+RivalFigures measured_and_timed(const PlainRival& rival, const RivalCapture& capture,
+                                RivalMeasurement& measurement, Progress& progress) {
+    const Lumigraph& lumigraph = capture.lumigraph;
     std::vector<double> depth_cpu_ms;
     std::vector<double> cpu_ms;
     std::vector<double> wall_ms;
     const DrawFrame draw = [&](const Eye& eye) {
+        progress.throw_if_interrupted();
         const Stopwatch stopwatch;
         const EyeDepths known = depths_for(rival, lumigraph, eye);
-        depth_cpu_ms.push_back(1000 * stopwatch.elapsed().cpu_s);
+        const double of_depth_ms = 1000 * stopwatch.elapsed().cpu_s;
         Frame frame = rival.draw(lumigraph, eye, known);
         const Cost cost = stopwatch.elapsed();
+        if (cpu_ms.size() == capture.held_out.size()) return frame;
+        depth_cpu_ms.push_back(of_depth_ms);
         cpu_ms.push_back(1000 * cost.cpu_s);
         wall_ms.push_back(1000 * cost.wall_s);
         return frame;
@@ -44,6 +49,14 @@ RivalFigures measured_and_timed(const PlainRival& rival, const Lumigraph& lumigr
 struct NamedOptions {
     std::string settings;
     RenderOptions options;
+};
+
+/// What modes draw: the photographs themselves, or what they were resampled to.
+struct DrawnLumigraph {
+    std::string method;  ///< Before the name of the mode; empty: the photographs.
+    const Lumigraph& lumigraph;
+
+    [[nodiscard]] bool is_resampled() const { return !method.empty(); }
 };
 
 /// Errors give way until there are so many, which alone they would not ask for.
@@ -85,10 +98,12 @@ std::vector<Eye> timed_path(const RivalCapture& capture, int frames) {
 }
 
 /// Measures one Lumigraph in some modes.
-std::vector<RivalFigures> measured_modes(const std::string& prefix, const Lumigraph& lumigraph,
+std::vector<RivalFigures> measured_modes(const DrawnLumigraph& drawn,
                                          const std::vector<NamedOptions>& modes,
                                          const std::vector<Eye>& path,
                                          RivalMeasurement& measurement, Progress& progress) {
+    const Lumigraph& lumigraph = drawn.lumigraph;
+    const std::string prefix = drawn.is_resampled() ? drawn.method + ' ' : "";
     std::vector<RenderOptions> options;
     for (const NamedOptions& mode : modes) options.push_back(mode.options);
     const FrameTimingReport timing = time_frames(lumigraph, path, options, progress);
@@ -96,10 +111,11 @@ std::vector<RivalFigures> measured_modes(const std::string& prefix, const Lumigr
     std::vector<RivalFigures> rivals;
     for (std::size_t i = 0; i < modes.size(); ++i) {
         progress.throw_if_interrupted();
-        RivalFigures figures = measurement.measured(
-            {prefix + name_of(options[i].mode), modes[i].settings,
-             static_cast<int>(lumigraph.views.size()), covers_by_depth(options[i].mode)},
-            [&](const Eye& eye) { return renderer.draw(eye, options[i]); });
+        RivalFigures figures =
+            measurement.measured({prefix + name_of(options[i].mode), modes[i].settings,
+                                  static_cast<int>(lumigraph.views.size()),
+                                  !drawn.is_resampled() && covers_by_depth(options[i].mode)},
+                                 [&](const Eye& eye) { return renderer.draw(eye, options[i]); });
         figures.triangles = timing.modes[i].triangles;
         figures.cpu_ms = timing.modes[i].cost.cpu_ms;
         figures.wall_ms = timing.modes[i].cost.median_ms;
@@ -117,12 +133,14 @@ std::vector<RivalFigures> measured_resampled(const ResampledRival& rival,
     const Stopwatch stopwatch;
     const Lumigraph pictures = [&] {
         OffscreenRenderer source(lumigraph);
-        return resampled(lumigraph, rival.layout(lumigraph),
-                         [&](const Eye& eye) { return source.draw(eye, {}); });
+        return resampled(lumigraph, rival.layout(lumigraph), [&](const Eye& eye) {
+            progress.throw_if_interrupted();
+            return source.draw(eye, {});
+        });
     }();
     const double resampling_cpu_s = stopwatch.elapsed().cpu_s;
     std::vector<RivalFigures> rivals = measured_modes(
-        rival.name + ' ', pictures,
+        {rival.name, pictures},
         {{"", {.mode = RenderMode::kLightField}}, {"<= 5000", {.mode = RenderMode::kAdaptive}}},
         path, measurement, progress);
     for (RivalFigures& figures : rivals) figures.resampling_cpu_s = resampling_cpu_s;
@@ -146,7 +164,7 @@ RivalScene measured_scene(const std::string& name, const RivalBenchmarkOptions& 
         std::move(figures.begin(), figures.end(), std::back_inserter(scene.rivals));
     };
     const std::vector<Eye> timed = timed_path(capture, options.frames);
-    append(measured_modes("", lumigraph, settings_of_free_form(capture.paper_triangles), timed,
+    append(measured_modes({"", lumigraph}, settings_of_free_form(capture.paper_triangles), timed,
                           measurement, progress));
     const std::vector<Eye> path = timed_path(capture, kOftener * options.frames);
     scene.per_pixel_occlusion_share = occlusion_share(
@@ -157,10 +175,8 @@ RivalScene measured_scene(const std::string& name, const RivalBenchmarkOptions& 
     for (const ResampledRival& rival : resampled_rivals())
         if (rival.reason_against(lumigraph).empty())
             append(measured_resampled(rival, lumigraph, timed, measurement, progress));
-    for (const PlainRival& rival : plain_rivals()) {
-        progress.throw_if_interrupted();
-        append({measured_and_timed(rival, lumigraph, measurement)});
-    }
+    for (const PlainRival& rival : plain_rivals())
+        append({measured_and_timed(rival, capture, measurement, progress)});
     measurement.measure_common_pixels(scene.rivals);
     scene.common_share = measurement.common_share();
     return scene;

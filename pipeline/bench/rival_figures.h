@@ -11,7 +11,7 @@ struct RivalFrameFigures {
     double psnr_db = 0.0;                   ///< All pixels (RivalFigures::psnr_db).
     double psnr_as_drawn_db = 0.0;          ///< All pixels (RivalFigures::psnr_as_drawn_db).
     std::optional<double> psnr_covered_db;  ///< Over what the method covers; empty: nothing.
-    std::optional<double> psnr_common_db;   ///< Over what all methods with depth cover.
+    std::optional<double> psnr_common_db;   ///< RivalFigures::psnr_common_db.
     double coverage = 0.0;
 };
 
@@ -33,21 +33,23 @@ struct RivalFigures {
     /// Mean over held-out photographs, all pixels. What a method does not cover has the colours of
     /// its surroundings (surroundings.h), the same for all methods.
     double psnr_db = 0.0;
-    /// The same of frames as they are drawn: lumi's modes guess what they do not cover, by depth
-    /// that is stretched and by surroundings; other methods leave it black.
+    /// The same of frames as they are drawn: lumi's modes, and what they draw of resampled
+    /// pictures, guess what is not covered, by depth that is stretched and by surroundings;
+    /// `paper2001`, `heigl` and methods in plain code leave it black.
     double psnr_as_drawn_db = 0.0;
     /// Over what the method covers; of the frames of which it covers anything, so many.
     std::optional<double> psnr_covered_db;
     int covered_frames = 0;
-    /// Over what all methods that draw from depth cover: the same pixels for all of them.
+    /// Over what all methods that have a say cover (common_pixels.h): the same pixels for all.
     std::optional<double> psnr_common_db;
     double coverage = 0.0;
-    /// Share of pixels that show another surface: off by more than a fifth of the range, and not
-    /// within two pixels of a silhouette.
-    double wrong_layer_share = 0.0;
+    /// Of the pixels that the method covers in any frame, the share that shows another surface: off
+    /// by more than a fifth of the range, and not within two pixels of a silhouette. Empty where
+    /// nothing is covered.
+    std::optional<double> wrong_layer_share;
     /// Of these, where some photograph shows the surface that is there (shown_pixels.h): what a
     /// method gets wrong, not what nobody can know.
-    double avoidable_wrong_layer_share = 0.0;
+    std::optional<double> avoidable_wrong_layer_share;
     /// Mean absolute difference between the change from frame to frame and the true change, in
     /// steps of 1/255, over all pixels as in psnr_db.
     std::optional<double> flicker;

@@ -30,29 +30,32 @@ bool is_by_a_silhouette(const FloatImage& z, int x, int y) {
     return static_cast<double>(nearest - farthest) > kDepthStep * static_cast<double>(nearest);
 }
 
-struct WrongLayerShares {
-    double all = 0.0;
-    double avoidable = 0.0;  ///< Where some photograph shows what is there.
+/// Numbers of pixels.
+struct WrongLayers {
+    long covered = 0;
+    long wrong = 0;
+    long avoidable = 0;  ///< Where some photograph shows what is there.
 };
 
-WrongLayerShares wrong_layer_shares(const Frame& drawn, const TrueFrame& truth) {
-    long wrong = 0;
-    long avoidable = 0;
+void count_wrong_layers(const Frame& drawn, const TrueFrame& truth, WrongLayers& counts) {
     for (int y = 0; y < truth.picture.height(); ++y) {
         for (int x = 0; x < truth.picture.width(); ++x) {
+            if (drawn.coverage(x, y) == 0) continue;
+            ++counts.covered;
             const Rgb8& a = drawn.color(x, y);
             const Rgb8& b = truth.picture(x, y);
             const int error =
                 std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
-            if (error <= kGrossError || drawn.coverage(x, y) == 0 ||
-                is_by_a_silhouette(truth.depth, x, y))
-                continue;
-            ++wrong;
-            if (truth.shown(x, y) != 0) ++avoidable;
+            if (error <= kGrossError || is_by_a_silhouette(truth.depth, x, y)) continue;
+            ++counts.wrong;
+            if (truth.shown(x, y) != 0) ++counts.avoidable;
         }
     }
-    const auto pixels = static_cast<double>(truth.picture.pixels().size());
-    return {static_cast<double>(wrong) / pixels, static_cast<double>(avoidable) / pixels};
+}
+
+std::optional<double> share_of_covered(long pixels, const WrongLayers& counts) {
+    if (counts.covered == 0) return std::nullopt;
+    return static_cast<double>(pixels) / static_cast<double>(counts.covered);
 }
 
 std::vector<ColorImage> surroundings_of(const std::vector<TrueFrame>& frames,
@@ -87,12 +90,13 @@ RivalFigures RivalMeasurement::measured(const RivalMethod& method, const DrawFra
     figures.settings = method.settings;
     figures.pictures = method.pictures;
     const auto count = static_cast<double>(capture_.held_out.size());
+    WrongLayers wrong_layers;
     for (std::size_t i = 0; i < capture_.held_out.size(); ++i) {
         const TrueFrame& truth = capture_.held_out[i];
         const Frame as_drawn = draw(truth.eye);
         const Frame drawn = filled(as_drawn, held_out_surroundings_[i]);
-        common_.add(key_of(method.method, method.settings), method.covers_by_depth,
-                    std::to_string(i), truth.picture, drawn);
+        common_.add(key_of(method.method, method.settings), method.has_say, std::to_string(i),
+                    truth.picture, drawn);
         const RivalFrameFigures frame{psnr_db(drawn.color, truth.picture),
                                       psnr_db(as_drawn.color, truth.picture),
                                       psnr_db(drawn.color, truth.picture, drawn.coverage),
@@ -102,12 +106,12 @@ RivalFigures RivalMeasurement::measured(const RivalMethod& method, const DrawFra
         figures.psnr_as_drawn_db += frame.psnr_as_drawn_db / count;
         figures.coverage += frame.coverage / count;
         figures.covered_frames += frame.psnr_covered_db ? 1 : 0;
-        const WrongLayerShares wrong = wrong_layer_shares(drawn, truth);
-        figures.wrong_layer_share += wrong.all / count;
-        figures.avoidable_wrong_layer_share += wrong.avoidable / count;
+        count_wrong_layers(drawn, truth, wrong_layers);
         figures.frames.push_back(frame);
     }
     figures.psnr_covered_db = mean_of_covered(figures.frames);
+    figures.wrong_layer_share = share_of_covered(wrong_layers.wrong, wrong_layers);
+    figures.avoidable_wrong_layer_share = share_of_covered(wrong_layers.avoidable, wrong_layers);
     if (capture_.path.size() > 1) figures.flicker = flicker_of(draw);
     return figures;
 }

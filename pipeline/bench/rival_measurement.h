@@ -18,7 +18,7 @@ struct RivalMethod {
     std::string method;
     std::string settings;
     int pictures = 0;
-    bool covers_by_depth = false;
+    bool has_say = false;  ///< In which pixels are common (CommonPixels).
 };
 
 /// Measures the pictures that several methods draw of one capture, all on the same pixels.
@@ -30,8 +30,8 @@ class RivalMeasurement {
     /// The figures of a method's pictures, but for those of common pixels, and no times.
     [[nodiscard]] RivalFigures measured(const RivalMethod& method, const DrawFrame& draw);
 
-    /// Fills in what is measured on the pixels that all methods cover: those of `rivals`, which are
-    /// all that were measured.
+    /// Fills in what is measured on the pixels that all methods with a say cover: those of
+    /// `rivals`, which are all that were measured.
     void measure_common_pixels(std::vector<RivalFigures>& rivals) const;
     [[nodiscard]] double common_share() const { return common_.share(); }
 

@@ -60,9 +60,9 @@ const std::vector<Figure>& figures_of_rivals() {
         {"coverage", "cover %", 1, 100, [](const Rival& r) -> Value { return r.coverage; },
          [](const Frame& f) -> Value { return f.coverage; }},
         {"wrong_layer_share", "wrong %", 3, 100,
-         [](const Rival& r) -> Value { return r.wrong_layer_share; }},
+         [](const Rival& r) { return r.wrong_layer_share; }},
         {"avoidable_wrong_layer_share", "avoidable", 3, 100,
-         [](const Rival& r) -> Value { return r.avoidable_wrong_layer_share; }},
+         [](const Rival& r) { return r.avoidable_wrong_layer_share; }},
         {"flicker", "flicker", 3, 1, [](const Rival& r) { return r.flicker; }}};
     return figures;
 }
@@ -160,11 +160,15 @@ std::string rivals_text(const std::vector<RivalScene>& scenes) {
         for (const RivalFigures& rival : scene.rivals) text += row_text(rival);
         text +=
             "dB: of all pixels, where a method covers none filled with the same surroundings "
-            "for all; as drawn: with lumi's own guesses there, and black in others; common: of "
-            "the " +
+            "for all; as drawn: there with lumi's own guesses, of what is resampled, too, and "
+            "black "
+            "in paper2001, heigl and plain code; common: of the " +
             number_text(100 * scene.common_share, 1) +
-            " % of pixels that all methods with depth cover; covered: of what it covers "
-            "itself\nocclusion correction takes " +
+            " % of pixels that all methods cover that draw from the photographs' depth (of heigl "
+            "triangles decide, too); covered: of what it covers itself; wrong, avoidable: of what "
+            "it "
+            "covers, what shows another surface, and where some photograph shows the right "
+            "one\nocclusion correction takes " +
             number_text(100 * scene.adaptive_occlusion_share, 1) + " % of adaptive, " +
             number_text(100 * scene.per_pixel_occlusion_share, 1) +
             " % of perpixel (the paper: 7 to 10 %); what is resampled is drawn by lumi's own "

@@ -202,7 +202,7 @@ void run_bench(const BenchRequest& request, const CommandContext& context) {
     const LookupCounts lookups = count_lookups(lumigraph, path, modes, *context.progress);
     OcclusionShares shares(modes.size());
     for (std::size_t i = 0; request.occlusion_share && i < modes.size(); ++i)
-        if (corrects_occlusion(modes[i].mode))
+        if (corrects_occlusion(lumigraph, modes[i]))
             shares[i] = occlusion_share(lumigraph, path, modes[i], *context.progress);
     if (context.json) {
         context.print_result(report_json(report, lookups, shares));

@@ -84,7 +84,8 @@ std::string not_judged_text(const Evaluation& evaluation) {
 /// Every method on the same pixels.
 std::string common_pixels_text(const CommonPixelScores& scores) {
     std::string text = "PSNR over the " + number_text(100.0 * scores.share, 2) +
-                       " % of pixels that all methods with depth cover:\n";
+                       " % of pixels that all methods cover that draw from the photographs' "
+                       "depth:\n";
     for (const CommonPixelScores::Method& method : scores.methods)
         text += "  " + method.name + "  " +
                 (method.psnr_db ? number_text(*method.psnr_db, 2) + " dB" : "none") + "\n";
@@ -199,8 +200,11 @@ void add_evaluate_command(CLI::App& app, CommandContext& context) {
                     "         lumi evaluate configs/banana.toml --leave-one-out");
     const auto request = std::make_shared<EvaluateRequest>();
     command.add_option("WORKSPACE", request->workspace, "Folder that lumi build wrote")->required();
-    command.add_option("--mode", request->modes, "As in lumi render; may be repeated")
+    command
+        .add_option("--mode", request->modes,
+                    "As in lumi render; also several, with commas between")
         ->allow_extra_args(false)
+        ->delimiter(',')
         ->capture_default_str();
     CLI::Option* no_ghosts = command.add_flag("--no-ghost-energy", request->without_ghost_energy,
                                               "Leave out what takes one renderer a camera class");

@@ -54,7 +54,6 @@ PackageLoader loader_of(const ViewRequest& request) {
         try {
             opened.planned = planned_views_beside(package);
         } catch (const Error& error) {
-            if (request.planned > 0) throw;
             add_message(opened, "no planned photographs: " + std::string(error.what()));
         }
         const bool is_name_known =
@@ -92,11 +91,14 @@ WindowOptions window_options_of(const ViewRequest& request, const CommandContext
     return options;
 }
 
-void check_planned(const ViewRequest& request, const OpenedPackage& opened) {
-    if (request.planned <= static_cast<int>(opened.planned.size())) return;
+/// A plan that is asked for must be whole: of the package that the window begins with.
+void check_planned(const ViewRequest& request) {
+    if (request.planned == 0) return;
+    const std::size_t planned = planned_views_beside(request.package).size();
+    if (request.planned <= static_cast<int>(planned)) return;
     throw Error(ErrorKind::kUsage, "E-VIEW-PLAN",
                 "photograph " + std::to_string(request.planned) + " of a plan was asked for, of " +
-                    std::to_string(opened.planned.size()) + " that are planned",
+                    std::to_string(planned) + " that are planned",
                 "run `lumi plan` on the workspace first");
 }
 
@@ -119,7 +121,7 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
     }
     const WindowOptions options = window_options_of(request, context);
     OpenedPackage opened = options.load(request.package, options.exposures);
-    check_planned(request, opened);
+    check_planned(request);
     check_view(request, opened);
     if (!opened.message.empty()) context.say(opened.message + "\n");
     keep_free_memory();

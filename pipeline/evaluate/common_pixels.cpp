@@ -7,7 +7,7 @@
 
 namespace lumi {
 
-void CommonPixels::add(const std::string& method, bool covers_by_depth, const std::string& view,
+void CommonPixels::add(const std::string& method, bool has_say, const std::string& view,
                        const ColorImage& truth, const Frame& frame) {
     const auto [found, is_new] = views_.try_emplace(view);
     View& of_view = found->second;
@@ -16,7 +16,7 @@ void CommonPixels::add(const std::string& method, bool covers_by_depth, const st
         of_view.common = GrayImage(truth.width(), truth.height(), 255);
     }
     of_view.drawn[method] = frame.color;
-    if (!covers_by_depth) return;
+    if (!has_say) return;
     for (std::size_t i = 0; i < of_view.common.pixels().size(); ++i)
         if (frame.coverage.pixels()[i] == 0) of_view.common.pixels()[i] = 0;
 }

@@ -9,13 +9,15 @@
 namespace lumi {
 
 /// Frames that several methods draw of the same views, judged on the same pixels: those that every
-/// method covers of which depth decides that. Each method's own coverage is no ground to compare
-/// them on: whoever leaves out what is difficult would be ahead. Methods without depth cover what
-/// they know nothing of, and have no say.
+/// method covers that has a say. Each method's own coverage is no ground to compare them on:
+/// whoever leaves out what is difficult would be ahead. Those have a say that the photographs'
+/// depth tells what they know. Methods without depth cover what they know nothing of; what is
+/// resampled covers what its own pictures hold, so that a narrow choice of these would be
+/// everybody's.
 class CommonPixels {
  public:
     /// One frame of a method and what should be seen in it.
-    void add(const std::string& method, bool covers_by_depth, const std::string& view,
+    void add(const std::string& method, bool has_say, const std::string& view,
              const ColorImage& truth, const Frame& frame);
 
     /// Of a method's frame; empty where there is no such pixel. The frame was added.
@@ -35,8 +37,8 @@ class CommonPixels {
     std::map<std::string, View> views_;
 };
 
-/// Whether depth decides what a mode covers, where a Lumigraph has any: of `heigl` its triangles
-/// do.
+/// Whether depth decides what a mode covers, where a Lumigraph has any, so that it has a say. Of
+/// `heigl` its triangles decide, too, which depend on the eye.
 [[nodiscard]] bool covers_by_depth(RenderMode mode);
 
 /// The frame with other colours where it knows nothing, so that all methods show the same there.

@@ -9,9 +9,9 @@
 #include "calib/pictures/image_io.h"
 #include "calib/work/content_hash.h"
 #include "calib/work/whole_folder.h"
-#include "pipeline/evaluate/common_pixels.h"
 #include "pipeline/evaluate/comparison_strip.h"
 #include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/evaluate/filled_alike.h"
 #include "pipeline/evaluate/heat_map.h"
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/evaluate/held_out_subject.h"
@@ -102,16 +102,6 @@ void name_photographs(const WorkspaceLayout& workspace, Evaluation& evaluation) 
     for (RivalScores& rival : evaluation.rivals->methods) note(rival.views);
 }
 
-CommonPixelScores common_scores(const CommonPixels& common, const Evaluation& evaluation) {
-    CommonPixelScores scores{common.share(), {}};
-    const auto add = [&](const std::string& method) {
-        scores.methods.push_back({method, common.mean_psnr_db(method)});
-    };
-    for (const ModeScores& mode : evaluation.modes) add(name_of(mode.mode));
-    for (const RivalScores& rival : evaluation.rivals->methods) add(rival.method);
-    return scores;
-}
-
 /// Where each view's pictures lie, in evaluation.json.
 void name_pictures(nlohmann::ordered_json& views, const PictureNames& names, RenderMode mode) {
     for (auto& view : views) {
@@ -133,27 +123,26 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
     const EvaluationOptions with_subject = judging_subject(options, workspace);
 
     WholeFolder folder(workspace.evaluation_folder());
-    std::optional<CommonPixels> common;  // Of every mode and method.
-    if (options.rivals) common.emplace();
+    std::optional<FilledAlike> compared;  // Of every mode and method.
+    if (options.rivals) compared.emplace(lumigraph, held_out);
     Evaluation evaluation = evaluate_held_out(
         lumigraph, held_out, with_subject,
         [&](RenderMode mode, const JudgedView& view) {
             write_pictures(folder.staging(), names, mode, view);
-            if (!common) return;
+            if (!compared) return;
             const RenderMode drawn = possible_options({.mode = mode}, lumigraph.has_depth()).mode;
-            common->add(name_of(mode), covers_by_depth(drawn), view.score.name, view.photograph,
-                        view.rendering);
+            compared->add(name_of(mode), covers_by_depth(drawn), view);
         },
         progress);
     if (options.rivals) {
         evaluation.rivals = evaluate_rivals(
             lumigraph, held_out, with_subject.subject_mask, options.timed_frames,
-            [&](const std::string& method, bool by_depth, const JudgedView& view) {
+            [&](const std::string& method, bool has_say, const JudgedView& view) {
                 write_strip(folder.staging() / names.strip(view.score.name, method), view);
-                common->add(method, by_depth, view.score.name, view.photograph, view.rendering);
+                compared->add(method, has_say, view);
             },
             progress);
-        evaluation.rivals->common = common_scores(*common, evaluation);
+        evaluation.rivals->common = compared->scores_of(evaluation);
     }
 
     evaluation.not_judged = names_without_pose(record, held_out.capture);

@@ -1,6 +1,5 @@
 #include "pipeline/evaluate/evaluation.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "pipeline/evaluate/flip.h"
@@ -62,12 +61,10 @@ class HeldOutJudge {
     }
 
     JudgedView judge(OffscreenRenderer& renderer, std::size_t index, RenderMode mode) const {
-        Frame rendering = renderer.draw(eyes_[index], {.mode = mode});
-        const RepeatedTimes times = times_of(std::max(1, options_.timed_frames), [&] {
-            static_cast<void>(renderer.draw(eyes_[index], {.mode = mode}));
-        });
+        TimedFrame timed =
+            timed_frame(renderer, eyes_[index], {.mode = mode}, options_.timed_frames);
         return judged_view(held_out_, index, lumigraph_, options_.subject_mask,
-                           std::move(rendering), times);
+                           std::move(timed.frame), timed.times);
     }
 
     const Lumigraph& lumigraph_;

@@ -5,7 +5,6 @@
 
 #include "calib/pictures/image_io.h"
 #include "calib/work/median.h"
-#include "calib/work/stopwatch.h"
 #include "pipeline/evaluate/edge_sharpness.h"
 #include "pipeline/evaluate/flip.h"
 #include "pipeline/evaluate/gain_fit.h"
@@ -47,18 +46,6 @@ void score_times(const RepeatedTimes& times, ViewScore& score) {
 }
 
 }  // namespace
-
-RepeatedTimes times_of(int repetitions, const std::function<void()>& draw) {
-    RepeatedTimes times;
-    for (int i = 0; i < repetitions; ++i) {
-        const Stopwatch stopwatch;
-        draw();
-        const Cost cost = stopwatch.elapsed();
-        times.wall_ms.push_back(1000.0 * cost.wall_s);
-        times.cpu_ms.push_back(1000.0 * cost.cpu_s);
-    }
-    return times;
-}
 
 std::vector<Eye> eyes_of(const PosedPhotographs& held_out) {
     std::vector<Eye> eyes;

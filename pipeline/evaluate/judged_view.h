@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "calib/capture/posed_photographs.h"
+#include "pipeline/evaluate/timed_frame.h"
 #include "pipeline/evaluate/view_score.h"
 #include "render/frame/frame.h"
 #include "render/lumigraph/lumigraph.h"
@@ -25,15 +26,6 @@ struct JudgedView {
 /// view's name; an empty picture where that is not known.
 using SubjectMask =
     std::function<GrayImage(const std::string& view_name, const ColorImage& photograph)>;
-
-/// Wall and CPU times of repeated frames, milliseconds; CPU over all threads of the process.
-struct RepeatedTimes {
-    std::vector<double> wall_ms;
-    std::vector<double> cpu_ms;
-};
-
-/// Draws so many times.
-[[nodiscard]] RepeatedTimes times_of(int repetitions, const std::function<void()>& draw);
 
 /// The eyes that took held-out photographs.
 [[nodiscard]] std::vector<Eye> eyes_of(const PosedPhotographs& held_out);

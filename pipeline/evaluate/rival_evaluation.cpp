@@ -1,6 +1,5 @@
 #include "pipeline/evaluate/rival_evaluation.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "calib/work/stopwatch.h"
@@ -21,7 +20,7 @@ class RivalJudge {
           held_out_(held_out),
           eyes_(eyes_of(held_out)),
           subject_mask_(subject_mask),
-          timed_frames_(std::max(1, timed_frames)),
+          timed_frames_(timed_frames),
           keep_(keep),
           progress_(progress) {}
 
@@ -42,12 +41,13 @@ class RivalJudge {
     }
 
     void judge_plain(const PlainRival& rival) {
-        judge_views(rival.name, rival.draws_from_depth, 0.0, [&](const Eye& eye, Frame& frame) {
-            const RepeatedTimes times = times_of(1, [&] {
-                frame = rival.draw(lumigraph_, eye, depths_for(rival, lumigraph_, eye));
+        judge_views(rival.name, rival.draws_from_depth, 0.0, [&](const Eye& eye) {
+            TimedFrame timed;
+            timed.times = times_of(1, [&] {
+                timed.frame = rival.draw(lumigraph_, eye, depths_for(rival, lumigraph_, eye));
             });
-            frame = filled(std::move(frame), surroundings_picture(lumigraph_, eye));
-            return times;
+            timed.frame = filled(std::move(timed.frame), surroundings_picture(lumigraph_, eye));
+            return timed;
         });
     }
 
@@ -63,31 +63,23 @@ class RivalJudge {
         }();
         const double cpu_s = stopwatch.elapsed().cpu_s;
         OffscreenRenderer renderer(pictures);
-        for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kAdaptive}) {
-            const bool by_depth =
-                covers_by_depth(possible_options({.mode = mode}, pictures.has_depth()).mode);
-            judge_views(rival.name + ' ' + name_of(mode), by_depth, cpu_s,
-                        [&](const Eye& eye, Frame& frame) {
-                            frame = renderer.draw(eye, {.mode = mode});
-                            return times_of(timed_frames_, [&] {
-                                static_cast<void>(renderer.draw(eye, {.mode = mode}));
-                            });
-                        });
-        }
+        for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kAdaptive})
+            judge_views(rival.name + ' ' + name_of(mode), false, cpu_s, [&](const Eye& eye) {
+                return timed_frame(renderer, eye, {.mode = mode}, timed_frames_);
+            });
     }
 
-    using DrawAndTime = std::function<RepeatedTimes(const Eye& eye, Frame& frame)>;
-    void judge_views(const std::string& method, bool by_depth, double resampling_cpu_s,
+    using DrawAndTime = std::function<TimedFrame(const Eye& eye)>;
+    void judge_views(const std::string& method, bool has_say, double resampling_cpu_s,
                      const DrawAndTime& draw) {
         RivalScores scores{method, {}, resampling_cpu_s};
         progress_.begin("drawing held-out views by " + method, eyes_.size());
         for (std::size_t i = 0; i < eyes_.size(); ++i) {
             progress_.throw_if_interrupted();
-            Frame frame;
-            const RepeatedTimes times = draw(eyes_[i], frame);
-            const JudgedView judged =
-                judged_view(held_out_, i, lumigraph_, subject_mask_, std::move(frame), times);
-            keep_(method, by_depth, judged);
+            TimedFrame timed = draw(eyes_[i]);
+            const JudgedView judged = judged_view(held_out_, i, lumigraph_, subject_mask_,
+                                                  std::move(timed.frame), timed.times);
+            keep_(method, has_say, judged);
             scores.views.push_back(judged.score);
             progress_.advance();
         }

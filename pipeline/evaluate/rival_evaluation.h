@@ -25,13 +25,14 @@ struct RivalLeftOut {
     std::string reason;
 };
 
-/// Every mode and every other method on the same pixels (common_pixels.h).
+/// Every mode and every other method on the same pixels (common_pixels.h). Where a method covers
+/// nothing it has the colours of the surroundings (surroundings.h), the same for all.
 struct CommonPixelScores {
     struct Method {
         std::string name;
         std::optional<double> psnr_db;  ///< Mean over the views that have such pixels.
     };
-    double share = 0.0;  ///< Of all pixels, that all methods that draw from depth cover.
+    double share = 0.0;  ///< Of all pixels, that all methods that have a say cover.
     std::vector<Method> methods;
 };
 
@@ -41,15 +42,16 @@ struct RivalEvaluation {
     std::optional<CommonPixelScores> common = {};  ///< Empty where it was not measured.
 };
 
-/// Called once per method and view, in order, with what is to be kept of it.
+/// Called once per method and view, in order, with what is to be kept of it, and whether the method
+/// has a say in which pixels are common.
 using JudgedRivalSink =
-    std::function<void(const std::string& method, bool covers_by_depth, const JudgedView& view)>;
+    std::function<void(const std::string& method, bool has_say, const JudgedView& view)>;
 
 /// Draws every view of `held_out` from the Lumigraph by the methods that the paper is compared with
 /// (render/rivals/rival_methods.h), as evaluate_held_out does in lumi's modes. Plain code draws
 /// each frame once, and what it does not cover has the colours of the surroundings
-/// (surroundings.h), as in lumi's modes. What is resampled is drawn in the modes `lightfield` and
-/// `adaptive`. Throws Error (E-GL-...).
+/// (surroundings.h), as in lumi's modes but for those of papers, which are black there. What is
+/// resampled is drawn in the modes `lightfield` and `adaptive`. Throws Error (E-GL-...).
 [[nodiscard]] RivalEvaluation evaluate_rivals(const Lumigraph& lumigraph,
                                               const PosedPhotographs& held_out,
                                               const SubjectMask& subject_mask, int timed_frames,

@@ -98,7 +98,7 @@ std::string common_pixels_remark(const Json& rivals) {
     const auto common = rivals.find("common_pixels");
     if (common == rivals.end()) return {};
     std::string html = "<p>Over the " + number_text(100 * common->at("share").get<double>(), 1) +
-                       " % of pixels that all methods with depth cover:";
+                       " % of pixels that all methods cover that draw from the photographs' depth:";
     const char* separator = " ";
     for (const auto& [method, psnr_db] : common->at("psnr_db").items()) {
         if (psnr_db.is_null()) continue;

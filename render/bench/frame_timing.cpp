@@ -99,6 +99,7 @@ void draw_round(Stage& stage, const Eye& eye, const std::vector<RenderOptions>& 
     time_one([&] { stage.blend.draw(stage.viewport); }, counted, base_times);
     for (std::size_t i = 0; i < modes.size(); ++i) {
         stage.framebuffer.bind();
+        stage.renderer.forget_frame();
         DrawStatistics statistics;
         const auto draw = [&] { statistics = stage.renderer.draw(eye, modes[i], stage.viewport); };
         const std::uint64_t uploaded =

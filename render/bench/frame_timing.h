@@ -53,7 +53,8 @@ struct FrameTimingReport {
 
 /// Draws the path in every mode and the three-texture blend in turn (A B C, A B C ...), in one
 /// context and one size, so that a machine whose speed drifts slows all of them alike. Two rounds
-/// of warming up are not counted. Throws Error (E-GL-...).
+/// of warming up are not counted. Every frame costs what a moving eye's does, also where the path
+/// rests (LumigraphRenderer::forget_frame). Throws Error (E-GL-...).
 [[nodiscard]] FrameTimingReport time_frames(const Lumigraph& lumigraph,
                                             const std::vector<Eye>& path,
                                             const std::vector<RenderOptions>& modes,

@@ -5,10 +5,15 @@
 
 #include "calib/work/median.h"
 #include "render/bench/frame_timing.h"
+#include "render/rivals/heigl.h"
 
 namespace lumi {
 
-bool corrects_occlusion(RenderMode mode) { return mode != RenderMode::kLightField; }
+bool corrects_occlusion(const Lumigraph& lumigraph, const RenderOptions& wanted) {
+    const RenderOptions options = possible_options(wanted, lumigraph.has_depth());
+    if (options.mode == RenderMode::kHeigl) return corrects_depth_of_heigl(lumigraph, options);
+    return options.mode != RenderMode::kLightField;
+}
 
 double median_share_saved(const std::vector<double>& with_ms,
                           const std::vector<double>& without_ms) {

@@ -8,8 +8,9 @@
 
 namespace lumi {
 
-/// Whether the mode corrects occlusion at all, so that it can be drawn without.
-[[nodiscard]] bool corrects_occlusion(RenderMode mode);
+/// Whether the mode corrects occlusion at all, as it is drawn of this Lumigraph, so that it can be
+/// drawn without.
+[[nodiscard]] bool corrects_occlusion(const Lumigraph& lumigraph, const RenderOptions& wanted);
 
 /// The median over frames of the share that each takes less without something than with it; less
 /// than 0 where it takes more. Both are as many, of the same frames.

@@ -13,6 +13,8 @@ class DrawingMode {
     /// The eye has the viewport's size; the viewport is set and cleared.
     virtual DrawStatistics draw(const Eye& eye, const RenderOptions& options,
                                 const Viewport& viewport) = 0;
+    /// Gives up what frames of an eye that stands still have of each other.
+    virtual void forget_frame() {}
 };
 
 }  // namespace lumi

@@ -92,6 +92,8 @@ struct RenderOptions {
 struct DrawStatistics {
     /// With photographs on them. Each counts once, also where several passes draw it.
     std::size_t triangles = 0;
+    /// Whether they were those of the frame before, of the same eye: a moving eye's are made anew.
+    bool are_triangles_kept = false;
 };
 
 /// What was drawn.

@@ -57,25 +57,47 @@ double covered_px2(const std::vector<FacePolygon>& polygons) {
     return sum;
 }
 
-/// Of a number of triangles that may be drawn, where 0 stands for any number.
-std::size_t half_of(std::size_t most) { return (most + 1) / 2; }
-std::size_t rest_of(std::size_t most, std::size_t drawn) {
-    return most == 0 ? 0 : std::max<std::size_t>(1, most - std::min(most, drawn));
-}
+/// How many triangles may be drawn, or any number; parts of a limited number are one at least.
+class TriangleAllowance {
+ public:
+    /// 0: any number, as everywhere.
+    explicit TriangleAllowance(std::size_t most) : most_(most) {}
+
+    [[nodiscard]] std::size_t most() const { return most_; }
+    [[nodiscard]] bool is_limited() const { return most_ > 0; }
+    [[nodiscard]] bool has_room_after(std::size_t drawn) const {
+        return !is_limited() || drawn < most_;
+    }
+    [[nodiscard]] TriangleAllowance half() const { return TriangleAllowance((most_ + 1) / 2); }
+    [[nodiscard]] TriangleAllowance share(double part) const {
+        return at_least_one(static_cast<std::size_t>(part * static_cast<double>(most_)));
+    }
+    [[nodiscard]] TriangleAllowance rest_after(std::size_t drawn) const {
+        return at_least_one(most_ - std::min(most_, drawn));
+    }
+    /// What another does not need, of which so many were drawn.
+    void take_over(const TriangleAllowance& other, std::size_t drawn) {
+        if (other.is_limited()) most_ += other.most_ - std::min(other.most_, drawn);
+    }
+
+ private:
+    [[nodiscard]] TriangleAllowance at_least_one(std::size_t most) const {
+        return TriangleAllowance(is_limited() ? std::max<std::size_t>(1, most) : 0);
+    }
+
+    std::size_t most_;
+};
 
 /// How many of all triangles that may be drawn each layer may have: as its share of what all of
-/// them cover. 0: any number.
-std::vector<std::size_t> most_of_layers(const std::vector<std::vector<FacePolygon>>& layers,
-                                        std::size_t most) {
+/// them cover.
+std::vector<TriangleAllowance> allowances_of(const std::vector<std::vector<FacePolygon>>& layers,
+                                             const TriangleAllowance& all) {
     std::vector<double> areas_px2;
     for (const std::vector<FacePolygon>& layer : layers) areas_px2.push_back(covered_px2(layer));
     const double whole_px2 = std::accumulate(areas_px2.begin(), areas_px2.end(), 0.0);
-    std::vector<std::size_t> shares;
-    for (const double area : areas_px2) {
-        const auto share =
-            static_cast<std::size_t>(area / std::max(whole_px2, 1.0) * static_cast<double>(most));
-        shares.push_back(most == 0 ? 0 : std::max<std::size_t>(1, share));
-    }
+    std::vector<TriangleAllowance> shares;
+    for (const double area : areas_px2)
+        shares.push_back(all.share(area / std::max(whole_px2, 1.0)));
     return shares;
 }
 
@@ -89,37 +111,37 @@ std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout, const Searc
     const std::vector<std::vector<FacePolygon>> polygons = polygons_of_layers(layout.mesh, eye);
     const OutlineCells outlines(layout, views, views_of(polygons), eye);
     const auto subdivided = [&](const std::vector<FacePolygon>& of_layer,
-                                const PatchSampler::Options& sampling, std::size_t most) {
+                                const PatchSampler::Options& sampling,
+                                const TriangleAllowance& allowed) {
         AdaptiveSubdivisionOptions subdivision = subdivision_options(layout, options);
-        subdivision.max_triangles = most;
+        subdivision.max_triangles = allowed.most();
         return subdivider.subdivide(of_layer, search, plane, sampling, subdivision, outlines)
             .triangles;
     };
+    const TriangleAllowance all(options.max_triangles);
     BlendTriangles thin;
     if (layout.drawing.draws_thin && !options.fade_beyond_capture)
-        thin = thin_triangles(layout, views, eye, search, half_of(options.max_triangles));
-    std::vector<std::size_t> most =
-        most_of_layers(polygons, rest_of(options.max_triangles, thin.count()));
+        thin = thin_triangles(layout, views, eye, search, all.half().most());
+    std::vector<TriangleAllowance> allowed = allowances_of(polygons, all.rest_after(thin.count()));
     std::vector<BlendTriangles> layers(polygons.size());
     PatchSampler::Options sampling = sampling_options(options);
     if (layers.size() > 1)
         sampling.before_shell = three_with_repeats(choose_depth_views(layout, eye, 3));
     for (std::size_t shell = 1; shell < layers.size(); ++shell) {
-        layers[shell] = without_unseen(subdivided(polygons[shell], sampling, most[shell]));
-        // What it does not need is the mesh's.
-        if (most[shell] > 0) most[0] += most[shell] - std::min(most[shell], layers[shell].count());
+        layers[shell] = without_unseen(subdivided(polygons[shell], sampling, allowed[shell]));
+        allowed[0].take_over(allowed[shell], layers[shell].count());
     }
     sampling.before_shell.reset();
-    layers[0] = subdivided(polygons[0], sampling, most[0]);
+    layers[0] = subdivided(polygons[0], sampling, allowed[0]);
     const std::vector<UnseenTriangle> partly_seen =
         draw_unseen(layout, eye, search, plane, sampling, layers[0]);
     // Guesses are not laid over anything, nor is what fades: what it fades over would show through.
     BlendTriangles parts;
-    const bool has_room = most[0] == 0 || layers[0].count() < most[0];
+    const bool has_room = allowed[0].has_room_after(layers[0].count());
     if (search.has_depth() && !options.fade_beyond_capture && has_room)
         parts = seen_parts(partly_seen, layers[0].vertices, {search, plane, sampling},
                            {.long_edge_px = 2 * subdivision_options(layout, options).min_edge_px,
-                            .max_parts = rest_of(most[0], layers[0].count())});
+                            .max_parts = allowed[0].rest_after(layers[0].count()).most()});
     keep_own_surfaces(search, layers[0]);
     if (thin.count() > 0) layers.insert(layers.begin() + 1, std::move(thin));
     if (parts.count() > 0) layers.insert(layers.begin() + 1, std::move(parts));
@@ -140,15 +162,16 @@ bool Adaptive::is_made_for(const Eye& eye, const RenderOptions& options) const {
 }
 
 DrawStatistics Adaptive::draw(const Eye& eye, const RenderOptions& options, const Viewport&) {
-    if (!is_made_for(eye, options)) {
-        made_for_.reset();
+    const bool are_kept = is_made_for(eye, options);
+    if (!are_kept) {
+        forget_frame();
         layers_ =
             adaptive_layers(uploaded_.layout, uploaded_.searched_views, eye, options, subdivider_);
         made_for_ = Request{eye, options};
     }
     const bool has_surroundings = are_surroundings_drawn(options);
     if (has_surroundings) draw_surroundings(eye, options);
-    DrawStatistics statistics;
+    DrawStatistics statistics{.are_triangles_kept = are_kept};
     Behind behind = options.fade_beyond_capture ? Behind::kBlack
                     : has_surroundings          ? Behind::kSurroundings
                                                 : Behind::kNothing;

@@ -34,6 +34,7 @@ class Adaptive : public DrawingMode {
     explicit Adaptive(const UploadedLumigraph& uploaded);
     DrawStatistics draw(const Eye& eye, const RenderOptions& options,
                         const Viewport& viewport) override;
+    void forget_frame() override { made_for_.reset(); }
 
  private:
     /// What layers of triangles were made for.

@@ -1,11 +1,19 @@
 #include "render/painters/picture_program.h"
 
+#include <string>
 #include <utility>
 
 #include "render/gl/to_glm.h"
 #include "render/shaders/shader_sources.h"
 
 namespace lumi {
+namespace {
+
+std::string definition(const char* name, DebugPicture picture) {
+    return std::string(name) + ' ' + std::to_string(static_cast<int>(picture));
+}
+
+}  // namespace
 
 PictureProgram::PictureProgram(std::string name, std::vector<std::string_view> sources,
                                std::vector<std::string> definitions)
@@ -22,7 +30,12 @@ const Program& PictureProgram::use(const UploadedLumigraph& uploaded, const Eye&
         versions_[options.supersample ? 1 : 0][is_debug ? 1 : 0][lod > 0 ? 1 : 0];
     if (!program) {
         std::vector<std::string> definitions = definitions_;
-        if (is_debug) definitions.emplace_back("DEBUG_PICTURE");
+        if (is_debug)
+            definitions.insert(definitions.end(),
+                               {"DEBUG_PICTURE", definition("SHOW_WEIGHTS", DebugPicture::kWeights),
+                                definition("SHOW_FACES", DebugPicture::kFaces),
+                                definition("SHOW_DEPTH", DebugPicture::kDepth),
+                                definition("SHOW_CONFIDENCE", DebugPicture::kConfidence)});
         if (options.supersample) definitions.emplace_back("FOUR_SAMPLES");
         if (lod > 0) definitions.emplace_back("MIP_LEVELS");
         program.emplace(name_, sources_, definitions);

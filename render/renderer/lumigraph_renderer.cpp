@@ -94,6 +94,11 @@ DrawStatistics LumigraphRenderer::draw(const Eye& eye, const RenderOptions& want
     return statistics;
 }
 
+void LumigraphRenderer::forget_frame() {
+    for (const auto& [name, mode] : implementation_->modes)
+        if (mode) mode->forget_frame();
+}
+
 void LumigraphRenderer::choose(const DrawingChoices& drawing) {
     if (drawing == implementation_->uploaded.layout.drawing) return;
     implementation_->uploaded.choose(drawing);

@@ -33,6 +33,11 @@ class LumigraphRenderer {
     /// test are off afterwards, no program and no vertex array are bound.
     DrawStatistics draw(const Eye& eye, const RenderOptions& options, const Viewport& viewport);
 
+    /// Makes the next frame cost what a moving eye's does: an eye that stands still is drawn from
+    /// what the frame before took, which is the same picture for less. Whoever times frames forgets
+    /// each before the next.
+    void forget_frame();
+
     /// Draws from now on as if the Lumigraph had come with these choices, which must be within
     /// their limits. Photographs and depth maps stay uploaded; what a mode makes of the choices is
     /// made anew by the next frame. Where this throws, nothing has changed.

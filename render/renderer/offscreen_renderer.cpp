@@ -45,6 +45,11 @@ Frame OffscreenRenderer::draw(const Eye& eye, const RenderOptions& options) {
     return frame;
 }
 
+void OffscreenRenderer::forget_frame() {
+    implementation_->context.make_current();
+    implementation_->drawing->renderer.forget_frame();
+}
+
 std::string OffscreenRenderer::gl_description() const {
     implementation_->context.make_current();
     return query_capabilities().description;

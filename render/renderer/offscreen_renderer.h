@@ -23,6 +23,8 @@ class OffscreenRenderer {
     /// LumigraphRenderer::choose. Throws Error (E-GL-CONTEXT).
     void choose(const DrawingChoices& drawing);
     [[nodiscard]] Frame draw(const Eye& eye, const RenderOptions& options);
+    /// LumigraphRenderer::forget_frame.
+    void forget_frame();
     /// GL_RENDERER and GL_VERSION, for reports.
     [[nodiscard]] std::string gl_description() const;
 

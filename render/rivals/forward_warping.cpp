@@ -11,6 +11,8 @@
 namespace lumi {
 namespace {
 
+constexpr double kMostMagnified = 8.0;
+
 /// What has arrived at a pixel.
 struct Arrived {
     double inverse_depth = -1.0;
@@ -40,7 +42,8 @@ void warp(const LumigraphView& view, const Eye& eye, double weight,
             const auto at = eye_from_view.at(pixel, q);
             if (!at || at->pixel.cwiseAbs().maxCoeff() > 1e6) continue;
             const Eigen::Vector2d& there = at->pixel;
-            const double splat_px = options.splat_px * std::max(1.0, zoom / at->depth_ratio);
+            const double splat_px =
+                options.splat_px * std::clamp(zoom / at->depth_ratio, 1.0, kMostMagnified);
             const auto first = [&](double place) {
                 return static_cast<int>(std::max(0.0, std::ceil(place - splat_px - 0.5)));
             };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calib/capture/calibration_matrix.h"
+#include "meshing/rivals/heigl_weights.h"
 #include "render/rivals/planar_delaunay.h"
 #include "render/transfer/polygon_clipping.h"
 
@@ -37,7 +38,8 @@ std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& e
     std::vector<int> view_of_point;
     for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
         const Rigid3& cam_from_world = lumigraph.views[i].cam_from_world;
-        if (optical_axis_in_world(cam_from_world).dot(eye_axis_in_world) <= 0) continue;
+        if (optical_axis_in_world(cam_from_world).dot(eye_axis_in_world) < kHeiglLeastCosine)
+            continue;
         Eigen::Vector3d in_eye = eye.cam_from_world * centre_in_world(cam_from_world);
         const double closest = kAtCamera * scene_distance;
         if (in_eye.norm() < closest) return {picture_of(static_cast<int>(i), eye)};

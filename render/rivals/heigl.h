@@ -9,10 +9,10 @@ namespace lumi {
 /// each pixel: the optical centres are projected into the eye's picture and triangulated there
 /// anew for each frame; within a triangle the views of its corners are blended with barycentric
 /// weights. What lies outside of all triangles is not drawn. The same ray seen from another place
-/// may be blended from other views, which the paper's static mesh avoids. Views that face the other
-/// way are left out. Where the eye is at a camera, which has no place in the picture, all of it is
-/// that camera's. An eye in a camera's plane is taken to be a millionth of the scene's distance
-/// beside it.
+/// may be blended from other views, which the paper's static mesh avoids. Views that look
+/// elsewhere are left out (kHeiglLeastCosine). Where the eye is at a camera, which has no place in
+/// the picture, all of it is that camera's. An eye in a camera's plane is taken to be a millionth
+/// of the scene's distance beside it.
 [[nodiscard]] std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& eye);
 
 /// Whether depth corrects these polygons: where there is some, and no focal surface is asked for.

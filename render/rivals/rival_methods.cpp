@@ -25,13 +25,19 @@ std::string depth_that_lacks(const Lumigraph& lumigraph) {
            " photographs have no depth, which it draws from";
 }
 
-/// The axes of all are within a right angle of their mean, so that all look to one side of a plane.
+/// Cosine of 60 degrees: the plane across the mean axis is then seen at no less than 30.
+constexpr double kLeastCosine = 0.5;
+
+/// No axis is far from the mean of all. That all look to one side of a plane would not be enough:
+/// cameras all around that look down a little have their mean straight down, to one side of which
+/// all look, and the plane across it is the one that they stand in.
 bool can_one_plane_stand_before_all(const Lumigraph& lumigraph) {
     Eigen::Vector3d mean_axis = Eigen::Vector3d::Zero();
     for (const LumigraphView& view : lumigraph.views)
         mean_axis += optical_axis_in_world(view.cam_from_world);
     return std::all_of(lumigraph.views.begin(), lumigraph.views.end(), [&](const auto& view) {
-        return optical_axis_in_world(view.cam_from_world).dot(mean_axis) > 0;
+        return optical_axis_in_world(view.cam_from_world).dot(mean_axis) >
+               kLeastCosine * mean_axis.norm();
     });
 }
 

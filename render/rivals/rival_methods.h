@@ -40,7 +40,7 @@ struct ResampledRival {
                                    const Eye& eye);
 
 /// Two-plane, with about as many pictures as there are photographs: one slab where all cameras look
-/// to one side of a plane, within a right angle of their mean axis; else six. Spherical where they
+/// within 60 degrees of their mean axis; else six. Spherical where they
 /// do not, with the number of directions that is nearest to the number of photographs. Pictures
 /// have as many pixels as the median photograph and show as much; those of a slab have its shape,
 /// others are square.

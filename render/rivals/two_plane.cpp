@@ -54,7 +54,11 @@ std::vector<Eigen::Vector3d> centres_of(const Lumigraph& source) {
     return centres;
 }
 
-/// The plane across the mean of the cameras' axes.
+/// Less than this of an axis across another is none.
+constexpr double kNoDirection = 1e-3;
+
+/// The plane across the mean of the cameras' axes, with their mean down; cameras all around the
+/// axis have none, of which the first's counts.
 PlaneFrame plane_of(const Lumigraph& source) {
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     Eigen::Vector3d down = Eigen::Vector3d::Zero();
@@ -62,7 +66,10 @@ PlaneFrame plane_of(const Lumigraph& source) {
         axis += view.cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitZ();
         down += view.cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitY();
     }
-    return {rotation_with_axis(axis.normalized(), down), source.mesh.scene_centre_in_world};
+    axis.normalize();
+    if (axis.cross(down).norm() < kNoDirection * static_cast<double>(source.views.size()))
+        down = source.views.front().cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitY();
+    return {rotation_with_axis(axis, down), source.mesh.scene_centre_in_world};
 }
 
 Eigen::AlignedBox3d extent_on(const PlaneFrame& plane,

@@ -13,6 +13,16 @@ uniform vec4 layer_views[16];
 // nothing. See depth_kind_ranges.h.
 const float kKindStep = 0.33;
 const float kKindWidth = 0.32;
+// From here on in the depth buffer, which ends at 1, nothing is known.
+const float kNothing = 0.995;
+// Kinds are whole numbers, of which these lie above: what was seen; that or filled; all that is
+// known.
+const float kSeen = 0.5;
+const float kSeenOrFilled = 1.5;
+const float kKnown = 2.5;
+// As if in the depth buffer: last of all in any order, and more than any that is not last.
+const float kLast = 9.0;
+const float kNotLast = 4.0;
 // Where a view knows nothing: as far as can be from any inverse depth.
 const float kNowhere = -1e9;
 
@@ -61,7 +71,7 @@ vec4 alone(vec4 depths) {
 vec4 seen_in_layers(vec4 depths) {
     vec4 kinds = step(kKindStep, depths) + step(2.0 * kKindStep, depths);
     vec4 inverse_depths = max_inverse_depth * (1.0 - (depths - kKindStep * kinds) / kKindWidth);
-    return mix(inverse_depths, vec4(kNowhere), greaterThan(kinds, vec4(1.5)));
+    return mix(inverse_depths, vec4(kNowhere), greaterThan(kinds, vec4(kSeenOrFilled)));
 }
 
 // The nearest depth that two views agree on, or else the nearest; only the most reliable kind
@@ -72,13 +82,15 @@ vec4 seen_in_layers(vec4 depths) {
 // (depth_layers.h).
 Depth agreed_depth(vec4 depths) {
     float nearest = smallest(depths);
-    float kind = step(kKindStep, nearest) + step(2.0 * kKindStep, nearest) + step(0.995, nearest);
-    float preferred = kind < 0.5 ? 1.0 : -1.0;
+    float kind = step(kKindStep, nearest) + step(2.0 * kKindStep, nearest) + step(kNothing, nearest);
+    float preferred = kind < kSeen ? 1.0 : -1.0;
     // Nothing of another kind is chosen.
-    vec4 order = mix(vec4(9.0), preferred * depths, lessThan(depths, vec4(kKindStep * (kind + 1.0))));
-    float first_agreed = smallest(order + 9.0 * alone(depths));
-    float support = first_agreed < 4.0 ? 2.0 : 1.0;
-    vec4 agreeing = agree(depths, preferred * (support > 1.5 ? first_agreed : smallest(order)));
+    vec4 order =
+        mix(vec4(kLast), preferred * depths, lessThan(depths, vec4(kKindStep * (kind + 1.0))));
+    float first_agreed = smallest(order + kLast * alone(depths));
+    bool has_agreed = first_agreed < kNotLast;
+    float support = has_agreed ? 2.0 : 1.0;
+    vec4 agreeing = agree(depths, preferred * (has_agreed ? first_agreed : smallest(order)));
     int layer = agreeing.x > 0.0 ? 0 : agreeing.y > 0.0 ? 1 : agreeing.z > 0.0 ? 2 : 3;
     float depth = dot(agreeing, depths) / dot(agreeing, vec4(1.0)) - kKindStep * kind;
     return Depth(max_inverse_depth * max(0.0, 1.0 - depth / kKindWidth), kind, support, layer,

@@ -82,7 +82,7 @@ void main() {
                  is_known);
 #ifdef KNOWN_ALONE
     // White, as in per_pixel.glsl: none of those that should see it does.
-    if (debug_picture == 1) drawn.rgb = vec3(1.0);
+    if (debug_picture == SHOW_WEIGHTS) drawn.rgb = vec3(1.0);
 #endif
 #elif LOOKUPS == 1
     drawn = vec4(is_seen * color0.rgb, is_known);

@@ -43,11 +43,12 @@ vec4 settled_depths(ivec2 texel) {
     for (int number = 0; number < LAYERS; ++number) {
         float nearest = smallest(depths);
         vec4 at_nearest = agree(depths, nearest);
-        if (nearest >= kKindStep || dot(at_nearest, vec4(1.0)) > 1.5) return depths;
+        bool is_alone = dot(at_nearest, vec4(1.0)) < 1.5;
+        if (nearest >= kKindStep || !is_alone) return depths;
         vec4 is_seen = vec4(lessThan(depths, vec4(kKindStep)));
-        float first_agreed = smallest(mix(vec4(9.0), depths, is_seen) + 9.0 * alone(depths));
+        float first_agreed = smallest(mix(vec4(kLast), depths, is_seen) + kLast * alone(depths));
         vec4 ray = vec4(vec2(texel) + 0.5, 1.0, max_inverse_depth * (1.0 - nearest / kKindWidth));
-        if (first_agreed < 4.0) {
+        if (first_agreed < kNotLast) {
             vec4 behind = agree(depths, first_agreed);
             float agreed = max_inverse_depth * (1.0 - first_agreed / kKindWidth);
             float nearest_seen = agreed <= kAgreeing ? kAgreeing : kAnywhere;

@@ -83,7 +83,7 @@ vec4 drawn_at(Blend blend, vec2 from_centre_px) {
     float pure = counting + dot(blend.weights, step(near_inverse_depth * disparity_and_face.xyz,
                                                     vec3(kMostParallax_px)));
     // What none of the three sees and no view has seen is drawn as a guess too.
-    float is_known = blend.is_guess || (blend.is_unseen && blend.depth.kind > 1.5) ? 0.0 : 1.0;
+    float is_known = blend.is_guess || (blend.is_unseen && blend.depth.kind > kSeenOrFilled) ? 0.0 : 1.0;
     float covered = is_known * (blend.is_unseen ? 1.0 : step(kLeastCounting * blend.sum, pure));
     weights = blend.is_unseen ? vec3(1.0, 0.0, 0.0) : weights * (1.0 / max(counting, 1e-9));
 #ifdef FADES
@@ -92,12 +92,12 @@ vec4 drawn_at(Blend blend, vec2 from_centre_px) {
 #endif
 #ifdef DEBUG_PICTURE
     // Two views agree: 1; one has seen it: 0.5; filled: 0.25; stretched: 0.125; a guess: 0.
-    float confidence = blend.depth.kind < 0.5   ? 0.5 * blend.depth.support
-                       : blend.depth.kind < 1.5 ? 0.25
-                       : blend.is_guess         ? 0.0
-                                                : 0.125;
+    float confidence = blend.depth.kind < kSeen           ? 0.5 * blend.depth.support
+                       : blend.depth.kind < kSeenOrFilled ? 0.25
+                       : blend.is_guess                   ? 0.0
+                                                          : 0.125;
     // White: none of the three sees the point.
-    bool is_marked = blend.is_unseen && debug_picture == 1;
+    bool is_marked = blend.is_unseen && debug_picture == SHOW_WEIGHTS;
     vec3 shown = is_marked ? vec3(1.0)
                            : debug_color(weights, layers_and_face(), blend.inverse_depth,
                                          confidence, blend.is_unseen ? 1.0 : 1.0 - blend.sum);
@@ -120,7 +120,7 @@ Blend blend_at(vec2 window, Depth depth) {
     Blend blend;
     blend.depth = depth;
     // Where no depth is known the scene plane is a guess: drawn, but not counted as covered.
-    blend.is_guess = depth.kind > 2.5;
+    blend.is_guess = depth.kind > kKnown;
     float q = blend.is_guess ? max(0.0, side_products_and_plane.w) : depth.inverse_depth;
     blend.inverse_depth = q;
     // Not in the choices below, behind which derivatives are undefined.
@@ -143,7 +143,7 @@ Blend blend_at(vec2 window, Depth depth) {
     blend.is_unseen = blend.sum < kLeastWeight;
     // What is stretched over a tear is steep: the next pixel of the block is much farther, and shows
     // nearly the same, not what is beside it at this depth.
-    bool is_stretched = depth.kind > 1.5 && !blend.is_guess;
+    bool is_stretched = depth.kind > kSeenOrFilled && !blend.is_guess;
     float per_pixel = is_stretched ? 0.0 : 1.0 / kFragment_px;
     blend.place0 = place_of(
         chosen(blend.is_unseen, in_view_of_layer(depth.layer, window, q), view0), per_pixel);

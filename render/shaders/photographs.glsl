@@ -48,7 +48,7 @@ vec2 place_at_centre(vec2 on_layer) {
 #endif
 
 #ifdef DEBUG_PICTURE
-uniform int debug_picture;         // DebugPicture in frame.h
+uniform int debug_picture;         // DebugPicture in frame.h, of which some are defined: SHOW_...
 uniform vec2 inverse_depth_range;  // far, near: black and white in the depth picture
 
 // A colour for an index; neighbours differ (golden ratio).
@@ -58,16 +58,16 @@ vec3 index_color(float index) {
 
 vec3 debug_color(vec3 weights, vec4 layers_and_face, float inverse_depth, float confidence,
                  float occluded) {
-    if (debug_picture == 1)
+    if (debug_picture == SHOW_WEIGHTS)
         return weights.x * index_color(layers_and_face.x) +
                weights.y * index_color(layers_and_face.y) +
                weights.z * index_color(layers_and_face.z);
-    if (debug_picture == 2) return index_color(layers_and_face.w);
-    if (debug_picture == 3)
+    if (debug_picture == SHOW_FACES) return index_color(layers_and_face.w);
+    if (debug_picture == SHOW_DEPTH)
         return vec3(clamp((inverse_depth - inverse_depth_range.x) /
                               (inverse_depth_range.y - inverse_depth_range.x),
                           0.0, 1.0));
-    return vec3(debug_picture == 4 ? confidence : occluded);
+    return vec3(debug_picture == SHOW_CONFIDENCE ? confidence : occluded);
 }
 #endif
 #endif

@@ -40,7 +40,7 @@ out vec4 drawn;
 void main() {
 #ifdef DEBUG_PICTURE
     // In debug pictures the three passes add up as the photographs do.
-    drawn = vec4(debug_picture == 1 ? index_color(layer)
+    drawn = vec4(debug_picture == SHOW_WEIGHTS ? index_color(layer)
                                     : debug_color(vec3(0.0), layers_and_face,
                                                   inverse_depth_and_confidence.x,
                                                   inverse_depth_and_confidence.y,

@@ -22,8 +22,8 @@ struct PaperSubdivisionOptions {
 /// is split in four while the depths at its corners and its centre differ, or some of these four
 /// rays miss the scene, between a largest and a smallest size; triangles whose rays all miss are
 /// left out. Edges that only a neighbour split, in the same patch or in the next, are split in turn
-/// (T-vertex removal). Whether a view sees a vertex is yes or no, with a tolerance between depths
-/// (DrawingChoices::occlusion_tolerance_px).
+/// (T-vertex removal). Whether a view sees a vertex is yes or no: it does while depths differ by
+/// less than twice DrawingChoices::occlusion_tolerance_px, where the ramp of other modes ends.
 ///
 /// What the paper leaves open: of smallest triangles of which rays miss the scene those are drawn
 /// whose centre meets it, their other vertices on the scene plane. Depth comes from the views'

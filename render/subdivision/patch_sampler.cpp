@@ -102,13 +102,15 @@ std::array<double, 3> PatchSampler::visibilities(const std::optional<RayHit>& hi
 /// photographs that hold the point.
 void PatchSampler::correct_occlusion(const std::array<double, 3>& visible,
                                      PatchSample& sample) const {
-    sample.occluded = occluded_share(sample.ray_weights, visible);
     if (options_.by_the_paper) {
-        sample.weights = redistributed_by_the_paper(
-            sample.ray_weights, {visible[0] > 0, visible[1] > 0, visible[2] > 0});
+        const std::array<bool, 3> sees{visible[0] > 0, visible[1] > 0, visible[2] > 0};
+        sample.occluded = occluded_share(
+            sample.ray_weights, {sees[0] ? 1.0 : 0.0, sees[1] ? 1.0 : 0.0, sees[2] ? 1.0 : 0.0});
+        sample.weights = redistributed_by_the_paper(sample.ray_weights, sees);
         if (sample.weights == std::array<double, 3>{}) sample.confidence = 0;
         return;
     }
+    sample.occluded = occluded_share(sample.ray_weights, visible);
     if (const auto weights = redistributed(sample.ray_weights, visible)) {
         sample.weights = *weights;
         return;

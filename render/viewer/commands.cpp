@@ -209,7 +209,18 @@ void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
         case Command::kQuit:
             state.wants_to_close = true;
             break;
-        default:
+        // These are the modes' and the pictures', above.
+        case Command::kLightField:
+        case Command::kPerPixel:
+        case Command::kAdaptive:
+        case Command::kPaper2001:
+        case Command::kHeigl:
+        case Command::kShowWeights:
+        case Command::kShowFaces:
+        case Command::kShowDepth:
+        case Command::kShowConfidence:
+        case Command::kShowOcclusion:
+        case Command::kShowGrid:
             break;
     }
 }

@@ -14,7 +14,8 @@ struct FrameStatistics {
     std::size_t triangles = 0;
     std::vector<float> recent_frames_ms;  ///< The oldest first.
     std::string gl_description;
-    std::string message;  ///< The last thing that happened, or failed.
+    std::string message;    ///< The last thing that happened, or failed.
+    std::string recording;  ///< Of a path, while it is recorded.
 };
 
 }  // namespace lumi

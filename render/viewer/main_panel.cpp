@@ -44,7 +44,7 @@ std::string words_for(DebugPicture picture) {
     return picture == DebugPicture::kNone ? "the picture" : "show " + name_of(picture);
 }
 
-void show_picture(ViewerState& state) {
+void show_picture(const Lumigraph& lumigraph, ViewerState& state) {
     RenderOptions& render = state.render;
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (ImGui::BeginCombo("##picture", words_for(render.debug_picture).c_str())) {
@@ -55,7 +55,7 @@ void show_picture(ViewerState& state) {
         ImGui::EndCombo();
     }
     const std::string in_mode = "in " + name_of(render.mode);
-    checkbox("occlusion correction", corrects_occlusion(render.mode), in_mode,
+    checkbox("occlusion correction", corrects_occlusion(lumigraph, render), in_mode,
              render.correct_occlusion);
     checkbox("fade beyond the capture", !is_of_a_paper(render.mode), in_mode,
              render.fade_beyond_capture);
@@ -183,7 +183,7 @@ void show_main_panel(const Lumigraph& lumigraph, const std::vector<HeldOutView>&
     if (ImGui::Begin("lumi", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
         constexpr ImGuiTreeNodeFlags kOpen = ImGuiTreeNodeFlags_DefaultOpen;
         if (ImGui::CollapsingHeader("mode", kOpen)) show_modes(state.render);
-        if (ImGui::CollapsingHeader("picture", kOpen)) show_picture(state);
+        if (ImGui::CollapsingHeader("picture", kOpen)) show_picture(lumigraph, state);
         if (ImGui::CollapsingHeader("photographs", kOpen)) {
             show_photographs(lumigraph, state);
             show_plan(lumigraph, state);

@@ -53,12 +53,17 @@ float show_status(const std::string& text) {
     return height;
 }
 
+/// What there is to tell, side by side.
+std::string beside(const std::string& one, const std::string& other) {
+    return one + (one.empty() || other.empty() ? "" : " | ") + other;
+}
+
 std::string status_text(const FrameStatistics& statistics) {
     std::array<char, 128> figures{};
     std::snprintf(figures.data(), figures.size(),
                   "H: keys and mouse | %.1f ms, %zu triangles, %d x %d pixels", statistics.frame_ms,
                   statistics.triangles, statistics.width_px, statistics.height_px);
-    return figures.data() + (statistics.message.empty() ? "" : " | " + statistics.message);
+    return beside(beside(figures.data(), statistics.recording), statistics.message);
 }
 
 /// What to press, and what it does: of the mouse, and of all keys, those of a command together.
@@ -136,8 +141,8 @@ void Panels::draw(const Lumigraph& lumigraph, const std::vector<HeldOutView>& he
     if (state.shows_panel) {
         const float status_height = show_status(status_text(statistics));
         show_main_panel(lumigraph, held_out, overlay.has_value(), statistics, status_height, state);
-    } else if (is_news) {
-        show_status(message_);
+    } else if (is_news || !statistics.recording.empty()) {
+        show_status(beside(statistics.recording, is_news ? message_ : ""));
     }
     if (state.shows_help) show_help(state.shows_help);
     ImGui::Render();

@@ -134,11 +134,13 @@ void ViewerWindow::Implementation::give_back_at_rest() {
 }
 
 void ViewerWindow::Implementation::record_path() {
-    const std::string message =
-        state.records_path
-            ? recording.append(state.navigation.eye, size_px.x(), size_px.y(), now_s())
-            : recording.end(kWrittenInto);
-    if (!message.empty()) statistics.message = message;
+    statistics.recording.clear();
+    if (state.records_path) {
+        statistics.recording =
+            recording.append(state.navigation.eye, size_px.x(), size_px.y(), now_s());
+    } else if (const std::string message = recording.end(kWrittenInto); !message.empty()) {
+        statistics.message = message;
+    }
     state.has_path = !state.records_path && !recording.path().empty();
 }
 

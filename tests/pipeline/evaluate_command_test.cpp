@@ -125,6 +125,12 @@ TEST_F(EvaluateCommand, SaysOfWhichPhotographsItIs) {
     EXPECT_THAT(refused.talk, HasSubstr("E-EVAL-DISJOINT: IMG_0005.png: 120 x 90 pixels in A"));
 }
 
+TEST_F(EvaluateCommand, TakesModesWithCommasBetween) {
+    const Outcome refused = lumi("evaluate --mode adaptive,shiny " + quoted(workspace()));
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.talk, HasSubstr("there is no mode named shiny"));
+}
+
 TEST_F(EvaluateCommand, OptionsThatDoNotApplyAreRefused) {
     configure("");
     for (const char* options :

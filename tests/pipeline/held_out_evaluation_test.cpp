@@ -13,7 +13,11 @@
 #include "pipeline/evaluate/evaluation.h"
 #include "pipeline/evaluate/evaluation_comparison.h"
 #include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/evaluate/filled_alike.h"
 #include "pipeline/evaluate/ghost_energy.h"
+#include "pipeline/evaluate/image_metrics.h"
+#include "render/lumigraph/even_exposure.h"
+#include "render/surroundings/surroundings.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/truth/textured_box_scene.h"
 
@@ -294,14 +298,16 @@ TEST_F(HeldOutEvaluation, RivalsDrawTheSamePhotographsAndAreKept) {
     const ScratchFolder scratch;
     SilentProgress progress;
     const int middle = textured_box_view(1, 1);
+    const std::set<std::string> with_depth{"unstructured lumigraph", "view-dependent texture",
+                                           "forward warping"};
     std::set<std::string> kept;
     const RivalEvaluation rivals = evaluate_rivals(
         exact_lumigraph(*scene_, mesh()), posed(scratch, {middle}), {}, 1,
-        [&](const std::string& method, bool covers_by_depth, const JudgedView& view) {
+        [&](const std::string& method, bool has_say, const JudgedView& view) {
             kept.insert(method);
-            const bool has_no_depth =
-                method == "two-plane lightfield" || method == "dynamically reparameterized";
-            EXPECT_EQ(covers_by_depth, !has_no_depth) << method;
+            // What is resampled covers no more than its pictures show.
+            EXPECT_EQ(has_say, with_depth.contains(method)) << method;
+            EXPECT_FALSE(view.rendering.statistics.are_triangles_kept) << method;
             EXPECT_EQ(view.rendering.color.width(), 160) << method;
         },
         progress);
@@ -322,6 +328,51 @@ TEST_F(HeldOutEvaluation, RivalsDrawTheSamePhotographsAndAreKept) {
     }
     ASSERT_EQ(rivals.left_out.size(), 1U);
     EXPECT_EQ(rivals.left_out[0].method, "spherical");
+}
+
+/// A frame that nothing is drawn into, or all of the photograph.
+JudgedView judged_frame(const PosedPhotographs& held_out, bool is_covered) {
+    JudgedView view;
+    view.score.name = held_out.capture.views[0].name;
+    view.photograph = read_color_image(held_out.picture_paths[0]);
+    view.rendering = empty_frame(camera_of(held_out.capture, held_out.capture.views[0]));
+    if (!is_covered) return view;
+    view.rendering.color = view.photograph;
+    for (std::uint8_t& coverage : view.rendering.coverage.pixels()) coverage = 255;
+    return view;
+}
+
+TEST_F(HeldOutEvaluation, WhatAMethodDoesNotCoverIsFilledBeforeItIsComparedWithOthers) {
+    const ScratchFolder scratch;
+    Lumigraph lumigraph = exact_lumigraph(*scene_, mesh());
+    lumigraph.evened_falloff = 0.2;
+    const int middle = textured_box_view(1, 1);
+    const PosedPhotographs held_out = posed(scratch, {middle});
+    FilledAlike filled_alike(lumigraph, held_out);
+    filled_alike.add("perpixel", true, judged_frame(held_out, true));
+    filled_alike.add("heigl", false, judged_frame(held_out, false));
+    Evaluation evaluation;
+    evaluation.modes = {{RenderMode::kPerPixel, {}, {}, {}}, {RenderMode::kHeigl, {}, {}, {}}};
+    evaluation.rivals.emplace();
+    const CommonPixelScores scores = filled_alike.scores_of(evaluation);
+    EXPECT_EQ(scores.share, 1);
+    ASSERT_EQ(scores.methods.size(), 2U);
+    const Eye eye = eye_of(middle);
+    EXPECT_EQ(scores.methods[1].psnr_db.value(),
+              psnr_db(darkened_by_lens(surroundings_picture(lumigraph, eye), eye.camera, 0.2),
+                      read_color_image(held_out.picture_paths[0])));
+}
+
+TEST_F(HeldOutEvaluation, FramesAreTimedAsOfAMovingEye) {
+    const ScratchFolder scratch;
+    SilentProgress progress;
+    static_cast<void>(evaluate_held_out(
+        exact_lumigraph(*scene_, mesh()), posed(scratch, {textured_box_view(1, 1)}),
+        {.modes = {RenderMode::kAdaptive}, .ghost_energy = false, .timed_frames = 2},
+        [](RenderMode, const JudgedView& view) {
+            EXPECT_FALSE(view.rendering.statistics.are_triangles_kept);
+        },
+        progress));
 }
 
 TEST_F(HeldOutEvaluation, RivalsWithoutWhatTheyNeedAreLeftOutByName) {

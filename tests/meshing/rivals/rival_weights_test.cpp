@@ -60,6 +60,19 @@ TEST(HeiglFrame, TakesACameraBehindTheEyeForTheLineThroughBoth) {
     for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(behind[i], before[i], 1e-9) << i;
 }
 
+TEST(HeiglFrame, HearsNoCameraThatLooksMoreThan45DegreesAside) {
+    const Eigen::Vector3d eye(1.4, 1.6, -3);
+    const Rigid3 eye_from_world{Eigen::Quaterniond::Identity(), -eye};
+    const Points centres = grid();
+    const auto weight_of_aside = [&](double angle) {
+        Points axes(centres.size(), Eigen::Vector3d::UnitZ());
+        axes[5] = {std::sin(angle), 0, std::cos(angle)};
+        return HeiglFrame(centres, axes, eye_from_world).weights_towards(centres[5])[5];
+    };
+    EXPECT_NEAR(weight_of_aside(0.78), 1, 1e-12);
+    EXPECT_EQ(weight_of_aside(0.79), 0);
+}
+
 TEST(HeiglFrame, GivesACameraAllTheWeightWhereItStands) {
     const Points centres = grid();
     const Points axes(centres.size(), Eigen::Vector3d::UnitZ());

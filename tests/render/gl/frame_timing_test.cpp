@@ -171,8 +171,37 @@ TEST_F(FrameTimingGl, OcclusionIsCorrectedByModesWithDepth) {
     for (const RenderMode mode : all_render_modes()) {
         const Frame with = renderer.draw(eye, {.mode = mode});
         const Frame without = renderer.draw(eye, {.mode = mode, .correct_occlusion = false});
-        EXPECT_EQ(with.color != without.color, corrects_occlusion(mode)) << name_of(mode);
+        EXPECT_EQ(with.color != without.color, corrects_occlusion(lumigraph_, {.mode = mode}))
+            << name_of(mode);
     }
+}
+
+TEST_F(FrameTimingGl, OcclusionIsCorrectedByNoModeWithoutDepthOrOnAFocalPlane) {
+    Lumigraph without_depth = lumigraph_;
+    for (LumigraphView& view : without_depth.views) view.depth = {};
+    OffscreenRenderer renderer(without_depth);
+    const Eye eye = path_through_views(lumigraph_, 4, kWidthPx, kHeightPx)[1];
+    for (const RenderMode mode : all_render_modes()) {
+        EXPECT_FALSE(corrects_occlusion(without_depth, {.mode = mode})) << name_of(mode);
+        EXPECT_EQ(renderer.draw(eye, {.mode = mode}).color,
+                  renderer.draw(eye, {.mode = mode, .correct_occlusion = false}).color)
+            << name_of(mode);
+    }
+    EXPECT_FALSE(corrects_occlusion(lumigraph_,
+                                    {.mode = RenderMode::kHeigl, .focal_plane = {.depth = 4.0}}));
+}
+
+TEST_F(FrameTimingGl, AMovingEyesFrameIsMadeAnewAndIsTheSamePicture) {
+    OffscreenRenderer renderer(lumigraph_);
+    const Eye eye = path_through_views(lumigraph_, 4, kWidthPx, kHeightPx)[1];
+    const RenderOptions options{.mode = RenderMode::kAdaptive};
+    const Frame first = renderer.draw(eye, options);
+    EXPECT_FALSE(first.statistics.are_triangles_kept);
+    EXPECT_TRUE(renderer.draw(eye, options).statistics.are_triangles_kept);
+    renderer.forget_frame();
+    const Frame anew = renderer.draw(eye, options);
+    EXPECT_FALSE(anew.statistics.are_triangles_kept);
+    EXPECT_EQ(anew.color, first.color);
 }
 
 TEST_F(FrameTimingGl, TexturesHoldAllPhotographsAndDepthMaps) {

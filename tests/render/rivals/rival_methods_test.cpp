@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "render/rivals/spherical_light_field.h"
 #include "tests/render/analytic_scene.h"
@@ -44,6 +45,43 @@ TEST(RivalMethods, TwoPlaneIsOneSlabBeforeAWallAndSixAroundABall) {
     const Lumigraph ball = ball_in_sky();
     EXPECT_THAT(two_plane.reason_against(ball), IsEmpty());
     EXPECT_EQ(two_plane.layout(ball).eyes.size(), 6U * 4U) << "the least grid on each side";
+}
+
+/// A ring of sixteen cameras so high above the ball, which look at it. Down is +y.
+Lumigraph ring_above_ball(double elevation_deg) {
+    const double elevation = elevation_deg * std::numbers::pi / 180;
+    std::vector<Eye> cameras;
+    for (int i = 0; i < 16; ++i) {
+        const double azimuth = 2 * std::numbers::pi * i / 16 + 0.1;
+        cameras.push_back(eye_at(
+            4 * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth), -std::sin(elevation),
+                                std::cos(elevation) * std::sin(azimuth)),
+            {0, 0, 0}, pinhole_camera(64, 48, 60)));
+    }
+    Lumigraph ring = photographed(AnalyticScene::kBallInSky, cameras);
+    ring.mesh.construction = MeshConstruction::kClosed;
+    return ring;
+}
+
+TEST(RivalMethods, CamerasAllAroundThatLookDownALittleAreAllAround) {
+    for (const double elevation_deg : {0.5, 10.0, 25.0}) {
+        const Lumigraph ring = ring_above_ball(elevation_deg);
+        EXPECT_EQ(rival_named("two-plane").layout(ring).eyes.size(), 6U * 4U) << elevation_deg;
+        EXPECT_THAT(rival_named("spherical").reason_against(ring), IsEmpty()) << elevation_deg;
+    }
+}
+
+TEST(RivalMethods, ASlabBelowCamerasAllAroundItsAxisStandsAsTheFirstPhotograph) {
+    const Lumigraph ring = ring_above_ball(50);
+    const Eigen::Vector3d first_down =
+        ring.views[0].cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitY();
+    const LightFieldLayout slab = rival_named("two-plane").layout(ring);
+    ASSERT_EQ(slab.eyes.size(), 16U);
+    for (const Eye& eye : slab.eyes) {
+        EXPECT_NEAR(optical_axis_in_world(eye.cam_from_world).y(), 1, 1e-9);
+        EXPECT_NEAR((eye.cam_from_world.rotation * first_down).x(), 0, 1e-9);
+        EXPECT_GT((eye.cam_from_world.rotation * first_down).y(), 0);
+    }
 }
 
 TEST(RivalMethods, PicturesOfASlabAreLikeThePhotographsAndOthersSquareWithTheirPixels) {

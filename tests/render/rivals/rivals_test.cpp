@@ -170,5 +170,14 @@ TEST(ForwardWarping, LeavesNoHolesWhereTheFrameIsFinerThanThePhotographs) {
     EXPECT_EQ(uncovered_share(draw_forward_warping(lumigraph, eye, {.views = 1})), 0);
 }
 
+TEST(ForwardWarping, SpreadsNoSampleOverAllOfThePictureOfAnEyeThatTouchesASurface) {
+    const Lumigraph lumigraph = card_before_wall();
+    // The card's samples are thirty pixels apart here, and what is behind it no view has seen.
+    const Eye eye = eye_at({0, 0, 2.9}, {0, 0, 3}, lumigraph.views[8].camera);
+    const double uncovered = uncovered_share(draw_forward_warping(lumigraph, eye, {.views = 1}));
+    EXPECT_GT(uncovered, 0.5);
+    EXPECT_LT(uncovered, 1);
+}
+
 }  // namespace
 }  // namespace lumi

@@ -14,6 +14,7 @@
 #include "render/subdivision/coarse_triangles.h"
 #include "render/subdivision/edge_table.h"
 #include "render/subdivision/paper_subdivision.h"
+#include "render/subdivision/patch_sampler.h"
 #include "render/transfer/scene_plane.h"
 #include "tests/render/analytic_scene.h"
 #include "tests/render/frame_difference.h"
@@ -370,6 +371,26 @@ TEST_F(Subdivision, ThePapersEndsOnPolygonsWithCornersWithinTheirEdges) {
     const double error = error_of(paper({.min_size_px = 3}), PlaceInterpolation::kProjective);
     for (FacePolygon& polygon : polygons_) polygon = with_corners_within_its_edges(polygon);
     EXPECT_NEAR(error_of(paper({.min_size_px = 3}), PlaceInterpolation::kProjective), error, 0.2);
+}
+
+TEST_F(Subdivision, ByThePaperARayLosesTheWholeWeightOfAViewOrNothing) {
+    int lost_some = 0;
+    for (const FacePolygon& polygon : polygons_) {
+        const PatchSampler sampler(
+            polygon, search_, plane_,
+            {.correct_occlusion = true, .by_the_paper = true, .before_shell = {}});
+        for (int i = 0; i < 60 * 45; ++i) {
+            const PatchSample sample = sampler.at({2.0 * (i % 60) + 4, 2.0 * (i / 60) + 3});
+            if (*std::min_element(sample.ray_weights.begin(), sample.ray_weights.end()) < 0)
+                continue;
+            double lost = 1;
+            for (std::size_t k = 0; k < 3; ++k)
+                if (sample.weights[k] > 0) lost -= sample.ray_weights[k];
+            EXPECT_NEAR(sample.occluded, lost, 1e-9);
+            if (lost > 0.01 && lost < 0.99) ++lost_some;
+        }
+    }
+    EXPECT_GT(lost_some, 20);
 }
 
 TEST_F(Subdivision, WeightsAreAllOrNothing) {

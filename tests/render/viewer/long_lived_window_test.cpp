@@ -228,6 +228,20 @@ TEST_F(LongLivedWindow, SaysThatItsFolderIsGoneAndStays) {
     EXPECT_NE(window.statistics().message.find("lumi-path-0001.json"), std::string::npos);
 }
 
+TEST_F(LongLivedWindow, TellsOfAPictureThatItWritesWhileAPathIsRecorded) {
+    ViewerWindow window({shown_box()}, window_of_320x240());
+    window.state().records_path = true;
+    window.state().wants_screenshot = true;
+    ASSERT_TRUE(window.step());
+    ASSERT_TRUE(window.step());
+    EXPECT_NE(window.statistics().message.find("lumi-0001.png"), std::string::npos);
+    EXPECT_NE(window.statistics().recording.find("recording"), std::string::npos);
+    window.state().records_path = false;
+    ASSERT_TRUE(window.step());
+    EXPECT_TRUE(window.statistics().recording.empty());
+    EXPECT_NE(window.statistics().message.find("lumi-path-0001.json"), std::string::npos);
+}
+
 TEST_F(LongLivedWindow, WritesThePathThatIsRecordedWhenItIsClosed) {
     ViewerWindow window({shown_box()}, window_of_320x240());
     window.state().records_path = true;
