@@ -9,13 +9,11 @@
 #include "calib/pictures/image_io.h"
 #include "calib/work/content_hash.h"
 #include "calib/work/whole_folder.h"
-#include "pipeline/evaluate/comparison_strip.h"
 #include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/evaluate/evaluation_pictures.h"
 #include "pipeline/evaluate/filled_alike.h"
-#include "pipeline/evaluate/heat_map.h"
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/evaluate/held_out_subject.h"
-#include "pipeline/stages/file_stems.h"
 #include "pipeline/stages/photograph_list.h"
 #include "pipeline/stages/used_views.h"
 #include "pipeline/workspace/json_file.h"
@@ -25,48 +23,6 @@ namespace lumi {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The names of a view's pictures: those of the mode that stands first have no mode in theirs.
-class PictureNames {
- public:
-    PictureNames(const Capture& capture, RenderMode first_mode) : first_mode_(first_mode) {
-        const std::vector<std::string> names = view_names(capture);
-        const std::vector<std::string> stems = file_stems_without_dots(names);
-        for (std::size_t i = 0; i < names.size(); ++i) stem_of_[names[i]] = stems[i];
-    }
-
-    [[nodiscard]] std::string strip(const std::string& view, RenderMode mode) const {
-        return mode == first_mode_ ? stem_of_.at(view) + ".png" : strip(view, name_of(mode));
-    }
-    [[nodiscard]] std::string strip(const std::string& view, std::string method) const {
-        std::replace(method.begin(), method.end(), ' ', '-');
-        return stem_of_.at(view) + '.' + method + ".png";
-    }
-    [[nodiscard]] std::string map(const std::string& view, const std::string& kind) const {
-        return stem_of_.at(view) + '.' + kind + ".png";
-    }
-    [[nodiscard]] bool is_first(RenderMode mode) const { return mode == first_mode_; }
-
- private:
-    std::map<std::string, std::string> stem_of_;
-    RenderMode first_mode_;
-};
-
-void write_strip(const fs::path& path, const JudgedView& view) {
-    write_png(path,
-              comparison_strip(view.photograph, view.rendering.color, view.rendering.coverage));
-}
-
-void write_pictures(const fs::path& folder, const PictureNames& names, RenderMode mode,
-                    const JudgedView& view) {
-    write_strip(folder / names.strip(view.score.name, mode), view);
-    if (!names.is_first(mode)) return;
-    write_png(folder / names.map(view.score.name, "flip"), heat_map(view.flip, kFlipFullScale));
-    if (!view.ghost_energy.empty()) {
-        write_png(folder / names.map(view.score.name, "ghost"),
-                  heat_map(square_root(view.ghost_energy), kGhostFullScale));
-    }
-}
 
 std::vector<std::string> names_without_pose(const PackRecord& record, const Capture& posed) {
     std::vector<std::string> with_pose = view_names(posed);
@@ -86,11 +42,10 @@ std::string sha256_of_pixels(const fs::path& picture) {
 
 /// Notes with each view which photograph it was compared with, by its working copy: what was
 /// compared with is that copy as a lens straightens it, which is found anew where poses are.
-void name_photographs(const WorkspaceLayout& workspace, Evaluation& evaluation) {
+void name_photographs(const std::vector<Photograph>& photographs, Evaluation& evaluation) {
     std::map<std::string, std::string> sha256_of;
     for (const ViewScore& view : evaluation.modes.front().views) sha256_of[view.name] = "";
-    for (const Photograph& photograph :
-         read_photograph_list(workspace.stage_folder("ingest")).photographs) {
+    for (const Photograph& photograph : photographs) {
         const auto wanted = sha256_of.find(photograph.name);
         if (wanted != sha256_of.end()) wanted->second = sha256_of_pixels(photograph.picture_path);
     }
@@ -103,12 +58,13 @@ void name_photographs(const WorkspaceLayout& workspace, Evaluation& evaluation) 
 }
 
 /// Where each view's pictures lie, in evaluation.json.
-void name_pictures(nlohmann::ordered_json& views, const PictureNames& names, RenderMode mode) {
+void name_pictures(nlohmann::ordered_json& views, const EvaluationPictures& pictures,
+                   RenderMode mode) {
     for (auto& view : views) {
         const auto name = view["name"].get<std::string>();
-        view["picture"] = names.strip(name, mode);
-        view["flip_picture"] = names.map(name, "flip");
-        if (!view["ghost_energy"].is_null()) view["ghost_picture"] = names.map(name, "ghost");
+        view["picture"] = pictures.strip(name, mode);
+        view["flip_picture"] = pictures.map(name, "flip");
+        if (!view["ghost_energy"].is_null()) view["ghost_picture"] = pictures.map(name, "ghost");
     }
 }
 
@@ -119,7 +75,9 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
     const PackRecord record = finished_pack(workspace);
     const PosedPhotographs held_out = held_out_photographs(workspace, record, threads);
     const Lumigraph lumigraph = read_package(workspace.package_folder(), {}, options.exposures);
-    const PictureNames names(held_out.capture, options.modes.front());
+    const std::vector<Photograph> photographs =
+        read_photograph_list(workspace.stage_folder("ingest")).photographs;
+    const EvaluationPictures pictures(held_out.capture, photographs, options.modes.front());
     const EvaluationOptions with_subject = judging_subject(options, workspace);
 
     WholeFolder folder(workspace.evaluation_folder());
@@ -128,7 +86,7 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
     Evaluation evaluation = evaluate_held_out(
         lumigraph, held_out, with_subject,
         [&](RenderMode mode, const JudgedView& view) {
-            write_pictures(folder.staging(), names, mode, view);
+            pictures.write(folder.staging(), mode, view);
             if (!compared) return;
             const RenderMode drawn = possible_options({.mode = mode}, lumigraph.has_depth()).mode;
             compared->add(name_of(mode), covers_by_depth(drawn), view);
@@ -138,7 +96,7 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
         evaluation.rivals = evaluate_rivals(
             lumigraph, held_out, with_subject.subject_mask, options.timed_frames,
             [&](const std::string& method, bool has_say, const JudgedView& view) {
-                write_strip(folder.staging() / names.strip(view.score.name, method), view);
+                pictures.write(folder.staging(), method, view);
                 compared->add(method, has_say, view);
             },
             progress);
@@ -146,14 +104,14 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
     }
 
     evaluation.not_judged = names_without_pose(record, held_out.capture);
-    name_photographs(workspace, evaluation);
+    name_photographs(photographs, evaluation);
 
     nlohmann::ordered_json json = evaluation_json(evaluation);
     json["package_sha256"] = package_sha256(workspace);
     json["pictures_sha256"] = record.pictures_sha256;
     json["depth_sha256"] = record.depth_sha256;
     json["made_with"] = made_with_json(options, code_version);
-    name_pictures(json["views"], names, options.modes.front());
+    name_pictures(json["views"], pictures, options.modes.front());
     // The workspace may lie among the photographs, and strips are none.
     mark_as_made_by_lumi(folder.staging());
     write_json_file(folder.staging() / kEvaluationName, json);

@@ -25,7 +25,8 @@ PackRecord finished_pack(const WorkspaceLayout& workspace) {
         throw Error(ErrorKind::kUsage, "E-EVAL-NOHOLDOUT",
                     workspace.folder().string() + ": no photograph was held out",
                     "set hold_out_every = 8, or hold_out = [\"name.jpg\"], under [evaluate] in the "
-                    "configuration, and build again");
+                    "configuration (a folder of photographs has its own in the workspace, "
+                    "config.toml), and build from that");
     }
     return record;
 }

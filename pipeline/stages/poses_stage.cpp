@@ -123,6 +123,22 @@ Json timings_json(const PoseEvidence& evidence) {
     return Json{{"colmap_calls", std::move(calls)}};
 }
 
+/// In one line those that follow each other and lack a pose for the same reason.
+void note_missing_poses(const std::vector<LeftOut>& not_registered, Progress& progress) {
+    constexpr std::ptrdiff_t kNamed = 3;
+    for (auto first = not_registered.begin(); first != not_registered.end();) {
+        const auto end = std::find_if(first, not_registered.end(), [&](const LeftOut& other) {
+            return other.code != first->code || other.reason != first->reason;
+        });
+        std::string names;
+        for (auto one = first; one != end && one - first < kNamed; ++one)
+            names += (one == first ? "" : ", ") + one->name;
+        if (end - first > kNamed) names += " and " + std::to_string(end - first - kNamed) + " more";
+        progress.note("no pose for " + names + " (" + first->code + "): " + first->reason);
+        first = end;
+    }
+}
+
 }  // namespace
 
 StageEvidence run_poses_stage(const fs::path& ingest_folder, const PoseSource& source,
@@ -131,10 +147,7 @@ StageEvidence run_poses_stage(const fs::path& ingest_folder, const PoseSource& s
     const PoseResult result = find_poses(ingested, source, folder / "scratch", threads, progress);
     write_colmap_model_binary(result.capture, folder / "sparse");
     for (const std::string& warning : result.evidence.warnings) progress.note(warning);
-    for (const LeftOut& left_out : result.not_registered) {
-        progress.note("no pose for " + left_out.name + " (" + left_out.code +
-                      "): " + left_out.reason);
-    }
+    note_missing_poses(result.not_registered, progress);
     const fs::path pinhole_folder = folder / "pinhole";
     write_posed_photographs(
         pinhole_folder,

@@ -34,8 +34,9 @@ Eye turned_clockwise(const Eye& eye) {
     return result;
 }
 
-ColorImage turned_clockwise(const ColorImage& picture) {
-    ColorImage turned(picture.height(), picture.width());
+template <class Pixel>
+Image<Pixel> turned_clockwise(const Image<Pixel>& picture) {
+    Image<Pixel> turned(picture.height(), picture.width());
     for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x)
             turned(picture.height() - 1 - y, x) = picture(x, y);
@@ -55,6 +56,10 @@ Eye turned_upright(const Eye& eye, int exif_orientation) {
 }
 
 ColorImage turned_upright(const ColorImage& picture, int exif_orientation) {
+    return turned_clockwise(picture, quarter_turns(exif_orientation));
+}
+
+GrayImage turned_upright(const GrayImage& picture, int exif_orientation) {
     return turned_clockwise(picture, quarter_turns(exif_orientation));
 }
 

@@ -17,6 +17,7 @@ namespace lumi {
 
 /// The picture turned alike.
 [[nodiscard]] ColorImage turned_upright(const ColorImage& picture, int exif_orientation);
+[[nodiscard]] GrayImage turned_upright(const GrayImage& picture, int exif_orientation);
 
 /// The eye that stood where the photograph was taken, its picture upright.
 [[nodiscard]] Eye eye_at(const LumigraphView& view);
