@@ -13,6 +13,8 @@ constexpr const char* kMarkName = ".made-by-lumi";
 
 }  // namespace
 
+bool is_mark_of_lumi(const std::string& file_name) { return file_name == kMarkName; }
+
 bool is_marked_as_made_by_lumi(const fs::path& folder) {
     std::error_code ignored;
     return fs::is_regular_file(folder / kMarkName, ignored);

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <set>
 
+#include "calib/ingest/made_by_lumi.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "calib/work/whole_folder.h"
@@ -19,6 +20,10 @@ namespace fs = std::filesystem;
 /// Nobody calls a folder so.
 constexpr std::array<const char*, 7> kOtherVideos{".avi", ".gif", ".m4v", ".mkv",
                                                   ".mov", ".mpg", ".webm"};
+
+bool is_of_a_sequence(const std::string& name) {
+    return is_sequence_frame_name(name) || is_mark_of_lumi(name);
+}
 
 }  // namespace
 
@@ -72,14 +77,14 @@ void check_frames_folder(const fs::path& out) {
 
 void check_path_out(const fs::path& out) {
     if (names_video(out)) {
-        expect_only_files_of_ours(frames_folder_of_video(out), is_sequence_frame_name);
+        expect_only_files_of_ours(frames_folder_of_video(out), is_of_a_sequence);
         return require_writable_file(out);
     }
     const std::string extension = lower_case_ending(out);
     if (std::find(kOtherVideos.begin(), kOtherVideos.end(), extension) != kOtherVideos.end())
         throw Error(ErrorKind::kUsage, "E-RENDER-OUT", out.string() + ": videos are MP4 files",
                     "let --out end in .mp4, or name a folder for PNG files");
-    expect_only_files_of_ours(out, is_sequence_frame_name);
+    expect_only_files_of_ours(out, is_of_a_sequence);
     require_writable_whole_folder(out);
 }
 

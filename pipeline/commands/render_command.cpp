@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "calib/ingest/made_by_lumi.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/printable.h"
@@ -185,6 +186,8 @@ Json draw_path(const RenderRequest& request, const Lumigraph& lumigraph, const D
         eye_path(request.path, request.frames, request.size, lumigraph, request.video_fps);
     const bool is_video = names_video(request.out);
     WholeFolder folder(is_video ? frames_folder_of_video(request.out) : request.out);
+    // It may lie among the photographs, and frames are none.
+    mark_as_made_by_lumi(folder.staging());
     Json frames = Json::array();
     context.progress->begin("drawing", path.size());
     for (std::size_t i = 0; i < path.size(); ++i) {

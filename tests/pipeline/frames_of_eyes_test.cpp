@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
+#include "calib/ingest/made_by_lumi.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/whole_file.h"
 #include "tests/pipeline/box_line.h"
@@ -23,8 +25,10 @@ std::string eye_at_time(const std::string& time_s) {
     return R"({"time_s": )" + time_s + "," + std::string(kEye).substr(1);
 }
 
-std::ptrdiff_t files_in(const fs::path& folder) {
-    return std::distance(fs::directory_iterator(folder), {});
+std::ptrdiff_t frames_in(const fs::path& folder) {
+    return std::count_if(fs::directory_iterator(folder), {}, [](const fs::directory_entry& entry) {
+        return entry.path().extension() == ".png";
+    });
 }
 
 /// A package, and frames of it from eyes in files.
@@ -52,7 +56,10 @@ class FramesOfEyes : public BoxLine {
 TEST_F(FramesOfEyes, GoFromPhotographToPhotograph) {
     const fs::path frames = scratch_ / "frames";
     ASSERT_EQ(draw("--size 96x64 --path views --frames 3", frames).exit_code, 0);
-    EXPECT_EQ(files_in(frames), 3);
+    EXPECT_EQ(frames_in(frames), 3);
+    EXPECT_TRUE(is_made_by_lumi(frames)) << "no photographs for the next build";
+    EXPECT_EQ(draw("--size 96x64 --path views --frames 2", frames).exit_code, 0);
+    EXPECT_EQ(frames_in(frames), 2);
     EXPECT_EQ(read_color_image(frames / "frame-000001.png").width(), 96);
 }
 
@@ -76,7 +83,7 @@ TEST_F(FramesOfEyes, FlyAsFastAsThePathWasRecorded) {
     const fs::path flown = scratch_ / "flown";
     const std::string eyes = eye_at_time("0") + "," + eye_at_time("1.5");
     ASSERT_EQ(fly(eyes, flown, " --video-fps 4").exit_code, 0);
-    EXPECT_EQ(files_in(flown), 7);
+    EXPECT_EQ(frames_in(flown), 7);
 }
 
 TEST_F(FramesOfEyes, AreTheSameAsTakenWherePhotographsDifferInNothingThatCouldBeEvened) {
@@ -103,7 +110,7 @@ TEST_F(FramesOfEyes, OfDifferentKindsReplaceNoOthers) {
     const std::string views = "--all-views --mode lightfield";
     for (const char* kind : {"", " --difference", " --debug weights"})
         EXPECT_EQ(draw(views + kind, all).exit_code, 0) << kind;
-    EXPECT_EQ(files_in(all), 3 * 9);
+    EXPECT_EQ(frames_in(all), 3 * 9);
     EXPECT_TRUE(fs::exists(all / "IMG_0001.lightfield.difference.png"));
     EXPECT_TRUE(fs::exists(all / "IMG_0001.lightfield.weights.png"));
 }

@@ -32,11 +32,17 @@ void paint(Lumigraph& lumigraph, int row, int column, unsigned char level) {
     std::fill(photograph.pixels().begin(), photograph.pixels().end(), Rgb8{level, level, level});
 }
 
-TEST(DynamicallyReparameterized, ACameraWeighsTheLessTheFartherTheRayPassesIt) {
+/// All photographs of one level, but the one in the middle.
+Lumigraph all_of_one_level(unsigned char level, unsigned char of_middle) {
     Lumigraph lumigraph = wall_of_cameras();
     for (int row = 0; row < 5; ++row)
-        for (int column = 0; column < 5; ++column) paint(lumigraph, row, column, 0);
-    paint(lumigraph, 2, 2, 200);
+        for (int column = 0; column < 5; ++column) paint(lumigraph, row, column, level);
+    paint(lumigraph, 2, 2, of_middle);
+    return lumigraph;
+}
+
+TEST(DynamicallyReparameterized, ACameraWeighsTheLessTheFartherTheRayPassesIt) {
+    const Lumigraph lumigraph = all_of_one_level(0, 200);
     // Through the middle of the picture, from the camera in the middle: that weighs 1, its four
     // neighbours 1 - 0.2 / 0.25, and all others are farther than the radius.
     const Eye eye = eye_at({0, 0, 0}, {0, 0, 1}, pinhole_camera(33, 33, 30));
@@ -47,10 +53,7 @@ TEST(DynamicallyReparameterized, ACameraWeighsTheLessTheFartherTheRayPassesIt) {
 }
 
 TEST(DynamicallyReparameterized, BlendsTheThreeNearestWhereCamerasAreSparse) {
-    Lumigraph lumigraph = wall_of_cameras();
-    for (int row = 0; row < 5; ++row)
-        for (int column = 0; column < 5; ++column) paint(lumigraph, row, column, 0);
-    paint(lumigraph, 2, 2, 200);
+    const Lumigraph lumigraph = all_of_one_level(0, 200);
     // The ray passes cameras of the middle row at 0.05, 0.15, 0.25 and others of the rows beside it
     // at 0.206: the three nearest are within the fourth's distance, of which there are two.
     const Eye eye = eye_at({0.05, 0, 0}, {0.05, 0, 1}, pinhole_camera(33, 33, 30));
@@ -62,9 +65,7 @@ TEST(DynamicallyReparameterized, BlendsTheThreeNearestWhereCamerasAreSparse) {
 }
 
 TEST(DynamicallyReparameterized, CamerasThatAreAllAsFarAreBlendedAlike) {
-    Lumigraph lumigraph = wall_of_cameras();
-    for (int row = 0; row < 5; ++row)
-        for (int column = 0; column < 5; ++column) paint(lumigraph, row, column, 100);
+    Lumigraph lumigraph = all_of_one_level(100, 100);
     const Eye in_middle_of_four = eye_at({0.1, 0.1, 0}, {0.1, 0.1, 1}, pinhole_camera(33, 33, 30));
     const Frame frame = draw_dynamically_reparameterized(
         lumigraph, in_middle_of_four, {.diameter = 1e-6, .focal_plane = {.depth = 6}});
