@@ -24,20 +24,6 @@ std::vector<SparsePoint> points_inside(const DepthScene& scene, const DepthView&
     return points;
 }
 
-/// Median over the views of the distance to the nearest other centre that has parallax.
-double typical_baseline(const DepthScene& scene) {
-    std::vector<Eigen::Vector3d> centres;
-    for (const DepthView& view : scene.views) {
-        centres.push_back(centre_in_world(view.cam_from_world));
-    }
-    std::vector<double> nearest;
-    for (const Eigen::Vector3d& centre : centres) {
-        const double distance = nearest_baseline(centre, centres);
-        if (distance > 0) nearest.push_back(distance);
-    }
-    return quantile_of(std::move(nearest), 0.5);
-}
-
 /// Whether at least five others lie beside it at like depths.
 bool is_of_a_patch(const SparsePoint& point, const std::vector<SparsePoint>& points,
                    const Camera& camera) {
@@ -101,7 +87,10 @@ std::optional<InverseDepthRange> inverse_depth_range(const DepthScene& scene, in
     const std::vector<SparsePoint> points = points_inside(scene, view);
     if (points.size() >= kMinPoints) return range_of(points, view.camera);
 
-    const double baseline = typical_baseline(scene);
+    std::vector<Eigen::Vector3d> centres;
+    for (const DepthView& other : scene.views)
+        centres.push_back(centre_in_world(other.cam_from_world));
+    const double baseline = typical_baseline(centres);
     if (baseline <= 0) return std::nullopt;
     double near = 0.5 * view.camera.width_px / (focal_length_px(view.camera).x() * baseline);
     if (const auto centre = convergence_point(scene)) {

@@ -1,6 +1,9 @@
 #include "meshing/warp/parallax.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "calib/work/median.h"
 
 namespace lumi {
 
@@ -31,6 +34,15 @@ double nearest_baseline(const Eigen::Vector3d& centre,
     distances.resize(static_cast<std::size_t>(around));
     const std::vector<std::size_t> first = with_parallax(distances, 1);
     return first.empty() ? 0.0 : distances[first.front()];
+}
+
+double typical_baseline(const std::vector<Eigen::Vector3d>& centres) {
+    std::vector<double> baselines;
+    for (const Eigen::Vector3d& centre : centres) {
+        const double baseline = nearest_baseline(centre, centres);
+        if (baseline > 0) baselines.push_back(baseline);
+    }
+    return quantile_of(std::move(baselines), 0.5);
 }
 
 }  // namespace lumi

@@ -22,4 +22,7 @@ inline constexpr double kLeastParallaxShare = 0.05;
 [[nodiscard]] double nearest_baseline(const Eigen::Vector3d& centre,
                                       const std::vector<Eigen::Vector3d>& centres);
 
+/// The median of these over all cameras, without those that have none; 0 where none has one.
+[[nodiscard]] double typical_baseline(const std::vector<Eigen::Vector3d>& centres);
+
 }  // namespace lumi

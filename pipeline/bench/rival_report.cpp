@@ -161,13 +161,11 @@ std::string rivals_text(const std::vector<RivalScene>& scenes) {
         text +=
             "dB: of all pixels, where a method covers none filled with the same surroundings "
             "for all; as drawn: there with lumi's own guesses, of what is resampled, too, and "
-            "black "
-            "in paper2001, heigl and plain code; common: of the " +
+            "black in paper2001, heigl and plain code; common: of the " +
             number_text(100 * scene.common_share, 1) +
             " % of pixels that all methods cover that draw from the photographs' depth (of heigl "
             "triangles decide, too); covered: of what it covers itself; wrong, avoidable: of what "
-            "it "
-            "covers, what shows another surface, and where some photograph shows the right "
+            "it covers, what shows another surface, and where some photograph shows the right "
             "one\nocclusion correction takes " +
             number_text(100 * scene.adaptive_occlusion_share, 1) + " % of adaptive, " +
             number_text(100 * scene.per_pixel_occlusion_share, 1) +

@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "calib/ingest/made_by_lumi.h"
@@ -17,6 +16,7 @@
 #include "pipeline/commands/eye_path.h"
 #include "pipeline/commands/frame_drawer.h"
 #include "pipeline/commands/frame_files.h"
+#include "pipeline/commands/known_photographs.h"
 #include "pipeline/commands/number_checks.h"
 #include "pipeline/commands/stereo_pair.h"
 #include "pipeline/commands/video_file.h"
@@ -71,29 +71,9 @@ Job job_at(const LumigraphView& view, const fs::path& out) {
     return {eye_at(view), out, turned_upright(view.photograph, view.exif_orientation), true};
 }
 
-/// The names of what can be drawn and compared with.
-struct KnownPhotographs {
-    std::vector<std::string> names;  ///< Of the package first, then held out from it; each once.
-    std::optional<Error> failure;    ///< Why those that were held out are not known.
-};
-
-KnownPhotographs known_photographs(const RenderRequest& request, const Lumigraph& lumigraph) {
-    KnownPhotographs known{names_of_views(lumigraph), {}};
-    std::vector<std::string>& names = known.names;
-    try {
-        for (std::string& name : held_out_names_beside(request.package)) {
-            if (std::find(names.begin(), names.end(), name) == names.end())
-                names.push_back(std::move(name));
-        }
-    } catch (const Error& error) {
-        known.failure = error;
-    }
-    return known;
-}
-
 /// A photograph of the package, or one that was held out from it.
 Job job_at_view(const RenderRequest& request, const Lumigraph& lumigraph) {
-    const KnownPhotographs known = known_photographs(request, lumigraph);
+    const KnownPhotographs known = known_photographs(request.package, lumigraph);
     const std::vector<std::string>& names = known.names;
     const std::optional<int> index = index_of_name(names, request.view);
     const auto packed = static_cast<int>(lumigraph.views.size());
@@ -129,7 +109,7 @@ std::vector<Job> jobs_of(const RenderRequest& request, const Eye& eye, const Ren
     if (!request.all_views) return {job_at_view(request, lumigraph)};
     const std::vector<fs::path> frames =
         frames_of_views(request.out, names_of_views(lumigraph), kind_of_frames(request, options),
-                        known_photographs(request, lumigraph).names);
+                        known_photographs(request.package, lumigraph).names);
     std::vector<Job> jobs;
     for (std::size_t i = 0; i < frames.size(); ++i)
         jobs.push_back(job_at(lumigraph.views[i], frames[i]));

@@ -128,10 +128,6 @@ Json evaluation_if_current(const fs::path& path, const WorkspaceLayout& workspac
     return is_current ? evaluation : Json();
 }
 
-std::optional<double> optional_number(const Json& value) {
-    return value.is_null() ? std::nullopt : std::optional(value.get<double>());
-}
-
 /// What an early version did not write down stays as it is.
 template <class Value>
 void read_where_it_is(const Json& json, const char* key, Value& value) {

@@ -62,10 +62,13 @@ void judge_evaluation(Verdict& verdict, const Json& evaluation) {
                         number_text(mean.at("psnr_db").get<double>(), 1) + " dB, " +
                         number_text(100.0 * mean.at("coverage").get<double>(), 1) +
                         " % of the frame covered.";
-    if (const auto but_for_exposure = psnr_but_for_exposure_db(
-            optional_number(mean, "psnr_covered_db"), optional_number(mean, "psnr_gain_fitted_db")))
-        verdict.headline += " They differ from it in exposure: over what is covered it would be " +
-                            number_text(*but_for_exposure, 1) + " dB without that.";
+    if (const auto but_for_exposure =
+            psnr_but_for_exposure_db(optional_number(mean.value("psnr_covered_db", Json())),
+                                     optional_number(mean.value("psnr_gain_fitted_db", Json()))))
+        verdict.headline +=
+            " Photographs and pictures of them differ in exposure: but for that it "
+            "would be " +
+            number_text(*but_for_exposure, 1) + " dB over what is covered.";
 }
 
 }  // namespace

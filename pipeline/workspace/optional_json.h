@@ -10,12 +10,9 @@ namespace lumi {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
 
-/// The number in JSON, or none where it is null or not there.
-[[nodiscard]] inline std::optional<double> optional_number(const nlohmann::ordered_json& object,
-                                                           const char* key) {
-    const auto found = object.find(key);
-    if (found == object.end() || found->is_null()) return std::nullopt;
-    return found->get<double>();
+/// The same read again.
+[[nodiscard]] inline std::optional<double> optional_number(const nlohmann::ordered_json& value) {
+    return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
 }  // namespace lumi

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "calib/work/median.h"
 #include "calib/work/parallel_for.h"
+#include "meshing/warp/parallax.h"
 #include "render/rivals/seen_point.h"
 #include "render/transfer/scene_plane.h"
 
@@ -110,18 +110,10 @@ Frame draw_dynamically_reparameterized(const Lumigraph& lumigraph, const Eye& ey
 }
 
 double usual_aperture_diameter(const Lumigraph& lumigraph) {
-    std::vector<double> nearest;
-    for (const LumigraphView& view : lumigraph.views) {
-        double closest = std::numeric_limits<double>::infinity();
-        for (const LumigraphView& other : lumigraph.views) {
-            if (&other == &view) continue;
-            closest = std::min(closest, (centre_in_world(view.cam_from_world) -
-                                         centre_in_world(other.cam_from_world))
-                                            .norm());
-        }
-        if (std::isfinite(closest)) nearest.push_back(closest);
-    }
-    return nearest.empty() ? 0.0 : 2 * median_of(std::move(nearest));
+    std::vector<Eigen::Vector3d> centres;
+    for (const LumigraphView& view : lumigraph.views)
+        centres.push_back(centre_in_world(view.cam_from_world));
+    return 2 * typical_baseline(centres);
 }
 
 }  // namespace lumi

@@ -24,8 +24,8 @@ struct SyntheticAperture {
 [[nodiscard]] Frame draw_dynamically_reparameterized(const Lumigraph& lumigraph, const Eye& eye,
                                                      const SyntheticAperture& aperture);
 
-/// Twice the median distance from a camera to the nearest other one: some seven cameras of an even
-/// grid are within. 0 of a single camera.
+/// Twice the typical distance from a camera to the next (parallax.h): some seven cameras of an even
+/// grid are within. 0 where all stand in one place.
 [[nodiscard]] double usual_aperture_diameter(const Lumigraph& lumigraph);
 
 }  // namespace lumi

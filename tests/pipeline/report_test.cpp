@@ -250,7 +250,7 @@ TEST(Verdict, SaysWhereExposureAloneMakesPicturesDiffer) {
     };
     EXPECT_EQ(headline().find("exposure"), std::string::npos) << "within a decibel";
     evaluation["mean"]["psnr_gain_fitted_db"] = 31.8;
-    EXPECT_NE(headline().find("in exposure: over what is covered it would be 31.8 dB"),
+    EXPECT_NE(headline().find("in exposure: but for that it would be 31.8 dB over what is covered"),
               std::string::npos);
 }
 
