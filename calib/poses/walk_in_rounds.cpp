@@ -98,6 +98,16 @@ double largest_of_nine_tenths(const std::vector<double>& values) {
     return value_of_rank(values, (9 * values.size() + 9) / 10 - 1);
 }
 
+/// Without those that are none: where a photograph is missing, the nearest of the round before lies
+/// a whole step away.
+std::vector<Meeting> without_missing(std::vector<Meeting> meetings, double step) {
+    constexpr double kMissing = 0.6;
+    std::erase_if(meetings, [&](const Meeting& meeting) {
+        return offset_in_world(*meeting.before, *meeting.again).norm() > kMissing * step;
+    });
+    return meetings;
+}
+
 /// How far from its place nine in ten are met again.
 double missed_of(const std::vector<Meeting>& meetings) {
     std::vector<double> missed;
@@ -147,7 +157,7 @@ double median_of_known(const std::vector<std::optional<double>>& steps) {
 bool leap_back(const std::vector<std::optional<double>>& steps, const Rounds& rounds,
                std::size_t places, double median_step) {
     constexpr double kLeap = 1.8;
-    if (places == 2) return true;
+    if (usual_places(rounds.meetings) == 2) return true;
     std::vector<std::vector<double>> from_place(places);
     for (std::size_t index = 0; index < steps.size(); ++index)
         if (steps[index]) from_place[rounds.place_of[index]].push_back(*steps[index]);
@@ -156,33 +166,53 @@ bool leap_back(const std::vector<std::optional<double>>& steps, const Rounds& ro
     });
 }
 
+/// What each photograph of a round has changed since the round before, by rounds.
+using ChangesOfRounds = std::map<std::size_t, std::vector<Eigen::Vector3d>>;
+
+/// Whether rounds, most of them, change all by the same: clearly by more than the changes scatter.
+bool change_alike(const ChangesOfRounds& changes_of_rounds) {
+    constexpr double kClearly = 2.0;
+    std::vector<double> shifts;
+    std::vector<double> scatters;
+    for (const auto& [round, changes] : changes_of_rounds) {
+        if (changes.size() < 2) continue;
+        Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+        for (const Eigen::Vector3d& change : changes) mean += change;
+        mean /= static_cast<double>(changes.size());
+        for (const Eigen::Vector3d& change : changes) {
+            shifts.push_back(mean.norm());
+            scatters.push_back((change - mean).norm());
+        }
+    }
+    return median_of(shifts) > kClearly * median_of(scatters);
+}
+
 /// Whether a round lies beside the one before by the same everywhere, as the cameras see it: two
 /// lenses of one rig, rows of different height, a turntable before which the camera was moved.
 /// A hand that misses its places does so each time in another direction; and where the middle of a
 /// walk around is not that of the thing, it is in the world that a side's places are shifted by the
 /// same, while the cameras turn.
 bool lie_side_by_side(const std::vector<Meeting>& meetings, double most_offset) {
-    constexpr double kClearly = 2.0;
-    std::map<std::size_t, std::vector<Eigen::Vector3d>> offsets_of_round;
+    ChangesOfRounds offsets;
     for (const Meeting& meeting : meetings) {
         const Eigen::Vector3d offset = offset_in_world(*meeting.before, *meeting.again);
         if (offset.norm() <= most_offset)
-            offsets_of_round[meeting.round].push_back(meeting.before->cam_from_world.rotation *
-                                                      offset);
+            offsets[meeting.round].push_back(meeting.before->cam_from_world.rotation * offset);
     }
-    std::vector<double> shifts;
-    std::vector<double> scatters;
-    for (const auto& [round, offsets] : offsets_of_round) {
-        if (offsets.size() < 2) continue;
-        Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-        for (const Eigen::Vector3d& offset : offsets) mean += offset;
-        mean /= static_cast<double>(offsets.size());
-        for (const Eigen::Vector3d& offset : offsets) {
-            shifts.push_back(mean.norm());
-            scatters.push_back((offset - mean).norm());
-        }
+    return change_alike(offsets);
+}
+
+/// The same for where cameras look: a slider or a turntable that goes its way again with the camera
+/// tilted.
+bool look_beside(const std::vector<Meeting>& meetings, double most_turn_rad) {
+    ChangesOfRounds turns;
+    for (const Meeting& meeting : meetings) {
+        const Eigen::AngleAxisd turn(meeting.again->cam_from_world.rotation *
+                                     meeting.before->cam_from_world.rotation.conjugate());
+        if (turn.angle() <= most_turn_rad)
+            turns[meeting.round].emplace_back(turn.angle() * turn.axis());
     }
-    return median_of(shifts) > kClearly * median_of(scatters);
+    return change_alike(turns);
 }
 
 }  // namespace
@@ -202,17 +232,25 @@ std::optional<WalkInRounds> walk_in_rounds(const Capture& model,
     constexpr double kSameView_rad = 0.2;
     // Fewer are met again by chance, of few photographs taken to and fro.
     constexpr std::size_t kFewestMeetings = 4;
+    // A missing photograph takes away up to two meetings.
+    constexpr double kLeastMet = 0.65;
     const Walk walk = walk_of(model, photographs);
     const std::vector<std::optional<double>> steps = steps_of(walk);
     const double step = median_of_known(steps);
     if (!(step > 0)) return std::nullopt;
     for (std::size_t places = 2; 2 * places <= walk.size(); ++places) {
-        const Rounds rounds = rounds_of(places, walk);
-        if (rounds.meetings.size() < std::max(places, kFewestMeetings)) continue;
+        Rounds rounds = rounds_of(places, walk);
+        const std::size_t all = rounds.meetings.size();
+        rounds.meetings = without_missing(std::move(rounds.meetings), step);
+        const std::size_t met = rounds.meetings.size();
+        if (met < std::max(places, kFewestMeetings) ||
+            static_cast<double>(met) < kLeastMet * static_cast<double>(all))
+            continue;
         const double missed_share = missed_of(rounds.meetings) / step;
         if (missed_share > kSamePlace || turn_of_rad(rounds.meetings) > kSameView_rad) continue;
         if (!leap_back(steps, rounds, places, step)) continue;
         if (lie_side_by_side(rounds.meetings, kSamePlace * step)) continue;
+        if (look_beside(rounds.meetings, kSameView_rad)) continue;
         const std::size_t usual = usual_places(rounds.meetings);
         return WalkInRounds{static_cast<int>(usual),
                             static_cast<int>((walk.size() + usual - 1) / usual), missed_share};

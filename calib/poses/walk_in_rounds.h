@@ -26,9 +26,11 @@ struct WalkInRounds {
 /// then leaps back to the first place, where one who really walks around arrives by a step like the
 /// others. Empty for any other walk: once around or several times, to and fro, row by row; and
 /// where rounds lie side by side (by the same in the cameras' axes: two lenses of a rig, rows of
-/// another height) or are of different cameras, by what the files say or as their names do not
-/// count on (L_1, L_2, R_1, R_2). Some photographs may be missing, in the model or altogether, or
-/// misplaced. `photographs` are all that were taken, for their order.
+/// another height) or look by the same beside each other (a slider that goes its way again,
+/// tilted), or are of different cameras, by what the files say or as their names do not count on
+/// (L_1, L_2, R_1, R_2). Photographs may be missing, in the model or altogether, as long as they
+/// take away no more than a third of the meetings, or one in ten misplaced. `photographs` are all
+/// that were taken, for their order.
 [[nodiscard]] std::optional<WalkInRounds> walk_in_rounds(
     const Capture& model, const std::vector<Photograph>& photographs);
 

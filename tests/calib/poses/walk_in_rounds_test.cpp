@@ -78,6 +78,17 @@ TEST(WalkInRounds, IsFoundWhicheverPhotographIsLeftOut) {
     }
 }
 
+TEST(WalkInRounds, IsFoundWhicheverTwoPhotographsAreLeftOut) {
+    for (int first = 0; first < 20; ++first) {
+        for (int second = first + 1; second < 20; ++second) {
+            PhotographedWalk folded = folded_house();
+            take_out(folded, second);
+            take_out(folded, first);
+            EXPECT_TRUE(walk_in_rounds(folded.model, folded.photographs)) << first << second;
+        }
+    }
+}
+
 TEST(WalkInRounds, IsFoundWhereOnePhotographIsMisplacedOrLooksElsewhere) {
     for (std::size_t index = 0; index < 20; ++index) {
         PhotographedWalk misplaced = folded_house();
@@ -187,6 +198,23 @@ TEST(WalkInRounds, IsNotOneOfTwoLensesThatAreMovedTogether) {
     for (const double right : {0.03, 0.06, 0.12}) {
         const PhotographedWalk rig = seen_by_two(16, right, 0.05);
         EXPECT_FALSE(walk_in_rounds(rig.model, rig.photographs)) << right;
+    }
+}
+
+/// Stops are met more closely than any hand does, and every turn is the same.
+TEST(WalkInRounds, IsNotOneOfASliderThatGoesItsWayAgainTilted) {
+    for (const double tilt_deg : {3.0, 8.0, 11.0}) {
+        PhotographedWalk slider = walk_along(
+            16, 0.003, [](int index) { return Eigen::Vector3d(0.3 * (index % 8), -3, 1.7); });
+        for (std::size_t index = 8; index < 16; ++index) {
+            Rigid3& pose = slider.model.views[index].cam_from_world;
+            const Eigen::Vector3d centre = centre_in_world(pose);
+            pose.rotation =
+                Eigen::AngleAxisd(tilt_deg * std::numbers::pi / 180, Eigen::Vector3d::UnitX()) *
+                slider.model.views[index - 8].cam_from_world.rotation;
+            pose.translation = -(pose.rotation * centre);
+        }
+        EXPECT_FALSE(walk_in_rounds(slider.model, slider.photographs)) << tilt_deg;
     }
 }
 
