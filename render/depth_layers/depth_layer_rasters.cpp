@@ -5,6 +5,7 @@
 
 #include "calib/capture/inverse_depth_warp.h"
 #include "calib/work/parallel_for.h"
+#include "render/depth_layers/behind_tears.h"
 #include "render/depth_layers/depth_kind_ranges.h"
 
 namespace lumi {
@@ -46,29 +47,48 @@ DepthLayerRasters::DepthLayerRasters(const std::vector<LumigraphView>& views,
 
 std::vector<float>& DepthLayerRasters::draw(const Eye& eye,
                                             const std::vector<DepthLayerDraw>& draws,
-                                            double max_inverse_depth, int layers) {
+                                            double max_inverse_depth, float agreeing_depth,
+                                            int layers) {
     aim(eye, draws, max_inverse_depth);
     const int width = eye.camera.width_px;
     const int height = eye.camera.height_px;
     const std::size_t texels_a_layer =
         static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     texels_.resize(static_cast<std::size_t>(layers) * texels_a_layer);
+    stretched_.resize(texels_.size());
     const int bands = bands_of(layers);
     parallel_for(layers * bands, 0, [&](int task) {
         const int layer = task / bands;
         const int band = task % bands;
         const DepthBufferBox box{0, band * height / bands, width, (band + 1) * height / bands};
-        const DepthBuffer buffer{
-            std::span(texels_).subspan(static_cast<std::size_t>(layer) * texels_a_layer,
+        const auto layer_of = [&](std::vector<float>& all) {
+            return DepthBuffer{
+                std::span(all).subspan(static_cast<std::size_t>(layer) * texels_a_layer,
                                        texels_a_layer),
-            width};
-        std::fill(buffer.texels.begin() + static_cast<std::ptrdiff_t>(box.begin_y) * width,
-                  buffer.texels.begin() + static_cast<std::ptrdiff_t>(box.end_y) * width, 1.0F);
-        for (const DepthLayerDraw& draw : draws)
-            if (draw.layer == layer) draw_band(draw, box, buffer);
+                width};
+        };
+        draw_layer(layer, draws, box, layer_of(texels_), layer_of(stretched_), agreeing_depth);
     });
     pack(layers, texels_a_layer);
     return packed_;
+}
+
+void DepthLayerRasters::draw_layer(int layer, const std::vector<DepthLayerDraw>& draws,
+                                   const DepthBufferBox& band, const DepthBuffer& known,
+                                   const DepthBuffer& stretched, float agreeing_depth) const {
+    const auto in_band = [&](const DepthBuffer& buffer) {
+        return buffer.texels.subspan(
+            static_cast<std::size_t>(band.begin_y * buffer.width),
+            static_cast<std::size_t>((band.end_y - band.begin_y) * buffer.width));
+    };
+    constexpr float kNothing = 1.0F;
+    std::ranges::fill(in_band(known), kNothing);
+    std::ranges::fill(in_band(stretched), kNothing);
+    for (const DepthLayerDraw& draw : draws) {
+        const bool is_stretched = draw.kind == static_cast<int>(DepthKind::kStretched);
+        if (draw.layer == layer) draw_band(draw, band, is_stretched ? stretched : known);
+    }
+    lay_before_tears(in_band(known), in_band(stretched), agreeing_depth);
 }
 
 void DepthLayerRasters::pack(int layers, std::size_t texels_a_layer) {

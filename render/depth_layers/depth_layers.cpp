@@ -87,8 +87,10 @@ void DepthLayers::draw(const Eye& eye, const std::vector<DepthViewSet>& sets) {
                            centre_in_world(eye.cam_from_world));
     max_inverse_depth_ = max_inverse_depth_of(eye, sets, agreeing);
     agreeing_depth_ = static_cast<float>(kDepthKindWidth * agreeing / max_inverse_depth_);
-    if (!is_packed()) return painter_->draw(eye, draws, max_inverse_depth_, layers_);
-    std::vector<float>& packed = rasters_->draw(eye, draws, max_inverse_depth_, layer_count_);
+    if (!is_packed())
+        return painter_->draw(eye, draws, max_inverse_depth_, agreeing_depth_, layers_);
+    std::vector<float>& packed =
+        rasters_->draw(eye, draws, max_inverse_depth_, agreeing_depth_, layer_count_);
     settle_lone_surfaces(uploaded_.layout.views, eye, sets, layer_count_, max_inverse_depth_,
                          agreeing_depth_, packed);
     layers_.upload(packed);

@@ -15,7 +15,8 @@ namespace lumi {
 /// A layer holds the nearest surface of the most reliable kind: each kind is drawn into a range of
 /// the depth buffer of its own, so that the depth test prefers what was seen to what was filled,
 /// and either to what is stretched over a tear, near or far. Surfaces seen from behind are not
-/// drawn. In layers that are packed lone surfaces are settled (lone_surfaces.h); in others
+/// drawn. What was seen, but lies behind what the view stretches, is marked (behind_tears.h). In
+/// layers that are packed lone surfaces are settled (lone_surfaces.h); in others
 /// shaders/lone_surfaces.glsl settles them.
 ///
 /// Where OpenGL works on the CPU they are drawn in memory (DepthLayerRasters) and handed to it,

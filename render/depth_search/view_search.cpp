@@ -50,6 +50,8 @@ ViewSearch::ViewSearch(const LumigraphView& view, const TiledDepth& depth,
                          static_cast<double>(depth.height()) / view.camera.height_px),
       disparity_px_(disparity_px_per_inverse_depth(geometry, centre_in_world(eye.cam_from_world))),
       max_disparity_px_(max_disparity_px(geometry)),
+      focal_times_way_(geometry.focal_px *
+                       (centre_in_world(eye.cam_from_world) - geometry.centre_in_world).norm()),
       width_px_(view.camera.width_px),
       height_px_(view.camera.height_px),
       depth_(&depth),
@@ -144,7 +146,7 @@ std::optional<ViewHit> ViewSearch::first_hit(const Eigen::Vector2d& eye_pixel) c
     const double per_sample = walk.per_sample();
     double share = 0;
     double last_before = 0;
-    bool is_before = true;  // Nothing is nearer than where the stretch begins.
+    bool is_before = true;
     for (int step = 0; step < kMaxSteps; ++step) {
         if (is_before) {
             const double free_to = walk.past_free(share);
@@ -165,7 +167,8 @@ std::optional<ViewHit> ViewSearch::first_hit(const Eigen::Vector2d& eye_pixel) c
             }
         }
         if (at.ahead <= 0) {
-            if (is_before) {
+            const bool begins_behind = step == 0 && last_before == 0 && at.share == 0;
+            if (is_before && (!begins_behind || meets_at_border(at))) {
                 const double margin = kShortestStep * per_sample;
                 const auto hit = refined(walk, std::max(0.0, last_before - margin),
                                          std::min(1.0, share + margin));

@@ -83,6 +83,12 @@ class ViewSearch {
     [[nodiscard]] bool is_at_surface(const Meeting& meeting, double share) const {
         return std::abs(meeting.ahead) * max_disparity_px_ <= share * kAgreeingDisparity_px;
     }
+    /// Where the ray comes in over the photograph's border, already behind the surface there:
+    /// whether the eye cannot tell it from a ray that meets the surface. What a view knows of depth
+    /// is worth little to an eye that is much farther off than other views are.
+    [[nodiscard]] bool meets_at_border(const Meeting& meeting) const {
+        return -meeting.ahead * focal_times_way_ <= kAgreeingDisparity_px;
+    }
     /// The hit between a share of the way before the surface and one behind it; empty at a tear.
     [[nodiscard]] std::optional<ViewHit> refined(const EpipolarWalk& walk, double before,
                                                  double behind) const;
@@ -91,6 +97,7 @@ class ViewSearch {
     Eigen::Vector2d samples_per_pixel_;
     double disparity_px_;
     double max_disparity_px_;
+    double focal_times_way_;  ///< Of the view, and from the eye to it.
     int width_px_;
     int height_px_;
     const TiledDepth* depth_;

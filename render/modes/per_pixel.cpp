@@ -138,7 +138,7 @@ std::size_t PerPixel::draw_base(const Eye& eye, const RenderOptions& options,
 
 PictureCells PerPixel::found_holes(const DepthEye& depth_eye, const Camera& camera) {
     if (!holes_) holes_.emplace(layer_definitions());
-    return holes_->find(depth_.texture(), depth_eye, camera);
+    return holes_->find(depth_.texture(), depth_.agreeing_depth(), depth_eye, camera);
 }
 
 std::size_t PerPixel::fill_holes(const Eye& eye, const RenderOptions& options,

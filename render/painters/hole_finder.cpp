@@ -22,8 +22,8 @@ Program hole_program(std::vector<std::string> definitions) {
 HoleFinder::HoleFinder(std::vector<std::string> layer_definitions)
     : program_(hole_program(std::move(layer_definitions))) {}
 
-PictureCells HoleFinder::find(const TextureArray& layers, const DepthEye& depth_eye,
-                              const Camera& camera) {
+PictureCells HoleFinder::find(const TextureArray& layers, float agreeing_depth,
+                              const DepthEye& depth_eye, const Camera& camera) {
     PictureCells cells(camera, kHoleCell_px);
     const FramebufferBindingKeeper keeper;
     framebuffer_.bind();
@@ -35,6 +35,7 @@ PictureCells HoleFinder::find(const TextureArray& layers, const DepthEye& depth_
     program_.use();
     layers.bind(0);
     program_.set("depth_layers", 0);
+    program_.set("agreeing_depth", agreeing_depth);
     program_.set("cell_px", static_cast<float>(kHoleCell_px));
     program_.set("picture_size", glm::vec2(camera.width_px, camera.height_px));
     program_.set("texels_per_pixel", static_cast<float>(depth_eye.texels_per_pixel));

@@ -18,10 +18,11 @@ class HoleFinder {
     /// `layer_definitions` say how many layers there are, and how they lie in the texture.
     explicit HoleFinder(std::vector<std::string> layer_definitions);
 
-    /// `layers` hold the depth of `depth_eye` for the eye with this camera. Waits until they are
-    /// drawn; leaves the framebuffer bound that was.
-    [[nodiscard]] PictureCells find(const TextureArray& layers, const DepthEye& depth_eye,
-                                    const Camera& camera);
+    /// `layers` hold the depth of `depth_eye` for the eye with this camera, in which depths of one
+    /// surface differ by at most `agreeing_depth`. Waits until they are drawn; leaves the
+    /// framebuffer bound that was.
+    [[nodiscard]] PictureCells find(const TextureArray& layers, float agreeing_depth,
+                                    const DepthEye& depth_eye, const Camera& camera);
 
  private:
     Program program_;

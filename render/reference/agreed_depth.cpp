@@ -55,7 +55,8 @@ AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeome
             const auto mesh = depth_mesh_of(view, max_disparity_px(geometries[view_index]),
                                             depth_mesh_options(lumigraph));
             eye_depth_of_view_.emplace(
-                index, rasterise(*mesh, view, depth_eye_.eye, nearest_inverse_depth(lumigraph)));
+                index, rasterise(*mesh, view, depth_eye_.eye, nearest_inverse_depth(lumigraph),
+                                 agreeing_inverse_depth_));
             sights_.try_emplace(index, view, depth_eye_.eye);
         }
     }
@@ -88,10 +89,8 @@ std::vector<AgreedPixelDepth> AgreedDepth::samples_at(const Eigen::Vector2d& pix
 }
 
 bool AgreedDepth::is_hole(const Eigen::Vector2d& pixel) const {
-    const std::vector<EyeDepth> depths = depths_at(pixel);
-    return std::none_of(depths.begin(), depths.end(), [](const EyeDepth& depth) {
-        return depth.is_known() && depth.kind != DepthKind::kStretched;
-    });
+    const ConsensusDepth depth = consensus_of(depths_at(pixel), agreeing_inverse_depth_);
+    return depth.support == 0 || depth.kind == DepthKind::kStretched || depth.is_behind_tears;
 }
 
 int AgreedDepth::column_of(const Eigen::Vector2d& pixel) const {

@@ -35,8 +35,8 @@ class AgreedDepth {
     /// that are of its surface.
     [[nodiscard]] std::vector<AgreedPixelDepth> samples_at(const Eigen::Vector2d& pixel) const;
 
-    /// Whether none of the views sees what is at the place: it is stretched over tears, or nothing
-    /// is known (holes/hole_cells.h).
+    /// Whether none of the views sees what is at the place: it is stretched over tears, lies behind
+    /// such, or nothing is known (holes/hole_cells.h).
     [[nodiscard]] bool is_hole(const Eigen::Vector2d& pixel) const;
 
  private:

@@ -20,6 +20,7 @@ Eigen::Vector3d index_color(int index) {
 
 double confidence_of(const ConsensusDepth& depth) {
     if (depth.support == 0) return 0;
+    if (depth.is_behind_tears) return 0.125;
     if (depth.kind == DepthKind::kSeen) return 0.5 * depth.support;
     return depth.kind == DepthKind::kFilled ? 0.25 : 0.125;
 }

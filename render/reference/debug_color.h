@@ -24,7 +24,7 @@ struct ShownRay {
 [[nodiscard]] Eigen::Vector3d debug_color(DebugPicture picture, const ShownRay& ray,
                                           const Eigen::Vector2d& inverse_depth_range);
 
-/// 0 to 1: two views agree, one has seen it, it is filled, stretched, a guess.
+/// 0 to 1: two views agree, one has seen it, it is filled, stretched or behind that, a guess.
 [[nodiscard]] double confidence_of(const ConsensusDepth& depth);
 
 }  // namespace lumi

@@ -36,6 +36,8 @@ ConsensusDepth consensus_of(const std::vector<EyeDepth>& layers, double agreeing
     for (std::size_t layer = 0; layer < layers.size(); ++layer) {
         if (!agrees(layers[layer], chosen.inverse_depth)) continue;
         if (count == 0) chosen.best_layer = static_cast<int>(layer);
+        chosen.is_behind_tears =
+            layers[layer].is_behind_tear && (count == 0 || chosen.is_behind_tears);
         sum += layers[layer].inverse_depth;
         ++count;
     }

@@ -15,6 +15,8 @@ struct ConsensusDepth {
     DepthKind kind = DepthKind::kStretched;
     int best_layer = 0;  ///< First of the layers that agree.
     int support = 0;     ///< How many agree, at most 2; 0: nothing is known.
+    /// Whether all that agree see it behind what they stretch over a tear.
+    bool is_behind_tears = false;
 };
 
 /// The nearest depth that two views agree on, or else the nearest; only the most reliable kind

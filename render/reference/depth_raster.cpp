@@ -41,7 +41,7 @@ PixelBox box_of(const EyeTriangle& triangle, const Camera& camera) {
 /// b; it is inside, and in front of the eye, when no b is negative, and b interpolates what is
 /// affine on the surface.
 void draw(const EyeTriangle& triangle, const Camera& camera, double max_inverse_depth,
-          Image<EyeDepth>& drawn) {
+          Image<EyeDepth>& drawn, Image<double>& nearest_stretched) {
     // Corners turn left in the view's picture, whose y axis points down: seen from the front the
     // determinant is negative.
     if (triangle.corners.determinant() >= 0) return;
@@ -55,6 +55,8 @@ void draw(const EyeTriangle& triangle, const Camera& camera, double max_inverse_
             if (b.minCoeff() < -kRounding * b.cwiseAbs().maxCoeff()) continue;
             const double inverse_depth = b.dot(triangle.inverse_depths_in_view);
             if (inverse_depth > max_inverse_depth) continue;
+            if (triangle.kind == DepthKind::kStretched)
+                nearest_stretched(x, y) = std::max(nearest_stretched(x, y), inverse_depth);
             EyeDepth& known = drawn(x, y);
             const bool wins = !known.is_known() || triangle.kind < known.kind ||
                               (triangle.kind == known.kind && inverse_depth > known.inverse_depth);
@@ -66,9 +68,10 @@ void draw(const EyeTriangle& triangle, const Camera& camera, double max_inverse_
 }  // namespace
 
 Image<EyeDepth> rasterise(const DepthMesh& mesh, const LumigraphView& view, const Eye& eye,
-                          double max_inverse_depth) {
+                          double max_inverse_depth, double agreeing_inverse_depth) {
     const InverseDepthWarp eye_from_view = warp_from(view).to(eye);
     Image<EyeDepth> drawn(eye.camera.width_px, eye.camera.height_px);
+    Image<double> nearest_stretched(eye.camera.width_px, eye.camera.height_px);
     for (std::size_t kind = 0; kind < static_cast<std::size_t>(kDepthKinds); ++kind) {
         for (std::size_t i = mesh.kind_begin[kind]; i < mesh.kind_begin[kind + 1]; i += 3) {
             EyeTriangle triangle;
@@ -81,7 +84,15 @@ Image<EyeDepth> rasterise(const DepthMesh& mesh, const LumigraphView& view, cons
                 triangle.corners.col(corner) =
                     eye_from_view.homogeneous_at(vertex.head<2>(), vertex.z());
             }
-            draw(triangle, eye.camera, max_inverse_depth, drawn);
+            draw(triangle, eye.camera, max_inverse_depth, drawn, nearest_stretched);
+        }
+    }
+    for (int y = 0; y < drawn.height(); ++y) {
+        for (int x = 0; x < drawn.width(); ++x) {
+            EyeDepth& depth = drawn(x, y);
+            depth.is_behind_tear =
+                depth.is_known() && depth.kind == DepthKind::kSeen &&
+                nearest_stretched(x, y) - depth.inverse_depth > agreeing_inverse_depth;
         }
     }
     return drawn;

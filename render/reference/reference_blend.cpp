@@ -57,7 +57,7 @@ std::optional<DrawnPixel> ReferenceBlend::at_depth(const RayWeights& ray, const 
     const bool has_depth = shared.depth.support > 0;
     if (!weights && !has_depth) return std::nullopt;
     const bool is_known = has_depth && (weights || shared.depth.kind != DepthKind::kStretched) &&
-                          counting >= kLeastCounting;
+                          counting >= kLeastCounting && !shared.depth.is_behind_tears;
     const double fade = options_.fade_beyond_capture ? capture_fade(ray) : 1.0;
     return DrawnPixel{fade * color_of(ray, weights, shared, point, occluded),
                       is_known ? fade : 0.0};

@@ -31,6 +31,7 @@ struct Depth {
     float kind;     // 0 seen, 1 filled, 2 stretched, 3 nothing known
     float support;  // how many views agree, at most 2
     int layer;      // the first of them
+    bool is_behind_tears;  // whether all that agree see it behind what they stretch over a tear
     vec4 of_layers; // what each layer's view sees or fills in there
 };
 
@@ -59,6 +60,9 @@ vec4 layer_depths(ivec2 texel) {
 #endif
 }
 
+// 1 for layers that see it behind what they stretch over a tear (depth_layers/behind_tears.h).
+vec4 behind_tears(vec4 depths) { return vec4(floatBitsToUint(depths) & 1u); }
+
 // 1 for layers that no other agrees with.
 vec4 alone(vec4 depths) {
     vec3 with_x = step(agreeing_depth, abs(depths.yzw - depths.x));
@@ -79,8 +83,8 @@ vec4 seen_in_layers(vec4 depths) {
 // view imagines before those that others see is thus left out.
 //
 // In the units of the depth buffer: kinds are kept so far apart there that none agrees with another
-// (depth_layers.h).
-Depth agreed_depth(vec4 depths) {
+// (depth_layers.h). `behind`: as from behind_tears.
+Depth agreed_depth(vec4 depths, vec4 behind) {
     float nearest = smallest(depths);
     float kind = step(kKindStep, nearest) + step(2.0 * kKindStep, nearest) + step(kNothing, nearest);
     float preferred = kind < kSeen ? 1.0 : -1.0;
@@ -93,8 +97,9 @@ Depth agreed_depth(vec4 depths) {
     vec4 agreeing = agree(depths, preferred * (has_agreed ? first_agreed : smallest(order)));
     int layer = agreeing.x > 0.0 ? 0 : agreeing.y > 0.0 ? 1 : agreeing.z > 0.0 ? 2 : 3;
     float depth = dot(agreeing, depths) / dot(agreeing, vec4(1.0)) - kKindStep * kind;
+    bool is_behind_tears = kind < kSeen && dot(agreeing, 1.0 - behind) < 0.5;
     return Depth(max_inverse_depth * max(0.0, 1.0 - depth / kKindWidth), kind, support, layer,
-                 seen_in_layers(depths));
+                 is_behind_tears, seen_in_layers(depths));
 }
 
 // The homogeneous pixel of (x, y, 1, inverse depth) in the layer's view. Linear in the ray: of

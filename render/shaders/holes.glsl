@@ -1,5 +1,6 @@
 // For each cell of the picture, of the places in it that are looked at, the share at which no view
-// that was asked for depth sees the scene: what it shows there is stretched over a tear, or nothing.
+// that was asked for depth sees the scene: what it shows there is stretched over a tear, lies behind
+// such a tear, or is nothing.
 // The cells' rows count from the top of the picture, here as in holes/hole_cells.h.
 
 #ifdef LUMI_FRAGMENT
@@ -19,9 +20,10 @@ void main() {
         vec2 texel = pixel * texels_per_pixel;
         // Places lie on the sides of texels: those below and to the right are looked at.
         vec2 from_bottom_left = vec2(texel.x, texel_rows - 1.0 - floor(texel.y));
-        float nearest = smallest(layer_depths(ivec2(from_bottom_left)));
+        vec4 depths = layer_depths(ivec2(from_bottom_left));
+        Depth depth = agreed_depth(depths, behind_tears(depths));
         inside += 1.0;
-        holes += step(2.0 * kKindStep, nearest);
+        holes += depth.kind > kSeenOrFilled || depth.is_behind_tears ? 1.0 : 0.0;
     }
     drawn = vec4(holes / max(inside, 1.0));
 }

@@ -85,14 +85,17 @@ vec4 drawn_at(Blend blend, vec2 from_centre_px) {
     // What none of the three sees and no view has seen is drawn as a guess too.
     float is_known = blend.is_guess || (blend.is_unseen && blend.depth.kind > kSeenOrFilled) ? 0.0 : 1.0;
     float covered = is_known * (blend.is_unseen ? 1.0 : step(kLeastCounting * blend.sum, pure));
+    covered = blend.depth.is_behind_tears ? 0.0 : covered;
     weights = blend.is_unseen ? vec3(1.0, 0.0, 0.0) : weights * (1.0 / max(counting, 1e-9));
 #ifdef FADES
     // A shell is laid over by its alpha: it hides what is beneath.
     covered = mix(covered, is_known, is_shell);
 #endif
 #ifdef DEBUG_PICTURE
-    // Two views agree: 1; one has seen it: 0.5; filled: 0.25; stretched: 0.125; a guess: 0.
-    float confidence = blend.depth.kind < kSeen           ? 0.5 * blend.depth.support
+    // Two views agree: 1; one has seen it: 0.5; filled: 0.25; stretched, or behind such a tear: 0.125;
+    // a guess: 0.
+    float confidence = blend.depth.is_behind_tears        ? 0.125
+                       : blend.depth.kind < kSeen         ? 0.5 * blend.depth.support
                        : blend.depth.kind < kSeenOrFilled ? 0.25
                        : blend.is_guess                   ? 0.0
                                                           : 0.125;
@@ -181,7 +184,7 @@ vec4 smooth_at(vec2 window) {
         float samples = dot(of_surface, vec4(1.0));
         vec4 mean = (of_surface.x * depth0 + of_surface.y * depth1 + of_surface.z * depth2 +
                      of_surface.w * depth3) / samples;
-        Blend blend = blend_at(window, agreed_depth(mean));
+        Blend blend = blend_at(window, agreed_depth(mean, behind_tears(first)));
         float drawn_samples = blend.is_unseen && blend.is_guess ? 0.0 : samples;
         sum += drawn_samples * drawn_at(blend, vec2(0.0));
         count += drawn_samples;
@@ -196,7 +199,8 @@ void main() {
 #ifdef SMOOTH
     drawn = smooth_at(window);
 #else
-    Blend blend = blend_at(window, agreed_depth(settled_depths(texel_at(window))));
+    vec4 depths = settled_depths(texel_at(window));
+    Blend blend = blend_at(window, agreed_depth(depths, behind_tears(depths)));
     if (blend.is_unseen && blend.is_guess) discard;
 #ifdef BLOCKS
     drawn = drawn_at(blend, vec2(-0.5, -0.5));

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstdint>
+
 #include "render/depth_layers/depth_kind_ranges.h"
 #include "render/depth_mesh/view_depth_mesh.h"
 #include "render/reference/depth_raster.h"
@@ -12,6 +15,9 @@ namespace lumi {
 namespace {
 
 constexpr double kMaxInverseDepth = 100;
+/// Inverse depths of one surface differ by less, and the same in units of the depth buffer.
+constexpr double kAgreeing = 0.002;
+constexpr auto kAgreeingDepth = static_cast<float>(kDepthKindWidth * kAgreeing / kMaxInverseDepth);
 
 std::vector<std::shared_ptr<const DepthMesh>> meshes_of(const Lumigraph& lumigraph) {
     const std::vector<ViewGeometry> geometries = view_geometries(lumigraph);
@@ -26,7 +32,8 @@ EyeDepth read(float texel) {
     if (texel >= 1.0F) return {};
     const int kind = static_cast<int>(static_cast<double>(texel) / kDepthKindStep);
     const double share = (static_cast<double>(texel) - kDepthKindStep * kind) / kDepthKindWidth;
-    return {kMaxInverseDepth * (1 - share), static_cast<DepthKind>(kind)};
+    const bool is_behind_tear = kind == 0 && (std::bit_cast<std::uint32_t>(texel) & 1U) != 0;
+    return {kMaxInverseDepth * (1 - share), static_cast<DepthKind>(kind), is_behind_tear};
 }
 
 /// All of a view's mesh, into the layer.
@@ -41,7 +48,7 @@ void append_draws(int view, int layer, int width, const DepthMesh& mesh,
 
 bool is_same(const EyeDepth& a, const EyeDepth& b) {
     if (!a.is_known() || !b.is_known()) return a.is_known() == b.is_known();
-    return a.kind == b.kind &&
+    return a.kind == b.kind && a.is_behind_tear == b.is_behind_tear &&
            std::abs(a.inverse_depth - b.inverse_depth) < 1e-3 * (1 + b.inverse_depth);
 }
 
@@ -56,11 +63,13 @@ double unlike_share(const Lumigraph& lumigraph, const Eye& eye) {
     std::vector<DepthLayerDraw> draws;
     for (int view = 0; view < kLayers; ++view)
         append_draws(view, view, width, *meshes[static_cast<std::size_t>(view)], draws);
-    const std::vector<float>& texels = rasters.draw(eye, draws, kMaxInverseDepth, kLayers);
+    const std::vector<float>& texels =
+        rasters.draw(eye, draws, kMaxInverseDepth, kAgreeingDepth, kLayers);
     int unlike = 0;
     for (int view = 0; view < kLayers; ++view) {
         const auto v = static_cast<std::size_t>(view);
-        const Image<EyeDepth> expected = rasterise(*meshes[v], lumigraph.views[v], eye);
+        const Image<EyeDepth> expected =
+            rasterise(*meshes[v], lumigraph.views[v], eye, kMaxInverseDepth, kAgreeing);
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
                 if (expected(x, y).inverse_depth > kMaxInverseDepth) continue;  // Too near.
@@ -91,6 +100,75 @@ TEST(DepthLayerRasters, AreWhatPlainCodeDraws) {
             << centre_in_world(eye.cam_from_world).transpose();
 }
 
+/// Whether a ray passes what the card, so many times as large, hides from the view.
+bool passes_hidden(const Eigen::Vector3d& view_in_world, const Eigen::Vector3d& eye_in_world,
+                   const Eigen::Vector3d& on_wall, double size) {
+    constexpr int kSteps = 2000;
+    for (int step = 0; step < kSteps; ++step) {
+        const Eigen::Vector3d at =
+            eye_in_world + (on_wall - eye_in_world) * (step / static_cast<double>(kSteps));
+        const Eigen::Vector3d from_view = at - view_in_world;
+        const Eigen::Vector3d on_card =
+            view_in_world + from_view * ((3 - view_in_world.z()) / from_view.z());
+        if (at.z() > 3 && std::abs(on_card.x()) < 0.7 * size && std::abs(on_card.y()) < 0.5 * size)
+            return true;
+    }
+    return false;
+}
+
+struct Marks {
+    int right = 0;  ///< Where the ray passes what is hidden.
+    int none = 0;   ///< Rightly.
+    int wrong = 0;
+};
+
+/// What is marked of the wall that the first view has seen.
+Marks marks_of(const Lumigraph& wall, const Eye& eye) {
+    const auto meshes = meshes_of(wall);
+    DepthLayerRasters rasters(wall.views, meshes);
+    const int width = eye.camera.width_px;
+    const int height = eye.camera.height_px;
+    const Eigen::Vector3d eye_in_world = centre_in_world(eye.cam_from_world);
+    const Eigen::Vector3d view_in_world = centre_in_world(wall.views[0].cam_from_world);
+    std::vector<DepthLayerDraw> draws;
+    append_draws(0, 0, width, *meshes[0], draws);
+    const std::vector<float>& texels =
+        rasters.draw(eye, draws, kMaxInverseDepth, kAgreeingDepth, 1);
+    Marks marks;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const int texel = (height - 1 - y) * width + x;
+            const EyeDepth depth =
+                read(texels[static_cast<std::size_t>(DepthLayerRasters::kPacked * texel)]);
+            if (!depth.is_known() || depth.kind != DepthKind::kSeen) continue;
+            const Eigen::Vector3d direction =
+                eye.cam_from_world.rotation.conjugate() * unproject(eye.camera, {x + 0.5, y + 0.5});
+            const double to_wall = (6 - eye_in_world.z()) / direction.z();
+            if (std::abs(depth.inverse_depth * to_wall - 1) > 0.01) continue;  // It is the card.
+            const Eigen::Vector3d on_wall = eye_in_world + direction * to_wall;
+            // A sample of the depth map is a fiftieth of the card.
+            const bool is_hidden = passes_hidden(view_in_world, eye_in_world, on_wall, 0.9);
+            if (is_hidden != passes_hidden(view_in_world, eye_in_world, on_wall, 1.1)) continue;
+            ++(depth.is_behind_tear != is_hidden ? marks.wrong
+               : is_hidden                       ? marks.right
+                                                 : marks.none);
+        }
+    }
+    return marks;
+}
+
+TEST(DepthLayerRasters, AreMarkedWhereTheRayPassesWhatTheViewCannotSee) {
+    const Lumigraph wall = card_before_wall();
+    const Camera camera = pinhole_camera(96, 72, 60);
+    // From beside the card, whose other side of the wall is seen through what the card hides.
+    const Marks beside = marks_of(wall, eye_at({1.9, 0.1, 3.4}, {-1.5, 0, 6}, camera));
+    EXPECT_GT(beside.right, 300);
+    EXPECT_EQ(beside.wrong, 0);
+    const Marks before = marks_of(wall, eye_at({0.4, -0.3, 0.2}, {0, 0, 6}, camera));
+    EXPECT_GT(before.none, 300);
+    EXPECT_EQ(before.wrong, 0);
+}
+
 TEST(DepthLayerRasters, HaveNothingInLayersThatAreNotDrawn) {
     const Lumigraph wall = card_before_wall();
     const auto meshes = meshes_of(wall);
@@ -101,8 +179,9 @@ TEST(DepthLayerRasters, HaveNothingInLayersThatAreNotDrawn) {
     std::vector<DepthLayerDraw> last_layer;
     append_draws(1, 3, 20, *meshes[1], last_layer);
     for (const int layers : {4, 2, 3}) {
-        static_cast<void>(rasters.draw(eye, last_layer, kMaxInverseDepth, 4));
-        const std::vector<float>& texels = rasters.draw(eye, draws, kMaxInverseDepth, layers);
+        static_cast<void>(rasters.draw(eye, last_layer, kMaxInverseDepth, kAgreeingDepth, 4));
+        const std::vector<float>& texels =
+            rasters.draw(eye, draws, kMaxInverseDepth, kAgreeingDepth, layers);
         ASSERT_EQ(texels.size(), 20U * 15U * 4U);
         for (std::size_t i = 0; i < texels.size(); ++i) {
             if (i % 4 != 1) {
