@@ -27,6 +27,8 @@ class KeptBackPhotographs {
     KeptBackPhotographs(const KeptBackPhotographs&) = delete;
     KeptBackPhotographs& operator=(const KeptBackPhotographs&) = delete;
 
+    /// All of whose views they are some.
+    [[nodiscard]] const Lumigraph& lumigraph() const { return lumigraph_; }
     /// How many photographs there are; 0 for fewer than eight views, of which nobody is asked.
     /// Throws Error (E-GL-...), as all below.
     [[nodiscard]] std::size_t count();

@@ -26,6 +26,13 @@ std::string gain_text(double gain_db, std::optional<double> standard_error_db = 
            (is_loss ? " dB worse" : " dB better");
 }
 
+/// What eyes say that look from elsewhere, where they were asked.
+std::string moved_text(double know_more) {
+    if (know_more == 0) return "";
+    return "by which eyes a third nearer and farther know " + number_text(100 * know_more, 1) +
+           " % more of their pictures, ";
+}
+
 }  // namespace
 
 void choose(const OcclusionEffort& effort, DrawingChoices& drawing) {
@@ -63,10 +70,9 @@ std::string text_of(const DepthEffort& effort) {
            gain_text(effort.fewer_views_lose_db, effort.standard_error_db) + " with " +
            std::to_string(kMaxDepthViews) + " views than with " + std::to_string(kLeastDepthViews) +
            ", " + gain_text(effort.blocks_lose_db) + " pixel by pixel, " +
-           gain_text(effort.holes_lose_db) + " with what these do not see " +
-           (effort.fills_holes ? "drawn from others, which is done"
-                               : "drawn from others, which is not done") +
-           ", and " + gain_text(effort.guesses_lose_db) + " with guesses " +
+           gain_text(effort.holes_lose_db) + " with what these do not see drawn from others, " +
+           moved_text(effort.moved_know_more) + "which is " + (effort.fills_holes ? "" : "not ") +
+           "done" + ", and " + gain_text(effort.guesses_lose_db) + " with guesses " +
            (effort.checks_guesses ? "checked, which is done" : "checked, which is not done");
 }
 
@@ -110,6 +116,7 @@ Json json_of(const DepthEffort& effort) {
             {"standard_error_db", effort.standard_error_db},
             {"blocks_lose_db", effort.blocks_lose_db},
             {"holes_lose_db", effort.holes_lose_db},
+            {"moved_know_more", effort.moved_know_more},
             {"guesses_lose_db", effort.guesses_lose_db}};
 }
 

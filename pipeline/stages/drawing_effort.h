@@ -22,8 +22,11 @@ struct DepthEffort {
     double standard_error_db = 0.0;  ///< Of that.
     double blocks_lose_db = 0.0;     ///< The same for blocks of kMaxDepthBlock_px.
     double holes_lose_db = 0.0;      ///< The same, of so many views, for holes that are not filled.
-    double guesses_lose_db = 0.0;    ///< The same for guesses that are not checked, of the
-                                     ///< most views, with holes filled.
+    /// How much more of their pictures eyes know for it, in the mean, that look from nearer and
+    /// from farther than photographs, as a share; 0 where photographs alone decided.
+    double moved_know_more = 0.0;
+    double guesses_lose_db = 0.0;  ///< The same for guesses that are not checked, of the
+                                   ///< most views, with holes filled.
 };
 
 /// How closely depth meshes follow depth maps that tell noise (Lumigraph::noisy_depth_error_px),

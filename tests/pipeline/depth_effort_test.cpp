@@ -20,10 +20,11 @@ DepthEffort effort_in(Studio& studio, int given_views = 0) {
 }
 
 TEST(DepthEffort, IsTheLeastWhereEachViewSeesEverything) {
-    Studio studio = before_a_board(18, 0.04);
+    Studio studio = before_a_board(18, 0.01);
     const DepthEffort effort = effort_in(studio);
     EXPECT_EQ(effort.views, kLeastDepthViews);
     EXPECT_FALSE(effort.fills_holes);
+    EXPECT_LT(effort.moved_know_more, 0.01);
     EXPECT_FALSE(effort.checks_guesses);
     EXPECT_NEAR(effort.guesses_lose_db, 0, 0.01);
     EXPECT_EQ(effort.pictures, 9);
@@ -76,6 +77,15 @@ TEST(DepthEffort, FillsHolesWhereThingsHideOneAnother) {
     const DepthEffort effort = effort_in(studio);
     EXPECT_TRUE(effort.fills_holes);
     EXPECT_GT(effort.holes_lose_db, 0.1);
+}
+
+/// Each photograph shows a part, and in its place the three nearest show nearly all of it.
+TEST(DepthEffort, FillsHolesWhereEyesFartherAwayKnowMoreByIt) {
+    Studio studio = before_a_board(18, 0.5);
+    const DepthEffort effort = effort_in(studio);
+    EXPECT_LT(std::abs(effort.holes_lose_db), 0.1);
+    EXPECT_GT(effort.moved_know_more, 0.01);
+    EXPECT_TRUE(effort.fills_holes);
 }
 
 TEST(DepthEffort, IsForEachPixelOfThinThingsThatStandApart) {
