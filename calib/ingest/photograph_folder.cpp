@@ -48,21 +48,11 @@ std::vector<std::uint8_t> first_bytes(const fs::path& path) {
     return bytes;
 }
 
-/// What of lumi's own lies there: the workspace around the working folder, else that folder alone.
-fs::path own_folder(const fs::path& root, const fs::path& working_folder) {
-    fs::path own = working_folder;
-    for (fs::path folder = own; folder != root && folder.has_relative_path();
-         folder = folder.parent_path()) {
-        if (is_made_by_lumi(folder)) own = folder;
-    }
-    return own;
-}
-
 class FolderWalk {
  public:
     FolderWalk(const fs::path& root, const fs::path& working_folder,
-               const std::vector<fs::path>& other_folders) {
-        own_ = own_folder(fs::weakly_canonical(root), fs::weakly_canonical(working_folder));
+               const std::vector<fs::path>& other_folders)
+        : working_folder_(fs::weakly_canonical(working_folder)) {
         for (const fs::path& folder : other_folders) others_.insert(fs::weakly_canonical(folder));
         others_.erase(fs::weakly_canonical(root));
         walk(root, "");
@@ -108,12 +98,10 @@ class FolderWalk {
                const std::string& file_name) {
         std::error_code ignored;
         const fs::path canonical = fs::weakly_canonical(folder.path(), ignored);
-        if (!canonical.empty() && canonical == own_) return;
-        if (is_made_by_lumi(folder.path())) {
-            // Workspaces beside the own one come and go, and nobody looks for photographs there.
-            if (canonical.parent_path() == own_.parent_path()) return;
-            leave_out(prefix + file_name, "E-INGEST-OWN", "made by lumi: no photographs");
-        } else if (others_.contains(canonical)) {
+        if (!canonical.empty() && canonical == working_folder_) return;
+        // Frames and workspaces come and go, and nobody looks for photographs there.
+        if (is_made_by_lumi(folder.path())) return;
+        if (others_.contains(canonical)) {
             leave_out(prefix + file_name, "E-INGEST-OWN",
                       "the configuration names it for something else: no photographs");
         } else if (folder.is_symlink(ignored)) {
@@ -160,7 +148,7 @@ class FolderWalk {
     }
 
     PhotographFolder found_;
-    fs::path own_;
+    fs::path working_folder_;
     std::set<fs::path> others_;
     std::set<fs::path> walked_;
     std::map<std::string, fs::path> links_;  ///< To be walked when all that lies here has been.

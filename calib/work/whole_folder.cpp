@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "calib/work/error.h"
 #include "calib/work/printable.h"
@@ -62,6 +63,33 @@ void move_into_place(const fs::path& fresh, const fs::path& target) {
     std::error_code ignored;
     if (fs::exists(target, ignored)) return replace_folder_in_two_steps(fresh, target);
     if (::rename(fresh.c_str(), target.c_str()) != 0) refuse_write(target, errno);
+}
+
+/// Every file below a folder, by its name there. Throws Error (E-FILE-READ).
+std::vector<fs::path> names_below(const fs::path& folder) {
+    std::vector<fs::path> names;
+    std::error_code status;
+    fs::recursive_directory_iterator entry(folder, status);
+    for (; !status && entry != fs::recursive_directory_iterator(); entry.increment(status)) {
+        if (entry->symlink_status().type() != fs::file_type::directory)
+            names.push_back(entry->path().lexically_relative(folder));
+    }
+    if (status) {
+        throw Error(ErrorKind::kBadInput, "E-FILE-READ", folder.string() + ": " + status.message(),
+                    "check that you may read the folder and those in it");
+    }
+    return names;
+}
+
+/// One file in two places; a copy where the file system knows no links.
+void link_or_copy(const fs::path& from, const fs::path& to) {
+    std::error_code status;
+    fs::create_directories(to.parent_path(), status);
+    if (status) refuse_write(to, status.value());
+    fs::create_hard_link(from, to, status);
+    if (status && status != std::errc::file_exists)
+        fs::copy(from, to, fs::copy_options::copy_symlinks, status);
+    if (status) refuse_write(to, status.value());
 }
 
 }  // namespace
@@ -143,6 +171,18 @@ WholeFolder::~WholeFolder() {
     std::error_code ignored;
     fs::remove_all(staging_, ignored);
     ::close(lock_);
+}
+
+void WholeFolder::keep_files_of_others(const std::function<bool(const std::string&)>& is_ours) {
+    std::error_code status;
+    if (!fs::is_directory(target_, status)) return;
+    for (const fs::path& name : names_below(target_)) {
+        const fs::path kept = staging_ / name;
+        const fs::file_type made = fs::symlink_status(kept, status).type();
+        const bool is_replaced =
+            made != fs::file_type::not_found && made != fs::file_type::directory;
+        if (!is_replaced && !is_ours(name.generic_string())) link_or_copy(target_ / name, kept);
+    }
 }
 
 void WholeFolder::put_in_place() {

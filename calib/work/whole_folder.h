@@ -25,6 +25,11 @@ class WholeFolder {
     WholeFolder& operator=(const WholeFolder&) = delete;
 
     [[nodiscard]] const std::filesystem::path& staging() const { return staging_; }
+    /// Takes into `staging()` what else lies in the target, whoever put it there: every file but
+    /// those that `is_ours` knows by their names below the target ('/' between folders), and those
+    /// that stand in `staging()` by now. To be called when all else is written. Throws Error
+    /// (E-FILE-READ, E-FILE-WRITE): what cannot be kept is not to be lost.
+    void keep_files_of_others(const std::function<bool(const std::string&)>& is_ours);
     /// Throws Error (E-FILE-WRITE) and leaves the old folder where it is.
     void put_in_place();
 

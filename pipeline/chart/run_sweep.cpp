@@ -46,6 +46,8 @@ class SweepRun {
         : folder_(folder), threads_(threads), progress_(progress), is_enough_(is_enough) {
         result_.sweep = sweep;
         result_.variants.resize(sweep.variants.size());
+        for (int repeat = 0; repeat < sweep.repeats; ++repeat)
+            stores_.emplace_back(folder / ("store-" + std::to_string(repeat)));
     }
 
     ChartResult run() {
@@ -79,13 +81,20 @@ class SweepRun {
         }
     }
 
+    /// No variant was made: what ended the first, which a build tells more of.
+    [[noreturn]] void refuse_all() const {
+        throw Error(first_error_->kind(), first_error_->code(), first_error_->what(),
+                    first_error_->advice() +
+                        "; `lumi build` of the same configuration writes a report of it");
+    }
+
     /// All are compared with the largest photographs, which must be there before the first is.
     void copy_photographs(std::size_t index) {
         attempt(index, [&] {
             const Workspace workspace(variant_layout(variants()[index], folder_, 0));
-            const StageStore store(folder_ / "store-0");
-            for (const FinishedStage& stage : run_line(variants()[index].config, workspace,
-                                                       "ingest", threads_, progress_, &store)) {
+            for (const FinishedStage& stage :
+                 run_line(variants()[index].config, workspace, "ingest", threads_, progress_,
+                          &stores_.front())) {
                 if (stage.was_run) result_.work.done_cpu_s += stage.cost.cpu_s;
             }
         });
@@ -110,7 +119,7 @@ class SweepRun {
         const Variant& variant = variants()[index];
         MeasuredVariant& measured = result_.variants[index];
         const Workspace workspace(variant_layout(variant, folder_, repeat));
-        const StageStore store(folder_ / ("store-" + std::to_string(repeat)));
+        StageStore& store = stores_[static_cast<std::size_t>(repeat)];
         const std::vector<FinishedStage> stages =
             run_line(variant.config, workspace, "pack", threads_, progress_, &store);
         if (measured.stages.empty()) measured.stages.resize(stages.size());
@@ -146,7 +155,7 @@ class SweepRun {
             most_pixels = pixels;
             result_.reference_copies = std::move(copies);
         }
-        if (result_.reference_copies.empty()) throw *first_error_;
+        if (result_.reference_copies.empty()) refuse_all();
         for (const Photograph& copy : result_.reference_copies) {
             result_.reference_width_px = std::max(result_.reference_width_px, copy.width_px);
         }
@@ -220,7 +229,7 @@ class SweepRun {
             }
             shared = std::move(names);
         }
-        if (!shared) throw *first_error_;
+        if (!shared) refuse_all();
         result_.shared_views.assign(shared->begin(), shared->end());
         for (MeasuredVariant& variant : result_.variants) {
             for (ModeScores& scores : variant.scores) {
@@ -235,6 +244,7 @@ class SweepRun {
     Progress& progress_;
     const IsEnough& is_enough_;
     ChartResult result_;
+    std::vector<StageStore> stores_;  ///< By repeats: these share nothing.
     MeasurementCache cache_{folder_ / "measurements", opengl_at_hand()};
     std::optional<Error> first_error_;
 };

@@ -213,8 +213,8 @@ void add_evaluate_command(CLI::App& app, CommandContext& context) {
     CLI::Option* rivals = command.add_flag(
         "--rivals", request->rivals,
         "Also the methods that the paper is compared with: Heigl et al. 1999, unstructured "
-        "lumigraph, view-dependent texture, forward warping, two-plane and spherical; takes "
-        "minutes");
+        "lumigraph, view-dependent texture, forward warping, dynamically reparameterized (without "
+        "depth, in plain code), two-plane and spherical; takes minutes");
     CLI::Option* leave_one_out =
         command.add_flag("--leave-one-out", request->leave_one_out,
                          "WORKSPACE is a configuration: every photograph is left out in turn, "

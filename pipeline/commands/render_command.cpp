@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "calib/ingest/made_by_lumi.h"
@@ -103,13 +104,22 @@ std::string kind_of_frames(const RenderRequest& request, const RenderOptions& op
     return kind;
 }
 
+bool is_any_there(const std::vector<fs::path>& files) {
+    return std::any_of(files.begin(), files.end(), [](const fs::path& file) {
+        std::error_code status;
+        return fs::exists(file, status);
+    });
+}
+
 std::vector<Job> jobs_of(const RenderRequest& request, const Eye& eye, const RenderOptions& options,
                          const Lumigraph& lumigraph) {
     if (!request.eye.empty()) return {{eye, request.out}};
     if (!request.all_views) return {job_at_view(request, lumigraph)};
-    const std::vector<fs::path> frames =
-        frames_of_views(request.out, names_of_views(lumigraph), kind_of_frames(request, options),
-                        known_photographs(request.package, lumigraph).names);
+    const KnownPhotographs known = known_photographs(request.package, lumigraph);
+    const std::vector<fs::path> frames = frames_of_views(
+        request.out, names_of_views(lumigraph), kind_of_frames(request, options), known.names);
+    // Then nothing tells that what stands there is no photograph that was held out.
+    if (known.failure && is_any_there(frames)) throw Error(*known.failure);
     std::vector<Job> jobs;
     for (std::size_t i = 0; i < frames.size(); ++i)
         jobs.push_back(job_at(lumigraph.views[i], frames[i]));

@@ -2,10 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "calib/work/error.h"
-#include "pipeline/commands/chosen_workspace.h"
+#include "pipeline/commands/partial_build.h"
+#include "pipeline/line/chosen_workspace.h"
 #include "pipeline/line/line.h"
-#include "pipeline/line/placed_photographs.h"
 #include "pipeline/line/stages_file.h"
 #include "pipeline/report/workspace_report.h"
 #include "pipeline/text/number_text.h"
@@ -34,18 +33,6 @@ std::string evidence_text(const std::vector<FinishedStage>& stages) {
     return text;
 }
 
-/// What was made stands, and is not what was asked for.
-void refuse_partial(const std::vector<FinishedStage>& stages, const WorkspaceLayout& layout) {
-    const auto photographs = placed_photographs(stages);
-    if (!photographs || !photographs->is_partial()) return;
-    throw Error(ErrorKind::kPartialResult, "E-BUILD-PARTIAL",
-                "only " + std::to_string(photographs->placed) + " of " +
-                    std::to_string(photographs->total) +
-                    " photographs found a place, and what was made shows what these show",
-                layout.report_path().string() +
-                    " says why of each; photographs between those that are far apart join them");
-}
-
 }  // namespace
 
 void run_build(const BuildRequest& request, const std::string& last_stage,
@@ -67,7 +54,7 @@ void run_build(const BuildRequest& request, const std::string& last_stage,
             last_stage == "pack" ? workspace.package_folder() : workspace.stage_folder(last_stage);
         context.print_result(made.string() + "\n");
     }
-    refuse_partial(stages, workspace);
+    refuse_partial(placed_photographs(stages), workspace);
 }
 
 }  // namespace lumi

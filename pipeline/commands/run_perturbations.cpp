@@ -4,8 +4,8 @@
 
 #include "calib/work/content_hash.h"
 #include "calib/work/whole_file.h"
-#include "pipeline/commands/chosen_workspace.h"
 #include "pipeline/config/config_variant.h"
+#include "pipeline/line/chosen_workspace.h"
 #include "pipeline/line/line.h"
 #include "pipeline/stress/stress_files.h"
 #include "pipeline/stress/stress_subject.h"

@@ -1,13 +1,15 @@
 #include "pipeline/commands/run_target.h"
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "calib/work/error.h"
 #include "pipeline/chart/chart_files.h"
 #include "pipeline/chart/run_sweep.h"
-#include "pipeline/commands/chosen_workspace.h"
+#include "pipeline/commands/partial_build.h"
 #include "pipeline/config/config_variant.h"
 #include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/line/chosen_workspace.h"
 #include "pipeline/report/workspace_report.h"
 #include "pipeline/target/candidates.h"
 #include "pipeline/target/deliver.h"
@@ -47,18 +49,22 @@ void run_target(const BuildRequest& request, const std::string& wish,
         run_sweep(sweep, chart_folder, threads, *context.progress,
                   [&](const MeasuredVariant& variant) { return ends_the_sweep(wanted, variant); });
     write_chart_files(chart_folder, chart, *context.progress);
-    const Delivery delivery = deliver(wanted, chart, workspace, threads, *context.progress);
-    nlohmann::ordered_json told_to_report = delivery_json(delivery);
-    told_to_report["package_sha256"] = package_sha256(workspace);
-    write_json_file(workspace.folder() / "target.json", told_to_report);
-    write_workspace_report(workspace);
+    std::optional<Delivery> made;
+    work_and_report(workspace, [&] {
+        made = deliver(wanted, chart, workspace, threads, *context.progress);
+        nlohmann::ordered_json told_to_report = delivery_json(*made);
+        told_to_report["package_sha256"] = package_sha256(workspace);
+        write_json_file(workspace.folder() / "target.json", told_to_report);
+    });
+    const Delivery& delivery = *made;
 
     if (context.json) {
         context.print_result(delivery_json(delivery));
     } else {
         context.print_result(workspace.package_folder().string() + "\n" + told(delivery));
     }
-    if (meets(delivery.wish, delivery.delivered)) return;
+    if (meets(delivery.wish, delivery.delivered))
+        return refuse_partial(delivery.photographs, workspace);
     throw Error(ErrorKind::kPartialResult, "E-TARGET-MISSED",
                 wish + " is out of reach: the nearest is " +
                     figure_text(delivery.wish, delivery.delivered) + " with " +

@@ -5,6 +5,7 @@
 #include "calib/work/error_of_exception.h"
 #include "pipeline/evaluate/evaluate_workspace.h"
 #include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/line/chosen_workspace.h"
 #include "pipeline/line/code_version.h"
 #include "pipeline/line/line.h"
 #include "pipeline/line/placed_photographs.h"
@@ -52,8 +53,8 @@ std::optional<Interval> flip_interval_of(const std::vector<ViewScore>& views) {
 
 void build(const DatasetScene& scene, const fs::path& folder, int threads, SceneOutcome& outcome,
            Progress& progress) {
-    const Workspace workspace(WorkspaceLayout(folder / scene.name, scene.config.name));
     const int scene_threads = threads > 0 ? threads : scene.config.threads;
+    const Workspace workspace(layout_for(folder / scene.name, scene.config, scene_threads));
     work_and_report(workspace, [&] {
         const std::vector<FinishedStage> stages =
             run_line(scene.config, workspace, "pack", scene_threads, progress);
@@ -74,7 +75,6 @@ void build(const DatasetScene& scene, const fs::path& folder, int threads, Scene
 
 std::vector<SceneOutcome> run_dataset(const Dataset& dataset, const fs::path& folder, int threads,
                                       Progress& progress) {
-    fs::create_directories(folder);
     const FolderLock lock(folder);
     std::vector<SceneOutcome> outcomes;
     for (const DatasetScene& scene : dataset.scenes) {

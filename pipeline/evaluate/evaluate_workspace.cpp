@@ -4,10 +4,12 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "calib/ingest/made_by_lumi.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/content_hash.h"
+#include "calib/work/error.h"
 #include "calib/work/whole_folder.h"
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/evaluate/evaluation_pictures.h"
@@ -68,6 +70,21 @@ void name_pictures(nlohmann::ordered_json& views, const EvaluationPictures& pict
     }
 }
 
+/// What evaluations before made stays no longer than they.
+void keep_files_of_others(WholeFolder& folder, const fs::path& evaluation_folder) {
+    std::set<std::string> ours;
+    const fs::path record = evaluation_folder / kEvaluationName;
+    std::error_code status;
+    if (fs::is_regular_file(record, status)) {
+        try {
+            ours = names_of_pictures(read_json_file(record));
+        } catch (const Error&) {
+            ours.clear();  // Damaged: nothing tells whose a picture is.
+        }
+    }
+    folder.keep_files_of_others([&](const std::string& name) { return ours.contains(name); });
+}
+
 }  // namespace
 
 Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOptions& options,
@@ -115,6 +132,7 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
     // The workspace may lie among the photographs, and strips are none.
     mark_as_made_by_lumi(folder.staging());
     write_json_file(folder.staging() / kEvaluationName, json);
+    keep_files_of_others(folder, workspace.evaluation_folder());
     folder.put_in_place();
     return evaluation;
 }

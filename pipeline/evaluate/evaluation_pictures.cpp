@@ -1,6 +1,7 @@
 #include "pipeline/evaluate/evaluation_pictures.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "calib/pictures/image_io.h"
 #include "pipeline/evaluate/comparison_strip.h"
@@ -10,6 +11,29 @@
 #include "render/paths/photograph_eye.h"
 
 namespace lumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string strip_name(const std::string& stem, std::string method) {
+    std::replace(method.begin(), method.end(), ' ', '-');
+    return stem + '.' + method + ".png";
+}
+
+/// The modes and methods whose strips bear their names.
+std::vector<std::string> named_methods(const Json& evaluation) {
+    std::vector<std::string> methods;
+    const auto add_keys = [&](const Json& named) {
+        if (!named.is_object()) return;
+        for (const auto& [name, scores] : named.items()) methods.push_back(name);
+    };
+    add_keys(evaluation.value("modes", Json()));
+    const Json rivals = evaluation.value("rivals", Json());
+    if (rivals.is_object()) add_keys(rivals.value("methods", Json()));
+    return methods;
+}
+
+}  // namespace
 
 EvaluationPictures::EvaluationPictures(const Capture& capture,
                                        const std::vector<Photograph>& photographs,
@@ -47,8 +71,7 @@ std::string EvaluationPictures::strip(const std::string& view, RenderMode mode) 
 }
 
 std::string EvaluationPictures::strip(const std::string& view, std::string method) const {
-    std::replace(method.begin(), method.end(), ' ', '-');
-    return stem_of_.at(view) + '.' + method + ".png";
+    return strip_name(stem_of_.at(view), std::move(method));
 }
 
 std::string EvaluationPictures::map(const std::string& view, const std::string& kind) const {
@@ -61,6 +84,23 @@ void EvaluationPictures::write_strip(const std::filesystem::path& path,
     write_png(path, comparison_strip(turned_upright(view.photograph, orientation),
                                      turned_upright(view.rendering.color, orientation),
                                      turned_upright(view.rendering.coverage, orientation)));
+}
+
+std::set<std::string> names_of_pictures(const Json& evaluation) {
+    std::set<std::string> names;
+    if (!evaluation.is_object()) return names;
+    const std::vector<std::string> methods = named_methods(evaluation);
+    for (const Json& view : evaluation.value("views", Json::array())) {
+        for (const char* key : {"picture", "flip_picture", "ghost_picture"}) {
+            const auto name = view.find(key);
+            if (name != view.end() && name->is_string()) names.insert(name->get<std::string>());
+        }
+        const auto first = view.find("picture");
+        if (first == view.end() || !first->is_string()) continue;
+        const std::string stem = std::filesystem::path(first->get<std::string>()).stem().string();
+        for (const std::string& method : methods) names.insert(strip_name(stem, method));
+    }
+    return names;
 }
 
 }  // namespace lumi

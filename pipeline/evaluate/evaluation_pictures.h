@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,5 +40,9 @@ class EvaluationPictures {
     std::map<std::string, int> exif_orientation_of_;
     RenderMode first_mode_;
 };
+
+/// The names of the pictures that an evaluation.json tells of, whichever version wrote it; of one
+/// that cannot be read those that it tells of all the same, or none.
+[[nodiscard]] std::set<std::string> names_of_pictures(const nlohmann::ordered_json& evaluation);
 
 }  // namespace lumi

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/evaluate/evaluation_file.h"
-#include "pipeline/workspace/content.h"
+#include "pipeline/workspace/done_marker.h"
 #include "pipeline/workspace/json_file.h"
 #include "pipeline/workspace/stage_outputs.h"
 
@@ -14,15 +14,35 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// What lies in these folders now, as a record tells it.
+/// What a finished stage wrote below a folder of the workspace, nothing where that was harmed; all
+/// that lies there where no marker tells.
+std::vector<ContentEntry> outputs_in(const WorkspaceLayout& workspace, const std::string& folder,
+                                     int threads) {
+    const std::string prefix = folder + '/';
+    const std::string stage = folder.substr(0, folder.find('/'));
+    std::vector<ContentEntry> outputs;
+    if (const auto marker = read_done_marker(workspace.stage_folder(stage) / kDoneMarkerName)) {
+        for (const ContentEntry& output : marker->outputs) {
+            if (output.name.starts_with(prefix)) outputs.push_back(output);
+        }
+        return are_unharmed(workspace.folder(), outputs, threads) ? outputs
+                                                                  : std::vector<ContentEntry>();
+    }
+    for (ContentEntry& entry : content_of(workspace.folder() / folder, threads)) {
+        if (entry.name != kDoneMarkerName)
+            outputs.push_back({prefix + entry.name, std::move(entry.sha256)});
+    }
+    return outputs;
+}
+
+/// What lies in these folders, as a record tells it. Whatever else somebody put there counts no
+/// more than it does to the stages.
 std::string sha256_of_folders(const WorkspaceLayout& workspace,
                               const std::vector<std::string>& folders, int threads) {
     std::vector<ContentEntry> all;
     for (const std::string& folder : folders) {
-        for (ContentEntry& entry : content_of(workspace.folder() / folder, threads)) {
-            if (entry.name != kDoneMarkerName)
-                all.push_back({folder + '/' + entry.name, std::move(entry.sha256)});
-        }
+        const std::vector<ContentEntry> outputs = outputs_in(workspace, folder, threads);
+        all.insert(all.end(), outputs.begin(), outputs.end());
     }
     return sha256_of_content(all);
 }

@@ -5,6 +5,7 @@
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "calib/work/whole_folder.h"
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/gallery/gallery_pictures.h"
 #include "pipeline/report/stress_charts.h"
@@ -17,6 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kPageName = "gallery.md";
+constexpr const char* kPageBeginning = "# Gallery: ";
+constexpr const char* kHeldOutName = "held-out.jpg";
+constexpr const char* kMethodsName = "methods.jpg";
 
 constexpr int kStripWidthPx = 1500;
 constexpr int kJpegQuality = 88;
@@ -47,6 +53,21 @@ std::vector<KnownChart> charts_of(const WorkspaceLayout& workspace) {
     add_of_stress("depth_percent", "stress-depth.svg", "What wrong depth costs");
     add_of_stress("views_dropped_percent", "stress-views.svg", "What fewer photographs cost");
     return charts;
+}
+
+/// Only a gallery gives way to a gallery. Throws Error (E-OUT-EXISTS) where a file that is not
+/// known for one of an earlier gallery would be replaced.
+void expect_gallery_or_nothing(const fs::path& folder, const std::vector<KnownChart>& charts) {
+    std::error_code status;
+    if (fs::is_regular_file(folder / kPageName, status) &&
+        read_whole_text(folder / kPageName).starts_with(kPageBeginning))
+        return;
+    std::vector<std::string> names{kPageName, kHeldOutName, kMethodsName};
+    for (const KnownChart& chart : charts) names.push_back(chart.name);
+    for (const std::string& name : names) {
+        if (fs::exists(fs::symlink_status(folder / name, status)))
+            refuse_loss(folder / name, "would be replaced, and no gallery of lumi's is beside it");
+    }
 }
 
 std::string figure(const std::string& file, const std::string& caption) {
@@ -90,33 +111,36 @@ void write_gallery(const WorkspaceLayout& workspace, const fs::path& folder, Pro
                     workspace.folder().string() + ": its package was not evaluated",
                     "run `lumi evaluate` on the workspace first");
     }
+    const std::vector<KnownChart> charts = charts_of(workspace);
+    expect_gallery_or_nothing(folder, charts);
     progress.begin("drawing the gallery", 0);
     const Json& view = evaluation.at("views").at(evaluation.at("views").size() / 2);
-    write_jpeg(folder / "held-out.jpg",
+    write_jpeg(folder / kHeldOutName,
                fitted_to(read_color_image(workspace.evaluation_folder() /
                                           view.at("picture").get<std::string>()),
                          kStripWidthPx),
                kJpegQuality);
-    write_jpeg(folder / "methods.jpg", methods_picture(read_package(workspace.package_folder())),
+    write_jpeg(folder / kMethodsName, methods_picture(read_package(workspace.package_folder())),
                kJpegQuality);
 
     std::string page =
-        "# Gallery: " + workspace.name() +
+        kPageBeginning + workspace.name() +
         "\n\nMade by `lumi gallery`; figures are of the version that drew them.\n\n" +
-        figure("held-out.jpg",
+        figure(kHeldOutName,
                "A photograph that was not used; what lumi draws from its place; the error") +
         table_of(evaluation) +
-        figure("methods.jpg",
-               "One eye: without depth, with depth; blending weights, inverse depth");
-    for (const KnownChart& chart : charts_of(workspace)) {
+        figure(kMethodsName, "One eye: without depth, with depth; blending weights, inverse depth");
+    for (const KnownChart& chart : charts) {
         std::error_code status;
-        // A gallery made before shows that of another package there.
-        if (chart.path.empty()) fs::remove(folder / chart.name);
         if (!fs::is_regular_file(chart.path, status)) continue;
         write_whole_text(folder / chart.name, read_whole_text(chart.path));
         page += figure(chart.name, chart.caption);
     }
-    write_whole_text(folder / "gallery.md", page);
+    write_whole_text(folder / kPageName, page);
+    // A gallery made before shows those of another package there; it does so no longer.
+    for (const KnownChart& chart : charts) {
+        if (chart.path.empty()) fs::remove(folder / chart.name);
+    }
 }
 
 }  // namespace lumi

@@ -25,6 +25,7 @@
 #include "pipeline/stages/posed_files.h"
 #include "pipeline/stages/poses_stage.h"
 #include "pipeline/stages/used_views.h"
+#include "render/lumigraph/package.h"
 
 namespace lumi {
 namespace {
@@ -41,7 +42,7 @@ void append(std::vector<ContentEntry>& entries, const std::vector<ContentEntry>&
 class Line {
  public:
     Line(const BuildConfig& config, const Workspace& workspace, int threads, Progress& progress,
-         const StageStore* store)
+         StageStore* store)
         : config_(config),
           workspace_(workspace),
           threads_(threads),
@@ -180,7 +181,7 @@ class Line {
                     return run_pack_stage(pack_sources(), workspace_.package_folder(), folder,
                                           threads_, progress_);
                 },
-                workspace_.package_folder()};
+                workspace_.package_folder(), is_name_in_package};
     }
 
     [[nodiscard]] PackSources pack_sources() const {
@@ -262,7 +263,7 @@ class Line {
     const Workspace& workspace_;
     int threads_;
     Progress& progress_;
-    const StageStore* store_;
+    StageStore* store_;
     std::string configuration_sha256_;
     std::vector<FinishedStage> finished_;
     std::vector<Photograph> ingested_;
@@ -280,36 +281,44 @@ std::optional<Error> failure_of_stage(const std::exception& exception) {
 
 /// Boards are one more stage, where there are any.
 std::vector<std::string> stages_for(const BuildConfig& config) {
-    std::vector<std::string> stages = stages_of_line();
-    if (!config.boards.empty()) {
-        stages.insert(std::find(stages.begin(), stages.end(), "poses"), "calibrate");
+    if (config.boards.empty()) return stages_of_line();
+    return {kAllStages.begin(), kAllStages.end()};
+}
+
+/// Does work of a stage; what ends it is written down.
+template <class Work>
+void in_stage(const std::string& stage, const Line& line, const Work& work) {
+    try {
+        work();
+    } catch (const std::exception& exception) {
+        const std::optional<Error> failure = failure_of_stage(exception);
+        if (!failure) throw;
+        line.write_down(stage, *failure);
+        throw *failure;
     }
-    return stages;
 }
 
 }  // namespace
 
 const std::vector<std::string>& stages_of_line() {
-    static const std::vector<std::string> stages{"ingest", "poses", "mesh", "depth", "pack"};
+    static const std::vector<std::string> stages = [] {
+        std::vector<std::string> names(kAllStages.begin(), kAllStages.end());
+        std::erase(names, "calibrate");
+        return names;
+    }();
     return stages;
 }
 
 std::vector<FinishedStage> run_line(const BuildConfig& config, const Workspace& workspace,
                                     const std::string& last_stage, int threads, Progress& progress,
-                                    const StageStore* store) {
-    expect_named_paths(config, last_stage);
+                                    StageStore* store) {
+    const std::vector<std::string> stages = stages_for(config);
     write_configuration(workspace, config);
     Line line(config, workspace, threads, progress, store);
     line.write_down();
-    for (const std::string& stage : stages_for(config)) {
-        try {
-            line.bring_up_to_date(stage);
-        } catch (const std::exception& exception) {
-            const std::optional<Error> failure = failure_of_stage(exception);
-            if (!failure) throw;
-            line.write_down(stage, *failure);
-            throw *failure;
-        }
+    in_stage(stages.front(), line, [&] { expect_named_paths(config, last_stage); });
+    for (const std::string& stage : stages) {
+        in_stage(stage, line, [&] { line.bring_up_to_date(stage); });
         if (stage == last_stage) break;
     }
     return line.finished();

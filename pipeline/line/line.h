@@ -18,8 +18,7 @@ namespace lumi {
 [[nodiscard]] std::vector<FinishedStage> run_line(const BuildConfig& config,
                                                   const Workspace& workspace,
                                                   const std::string& last_stage, int threads,
-                                                  Progress& progress,
-                                                  const StageStore* store = nullptr);
+                                                  Progress& progress, StageStore* store = nullptr);
 
 /// Where the workspace of a configuration lies, unless the command line says otherwise.
 [[nodiscard]] WorkspaceLayout workspace_of(const BuildConfig& config);

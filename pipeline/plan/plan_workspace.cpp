@@ -112,6 +112,7 @@ WorkspacePlan plan_workspace(const Workspace& workspace, const CapturePlanOption
     write_json_file(folder.staging() / kPlanName, plan_json(planned));
     write_whole_text(folder.staging() / "plan.svg",
                      camera_mesh_svg(capture, views, mesh, suggested));
+    folder.keep_files_of_others([](const std::string&) { return false; });
     folder.put_in_place();
     return planned;
 }

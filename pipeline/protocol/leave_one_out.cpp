@@ -71,7 +71,7 @@ class LeavingOneOut {
         const BuildConfig config = document_.build_config_with(
             {{"evaluate.hold_out_every", "0"}, {"evaluate.hold_out", hold_out}});
         const Workspace workspace(WorkspaceLayout(folder_ / name, config.name));
-        const StageStore store(folder_ / "store");
+        StageStore store(folder_ / "store");
         static_cast<void>(run_line(config, workspace, "pack", threads_, progress_, &store));
         return workspace;
     }
@@ -117,7 +117,10 @@ class LeavingOneOut {
 LeaveOneOut leave_one_out(const ConfigDocument& document, const std::vector<RenderMode>& modes,
                           Exposures exposures, bool remove_depth, const fs::path& folder,
                           int threads, Progress& progress) {
-    const WorkFolder held(folder, {"store", "whole", "leave-one-out.json"});
+    const WorkFolder held(folder, [](const fs::path& of_early_version) {
+        return is_record_of_lumi(of_early_version / "leave-one-out.json") ||
+               holds_workspace(of_early_version);
+    });
     return LeavingOneOut(document, modes, exposures, folder, threads, progress).run(remove_depth);
 }
 

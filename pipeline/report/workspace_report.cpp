@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calib/work/error.h"
+#include "calib/work/error_of_exception.h"
 #include "calib/work/json_fault.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/evaluate/evaluation_file.h"
@@ -80,8 +81,9 @@ void write_workspace_report(const WorkspaceLayout& workspace) {
 void work_and_report(const WorkspaceLayout& workspace, const std::function<void()>& work) {
     try {
         work();
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::kInterrupted) write_report_of_failure(workspace);
+    } catch (const std::exception& exception) {
+        const std::optional<Error> error = error_of_exception(exception);
+        if (error && error->kind() != ErrorKind::kInterrupted) write_report_of_failure(workspace);
         throw;
     }
     write_workspace_report(workspace);

@@ -50,7 +50,12 @@ class Delivering {
         const Variant& variant = chart_.sweep.variants[point.variant];
         const std::vector<FinishedStage> stages =
             run_line(variant.config, workspace_, "pack", threads_, progress_);
-        Delivery delivery{wish_, point, {}, achievement_of(point), measure(point.mode)};
+        Delivery delivery{wish_,
+                          point,
+                          {},
+                          achievement_of(point),
+                          measure(point.mode),
+                          placed_photographs(stages).value_or(PlacedPhotographs{})};
         for (const FinishedStage& stage : stages) delivery.delivered.build_s += stage.cost.wall_s;
         for (std::size_t i = 0; i < chart_.sweep.axes.size(); ++i) {
             const SweepAxis& axis = chart_.sweep.axes[i];

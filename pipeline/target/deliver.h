@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pipeline/chart/chart_result.h"
+#include "pipeline/line/placed_photographs.h"
 #include "pipeline/target/wish.h"
 #include "pipeline/workspace/workspace.h"
 
@@ -17,6 +18,7 @@ struct Delivery {
     std::vector<std::string> settings;  ///< "depth.model = sweep".
     Achievement promised;               ///< By the chart.
     Achievement delivered;              ///< Measured again on the package.
+    PlacedPhotographs photographs;
 };
 
 /// Builds the setting of the measured sweep that suits the wish in `workspace`, without what the

@@ -10,8 +10,9 @@ inline constexpr const char* kLockName = ".lock";
 /// Holds a folder for this process; the system lets go when the process ends, however it ends.
 class FolderLock {
  public:
-    /// Throws Error: E-WORKSPACE-BUSY when another process holds it, E-WORKSPACE-LOCK when its file
-    /// system cannot lock, E-FILE-WRITE when the lock file cannot be made.
+    /// Makes the folder where there is none. Throws Error: E-WORKSPACE-BUSY when another process
+    /// holds it, E-WORKSPACE-LOCK when its file system cannot lock, E-FILE-WRITE when the folder or
+    /// the lock file cannot be made.
     explicit FolderLock(const std::filesystem::path& folder);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;

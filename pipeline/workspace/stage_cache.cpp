@@ -38,10 +38,15 @@ std::vector<ContentEntry> outputs_in(const fs::path& product,
     return inside;
 }
 
-/// True where nothing lies in the product but what a run wrote, whether or not that was harmed.
-bool holds_nothing_but(const std::vector<ContentEntry>& outputs, const fs::path& product) {
+std::set<std::string> names_of(const std::vector<ContentEntry>& outputs) {
     std::set<std::string> names;
     for (const ContentEntry& output : outputs) names.insert(output.name);
+    return names;
+}
+
+/// True where nothing lies in the product but what a run wrote, whether or not that was harmed.
+bool holds_nothing_but(const std::vector<ContentEntry>& outputs, const fs::path& product) {
+    const std::set<std::string> names = names_of(outputs);
     std::error_code status;
     fs::recursive_directory_iterator entry(product, status);
     for (; !status && entry != fs::recursive_directory_iterator(); entry.increment(status)) {
@@ -52,15 +57,29 @@ bool holds_nothing_but(const std::vector<ContentEntry>& outputs, const fs::path&
     return !status;
 }
 
-/// The files of `folder`, named as they will be called below the workspace.
+/// The files of `folder`, named as they will be called below the workspace; where it is told, those
+/// alone that are outputs.
 void append_content(std::vector<ContentEntry>& outputs, const fs::path& folder,
-                    const std::string& final_name, int threads) {
+                    const std::string& final_name,
+                    const std::function<bool(const std::string&)>& is_output, int threads) {
     for (ContentEntry& entry : content_of(folder, threads)) {
+        if (is_output && !is_output(entry.name)) continue;
         outputs.push_back({final_name + '/' + entry.name, std::move(entry.sha256)});
     }
 }
 
-FinishedStage run_stage(const Workspace& workspace, const Stage& stage, int threads) {
+/// What was put beside the outputs of an earlier run. Hidden files are no outputs, and not kept.
+void keep_files_of_others(WholeFolder& folder, const DoneMarker& before) {
+    const std::set<std::string> outputs = names_of(before.outputs);
+    folder.keep_files_of_others([&](const std::string& name) {
+        const bool is_hidden = name.starts_with('.') || name.find("/.") != std::string::npos;
+        return is_hidden || name == kDoneMarkerName ||
+               outputs.contains(before.identity.stage + '/' + name);
+    });
+}
+
+FinishedStage run_stage(const Workspace& workspace, const Stage& stage,
+                        const std::optional<DoneMarker>& before, int threads) {
     const std::string& name = stage.identity.stage;
     const Stopwatch stopwatch;
     WholeFolder folder(workspace.stage_folder(name));
@@ -68,14 +87,16 @@ FinishedStage run_stage(const Workspace& workspace, const Stage& stage, int thre
     DoneMarker marker;
     marker.identity = stage.identity;
     marker.evidence = stage.run(folder.staging());
-    append_content(marker.outputs, folder.staging(), name, threads);
+    append_content(marker.outputs, folder.staging(), name, {}, threads);
     if (!stage.product.empty()) {
-        append_content(marker.outputs, stage.product, stage.product.filename().string(), threads);
+        append_content(marker.outputs, stage.product, stage.product.filename().string(),
+                       stage.is_of_product, threads);
     }
     marker.cost = stopwatch.elapsed();
     // Hidden, and so no output: it outlives the marker, which is removed to run a stage again.
     mark_as_made_by_lumi(folder.staging());
     write_done_marker(folder.staging() / kDoneMarkerName, marker);
+    if (before) keep_files_of_others(folder, *before);
     folder.put_in_place();
     return {name, true, {}, marker.cost, marker.evidence, std::move(marker.outputs)};
 }
@@ -83,7 +104,7 @@ FinishedStage run_stage(const Workspace& workspace, const Stage& stage, int thre
 }  // namespace
 
 FinishedStage bring_up_to_date(const Workspace& workspace, const Stage& stage, int threads,
-                               Progress& progress, const StageStore* store) {
+                               Progress& progress, StageStore* store) {
     const std::string& name = stage.identity.stage;
     std::optional<DoneMarker> before =
         read_done_marker(workspace.stage_folder(name) / kDoneMarkerName);
@@ -99,6 +120,7 @@ FinishedStage bring_up_to_date(const Workspace& workspace, const Stage& stage, i
             progress.note(name + ": taken from the store");
             return {name, false, {}, kept->cost, kept->evidence, std::move(kept->outputs)};
         }
+        if (const auto failure = store->failure_of(stage.identity)) throw Error(*failure);
     }
     progress.note(name + ": runs (" + reason + ")");
     // What stands there is ours, as the marker says, but no longer what its writer would replace.
@@ -108,7 +130,13 @@ FinishedStage bring_up_to_date(const Workspace& workspace, const Stage& stage, i
             !are_unharmed(workspace.folder(), outputs, threads))
             fs::remove_all(stage.product);
     }
-    FinishedStage finished = run_stage(workspace, stage, threads);
+    FinishedStage finished;
+    try {
+        finished = run_stage(workspace, stage, before, threads);
+    } catch (const Error& failure) {
+        if (is_shared) store->keep_failure(stage.identity, failure);
+        throw;
+    }
     finished.reason = std::move(reason);
     if (is_shared) store->keep(stage.identity, workspace);
     return finished;

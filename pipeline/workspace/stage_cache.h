@@ -19,6 +19,9 @@ struct Stage {
     std::function<StageEvidence(const std::filesystem::path& folder)> run;
     /// A folder that `run` itself puts in place whole, outside its own (the package); may be empty.
     std::filesystem::path product;
+    /// Whether a name below the product, '/' between folders, is that of a file which `run` writes;
+    /// all are where nothing says so. Others are somebody's, and no output.
+    std::function<bool(const std::string&)> is_of_product = {};
 };
 
 /// How a stage came to be finished.
@@ -32,11 +35,12 @@ struct FinishedStage {
 };
 
 /// Runs a stage unless a finished result with the same identity and unharmed files stands in the
-/// workspace. A result appears by one rename: killed at any moment, a stage is done or not begun.
-/// With a store, a result that is kept there is taken instead of running a stage without a product,
-/// and what was run is kept there.
+/// workspace. A result appears by one rename: killed at any moment, a stage is done or not begun;
+/// what else somebody put into the folder of a finished stage is kept. With a store, a result that
+/// is kept there is taken instead of running a stage without a product, and what was run, or what
+/// ended it, is kept there.
 [[nodiscard]] FinishedStage bring_up_to_date(const Workspace& workspace, const Stage& stage,
                                              int threads, Progress& progress,
-                                             const StageStore* store = nullptr);
+                                             StageStore* store = nullptr);
 
 }  // namespace lumi

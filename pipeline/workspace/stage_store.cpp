@@ -49,4 +49,14 @@ void StageStore::keep(const StageIdentity& identity, const Workspace& workspace)
     folder.put_in_place();
 }
 
+void StageStore::keep_failure(const StageIdentity& identity, const Error& failure) {
+    if (failure.kind() == ErrorKind::kDegenerateCapture)
+        failures_.emplace(stage_key(identity), failure);
+}
+
+std::optional<Error> StageStore::failure_of(const StageIdentity& identity) const {
+    const auto failure = failures_.find(stage_key(identity));
+    return failure == failures_.end() ? std::nullopt : std::optional(failure->second);
+}
+
 }  // namespace lumi

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 
+#include "calib/work/error.h"
 #include "pipeline/workspace/done_marker.h"
 #include "pipeline/workspace/workspace.h"
 
@@ -24,10 +27,17 @@ class StageStore {
     /// Keeps a stage that is finished in the workspace. Throws Error (E-FILE-WRITE).
     void keep(const StageIdentity& identity, const Workspace& workspace) const;
 
+    /// Keeps what ended a stage, as long as this object lives, where it is that photographs cannot
+    /// tell what was asked of them: the same would end it again, after as long a time.
+    void keep_failure(const StageIdentity& identity, const Error& failure);
+    /// Empty when none is kept.
+    [[nodiscard]] std::optional<Error> failure_of(const StageIdentity& identity) const;
+
  private:
     [[nodiscard]] std::filesystem::path place_of(const StageIdentity& identity) const;
 
     std::filesystem::path folder_;
+    std::map<std::string, Error> failures_;  ///< By what decides the result.
 };
 
 }  // namespace lumi

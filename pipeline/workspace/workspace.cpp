@@ -1,7 +1,6 @@
 #include "pipeline/workspace/workspace.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -20,20 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 6> kStages{"ingest", "calibrate", "poses",
-                                             "mesh",   "depth",     "pack"};
-
-const fs::path& made(const fs::path& folder) {
-    std::error_code status;
-    fs::create_directories(folder, status);
-    if (status) {
-        throw Error(ErrorKind::kBadInput, "E-FILE-WRITE",
-                    folder.string() + ": cannot make the folder: " + status.message(),
-                    "choose a folder you may write to with --workspace");
-    }
-    return folder;
-}
-
 std::vector<fs::path> files_of(const WorkspaceLayout& layout) {
     return {layout.config_path(), layout.stages_path(), layout.report_path()};
 }
@@ -48,7 +33,7 @@ struct MarkedFolder {
 std::vector<MarkedFolder> marked_folders_of(const WorkspaceLayout& layout) {
     std::vector<MarkedFolder> folders{{layout.evaluation_folder(), kEvaluationName},
                                       {layout.stage_folder("plan"), kPlanName}};
-    for (const char* stage : kStages)
+    for (const char* stage : kAllStages)
         folders.push_back({layout.stage_folder(stage), kDoneMarkerName});
     return folders;
 }
@@ -71,12 +56,6 @@ bool has_record_of_runs(const WorkspaceLayout& layout) {
     } catch (const Error&) {
         return false;
     }
-}
-
-bool has_finished_stage(const WorkspaceLayout& layout) {
-    return std::any_of(kStages.begin(), kStages.end(), [&](const char* stage) {
-        return read_done_marker(layout.stage_folder(stage) / kDoneMarkerName).has_value();
-    });
 }
 
 /// Who edits or converts a configuration still has a workspace.
@@ -144,8 +123,14 @@ WorkspaceLayout::WorkspaceLayout(const fs::path& folder, std::string name)
     : folder_(with_name_of_its_own(folder)), name_(std::move(name)) {}
 
 Workspace::Workspace(const WorkspaceLayout& layout)
-    : WorkspaceLayout(without_foreign_files(layout)), lock_(made(layout.folder())) {
+    : WorkspaceLayout(without_foreign_files(layout)), lock_(layout.folder()) {
     remove_leftovers(layout);
+}
+
+bool has_finished_stage(const WorkspaceLayout& layout) {
+    return std::any_of(kAllStages.begin(), kAllStages.end(), [&](const char* stage) {
+        return read_done_marker(layout.stage_folder(stage) / kDoneMarkerName).has_value();
+    });
 }
 
 std::filesystem::path folder_around(const std::filesystem::path& package_folder) {

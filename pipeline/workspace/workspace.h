@@ -1,11 +1,16 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 
 #include "pipeline/workspace/folder_lock.h"
 
 namespace lumi {
+
+/// Every stage, in the order of the line; each has a folder of its name.
+inline constexpr std::array<const char*, 6> kAllStages{"ingest", "calibrate", "poses",
+                                                       "mesh",   "depth",     "pack"};
 
 /// Where the things of a workspace lie; other tools rely on these names.
 class WorkspaceLayout {
@@ -54,6 +59,9 @@ inline constexpr const char* kWorkspaceConfigHeader =
 
 /// The folder that a package lies in, with or without a slash at the end of its name.
 [[nodiscard]] std::filesystem::path folder_around(const std::filesystem::path& package_folder);
+
+/// Whether a stage was finished there.
+[[nodiscard]] bool has_finished_stage(const WorkspaceLayout& layout);
 
 /// Whether the folder has a configuration that lumi wrote; or one that was edited or converted
 /// since, beside what lumi wrote down of its runs and a stage that it finished.

@@ -34,12 +34,17 @@ struct PackageLimits {
 
 /// Writes `NAME.lumi/` whole or not at all: a temporary sibling folder, every file flushed, then
 /// one exchange with what is there; an existing package is replaced at that moment and not before.
-/// The same bytes for the same input: no times, no machine paths, unless the extras hold any.
-/// Throws Error: E-PACKAGE-WRITE (something else stands there), E-PACKAGE-NAME (not UTF-8),
-/// E-PACKAGE-MANIFEST (the evidence is no JSON object), E-PACKAGE-BUDGET (a reader that keeps to
-/// `max_decoded_bytes` could not read it), E-FILE-WRITE, and those of `validate`.
+/// Files in it that no package has, such as screenshots, are kept. The same bytes for the same
+/// input: no times, no machine paths, unless the extras hold any. Throws Error: E-PACKAGE-WRITE
+/// (something else stands there), E-PACKAGE-NAME (not UTF-8), E-PACKAGE-MANIFEST (the evidence is
+/// no JSON object), E-PACKAGE-BUDGET (a reader that keeps to `max_decoded_bytes` could not read
+/// it), E-FILE-READ, E-FILE-WRITE, and those of `validate`.
 void write_package(const std::filesystem::path& folder, const Lumigraph& lumigraph,
                    const PackageExtras& extras, const PackageLimits& limits = {});
+
+/// Whether `name`, below a package and '/' between folders, is that of a file which write_package
+/// writes.
+[[nodiscard]] bool is_name_in_package(const std::string& name);
 
 /// How the photographs of a package come into memory.
 enum class Exposures {

@@ -20,10 +20,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string numbered(const char* folder, std::size_t index, const char* ending) {
+constexpr const char* kMeshName = "camera_mesh.ply";
+constexpr const char* kPointsName = "points.ply";
+constexpr const char* kConfigName = "config.toml";
+
+/// The files of a view.
+struct NumberedFile {
+    const char* folder;
+    const char* ending;
+};
+constexpr NumberedFile kPhotograph{"views", ".png"};
+constexpr NumberedFile kDepthSteps{"depth", ".png"};
+constexpr NumberedFile kConfidence{"depth", "_confidence.png"};
+constexpr NumberedFile kDepthMesh{"depth", ".mesh"};
+
+std::string numbered(const NumberedFile& file, std::size_t index) {
     char name[64];
-    std::snprintf(name, sizeof(name), "%s/%06zu%s", folder, index + 1, ending);
+    std::snprintf(name, sizeof(name), "%s/%06zu%s", file.folder, index + 1, file.ending);
     return name;
+}
+
+bool is_numbered(const std::string& name, const NumberedFile& file) {
+    const std::size_t number_at = std::string(file.folder).size() + 1;
+    std::size_t number = 0;
+    return name.size() > number_at && std::sscanf(name.c_str() + number_at, "%zu", &number) == 1 &&
+           number > 0 && name == numbered(file, number - 1);
 }
 
 /// Writes a file of the package and returns it as the manifest lists it.
@@ -36,14 +57,14 @@ ManifestDepthMesh write_depth_mesh(const fs::path& root, std::size_t index,
                                    const LumigraphView& view) {
     const CodedDepthMesh coded = encode(*view.depth_mesh, view.camera);
     return {coded.header, coded.bytes.size(),
-            write_listed(root, numbered("depth", index, ".mesh"), deflated(coded.bytes))};
+            write_listed(root, numbered(kDepthMesh, index), deflated(coded.bytes))};
 }
 
 ManifestDepth write_depth(const fs::path& root, std::size_t index, const LumigraphView& view) {
     const DepthMap& depth = view.depth;
     const QuantisedDepth quantised = quantise(depth.inverse_depth);
-    const std::string steps = numbered("depth", index, ".png");
-    const std::string confidence = numbered("depth", index, "_confidence.png");
+    const std::string steps = numbered(kDepthSteps, index);
+    const std::string confidence = numbered(kConfidence, index);
     ManifestDepth entry{
         depth.inverse_depth.width(),
         depth.inverse_depth.height(),
@@ -57,7 +78,7 @@ ManifestDepth write_depth(const fs::path& root, std::size_t index, const Lumigra
 }
 
 ManifestView write_view(const fs::path& root, std::size_t index, const LumigraphView& view) {
-    const std::string photograph = numbered("views", index, ".png");
+    const std::string photograph = numbered(kPhotograph, index);
     ManifestView entry;
     entry.name = view.name;
     entry.camera = view.camera;
@@ -86,9 +107,9 @@ Manifest write_contents(const fs::path& root, const Lumigraph& lumigraph,
         manifest.views[index] = write_view(root, index, lumigraph.views[index]);
     });
     const std::string& config = extras.resolved_config_toml;
-    manifest.camera_mesh = write_listed(root, "camera_mesh.ply", camera_mesh_ply(lumigraph.mesh));
-    manifest.points = write_listed(root, "points.ply", points_ply(extras.points));
-    manifest.config = write_listed(root, "config.toml", {config.begin(), config.end()});
+    manifest.camera_mesh = write_listed(root, kMeshName, camera_mesh_ply(lumigraph.mesh));
+    manifest.points = write_listed(root, kPointsName, points_ply(extras.points));
+    manifest.config = write_listed(root, kConfigName, {config.begin(), config.end()});
     write_whole_text(root / kManifestName, manifest_text(manifest));
     return manifest;
 }
@@ -104,12 +125,23 @@ void expect_package_or_nothing(const fs::path& folder) {
 
 }  // namespace
 
+bool is_name_in_package(const std::string& name) {
+    for (const char* single : {kManifestName, kMeshName, kPointsName, kConfigName}) {
+        if (name == single) return true;
+    }
+    for (const NumberedFile& file : {kPhotograph, kDepthSteps, kConfidence, kDepthMesh}) {
+        if (is_numbered(name, file)) return true;
+    }
+    return false;
+}
+
 void write_package(const fs::path& folder, const Lumigraph& lumigraph, const PackageExtras& extras,
                    const PackageLimits& limits) {
     validate(lumigraph, folder.string());
     expect_package_or_nothing(folder);
     WholeFolder package(folder);
     expect_readable(write_contents(package.staging(), lumigraph, extras), folder, limits);
+    package.keep_files_of_others(is_name_in_package);
     package.put_in_place();
 }
 

@@ -180,6 +180,39 @@ TEST_F(BuildCommand, ANamedFolderIsNotTakenFromAnotherCapture) {
     EXPECT_EQ(lumi("ingest " + quoted(scratch_ / "a") + there).exit_code, 0);
 }
 
+TEST_F(BuildCommand, ACaptureThatMovedAndGrewGetsItsWorkspaceBackAsTheErrorSays) {
+    fs::copy(scene_->path() / "photos", scratch_ / "a", fs::copy_options::recursive);
+    const std::string there = " --workspace " + quoted(workspace());
+    EXPECT_EQ(lumi("ingest " + quoted(scratch_ / "a") + there).exit_code, 0);
+    fs::rename(scratch_ / "a", scratch_ / "moved");
+    fs::remove(scratch_ / "moved/IMG_0009.png");
+    const fs::path configuration = workspace() / "config.toml";
+    const Outcome refused = lumi("ingest " + quoted(scratch_ / "moved") + there);
+    EXPECT_THAT(refused.talk, HasSubstr("E-WORKSPACE-OTHER"));
+    EXPECT_THAT(refused.talk, HasSubstr("write their new place into"));
+    std::string text = read_whole_text(configuration);
+    const std::string before = "photos = '" + (scratch_ / "a").string() + "'";
+    const std::size_t place = text.find(before);
+    ASSERT_NE(place, std::string::npos) << text;
+    text.replace(place, before.size(), "photos = '" + (scratch_ / "moved").string() + "'");
+    write_whole_text(configuration, text);
+    EXPECT_EQ(lumi("ingest " + quoted(scratch_ / "moved") + there).exit_code, 0);
+}
+
+TEST_F(BuildCommand, ASlipInTheConfigurationOfAWorkspaceIsNoReasonToRefuse) {
+    for (const char* parent : {"a", "b"})
+        fs::copy(scene_->path() / "photos", scratch_ / parent, fs::copy_options::recursive);
+    fs::remove(scratch_ / "b/IMG_0009.png");
+    const std::string there = " --workspace " + quoted(workspace());
+    EXPECT_EQ(lumi("ingest " + quoted(scratch_ / "a") + there).exit_code, 0);
+    const fs::path configuration = workspace() / "config.toml";
+    write_whole_text(configuration, read_whole_text(configuration) + "\n[a slip");
+    EXPECT_THAT(lumi("ingest " + quoted(scratch_ / "b") + there).talk,
+                HasSubstr("E-WORKSPACE-OTHER"));
+    const Outcome again = lumi("ingest " + quoted(scratch_ / "a") + there);
+    EXPECT_EQ(again.exit_code, 0) << again.talk;
+}
+
 TEST_F(BuildCommand, ANamedFolderIsThatOfItsCaptureThoughThisCannotBeReached) {
     for (const char* parent : {"a", "b"})
         fs::copy(scene_->path() / "photos", scratch_ / parent, fs::copy_options::recursive);

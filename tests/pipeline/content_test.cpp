@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "calib/ingest/made_by_lumi.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
@@ -55,6 +56,15 @@ TEST_F(ContentOfPhotographs, WhatIngestPassesOverMayComeAndGo) {
     // As large as nothing that is read whole could be; it takes no room on the disk.
     write_whole_text(photos_ / "clip.mp4", "clip");
     fs::resize_file(photos_ / "clip.mp4", std::uintmax_t{5} << 30);
+    EXPECT_EQ(hash(), before);
+}
+
+TEST_F(ContentOfPhotographs, WhatLumiMadeMayComeAndGo) {
+    const std::string before = hash();
+    mark_as_made_by_lumi(photos_ / "frames");
+    write_png(photos_ / "frames" / "frame-000001.png", ColorImage(20, 10));
+    EXPECT_EQ(hash(), before);
+    write_png(photos_ / "more" / "x.lumi" / "views" / "000001.png", ColorImage(20, 10));
     EXPECT_EQ(hash(), before);
 }
 

@@ -54,6 +54,27 @@ TEST_F(EvaluateCommand, EvaluatesHeldOutViews) {
     EXPECT_EQ(psnr.at("b_is"), "same");
 }
 
+TEST_F(EvaluateCommand, WhatSomebodyPutBesideItsPicturesOrIntoThePackageStays) {
+    const std::string evaluate = "evaluate --no-ghost-energy " + quoted(workspace()) + " --mode ";
+    configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");
+    ASSERT_EQ(build(), "rrrrr");
+    ASSERT_EQ(lumi(evaluate + "perpixel --mode lightfield").exit_code, 0);
+    const fs::path strip = workspace() / "evaluation" / "IMG_0005.lightfield.png";
+    EXPECT_TRUE(fs::exists(strip));
+    for (const char* name : {"evaluation/notes.txt", "box.lumi/screenshot.png", "depth/Thumbs.db"})
+        write_whole_text(workspace() / name, "the user's own");
+    EXPECT_EQ(lumi(evaluate + "perpixel").exit_code, 0) << "nothing of it is stale";
+    EXPECT_FALSE(fs::exists(strip)) << "of an evaluation before";
+    configure("[evaluate]\nhold_out = [\"IMG_0004.png\"]\n");
+    ASSERT_EQ(build(), "uurrr");
+    ASSERT_EQ(build(), "uuuuu");
+    ASSERT_EQ(lumi(evaluate + "perpixel").exit_code, 0);
+    EXPECT_FALSE(fs::exists(workspace() / "evaluation" / "IMG_0005.png"));
+    for (const char* name : {"evaluation/notes.txt", "box.lumi/screenshot.png", "depth/Thumbs.db"})
+        EXPECT_EQ(read_whole_text(workspace() / name), "the user's own") << name;
+    EXPECT_EQ(lumi("validate " + quoted(package())).exit_code, 0);
+}
+
 TEST_F(EvaluateCommand, ItsPicturesAreNoPhotographsWhereTheWorkspaceLiesAmongThese) {
     fs::copy(scene_->path() / "photos", workspace(), fs::copy_options::recursive);
     configure("[evaluate]\nhold_out = [\"IMG_0005.png\"]\n");

@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "calib/pictures/image_io.h"
 #include "pipeline/evaluate/comparison_strip.h"
 #include "tests/calib/scratch_folder.h"
 
 namespace lumi {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 Photograph photograph(const std::string& name, int exif_orientation) {
     Photograph photograph;
@@ -47,6 +51,21 @@ TEST(EvaluationPictures, OfACameraThatWasHeldUprightStandUpright) {
     EXPECT_EQ(portrait.photograph(0, 0).r, 200) << "turned clockwise, bottom left is top left";
     EXPECT_EQ(portrait.rendering(0, 0).r, 200);
     EXPECT_EQ(read_color_image(scratch.path() / "portrait.flip.png").width(), 40);
+}
+
+TEST(EvaluationPictures, AreNamedByTheRecordOfTheirEvaluation) {
+    const Json evaluation{
+        {"mode", "perpixel"},
+        {"views", {{{"name", "a.jpg"}, {"picture", "a.png"}, {"flip_picture", "a.flip.png"}}}},
+        {"modes", {{"lightfield", 1}}},
+        {"rivals", {{"methods", {{"forward warping", 1}}}}}};
+    EXPECT_EQ(names_of_pictures(evaluation),
+              (std::set<std::string>{"a.png", "a.flip.png", "a.lightfield.png",
+                                     "a.forward-warping.png"}));
+    for (const char* other :
+         {"null", "3", "[]", "{}", R"({"views": 3, "modes": 3, "rivals": null})",
+          R"({"views": [3, {"picture": 3}], "rivals": {"methods": []}})"})
+        EXPECT_TRUE(names_of_pictures(Json::parse(other)).empty()) << other;
 }
 
 }  // namespace

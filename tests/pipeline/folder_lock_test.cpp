@@ -30,6 +30,11 @@ TEST(FolderLock, AFolderThatIsHeldIsBadInput) {
     }
 }
 
+TEST(FolderLock, NobodyIsToldOfAnOptionThatTheirCommandMayLack) {
+    for (const int reason : {EWOULDBLOCK, ENOLCK})
+        EXPECT_EQ(refusal_for(reason).advice().find("--"), std::string::npos) << reason;
+}
+
 TEST(FolderLock, AFileSystemThatCannotLockIsNoOtherRun) {
     EXPECT_EQ(refusal_for(EWOULDBLOCK).code(), "E-WORKSPACE-BUSY");
     for (const int reason : {ENOLCK, ENOSYS, EOPNOTSUPP}) {

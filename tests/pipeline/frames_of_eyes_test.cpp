@@ -99,6 +99,9 @@ TEST_F(FramesOfEyes, NeedNoMoreThanThePackage) {
     write_whole_text(workspace() / "pack" / "pack.json", "damaged");
     EXPECT_EQ(draw(packed, out).exit_code, 0);
     EXPECT_EQ(draw("--all-views --mode lightfield", scratch_ / "all").exit_code, 0);
+    EXPECT_THAT(draw("--all-views --mode lightfield", scratch_ / "all").talk,
+                HasSubstr("pack.json"))
+        << "what stands there may have been held out";
     EXPECT_THAT(draw(unknown, out).talk, HasSubstr("pack.json")) << "it may have been held out";
     fs::remove(workspace() / "config.toml");
     EXPECT_EQ(draw(packed, out).exit_code, 0);

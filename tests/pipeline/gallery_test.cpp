@@ -1,9 +1,21 @@
+#include "pipeline/gallery/gallery.h"
+
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
+#include "calib/work/error.h"
+#include "calib/work/whole_file.h"
+#include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/gallery/gallery_pictures.h"
+#include "pipeline/workspace/json_file.h"
+#include "tests/calib/scratch_folder.h"
 
 namespace lumi {
 namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 /// Photographs in a row, a unit apart.
 Lumigraph row_of_views(int count) {
@@ -25,6 +37,45 @@ TEST(Gallery, TheEyeOfItsMethodsStandsHalfwayBetweenTwoPhotographs) {
     }
     const Eye alone = eye_between_photographs(row_of_views(1), 80, 60);
     EXPECT_NEAR(centre_in_world(alone.cam_from_world).norm(), 0, 1e-9);
+}
+
+TEST(Gallery, TakesNoFileOfTheUsersForOneOfAGalleryBefore) {
+    const ScratchFolder scratch;
+    const WorkspaceLayout workspace(scratch / "work", "box");
+    write_whole_text(workspace.package_folder() / "lumigraph.json", "{}");
+    write_json_file(workspace.stage_folder("pack") / "pack.json", Json{{"held_out", Json::array()},
+                                                                       {"pictures_sha256", ""},
+                                                                       {"package_sha256", ""},
+                                                                       {"depth_sha256", ""}});
+    write_json_file(workspace.evaluation_folder() / kEvaluationName,
+                    Json{{"schema_version", kEvaluationSchemaVersion},
+                         {"package_sha256", package_sha256(workspace)},
+                         {"pictures_sha256", ""},
+                         {"depth_sha256", ""}});
+    const fs::path out = scratch / "out";
+    const auto code = [&] {
+        SilentProgress progress;
+        try {
+            write_gallery(workspace, out, progress);
+        } catch (const Error& error) {
+            return error.code();
+        } catch (const Json::exception&) {
+            return std::string("it began");
+        }
+        return std::string();
+    };
+    for (const char* name : {"stress-poses.svg", "held-out.jpg", "gallery.md"}) {
+        write_whole_text(out / name, "the user's own");
+        EXPECT_EQ(code(), "E-OUT-EXISTS") << name;
+        EXPECT_EQ(read_whole_text(out / name), "the user's own");
+        fs::remove(out / name);
+    }
+    write_whole_text(out / "notes.txt", "the user's own");
+    EXPECT_EQ(code(), "it began");
+    write_whole_text(out / "stress-poses.svg", "of a gallery before");
+    write_whole_text(out / "gallery.md", "# Gallery: box\n");
+    EXPECT_EQ(code(), "it began");
+    EXPECT_TRUE(fs::exists(out / "stress-poses.svg")) << "the page that shows it stands yet";
 }
 
 }  // namespace

@@ -71,5 +71,17 @@ TEST_F(PartialBuild, IsNamedAmongTheScenesOfADataset) {
     EXPECT_THAT(outcome.talk, HasSubstr("part (7 of 9 photographs)"));
 }
 
+TEST_F(PartialBuild, IsToldThoughAWishIsMet) {
+    place(7);
+    write_whole_text(scratch_ / "box.toml",
+                     read_whole_text(scratch_ / "box.toml") +
+                         "[evaluate]\nhold_out = [\"IMG_0005.png\"]\n"
+                         "[sweep]\nmodes = [\"lightfield\"]\ndepth.max_width_px = [80]\n");
+    const Outcome outcome = lumi("build " + quoted(scratch_ / "box.toml") + " --target 1dB");
+    EXPECT_EQ(outcome.exit_code, 5) << outcome.talk;
+    EXPECT_THAT(outcome.talk, HasSubstr("error E-BUILD-PARTIAL: only 7 of 9 photographs"));
+    EXPECT_TRUE(fs::exists(scratch_ / "work" / "report.html"));
+}
+
 }  // namespace
 }  // namespace lumi

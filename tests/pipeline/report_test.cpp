@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "calib/work/error.h"
@@ -15,6 +17,7 @@
 #include "pipeline/stages/drawing_effort.h"
 #include "pipeline/text/html.h"
 #include "pipeline/text/number_text.h"
+#include "pipeline/workspace/json_file.h"
 #include "tests/calib/scratch_folder.h"
 
 namespace lumi {
@@ -81,6 +84,28 @@ TEST(Report, OfADamagedWorkspaceIsRefusedInWords) {
         EXPECT_THAT(error.what(), testing::StartsWith(scratch.path().string() + ": stages.json"));
         EXPECT_THAT(error.what(), testing::EndsWith("key 'evidence' not found"));
     }
+}
+
+TEST(Report, IsWrittenWhateverEndsTheWorkButAnInterruption) {
+    const ScratchFolder scratch;
+    const WorkspaceLayout workspace(scratch.path(), "x");
+    write_json_file(workspace.stages_path(), Json{{"schema_version", 1},
+                                                  {"stages", Json::array()},
+                                                  {"failure",
+                                                   {{"stage", "ingest"},
+                                                    {"code", "E-TEST"},
+                                                    {"what", "ends"},
+                                                    {"advice", ""},
+                                                    {"exit_code", 3}}}});
+    write_whole_text(workspace.config_path(), kWorkspaceConfigHeader);
+    const auto is_told_of = [&](const std::function<void()>& end) {
+        write_whole_text(workspace.report_path(), "of a run before");
+        EXPECT_ANY_THROW(work_and_report(workspace, end));
+        return read_whole_text(workspace.report_path()) != "of a run before";
+    };
+    EXPECT_TRUE(is_told_of([] { throw Error(ErrorKind::kBadInput, "E-TEST", "", ""); }));
+    EXPECT_TRUE(is_told_of([] { throw std::bad_alloc(); }));
+    EXPECT_FALSE(is_told_of([] { throw Error(ErrorKind::kInterrupted, "E-TEST", "", ""); }));
 }
 
 TEST(NumberText, HasFixedDecimals) {

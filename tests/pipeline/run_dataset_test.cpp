@@ -9,6 +9,8 @@
 
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
+#include "pipeline/workspace/done_marker.h"
+#include "pipeline/workspace/stage_outputs.h"
 #include "pipeline/workspace/workspace.h"
 #include "tests/calib/noted_progress.h"
 #include "tests/calib/scratch_folder.h"
@@ -88,6 +90,33 @@ TEST_F(DatasetRun, AWorkspaceThatAnotherRunHoldsDoesNotEndTheOthers) {
     EXPECT_TRUE(code_of(outcomes[1]).starts_with("E-INGEST")) << code_of(outcomes[1]);
 }
 
+TEST_F(DatasetRun, ASceneDoesNotTakeThePlaceOfAnotherCapture) {
+    const fs::path taken = folder() / "statue";
+    fs::create_directories(scratch_ / "others");
+    const std::string configuration = std::string(kWorkspaceConfigHeader) +
+                                      "\nname = \"statue\"\n[capture]\nphotos = \"" +
+                                      (scratch_ / "others").string() + "\"\n";
+    write_whole_text(taken / "config.toml", configuration);
+    write_done_marker(taken / "ingest" / kDoneMarkerName, {{"ingest", "", "", "", ""}, {}, {}, {}});
+    SilentProgress progress;
+    const std::vector<SceneOutcome> outcomes = run(progress);
+    ASSERT_EQ(outcomes.size(), 2U);
+    EXPECT_EQ(code_of(outcomes[0]), "E-WORKSPACE-OTHER");
+    EXPECT_TRUE(code_of(outcomes[1]).starts_with("E-INGEST")) << code_of(outcomes[1]);
+    EXPECT_EQ(read_whole_text(taken / "config.toml"), configuration);
+}
+
+TEST_F(DatasetRun, AFolderThatCannotBeMadeIsSaidToBeUnwritable) {
+    write_whole_text(scratch_ / "work", "a file");
+    SilentProgress progress;
+    try {
+        static_cast<void>(run(progress));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-FILE-WRITE");
+    }
+}
+
 TEST_F(DatasetRun, TwoRunsDoNotBuildOneDataset) {
     fs::create_directories(folder());
     const FolderLock other_run(folder());
@@ -106,6 +135,15 @@ TEST_F(DatasetRun, TheReportOfASceneThatFailsTellsOfTheFailure) {
     for (const SceneOutcome& outcome : run(progress))
         EXPECT_THAT(read_whole_text(folder() / outcome.name / "report.html"),
                     testing::HasSubstr(code_of(outcome)));
+}
+
+TEST_F(DatasetRun, TheReportTellsOfWhatIsNamedAndMissing) {
+    write_whole_text(scratch_ / "c.toml",
+                     "name = \"c\"\n[capture]\nphotos = \"photos\"\n[poses]\nmasks = \"gone\"\n");
+    SilentProgress progress;
+    EXPECT_EQ(code_of(run(progress).at(0)), "E-CONFIG-PATH");
+    EXPECT_THAT(read_whole_text(folder() / "statue" / "report.html"),
+                testing::HasSubstr("E-CONFIG-PATH"));
 }
 
 TEST_F(DatasetRun, WhatToDoAboutAFailureIsToldWithIt) {

@@ -255,6 +255,40 @@ TEST_F(StageCache, AProductThatHoldsFilesOfTheUsersIsLeftToItsWriter) {
     EXPECT_EQ(read_whole_text(product / "below" / "notes.txt"), "the user's own");
 }
 
+TEST_F(StageCache, WhatSomebodyPutBesideTheOutputsIsKeptAndNoOutput) {
+    static_cast<void>(bring());
+    const fs::path notes = scratch_ / "work/mesh/mine/notes.txt";
+    write_whole_text(notes, "the user's own");
+    EXPECT_FALSE(bring().was_run);
+    const FinishedStage again = bring("width = 2");
+    EXPECT_TRUE(again.was_run);
+    EXPECT_EQ(read_whole_text(notes), "the user's own");
+    ASSERT_EQ(again.outputs.size(), 1U);
+    EXPECT_EQ(again.outputs[0].name, "mesh/copy.txt");
+}
+
+TEST_F(StageCache, WhatSomebodyPutIntoTheProductIsNoOutput) {
+    const fs::path product = scratch_ / "work" / "scene.lumi";
+    const auto pack = [&](const std::string& parameters) {
+        const Workspace workspace(WorkspaceLayout(scratch_ / "work", "scene"));
+        write_whole_text(workspace.config_path(), kWorkspaceConfigHeader);
+        SilentProgress progress;
+        const Stage stage{{"pack", "code", parameters, "", "inputs"},
+                          [&](const fs::path&) -> StageEvidence {
+                              write_whole_text(product / "manifest.txt", parameters);
+                              return {"{}", "{}"};
+                          },
+                          product,
+                          [](const std::string& name) { return name == "manifest.txt"; }};
+        return bring_up_to_date(workspace, stage, 1, progress);
+    };
+    static_cast<void>(pack("width = 1"));
+    write_whole_text(product / "screenshot.png", "the user's own");
+    ASSERT_EQ(pack("width = 2").outputs.size(), 1U);
+    fs::remove(product / "screenshot.png");
+    EXPECT_FALSE(pack("width = 2").was_run) << "it may come and go";
+}
+
 TEST_F(StageCache, AHarmedProductGivesWayWhateverElseChanged) {
     const fs::path product = scratch_ / "work" / "scene.lumi";
     const auto pack = [&](const std::string& parameters) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
+#include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/workspace/stage_cache.h"
 #include "tests/calib/scratch_folder.h"
@@ -22,6 +25,7 @@ class StageStoreTest : public testing::Test {
         const Stage stage{{"depth", "code", parameters, "", "inputs"},
                           [&](const fs::path& folder) -> StageEvidence {
                               ++runs_;
+                              if (ends_) throw Error(*ends_);
                               write_whole_text(folder / "below" / "map.txt", "map " + parameters);
                               return {R"({"runs":1})", "{}"};
                           },
@@ -35,6 +39,7 @@ class StageStoreTest : public testing::Test {
     ScratchFolder scratch_;
     StageStore store_{scratch_ / "store"};
     int runs_ = 0;
+    std::optional<Error> ends_;
 };
 
 TEST_F(StageStoreTest, WhatOneWorkspaceMadeTheOtherTakes) {
@@ -69,6 +74,26 @@ TEST_F(StageStoreTest, HarmedFilesAreNotTaken) {
     EXPECT_TRUE(bring("b", "x").was_run);
     EXPECT_EQ(read_whole_text(map_in("b")), "map x");
     EXPECT_FALSE(bring("c", "x").was_run);  // And the store is mended.
+}
+
+TEST_F(StageStoreTest, WhatPhotographsCannotTellIsAskedOnce) {
+    const auto code_for = [&](const std::string& workspace, const std::string& parameters) {
+        try {
+            return bring(workspace, parameters).name;
+        } catch (const Error& error) {
+            return error.code();
+        }
+    };
+    ends_ = Error(ErrorKind::kDegenerateCapture, "E-POSES-NOISE", "noise", "");
+    EXPECT_EQ(code_for("a", "x"), "E-POSES-NOISE");
+    EXPECT_EQ(code_for("b", "x"), "E-POSES-NOISE");
+    EXPECT_EQ(runs_, 1);
+    EXPECT_EQ(code_for("b", "y"), "E-POSES-NOISE");
+    EXPECT_EQ(runs_, 2) << "other parameters may tell more";
+    ends_ = Error(ErrorKind::kResources, "E-MEMORY", "memory ran out", "");
+    EXPECT_EQ(code_for("a", "z"), "E-MEMORY");
+    ends_.reset();
+    EXPECT_EQ(code_for("b", "z"), "depth") << "the machine may have had a bad moment";
 }
 
 TEST_F(StageStoreTest, AStageWithAProductElsewhereIsNotShared) {

@@ -9,6 +9,7 @@
 #include "calib/work/whole_file.h"
 #include "pipeline/report/standing_package.h"
 #include "pipeline/workspace/content.h"
+#include "pipeline/workspace/done_marker.h"
 #include "pipeline/workspace/json_file.h"
 #include "tests/calib/scratch_folder.h"
 
@@ -71,6 +72,17 @@ TEST_F(StalePackage, IsToldByEverythingThatItWasMadeFrom) {
         write_whole_text(layout_.folder() / file, before);
     }
     EXPECT_THAT(reason(), IsEmpty());
+}
+
+TEST_F(StalePackage, WhatSomebodyPutBesideTheOutputsOfAStageDoesNotCount) {
+    const ContentEntry output{"depth/a.tif", sha256_hex(std::string_view("depth/a.tif"))};
+    write_done_marker(layout_.folder() / "depth/done.json",
+                      {{"depth", "", "", "", ""}, {output}, {}, {}});
+    EXPECT_THAT(reason(), IsEmpty());
+    write_whole_text(layout_.folder() / "depth/Thumbs.db", "made by a file manager");
+    EXPECT_THAT(reason(), IsEmpty());
+    write_whole_text(layout_.folder() / "depth/a.tif", "other");
+    EXPECT_THAT(reason(), HasSubstr("the package"));
 }
 
 TEST_F(StalePackage, IsToldByARunThatFailed) {

@@ -125,6 +125,16 @@ TEST_F(Sweeps, AVariantThatCannotBeBuiltIsToldAndTheOthersGoOn) {
                 testing::AllOf(HasSubstr("E-INGEST-TOOFEW"), HasSubstr(" -> ")));
 }
 
+TEST_F(Sweeps, WhereNoVariantCanBeBuiltABuildIsAdvised) {
+    configure("box", std::string(kSparseDepth) +
+                         "[sweep]\nmodes = [\"perpixel\"]\ncapture.min_photographs = [50, 60]\n");
+    for (const char* command : {"chart box.toml", "build box.toml --target 1dB"}) {
+        const Outcome outcome = lumi(command);
+        EXPECT_THAT(outcome.talk, HasSubstr("error E-INGEST-TOOFEW")) << command;
+        EXPECT_THAT(outcome.talk, HasSubstr("`lumi build` of the same configuration")) << command;
+    }
+}
+
 TEST_F(Sweeps, ATargetIsMetByWhatIsDeliveredOrTheNearestIsTold) {
     configure("box",
               "[depth]\nmax_width_px = 80\n"
@@ -349,6 +359,7 @@ TEST_F(Sweeps, RegressionAndGalleryTakeAnEvaluatedWorkspace) {
     ASSERT_EQ(lumi("build box.toml").exit_code, 0);
     EXPECT_EQ(lumi("gallery work/box --out pictures").exit_code, 2);
     ASSERT_EQ(lumi("evaluate work/box --no-ghost-energy").exit_code, 0);
+    write_whole_text(scratch_ / "pictures/gallery.md", "# Gallery: another package\n");
     write_whole_text(scratch_ / "pictures/stress-poses.svg", "of another package");
     const Outcome gallery = lumi("--json gallery work/box --out pictures");
     EXPECT_EQ(gallery.exit_code, 0) << gallery.talk;

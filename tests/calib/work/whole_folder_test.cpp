@@ -130,5 +130,42 @@ TEST(WholeFolder, MayBeUsedByWhomTheProcessLets) {
     EXPECT_EQ(fs::status(scratch / "result").permissions(), fs::perms(0750));
 }
 
+TEST(WholeFolder, KeepsFilesOfOthersAndReplacesItsOwn) {
+    const ScratchFolder scratch;
+    for (const char* name : {"a.txt", "former.txt", "notes.txt", "mine/deep/shot.png"})
+        write_whole_text(scratch / "result" / name, name);
+    fs::create_symlink("nowhere", scratch / "result" / "link");
+    {
+        WholeFolder folder(scratch / "result");
+        write_whole_text(folder.staging() / "a.txt", "new");
+        folder.keep_files_of_others([](const std::string& name) { return name == "former.txt"; });
+        folder.put_in_place();
+    }
+    EXPECT_EQ(read_whole_text(scratch / "result/a.txt"), "new");
+    EXPECT_FALSE(fs::exists(scratch / "result/former.txt"));
+    EXPECT_EQ(read_whole_text(scratch / "result/notes.txt"), "notes.txt");
+    EXPECT_EQ(read_whole_text(scratch / "result/mine/deep/shot.png"), "mine/deep/shot.png");
+    EXPECT_EQ(fs::read_symlink(scratch / "result/link"), "nowhere");
+    EXPECT_EQ(entries_in(scratch.path()), 1U);
+}
+
+TEST(WholeFolder, WhatCannotBeKeptIsNotLost) {
+    const auto expect_refused = [](const char* of_others, const char* ours) {
+        const ScratchFolder scratch;
+        write_whole_text(scratch / "result" / of_others, "the user's own");
+        WholeFolder folder(scratch / "result");
+        write_whole_text(folder.staging() / ours, "new");
+        try {
+            folder.keep_files_of_others([](const std::string&) { return false; });
+            FAIL() << of_others;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), "E-FILE-WRITE") << of_others;
+        }
+        EXPECT_EQ(read_whole_text(scratch / "result" / of_others), "the user's own");
+    };
+    expect_refused("views", "views/1.png");
+    expect_refused("views/shot.png", "views");
+}
+
 }  // namespace
 }  // namespace lumi

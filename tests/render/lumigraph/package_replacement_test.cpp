@@ -131,5 +131,30 @@ TEST_F(PackageReplacement, NeverReplacesAFolderThatIsNoPackage) {
     EXPECT_EQ(read_whole_text(scratch_ / "holiday/photo.jpg"), "precious");
 }
 
+TEST_F(PackageReplacement, KeepsWhatSomebodyPutIntoThePackage) {
+    for (const char* name : {"screenshot-1.png", "views/000001.jpg", "views/1.png", "mine/a.txt"})
+        write_whole_text(folder_ / name, "the user's own");
+    write_package(folder_, new_, tiny_extras());
+    for (const char* name : {"screenshot-1.png", "views/000001.jpg", "views/1.png", "mine/a.txt"})
+        EXPECT_EQ(read_whole_text(folder_ / name), "the user's own") << name;
+    EXPECT_EQ(read_package(folder_).views[0].photograph, new_.views[0].photograph);
+}
+
+TEST_F(PackageReplacement, KnowsTheNamesOfAllThatAPackageHolds) {
+    int files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
+        if (!entry.is_regular_file()) continue;
+        const std::string name = entry.path().lexically_relative(folder_).generic_string();
+        EXPECT_TRUE(is_name_in_package(name)) << name;
+        ++files;
+    }
+    EXPECT_GT(files, 4);
+    for (const char* name : {"notes.txt", "views/1.png", "views/000000.png", "views/000001.jpg",
+                             "depth/000001.txt", "000001.png", "views/", ""})
+        EXPECT_FALSE(is_name_in_package(name)) << name;
+    EXPECT_TRUE(is_name_in_package("depth/000012.mesh"));
+    EXPECT_TRUE(is_name_in_package("views/1234567.png"));
+}
+
 }  // namespace
 }  // namespace lumi

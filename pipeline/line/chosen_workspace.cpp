@@ -1,6 +1,6 @@
-#include "pipeline/commands/chosen_workspace.h"
+#include "pipeline/line/chosen_workspace.h"
 
-#include <algorithm>
+#include <optional>
 
 #include "calib/work/config_section.h"
 #include "calib/work/error.h"
@@ -13,22 +13,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Else nothing there is worth keeping: a refused attempt leaves its configuration and no more.
-bool has_finished_stage(const WorkspaceLayout& layout) {
-    const std::vector<std::string>& stages = stages_of_line();
-    return std::any_of(stages.begin(), stages.end(), [&](const std::string& stage) {
-        std::error_code status;
-        return fs::exists(layout.stage_folder(stage) / kDoneMarkerName, status);
-    });
-}
-
-/// What the configuration in the workspace is of; empty where there is none.
-fs::path capture_before(const WorkspaceLayout& layout) {
+/// What the configuration in the workspace is of: "" where none says, nothing where it cannot be
+/// read. A slip in it is no reason not to write it anew.
+std::optional<fs::path> capture_before(const WorkspaceLayout& layout) {
     std::error_code status;
-    if (!fs::is_regular_file(layout.config_path(), status)) return {};
-    const ConfigSection capture = ConfigSection::from_file(layout.config_path()).section("capture");
-    const std::string photos = capture.text("photos", "");
-    return photos.empty() ? capture.text("video", "") : photos;
+    if (!fs::is_regular_file(layout.config_path(), status)) return fs::path();
+    try {
+        const ConfigSection capture =
+            ConfigSection::from_file(layout.config_path()).section("capture");
+        const std::string photos = capture.text("photos", "");
+        return photos.empty() ? capture.text("video", "") : photos;
+    } catch (const Error&) {
+        return std::nullopt;
+    }
 }
 
 /// Copies elsewhere make the same.
@@ -48,16 +45,22 @@ bool was_made_of_equal_files(const WorkspaceLayout& layout, const BuildConfig& c
 
 void expect_no_other_capture(const WorkspaceLayout& layout, const BuildConfig& config,
                              const std::string& advice, int threads) {
+    // Else nothing there is worth keeping: a refused attempt leaves its configuration and no more.
     if (!has_finished_stage(layout)) return;
     std::error_code status;
-    const fs::path before = capture_before(layout);
-    if (before.empty() || !fs::exists(config.photographs_or_video, status) ||
-        fs::equivalent(before, config.photographs_or_video, status) ||
+    const std::optional<fs::path> before = capture_before(layout);
+    const bool says_nothing = before && before->empty();
+    if (says_nothing || !fs::exists(config.photographs_or_video, status) ||
+        (before && fs::equivalent(*before, config.photographs_or_video, status)) ||
         was_made_of_equal_files(layout, config, threads))
         return;
     throw Error(ErrorKind::kUsage, "E-WORKSPACE-OTHER",
-                layout.folder().string() + ": holds what was made of " + printable(before.string()),
-                advice);
+                layout.folder().string() + ": holds what was made of " +
+                    (before ? printable(before->string()) : "other photographs"),
+                advice +
+                    "; where these are the same, moved and changed since, write their new "
+                    "place into the table [capture] of " +
+                    layout.config_path().string());
 }
 
 }  // namespace
@@ -65,8 +68,7 @@ void expect_no_other_capture(const WorkspaceLayout& layout, const BuildConfig& c
 WorkspaceLayout layout_for(const fs::path& named_folder, const BuildConfig& config, int threads) {
     if (!named_folder.empty()) {
         const WorkspaceLayout layout(named_folder, config.name);
-        expect_no_other_capture(
-            layout, config, "name another folder with --workspace, or remove this one", threads);
+        expect_no_other_capture(layout, config, "name another folder with --workspace", threads);
         return layout;
     }
     const WorkspaceLayout layout = workspace_of(config);
