@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "calib/work/median.h"
@@ -24,13 +25,15 @@ std::vector<SparsePoint> points_inside(const DepthScene& scene, const DepthView&
     return points;
 }
 
+/// Inverse depths within this ratio are alike.
+constexpr double kLikeRatio = 1.25;
+
 /// Whether at least five others lie beside it at like depths.
 bool is_of_a_patch(const SparsePoint& point, const std::vector<SparsePoint>& points,
                    const Camera& camera) {
-    constexpr double kBesideShareOfWidth = 0.1;
-    constexpr double kLikeRatio = 1.25;
+    constexpr double kBesideShareOfLongerSide = 0.1;
     constexpr std::ptrdiff_t kLeastPoints = 6;
-    const double beside_px = kBesideShareOfWidth * camera.width_px;
+    const double beside_px = kBesideShareOfLongerSide * std::max(camera.width_px, camera.height_px);
     const auto alike = std::count_if(points.begin(), points.end(), [&](const SparsePoint& other) {
         const double ratio = other.inverse_depth / point.inverse_depth;
         return ratio < kLikeRatio && ratio * kLikeRatio > 1 &&
@@ -42,9 +45,13 @@ bool is_of_a_patch(const SparsePoint& point, const std::vector<SparsePoint>& poi
 /// The inverse depth of the nearest patch of points, of those nearer than `bound`; empty: of none.
 std::optional<double> nearest_patch(const std::vector<SparsePoint>& points, double bound,
                                     const Camera& camera) {
+    // Of the many points of a scene few are so near, and only these are compared with each other.
+    std::vector<SparsePoint> near;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(near),
+                 [&](const auto& point) { return point.inverse_depth * kLikeRatio > bound; });
     std::optional<double> nearest;
-    for (const SparsePoint& point : points) {
-        if (point.inverse_depth > nearest.value_or(bound) && is_of_a_patch(point, points, camera))
+    for (const SparsePoint& point : near) {
+        if (point.inverse_depth > nearest.value_or(bound) && is_of_a_patch(point, near, camera))
             nearest = point.inverse_depth;
     }
     return nearest;

@@ -59,7 +59,7 @@ std::vector<FrameRateFigures> sweep_frame_rates(const Lumigraph& lumigraph,
         [&](const BudgetedFrame& drawn) {
             FramesOfBudget& frames = budgets[drawn.budget];
             frames.wall_ms.push_back(drawn.wall_ms);
-            frames.triangles.push_back(static_cast<double>(drawn.triangles));
+            frames.triangles.push_back(static_cast<double>(drawn.statistics.triangles));
             if (drawn.place % kFramesOfALeg != 0) return;
             const HeldOutView& view = held_out[drawn.place / kFramesOfALeg];
             frames.sum_db += psnr_db(

@@ -185,7 +185,7 @@ class Benchmark {
         for (int i = 0; i < kComparedRays; ++i) {
             const Eigen::Vector3d target = random_target(capture, random);
             const Eigen::Vector3d away = random_direction(random);
-            // Outside of all cameras, where Heigl's triangles lie around the pixel.
+            // Outside of all cameras: from there Heigl's triangles lie around most pixels.
             const Eigen::Vector3d eye = target + (2 + 2 * random.uniform()) * away;
             const Eigen::Vector3d other = target + (2 + 2 * random.uniform()) * away;
             heigl_.add_ray(heigl, eye, other, target);

@@ -22,6 +22,11 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
     return sum;
 }
 
+/// Whether some camera has weight.
+bool is_covered(const std::vector<double>& weights) {
+    return std::any_of(weights.begin(), weights.end(), [](double weight) { return weight != 0; });
+}
+
 /// The change of the weights at the one place between two steps where they change most abruptly.
 double jump_between(const std::function<std::vector<double>(double)>& weights_at, double low,
                     double high) {
@@ -45,7 +50,13 @@ double jump_between(const std::function<std::vector<double>(double)>& weights_at
 
 void WeightsMeasurement::add_ray(const WayOfWeighing& weigh, const Eigen::Vector3d& eye,
                                  const Eigen::Vector3d& other_eye, const Eigen::Vector3d& target) {
-    const double inconsistency = 0.5 * difference(weigh(eye, target), weigh(other_eye, target));
+    const std::vector<double> weights = weigh(eye, target);
+    const std::vector<double> other_weights = weigh(other_eye, target);
+    if (!is_covered(weights) && !is_covered(other_weights)) {
+        ++uncovered_rays_;
+        return;
+    }
+    const double inconsistency = 0.5 * difference(weights, other_weights);
     sum_ += inconsistency;
     ++rays_;
     figures_.largest_inconsistency = std::max(figures_.largest_inconsistency, inconsistency);
@@ -67,7 +78,7 @@ void WeightsMeasurement::add_path(const WayOfWeighing& weigh, const Eigen::Vecto
         const double t = static_cast<double>(step) / kMeshPathSteps;
         std::vector<double> after = weights_at(t);
         const double change = difference(before, after);
-        changes_.push_back(change * kMeshPathSteps);
+        if (is_covered(before) || is_covered(after)) changes_.push_back(change * kMeshPathSteps);
         if (change > kSuspiciousChange) {
             const double jump = jump_between(weights_at, t - 1.0 / kMeshPathSteps, t);
             figures_.largest_jump = std::max(figures_.largest_jump, jump);
@@ -81,13 +92,15 @@ void WeightsMeasurement::add_path(const WayOfWeighing& weigh, const Eigen::Vecto
 WeightsFigures WeightsMeasurement::figures() const {
     WeightsFigures figures = figures_;
     if (rays_ > 0) {
+        figures.covered_share =
+            static_cast<double>(rays_) / static_cast<double>(rays_ + uncovered_rays_);
         figures.mean_inconsistency = sum_ / static_cast<double>(rays_);
         for (std::size_t i = 0; i < rays_in_bins_.size(); ++i)
             figures.inconsistency_shares[i] =
                 static_cast<double>(rays_in_bins_[i]) / static_cast<double>(rays_);
     }
-    if (paths_ > 0) {
-        figures.jumps_per_path = static_cast<double>(jumps_) / paths_;
+    if (paths_ > 0) figures.jumps_per_path = static_cast<double>(jumps_) / paths_;
+    if (!changes_.empty()) {
         figures.continuity_p99 = quantile_of(changes_, 0.99);
         figures.continuity_max = quantile_of(changes_, 1.0);
     }

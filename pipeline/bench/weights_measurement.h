@@ -19,8 +19,13 @@ inline constexpr std::array<double, 7> kInconsistencyBinEnds{1e-9, 1e-3, 0.01, 0
 struct WeightsFigures {
     std::string name;
     /// Half the sum of differences between the weights of one ray in two frames, whose eyes stand
-    /// at different places on it: 0 is the same picture in both, 1 one from other photographs.
+    /// at different places on it: 0 is the same picture in both, 1 one from other photographs, and
+    /// a half a picture in one of them alone.
     double mean_inconsistency = 0.0;
+    /// Of the rays, those that some camera has weight for in one of the two frames at least. All
+    /// else is of these, and of steps of paths that are so at one end at least: nothing, twice, is
+    /// no agreement.
+    double covered_share = 0.0;
     double largest_inconsistency = 0.0;
     /// Shares of the rays, by their inconsistency: up to the end of each bin and above the one
     /// before. They sum to 1.
@@ -51,7 +56,8 @@ class WeightsMeasurement {
  private:
     WeightsFigures figures_;
     double sum_ = 0.0;
-    long rays_ = 0;
+    long rays_ = 0;  ///< Covered ones.
+    long uncovered_rays_ = 0;
     std::array<long, kInconsistencyBinEnds.size()> rays_in_bins_{};
     long jumps_ = 0;
     int paths_ = 0;

@@ -63,6 +63,7 @@ Json report_json(const MeshBenchmark& result) {
     Json weights = Json::array();
     for (const WeightsFigures& way : result.weights) {
         weights.push_back({{"name", way.name},
+                           {"covered_share", way.covered_share},
                            {"mean_inconsistency", way.mean_inconsistency},
                            {"largest_inconsistency", way.largest_inconsistency},
                            {"inconsistency_shares", way.inconsistency_shares},
@@ -182,7 +183,8 @@ std::string report_text(const MeshBenchmark& result) {
             " rms, " + number_text(result.worst_epipole_loss, 3) + " at most, " +
             number_text(result.worst_epipole_loss_over_bound, 3) + " of its bound at most\n";
     for (const WeightsFigures& way : result.weights) {
-        text += way.name + ": inconsistency " + number_text(way.mean_inconsistency, 4) +
+        text += way.name + ": " + percent(way.covered_share, 1) +
+                " of rays covered, inconsistency " + number_text(way.mean_inconsistency, 4) +
                 " (mean), " + number_text(way.largest_inconsistency, 4) +
                 " (largest); largest jump " + number_text(way.largest_jump, 4) + ", " +
                 number_text(way.jumps_per_path, 1) + " a path; change over a path " +

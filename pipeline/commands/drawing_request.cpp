@@ -1,29 +1,10 @@
 #include "pipeline/commands/drawing_request.h"
 
-#include "calib/work/error.h"
 #include "pipeline/commands/number_checks.h"
 #include "pipeline/commands/render_mode_argument.h"
 
 namespace lumi {
 namespace {
-
-void check_focus(const DrawingRequest& request, const RenderOptions& options) {
-    const RenderMode mode = options.mode;
-    if (request.aperture > 0 && mode != RenderMode::kLightField)
-        throw Error(ErrorKind::kUsage, "E-RENDER-FOCAL",
-                    name_of(mode) + " blends three photographs, and has no --aperture",
-                    "leave it out, or use --mode lightfield");
-    if (request.aperture > 0 && options.debug_picture != DebugPicture::kNone)
-        throw Error(ErrorKind::kUsage, "E-RENDER-FOCAL",
-                    "there is no debug picture '" + name_of(options.debug_picture) +
-                        "', which the file of --eye asks for, through an --aperture",
-                    "leave one of them out");
-    if (request.focal_depth == 0 || mode == RenderMode::kLightField || mode == RenderMode::kHeigl)
-        return;
-    throw Error(ErrorKind::kUsage, "E-RENDER-FOCAL",
-                name_of(mode) + " knows how far the scene is, and needs no --focal-depth",
-                "leave it out, or use --mode lightfield");
-}
 
 void add_focus_options(CLI::App& command, DrawingRequest& request) {
     CLI::Option* focal_depth =
@@ -99,7 +80,6 @@ RenderOptions render_options_of(const DrawingRequest& request, const DrawnAlike&
     options.smooth_silhouettes = !request.jagged;
     options.guess_surroundings = !request.black_surroundings &&
                                  eye_file.guess_surroundings.value_or(options.guess_surroundings);
-    check_focus(request, options);
     return options;
 }
 

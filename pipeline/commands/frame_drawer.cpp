@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "pipeline/evaluate/common_pixels.h"
-#include "render/paths/photograph_eye.h"
 #include "render/renderer/mode_reference.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "render/rivals/dynamically_reparameterized.h"
@@ -12,14 +11,6 @@
 
 namespace lumi {
 namespace {
-
-FocalPlane focal_plane_of(const DrawingRequest& request, const Lumigraph& lumigraph) {
-    FocalPlane plane{.depth = request.focal_depth};
-    if (request.focal_view.empty()) return plane;
-    const int view = index_of_view(lumigraph, request.focal_view);
-    plane.cam_from_world = lumigraph.views[static_cast<std::size_t>(view)].cam_from_world;
-    return plane;
-}
 
 Draw through_aperture(const Lumigraph& lumigraph, const SyntheticAperture& aperture,
                       const RenderOptions& options) {
@@ -35,13 +26,11 @@ Draw through_aperture(const Lumigraph& lumigraph, const SyntheticAperture& apert
 
 }  // namespace
 
-FrameDrawer frame_drawer(const Lumigraph& lumigraph, RenderOptions options,
-                         const DrawingRequest& request, bool by_reference) {
-    options.focal_plane = focal_plane_of(request, lumigraph);
-    if (request.aperture > 0)
-        return {through_aperture(lumigraph,
-                                 {.diameter = request.aperture, .focal_plane = options.focal_plane},
-                                 options),
+FrameDrawer frame_drawer(const Lumigraph& lumigraph, const RenderOptions& options, double aperture,
+                         bool by_reference) {
+    if (aperture > 0)
+        return {through_aperture(
+                    lumigraph, {.diameter = aperture, .focal_plane = options.focal_plane}, options),
                 "synthetic aperture"};
     if (by_reference)
         return {[&lumigraph, options](const Eye& eye) {

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "pipeline/commands/drawing_request.h"
 #include "pipeline/commands/stereo_pair.h"
 
 namespace lumi {
@@ -14,10 +13,10 @@ struct FrameDrawer {
     std::string renderer;
 };
 
-/// By OpenGL; with `by_reference` by the plain-code renderer; with an aperture as
-/// dynamically_reparameterized.h does. `lumigraph` outlives it. Throws Error (E-VIEW-NAME: no
-/// photograph has the name of the focal view; what the renderers throw).
-[[nodiscard]] FrameDrawer frame_drawer(const Lumigraph& lumigraph, RenderOptions options,
-                                       const DrawingRequest& request, bool by_reference);
+/// By OpenGL; with `by_reference` by the plain-code renderer; with an aperture, its diameter in
+/// world units, as dynamically_reparameterized.h does. `lumigraph` outlives it. Throws Error (what
+/// the renderers throw).
+[[nodiscard]] FrameDrawer frame_drawer(const Lumigraph& lumigraph, const RenderOptions& options,
+                                       double aperture, bool by_reference);
 
 }  // namespace lumi

@@ -6,7 +6,6 @@
 #include "calib/ingest/made_by_lumi.h"
 #include "calib/pictures/image_io.h"
 #include "calib/work/error.h"
-#include "calib/work/printable.h"
 #include "calib/work/process_memory.h"
 #include "calib/work/stopwatch.h"
 #include "calib/work/whole_file.h"
@@ -15,13 +14,13 @@
 #include "pipeline/commands/drawing_request.h"
 #include "pipeline/commands/eye_file.h"
 #include "pipeline/commands/eye_path.h"
+#include "pipeline/commands/focus.h"
 #include "pipeline/commands/frame_drawer.h"
 #include "pipeline/commands/frame_files.h"
 #include "pipeline/commands/known_photographs.h"
 #include "pipeline/commands/number_checks.h"
 #include "pipeline/commands/stereo_pair.h"
 #include "pipeline/commands/video_file.h"
-#include "pipeline/evaluate/held_out_beside.h"
 #include "pipeline/evaluate/image_metrics.h"
 #include "pipeline/text/number_text.h"
 #include "render/lumigraph/even_exposure.h"
@@ -74,25 +73,9 @@ Job job_at(const LumigraphView& view, const fs::path& out) {
 
 /// A photograph of the package, or one that was held out from it.
 Job job_at_view(const RenderRequest& request, const Lumigraph& lumigraph) {
-    const KnownPhotographs known = known_photographs(request.package, lumigraph);
-    const std::vector<std::string>& names = known.names;
-    const std::optional<int> index = index_of_name(names, request.view);
-    const auto packed = static_cast<int>(lumigraph.views.size());
-    if (index && *index < packed)
-        return job_at(lumigraph.views[static_cast<std::size_t>(*index)], request.out);
-    if (index) {
-        const std::string& name = names[static_cast<std::size_t>(*index)];
-        for (HeldOutView& beside : held_out_views_beside(request.package, 0)) {
-            if (beside.name != name) continue;
-            return {beside.eye, request.out, std::move(beside.photograph), false,
-                    lumigraph.evened_falloff};
-        }
-    }
-    if (known.failure) throw Error(*known.failure);
-    throw Error(ErrorKind::kUsage, "E-RENDER-VIEW",
-                "expected the name of one photograph, of the package or held out from it, found '" +
-                    printable(request.view) + "'",
-                "there are: " + listed_names(names) + "; `lumi inspect PACKAGE` lists all of them");
+    KnownPhotograph at = photograph_named(request.view, request.package, lumigraph);
+    return {at.eye, request.out, std::move(at.photograph), at.is_of_package,
+            at.is_of_package ? 0.0 : lumigraph.evened_falloff};
 }
 
 /// What the files of frames are named after, so that those of one kind replace no others.
@@ -227,7 +210,10 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
     keep_free_memory();
     options.fade_beyond_capture =
         fade_of(request.drawing, at.drawn).value_or(lumigraph.drawing.fade_beyond_capture);
-    const FrameDrawer drawer = frame_drawer(lumigraph, options, request.drawing, request.reference);
+    check_focus(request.drawing, at.drawn, possible_options(options, lumigraph.has_depth()));
+    options.focal_plane = focal_plane_of(request.drawing, request.package, lumigraph);
+    const FrameDrawer drawer =
+        frame_drawer(lumigraph, options, request.drawing.aperture, request.reference);
 
     Json frames =
         request.path.empty()

@@ -24,6 +24,7 @@ void draw_within_budgets(const Lumigraph& lumigraph, const std::vector<Eye>& pat
         for (std::size_t drawn = 0; drawn < 2 * path.size(); ++drawn) {
             progress.throw_if_interrupted();
             const std::size_t place = drawn % path.size();
+            renderer.forget_frame();
             glFinish();
             const Stopwatch stopwatch;
             const DrawStatistics statistics =
@@ -31,8 +32,7 @@ void draw_within_budgets(const Lumigraph& lumigraph, const std::vector<Eye>& pat
             glFinish();
             const double wall_ms = 1000 * stopwatch.elapsed().wall_s;
             budget.measured(statistics.triangles, wall_ms);
-            if (drawn >= path.size())
-                sink({i, place, wall_ms, statistics.triangles, target.read()});
+            if (drawn >= path.size()) sink({i, place, wall_ms, statistics, target.read()});
             progress.advance();
         }
     }

@@ -1,15 +1,23 @@
 #include "render/reference/photograph_samples.h"
 
+#include <utility>
+
 #include "render/transfer/sampling.h"
 #include "render/uploaded/photograph_layer.h"
 #include "render/uploaded/photograph_lod.h"
-#include "render/uploaded/photograph_opacity.h"
 
 namespace lumi {
+namespace {
 
-PhotographSamples::PhotographSamples(const Lumigraph& lumigraph, const Eye& eye)
+/// What a pixel counts that counts as much as any.
+constexpr std::uint8_t kAll = 255;
+
+}  // namespace
+
+PhotographSamples::PhotographSamples(const Lumigraph& lumigraph, const Eye& eye,
+                                     std::vector<GrayImage> opacities)
     : lumigraph_(lumigraph),
-      opacities_(photograph_opacities(lumigraph)),
+      opacities_(std::move(opacities)),
       lod_(photograph_lod(lumigraph, eye)) {
     if (lod_ > 0) make_mip_levels();
 }
@@ -21,6 +29,7 @@ Eigen::Vector3d PhotographSamples::color(int view_index, const Eigen::Vector2d& 
 
 double PhotographSamples::opacity(int view_index, const Eigen::Vector2d& pixel) const {
     if (lod_ > 0) return at_mip_level(view_index, pixel)[3];
+    if (opacities_.empty()) return kAll;
     return bilinear_to_zero(opacities_[static_cast<std::size_t>(view_index)], pixel);
 }
 
@@ -31,10 +40,14 @@ void PhotographSamples::make_mip_levels() {
         size = size.cwiseMax(Eigen::Vector2i(view.photograph.width(), view.photograph.height()));
     size += Eigen::Vector2i::Constant(2 * kGutter_px);
     layer_size_px_ = size.cast<double>();
-    for (std::size_t i = 0; i < opacities_.size(); ++i)
-        mip_levels_.emplace_back(
-            photograph_layer(lumigraph_.views[i].photograph, opacities_[i], size.x(), size.y()),
-            size.x(), size.y());
+    for (std::size_t i = 0; i < lumigraph_.views.size(); ++i) {
+        const ColorImage& photograph = lumigraph_.views[i].photograph;
+        const GrayImage opacity = opacities_.empty()
+                                      ? GrayImage(photograph.width(), photograph.height(), kAll)
+                                      : opacities_[i];
+        mip_levels_.emplace_back(photograph_layer(photograph, opacity, size.x(), size.y()),
+                                 size.x(), size.y());
+    }
 }
 
 Eigen::Vector4d PhotographSamples::at_mip_level(int view_index,

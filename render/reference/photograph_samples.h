@@ -12,8 +12,9 @@ namespace lumi {
 /// as a GL does.
 class PhotographSamples {
  public:
-    /// The Lumigraph must outlive it.
-    PhotographSamples(const Lumigraph& lumigraph, const Eye& eye);
+    /// The Lumigraph must outlive it. `opacities` say how much each pixel of its photographs counts
+    /// (photograph_opacities); none: as much as any.
+    PhotographSamples(const Lumigraph& lumigraph, const Eye& eye, std::vector<GrayImage> opacities);
 
     /// Red, green and blue, 0 to 255.
     [[nodiscard]] Eigen::Vector3d color(int view_index, const Eigen::Vector2d& pixel) const;

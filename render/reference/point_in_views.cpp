@@ -22,7 +22,7 @@ PointInViews::PointInViews(const Lumigraph& lumigraph, const Eye& eye, const Ren
       options_(options),
       eye_in_world_(centre_in_world(eye.cam_from_world)),
       geometries_(view_geometries(lumigraph)),
-      photographs_(lumigraph, eye) {}
+      photographs_(lumigraph, eye, photograph_opacities(lumigraph)) {}
 
 std::optional<Sight> PointInViews::sight(int view_index, const RayPoint& point) const {
     const LumigraphView& seen_by = view(view_index);

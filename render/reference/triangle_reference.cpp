@@ -10,6 +10,7 @@
 #include "calib/capture/nearest_byte.h"
 #include "render/depth_search/occlusion.h"
 #include "render/reference/debug_color.h"
+#include "render/uploaded/photograph_opacity.h"
 
 namespace lumi {
 namespace {
@@ -52,7 +53,7 @@ void draw_surroundings(const std::array<const BlendVertex*, 3>& corners,
 TriangleReference::TriangleReference(const Lumigraph& lumigraph, const Eye& eye,
                                      PlaceInterpolation places, DebugPicture debug_picture)
     : lumigraph_(lumigraph),
-      photographs_(lumigraph, eye),
+      photographs_(lumigraph, eye, photograph_opacities(lumigraph)),
       places_(places),
       debug_picture_(debug_picture) {}
 

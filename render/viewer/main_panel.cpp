@@ -17,7 +17,9 @@ constexpr float kPanelWidth = 250;
 constexpr float kPanelMargin = 10;
 constexpr float kSliderWidth = 120;
 
-bool is_of_a_paper(RenderMode mode) {
+/// As the mode is drawn of this Lumigraph.
+bool is_of_a_paper(const RenderOptions& render, const Lumigraph& lumigraph) {
+    const RenderMode mode = possible_options(render, lumigraph.has_depth()).mode;
     return mode == RenderMode::kPaper2001 || mode == RenderMode::kHeigl;
 }
 
@@ -55,14 +57,13 @@ void show_picture(const Lumigraph& lumigraph, ViewerState& state) {
         ImGui::EndCombo();
     }
     const std::string in_mode = "in " + name_of(render.mode);
-    checkbox("occlusion correction", corrects_occlusion(lumigraph, render), in_mode,
+    const bool as_a_paper_says = is_of_a_paper(render, lumigraph);
+    checkbox("occlusion correction", corrects_occlusion(lumigraph, render),
+             lumigraph.has_depth() ? in_mode : "in a package without depth",
              render.correct_occlusion);
-    checkbox("fade beyond the capture", !is_of_a_paper(render.mode), in_mode,
-             render.fade_beyond_capture);
-    checkbox("guess what lies around it",
-             !is_of_a_paper(render.mode) && !render.fade_beyond_capture,
-             is_of_a_paper(render.mode) ? in_mode : "where the capture fades",
-             render.guess_surroundings);
+    checkbox("fade beyond the capture", !as_a_paper_says, in_mode, render.fade_beyond_capture);
+    checkbox("guess what lies around it", !as_a_paper_says && !render.fade_beyond_capture,
+             as_a_paper_says ? in_mode : "where the capture fades", render.guess_surroundings);
     bool evens = state.exposures == Exposures::kEvened;
     checkbox("even out exposures", !state.package.empty(), "without a package to read again",
              evens);

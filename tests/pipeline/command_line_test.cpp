@@ -72,13 +72,7 @@ TEST(CommandLine, WhatIsNoNumberIsUsage) {
                 HasSubstr("--roughness: expected 0 to 0.9, found nan\n"));
 }
 
-TEST(CommandLine, AFocusIsRefusedWhereNothingWouldComeOfIt) {
-    for (const char* options : {"--focal-depth 2", "--mode adaptive --focal-depth 2",
-                                "--aperture 0.5", "--mode heigl --aperture 0.5"}) {
-        const Outcome outcome = lumi(std::string("render p.lumi --view a --out a.png ") + options);
-        EXPECT_EQ(outcome.exit_code, 2) << options;
-        EXPECT_THAT(outcome.talk, HasSubstr("E-RENDER-FOCAL")) << options;
-    }
+TEST(CommandLine, AFocalViewNeedsADepth) {
     const Outcome no_depth =
         lumi("render p.lumi --view a --out a.png --mode lightfield --focal-view a");
     EXPECT_EQ(no_depth.exit_code, 2);

@@ -38,6 +38,40 @@ TEST(WeightsMeasurement, SortsRaysByHowUnlikeTwoEyesWeighThem) {
               (std::array<double, kInconsistencyBinEnds.size()>{0.25, 0, 0, 0, 0, 0.25, 0.5}));
 }
 
+TEST(WeightsMeasurement, CountsNoRayForSteadyThatNothingIsKnownOf) {
+    WeightsMeasurement measurement("far ones alone");
+    // Of eyes nearer than 1 nothing is known, of farther ones the first camera is all.
+    const WayOfWeighing weigh = [](const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
+        return std::vector<double>{(eye - target).norm() < 1 ? 0.0 : 1.0, 0.0};
+    };
+    const auto add = [&](double one, double other) {
+        measurement.add_ray(weigh, kTarget + one * Eigen::Vector3d::UnitX(),
+                            kTarget + other * Eigen::Vector3d::UnitX(), kTarget);
+    };
+    add(0.25, 0.5);
+    EXPECT_EQ(measurement.figures().covered_share, 0.0);
+    EXPECT_EQ(measurement.figures().inconsistency_shares[0], 0.0);
+    add(0.5, 2);
+    add(2, 3);
+    add(3, 4);
+    const WeightsFigures figures = measurement.figures();
+    EXPECT_EQ(figures.covered_share, 0.75);
+    EXPECT_NEAR(figures.mean_inconsistency, 0.5 / 3, 1e-12);
+    EXPECT_NEAR(figures.inconsistency_shares[0], 2.0 / 3, 1e-12);
+}
+
+TEST(WeightsMeasurement, StepsFromNothingToNothingDoNotMakeAPathContinuous) {
+    WeightsMeasurement measurement("last step");
+    // The eye goes from 1.2 to 2.2; up to 2.199 nothing is known.
+    measurement.add_path(
+        [](const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
+            return std::vector<double>{(eye - target).norm() < 2.199 ? 0.0 : 1.0};
+        },
+        Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), kTarget);
+    EXPECT_GT(measurement.figures().continuity_p99, 100)
+        << "one step shows anything, and is the jump";
+}
+
 TEST(WeightsMeasurement, ContinuityOfAnEvenChangeIsItsRateEverywhere) {
     WeightsMeasurement measurement("even");
     // The eye goes from 1.2 to 2.2: one weight falls from 1 to 0, the other rises.
@@ -65,7 +99,12 @@ TEST(MeshBenchmark, RaysOfTheCameraMeshAreConsistentAndThoseOfItsRivalsAreNot) {
         benchmark_mesh({.captures = 4, .rays = 2000, .most_cameras_timed = 100}, progress);
     ASSERT_EQ(result.weights.size(), 4U);
     EXPECT_EQ(result.weights[0].inconsistency_shares[0], 1.0) << "every ray, up to rounding";
+    EXPECT_GT(result.weights[1].covered_share, 0.5) << "rays that Heigl draws";
+    EXPECT_LT(result.weights[1].covered_share, 1.0);
     for (const WeightsFigures& way : result.weights) {
+        if (&way != &result.weights[1]) {
+            EXPECT_EQ(way.covered_share, 1.0) << way.name;
+        }
         EXPECT_NEAR(
             std::accumulate(way.inconsistency_shares.begin(), way.inconsistency_shares.end(), 0.0),
             1.0, 1e-12)

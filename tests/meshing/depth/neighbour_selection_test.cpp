@@ -152,6 +152,24 @@ TEST(InverseDepthRange, HoldsAThingThatHasFewPointsBesideEachOther) {
     EXPECT_GT(inverse_depth_range(scene, 0)->near, 1 / 1.5);
 }
 
+TEST(InverseDepthRange, IsTheSameOfAPhotographThatWasTakenUpright) {
+    DepthScene scene = wall_of_points();
+    // Beside each other by a tenth of the longer side, not of the shorter.
+    for (int i = 0; i < 6; ++i) add_point(scene, 1.5 + 0.02 * i, 0.2 + 0.032 * i);
+    DepthScene turned = scene;
+    for (DepthView& view : turned.views) {
+        const Eigen::Quaterniond quarter(
+            Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ()));
+        view.cam_from_world = Rigid3{quarter, Eigen::Vector3d::Zero()} * view.cam_from_world;
+        const Eigen::Vector2d focal = focal_length_px(view.camera);
+        ASSERT_EQ(focal.x(), focal.y());
+        view.camera = pinhole_camera(view.camera.height_px, view.camera.width_px, focal.x());
+    }
+    const double near = inverse_depth_range(scene, 0)->near;
+    EXPECT_GT(near, 1 / 1.7);
+    EXPECT_NEAR(inverse_depth_range(turned, 0)->near, near, 1e-9);
+}
+
 TEST(InverseDepthRange, LeavesOutAsManyStrayPoints) {
     DepthScene scene = wall_of_points();
     const double without = inverse_depth_range(scene, 0)->near;

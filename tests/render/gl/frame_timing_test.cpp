@@ -3,6 +3,7 @@
 
 #include "calib/work/median.h"
 #include "calib/work/progress.h"
+#include "render/bench/budgeted_frames.h"
 #include "render/bench/frame_timing.h"
 #include "render/bench/lookup_count.h"
 #include "render/bench/occlusion_share.h"
@@ -202,6 +203,19 @@ TEST_F(FrameTimingGl, AMovingEyesFrameIsMadeAnewAndIsTheSamePicture) {
     const Frame anew = renderer.draw(eye, options);
     EXPECT_FALSE(anew.statistics.are_triangles_kept);
     EXPECT_EQ(anew.color, first.color);
+}
+
+TEST_F(FrameTimingGl, FramesWithinBudgetsAreMadeAnewEachTime) {
+    const Eye eye = path_through_views(lumigraph_, 4, kWidthPx, kHeightPx)[1];
+    int frames = 0;
+    draw_within_budgets(
+        lumigraph_, {eye, eye}, {0.0},
+        [&](const BudgetedFrame& frame) {
+            EXPECT_FALSE(frame.statistics.are_triangles_kept);
+            ++frames;
+        },
+        progress_);
+    EXPECT_EQ(frames, 2);
 }
 
 TEST_F(FrameTimingGl, TexturesHoldAllPhotographsAndDepthMaps) {

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "calib/capture/nearest_byte.h"
 #include "tests/render/analytic_scene.h"
 #include "tests/render/frame_difference.h"
 
@@ -52,16 +54,73 @@ TEST(DynamicallyReparameterized, ACameraWeighsTheLessTheFartherTheRayPassesIt) {
     EXPECT_EQ(frame.coverage(16, 16), 255);
 }
 
-TEST(DynamicallyReparameterized, BlendsTheThreeNearestWhereCamerasAreSparse) {
+TEST(DynamicallyReparameterized, BlendsAsMuchAsOneWholeCameraWhereCamerasAreSparse) {
     const Lumigraph lumigraph = all_of_one_level(0, 200);
     // The ray passes cameras of the middle row at 0.05, 0.15, 0.25 and others of the rows beside it
-    // at 0.206: the three nearest are within the fourth's distance, of which there are two.
+    // at 0.206: with a radius of 0.2 those of the first two sum to 1, linearly between them.
     const Eye eye = eye_at({0.05, 0, 0}, {0.05, 0, 1}, pinhole_camera(33, 33, 30));
     const Frame frame = draw_dynamically_reparameterized(
         lumigraph, eye, {.diameter = 1e-6, .focal_plane = {.depth = 6}});
-    const double radius = std::hypot(0.05, 0.2);
-    const double nearest = 1 - 0.05 / radius;
-    EXPECT_NEAR(frame.color(16, 16).g, 200 * nearest / (nearest + 1 - 0.15 / radius), 1);
+    EXPECT_NEAR(frame.color(16, 16).g, 200 * (1 - 0.05 / 0.2), 1);
+}
+
+/// Of a channel, from a pixel to the next in its row or column.
+int largest_step(const ColorImage& picture) {
+    int largest = 0;
+    for (int y = 1; y < picture.height(); ++y)
+        for (int x = 1; x < picture.width(); ++x)
+            for (const Rgb8& before : {picture(x - 1, y), picture(x, y - 1)})
+                largest = std::max(largest, std::abs(picture(x, y).g - before.g));
+    return largest;
+}
+
+TEST(DynamicallyReparameterized, NothingJumpsWhereAPhotographEnds) {
+    // On a plane so near that the borders of all photographs but the nearest run through the frame.
+    // Each fades within 8 pixels, in which something black may give way to something white.
+    Lumigraph lumigraph = wall_of_cameras(AnalyticScene::kCardBeforeWall, 60);
+    for (int row = 0; row < 5; ++row)
+        for (int column = 0; column < 5; ++column)
+            paint(lumigraph, row, column, (3 * row + column) % 5 < 2 ? 255 : 0);
+    for (const Eigen::Vector3d& place :
+         {Eigen::Vector3d(0.07, 0.03, 0), Eigen::Vector3d(-0.11, 0.09, 0.1)}) {
+        const Eye eye = eye_at(place, place + Eigen::Vector3d::UnitZ(), pinhole_camera(64, 48, 60));
+        for (const double depth : {0.7, 1.2}) {
+            const Frame frame = draw_dynamically_reparameterized(
+                lumigraph, eye, {.diameter = 1e-6, .focal_plane = {.depth = depth}});
+            EXPECT_LT(largest_step(frame.color), 2 * 255 / 8) << depth;
+        }
+    }
+}
+
+/// Each pixel the mean of so many along both sides.
+ColorImage averaged(const ColorImage& fine, int times) {
+    ColorImage coarse(fine.width() / times, fine.height() / times);
+    for (int y = 0; y < coarse.height(); ++y) {
+        for (int x = 0; x < coarse.width(); ++x) {
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            for (int v = 0; v < times; ++v)
+                for (int u = 0; u < times; ++u) {
+                    const Rgb8& pixel = fine(times * x + u, times * y + v);
+                    sum += Eigen::Vector3d(pixel.r, pixel.g, pixel.b);
+                }
+            sum /= times * times;
+            coarse(x, y) = {nearest_byte(sum.x()), nearest_byte(sum.y()), nearest_byte(sum.z())};
+        }
+    }
+    return coarse;
+}
+
+TEST(DynamicallyReparameterized, ASmallFrameIsTheLargeOneAveraged) {
+    const Lumigraph lumigraph = wall_of_cameras(AnalyticScene::kPrintedCard, 120);
+    const auto drawn = [&](int width_px, int height_px, double focal_px) {
+        const Eye eye =
+            eye_at({0.07, 0.03, 0}, {0.07, 0.03, 1}, pinhole_camera(width_px, height_px, focal_px));
+        return draw_dynamically_reparameterized(lumigraph, eye,
+                                                {.diameter = 0.6, .focal_plane = {.depth = 3}})
+            .color;
+    };
+    const ColorImage small = drawn(16, 12, 30);
+    EXPECT_LT(difference_between(small, averaged(drawn(64, 48, 120), 4)).mean, 6);
 }
 
 TEST(DynamicallyReparameterized, CamerasThatAreAllAsFarAreBlendedAlike) {
@@ -154,11 +213,23 @@ TEST(DynamicallyReparameterized, IsTheSameByAnyNumberOfThreads) {
     EXPECT_EQ(one.color.pixels(), three.color.pixels());
 }
 
-TEST(DynamicallyReparameterized, TheUsualApertureIsTwoSpacingsWide) {
-    EXPECT_NEAR(usual_aperture_diameter(wall_of_cameras()), 2 * kSpacing, 1e-9);
+TEST(DynamicallyReparameterized, TheUsualApertureIsFourSpacingsWide) {
+    EXPECT_NEAR(usual_aperture_diameter(wall_of_cameras()), 4 * kSpacing, 1e-9);
     Lumigraph alone = wall_of_cameras();
     alone.views.resize(1);
     EXPECT_EQ(usual_aperture_diameter(alone), 0);
+}
+
+TEST(DynamicallyReparameterized, TheUsualApertureIsWiderThanWhereCamerasAreSparse) {
+    const Lumigraph lumigraph = wall_of_cameras(AnalyticScene::kPrintedCard, 120);
+    const Eye eye = eye_at({0.07, 0.03, 0}, {0.07, 0.03, 1}, pinhole_camera(64, 48, 120));
+    const auto drawn = [&](double diameter) {
+        return draw_dynamically_reparameterized(lumigraph, eye,
+                                                {.diameter = diameter, .focal_plane = {.depth = 6}})
+            .color;
+    };
+    const ColorImage usual = drawn(usual_aperture_diameter(lumigraph));
+    EXPECT_GT(difference_between(usual, drawn(1e-6)).share_beyond_two, 0.1);
 }
 
 }  // namespace
