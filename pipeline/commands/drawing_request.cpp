@@ -1,10 +1,25 @@
 #include "pipeline/commands/drawing_request.h"
 
+#include "calib/work/error.h"
 #include "pipeline/commands/number_checks.h"
 #include "pipeline/commands/render_mode_argument.h"
+#include "render/frame/mode_of_a_paper.h"
 
 namespace lumi {
 namespace {
+
+/// That the mode does what is asked of it.
+void check_heeded(const DrawingRequest& request, RenderMode mode) {
+    const auto refuse = [&](const std::string& what, const std::string& modes) {
+        throw Error(ErrorKind::kUsage, "E-RENDER-OPTION", name_of(mode) + " " + what,
+                    "leave it out, or use --mode " + modes);
+    };
+    if (request.fade && is_of_a_paper(mode))
+        refuse("draws what its paper says, and knows no --fade",
+               "perpixel, adaptive or lightfield");
+    if (request.jagged && mode != RenderMode::kPerPixel)
+        refuse("never takes four samples of depth, and needs no --jagged", "perpixel");
+}
 
 void add_focus_options(CLI::App& command, DrawingRequest& request) {
     CLI::Option* focal_depth =
@@ -80,6 +95,7 @@ RenderOptions render_options_of(const DrawingRequest& request, const DrawnAlike&
     options.smooth_silhouettes = !request.jagged;
     options.guess_surroundings = !request.black_surroundings &&
                                  eye_file.guess_surroundings.value_or(options.guess_surroundings);
+    check_heeded(request, options.mode);
     return options;
 }
 

@@ -28,8 +28,9 @@ struct DrawingRequest {
 void add_drawing_options(CLI::App& command, DrawingRequest& request);
 
 /// What the command line says, else what the eye's file says, else what is usual; whether the
-/// capture fades is then left to the package. Throws Error (E-RENDER-MODE, E-RENDER-DEBUG). What is
-/// sharp is not among it (focus.h): that may take the package.
+/// capture fades is then left to the package. Throws Error (E-RENDER-MODE, E-RENDER-DEBUG;
+/// E-RENDER-OPTION: the mode has no use for fading, or for jagged silhouettes). What is sharp is not
+/// among it (focus.h): that may take the package.
 [[nodiscard]] RenderOptions render_options_of(const DrawingRequest& request,
                                               const DrawnAlike& eye_file);
 /// Whether what lies beyond the capture fades to black; empty: as the package says.

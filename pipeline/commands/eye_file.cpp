@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "calib/work/error.h"
 #include "pipeline/workspace/json_file.h"
 
 namespace lumi {
@@ -31,6 +32,13 @@ int whole_number(const Json& json, const char* key, const std::filesystem::path&
     if (value != std::trunc(value) || std::abs(value) > std::numeric_limits<int>::max())
         refuse_json(path, std::string(key) + ": expected a whole number");
     return static_cast<int>(value);
+}
+
+/// An eye and a path are told apart before anything is found missing in them.
+void check_kind(const Json& json, const char* expected, const char* other, const std::string& what,
+                const std::string& advice, const std::filesystem::path& path) {
+    if (json.contains(expected) || !json.contains(other)) return;
+    throw Error(ErrorKind::kBadInput, "E-JSON-READ", path.string() + ": " + what, advice);
 }
 
 Rigid3 pose_from(const Json& json, const std::filesystem::path& path) {
@@ -105,6 +113,8 @@ void check_next(const std::vector<TimedEye>& eyes, const std::filesystem::path& 
 
 EyeFile read_eye_file(const std::filesystem::path& path) {
     const Json json = read_json_file(path);
+    check_kind(json, "cam_from_world", "eyes", "is a path of eyes, and not one of them",
+               "`lumi render --path` draws it", path);
     try {
         return {eye_from(json, path), drawn_from(json, path)};
     } catch (const Json::exception& error) {
@@ -115,6 +125,8 @@ EyeFile read_eye_file(const std::filesystem::path& path) {
 std::vector<TimedEye> read_path_file(const std::filesystem::path& path,
                                      double eyes_per_second_without_times) {
     const Json json = read_json_file(path);
+    check_kind(json, "eyes", "cam_from_world", "is a screenshot's eye, and no path",
+               "`lumi render --eye` draws it", path);
     try {
         const Json& eyes = json.at("eyes");
         if (eyes.empty()) refuse_json(path, "eyes: a path needs one at least");

@@ -19,13 +19,14 @@
 #include "pipeline/commands/frame_files.h"
 #include "pipeline/commands/known_photographs.h"
 #include "pipeline/commands/number_checks.h"
+#include "pipeline/commands/psnr_text.h"
 #include "pipeline/commands/stereo_pair.h"
 #include "pipeline/commands/video_file.h"
 #include "pipeline/evaluate/image_metrics.h"
-#include "pipeline/text/number_text.h"
 #include "render/lumigraph/even_exposure.h"
 #include "render/lumigraph/package.h"
 #include "render/paths/photograph_eye.h"
+#include "render/viewer/black_picture.h"
 #include "render/viewer/difference_picture.h"
 
 namespace lumi {
@@ -131,21 +132,22 @@ Json draw_difference(const Job& job, const Draw& draw) {
 std::string frame_text(const Json& frame) {
     std::string text = frame.at("file").get<std::string>();
     if (frame.contains("psnr_db")) {
-        text += "  " + number_text(frame.at("psnr_db").get<double>(), 2) + " dB";
-        if (!frame.at("psnr_covered_db").is_null())
-            text += ", " + number_text(frame.at("psnr_covered_db").get<double>(), 2) +
-                    " dB where it is covered (" +
-                    number_text(100 * frame.at("coverage").get<double>(), 1) + " %)";
+        std::optional<double> covered_db;
+        if (const Json& covered = frame.at("psnr_covered_db"); !covered.is_null())
+            covered_db = covered.get<double>();
+        text += "  " + psnr_text(frame.at("psnr_db").get<double>(), covered_db,
+                                 frame.at("coverage").get<double>());
         if (!frame.at("is_held_out").get<bool>())
             text += "; it is drawn from this photograph: hold it out to measure";
     }
     return text + "\n";
 }
 
-Json draw_to_file(const Job& job, const RenderRequest& request, const Draw& draw) {
+Json draw_to_file(const Job& job, const RenderRequest& request, const Lumigraph& lumigraph,
+                  const Draw& draw) {
     const Eye eye = eye_of_size(job.eye, request.size);
     const Stopwatch stopwatch;
-    const ColorImage picture = picture_of(eye, request.stereo_baseline, draw);
+    const ColorImage picture = picture_of(lumigraph, eye, request.stereo_baseline, draw);
     const double ms = 1000.0 * stopwatch.elapsed().wall_s;
     write_png(job.out, picture);
     return Json{{"file", job.out.string()}, {"ms", ms}};
@@ -165,8 +167,8 @@ Json draw_path(const RenderRequest& request, const Lumigraph& lumigraph, const D
     context.progress->begin("drawing", path.size());
     for (std::size_t i = 0; i < path.size(); ++i) {
         context.progress->throw_if_interrupted();
-        Json frame =
-            draw_to_file({path[i], folder.staging() / sequence_frame_name(i)}, request, draw);
+        Json frame = draw_to_file({path[i], folder.staging() / sequence_frame_name(i)}, request,
+                                  lumigraph, draw);
         frame["file"] = (request.out / sequence_frame_name(i)).string();
         if (is_video) frame.erase("file");
         frames.push_back(std::move(frame));
@@ -181,18 +183,26 @@ Json draw_path(const RenderRequest& request, const Lumigraph& lumigraph, const D
     return frames;
 }
 
-Json draw_jobs(const RenderRequest& request, const std::vector<Job>& jobs, const Draw& draw,
-               const CommandContext& context) {
+Json draw_jobs(const RenderRequest& request, const Lumigraph& lumigraph,
+               const std::vector<Job>& jobs, const Draw& draw, const CommandContext& context) {
     Json frames = Json::array();
     context.progress->begin("drawing", jobs.size());
     for (const Job& job : jobs) {
         context.progress->throw_if_interrupted();
         frames.push_back(request.difference ? draw_difference(job, draw)
-                                            : draw_to_file(job, request, draw));
+                                            : draw_to_file(job, request, lumigraph, draw));
         context.progress->advance();
         if (!context.json) context.print_result(frame_text(frames.back()));
     }
     return frames;
+}
+
+/// Of a picture that would tell nothing.
+void say_why_black(const RenderRequest& request, const Lumigraph& lumigraph, RenderOptions options,
+                   const CommandContext& context) {
+    options.focal_plane.depth = request.drawing.focal_depth;
+    if (const std::string why = why_black(lumigraph, options); !why.empty())
+        context.say(why + "\n");
 }
 
 void run_render(const RenderRequest& request, const CommandContext& context) {
@@ -212,13 +222,14 @@ void run_render(const RenderRequest& request, const CommandContext& context) {
         fade_of(request.drawing, at.drawn).value_or(lumigraph.drawing.fade_beyond_capture);
     check_focus(request.drawing, at.drawn, possible_options(options, lumigraph.has_depth()));
     options.focal_plane = focal_plane_of(request.drawing, request.package, lumigraph);
+    say_why_black(request, lumigraph, options, context);
     const FrameDrawer drawer =
         frame_drawer(lumigraph, options, request.drawing.aperture, request.reference);
 
-    Json frames =
-        request.path.empty()
-            ? draw_jobs(request, jobs_of(request, at.eye, options, lumigraph), drawer.draw, context)
-            : draw_path(request, lumigraph, drawer.draw, context);
+    Json frames = request.path.empty()
+                      ? draw_jobs(request, lumigraph, jobs_of(request, at.eye, options, lumigraph),
+                                  drawer.draw, context)
+                      : draw_path(request, lumigraph, drawer.draw, context);
     if (!context.json) return;
     context.print_result(Json{{"mode", name_of(options.mode)},
                               {"renderer", drawer.renderer},
@@ -261,8 +272,12 @@ void add_render_command(CLI::App& app, CommandContext& context) {
         ->needs(path);
     CLI::Option* stereo =
         command
-            .add_option("--stereo", request->stereo_baseline,
-                        "A pair side by side, left eye first, this far apart in world units")
+            .add_option(
+                "--stereo", request->stereo_baseline,
+                "A pair side by side, left eye first, this far apart in world units (a thirtieth "
+                "of the near depth that `lumi inspect` names is usual). Both eyes see the "
+                "middle of the scene's plane at one place: what stands before it comes out "
+                "of the screen")
             ->check(positive_number());
     add_drawing_options(command, request->drawing);
     CLI::Option* size = command.add_option(

@@ -10,11 +10,14 @@
 #include "pipeline/commands/frame_files.h"
 #include "pipeline/commands/frame_size.h"
 #include "pipeline/commands/number_checks.h"
+#include "pipeline/commands/psnr_text.h"
 #include "pipeline/commands/render_mode_argument.h"
 #include "pipeline/evaluate/held_out_beside.h"
+#include "pipeline/evaluate/image_metrics.h"
 #include "pipeline/plan/planned_views.h"
 #include "render/lumigraph/even_exposure.h"
 #include "render/paths/photograph_eye.h"
+#include "render/viewer/black_picture.h"
 #include "render/viewer/recent_packages.h"
 #include "render/viewer/screenshot.h"
 #include "render/viewer/window.h"
@@ -26,6 +29,7 @@ struct ViewRequest {
     std::filesystem::path package;
     std::string view;
     std::string mode = "perpixel";
+    std::string debug = "none";
     std::string size;
     std::filesystem::path screenshot;
     bool fade = false;
@@ -44,6 +48,19 @@ void add_message(OpenedPackage& opened, const std::string& message) {
     opened.message += (opened.message.empty() ? "" : "; ") + message;
 }
 
+/// As `lumi render --difference` tells it: with what the lens took from both.
+LikenessWords psnr_words(double light_falloff) {
+    return [light_falloff](const Frame& drawn, const HeldOutView& view) {
+        const auto darkened = [&](const ColorImage& picture) {
+            return darkened_by_lens(picture, view.eye.camera, light_falloff);
+        };
+        const ColorImage frame = darkened(drawn.color);
+        const ColorImage photograph = darkened(view.photograph);
+        return psnr_text(psnr_db(frame, photograph), psnr_db(frame, photograph, drawn.coverage),
+                         covered_share(drawn.coverage));
+    };
+}
+
 /// How the window opens packages: as the request says, with what lies beside them. What there is
 /// to compare with may be missing: a window without is better than none.
 PackageLoader loader_of(const ViewRequest& request) {
@@ -60,7 +77,9 @@ PackageLoader loader_of(const ViewRequest& request) {
             request.view.empty() || has_photograph(opened.lumigraph, request.view);
         if (!request.screenshot.empty() && is_name_known) return opened;
         try {
-            opened.held_out = held_out_views_beside(package, opened.lumigraph.evened_falloff);
+            const double falloff = opened.lumigraph.evened_falloff;
+            opened.held_out = held_out_views_beside(package, falloff);
+            opened.likeness_words = psnr_words(falloff);
         } catch (const Error& error) {
             add_message(opened, "nothing to compare with: " + std::string(error.what()));
         }
@@ -72,6 +91,7 @@ WindowOptions window_options_of(const ViewRequest& request, const CommandContext
     WindowOptions options;
     options.view_name = request.view;
     options.render.mode = render_mode_from(request.mode);
+    options.render.debug_picture = debug_picture_from(request.debug);
     options.render.guess_surroundings = !request.black_surroundings;
     options.frames_per_second = request.frames_per_second;
     options.planned_index = request.planned - 1;
@@ -124,6 +144,8 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
     check_planned(request);
     check_view(request, opened);
     if (!opened.message.empty()) context.say(opened.message + "\n");
+    if (const std::string why = why_black(opened.lumigraph, options.render); !why.empty())
+        context.say(why + "\n");
     keep_free_memory();
     run_window(std::move(opened), options);
     if (request.screenshot.empty()) return;
@@ -143,6 +165,7 @@ void add_view_command(CLI::App& app, CommandContext& context) {
     command.add_option("PACKAGE", request->package, "Folder NAME.lumi")->required();
     command.add_option("--view", request->view, "Begin where this photograph was taken");
     command.add_option("--mode", request->mode, "As in lumi render")->capture_default_str();
+    command.add_option("--debug", request->debug, "As in lumi render")->capture_default_str();
     command.add_option("--size", request->size,
                        "Such as 1280x720 (default: the photograph's, where it holds the panel)");
     CLI::Option* fade = command.add_flag(

@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "render/frame/mode_of_a_paper.h"
+
 namespace lumi {
 namespace {
 
@@ -77,9 +79,7 @@ Frame empty_frame(const Camera& eye_camera) {
 bool are_surroundings_drawn(const RenderOptions& options) {
     const bool is_picture = options.debug_picture == DebugPicture::kNone ||
                             options.debug_picture == DebugPicture::kGrid;
-    const bool is_of_a_paper =
-        options.mode == RenderMode::kPaper2001 || options.mode == RenderMode::kHeigl;
-    return options.guess_surroundings && is_picture && !is_of_a_paper &&
+    return options.guess_surroundings && is_picture && !is_of_a_paper(options.mode) &&
            !options.fade_beyond_capture;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "render/paths/photograph_eye.h"
@@ -47,7 +48,8 @@ constexpr std::array kBindings{
     KeyBinding{GLFW_KEY_F1, false, Command::kHelp, "F1", "this help"},
     KeyBinding{GLFW_KEY_TAB, false, Command::kPanel, "Tab", "panel on or off"},
     KeyBinding{GLFW_KEY_V, false, Command::kVsync, "V", "wait for the display on or off"},
-    KeyBinding{GLFW_KEY_ESCAPE, false, Command::kQuit, "Esc", "quit"},
+    KeyBinding{GLFW_KEY_ESCAPE, false, Command::kBack, "Esc",
+               "close a list or this help; else quit"},
     KeyBinding{GLFW_KEY_Q, true, Command::kQuit, "Ctrl+Q", "quit"},
 };
 
@@ -205,6 +207,9 @@ void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
             break;
         case Command::kVsync:
             state.waits_for_vsync = !state.waits_for_vsync;
+            break;
+        case Command::kBack:
+            if (!std::exchange(state.shows_help, false)) state.wants_to_close = true;
             break;
         case Command::kQuit:
             state.wants_to_close = true;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,6 +40,7 @@ enum class Command {
     kHelp,
     kPanel,
     kVsync,
+    kBack,
     kQuit,
 };
 
@@ -66,6 +68,9 @@ struct HeldOutView {
     Eye eye;
     ColorImage photograph;  ///< Of the size of the eye's camera.
 };
+
+/// Says how alike a frame of the eye of a held-out photograph is to that, in figures.
+using LikenessWords = std::function<std::string(const Frame& drawn, const HeldOutView& view)>;
 
 /// What is chosen of pictures and panels, whichever package is shown.
 struct ViewerChoices {

@@ -34,11 +34,6 @@ PictureOverlay fitted_overlay(const Eye& eye, int width_px, int height_px) {
     return overlay;
 }
 
-bool Comparison::is_shown(const Shown& wanted) const {
-    return shown_.index == wanted.index && shown_.is_difference == wanted.is_difference &&
-           (!wanted.is_difference || shown_.options == wanted.options);
-}
-
 std::optional<PictureOverlay> Comparison::over_frame(const ViewerState& state, int width_px,
                                                      int height_px, LumigraphRenderer& renderer) {
     if (state.compared_index < 0 || state.compared_index >= static_cast<int>(views_.size()))
@@ -47,18 +42,18 @@ std::optional<PictureOverlay> Comparison::over_frame(const ViewerState& state, i
     if (!is_same_eye(state.navigation.eye, view.eye)) return std::nullopt;
     Shown wanted{state.compared_index, state.shows_difference, state.render};
     wanted.options.debug_picture = DebugPicture::kNone;
-    if (!is_shown(wanted)) {
-        if (wanted.is_difference) {
-            target_.draw(renderer, view.eye, wanted.options);
-            texture_ = uploaded(difference_picture(target_.read().color, view.photograph));
-        } else {
-            texture_ = uploaded(view.photograph);
-        }
+    if (wanted != shown_) {
+        target_.draw(renderer, view.eye, wanted.options);
+        const Frame drawn = target_.read();
+        texture_ = uploaded(wanted.is_difference ? difference_picture(drawn.color, view.photograph)
+                                                 : view.photograph);
+        likeness_ = likeness_words_ ? likeness_words_(drawn, view) : "";
         shown_ = wanted;
     }
     PictureOverlay overlay = fitted_overlay(view.eye, width_px, height_px);
     overlay.texture = texture_.get();
     overlay.share = state.shows_difference ? 1.0 : state.compared_share;
+    overlay.likeness = likeness_;
     return overlay;
 }
 

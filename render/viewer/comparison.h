@@ -17,6 +17,7 @@ struct PictureOverlay {
     Eigen::Vector2d low_px = Eigen::Vector2d::Zero();   ///< Top left, in pixels of the picture.
     Eigen::Vector2d high_px = Eigen::Vector2d::Zero();  ///< Bottom right.
     double share = 1.0;                                 ///< So much of its width, from the left.
+    std::string likeness;  ///< Of the photograph and what is drawn in its place, in words.
 };
 
 /// Where the picture of `eye` lies in a frame that it was fitted to (fitted_to).
@@ -26,31 +27,34 @@ struct PictureOverlay {
 /// Needs the window's context.
 class Comparison {
  public:
-    explicit Comparison(std::vector<HeldOutView> views) : views_(std::move(views)) {}
+    explicit Comparison(std::vector<HeldOutView> views, LikenessWords likeness_words = {})
+        : views_(std::move(views)), likeness_words_(std::move(likeness_words)) {}
 
     [[nodiscard]] const std::vector<HeldOutView>& views() const { return views_; }
 
     /// What lies over a frame of this size, as the state wishes; empty where nothing is compared or
-    /// the eye has left the photograph's place. The difference is that of a whole picture of the
-    /// photograph's size.
+    /// the eye has left the photograph's place. Difference and likeness are those of a whole
+    /// picture of the photograph's size, drawn where what is compared changes.
     [[nodiscard]] std::optional<PictureOverlay> over_frame(const ViewerState& state, int width_px,
                                                            int height_px,
                                                            LumigraphRenderer& renderer);
 
  private:
-    /// What a texture was made of.
+    /// What texture and likeness were made of.
     struct Shown {
         int index = -1;
         bool is_difference = false;
         RenderOptions options;
+
+        bool operator==(const Shown&) const = default;
     };
 
-    [[nodiscard]] bool is_shown(const Shown& wanted) const;
-
     std::vector<HeldOutView> views_;
+    LikenessWords likeness_words_;
     FrameTarget target_;
     ObjectName<delete_texture> texture_;
     Shown shown_;
+    std::string likeness_;
 };
 
 }  // namespace lumi

@@ -11,12 +11,11 @@
 namespace lumi {
 namespace {
 
-Error no_window(const std::string& what) {
+Error no_window(const std::string& what, const std::string& advice) {
     const char* description = nullptr;
     glfwGetError(&description);
     const std::string reason = description == nullptr ? "no reason given" : description;
-    return {ErrorKind::kResources, "E-GL-CONTEXT", what + ": " + printable(reason),
-            "without a display, draw frames to files instead: `lumi render`"};
+    return {ErrorKind::kResources, "E-GL-CONTEXT", what + ": " + printable(reason), advice};
 }
 
 GLFWwindow* create_window(int width_px, int height_px, const std::string& title, bool visible) {
@@ -28,7 +27,10 @@ GLFWwindow* create_window(int width_px, int height_px, const std::string& title,
     glfwWindowHint(GLFW_SAMPLES, 0);
     GLFWwindow* window =
         glfwCreateWindow(width_px, height_px, printable(title).c_str(), nullptr, nullptr);
-    if (window == nullptr) throw no_window("no window with OpenGL 3.3 core can be opened");
+    if (window == nullptr)
+        throw no_window("no window with OpenGL 3.3 core can be opened",
+                        "where the display has no OpenGL 3.3, set LIBGL_ALWAYS_SOFTWARE=1, or draw "
+                        "frames to files instead: `lumi render`");
     return window;
 }
 
@@ -45,7 +47,9 @@ double axis(GLFWwindow* window, int negative_key, int positive_key) {
 class GlfwLibrary {
  public:
     GlfwLibrary() {
-        if (glfwInit() != GLFW_TRUE) throw no_window("no window can be opened");
+        if (glfwInit() != GLFW_TRUE)
+            throw no_window("no window can be opened",
+                            "without a display, draw frames to files instead: `lumi render`");
     }
     ~GlfwLibrary() { glfwTerminate(); }
     GlfwLibrary(const GlfwLibrary&) = delete;

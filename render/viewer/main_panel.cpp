@@ -6,8 +6,11 @@
 #include <cfloat>
 #include <string>
 
+#include "calib/work/formatted.h"
 #include "calib/work/printable.h"
 #include "render/bench/occlusion_share.h"
+#include "render/frame/mode_of_a_paper.h"
+#include "render/viewer/black_picture.h"
 #include "render/viewer/moving_resolution.h"
 
 namespace lumi {
@@ -18,9 +21,23 @@ constexpr float kPanelMargin = 10;
 constexpr float kSliderWidth = 120;
 
 /// As the mode is drawn of this Lumigraph.
-bool is_of_a_paper(const RenderOptions& render, const Lumigraph& lumigraph) {
-    const RenderMode mode = possible_options(render, lumigraph.has_depth()).mode;
-    return mode == RenderMode::kPaper2001 || mode == RenderMode::kHeigl;
+bool is_drawn_as_a_paper_says(const RenderOptions& render, const Lumigraph& lumigraph) {
+    return is_of_a_paper(possible_options(render, lumigraph.has_depth()).mode);
+}
+
+/// A list over the panel's width that opens with a click, to be ended as a combo is; Esc closes it.
+bool begin_list(const char* label, const std::string& chosen) {
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (!ImGui::BeginCombo(label, chosen.c_str())) return false;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
+    return true;
+}
+
+/// Greyed, in as many lines as it takes.
+void show_caption(const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
 }
 
 /// Two in a row.
@@ -48,16 +65,16 @@ std::string words_for(DebugPicture picture) {
 
 void show_picture(const Lumigraph& lumigraph, ViewerState& state) {
     RenderOptions& render = state.render;
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    if (ImGui::BeginCombo("##picture", words_for(render.debug_picture).c_str())) {
+    if (begin_list("##picture", words_for(render.debug_picture))) {
         for (const DebugPicture picture : all_debug_pictures()) {
             if (ImGui::Selectable(words_for(picture).c_str(), render.debug_picture == picture))
                 render.debug_picture = picture;
         }
         ImGui::EndCombo();
     }
+    if (const std::string why = why_black(lumigraph, render); !why.empty()) show_caption(why);
     const std::string in_mode = "in " + name_of(render.mode);
-    const bool as_a_paper_says = is_of_a_paper(render, lumigraph);
+    const bool as_a_paper_says = is_drawn_as_a_paper_says(render, lumigraph);
     checkbox("occlusion correction", corrects_occlusion(lumigraph, render),
              lumigraph.has_depth() ? in_mode : "in a package without depth",
              render.correct_occlusion);
@@ -72,8 +89,7 @@ void show_picture(const Lumigraph& lumigraph, ViewerState& state) {
 
 void show_photographs(const Lumigraph& lumigraph, ViewerState& state) {
     const auto index = static_cast<std::size_t>(state.view_index);
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    if (!ImGui::BeginCombo("##photograph", printable(lumigraph.views[index].name).c_str())) return;
+    if (!begin_list("##photograph", printable(lumigraph.views[index].name))) return;
     for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable(printable(lumigraph.views[i].name).c_str(), i == index)) {
@@ -87,8 +103,7 @@ void show_photographs(const Lumigraph& lumigraph, ViewerState& state) {
 /// Packages that were opened before.
 void show_recent(ViewerState& state) {
     if (state.recent_packages.empty()) return;
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    if (!ImGui::BeginCombo("##recent", "open again")) return;
+    if (!begin_list("##recent", "open again")) return;
     for (std::size_t i = 0; i < state.recent_packages.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable(printable(state.recent_packages[i].string()).c_str()))
@@ -115,24 +130,24 @@ void show_plan(const Lumigraph& lumigraph, ViewerState& state) {
 
 /// One button for each held-out photograph, and what is shown of it.
 void show_comparison(const Lumigraph& lumigraph, const std::vector<HeldOutView>& held_out,
-                     bool is_compared, ViewerState& state) {
+                     const std::optional<PictureOverlay>& compared, ViewerState& state) {
     if (held_out.empty()) return;
-    const char* const label =
-        is_compared ? held_out[static_cast<std::size_t>(state.compared_index)].name.c_str()
-                    : "compare with a photograph";
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    if (ImGui::BeginCombo("##held out", printable(label).c_str())) {
+    const std::string label = compared
+                                  ? held_out[static_cast<std::size_t>(state.compared_index)].name
+                                  : "compare with a photograph";
+    if (begin_list("##held out", printable(label))) {
         for (int i = 0; i < static_cast<int>(held_out.size()); ++i) {
             ImGui::PushID(i);
             if (ImGui::Selectable(printable(held_out[static_cast<std::size_t>(i)].name).c_str(),
-                                  is_compared && i == state.compared_index)) {
+                                  compared && i == state.compared_index)) {
                 go_to_held_out(i, held_out, lumigraph, state);
             }
             ImGui::PopID();
         }
         ImGui::EndCombo();
     }
-    if (!is_compared) return;
+    if (!compared) return;
+    if (!compared->likeness.empty()) ImGui::TextWrapped("%s", compared->likeness.c_str());
     ImGui::Checkbox("difference, four times", &state.shows_difference);
     if (state.shows_difference) return;
     auto share = static_cast<float>(state.compared_share);
@@ -159,15 +174,21 @@ void show_movement(ViewerState& state) {
         state.render.mode == RenderMode::kAdaptive && state.frames_per_second > 0;
     const double kept =
         state.frames_per_second > 0 ? state.frames_per_second : MovingResolution::kFramesPerSecond;
-    ImGui::TextDisabled("%.0f by coarser frames%s", kept,
-                        drops_triangles ? ", fewer triangles" : "");
+    show_caption(
+        formatted("%.0f by coarser frames%s", kept, drops_triangles ? ", fewer triangles" : ""));
 }
 
 void show_figures(const Lumigraph& lumigraph, const FrameStatistics& statistics) {
     const std::vector<float>& recent = statistics.recent_frames_ms;
     if (!recent.empty()) {
-        ImGui::PlotLines("##frames", recent.data(), static_cast<int>(recent.size()), 0, nullptr,
-                         0.0F, *std::max_element(recent.begin(), recent.end()), {-FLT_MIN, 36});
+        const float most_ms = *std::max_element(recent.begin(), recent.end());
+        const std::string words =
+            formatted("%.1f ms, at most %.0f", statistics.frame_ms, static_cast<double>(most_ms));
+        constexpr float kHeight = 36;
+        // A width within the plot's own size must not be negative.
+        ImGui::SetNextItemWidth(-FLT_MIN);
+        ImGui::PlotLines("##frames", recent.data(), static_cast<int>(recent.size()), 0,
+                         words.c_str(), 0.0F, most_ms, {0, kHeight});
     }
     ImGui::Text("%zu photographs, %zu faces", lumigraph.views.size(), lumigraph.mesh.faces.size());
     ImGui::TextWrapped("%s", statistics.gl_description.c_str());
@@ -176,8 +197,8 @@ void show_figures(const Lumigraph& lumigraph, const FrameStatistics& statistics)
 }  // namespace
 
 void show_main_panel(const Lumigraph& lumigraph, const std::vector<HeldOutView>& held_out,
-                     bool is_compared, const FrameStatistics& statistics, float status_height,
-                     ViewerState& state) {
+                     const std::optional<PictureOverlay>& compared,
+                     const FrameStatistics& statistics, float status_height, ViewerState& state) {
     const float room = ImGui::GetIO().DisplaySize.y - 2 * kPanelMargin - status_height;
     ImGui::SetNextWindowPos({kPanelMargin, kPanelMargin}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSizeConstraints({kPanelWidth, 0}, {kPanelWidth, std::max(room, 100.0F)});
@@ -188,11 +209,11 @@ void show_main_panel(const Lumigraph& lumigraph, const std::vector<HeldOutView>&
         if (ImGui::CollapsingHeader("photographs", kOpen)) {
             show_photographs(lumigraph, state);
             show_plan(lumigraph, state);
-            show_comparison(lumigraph, held_out, is_compared, state);
+            show_comparison(lumigraph, held_out, compared, state);
             show_recent(state);
         }
         if (ImGui::CollapsingHeader("movement", kOpen)) show_movement(state);
-        if (ImGui::CollapsingHeader("figures")) show_figures(lumigraph, statistics);
+        if (ImGui::CollapsingHeader("figures", kOpen)) show_figures(lumigraph, statistics);
     }
     ImGui::End();
 }

@@ -16,6 +16,7 @@ struct OpenedPackage {
     bool fade_beyond_capture = false;     ///< Whether it is drawn so to begin with.
     std::vector<PlannedView> planned{};   ///< Offered in the panel.
     std::vector<HeldOutView> held_out{};  ///< To be compared with; offered in the panel.
+    LikenessWords likeness_words{};       ///< Of those; empty: nothing is said.
     std::string message{};                ///< What people are told of it; may be empty.
 };
 

@@ -7,11 +7,12 @@
 #include <array>
 #include <cfloat>
 #include <cstdint>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "calib/work/counted.h"
+#include "calib/work/formatted.h"
 #include "calib/work/printable.h"
 #include "render/viewer/main_panel.h"
 
@@ -58,12 +59,14 @@ std::string beside(const std::string& one, const std::string& other) {
     return one + (one.empty() || other.empty() ? "" : " | ") + other;
 }
 
-std::string status_text(const FrameStatistics& statistics) {
-    std::array<char, 128> figures{};
-    std::snprintf(figures.data(), figures.size(),
-                  "H: keys and mouse | %.1f ms, %zu triangles, %d x %d pixels", statistics.frame_ms,
-                  statistics.triangles, statistics.width_px, statistics.height_px);
-    return beside(beside(figures.data(), statistics.recording), statistics.message);
+std::string status_text(const FrameStatistics& statistics, RenderMode mode) {
+    // `perpixel` draws faces of the camera mesh, whose number tells nothing of the picture.
+    const std::string triangles =
+        mode == RenderMode::kPerPixel ? "" : counted(statistics.triangles, "triangle") + ", ";
+    const std::string figures =
+        formatted("H: keys and mouse | %.1f ms, ", statistics.frame_ms) + triangles +
+        formatted("%d x %d pixels", statistics.width_px, statistics.height_px);
+    return beside(beside(figures, statistics.recording), statistics.message);
 }
 
 /// What to press, and what it does: of the mouse, and of all keys, those of a command together.
@@ -139,8 +142,8 @@ void Panels::draw(const Lumigraph& lumigraph, const std::vector<HeldOutView>& he
         message_began_s_ = ImGui::GetTime();
     const bool is_news = !message_.empty() && ImGui::GetTime() < message_began_s_ + kMessageAlone_s;
     if (state.shows_panel) {
-        const float status_height = show_status(status_text(statistics));
-        show_main_panel(lumigraph, held_out, overlay.has_value(), statistics, status_height, state);
+        const float status_height = show_status(status_text(statistics, state.render.mode));
+        show_main_panel(lumigraph, held_out, overlay, statistics, status_height, state);
     } else if (is_news || !statistics.recording.empty()) {
         show_status(beside(statistics.recording, is_news ? message_ : ""));
     }
@@ -150,6 +153,7 @@ void Panels::draw(const Lumigraph& lumigraph, const std::vector<HeldOutView>& he
 }
 
 bool Panels::takes_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
+bool Panels::has_open_list() const { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup); }
 bool Panels::takes_keys() const { return ImGui::GetIO().WantTextInput; }
 
 }  // namespace lumi

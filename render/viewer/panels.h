@@ -26,6 +26,8 @@ class Panels {
               ViewerState& state);
     /// Whether the mouse is over a panel, so that the picture must not take its drags.
     [[nodiscard]] bool takes_mouse() const;
+    /// Whether a list is open, so that Esc closes that.
+    [[nodiscard]] bool has_open_list() const;
     /// Whether a text is being typed into a panel.
     [[nodiscard]] bool takes_keys() const;
 

@@ -49,7 +49,7 @@ struct ViewerWindow::Implementation {
           window(size_px.x(), size_px.y(), title_of(lumigraph), options.screenshot_path.empty()),
           panels(window),
           picture(lumigraph),
-          comparison(std::move(opened.held_out)),
+          comparison(std::move(opened.held_out), std::move(opened.likeness_words)),
           load(options.load),
           shown_exposures(options.exposures),
           recent_file(options.recent_file),
@@ -108,6 +108,7 @@ void ViewerWindow::Implementation::take_in(WindowInput input) {
         input.flight.setZero();
         input.commands.clear();
     }
+    if (panels.has_open_list()) std::erase(input.commands, Command::kBack);
     for (const Command command : input.commands) apply(command, lumigraph, state);
     if (steer(input, seconds, size_px.x(), size_px.y(), state.navigation)) {
         last_motion_s = now_s();
@@ -172,7 +173,7 @@ bool ViewerWindow::Implementation::show_read(const std::filesystem::path& packag
         OpenedPackage opened = load(package, state.exposures);
         picture.change_to(opened.lumigraph);
         lumigraph = std::move(opened.lumigraph);
-        comparison = Comparison(std::move(opened.held_out));
+        comparison = Comparison(std::move(opened.held_out), std::move(opened.likeness_words));
         state.planned = std::move(opened.planned);
         state.render.fade_beyond_capture = opened.fade_beyond_capture;
         statistics.message = "opened " + lumigraph.name;

@@ -201,6 +201,17 @@ TEST(CommandLine, WhatContradictsItselfIsUsage) {
     }
 }
 
+TEST(CommandLine, WhatAModeDoesNotHeedIsUsage) {
+    for (const char* options :
+         {"--mode paper2001 --fade", "--mode heigl --fade", "--mode adaptive --jagged",
+          "--mode lightfield --jagged", "--mode paper2001 --jagged"}) {
+        const Outcome outcome = lumi("render p.lumi --view a --out a.png " + std::string(options));
+        EXPECT_EQ(outcome.exit_code, 2) << options;
+        EXPECT_THAT(outcome.talk, HasSubstr("error E-RENDER-OPTION")) << options;
+    }
+    EXPECT_THAT(lumi("view p.lumi --debug mood").talk, HasSubstr("error E-RENDER-DEBUG"));
+}
+
 TEST(CommandLine, AWorkspaceIsNoFolderOfPhotographs) {
     const ScratchFolder scratch;
     for (const char* file : {"config.toml", "stages.json"}) write_whole_text(scratch / file, "");

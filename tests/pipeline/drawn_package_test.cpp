@@ -88,6 +88,17 @@ TEST_F(DrawnPackage, AnEyeIsDrawnAsItsFileSaysUnlessTheLineSaysOtherwise) {
     EXPECT_EQ(told.at("mode"), "perpixel");
 }
 
+TEST_F(DrawnPackage, ADebugPictureThatIsBlackIsExplained) {
+    const auto talk_of = [&](const std::string& mode) {
+        return lumi("render " + package() +
+                    " --size 32x24 --view IMG_0001 --debug occlusion --mode " + mode + " --out " +
+                    quoted(scratch_ / "drawn.png"))
+            .talk;
+    };
+    EXPECT_THAT(talk_of("lightfield"), HasSubstr("lightfield knows no occlusion"));
+    EXPECT_THAT(talk_of("adaptive"), testing::Not(HasSubstr("black")));
+}
+
 TEST_F(DrawnPackage, HelpDescribesTheFileOfAnEye) {
     const std::string help = lumi("render --help").out;
     for (const char* key : {"\"camera\"", "\"cam_from_world\"", "\"rotation_wxyz\"", "\"mode\"",

@@ -62,6 +62,24 @@ TEST(EyeFile, TellsWhatTheWindowWroteBesideAScreenshot) {
     }
 }
 
+TEST(EyeFile, AnEyeAndAPathAreToldApart) {
+    const ScratchFolder scratch;
+    const auto advice_on = [](const auto& read) -> std::string {
+        try {
+            (void)read();
+        } catch (const Error& error) {
+            return error.advice();
+        }
+        return "accepted";
+    };
+    write_whole_text(scratch / "eye.json", "{" + kEyeAlone + "}");
+    write_whole_text(scratch / "path.json", R"({"eyes": [{)" + kEyeAlone + "}]}");
+    EXPECT_THAT(advice_on([&] { return read_path_file(scratch / "eye.json", 1.0); }),
+                HasSubstr("--eye"));
+    EXPECT_THAT(advice_on([&] { return read_eye_file(scratch / "path.json"); }),
+                HasSubstr("--path"));
+}
+
 TEST(EyeFile, MayBeAnEyeAlone) {
     const ScratchFolder scratch;
     write_whole_text(scratch / "eye.json", "{" + kEyeAlone + ", \"note\": 3}");

@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -141,6 +142,16 @@ TEST_F(ViewerStateTest, TogglesComeBack) {
     EXPECT_TRUE(state_.waits_for_vsync);
 }
 
+TEST_F(ViewerStateTest, EscapeClosesTheHelpBeforeItEndsTheProgram) {
+    EXPECT_EQ(command_of(GLFW_KEY_ESCAPE, false), Command::kBack);
+    state_.shows_help = true;
+    apply_command(Command::kBack);
+    EXPECT_FALSE(state_.shows_help);
+    EXPECT_FALSE(state_.wants_to_close);
+    apply_command(Command::kBack);
+    EXPECT_TRUE(state_.wants_to_close);
+}
+
 TEST_F(ViewerStateTest, NextModeComesToAllModesInTheirOrder) {
     const std::vector<RenderMode> all = all_render_modes();
     state_.render.mode = all.front();
@@ -212,7 +223,10 @@ TEST(WindowSize, IsThatOfThePictureWhereItHoldsThePanelAndFitsOnAScreen) {
     };
     EXPECT_EQ(size(1200, 800), Eigen::Vector2i(1200, 800));
     EXPECT_EQ(size(768, 512), Eigen::Vector2i(960, 640));
-    EXPECT_EQ(size(600, 800), Eigen::Vector2i(960, 800));
+    EXPECT_EQ(size(640, 480), Eigen::Vector2i(960, 720));
+    EXPECT_EQ(size(600, 800), Eigen::Vector2i(960, 900))
+        << "no window of its shape holds the panel";
+    EXPECT_EQ(size(4000, 500), Eigen::Vector2i(1600, 640)) << "nor here";
     EXPECT_EQ(size(6000, 4000), Eigen::Vector2i(1350, 900));
 }
 
@@ -276,7 +290,20 @@ TEST(MovingResolution, IsCoarserWhereMoreFramesASecondAreWanted) {
     MovingResolution by_itself;
     for (MovingResolution* resolution : {&sixty, &by_itself}) resolution->measured(1.0, 25.0);
     EXPECT_EQ(by_itself.scale_while_moving(), 1.0);
-    EXPECT_EQ(sixty.scale_while_moving(), 0.5);
+    EXPECT_EQ(sixty.scale_while_moving(), std::sqrt(0.5));
+}
+
+TEST(MovingResolution, ComesToTheFinestThatKeepsTheTargetThoughMuchDoesNotGrowWithPixels) {
+    const auto frame_ms = [](double scale) { return 10 + 95 * scale * scale; };
+    MovingResolution resolution;
+    resolution.measured(1.0, 300.0);  // The first frame of all.
+    double scale = 0;
+    for (int i = 0; i < 60; ++i) {
+        scale = resolution.scale_while_moving();
+        resolution.measured(scale, frame_ms(scale));
+    }
+    EXPECT_EQ(scale, std::exp2(-1.5)) << "22 ms; twice the pixels take 34, more than 33";
+    EXPECT_GT(frame_ms(std::sqrt(2.0) * scale), 1000 / MovingResolution::kFramesPerSecond);
 }
 
 TEST(MovingResolution, GoesNoCoarserThanItsLimitAndRecovers) {

@@ -3,8 +3,11 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "calib/pictures/image_io.h"
@@ -216,6 +219,35 @@ TEST_F(Window, ComparesWithAHeldOutPhotographAndShowsItsDifference) {
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
+TEST_F(Window, TellsHowAlikeAHeldOutPhotographIsAndAsksOnceForEachChange) {
+    const LumigraphView& view = box().views[4];
+    const Eye eye = eye_at(view);
+    const std::vector<HeldOutView> held_out{{view.name, eye, view.photograph}};
+    const Frame expected = OffscreenRenderer(box()).draw(eye, {});
+    int asked = 0;
+    const LikenessWords words = [&](const Frame& drawn, const HeldOutView& beside) {
+        EXPECT_EQ(drawn.color, expected.color);
+        EXPECT_EQ(drawn.coverage, expected.coverage);
+        EXPECT_EQ(beside.name, view.name);
+        return "alike " + std::to_string(++asked);
+    };
+    OpenedPackage opened{.lumigraph = box(), .held_out = held_out, .likeness_words = words};
+    ViewerWindow window(std::move(opened), small_window());
+    ASSERT_TRUE(window.step());
+    EXPECT_EQ(asked, 0);
+    go_to_held_out(0, held_out, box(), window.state());
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(window.step());
+    EXPECT_EQ(asked, 1);
+    window.state().compared_share = 0.3;
+    window.state().render.debug_picture = DebugPicture::kDepth;  // It is the picture that counts.
+    ASSERT_TRUE(window.step());
+    EXPECT_EQ(asked, 1);
+
+    LumigraphRenderer renderer(box());
+    Comparison comparison(held_out, words);
+    EXPECT_EQ(comparison.over_frame(window.state(), 320, 240, renderer)->likeness, "alike 2");
+}
+
 TEST(DifferencePicture, IsFourTimesTheDifferenceOfEachChannel) {
     ColorImage a(2, 1);
     ColorImage b(2, 1);
@@ -234,6 +266,26 @@ TEST(FittedOverlay, CoversWhereThePictureLies) {
     const PictureOverlay wider = fitted_overlay(eye, 400, 240);
     EXPECT_LT((wider.low_px - Eigen::Vector2d(40, 0)).norm(), 1e-9);
     EXPECT_LT((wider.high_px - Eigen::Vector2d(360, 240)).norm(), 1e-9);
+}
+
+/// In a process of its own: drivers read the variable once.
+[[noreturn]] void exit_with_advice_without_opengl_3_3() {
+    ::setenv("MESA_GL_VERSION_OVERRIDE", "3.1", 1);
+    try {
+        const GlfwWindow window(64, 48, "old", false);
+        std::fputs("a window", stderr);
+    } catch (const Error& error) {
+        std::fputs(error.advice().c_str(), stderr);
+    }
+    std::exit(0);
+}
+
+using WindowDeathTest = Window;
+
+TEST_F(WindowDeathTest, SaysWhatHelpsWhereTheDisplayHasNoOpenGl33) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    EXPECT_EXIT(exit_with_advice_without_opengl_3_3(), testing::ExitedWithCode(0),
+                "has no OpenGL 3.3.*LIBGL_ALWAYS_SOFTWARE=1.*lumi render");
 }
 
 TEST(WindowWithoutADisplay, SaysToDrawToFilesInstead) {
