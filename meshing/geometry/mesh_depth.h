@@ -6,7 +6,7 @@
 
 namespace lumi {
 
-/// Depth of a triangle mesh as a view sees it, by a depth buffer: the nearest surface at the centre
+/// Depth of a triangle mesh as a view sees it, by a z-buffer: the nearest surface at the centre
 /// of each pixel, front or back. Confidence 255 on the mesh, 0 beside it. Triangles that reach
 /// behind the camera are cut there.
 [[nodiscard]] DepthMap mesh_depth(const DepthView& view, const TriangleMesh& mesh);

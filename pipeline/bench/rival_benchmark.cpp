@@ -6,6 +6,7 @@
 #include "calib/work/median.h"
 #include "calib/work/stopwatch.h"
 #include "pipeline/bench/rival_measurement.h"
+#include "pipeline/evaluate/resampled_pictures.h"
 #include "render/bench/frame_timing.h"
 #include "render/bench/occlusion_share.h"
 #include "render/renderer/offscreen_renderer.h"
@@ -131,13 +132,7 @@ std::vector<RivalFigures> measured_resampled(const ResampledRival& rival,
                                              const std::vector<Eye>& path,
                                              RivalMeasurement& measurement, Progress& progress) {
     const Stopwatch stopwatch;
-    const Lumigraph pictures = [&] {
-        OffscreenRenderer source(lumigraph);
-        return resampled(lumigraph, rival.layout(lumigraph), [&](const Eye& eye) {
-            progress.throw_if_interrupted();
-            return source.draw(eye, {});
-        });
-    }();
+    const Lumigraph pictures = resampled_pictures(rival, lumigraph, progress);
     const double resampling_cpu_s = stopwatch.elapsed().cpu_s;
     std::vector<RivalFigures> rivals = measured_modes(
         {rival.name, pictures},
@@ -148,7 +143,7 @@ std::vector<RivalFigures> measured_resampled(const ResampledRival& rival,
 }
 
 RivalScene measured_scene(const std::string& name, const RivalBenchmarkOptions& options,
-                          Progress& progress) {
+                          const RivalPictureSink& keep, Progress& progress) {
     const RivalCapture capture = rival_capture(name,
                                                {.size_px = options.size_px,
                                                 .held_out = options.held_out,
@@ -159,7 +154,7 @@ RivalScene measured_scene(const std::string& name, const RivalBenchmarkOptions& 
     scene.name = capture.name;
     scene.paper = capture.paper;
     scene.photographs = static_cast<int>(lumigraph.views.size());
-    RivalMeasurement measurement(capture);
+    RivalMeasurement measurement(capture, keep);
     const auto append = [&](std::vector<RivalFigures> figures) {
         std::move(figures.begin(), figures.end(), std::back_inserter(scene.rivals));
     };
@@ -186,10 +181,10 @@ RivalScene measured_scene(const std::string& name, const RivalBenchmarkOptions& 
 
 std::vector<RivalScene> benchmark_rivals(const RivalBenchmarkOptions& options,
                                          const std::vector<std::string>& scenes,
-                                         Progress& progress) {
+                                         const RivalPictureSink& keep, Progress& progress) {
     std::vector<RivalScene> measured;
     for (const std::string& name : scenes)
-        measured.push_back(measured_scene(name, options, progress));
+        measured.push_back(measured_scene(name, options, keep, progress));
     return measured;
 }
 

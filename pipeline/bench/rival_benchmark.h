@@ -5,6 +5,7 @@
 
 #include "calib/work/progress.h"
 #include "pipeline/bench/rival_figures.h"
+#include "pipeline/bench/rival_measurement.h"
 
 namespace lumi {
 
@@ -29,9 +30,11 @@ struct RivalScene {
 
 /// The paper's experiments on synthetic scenes like its own, lumi's modes beside the methods that
 /// the paper names. Photographs, poses and depth are exact, so that what is compared is drawing
-/// alone. `scenes` are names (rival_scenes.h).
+/// alone. `scenes` are names (rival_scenes.h). `keep` is called with every frame of a held-out
+/// place (RivalMeasurement).
 [[nodiscard]] std::vector<RivalScene> benchmark_rivals(const RivalBenchmarkOptions& options,
                                                        const std::vector<std::string>& scenes,
+                                                       const RivalPictureSink& keep,
                                                        Progress& progress);
 
 }  // namespace lumi

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "calib/work/mean.h"
 #include "pipeline/bench/picture_change.h"
@@ -79,10 +80,14 @@ std::optional<double> mean_of_covered(const std::vector<RivalFrameFigures>& fram
 
 }  // namespace
 
-RivalMeasurement::RivalMeasurement(const RivalCapture& capture)
+RivalMeasurement::RivalMeasurement(const RivalCapture& capture, RivalPictureSink keep)
     : capture_(capture),
+      keep_(std::move(keep)),
       held_out_surroundings_(surroundings_of(capture.held_out, capture.lumigraph)),
-      path_surroundings_(surroundings_of(capture.path, capture.lumigraph)) {}
+      path_surroundings_(surroundings_of(capture.path, capture.lumigraph)) {
+    for (std::size_t i = 0; i < capture.held_out.size(); ++i)
+        keep_({capture.name, "photograph", i, capture.held_out[i].picture});
+}
 
 RivalFigures RivalMeasurement::measured(const RivalMethod& method, const DrawFrame& draw) {
     RivalFigures figures;
@@ -94,6 +99,7 @@ RivalFigures RivalMeasurement::measured(const RivalMethod& method, const DrawFra
     for (std::size_t i = 0; i < capture_.held_out.size(); ++i) {
         const TrueFrame& truth = capture_.held_out[i];
         const Frame as_drawn = draw(truth.eye);
+        keep_({capture_.name, key_of(method.method, method.settings), i, as_drawn.color});
         const Frame drawn = filled(as_drawn, held_out_surroundings_[i]);
         common_.add(key_of(method.method, method.settings), method.has_say, std::to_string(i),
                     truth.picture, drawn);

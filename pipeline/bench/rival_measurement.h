@@ -21,11 +21,23 @@ struct RivalMethod {
     bool has_say = false;  ///< In which pixels are common (CommonPixels).
 };
 
+/// A picture at a held-out place, whose `index` counts from 0: what `method` (with its settings)
+/// draws there, as it draws it, or "photograph".
+struct RivalPicture {
+    std::string scene;
+    std::string method;
+    std::size_t index = 0;
+    const ColorImage& picture;
+};
+using RivalPictureSink = std::function<void(const RivalPicture&)>;
+
 /// Measures the pictures that several methods draw of one capture, all on the same pixels.
 class RivalMeasurement {
  public:
-    /// `capture` outlives this.
-    explicit RivalMeasurement(const RivalCapture& capture);
+    /// `capture` outlives this. `keep` is called with the photographs at held-out places, and with
+    /// what each method draws there.
+    explicit RivalMeasurement(
+        const RivalCapture& capture, RivalPictureSink keep = [](const RivalPicture&) {});
 
     /// The figures of a method's pictures, but for those of common pixels, and no times.
     [[nodiscard]] RivalFigures measured(const RivalMethod& method, const DrawFrame& draw);
@@ -39,6 +51,7 @@ class RivalMeasurement {
     [[nodiscard]] double flicker_of(const DrawFrame& draw) const;
 
     const RivalCapture& capture_;
+    RivalPictureSink keep_;
     std::vector<ColorImage> held_out_surroundings_;
     std::vector<ColorImage> path_surroundings_;
     CommonPixels common_;

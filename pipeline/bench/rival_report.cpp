@@ -1,5 +1,6 @@
 #include "pipeline/bench/rival_report.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "calib/work/counted.h"
@@ -15,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kNameWidth = 38;
 constexpr std::size_t kColumnWidth = 11;
 constexpr int kCsvDecimals = 6;
 
@@ -100,9 +100,22 @@ std::string frames_csv(const RivalScene& scene, const RivalFigures& rival) {
     return csv;
 }
 
-std::string row_text(const RivalFigures& rival) {
-    std::string text = padded_right(
-        rival.method + (rival.settings.empty() ? "" : ", " + rival.settings), kNameWidth);
+constexpr const char* kNameHeading = "method";
+
+std::string name_with_settings(const RivalFigures& rival) {
+    return rival.method + (rival.settings.empty() ? "" : ", " + rival.settings);
+}
+
+/// Of the first column.
+std::size_t name_width(const RivalScene& scene) {
+    std::size_t width = std::string(kNameHeading).size();
+    for (const RivalFigures& rival : scene.rivals)
+        width = std::max(width, name_with_settings(rival).size());
+    return width;
+}
+
+std::string row_text(const RivalFigures& rival, std::size_t name_width) {
+    std::string text = padded_right(name_with_settings(rival), name_width);
     for (const Figure& figure : figures_of_rivals()) {
         if (*figure.heading == 0) continue;
         const auto value = figure.value(rival);
@@ -112,8 +125,8 @@ std::string row_text(const RivalFigures& rival) {
     return text + "\n";
 }
 
-std::string heading_text() {
-    std::string text = padded_right("method", kNameWidth);
+std::string heading_text(std::size_t name_width) {
+    std::string text = padded_right(kNameHeading, name_width);
     for (const Figure& figure : figures_of_rivals())
         if (*figure.heading != 0) text += padded_left(figure.heading, kColumnWidth);
     return text + "\n";
@@ -155,9 +168,10 @@ std::string rivals_csv(const std::vector<RivalScene>& scenes) {
 std::string rivals_text(const std::vector<RivalScene>& scenes) {
     std::string text;
     for (const RivalScene& scene : scenes) {
+        const std::size_t width = name_width(scene);
         text += scene.name + ": " + counted(scene.photographs, "photograph") +
-                " (the paper: " + scene.paper + ")\n" + heading_text();
-        for (const RivalFigures& rival : scene.rivals) text += row_text(rival);
+                " (the paper: " + scene.paper + ")\n" + heading_text(width);
+        for (const RivalFigures& rival : scene.rivals) text += row_text(rival, width);
         text +=
             "dB: of all pixels, where a method covers none filled with the same surroundings "
             "for all; as drawn: there with lumi's own guesses, of what is resampled, too, and "

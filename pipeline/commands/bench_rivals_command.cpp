@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "calib/work/process_memory.h"
+#include "pipeline/bench/rival_pictures.h"
 #include "pipeline/bench/rival_report.h"
 #include "pipeline/bench/rival_scenes.h"
 #include "pipeline/commands/commands.h"
@@ -18,17 +20,28 @@ struct BenchRivalsRequest {
 };
 
 void run_bench_rivals(const BenchRivalsRequest& request, const CommandContext& context) {
-    if (!request.out.empty()) require_writable_folder(request.out);
+    const std::vector<std::string> names =
+        request.scenes.empty() ? rival_scene_names() : request.scenes;
+    std::optional<RivalPictureFiles> pictures;
+    if (!request.out.empty()) {
+        require_writable_folder(request.out);
+        pictures.emplace(request.out, names);
+    }
     keep_free_memory();
     const std::vector<RivalScene> scenes = benchmark_rivals(
-        request.options, request.scenes.empty() ? rival_scene_names() : request.scenes,
+        request.options, names,
+        [&](const RivalPicture& picture) {
+            if (pictures) pictures->write(picture);
+        },
         *context.progress);
     if (context.json) {
         context.print_result(rival_scenes_json(scenes));
     } else {
         context.print_result(rivals_text(scenes));
     }
-    if (!request.out.empty()) write_rival_report(request.out, scenes);
+    if (!pictures) return;
+    pictures->put_in_place();
+    write_rival_report(request.out, scenes);
 }
 
 }  // namespace
@@ -56,7 +69,8 @@ void add_bench_rivals_command(CLI::App& app, CommandContext& context) {
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
     command.add_option("--out", request->out,
-                       "Also write rivals.json and rivals.csv here: each frame of each method");
+                       "Also write here rivals.json and rivals.csv, each frame of each method, and "
+                       "what each method draws, as it draws it: SCENE/frame-N.METHOD.png");
     command.callback([request, &context] {
         context.chosen = [request, &context] { run_bench_rivals(*request, context); };
     });

@@ -54,6 +54,7 @@ void add_drawing_options(CLI::App& command, DrawingRequest& request) {
         "--debug", request.debug,
         debug_picture_names() + usual + std::string(name_of(RenderOptions{}.debug_picture)) + ")");
     add_focus_options(command, request);
+    add_triangle_options(command, request.triangles);
     CLI::Option* aperture = command.get_option("--aperture");
     aperture->excludes(command.get_option("--debug"));
     CLI::Option* supersample =
@@ -96,6 +97,7 @@ RenderOptions render_options_of(const DrawingRequest& request, const DrawnAlike&
     options.guess_surroundings = !request.black_surroundings &&
                                  eye_file.guess_surroundings.value_or(options.guess_surroundings);
     check_heeded(request, options.mode);
+    apply(request.triangles, options);
     return options;
 }
 

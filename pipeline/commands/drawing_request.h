@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pipeline/commands/eye_file.h"
+#include "pipeline/commands/triangle_request.h"
 #include "render/frame/frame.h"
 #include "render/lumigraph/package.h"
 
@@ -23,14 +24,15 @@ struct DrawingRequest {
     bool no_fade = false;
     bool black_surroundings = false;
     bool as_taken = false;
+    TriangleRequest triangles;
 };
 
 void add_drawing_options(CLI::App& command, DrawingRequest& request);
 
 /// What the command line says, else what the eye's file says, else what is usual; whether the
 /// capture fades is then left to the package. Throws Error (E-RENDER-MODE, E-RENDER-DEBUG;
-/// E-RENDER-OPTION: the mode has no use for fading, or for jagged silhouettes). What is sharp is not
-/// among it (focus.h): that may take the package.
+/// E-RENDER-OPTION: the mode has no use for fading, or for jagged silhouettes; E-RENDER-TRIANGLE).
+/// What is sharp is not among it (focus.h): that may take the package.
 [[nodiscard]] RenderOptions render_options_of(const DrawingRequest& request,
                                               const DrawnAlike& eye_file);
 /// Whether what lies beyond the capture fades to black; empty: as the package says.

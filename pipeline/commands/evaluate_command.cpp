@@ -10,6 +10,7 @@
 #include "pipeline/config/config_variant.h"
 #include "pipeline/evaluate/evaluate_workspace.h"
 #include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/evaluate/free_form_comparison.h"
 #include "pipeline/line/code_version.h"
 #include "pipeline/line/line.h"
 #include "pipeline/protocol/leave_one_out.h"
@@ -92,6 +93,23 @@ std::string common_pixels_text(const CommonPixelScores& scores) {
     return text;
 }
 
+/// "+0.10 dB" or "-0.10 dB".
+std::string gain_text(double gain_db) {
+    return (gain_db < 0 ? "" : "+") + number_text(gain_db, 2) + " dB";
+}
+
+/// What free-form costs and brings beside regular parameterisations, in the same mode.
+std::string free_form_text(const FreeFormBesideResampled& compared) {
+    std::string text = name_of(compared.mode) + " beside " + compared.resampled + ": ";
+    if (compared.cpu_ratio)
+        text += number_text(*compared.cpu_ratio, 2) + " times its CPU time a frame, ";
+    text += gain_text(compared.psnr_gain_db);
+    if (compared.common_psnr_gain_db)
+        text += " (" + gain_text(*compared.common_psnr_gain_db) +
+                " over pixels that all methods cover)";
+    return text + "\n";
+}
+
 void print_rivals(const RivalEvaluation& rivals, const CommandContext& context) {
     for (const RivalScores& scores : rivals.methods) {
         for (const ViewScore& view : scores.views)
@@ -122,13 +140,19 @@ void print_scores(const Evaluation& evaluation, const CommandContext& context) {
         }
     }
     if (evaluation.rivals) print_rivals(*evaluation.rivals, context);
+    for (const FreeFormBesideResampled& compared : free_form_beside_resampled(evaluation))
+        context.print_result(free_form_text(compared));
 }
 
 std::vector<RenderMode> modes_of(const EvaluateRequest& request) {
     std::vector<RenderMode> modes;
     for (const std::string& name : request.modes) modes.push_back(render_mode_from(name));
-    const bool has_heigl = std::find(modes.begin(), modes.end(), RenderMode::kHeigl) != modes.end();
-    if (request.rivals && !has_heigl) modes.push_back(RenderMode::kHeigl);
+    if (!request.rivals) return modes;
+    // Beside rivals: what lumi draws as papers say, and the modes that resampled pictures are drawn
+    // in.
+    for (const RenderMode mode : {RenderMode::kAdaptive, RenderMode::kPaper2001, RenderMode::kHeigl,
+                                  RenderMode::kLightField})
+        if (std::find(modes.begin(), modes.end(), mode) == modes.end()) modes.push_back(mode);
     return modes;
 }
 
@@ -213,8 +237,10 @@ void add_evaluate_command(CLI::App& app, CommandContext& context) {
     CLI::Option* rivals = command.add_flag(
         "--rivals", request->rivals,
         "Also the methods that the paper is compared with: Heigl et al. 1999, unstructured "
-        "lumigraph, view-dependent texture, forward warping, dynamically reparameterized (without "
-        "depth, in plain code), two-plane and spherical; takes minutes");
+        "lumigraph, view-dependent texture, forward warping, two-plane, spherical, and, without "
+        "depth, dynamically reparameterized (`lumi render` draws them by --mode heigl and by "
+        "--rival); beside them "
+        "adaptive, paper2001 and lightfield; takes minutes");
     CLI::Option* leave_one_out =
         command.add_flag("--leave-one-out", request->leave_one_out,
                          "WORKSPACE is a configuration: every photograph is left out in turn, "

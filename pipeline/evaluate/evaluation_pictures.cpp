@@ -1,6 +1,5 @@
 #include "pipeline/evaluate/evaluation_pictures.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "calib/pictures/image_io.h"
@@ -8,6 +7,7 @@
 #include "pipeline/evaluate/heat_map.h"
 #include "pipeline/stages/file_stems.h"
 #include "pipeline/stages/used_views.h"
+#include "pipeline/text/hyphenated.h"
 #include "render/paths/photograph_eye.h"
 
 namespace lumi {
@@ -15,9 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string strip_name(const std::string& stem, std::string method) {
-    std::replace(method.begin(), method.end(), ' ', '-');
-    return stem + '.' + method + ".png";
+std::string strip_name(const std::string& stem, const std::string& method) {
+    return stem + '.' + hyphenated(method) + ".png";
 }
 
 /// The modes and methods whose strips bear their names.
@@ -70,8 +69,8 @@ std::string EvaluationPictures::strip(const std::string& view, RenderMode mode) 
     return mode == first_mode_ ? stem_of_.at(view) + ".png" : strip(view, name_of(mode));
 }
 
-std::string EvaluationPictures::strip(const std::string& view, std::string method) const {
-    return strip_name(stem_of_.at(view), std::move(method));
+std::string EvaluationPictures::strip(const std::string& view, const std::string& method) const {
+    return strip_name(stem_of_.at(view), method);
 }
 
 std::string EvaluationPictures::map(const std::string& view, const std::string& kind) const {

@@ -29,7 +29,7 @@ class EvaluationPictures {
 
     /// Names of files: those of the mode that stands first have no mode in theirs.
     [[nodiscard]] std::string strip(const std::string& view, RenderMode mode) const;
-    [[nodiscard]] std::string strip(const std::string& view, std::string method) const;
+    [[nodiscard]] std::string strip(const std::string& view, const std::string& method) const;
     /// `kind` is "flip" or "ghost".
     [[nodiscard]] std::string map(const std::string& view, const std::string& kind) const;
 

@@ -4,6 +4,7 @@
 
 #include "calib/work/stopwatch.h"
 #include "pipeline/evaluate/common_pixels.h"
+#include "pipeline/evaluate/resampled_pictures.h"
 #include "render/renderer/offscreen_renderer.h"
 #include "render/rivals/rival_methods.h"
 #include "render/surroundings/surroundings.h"
@@ -54,13 +55,7 @@ class RivalJudge {
     void judge_resampled(const ResampledRival& rival) {
         progress_.note("resampling for " + rival.name);
         const Stopwatch stopwatch;
-        const Lumigraph pictures = [&] {
-            OffscreenRenderer source(lumigraph_);
-            return resampled(lumigraph_, rival.layout(lumigraph_), [&](const Eye& eye) {
-                progress_.throw_if_interrupted();
-                return source.draw(eye, {});
-            });
-        }();
+        const Lumigraph pictures = resampled_pictures(rival, lumigraph_, progress_);
         const double cpu_s = stopwatch.elapsed().cpu_s;
         OffscreenRenderer renderer(pictures);
         for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kAdaptive})

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kGapPx = 4;
 constexpr int kPanelWidthPx = 700;
+constexpr int kColumns = 2;
 
 void paste(ColorImage& canvas, const ColorImage& picture, int left, int top) {
     for (int y = 0; y < picture.height(); ++y) {
@@ -40,17 +41,21 @@ ColorImage methods_picture(const Lumigraph& lumigraph) {
     const Camera& camera = lumigraph.views.front().camera;
     const int height = kPanelWidthPx * camera.height_px / camera.width_px;
     const Eye eye = eye_between_photographs(lumigraph, kPanelWidthPx, height);
-    const std::array<RenderOptions, 4> panels{
+    const std::array<RenderOptions, 6> panels{
         {{.mode = RenderMode::kLightField},
+         {.mode = RenderMode::kPerPixel, .correct_occlusion = false},
          {.mode = RenderMode::kPerPixel},
          {.mode = RenderMode::kPerPixel, .debug_picture = DebugPicture::kWeights},
-         {.mode = RenderMode::kPerPixel, .debug_picture = DebugPicture::kDepth}}};
+         {.mode = RenderMode::kPerPixel, .debug_picture = DebugPicture::kDepth},
+         {.mode = RenderMode::kAdaptive, .debug_picture = DebugPicture::kGrid}}};
+    constexpr int kRows = static_cast<int>(panels.size()) / kColumns;
     OffscreenRenderer renderer(lumigraph);
-    ColorImage canvas(2 * kPanelWidthPx + kGapPx, 2 * height + kGapPx, {255, 255, 255});
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        const Frame frame = renderer.draw(eye, panels[i]);
-        paste(canvas, frame.color, static_cast<int>(i % 2) * (kPanelWidthPx + kGapPx),
-              static_cast<int>(i / 2) * (height + kGapPx));
+    ColorImage canvas(kColumns * (kPanelWidthPx + kGapPx) - kGapPx,
+                      kRows * (height + kGapPx) - kGapPx, {255, 255, 255});
+    for (int i = 0; i < kColumns * kRows; ++i) {
+        const Frame frame = renderer.draw(eye, panels[static_cast<std::size_t>(i)]);
+        paste(canvas, frame.color, i % kColumns * (kPanelWidthPx + kGapPx),
+              i / kColumns * (height + kGapPx));
     }
     return canvas;
 }

@@ -9,8 +9,9 @@ namespace lumi {
 /// can be; at the only photograph, where there is one.
 [[nodiscard]] Eye eye_between_photographs(const Lumigraph& lumigraph, int width_px, int height_px);
 
-/// Four pictures of that eye, two by two: without depth, with it, the blending weights (one colour
-/// a camera), inverse depth. Throws Error (E-GL-...).
+/// Six pictures of that eye, two a row: without depth, with it; with occlusion correction, too, and
+/// the blending weights (one colour a camera; white: none of the three sees the point); inverse
+/// depth, the triangles of `adaptive`. Throws Error (E-GL-...).
 [[nodiscard]] ColorImage methods_picture(const Lumigraph& lumigraph);
 
 /// At most `max_width_px` wide.

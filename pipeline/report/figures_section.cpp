@@ -121,9 +121,9 @@ std::string rivals_table(const Json& rivals, bool has_subject) {
                 ".</p>\n";
     html += common_pixels_remark(rivals);
     return html +
-           "<p>Means. Unstructured lumigraph, view-dependent texture and forward warping are drawn "
-           "in plain code, dynamically reparameterized, too, without depth; two-plane and "
-           "spherical from photographs that were resampled.</p>\n";
+           "<p>Means. Unstructured lumigraph, view-dependent texture, forward warping and, without "
+           "depth, dynamically reparameterized are drawn in plain code; two-plane and spherical "
+           "from photographs that were resampled.</p>\n";
 }
 
 std::string ghost_remark(const Json& evaluation) {

@@ -36,6 +36,11 @@ Sample mean_of(const std::vector<const Sample*>& samples) {
     return mean;
 }
 
+/// What is known and not behind tears.
+bool is_sure(const AgreedPixelDepth& sample) {
+    return sample.depth.support > 0 && !sample.depth.is_behind_tears;
+}
+
 }  // namespace
 
 AgreedDepth::AgreedDepth(const Lumigraph& lumigraph, const std::vector<ViewGeometry>& geometries,
@@ -85,6 +90,9 @@ std::vector<AgreedPixelDepth> AgreedDepth::samples_at(const Eigen::Vector2d& pix
         if (of_surface.size() == samples.size()) return {surface};
         all.insert(all.end(), of_surface.size(), surface);
     }
+    if (std::any_of(all.begin(), all.end(), is_sure))
+        std::erase_if(all,
+                      [](const AgreedPixelDepth& sample) { return sample.depth.is_behind_tears; });
     return all;
 }
 

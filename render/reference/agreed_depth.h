@@ -32,7 +32,7 @@ class AgreedDepth {
 
     /// At the centre of a pixel of the eye's picture, or of a block of pixels. Where the texels of
     /// a pixel (kSmoothTexelsPerPixel) are of several surfaces, for each of them the mean of those
-    /// that are of its surface.
+    /// that are of its surface; those behind tears count where there are no others.
     [[nodiscard]] std::vector<AgreedPixelDepth> samples_at(const Eigen::Vector2d& pixel) const;
 
     /// Whether none of the views sees what is at the place: it is stretched over tears, lies behind

@@ -161,6 +161,9 @@ float is_one_surface(vec4 a, vec4 b) {
     return all(lessThanEqual(abs(a - b), vec4(agreeing_depth))) ? 1.0 : 0.0;
 }
 
+// Samples of what lies behind tears count where there are no others: they are none of an outline.
+const float kBehindTears = 1e-3;
+
 // The mean of a pixel's four samples of depth, less those where nothing is known. Each round draws
 // one surface, at the mean of the samples that are of it.
 vec4 smooth_at(vec2 window) {
@@ -186,10 +189,11 @@ vec4 smooth_at(vec2 window) {
                      of_surface.w * depth3) / samples;
         Blend blend = blend_at(window, agreed_depth(mean, behind_tears(first)));
         float drawn_samples = blend.is_unseen && blend.is_guess ? 0.0 : samples;
+        drawn_samples *= blend.depth.is_behind_tears ? kBehindTears : 1.0;
         sum += drawn_samples * drawn_at(blend, vec2(0.0));
         count += drawn_samples;
     } while (dot(left, vec4(1.0)) > 0.5);
-    if (count < 0.5) discard;
+    if (count <= 0.0) discard;
     return vec4(sum.rgb / count, step(0.5 * count, sum.a));
 }
 #endif

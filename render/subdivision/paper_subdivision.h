@@ -27,7 +27,8 @@ struct PaperSubdivisionOptions {
 ///
 /// What the paper leaves open: of smallest triangles of which rays miss the scene those are drawn
 /// whose centre meets it, their other vertices on the scene plane. Depth comes from the views'
-/// depth maps; a mesh or a volume is seen through depth maps drawn of it (`[depth] model`).
+/// depth maps; where the paper casts rays into a mesh or a volume, these are seen through depth
+/// maps made of them for each photograph, by a z-buffer or by rays (`[depth] model`).
 [[nodiscard]] BlendTriangles paper_subdivision(const std::vector<FacePolygon>& polygons,
                                                const DepthSearch& search,
                                                const Eigen::Vector3d& scene_plane,

@@ -73,6 +73,24 @@ TEST(BenchCommands, MeasuresTheRivalsOnAPaperScene) {
     const std::string csv = read_whole_text(scratch / "rivals.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'),
               static_cast<long>(1 + 3 * scene.at("rivals").size()));
+    // Every method's pictures, as they were drawn.
+    const std::string compare =
+        "--json compare-pictures " + quoted(scratch / "coke/frame-2.photograph.png") + " ";
+    for (const Json& rival : scene.at("rivals")) {
+        if (rival.at("settings").get<std::string>().find_first_of("0123456789") !=
+            std::string::npos)
+            continue;
+        std::string name =
+            rival.at("method").get<std::string>() + " " + rival.at("settings").get<std::string>();
+        name.erase(name.find_last_not_of(' ') + 1);
+        std::replace(name.begin(), name.end(), ' ', '-');
+        const Outcome compared =
+            lumi(compare + quoted(scratch / ("coke/frame-2." + name + ".png")));
+        ASSERT_EQ(compared.exit_code, 0) << compared.talk;
+        EXPECT_NEAR(Json::parse(compared.out).at("psnr_db").get<double>(),
+                    rival.at("frames").at(1).at("psnr_as_drawn_db").get<double>(), 1e-9)
+            << name;
+    }
     EXPECT_EQ(lumi("bench-rivals --scene pepsi").exit_code, 2);
 }
 

@@ -1,13 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <nlohmann/json.hpp>
 
-#include "calib/pictures/image_io.h"
-#include "tests/pipeline/built_program.h"
-#include "tests/pipeline/told_choices.h"
-#include "tests/truth/textured_box_scene.h"
+#include "tests/pipeline/drawn_package.h"
 
 namespace lumi {
 namespace {
@@ -16,37 +12,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 using testing::Not;
-
-/// A package of the textured box with its true poses, and commands that draw it.
-class DrawnPackage : public testing::Test {
- protected:
-    static void SetUpTestSuite() {
-        folder_ = std::make_unique<ScratchFolder>();
-        SilentProgress progress;
-        synthesize_into(*folder_ / "scene", textured_box_description(), 0, progress);
-        write_whole_text(*folder_ / "box.toml",
-                         "name = \"box\"\nworkspace = \"work\"\n[capture]\n"
-                         "photos = \"scene/photos\"\nimport = \"scene/truth/sparse\"\n"
-                         "[evaluate]\nhold_out = [\"IMG_0005.png\"]\n" +
-                             std::string(kSparseDepth) + kToldDrawing);
-        ASSERT_EQ(lumi("build " + quoted(*folder_ / "box.toml")).exit_code, 0);
-    }
-    static void TearDownTestSuite() { folder_.reset(); }
-
-    static std::string package() { return quoted(*folder_ / "work" / "box.lumi"); }
-    /// What `lumi render` draws by these arguments.
-    [[nodiscard]] ColorImage drawn(const std::string& arguments) const {
-        const Outcome outcome = lumi("render " + package() + " " + arguments + " --out " +
-                                     quoted(scratch_ / "drawn.png"));
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.talk;
-        return read_color_image(scratch_ / "drawn.png");
-    }
-
-    static std::unique_ptr<ScratchFolder> folder_;
-    ScratchFolder scratch_;
-};
-
-std::unique_ptr<ScratchFolder> DrawnPackage::folder_;
 
 TEST_F(DrawnPackage, AnEyeIsDrawnAsItsFileSaysUnlessTheLineSaysOtherwise) {
     // Behind the cameras and beside them, so that much is a guess.
@@ -99,6 +64,28 @@ TEST_F(DrawnPackage, ADebugPictureThatIsBlackIsExplained) {
     EXPECT_THAT(talk_of("adaptive"), testing::Not(HasSubstr("black")));
 }
 
+TEST_F(DrawnPackage, ThePapersParametersAreTheUsersWhereTheyMeanSomething) {
+    const auto paper = [&](const std::string& more) {
+        return drawn("--view IMG_0005.png --mode paper2001 --debug grid " + more);
+    };
+    const ColorImage usual = paper("");
+    EXPECT_EQ(paper("--min-triangle 6 --max-triangle 96 --depth-threshold 0.02"), usual);
+    EXPECT_NE(paper("--min-triangle 24"), usual);
+    EXPECT_NE(paper("--max-triangle 16"), usual);
+    EXPECT_NE(paper("--depth-threshold 0.2"), usual);
+    const std::string adaptive = "--view IMG_0005.png --mode adaptive --debug grid";
+    EXPECT_NE(drawn(adaptive + " --max-triangle 16"), drawn(adaptive));
+
+    for (const char* options :
+         {"--min-triangle 6", "--mode lightfield --max-triangle 50",
+          "--mode adaptive --depth-threshold 0.1", "--mode paper2001 --min-triangle 100",
+          "--mode paper2001 --min-triangle nan", "--mode paper2001 --min-triangle 0"}) {
+        const Outcome outcome = lumi("render " + package() + " --view IMG_0005.png " + options +
+                                     " --out " + quoted(scratch_ / "x.png"));
+        EXPECT_EQ(outcome.exit_code, 2) << options;
+    }
+}
+
 TEST_F(DrawnPackage, HelpDescribesTheFileOfAnEye) {
     const std::string help = lumi("render --help").out;
     for (const char* key : {"\"camera\"", "\"cam_from_world\"", "\"rotation_wxyz\"", "\"mode\"",
@@ -131,33 +118,6 @@ TEST_F(DrawnPackage, WhatEndsAPathIsNotToldToBeKept) {
     EXPECT_THAT(outcome.talk, HasSubstr("error E-INTERRUPTED"));
     EXPECT_THAT(outcome.talk, Not(HasSubstr("stages")));
     EXPECT_FALSE(fs::exists(scratch_ / "frames"));
-}
-
-TEST_F(DrawnPackage, IsDrawnByTheMethodsOfOthersBesideLumis) {
-    const std::string workspace = quoted(*folder_ / "work");
-    const Outcome outcome = lumi("--json evaluate " + workspace + " --mode adaptive --rivals");
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.talk;
-    const Json evaluation = Json::parse(outcome.out);
-    EXPECT_GT(evaluation.at("mean").at("cpu_ms").get<double>(), 0.0);
-    EXPECT_TRUE(evaluation.at("modes").contains("heigl"));
-    const Json& rivals = evaluation.at("rivals");
-    for (const char* method : {"unstructured lumigraph", "view-dependent texture",
-                               "forward warping", "two-plane lightfield", "two-plane adaptive"}) {
-        EXPECT_GT(rivals.at("methods").at(method).at("mean").at("psnr_db").get<double>(), 10.0)
-            << method;
-    }
-    EXPECT_TRUE(rivals.at("left_out").contains("spherical"));
-    // Modes and methods on the same pixels.
-    const Json& common = rivals.at("common_pixels");
-    EXPECT_GT(common.at("share").get<double>(), 0.2);
-    for (const char* method : {"adaptive", "heigl", "forward warping", "unstructured lumigraph"})
-        EXPECT_GT(common.at("psnr_db").at(method).get<double>(), 10.0) << method;
-    EXPECT_TRUE(
-        fs::exists(*folder_ / "work" / "evaluation" / "IMG_0005.unstructured-lumigraph.png"));
-    const std::string report = read_whole_text(*folder_ / "work" / "report.html");
-    EXPECT_THAT(report, HasSubstr("forward warping"));
-    EXPECT_THAT(report, HasSubstr("Not drawn: spherical."));
-    EXPECT_EQ(lumi("evaluate " + workspace + " --leave-one-out --rivals").exit_code, 2);
 }
 
 TEST_F(DrawnPackage, FramesAreCountedInLookupsAndBytes) {

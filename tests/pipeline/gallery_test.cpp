@@ -9,7 +9,9 @@
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/gallery/gallery_pictures.h"
 #include "pipeline/workspace/json_file.h"
+#include "render/renderer/offscreen_renderer.h"
 #include "tests/calib/scratch_folder.h"
+#include "tests/truth/textured_box_scene.h"
 
 namespace lumi {
 namespace {
@@ -76,6 +78,23 @@ TEST(Gallery, TakesNoFileOfTheUsersForOneOfAGalleryBefore) {
     write_whole_text(out / "gallery.md", "# Gallery: box\n");
     EXPECT_EQ(code(), "it began");
     EXPECT_TRUE(fs::exists(out / "stress-poses.svg")) << "the page that shows it stands yet";
+}
+
+TEST(Gallery, TheTrianglesOfAdaptiveAreTheLastOfItsMethods) {
+    const SyntheticCapture scene = textured_box_scene();
+    const Lumigraph lumigraph = exact_lumigraph(scene, textured_box_camera_mesh(scene.capture));
+    const ColorImage picture = methods_picture(lumigraph);
+    const int width = (picture.width() - 4) / 2;
+    const int height = (picture.height() - 2 * 4) / 3;
+    ASSERT_EQ(height, width * 120 / 160);
+    const ColorImage grid =
+        OffscreenRenderer(lumigraph)
+            .draw(eye_between_photographs(lumigraph, width, height),
+                  {.mode = RenderMode::kAdaptive, .debug_picture = DebugPicture::kGrid})
+            .color;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            ASSERT_EQ(picture(width + 4 + x, 2 * (height + 4) + y), grid(x, y)) << x << ", " << y;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "render/transfer/view_geometry.h"
@@ -21,7 +22,16 @@ TEST(AgreedDepth, OfAPixelOnAnOutlineIsThatOfTheTwoSurfacesThere) {
         for (int x = 0; x < 64; ++x) {
             const auto samples = depth.samples_at({x + 0.5, y + 0.5});
             if (samples.size() == 1) continue;
-            ASSERT_EQ(samples.size(), 4U);
+            // Those behind tears give way to others.
+            ASSERT_LE(samples.size(), 4U);
+            const auto behind = std::count_if(samples.begin(), samples.end(), [](const auto& s) {
+                return s.depth.is_behind_tears;
+            });
+            EXPECT_TRUE(behind == 0 || behind == static_cast<std::ptrdiff_t>(samples.size()) ||
+                        std::none_of(samples.begin(), samples.end(), [](const auto& s) {
+                            return s.depth.support > 0 && !s.depth.is_behind_tears;
+                        }));
+            if (samples.size() < 4) continue;
             std::set<double> depths;
             for (const AgreedPixelDepth& sample : samples)
                 depths.insert(sample.depth.inverse_depth);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "pipeline/commands/drawing_request.h"
+
+namespace lumi {
+
+/// What `lumi render` is asked for.
+struct RenderRequest {
+    std::filesystem::path package;
+    std::string view;
+    std::filesystem::path eye;
+    std::string path;
+    int frames = 120;
+    double video_fps = 30.0;
+    double stereo_baseline = 0.0;
+    bool all_views = false;
+    bool difference = false;
+    std::string size;
+    DrawingRequest drawing;
+    bool reference = false;
+    std::string rival;  ///< Empty: one of lumi's own modes.
+    std::filesystem::path out;
+};
+
+}  // namespace lumi
