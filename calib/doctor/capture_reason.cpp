@@ -52,7 +52,8 @@ constexpr std::array<ReasonEntry, 18> kReasons{{
     {CaptureReason::kForward, "E-POSES-FORWARD",
      "do not only walk towards the subject: step sideways between photographs"},
     {CaptureReason::kNoPair, "E-POSES-NOPAIR",
-     "take sharp photographs that overlap by two thirds with the next one"},
+     "take sharp photographs that overlap by two thirds with the next one; surfaces without any "
+     "texture need something with a pattern in view"},
     {CaptureReason::kFew, "E-POSES-FEW",
      "add photographs, so that each overlaps by two thirds with the next; two alone need a lens "
      "that is known ([calibration])"},

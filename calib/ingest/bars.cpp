@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "calib/ingest/backdrop.h"
 #include "calib/work/median.h"
 
 namespace lumi {
@@ -19,7 +21,7 @@ constexpr int kBlurred_px = 2;  ///< Where a bar ends the picture may be blurred
 /// One row or column.
 struct Line {
     double still_share = 0;   ///< Of its pixels.
-    double slope_share = 0;   ///< Mean of same_slope_share.
+    double slope_share = 0;   ///< Mean of SharedEdge::same_slope_share.
     double median_level = 0;  ///< Of its pixels' means.
     double plain_share = 0;   ///< Of its pixels, those of this level.
 
@@ -113,7 +115,7 @@ std::vector<Line> lines_of(const StandingPixels& standing, int count, int length
         for (int k = 0; k < length; ++k) {
             const auto [x, y] = pixel(i, k);
             if (standing.spread(x, y) <= kStillSpread) line.still_share += 1.0 / length;
-            line.slope_share += standing.same_slope_share(x, y) / length;
+            line.slope_share += standing.edge(x, y).same_slope_share / length;
             levels.push_back(standing.mean(x, y));
         }
         line.median_level = median_of(levels);
@@ -131,7 +133,7 @@ double edge_share(const StandingPixels& standing, int length, const PixelAcross&
         double most = 0;
         for (int across = -kBlurred_px - 1; across < kBlurred_px; ++across) {
             const auto [x, y] = pixel(across, k);
-            most = std::max(most, standing.same_slope_share(x, y));
+            most = std::max(most, standing.edge(x, y).same_slope_share);
         }
         sum += most;
     }
@@ -154,6 +156,15 @@ bool is_edged_all_around(const StandingPixels& standing, const ImageRectangle& p
     };
     return std::min({at_row(picture.top, 1), at_row(bottom, -1), at_column(picture.left, 1),
                      at_column(right, -1)}) >= kEdged;
+}
+
+bool are_of_backdrop(const StandingPixels& standing, const Margins& rows, const Margins& columns,
+                     const ImageRectangle& picture) {
+    const std::array<Bar, 4> bars{rows.before, rows.after, columns.before, columns.after};
+    const std::optional<LevelRange> backdrop = backdrop_levels(standing, picture);
+    return backdrop && std::any_of(bars.begin(), bars.end(), [&](const Bar& bar) {
+               return bar.lines > 0 && backdrop->contains(bar.level);
+           });
 }
 
 /// Black or white on all four sides, and beginning sharply along the whole of each: that no
@@ -192,7 +203,7 @@ ImageRectangle picture_between_bars(const StandingPixels& standing, int min_side
     const bool is_in_the_middle = rows.is_even(height) && columns.is_even(width);
     if (is_enclosed && !is_in_the_middle && !is_frame(standing, rows, columns, picture))
         return whole;
-    return picture;
+    return are_of_backdrop(standing, rows, columns, picture) ? whole : picture;
 }
 
 }  // namespace lumi

@@ -1,17 +1,9 @@
 #pragma once
 
+#include "calib/ingest/image_rectangle.h"
 #include "calib/ingest/standing_pixels.h"
 
 namespace lumi {
-
-/// Pixels from `left` and `top` on.
-struct ImageRectangle {
-    int left = 0;
-    int top = 0;
-    int width_px = 0;
-    int height_px = 0;
-    friend bool operator==(const ImageRectangle&, const ImageRectangle&) = default;
-};
 
 /// What bars of one colour leave of photographs, told from how their pixels changed; the whole
 /// raster where there are none.
@@ -22,7 +14,8 @@ struct ImageRectangle {
 /// quarter of each side, and `min_side_px`, they are none. Nor are they where rows and columns
 /// would be cut off and what is left lies off the middle, as what turns before a plain backdrop
 /// does: unless a frame is all black or all white, and has a sharp edge along all of its four
-/// sides. Few photographs tell nothing (kFewestForOverlay).
+/// sides. Nor where what they leave has a backdrop of their level (backdrop.h): then they are more
+/// of it. Few photographs tell nothing (kFewestForOverlay).
 [[nodiscard]] ImageRectangle picture_between_bars(const StandingPixels& standing, int min_side_px);
 
 }  // namespace lumi

@@ -20,7 +20,7 @@ struct IngestOptions {
     std::optional<int> judged_width_px = {};
     int min_photographs = 2;  ///< Fewer than this left over: E-INGEST-TOOFEW.
     double video_fps = 2.0;   ///< Frames taken from each second of a video. > 0.
-    /// Whether what was laid over all photographs (overlay.h) is left in them.
+    /// Whether what was laid over photographs (overlay.h, own_bars.h) is left in them.
     bool keep_overlays = false;
     /// Whether bars beside the picture are cut off: not where something was made for the raster
     /// with them, as known poses, a calibrated lens or masks.
@@ -57,7 +57,8 @@ struct Photograph {
 /// What was taken out of working copies of one size.
 struct RemovedOverlay {
     int photographs = 0;
-    int width_px = 0;  ///< Of the copies before.
+    int of_photographs = 0;  ///< Of that size; all, where something stands still in them.
+    int width_px = 0;        ///< Of the copies before.
     int height_px = 0;
     ImageRectangle picture;  ///< What of them was kept.
     double share = 0.0;      ///< Of `picture` that was painted over; 0: nothing.
@@ -77,7 +78,7 @@ struct IngestResult {
 /// an earlier run are removed. What is unreadable, truncated, tiny, the same picture as another, or
 /// taken from the very place of the one before is left out with a reason, and the work goes on.
 /// Other numbers than 8-bit sRGB are converted (image_io.h). Where an alpha channel cuts out
-/// photographs, masks lie beside the copies (cut_outs.h). What was laid over all photographs is
+/// photographs, masks lie beside the copies (cut_outs.h). What was laid over photographs is
 /// taken out of the copies (overlay_removal.h). Throws Error: E-INGEST-NOFOLDER, E-INGEST-NOVIDEO,
 /// E-INGEST-TOOFEW.
 [[nodiscard]] IngestResult ingest(const std::filesystem::path& photographs_or_video,

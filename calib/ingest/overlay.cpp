@@ -5,73 +5,41 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "calib/ingest/backdrop.h"
+#include "calib/ingest/black_corners.h"
+#include "calib/ingest/pixel_parts.h"
+
 namespace lumi {
 namespace {
 
 constexpr double kMovingSpread = 3 * kStillSpread;
 
-/// 255 where `is(x, y)` holds within the rectangle.
-template <typename Predicate>
-cv::Mat pixels_where(const ImageRectangle& within, const Predicate& is) {
-    cv::Mat pixels = cv::Mat::zeros(within.height_px, within.width_px, CV_8U);
-    for (int y = 0; y < within.height_px; ++y) {
-        for (int x = 0; x < within.width_px; ++x) {
-            if (is(within.left + x, within.top + y)) pixels.at<std::uint8_t>(y, x) = 255;
-        }
-    }
-    return pixels;
-}
-
-bool is_edge(const StandingPixels& standing, int x, int y) {
+bool is_clear(const SharedEdge& edge) {
     constexpr double kMinGradient = 6.0;
-    return standing.mean_gradient(x, y) >= kMinGradient;
+    return edge.mean_gradient >= kMinGradient;
 }
 
-constexpr double kNearlyAll = 0.95;
+/// Points the same way in nearly every photograph.
+bool is_standing_edge(const StandingPixels& standing, int x, int y) {
+    constexpr double kNearlyAll = 0.95;
+    const SharedEdge edge = standing.edge_in_any_color(x, y);
+    return is_clear(edge) && edge.same_slope_share >= kNearlyAll;
+}
 
-/// Edges that point the same way in nearly every photograph.
 cv::Mat standing_edges(const StandingPixels& standing, const ImageRectangle& picture) {
-    return pixels_where(picture, [&](int x, int y) {
-        return is_edge(standing, x, y) && standing.same_slope_share(x, y) >= kNearlyAll;
-    });
+    return pixels_where(picture, [&](int x, int y) { return is_standing_edge(standing, x, y); });
 }
 
-/// Edges that stand still in many photographs, and move in others.
+/// Edges that stand still in many photographs, and move in others. By luma alone: compression
+/// smears colours beside what stands still.
 cv::Mat nearly_standing_edges(const StandingPixels& standing, const ImageRectangle& picture) {
     constexpr double kMost = 0.8;
     return pixels_where(picture, [&](int x, int y) {
-        const double share = standing.same_slope_share(x, y);
-        return share >= kMost && share < kNearlyAll && is_edge(standing, x, y);
+        const SharedEdge edge = standing.edge(x, y);
+        return is_clear(edge) && edge.same_slope_share >= kMost &&
+               !is_standing_edge(standing, x, y);
     });
 }
-
-cv::Mat grown(const cv::Mat& pixels, int radius_px) {
-    cv::Mat larger;
-    cv::dilate(pixels, larger,
-               cv::getStructuringElement(cv::MORPH_RECT, {2 * radius_px + 1, 2 * radius_px + 1}));
-    return larger;
-}
-
-/// Connected pixels, without 0.
-struct Parts {
-    cv::Mat part_of;
-    cv::Mat boxes;
-    int count = 0;
-
-    explicit Parts(const cv::Mat& pixels, int connectivity = 8) {
-        cv::Mat centroids;
-        count = cv::connectedComponentsWithStats(pixels, part_of, boxes, centroids, connectivity);
-    }
-    [[nodiscard]] int area_px(int part) const { return boxes.at<int>(part, cv::CC_STAT_AREA); }
-    /// With a margin, within the picture.
-    [[nodiscard]] cv::Rect around(int part, int margin_px) const {
-        return cv::Rect(boxes.at<int>(part, cv::CC_STAT_LEFT) - margin_px,
-                        boxes.at<int>(part, cv::CC_STAT_TOP) - margin_px,
-                        boxes.at<int>(part, cv::CC_STAT_WIDTH) + 2 * margin_px,
-                        boxes.at<int>(part, cv::CC_STAT_HEIGHT) + 2 * margin_px) &
-               cv::Rect({0, 0}, part_of.size());
-    }
-};
 
 /// Areas that stand still although nearly all around them changes.
 cv::Mat standing_areas(const StandingPixels& standing, const ImageRectangle& picture) {
@@ -80,7 +48,7 @@ cv::Mat standing_areas(const StandingPixels& standing, const ImageRectangle& pic
     constexpr int kAround_px = 3;
     const cv::Mat moving =
         pixels_where(picture, [&](int x, int y) { return standing.spread(x, y) >= kMovingSpread; });
-    const Parts still(
+    const PixelParts still(
         pixels_where(picture, [&](int x, int y) { return standing.spread(x, y) <= kStillSpread; }));
     cv::Mat areas = cv::Mat::zeros(moving.size(), CV_8U);
     for (int part = 1; part < still.count; ++part) {
@@ -115,7 +83,7 @@ void fill_labels(const StandingPixels& standing, const ImageRectangle& picture, 
     constexpr double kVeiled = 0.5;
     const cv::Mat beside = over == 0;
     const double spread = mean_spread(standing, picture, beside);
-    const Parts parts(beside, 4);
+    const PixelParts parts(beside, 4);
     for (int part = 1; part < parts.count; ++part) {
         const cv::Rect box = parts.around(part, 0);
         const bool is_within = box.x > 0 && box.y > 0 && box.x + box.width < over.cols &&
@@ -143,7 +111,7 @@ cv::Mat without_scene(const cv::Mat& over, const cv::Mat& edges, const cv::Mat& 
     constexpr int kBeside_px = 12;
     constexpr double kMostNearly = 0.25;
     cv::Mat kept = cv::Mat::zeros(over.size(), CV_8U);
-    const Parts parts(over);
+    const PixelParts parts(over);
     for (int part = 1; part < parts.count; ++part) {
         if (parts.area_px(part) < kMinCrumb_px) continue;
         const cv::Rect around = parts.around(part, kBeside_px);
@@ -165,9 +133,11 @@ Overlay overlay_of(const StandingPixels& standing, int min_side_px) {
     Overlay overlay{{0, 0, standing.width(), standing.height()}, {}, 0.0};
     if (standing.photographs() < kFewestForOverlay) return overlay;
     overlay.picture = picture_between_bars(standing, min_side_px);
+    if (backdrop_levels(standing, overlay.picture)) return overlay;
     const cv::Mat edges = standing_edges(standing, overlay.picture);
     cv::Mat over = without_scene(without_gaps(edges | standing_areas(standing, overlay.picture)),
                                  edges, nearly_standing_edges(standing, overlay.picture));
+    over |= black_corners(standing, overlay.picture);
     fill_labels(standing, overlay.picture, over);
     over = grown(over, kMargin_px);
     const double share =

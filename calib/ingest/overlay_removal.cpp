@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <string>
 #include <tuple>
 
+#include "calib/ingest/own_bars.h"
 #include "calib/ingest/working_copies.h"
 #include "calib/pictures/image_io.h"
 #include "calib/pictures/inpainting.h"
@@ -34,15 +36,23 @@ bool has_bars(const Overlay& overlay, const Photograph& photograph) {
            overlay.picture.height_px < photograph.height_px;
 }
 
-/// Of at most so many photographs, evenly over all.
-StandingPixels standing_pixels_of(const std::vector<Photograph*>& photographs, std::size_t most,
+constexpr std::size_t kFew = 24;  ///< Looked at first; all are only where these show something.
+
+/// At most kFew.
+std::vector<Photograph*> few_of(const std::vector<Photograph*>& photographs) {
+    const std::size_t count = std::min(kFew, photographs.size());
+    std::vector<Photograph*> few;
+    for (std::size_t i = 0; i < count; ++i)
+        few.push_back(photographs[i * photographs.size() / count]);
+    return few;
+}
+
+StandingPixels standing_pixels_of(const std::vector<Photograph*>& photographs,
                                   const Progress& progress) {
     StandingPixels standing(photographs.front()->width_px, photographs.front()->height_px);
-    const std::size_t count = std::min(most, photographs.size());
-    for (std::size_t i = 0; i < count; ++i) {
+    for (const Photograph* photograph : photographs) {
         progress.throw_if_interrupted();
-        const Photograph& photograph = *photographs[i * photographs.size() / count];
-        standing.add(read_color_image(photograph.picture_path));
+        standing.add(read_color_image(photograph->picture_path));
     }
     return standing;
 }
@@ -56,19 +66,48 @@ int least_side_px(const IngestOptions& options) {
     return options.judged_width_px ? 1 : options.min_width_px;
 }
 
-/// Asks all photographs only where a few show something: an overlay that two of these lack, though
-/// nearly all others have it, is missed.
+/// An overlay that two of few lack, though nearly all others have it, is missed.
 Overlay overlay_over(const std::vector<Photograph*>& photographs, int min_side_px,
                      const Progress& progress) {
-    constexpr std::size_t kFew = 24;
-    const Overlay first = overlay_of(standing_pixels_of(photographs, kFew, progress), min_side_px);
+    const Overlay first =
+        overlay_of(standing_pixels_of(few_of(photographs), progress), min_side_px);
     if (photographs.size() <= kFew || !is_any(first, *photographs.front())) return first;
-    return overlay_of(standing_pixels_of(photographs, photographs.size(), progress), min_side_px);
+    return overlay_of(standing_pixels_of(photographs, progress), min_side_px);
+}
+
+/// Of the copy, its part, the mask, and what painting takes.
+std::size_t bytes_to_paint(const Photograph& photograph) {
+    constexpr std::size_t kBytesPerPixel = 24;
+    return kBytesPerPixel * static_cast<std::size_t>(photograph.width_px) *
+           static_cast<std::size_t>(photograph.height_px);
+}
+
+ImageRectangle whole_of(const Photograph& photograph) {
+    return {0, 0, photograph.width_px, photograph.height_px};
+}
+
+/// Of photographs of one raster: the whole of it where no bars are, or where they would leave too
+/// little.
+std::vector<ImageRectangle> pictures_between_own_bars(const std::vector<Photograph*>& photographs,
+                                                      int min_side_px, int threads,
+                                                      Progress& progress) {
+    std::vector<ImageRectangle> pictures(photographs.size());
+    parallel_for(
+        static_cast<int>(photographs.size()),
+        threads_within_memory(bytes_to_paint(*photographs.front()), threads), [&](int i) {
+            progress.throw_if_interrupted();
+            const auto index = static_cast<std::size_t>(i);
+            const Photograph& photograph = *photographs[index];
+            pictures[index] = picture_between_own_bars(read_color_image(photograph.picture_path));
+            if (std::min(pictures[index].width_px, pictures[index].height_px) < min_side_px)
+                pictures[index] = whole_of(photograph);
+        });
+    return pictures;
 }
 
 /// Where nothing may be cut off, the mask lies in the whole raster.
 Overlay without_crop(const Overlay& overlay, const Photograph& photograph) {
-    Overlay whole{{0, 0, photograph.width_px, photograph.height_px}, {}, 0.0};
+    Overlay whole{whole_of(photograph), {}, 0.0};
     if (overlay.mask.empty()) return whole;
     const double kept = 1.0 * overlay.mask.width() * overlay.mask.height() /
                         (1.0 * photograph.width_px * photograph.height_px);
@@ -107,17 +146,11 @@ void remove_from(Photograph& photograph, const Overlay& overlay) {
     photograph.height_px = picture.height();
 }
 
-/// Of the copy, its part, the mask, and what painting takes.
-std::size_t bytes_to_paint(const Photograph& photograph) {
-    constexpr std::size_t kBytesPerPixel = 24;
-    return kBytesPerPixel * static_cast<std::size_t>(photograph.width_px) *
-           static_cast<std::size_t>(photograph.height_px);
-}
-
 RemovedOverlay remove_from_all(const std::vector<Photograph*>& photographs, const Overlay& overlay,
                                const fs::path& mask_path, int threads, Progress& progress) {
     const Photograph before = *photographs.front();
     RemovedOverlay removed{static_cast<int>(photographs.size()),
+                           static_cast<int>(photographs.size()),
                            before.width_px,
                            before.height_px,
                            overlay.picture,
@@ -135,6 +168,32 @@ RemovedOverlay remove_from_all(const std::vector<Photograph*>& photographs, cons
                      progress.advance();
                  });
     return removed;
+}
+
+/// Where some photographs of a raster have bars and others have none, cuts off those that two or
+/// more have alike.
+void cut_own_bars(std::vector<Photograph>& photographs, const IngestOptions& options, int threads,
+                  std::vector<RemovedOverlay>& removed, Progress& progress) {
+    constexpr std::size_t kFewest = 3;
+    for (const auto& [raster, group] : by_raster(photographs)) {
+        if (group.size() < kFewest) continue;
+        progress.begin("looking for bars beside single photographs", 0);
+        const ImageRectangle whole = whole_of(*group.front());
+        const auto pictures_of = [&](const std::vector<Photograph*>& some) {
+            return pictures_between_own_bars(some, least_side_px(options), threads, progress);
+        };
+        std::vector<ImageRectangle> pictures = pictures_of(few_of(group));
+        if (std::count(pictures.begin(), pictures.end(), whole) == std::ssize(pictures)) continue;
+        if (group.size() > kFew) pictures = pictures_of(group);
+        std::map<ImageRectangle, std::vector<Photograph*>> alike;
+        for (std::size_t i = 0; i < group.size(); ++i) alike[pictures[i]].push_back(group[i]);
+        if (!alike.contains(whole)) continue;
+        for (const auto& [picture, barred] : alike) {
+            if (picture == whole || barred.size() < 2) continue;
+            removed.push_back(remove_from_all(barred, {picture, {}, 0.0}, {}, threads, progress));
+            removed.back().of_photographs = static_cast<int>(group.size());
+        }
+    }
 }
 
 /// "56 pixels above, 56 below"; empty without bars.
@@ -169,19 +228,27 @@ std::vector<RemovedOverlay> remove_overlays(std::vector<Photograph>& photographs
             copies_folder / (kOverlayPrefix + std::to_string(removed.size() + 1) + ".png");
         removed.push_back(remove_from_all(group, overlay, mask_path, threads, progress));
     }
+    if (options.crop_bars) cut_own_bars(photographs, options, threads, removed, progress);
     return removed;
 }
 
 std::string text_of(const RemovedOverlay& overlay) {
-    std::string text = formatted("something stands still in all of %d photographs of %dx%d pixels",
-                                 overlay.photographs, overlay.width_px, overlay.height_px);
     const std::string bars = bars_text(overlay);
+    const std::string size = formatted("%d photographs of %dx%d pixels", overlay.of_photographs,
+                                       overlay.width_px, overlay.height_px);
+    const std::string leaves_it_in = " ([capture] keep_overlays = true leaves it in)";
+    if (overlay.photographs < overlay.of_photographs) {
+        return std::to_string(overlay.photographs) + " of " + size + " have bars of one colour, " +
+               "which were cut off: " + bars + leaves_it_in;
+    }
+    std::string text = "something stands still in all of " + size;
     if (!bars.empty()) text += "; bars were cut off: " + bars;
     if (overlay.share > 0) {
-        text += formatted("; a stamp, logo or watermark was painted over: %.1f %% of the picture",
-                          100 * overlay.share);
+        text += formatted(
+            "; a stamp, logo, watermark or black corner was painted over: %.1f %% of the picture",
+            100 * overlay.share);
     }
-    return text + " ([capture] keep_overlays = true leaves it in)";
+    return text + leaves_it_in;
 }
 
 }  // namespace lumi

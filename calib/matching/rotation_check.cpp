@@ -118,7 +118,8 @@ std::string turntable_hint(const MotionEvidence& motion) {
     return "; the camera stood still in " + std::to_string(motion.still_pairs) + " of " +
            std::to_string(motion.pairs) +
            " pairs: if the subject turned before it, as on a turntable, name masks of the subject "
-           "under [poses] masks";
+           "under [poses] masks, and under [depth] masks, or the room is drawn as part of it; if "
+           "nothing turned, the camera has to move";
 }
 
 RotationFit fit_rotation(const DirectionPairs& directions, double tolerance_rad) {

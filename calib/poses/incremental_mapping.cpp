@@ -173,7 +173,7 @@ std::optional<Capture> map_incrementally(const MappingJob& job, MatchedPhotograp
     GrowingModel model = placed_as_well_as_possible(job, matched);
     if (model.placed() < kEnoughPlacedShare * total && !matched.features.empty()) {
         auto detailed =
-            match_more_features(job, static_cast<std::size_t>(model.placed()), "detailed");
+            match_more_features(job, matched, static_cast<std::size_t>(model.placed()), "detailed");
         if (detailed) map_again(job, std::move(*detailed), matched, model);
     }
     if (model.placed() < 2) return std::nullopt;

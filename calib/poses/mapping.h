@@ -45,9 +45,16 @@ struct MappingJob {
             .evidence = evidence};
 }
 
+/// How many features are looked for.
+enum class FeatureDetail {
+    kUsual,  ///< As many as configured, of the usual contrast.
+    kMore,   ///< Twice as many, down to half the contrast.
+};
+
 /// Photographs with their features and the pairs that were verified.
 struct MatchedPhotographs {
-    std::string name;                ///< Names the files.
+    std::string name;  ///< Names the files.
+    FeatureDetail detail = FeatureDetail::kUsual;
     std::filesystem::path database;  ///< COLMAP's, once there is one.
     std::vector<Features> features;  ///< With descriptors; empty when COLMAP found the features.
     std::vector<ColmapPhotograph> photographs;
@@ -57,23 +64,18 @@ struct MatchedPhotographs {
     std::vector<double> inlier_shares;
 };
 
-/// How many features are looked for.
-enum class FeatureDetail {
-    kUsual,  ///< As many as configured, of the usual contrast.
-    kMore,   ///< Twice as many, down to half the contrast.
-};
-
 /// Features, matches by look, and their geometric verification, by our own means or, with `[poses]
-/// front_end = "colmap"`, by COLMAP's. Throws Error: E-POSES-NOPAIR (no pair has enough matches),
-/// E-COLMAP-...
-[[nodiscard]] MatchedPhotographs match_and_verify(const MappingJob& job, FeatureDetail detail,
-                                                  const std::string& name);
+/// front_end = "colmap"`, by COLMAP's; with more features where the usual ones verify no pair.
+/// Throws Error: E-POSES-NOPAIR (no pair has enough matches), E-POSES-TEXTURE (the same, and hardly
+/// any features are there), E-COLMAP-...
+[[nodiscard]] MatchedPhotographs match_and_verify(const MappingJob& job);
 
-/// The same once more, named `name`, with more features than those by which `placed` photographs
-/// were placed, and says so. Empty where it fails though that is a model: better than none.
-[[nodiscard]] std::optional<MatchedPhotographs> match_more_features(const MappingJob& job,
-                                                                    std::size_t placed,
-                                                                    const std::string& name);
+/// The same once more, named `name`, with more features than those of `matched`, by which `placed`
+/// photographs were placed, and says so. Empty where these were more already, or where it fails
+/// though that is a model: better than none.
+[[nodiscard]] std::optional<MatchedPhotographs> match_more_features(
+    const MappingJob& job, const MatchedPhotographs& matched, std::size_t placed,
+    const std::string& name);
 
 /// The same by COLMAP's own extractor and matcher, all photographs with all; the pairs are not
 /// judged yet.

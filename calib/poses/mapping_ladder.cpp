@@ -110,7 +110,7 @@ std::optional<Capture> map_by_ladder(const MappingJob& job, MatchedPhotographs& 
         }
         std::optional<MatchedPhotographs> detailed;
         if (rung.more_features) {
-            detailed = match_more_features(job, placed, rung.name);
+            detailed = match_more_features(job, matched, placed, rung.name);
             if (!detailed) break;
         }
         MatchedPhotographs& mapped_from = detailed ? *detailed : matched;

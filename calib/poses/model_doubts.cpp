@@ -152,8 +152,9 @@ std::string denied_pairs(const PairAgreement& agreement) {
 }
 
 std::string text_of(const PairAgreement& agreement) {
+    const double percent = 100 * (1 - agreement.agreeing_share);
     const std::string matches =
-        formatted("%.0f %% of all matches", 100 * (1 - agreement.agreeing_share));
+        percent < 0.5 ? "few of all matches" : formatted("%.0f %% of all matches", percent);
     const std::string pairs = denied_pairs(agreement);
     return "the photographs contradict themselves: " +
            (pairs.empty() ? matches : pairs + ", and " + matches + ",") +

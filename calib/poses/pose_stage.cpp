@@ -58,8 +58,7 @@ auto or_explain(const MappingJob& job, const MatchedPhotographs& matched, const 
 }
 
 MatchedPhotographs matched_photographs(const MappingJob& job) {
-    MatchedPhotographs matched = or_explain(
-        job, {}, [&] { return match_and_verify(job, FeatureDetail::kUsual, "default"); });
+    MatchedPhotographs matched = or_explain(job, {}, [&] { return match_and_verify(job); });
     refuse_turning_camera(matched.motion);
     return matched;
 }

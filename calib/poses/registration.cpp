@@ -7,24 +7,42 @@
 namespace lumi {
 namespace {
 
-constexpr std::size_t kFewFeatures = 50;
-
-/// The pair with a placed photograph that has most matches.
-struct StrongestLink {
-    std::size_t matches = 0;
-    int other = -1;
+/// The pairs with placed photographs.
+struct Links {
+    int count = 0;
+    std::size_t most_matches = 0;
+    int strongest = -1;  ///< The placed photograph of the pair with most matches.
 };
 
-StrongestLink strongest_link(int photograph, const std::vector<char>& is_placed,
-                             const std::vector<VerifiedPair>& pairs) {
-    StrongestLink link;
+Links links_of(int photograph, const std::vector<char>& is_placed,
+               const std::vector<VerifiedPair>& pairs) {
+    Links links;
     for (const VerifiedPair& pair : pairs) {
         if (pair.first != photograph && pair.second != photograph) continue;
         const int other = pair.first == photograph ? pair.second : pair.first;
         if (is_placed[static_cast<std::size_t>(other)] == 0) continue;
-        if (pair.inliers.size() > link.matches) link = {pair.inliers.size(), other};
+        ++links.count;
+        if (pair.inliers.size() <= links.most_matches) continue;
+        links.most_matches = pair.inliers.size();
+        links.strongest = other;
     }
-    return link;
+    return links;
+}
+
+/// Why a photograph with links could not be placed.
+std::string weakness_of(const Links& links, const std::string& strongest_name) {
+    constexpr std::size_t kManyMatches = 50;
+    const std::string matches = std::to_string(links.most_matches) + " matches";
+    if (links.most_matches <= kManyMatches) {
+        return "shares too little with the placed photographs (at most " + matches + ", with " +
+               strongest_name + ")";
+    }
+    if (links.count == 1) {
+        return "shows what only one of the placed photographs shows (" + strongest_name + ", " +
+               matches + "): it takes two to know how far away that is";
+    }
+    return "has " + matches + " with " + strongest_name +
+           ", but fits no place that the placed photographs leave it";
 }
 
 }  // namespace
@@ -94,19 +112,18 @@ std::vector<LeftOut> explain_unregistered(const Capture& capture,
         if (is_placed[index] != 0) continue;
         const std::string& name = photographs[index].name;
         const std::size_t count = features[index].keypoints_px.size();
-        const StrongestLink link = strongest_link(static_cast<int>(index), is_placed, pairs);
-        if (count < kFewFeatures) {
+        const Links links = links_of(static_cast<int>(index), is_placed, pairs);
+        if (count < kHardlyAnyFeatures) {
             result.push_back({name, "E-POSES-NOFEATURES",
                               "hardly any detail (" + std::to_string(count) +
                                   " features): blurred, dark, or without texture"});
-        } else if (link.other < 0) {
+        } else if (links.strongest < 0) {
             result.push_back({name, "E-POSES-NOMATCH",
                               "shows nothing that a placed photograph shows: overlap is missing"});
         } else {
-            result.push_back({name, "E-POSES-WEAK",
-                              "shares too little with the placed photographs (at most " +
-                                  std::to_string(link.matches) + " matches, with " +
-                                  photographs[static_cast<std::size_t>(link.other)].name + ")"});
+            const std::string& strongest =
+                photographs[static_cast<std::size_t>(links.strongest)].name;
+            result.push_back({name, "E-POSES-WEAK", weakness_of(links, strongest)});
         }
     }
     return result;

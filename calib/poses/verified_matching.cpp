@@ -1,7 +1,11 @@
+#include <utility>
+
+#include "calib/doctor/capture_reason.h"
 #include "calib/matching/inlier_shares.h"
 #include "calib/matching/pair_verification.h"
 #include "calib/matching/photograph_matching.h"
 #include "calib/poses/mapping.h"
+#include "calib/poses/registration.h"
 #include "calib/work/error.h"
 #include "calib/work/median.h"
 
@@ -13,13 +17,11 @@ namespace {
     for (const ColmapPhotograph& photograph : photographs) {
         counts.push_back(photograph.keypoints_px.size());
     }
-    throw Error(ErrorKind::kDegenerateCapture, "E-POSES-NOPAIR",
-                "no two of the " + std::to_string(photographs.size()) +
-                    " photographs show the same things (" +
-                    std::to_string(median_of(std::move(counts))) +
-                    " features in the middle photograph)",
-                "take sharp photographs that overlap by two thirds with the next one; surfaces "
-                "without any texture need something with a pattern in view");
+    const std::size_t features = median_of(std::move(counts));
+    refuse_capture(features < kHardlyAnyFeatures ? CaptureReason::kTexture : CaptureReason::kNoPair,
+                   "no two of the " + std::to_string(photographs.size()) +
+                       " photographs show the same things (" + std::to_string(features) +
+                       " features in the middle photograph)");
 }
 
 MatchedPhotographs match_by_ourselves(const MappingJob& job, FeatureDetail detail,
@@ -48,25 +50,40 @@ MatchedPhotographs match_by_ourselves(const MappingJob& job, FeatureDetail detai
     return result;
 }
 
-}  // namespace
-
-MatchedPhotographs match_and_verify(const MappingJob& job, FeatureDetail detail,
-                                    const std::string& name) {
+MatchedPhotographs matched_with(const MappingJob& job, FeatureDetail detail,
+                                const std::string& name) {
     MatchedPhotographs result = job.options.front_end == PoseProgram::kColmap
                                     ? match_with_colmap_alone(job, detail, name)
                                     : match_by_ourselves(job, detail, name);
-    if (result.pairs.empty()) refuse_unmatched(result.photographs);
-    result.motion = check_motion(job.groups.cameras, result.photographs, result.pairs,
-                                 job.lens_is_calibrated, job.progress);
+    result.detail = detail;
     return result;
 }
 
-std::optional<MatchedPhotographs> match_more_features(const MappingJob& job, std::size_t placed,
-                                                      const std::string& name) {
+/// Throws Error where no pair was verified.
+MatchedPhotographs with_motion(const MappingJob& job, MatchedPhotographs matched) {
+    if (matched.pairs.empty()) refuse_unmatched(matched.photographs);
+    matched.motion = check_motion(job.groups.cameras, matched.photographs, matched.pairs,
+                                  job.lens_is_calibrated, job.progress);
+    return matched;
+}
+
+}  // namespace
+
+MatchedPhotographs match_and_verify(const MappingJob& job) {
+    MatchedPhotographs usual = matched_with(job, FeatureDetail::kUsual, "default");
+    if (!usual.pairs.empty()) return with_motion(job, std::move(usual));
+    job.progress.note("no two photographs show the same things: trying more features");
+    return with_motion(job, matched_with(job, FeatureDetail::kMore, "more"));
+}
+
+std::optional<MatchedPhotographs> match_more_features(const MappingJob& job,
+                                                      const MatchedPhotographs& matched,
+                                                      std::size_t placed, const std::string& name) {
+    if (matched.detail == FeatureDetail::kMore) return std::nullopt;
     job.progress.note("placed " + std::to_string(placed) + " of " +
                       std::to_string(job.photographs.size()) + ": trying more features");
     try {
-        return match_and_verify(job, FeatureDetail::kMore, name);
+        return with_motion(job, matched_with(job, FeatureDetail::kMore, name));
     } catch (const Error& error) {
         if (placed < 2 || error.kind() == ErrorKind::kInterrupted) throw;
         job.progress.note(std::string("more features could not be tried: ") + error.what() + " (" +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
@@ -101,6 +102,15 @@ FinishedStage run_stage(const Workspace& workspace, const Stage& stage,
     return {name, true, {}, marker.cost, marker.evidence, std::move(marker.outputs)};
 }
 
+/// What a stage warned of when it ran holds while its result does.
+void note_warnings(const StageEvidence& evidence, Progress& progress) {
+    const auto facts = nlohmann::ordered_json::parse(evidence.facts_json);
+    if (!facts.contains("warnings")) return;
+    for (const auto& warning : facts.at("warnings")) {
+        if (warning.is_string()) progress.note(warning.get<std::string>());
+    }
+}
+
 }  // namespace
 
 FinishedStage bring_up_to_date(const Workspace& workspace, const Stage& stage, int threads,
@@ -111,6 +121,7 @@ FinishedStage bring_up_to_date(const Workspace& workspace, const Stage& stage, i
     std::string reason = reason_to_run(stage.identity, before, workspace.folder(), threads);
     if (reason.empty()) {
         progress.note(name + ": up to date");
+        note_warnings(before->evidence, progress);
         return {name, false, {}, before->cost, before->evidence, std::move(before->outputs)};
     }
     progress.throw_if_interrupted();
@@ -118,6 +129,7 @@ FinishedStage bring_up_to_date(const Workspace& workspace, const Stage& stage, i
     if (is_shared) {
         if (auto kept = store->fetch(stage.identity, workspace, threads)) {
             progress.note(name + ": taken from the store");
+            note_warnings(kept->evidence, progress);
             return {name, false, {}, kept->cost, kept->evidence, std::move(kept->outputs)};
         }
         if (const auto failure = store->failure_of(stage.identity)) throw Error(*failure);

@@ -81,7 +81,7 @@ TEST(DoctorCommand, WhatWasLaidOverPhotographsIsSaidByDoctorAndReport) {
     const ScratchFolder scratch;
     write_with_overlays(scratch / "photos");
     const auto says_it = testing::AllOf(HasSubstr("bars were cut off: 32 pixels below"),
-                                        HasSubstr("logo or watermark was painted over"));
+                                        HasSubstr("watermark or black corner was painted over"));
     const Outcome examined =
         lumi("doctor " + quoted(scratch / "photos") + " --workspace " + quoted(scratch / "doctor"));
     EXPECT_THAT(examined.exit_code, testing::AnyOf(4, 5)) << "shifted pictures have no depth";

@@ -8,6 +8,7 @@
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/workspace/stage_outputs.h"
+#include "tests/calib/noted_progress.h"
 #include "tests/calib/scratch_folder.h"
 
 namespace lumi {
@@ -64,6 +65,20 @@ TEST_F(StageCache, AFinishedStageIsNotRunAgain) {
     ASSERT_EQ(again.outputs.size(), 1U);
     EXPECT_EQ(again.outputs[0].name, "mesh/copy.txt");
     EXPECT_EQ(again.evidence.facts_json, R"({"runs":1})");
+}
+
+TEST_F(StageCache, AFinishedStageWarnsAgain) {
+    const Workspace workspace(WorkspaceLayout(scratch_ / "work", "scene"));
+    write_whole_text(workspace.config_path(), kWorkspaceConfigHeader);
+    Stage stage = copying_stage("");
+    stage.run = [](const fs::path&) -> StageEvidence {
+        return {R"({"warnings": ["the zoom changed"]})", "{}"};
+    };
+    NotedProgress progress;
+    static_cast<void>(bring_up_to_date(workspace, stage, 1, progress));
+    EXPECT_EQ(progress.notes.size(), 1U);
+    static_cast<void>(bring_up_to_date(workspace, stage, 1, progress));
+    EXPECT_EQ(progress.notes.back(), "the zoom changed");
 }
 
 TEST_F(StageCache, AnotherFileTimeIsNoReasonToRun) {

@@ -149,11 +149,45 @@ TEST(OverlayRemoval, TakesALabelOutOfManyPhotographs) {
     EXPECT_EQ(result.overlays[0].photographs, 30);
 }
 
+TEST(OverlayRemoval, CutsOffBarsThatOnlySomePhotographsHave) {
+    const ScratchFolder scratch;
+    for (int i = 0; i < 8; ++i) {
+        ColorImage picture = wavy_picture(kPrintedWidth, kPrintedHeight, 61.0 * i);
+        for (int y = 0; y < kPrintedHeight; ++y) {
+            const bool is_bar = y < kBar_px || y >= kPrintedHeight - kBar_px;
+            for (int x = 0; x < kPrintedWidth; ++x)
+                if (is_bar && i % 2 == 1) picture(x, y) = {0, 0, 0};
+        }
+        write_png(scratch / "photos" / (std::to_string(100 + i) + ".png"), picture);
+    }
+    const IngestResult result = printed_photographs(scratch, {});
+    ASSERT_EQ(result.overlays.size(), 1U);
+    EXPECT_EQ(result.overlays[0].photographs, 4);
+    EXPECT_EQ(result.overlays[0].of_photographs, 8);
+    const int between = kPrintedHeight - 2 * kBar_px - 4;
+    for (std::size_t i = 0; i < result.photographs.size(); ++i) {
+        const Photograph& photograph = result.photographs[i];
+        EXPECT_EQ(photograph.height_px, i % 2 == 1 ? between : kPrintedHeight);
+        EXPECT_EQ(read_color_image(photograph.picture_path).height(), photograph.height_px);
+    }
+    IngestOptions options;
+    options.crop_bars = false;
+    EXPECT_TRUE(printed_photographs(scratch, options).overlays.empty());
+}
+
+TEST(OverlayRemoval, SaysWhichPhotographsHadBars) {
+    const RemovedOverlay overlay{8, 16, 640, 426, {0, 53, 640, 320}, 0, {}};
+    EXPECT_EQ(text_of(overlay),
+              "8 of 16 photographs of 640x426 pixels have bars of one colour, which were cut off: "
+              "53 pixels above, 53 pixels below ([capture] keep_overlays = true leaves it in)");
+}
+
 TEST(OverlayRemoval, SaysWhatItDid) {
-    const RemovedOverlay overlay{28, 768, 512, {0, 56, 768, 400}, 0.024, "overlay-1.png"};
+    const RemovedOverlay overlay{28, 28, 768, 512, {0, 56, 768, 400}, 0.024, "overlay-1.png"};
     EXPECT_EQ(text_of(overlay),
               "something stands still in all of 28 photographs of 768x512 pixels; bars were cut "
-              "off: 56 pixels above, 56 pixels below; a stamp, logo or watermark was painted over: "
+              "off: 56 pixels above, 56 pixels below; a stamp, logo, watermark or black corner was "
+              "painted over: "
               "2.4 % of the picture ([capture] keep_overlays = true leaves it in)");
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <random>
 
@@ -137,6 +138,44 @@ TEST(Overlay, StrokesOfAWatermarkAreCovered) {
     expect_covers_just(overlay, kStroke);
 }
 
+/// Its luma is the scene's mean, and through it the scene changes more than print does.
+TEST(Overlay, AStrokeThatOnlyItsColourTellsIsCovered) {
+    constexpr ImageRectangle kStroke{20, 40, 70, 3};
+    const Overlay overlay = overlay_printed([&](ColorImage& picture) {
+        fill(picture, kStroke, {200, 105, 20}, 0.7);
+    });
+    expect_covers_just(overlay, kStroke);
+}
+
+/// How much light a round hood leaves: 0 to 1.
+double light_in_hood(int x, int y) {
+    constexpr double kSoft_px = 6;
+    const double radius_px = 0.85 * std::hypot(0.5 * kStillWidth, 0.5 * kStillHeight);
+    const double from_middle_px =
+        std::hypot(x + 0.5 - 0.5 * kStillWidth, y + 0.5 - 0.5 * kStillHeight);
+    return std::clamp((radius_px - from_middle_px) / kSoft_px + 0.5, 0.0, 1.0);
+}
+
+TEST(Overlay, CornersThatAHoodHidesAreCovered) {
+    const auto hide_corners = [](ColorImage& picture) {
+        for (int y = 0; y < kStillHeight; ++y)
+            for (int x = 0; x < kStillWidth; ++x)
+                fill(picture, {x, y, 1, 1}, kBlack, 1 - light_in_hood(x, y));
+    };
+    const Overlay overlay = overlay_printed(hide_corners, 24, 40);
+    EXPECT_EQ(overlay.picture, kWhole);
+    ASSERT_FALSE(overlay.mask.empty());
+    for (int y = 0; y < kStillHeight; ++y) {
+        for (int x = 0; x < kStillWidth; ++x) {
+            if (light_in_hood(x, y) > 0.5) continue;
+            EXPECT_EQ(overlay.mask(x, y), 0) << x << ", " << y;
+        }
+    }
+    EXPECT_EQ(overlay.mask(0, kStillHeight / 2), 255);
+    EXPECT_EQ(overlay.mask(kStillWidth / 2, 0), 255);
+    EXPECT_LT(overlay.share, 0.2);
+}
+
 TEST(Overlay, BarsAreNoneOfThePicture) {
     const Overlay overlay = overlay_printed([](ColorImage& picture) {
         fill(picture, {0, 0, kStillWidth, 11}, kBlack);
@@ -268,6 +307,46 @@ void frame(ColorImage& picture, int above, int below, int beside, Rgb8 color) {
     fill(picture, {0, kStillHeight - below, kStillWidth, below}, color);
     fill(picture, {0, 0, beside, kStillHeight}, color);
     fill(picture, {kStillWidth - beside, 0, beside, kStillHeight}, color);
+}
+
+/// Amid a wheel that turns, the backdrop may always be seen.
+TEST(Overlay, APieceOfThePlainBackdropAmidWhatTurnsIsNone) {
+    constexpr double kRadius_px = 40;
+    constexpr double kSoft_px = 10;
+    const Scene scene(40);
+    StandingPixels standing(kStillWidth, kStillHeight);
+    for (int i = 0; i < 16; ++i) {
+        ColorImage picture = scene.photograph(11 * i, 50);
+        for (int y = 0; y < kStillHeight; ++y) {
+            for (int x = 0; x < kStillWidth; ++x) {
+                const double inside_px = kRadius_px - std::hypot(x - 60, y - 45);
+                const double scene_share = std::clamp(inside_px / kSoft_px, 0.0, 1.0);
+                fill(picture, {x, y, 1, 1}, kWhite, 1 - scene_share);
+            }
+        }
+        fill(picture, {55, 40, 10, 10}, kWhite);
+        standing.add(picture);
+    }
+    const Overlay overlay = overlay_of(standing);
+    EXPECT_EQ(overlay.picture, kWhole);
+    EXPECT_TRUE(overlay.mask.empty());
+}
+
+/// A subject that stands on a straight edge, with its plain backdrop below that, too.
+TEST(Overlay, ThePlainBackdropBelowAStraightEdgeIsNoBar) {
+    constexpr int kEdge = 78;
+    const Scene scene;
+    StandingPixels standing(kStillWidth, kStillHeight);
+    for (int i = 0; i < 16; ++i) {
+        ColorImage picture = scene.photograph(11 * i, 50);
+        for (int y = 0; y < kStillHeight; ++y) {
+            const int beside = y >= 26 && y < kEdge ? kEdge - y + 3 : kStillWidth / 2;
+            fill(picture, {0, y, beside, 1}, kWhite);
+            fill(picture, {kStillWidth - beside, y, beside, 1}, kWhite);
+        }
+        standing.add(picture);
+    }
+    EXPECT_EQ(overlay_of(standing).picture, kWhole);
 }
 
 TEST(Overlay, AFrameMayBeWiderBelowWhereItIsBlackOrWhiteButNotGrey) {

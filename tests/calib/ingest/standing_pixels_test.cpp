@@ -36,9 +36,9 @@ TEST(StandingPixels, TheMeanGradientIsSigned) {
     StandingPixels standing(3, 1);
     standing.add(grey({0, 50, 100}));
     standing.add(grey({100, 50, 0}));
-    EXPECT_NEAR(standing.mean_gradient(1, 0), 0.0, 1e-3);
+    EXPECT_NEAR(standing.edge(1, 0).mean_gradient, 0.0, 1e-3);
     standing.add(grey({0, 50, 120}));
-    EXPECT_NEAR(standing.mean_gradient(1, 0), (50.0 - 50.0 + 60.0) / 3, 1e-3);
+    EXPECT_NEAR(standing.edge(1, 0).mean_gradient, (50.0 - 50.0 + 60.0) / 3, 1e-3);
 }
 
 TEST(StandingPixels, SlopesAreCountedByTheirDirection) {
@@ -47,7 +47,27 @@ TEST(StandingPixels, SlopesAreCountedByTheirDirection) {
     standing.add(grey({10, 20, 30}));
     standing.add(grey({100, 50, 0}));
     standing.add(grey({50, 50, 51}));
-    EXPECT_NEAR(standing.same_slope_share(1, 0), 0.5, 1e-9);
+    EXPECT_NEAR(standing.edge(1, 0).same_slope_share, 0.5, 1e-9);
+}
+
+/// Red and green of equal luma meet.
+TEST(StandingPixels, AnEdgeBetweenColoursOfOneLumaIsOneInAnyColour) {
+    StandingPixels standing(3, 1);
+    ColorImage picture(3, 1);
+    picture(0, 0) = picture(1, 0) = {40, 100, 60};
+    picture(2, 0) = {208, 50, 60};
+    for (int i = 0; i < 3; ++i) standing.add(picture);
+    EXPECT_NEAR(standing.edge(1, 0).mean_gradient, 0.0, 0.5);
+    EXPECT_DOUBLE_EQ(standing.edge_in_any_color(1, 0).mean_gradient, 0.5 * (208 - 40));
+    EXPECT_DOUBLE_EQ(standing.edge_in_any_color(1, 0).same_slope_share, 1.0);
+}
+
+TEST(StandingPixels, EdgesOfGreyPhotographsAreTheSameInAnyColour) {
+    StandingPixels standing(4, 1);
+    standing.add(grey({0, 50, 90, 100}));
+    standing.add(grey({30, 20, 10, 60}));
+    for (int x = 0; x < 4; ++x)
+        EXPECT_EQ(standing.edge_in_any_color(x, 0), standing.edge(x, 0)) << x;
 }
 
 }  // namespace

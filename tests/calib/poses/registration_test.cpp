@@ -39,6 +39,28 @@ TEST(Registration, ExplainsEachPhotographThatWasNotPlaced) {
     EXPECT_EQ(left_out[2].code, "E-POSES-NOMATCH");
 }
 
+TEST(Registration, DoesNotCallManyMatchesFew) {
+    std::vector<Photograph> photographs(4);
+    for (std::size_t index = 0; index < photographs.size(); ++index) {
+        photographs[index].name = std::string(1, static_cast<char>('a' + index));
+    }
+    Capture capture;
+    capture.views = {{"a", 0, {}}, {"b", 0, {}}};
+    const std::vector<ColmapPhotograph> features(4, with_features(900));
+    // c is tied to both that were placed, d to one of them.
+    const std::vector<VerifiedPair> pairs{
+        {0, 2, PairConfiguration::kCalibrated, std::vector<FeatureMatch>(60)},
+        {1, 2, PairConfiguration::kCalibrated, std::vector<FeatureMatch>(540)},
+        {1, 3, PairConfiguration::kCalibrated, std::vector<FeatureMatch>(128)}};
+    const auto left_out = explain_unregistered(capture, photographs, features, pairs);
+    ASSERT_EQ(left_out.size(), 2u);
+    EXPECT_EQ(left_out[0].code, "E-POSES-WEAK");
+    EXPECT_THAT(left_out[0].reason, testing::StartsWith("has 540 matches with b, but fits no"));
+    EXPECT_EQ(left_out[1].code, "E-POSES-WEAK");
+    EXPECT_THAT(left_out[1].reason,
+                testing::StartsWith("shows what only one of the placed photographs shows (b, 128"));
+}
+
 TEST(Registration, DropsViewsThatSeeTooLittleAndKeepsTheRestConsistent) {
     Capture capture = synthetic_capture(pinhole_camera(1000, 800, 900), {});
     // View 2 keeps five points.
