@@ -77,8 +77,10 @@ std::optional<Explanation> explanation_of(const MappingJob& job, const Capture& 
     }
     job.progress.begin("asking whether the rows were taken at one moment", 0);
     const auto adjusted = [&](Supposition supposition) {
-        return adjust_supposing(supposition, start, job.lens_is_calibrated,
-                                job.options.max_reprojection_error_px, job.progress);
+        return adjust_supposing(
+            supposition, start,
+            job.lens_is_calibrated ? SupposedLens::kHeld : SupposedLens::kMiddleHeld,
+            job.options.max_reprojection_error_px, job.progress);
     };
     Explanation turning{Supposition::kTurning, adjusted(Supposition::kSteady),
                         adjusted(Supposition::kTurning)};

@@ -107,19 +107,20 @@ Capture with_refined_lenses(Capture mapped, const Capture& refined) {
     return mapped;
 }
 
-/// Whether own focal lengths are worth their number: each point counts once, as errors within a
-/// track go together. A camera that turned while the rows were read out stretches its pictures,
-/// too; then three parameters of that kind explain more than three of a lens that moved.
+/// Whether own focal lengths are worth their number. A camera that turned while the rows were read
+/// out stretches its pictures, too; then three parameters of that kind explain more than three of a
+/// lens that moved.
 bool are_worth_it(const MappingJob& job, const Capture& mapped) {
-    const auto adjusted = [&](Supposition supposition) {
-        return adjust_supposing(supposition, mapped, job.lens_is_calibrated,
-                                job.options.max_reprojection_error_px, job.progress);
+    const double limit_px = job.options.max_reprojection_error_px;
+    const auto cost_px2 = [&](Supposition supposition) {
+        return adjust_supposing(
+                   supposition, mapped,
+                   job.lens_is_calibrated ? SupposedLens::kHeld : SupposedLens::kMiddleHeld,
+                   limit_px, job.progress)
+            .cost_px2;
     };
-    const SupposedAdjustment steady = adjusted(Supposition::kSteady);
-    const SupposedAdjustment zoomed = adjusted(Supposition::kZoomed);
-    return explains_better(steady.cost_px2, zoomed.cost_px2, zoomed.parameters,
-                           mapped.points.size()) &&
-           adjusted(Supposition::kShifted).cost_px2 < adjusted(Supposition::kTurning).cost_px2;
+    return own_scales_explain_better(mapped, job.lens_is_calibrated, limit_px, job.progress) &&
+           cost_px2(Supposition::kShifted) < cost_px2(Supposition::kTurning);
 }
 
 /// What was compared is told with the first view of each lens.

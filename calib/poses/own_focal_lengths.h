@@ -14,15 +14,16 @@ namespace lumi {
 ///
 /// Asked where residuals (of `refined`) look like it (ResidualPattern::is_zoomed). `mapped` is the
 /// model before the refinement, with the observations that it dropped. Own scales have to explain
-/// it better than none, by the information criterion, and a lens that moved better than a camera
-/// that turned (adjust_supposing). Then each view is given the shared lens with a focal length of
-/// its own; pictures are then scaled about their principal points as if all had been taken with the
-/// mean focal length: distortion is a matter of directions, so that nothing else of them changes.
-/// Of those, lenses are chosen as ever (refine with `policy`; where that moves the principal point,
-/// the pictures were scaled about a place off by as much, which their poses make up for), and focal
-/// lengths adjusted once more. Returns that model,
-/// of which `job.evidence` then tells, with a camera for each view; empty where nothing tells of a
-/// zoom, or where it would place fewer views or come to none. Throws Error: E-INTERRUPTED.
+/// it better than one lens (own_scales_explain_better), and a lens that moved better than a camera
+/// that turned (adjust_supposing). Then
+/// each view is given the shared lens with a focal length of its own; pictures are then scaled
+/// about their principal points as if all had been taken with the mean focal length: distortion is
+/// a matter of directions, so that nothing else of them changes. Of those, lenses are chosen as
+/// ever (refine with `policy`; where that moves the principal point, the pictures were scaled about
+/// a place off by as much, which their poses make up for), and focal lengths adjusted once more.
+/// Returns that model, of which `job.evidence` then tells, with a camera for each view; empty where
+/// nothing tells of a zoom, or where it would place fewer views or come to none. Throws Error:
+/// E-INTERRUPTED.
 [[nodiscard]] std::optional<SecondModel> find_own_focal_lengths(const MappingJob& job,
                                                                 LensPolicy policy,
                                                                 const Capture& mapped,

@@ -37,6 +37,12 @@ LensForm first_form(LensPolicy policy, LensModel model) {
     return all_held(model);
 }
 
+std::optional<std::size_t> choice_of_form(const LensChoice& choice, const LensForm& form) {
+    for (std::size_t index = 0; index < choice.trials.size(); ++index)
+        if (choice.trials[index].form == form) return index;
+    return std::nullopt;
+}
+
 /// The adjustment's lenses: what each camera's form is, and the capture's cameras in its model.
 class Refinement {
  public:
@@ -64,6 +70,8 @@ class Refinement {
             adjust_bundle(capture_, adjustment(), progress_);
             if (hold_doubtful_principal_points()) {
                 adjust_bundle(capture_, adjustment(), progress_);
+            } else if (policy_ == LensPolicy::kAuto) {
+                free_principal_points_that_look_like_zooms();
             }
         }
         std::optional<AdjustmentCovariance> covariance = stated_covariance();
@@ -145,6 +153,31 @@ class Refinement {
             any = true;
         }
         return any;
+    }
+
+    /// A principal point off the middle that all pictures share looks like focal lengths that run
+    /// along the path: residuals show it though views that were held out do not. Where they look so
+    /// and no longer do once it is free, it is.
+    void free_principal_points_that_look_like_zooms() {
+        if (!residual_pattern(capture_).is_zoomed()) return;
+        const Capture held = capture_;
+        const std::vector<LensEvidence> evidence_of_held = evidence_.lenses;
+        bool any = false;
+        for (std::size_t camera = 0; camera < capture_.cameras.size(); ++camera) {
+            LensEvidence& evidence = evidence_.lenses[camera];
+            if (!evidence.choice || !holds_principal_point(evidence.form)) continue;
+            const auto free = choice_of_form(*evidence.choice, all_free(evidence.form.model));
+            if (!free) continue;
+            evidence.choice->chosen = *free;
+            take(camera, evidence.choice->choice().form, evidence.choice->choice().lens);
+            any = true;
+        }
+        if (!any) return;
+        adjust_bundle(capture_, adjustment(), progress_);
+        const ResidualPattern pattern = residual_pattern(capture_);
+        if (!pattern.is_zoomed() && !pattern.is_suspicious()) return;
+        capture_ = held;
+        evidence_.lenses = evidence_of_held;
     }
 
     /// As the observations tell, wider where what is left of them has a shape: errors that go

@@ -32,6 +32,9 @@ enum class LensPolicy {
 /// Errors that go through whole pictures, as residual_pattern shows them, count twice: a principal
 /// point is then kept in the middle unless held-out views surely ask for it, and uncertainties are
 /// those of noise with a variance so much larger.
+///
+/// Where residuals look as if each picture had a focal length of its own, and no longer do once a
+/// principal point that held-out views did not ask for is free, it is (kAuto).
 void refine(Capture& capture, LensPolicy policy, const PoseOptions& options, int threads,
             PoseEvidence& evidence, Progress& progress);
 

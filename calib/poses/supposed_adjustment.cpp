@@ -10,6 +10,7 @@
 #include "calib/adjust/longest_tracks.h"
 #include "calib/adjust/quiet_solver.h"
 #include "calib/adjust/stop_on_interrupt.h"
+#include "calib/poses/residual_pattern.h"
 #include "calib/poses/supposed_costs.h"
 
 namespace lumi {
@@ -61,13 +62,14 @@ std::vector<std::size_t> leading_points(const Capture& capture) {
 /// One of the adjustments.
 class Fit {
  public:
-    Fit(const Capture& capture, Supposition supposition, bool lenses_are_held)
+    Fit(const Capture& capture, Supposition supposition, SupposedLens lenses)
         : capture_(capture),
           supposition_(supposition),
-          lenses_are_held_(lenses_are_held),
+          lenses_(lenses),
           own_(capture.views.size()),
           zooms_(capture.cameras.size(), 0.0),
-          radials_(capture.cameras.size(), Eigen::Vector2d::Zero()) {
+          radials_(capture.cameras.size(), Eigen::Vector2d::Zero()),
+          middles_px_(capture.cameras.size(), Eigen::Vector2d::Zero()) {
         for (const std::size_t point : leading_points(capture)) {
             for (const Observation& seen : capture.points[point].track) look_at(point, seen);
         }
@@ -83,11 +85,12 @@ class Fit {
             Rigid3& pose = capture_.views[seen.view].cam_from_world;
             double* const point = capture_.points[seen.point].position_in_world.data();
             problem.AddResidualBlock(
-                new ceres::AutoDiffCostFunction<SightCost, 2, 4, 3, 3, 3, 1, 2, 3>(
+                new ceres::AutoDiffCostFunction<SightCost, 2, 4, 3, 3, 3, 1, 2, 2, 3>(
                     new SightCost(seen.cost)),
                 &robust, pose.rotation.coeffs().data(), pose.translation.data(),
                 own_[seen.view].turn.data(), own_[seen.view].crop.data(),
-                &zooms_[lens_of(seen.view)], radials_[lens_of(seen.view)].data(), point);
+                &zooms_[lens_of(seen.view)], radials_[lens_of(seen.view)].data(),
+                middles_px_[lens_of(seen.view)].data(), point);
             order->AddElementToGroup(point, 0);
         }
         hold(problem, *order);
@@ -121,7 +124,7 @@ class Fit {
         for (std::size_t index = 0; index < own_.size(); ++index) {
             const Camera& camera = camera_of(capture_, capture_.views[index]);
             const double skew_px = own_[index].turn.norm() * focal_length_px(camera).mean();
-            sum_px2 += skew_px * skew_px + own_[index].crop.head<2>().squaredNorm();
+            sum_px2 += skew_px * skew_px + middle_px(index).squaredNorm();
         }
         return std::sqrt(sum_px2 / static_cast<double>(own_.size()));
     }
@@ -129,7 +132,7 @@ class Fit {
     /// Of the mean over the views.
     [[nodiscard]] double common_px() const {
         Eigen::Vector2d sum_px = Eigen::Vector2d::Zero();
-        for (const OwnParameters& own : own_) sum_px += own.crop.head<2>();
+        for (std::size_t index = 0; index < own_.size(); ++index) sum_px += middle_px(index);
         return sum_px.norm() / static_cast<double>(own_.size());
     }
 
@@ -140,8 +143,8 @@ class Fit {
         for (std::size_t index = 0; index < own_.size(); ++index) {
             View& view = adjusted.views[index];
             const double focal_px = focal_length_px(camera_of(adjusted, view)).mean();
-            const Eigen::Vector3d& crop = own_[index].crop;
-            const Eigen::Vector3d axis(crop.x(), crop.y(), focal_px);
+            const Eigen::Vector2d middle = middle_px(index);
+            const Eigen::Vector3d axis(middle.x(), middle.y(), focal_px);
             view.cam_from_world.rotation.normalize();
             view.cam_from_world =
                 Rigid3{Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis),
@@ -166,6 +169,11 @@ class Fit {
         return static_cast<std::size_t>(capture_.views[view].camera_index);
     }
 
+    /// Where the middle of the lens is in a view's picture, from where the lens has it.
+    [[nodiscard]] Eigen::Vector2d middle_px(std::size_t view) const {
+        return middles_px_[lens_of(view)] + own_[view].crop.head<2>();
+    }
+
     /// The gauge, the priors, and what is held.
     void hold(ceres::Problem& problem, ceres::ParameterBlockOrdering& order) {
         bool is_first = true;
@@ -176,23 +184,26 @@ class Fit {
             double* const crop = own_[index].crop.data();
             double* const zoom = &zooms_[lens_of(index)];
             double* const radial = radials_[lens_of(index)].data();
+            double* const middle = middles_px_[lens_of(index)].data();
             const double focal_px =
                 focal_length_px(camera_of(capture_, capture_.views[index])).mean();
             problem.SetManifold(pose.rotation.coeffs().data(), new ceres::EigenQuaternionManifold);
             for (double* const block : {pose.rotation.coeffs().data(), pose.translation.data(),
-                                        turn, crop, zoom, radial}) {
+                                        turn, crop, zoom, radial, middle}) {
                 order.AddElementToGroup(block, 1);
             }
             // A picture's width of skew, shift or growth weighs as much as so many pixels.
             constexpr double kWeight = 0.02;
             const double of_angle = kWeight * focal_px;
-            free_or_hold(problem, turn, supposition_ == Supposition::kTurning,
-                         {of_angle, of_angle, of_angle});
-            free_or_hold(problem, crop, has_own_scale(supposition_), {kWeight, kWeight, of_angle});
+            free_or_hold<3>(problem, turn, supposition_ == Supposition::kTurning,
+                            {of_angle, of_angle, of_angle});
+            free_or_hold<3>(problem, crop, has_own_scale(supposition_),
+                            {kWeight, kWeight, of_angle});
+            free_or_hold<2>(problem, middle, lenses_ == SupposedLens::kFree, {kWeight, kWeight});
             if (supposition_ == Supposition::kZoomed) {
                 problem.SetManifold(crop, new ceres::SubsetManifold(3, {0, 1}));
             }
-            if (lenses_are_held_) {
+            if (lenses_ == SupposedLens::kHeld) {
                 problem.SetParameterBlockConstant(zoom);
                 problem.SetParameterBlockConstant(radial);
             }
@@ -221,12 +232,14 @@ class Fit {
                                  nullptr, turns);
     }
 
+    template <int kValues>
     static void free_or_hold(ceres::Problem& problem, double* block, bool is_free,
-                             const Eigen::Vector3d& weights) {
+                             const typename NearZero<kValues>::Weights& weights) {
         if (is_free) {
+            using Prior = NearZero<kValues>;
             problem.AddResidualBlock(
-                new ceres::AutoDiffCostFunction<NearZero, 3, 3>(new NearZero(weights)), nullptr,
-                block);
+                new ceres::AutoDiffCostFunction<Prior, kValues, kValues>(new Prior(weights)),
+                nullptr, block);
         } else {
             problem.SetParameterBlockConstant(block);
         }
@@ -238,7 +251,7 @@ class Fit {
         const bool is_in_front = seen.cost(
             view.cam_from_world.rotation.coeffs().data(), view.cam_from_world.translation.data(),
             own_[seen.view].turn.data(), own_[seen.view].crop.data(), &zooms_[lens_of(seen.view)],
-            radials_[lens_of(seen.view)].data(),
+            radials_[lens_of(seen.view)].data(), middles_px_[lens_of(seen.view)].data(),
             capture_.points[seen.point].position_in_world.data(), residual_px.data());
         const double limit_px2 = limit_px * limit_px;
         return is_in_front ? std::min(limit_px2, residual_px.squaredNorm()) : limit_px2;
@@ -246,19 +259,20 @@ class Fit {
 
     Capture capture_;
     Supposition supposition_;
-    bool lenses_are_held_;
+    SupposedLens lenses_;
     std::vector<OwnParameters> own_;  ///< One a view.
     std::vector<double> zooms_;       ///< Logarithms; one a lens, as the next.
     std::vector<Eigen::Vector2d> radials_;
+    std::vector<Eigen::Vector2d> middles_px_;  ///< From where the lens has it.
     std::vector<Seen> all_;
 };
 
 }  // namespace
 
 SupposedAdjustment adjust_supposing(Supposition supposition, const Capture& capture,
-                                    bool lenses_are_held, double limit_px,
+                                    SupposedLens lenses, double limit_px,
                                     const Progress& progress) {
-    Fit fit(capture, supposition, lenses_are_held);
+    Fit fit(capture, supposition, lenses);
     fit.run(progress);
     return {fit.capture(),
             fit.truncated_cost_px2(limit_px),
@@ -266,6 +280,21 @@ SupposedAdjustment adjust_supposing(Supposition supposition, const Capture& capt
             fit.common_px(),
             parameters_of_view(supposition) * static_cast<int>(capture.views.size()),
             fit.observations()};
+}
+
+bool own_scales_explain_better(const Capture& capture, bool lenses_are_held, double limit_px,
+                               const Progress& progress) {
+    const auto adjusted = [&](Supposition supposition, SupposedLens lenses) {
+        return adjust_supposing(supposition, capture,
+                                lenses_are_held ? SupposedLens::kHeld : lenses, limit_px, progress);
+    };
+    const SupposedAdjustment steady = adjusted(Supposition::kSteady, SupposedLens::kFree);
+    const auto is_better = [&](const SupposedAdjustment& scaled) {
+        return explains_better(steady.cost_px2, scaled.cost_px2, scaled.parameters,
+                               capture.points.size());
+    };
+    return is_better(adjusted(Supposition::kZoomed, SupposedLens::kMiddleHeld)) ||
+           (!lenses_are_held && is_better(adjusted(Supposition::kZoomed, SupposedLens::kFree)));
 }
 
 }  // namespace lumi

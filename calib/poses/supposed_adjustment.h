@@ -17,6 +17,13 @@ enum class Supposition {
     kShifted,
 };
 
+/// What is adjusted of the lenses that views share, whatever is supposed of the views.
+enum class SupposedLens {
+    kHeld,        ///< Nothing: it is calibrated.
+    kMiddleHeld,  ///< Focal length, and radial distortion besides that of the lens.
+    kFree,        ///< These, and the principal point.
+};
+
 /// A capture adjusted under a supposition.
 struct SupposedAdjustment {
     /// Poses at the middle row; lenses as they came, through which a picture that was cut elsewhere
@@ -37,17 +44,25 @@ struct SupposedAdjustment {
     }
 };
 
-/// Adjusts poses, points, lenses (focal length and radial distortion besides that of the lens,
-/// unless `lenses_are_held`) and up to three parameters of each view's own by robust least squares,
-/// over a few hundred points a photograph, those with the longest tracks: a turning rate (Hedborg
-/// et al., Rolling shutter bundle adjustment, CVPR 2012, for rotation alone, which moves pictures
-/// most), or a principal point and a scale. A weak prior holds those that nothing determines; turns
-/// that have something in common, in the axes of the cameras or of the world, are not found:
-/// bent points and poses, and lenses, do the same (Albl, Sugimoto, Pajdla, Degeneracies in rolling
-/// shutter SfM, ECCV 2016), and hands differ from picture to picture. Adjustments from one start
-/// look at the same observations, so that their costs can be compared. Throws Error: E-INTERRUPTED.
+/// Adjusts poses, points, lenses (as far as `lenses` says) and up to three parameters of each
+/// view's own by robust least squares, over a few hundred points a photograph, those with the
+/// longest tracks: a turning rate (Hedborg et al., Rolling shutter bundle adjustment, CVPR 2012,
+/// for rotation alone, which moves pictures most), or a principal point and a scale. A weak prior
+/// holds those that nothing determines; turns that have something in common, in the axes of the
+/// cameras or of the world, are not found: bent points and poses, and lenses, do the same (Albl,
+/// Sugimoto, Pajdla, Degeneracies in rolling shutter SfM, ECCV 2016), and hands differ from picture
+/// to picture. Adjustments from one start look at the same observations, so that their costs can be
+/// compared. Throws Error: E-INTERRUPTED.
 [[nodiscard]] SupposedAdjustment adjust_supposing(Supposition supposition, const Capture& capture,
-                                                  bool lenses_are_held, double limit_px,
+                                                  SupposedLens lenses, double limit_px,
                                                   const Progress& progress);
+
+/// Whether a scale of each picture's own explains more than the lens that they share, by the
+/// information criterion; each point counts once, as errors within a track go together. A principal
+/// point off the middle of all pictures looks like focal lengths that run along the path, and these
+/// like it: unless `lenses_are_held`, it is free where no picture has a scale of its own, and held
+/// or free where they do, whichever comes to less. Throws Error: E-INTERRUPTED.
+[[nodiscard]] bool own_scales_explain_better(const Capture& capture, bool lenses_are_held,
+                                             double limit_px, const Progress& progress);
 
 }  // namespace lumi

@@ -44,14 +44,16 @@ inline std::optional<StraightSight> straight_sight(const Camera& camera,
 
 /// Parameter blocks: rotation and translation cam_from_world at the middle row, the turn and the
 /// crop of the view, the logarithm of the focal length over that of the lens, two coefficients of
-/// the radial distortion that it lacks, the point.
+/// the radial distortion that it lacks, the place of its principal point (px, from where the lens
+/// has it), the point.
 class SightCost {
  public:
     explicit SightCost(const StraightSight& seen) : seen_(seen) {}
 
     template <class T>
     bool operator()(const T* rotation, const T* translation, const T* turn, const T* crop,
-                    const T* zoom, const T* radial, const T* point, T* residual) const {
+                    const T* zoom, const T* radial, const T* middle, const T* point,
+                    T* residual) const {
         using std::exp;
         using Vector2 = Eigen::Matrix<T, 2, 1>;
         using Vector3 = Eigen::Matrix<T, 3, 1>;
@@ -66,8 +68,8 @@ class SightCost {
         const T square = x * x + y * y;
         const T scale = T(seen_.focal_px) * exp(zoom[0] + crop[2]) *
                         (T(1) + square * (radial[0] + square * radial[1]));
-        const Vector2 straight(scale * x + crop[0] - T(seen_.straight_px.x()),
-                               scale * y + crop[1] - T(seen_.straight_px.y()));
+        const Vector2 straight(scale * x + crop[0] + middle[0] - T(seen_.straight_px.x()),
+                               scale * y + crop[1] + middle[1] - T(seen_.straight_px.y()));
         Eigen::Map<Vector2> in_picture(residual);
         in_picture = seen_.pixel_per_straight.template cast<T>() * straight;
         return true;
@@ -78,18 +80,20 @@ class SightCost {
 };
 
 /// Holds values near zero.
+template <int kValues>
 class NearZero {
  public:
-    explicit NearZero(const Eigen::Vector3d& weights) : weights_(weights) {}
+    using Weights = Eigen::Matrix<double, kValues, 1>;
+    explicit NearZero(const Weights& weights) : weights_(weights) {}
     template <class T>
     bool operator()(const T* values, T* residual) const {
-        for (int index = 0; index < 3; ++index)
+        for (int index = 0; index < kValues; ++index)
             residual[index] = T(weights_[index]) * values[index];
         return true;
     }
 
  private:
-    Eigen::Vector3d weights_;
+    Weights weights_;
 };
 
 /// Holds near zero what the views' turns have in common: their sum in the axes of the cameras, and

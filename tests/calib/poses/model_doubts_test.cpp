@@ -89,7 +89,9 @@ std::vector<Eigen::Vector2d> crop(Capture& capture, double shift_px) {
 
 SupposedAdjustment adjusted(Supposition supposition, const Capture& capture, bool lenses_are_held) {
     SilentProgress progress;
-    return adjust_supposing(supposition, capture, lenses_are_held, 2.0, progress);
+    return adjust_supposing(supposition, capture,
+                            lenses_are_held ? SupposedLens::kHeld : SupposedLens::kMiddleHeld, 2.0,
+                            progress);
 }
 
 TEST(ResidualPattern, NoiseHasNone) {
@@ -327,9 +329,10 @@ struct PairsOfCapture {
 };
 
 TEST(SupposedAdjustment, StopsBetweenTwoStepsOnRequest) {
-    EXPECT_THROW(static_cast<void>(adjust_supposing(Supposition::kSteady, noisy_capture(6), false,
-                                                    2.0, InterruptedProgress(2))),
-                 Error);
+    EXPECT_THROW(
+        static_cast<void>(adjust_supposing(Supposition::kSteady, noisy_capture(6),
+                                           SupposedLens::kMiddleHeld, 2.0, InterruptedProgress(2))),
+        Error);
 }
 
 TEST(PairAgreement, ATrueModelDeniesNoPair) {

@@ -183,6 +183,14 @@ TEST_F(OwnFocalLengths, AreNotAskedForWhereOneFocusExplainsThePictures) {
     }
 }
 
+TEST_F(OwnFocalLengths, AreNotTakenForAPrincipalPointOffTheMiddleOfAllPictures) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        refine_shared(breathing_capture(0, seed, kOffCentreLens).truth);
+        EXPECT_TRUE(residual_pattern(refined_).is_zoomed()) << seed << ": it looks like a zoom";
+        EXPECT_FALSE(asked().has_value()) << seed;
+    }
+}
+
 TEST_F(OwnFocalLengths, AreNotAskedForWhereLensesAreNotShared) {
     refine_shared(breathing_capture(0.02, 1).truth);
     EXPECT_FALSE(asked(false).has_value());

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "calib/poses/pose_shift.h"
+#include "calib/poses/residual_pattern.h"
 #include "tests/calib/adjust/synthetic_capture.h"
 
 namespace lumi {
@@ -109,6 +110,24 @@ TEST(Refinement, BelievesInNoCommonPrincipalPointWhereEachPictureHasItsOwn) {
     const double error_deg =
         compare_poses(named_poses(found.capture), named_poses(truth)).max_rotation_deg;
     EXPECT_LT(error_deg, 3.0) << "12 px are 0.8 degrees";
+}
+
+/// A middle off by so little, among so much noise, that held-out views are predicted as well
+/// without it.
+TEST(Refinement, FindsAPrincipalPointThatLooksLikeAZoomThoughHeldOutViewsDoNotAskForIt) {
+    SyntheticCaptureOptions scene;
+    scene.points = 3000;
+    scene.noise_px = 0.5;
+    scene.arc_deg = 40;
+    const Eigen::Vector2d true_px(490, 388);
+    const Refined found = refined(synthetic_capture(
+        {1000, 800, LensModel::kSimplePinhole, {850, true_px.x(), true_px.y()}}, scene));
+    const LensEvidence& evidence = found.evidence.lenses[0];
+    EXPECT_FALSE(holds_principal_point(evidence.form));
+    EXPECT_TRUE(evidence.choice->choice().form == evidence.form);
+    EXPECT_FALSE(residual_pattern(found.capture).is_zoomed());
+    EXPECT_LT((principal_point_px(found.capture.cameras[0]) - true_px).norm(), 6)
+        << "16 px from the middle";
 }
 
 /// Root mean square over the views, as a share of the cameras' spread.
