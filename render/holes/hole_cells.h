@@ -12,7 +12,7 @@ inline constexpr double kHoleCell_px = 16.0;
 inline constexpr int kHoleSamples = 4;
 /// Of the places in a cell: from so many on it counts as a hole. Outlines, along which some view
 /// always loses the surface, are none.
-inline constexpr double kLeastHoleShare = 0.125;
+inline constexpr double kLeastHoleShare = 0.25;
 
 /// The cells of a picture in which none of the views that were asked for depth sees the scene:
 /// what they show there is stretched over a tear, or nothing. Places beyond the picture's border do
