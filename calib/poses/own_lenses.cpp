@@ -15,7 +15,6 @@
 #include "calib/poses/pair_agreement.h"
 #include "calib/poses/pose_shift.h"
 #include "calib/poses/residual_pattern.h"
-#include "calib/poses/supposed_adjustment.h"
 #include "calib/work/error.h"
 #include "calib/work/formatted.h"
 
@@ -221,19 +220,12 @@ class ZoomQuestion {
     const Capture& shared_;
 };
 
-/// Empty where no model comes of it, or none that tells of a zoom: scales have to explain `shared`,
-/// the mapped model with one lens, better than a principal point that all pictures have in common.
-std::optional<SecondModel> answer_of(const ZoomQuestion& question, const Capture& shared,
-                                     const MappingJob& own_job, MatchedPhotographs own_matched,
-                                     LensPolicy policy) {
+/// Empty where no model comes of it, or none that tells of a zoom.
+std::optional<SecondModel> answer_of(const ZoomQuestion& question, const MappingJob& own_job,
+                                     MatchedPhotographs own_matched, LensPolicy policy) {
     try {
         const std::optional<Capture> mapped = map_incrementally(own_job, own_matched);
-        if (!mapped || !question.may_be_zoomed(own_job, *mapped) ||
-            !own_scales_explain_better(shared, own_job.lens_is_calibrated,
-                                       own_job.options.max_reprojection_error_px,
-                                       own_job.progress)) {
-            return std::nullopt;
-        }
+        if (!mapped || !question.may_be_zoomed(own_job, *mapped)) return std::nullopt;
         JointCheck joints = with_firm_joints(own_job, *mapped);
         SecondModel model;
         model.refined = refined_with(policy, own_job, joints.mapped, own_job.evidence);
@@ -257,8 +249,7 @@ bool ZoomEvidence::is_told() const {
 }
 
 std::optional<SecondModel> find_own_lenses(const MappingJob& job, const MatchedPhotographs& matched,
-                                           LensPolicy policy, const Capture& mapped,
-                                           const Capture& refined) {
+                                           LensPolicy policy, const Capture& refined) {
     const PairAgreement agreement = compare_with_pairs(
         refined, job.photographs, matched.photographs, matched.pairs, job.progress);
     if (!is_worth_asking(job, refined, agreement.is_contradiction())) return std::nullopt;
@@ -278,7 +269,7 @@ std::optional<SecondModel> find_own_lenses(const MappingJob& job, const MatchedP
                              .evidence = evidence};
     const ZoomQuestion question(job, matched, refined);
     std::optional<SecondModel> own =
-        answer_of(question, mapped, own_job, with_own_lenses(matched, own_groups), policy);
+        answer_of(question, own_job, with_own_lenses(matched, own_groups), policy);
     if (!own) return std::nullopt;
     tell_of_second_model(job.evidence, std::move(evidence));
     own->warning = warning_of(zoom_factor(own->refined, refined));

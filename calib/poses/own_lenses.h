@@ -29,15 +29,11 @@ struct ZoomEvidence {
 /// lens of its own. That model is returned, and `job.evidence` tells of it, when it agrees with the
 /// pairs, poses depend on it, and either the information criterion prefers it over the observations
 /// that both models have, or its focal lengths differ by more than they are uncertain and it
-/// explains more (ZoomEvidence); empty otherwise. Besides, a scale of each picture's own has to
-/// explain more of `mapped`, the model before the refinement, than a principal point that all have
-/// in common (own_scales_explain_better): one off the middle bends the capture, and what is dropped
-/// for that looks like more that own lenses explain. To correct focal lengths in the old model
-/// would not do: a wrong common lens bends the whole capture, and from there the right focal
-/// lengths lie beyond a barrier.
+/// explains more (ZoomEvidence); empty otherwise. To correct focal lengths in the old model would
+/// not do: a wrong common lens bends the whole capture, and from there the right focal lengths lie
+/// beyond a barrier.
 [[nodiscard]] std::optional<SecondModel> find_own_lenses(const MappingJob& job,
                                                          const MatchedPhotographs& matched,
-                                                         LensPolicy policy, const Capture& mapped,
-                                                         const Capture& refined);
+                                                         LensPolicy policy, const Capture& refined);
 
 }  // namespace lumi

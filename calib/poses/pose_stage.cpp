@@ -115,8 +115,7 @@ void replace_if_in_doubt(PosesInQuestion& poses, LensPolicy policy, const Mappin
     };
     if (auto in_order = find_model_in_order(job, matched, policy, poses.refined))
         take(std::move(*in_order));
-    if (auto own = find_own_lenses(job, matched, policy, poses.mapped, poses.refined))
-        take(std::move(*own));
+    if (auto own = find_own_lenses(job, matched, policy, poses.refined)) take(std::move(*own));
     if (auto own = find_own_focal_lengths(job, policy, poses.mapped, poses.refined)) {
         own->joint_trouble = poses.joint_trouble;
         take(std::move(*own));
