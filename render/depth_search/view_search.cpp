@@ -167,7 +167,7 @@ std::optional<ViewHit> ViewSearch::first_hit(const Eigen::Vector2d& eye_pixel) c
             }
         }
         if (at.ahead <= 0) {
-            const bool begins_behind = step == 0 && last_before == 0 && at.share == 0;
+            const bool begins_behind = at.share == 0;
             if (is_before && (!begins_behind || meets_at_border(at))) {
                 const double margin = kShortestStep * per_sample;
                 const auto hit = refined(walk, std::max(0.0, last_before - margin),
