@@ -81,15 +81,16 @@ std::string score_row(const std::string& mode, const Json& scores) {
                                 : number_text(factor * value.get<double>(), decimals)) +
                " | ";
     };
-    return "| `" + mode + "` | " + cell(mean.at("psnr_db"), 2) + cell(mean.at("ssim"), 4) +
+    return "| `" + mode + "` | " + cell(mean.at("psnr_db"), 2) +
+           cell(mean.at("psnr_covered_db"), 2) + cell(mean.at("ssim"), 4) +
            cell(mean.at("flip"), 4) + cell(mean.at("edge_sharpness"), 2) +
            cell(mean.at("coverage"), 1, 100.0) + cell(mean.at("ms"), 1) + "\n";
 }
 
 std::string table_of(const Json& evaluation) {
     std::string table =
-        "| mode | PSNR (dB) | SSIM | FLIP | sharpness | covered (%) | ms |\n"
-        "|---|---|---|---|---|---|---|\n";
+        "| mode | PSNR (dB) | PSNR, covered (dB) | SSIM | FLIP | sharpness | covered (%) | ms |\n"
+        "|---|---|---|---|---|---|---|---|\n";
     table += score_row(evaluation.at("mode"), evaluation);
     for (const auto& [mode, scores] : evaluation.at("modes").items()) {
         table += score_row(mode, scores);
