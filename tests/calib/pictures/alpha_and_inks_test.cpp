@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "calib/work/error.h"
-#include "tests/calib/capture/color_pictures.h"
+#include "tests/calib/pictures/color_pictures.h"
 
 namespace lumi {
 namespace {

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "tests/calib/capture/color_pictures.h"
+#include "tests/calib/pictures/color_pictures.h"
 
 namespace lumi {
 namespace {
