@@ -6,8 +6,8 @@
 
 #include "calib/pictures/image_format.h"
 #include "calib/work/error.h"
-#include "tests/calib/pictures/color_pictures.h"
 #include "tests/calib/heif_pictures.h"
+#include "tests/calib/pictures/color_pictures.h"
 #include "tests/calib/test_pictures.h"
 #include "tests/calib/webp_pictures.h"
 
