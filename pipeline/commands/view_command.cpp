@@ -194,7 +194,10 @@ void add_view_command(CLI::App& app, CommandContext& context) {
     command.add_option("--screenshot", request->screenshot,
                        "Write one frame to this PNG file, its eye beside it, and end");
     command.callback([request, &context] {
-        context.chosen = [request, &context] { run_view(*request, context); };
+        context.chosen = [request, &context] {
+            request->package = package_meant_by(request->package);
+            run_view(*request, context);
+        };
     });
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/lumigraph/same_eye.h"
 #include "render/paths/photograph_eye.h"
 
 namespace lumi {
@@ -39,6 +40,7 @@ constexpr std::array kBindings{
                "stand at the next photograph"},
     KeyBinding{GLFW_KEY_HOME, false, Command::kNearestPhotograph, "Home",
                "stand at the nearest photograph"},
+    KeyBinding{GLFW_KEY_K, false, Command::kCompare, "K", "compare with a photograph; the next"},
     KeyBinding{GLFW_KEY_F, false, Command::kFrameAll, "F", "frame the whole scene"},
     KeyBinding{GLFW_KEY_F12, false, Command::kScreenshot, "F12", "screenshot: PNG and pose"},
     KeyBinding{GLFW_KEY_S, true, Command::kScreenshot, "Ctrl+S", "screenshot: PNG and pose"},
@@ -47,9 +49,10 @@ constexpr std::array kBindings{
     KeyBinding{GLFW_KEY_H, false, Command::kHelp, "H", "this help"},
     KeyBinding{GLFW_KEY_F1, false, Command::kHelp, "F1", "this help"},
     KeyBinding{GLFW_KEY_TAB, false, Command::kPanel, "Tab", "panel on or off"},
+    KeyBinding{GLFW_KEY_F11, false, Command::kFullScreen, "F11", "full screen on or off"},
     KeyBinding{GLFW_KEY_V, false, Command::kVsync, "V", "wait for the display on or off"},
     KeyBinding{GLFW_KEY_ESCAPE, false, Command::kBack, "Esc",
-               "close a list or this help; else quit"},
+               "close a list, help, full screen; or quit"},
     KeyBinding{GLFW_KEY_Q, true, Command::kQuit, "Ctrl+Q", "quit"},
 };
 
@@ -109,6 +112,13 @@ void stand_about_centre(const Eye& eye, const Lumigraph& lumigraph, ViewerState&
     stand(navigation, state);
 }
 
+/// From where the eye stands, or else from the photograph nearest to it.
+void go_to_neighbour(int step, const Lumigraph& lumigraph, ViewerState& state) {
+    const int from = photograph_stood_at(lumigraph, state)
+                         .value_or(nearest_view(lumigraph, state.navigation.eye));
+    go_to_photograph(from + step, lumigraph, state);
+}
+
 /// Of all in their order, the first after the last.
 template <class Value>
 Value next_of(const std::vector<Value>& all, Value value) {
@@ -131,6 +141,7 @@ ViewerState first_state(const Lumigraph& lumigraph, const RenderOptions& render)
     ViewerState state;
     state.render = render;
     state.navigation.up_in_world = up_in_world(lumigraph);
+    state.navigation.least_distance = least_distance(lumigraph);
     go_to_photograph(0, lumigraph, state);
     return state;
 }
@@ -161,7 +172,27 @@ void go_to_held_out(int index, const std::vector<HeldOutView>& held_out, const L
                     ViewerState& state) {
     if (index < 0 || index >= static_cast<int>(held_out.size())) return;
     state.compared_index = index;
+    state.enlargement = {};
     stand_about_centre(held_out[static_cast<std::size_t>(index)].eye, lumigraph, state);
+}
+
+bool is_compared(const std::vector<HeldOutView>& held_out, const ViewerState& state) {
+    const int index = state.compared_index;
+    return index >= 0 && index < static_cast<int>(held_out.size()) &&
+           is_same_eye(state.navigation.eye, held_out[static_cast<std::size_t>(index)].eye);
+}
+
+void compare_again_or_next(const std::vector<HeldOutView>& held_out, const Lumigraph& lumigraph,
+                           ViewerState& state) {
+    if (held_out.empty()) return;
+    const int wished = std::max(0, state.compared_index + (is_compared(held_out, state) ? 1 : 0));
+    go_to_held_out(wished % static_cast<int>(held_out.size()), held_out, lumigraph, state);
+}
+
+std::optional<int> photograph_stood_at(const Lumigraph& lumigraph, const ViewerState& state) {
+    const LumigraphView& view = lumigraph.views[static_cast<std::size_t>(state.view_index)];
+    if (!is_same_eye(state.navigation.eye, eye_at(view))) return std::nullopt;
+    return state.view_index;
 }
 
 void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
@@ -179,16 +210,19 @@ void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
             render.correct_occlusion = !render.correct_occlusion;
             break;
         case Command::kPreviousPhotograph:
-            go_to_photograph(state.view_index - 1, lumigraph, state);
+            go_to_neighbour(-1, lumigraph, state);
             break;
         case Command::kNextPhotograph:
-            go_to_photograph(state.view_index + 1, lumigraph, state);
+            go_to_neighbour(1, lumigraph, state);
             break;
         case Command::kNearestPhotograph:
             go_to_photograph(nearest_view(lumigraph, state.navigation.eye), lumigraph, state);
             break;
         case Command::kFrameAll:
             stand(frame_all(state.navigation, bounds_of(lumigraph)), state);
+            break;
+        case Command::kCompare:
+            state.wants_comparison = true;
             break;
         case Command::kScreenshot:
             state.wants_screenshot = true;
@@ -205,11 +239,15 @@ void apply(Command command, const Lumigraph& lumigraph, ViewerState& state) {
         case Command::kPanel:
             state.shows_panel = !state.shows_panel;
             break;
+        case Command::kFullScreen:
+            state.fills_screen = !state.fills_screen;
+            break;
         case Command::kVsync:
             state.waits_for_vsync = !state.waits_for_vsync;
             break;
         case Command::kBack:
-            if (!std::exchange(state.shows_help, false)) state.wants_to_close = true;
+            if (std::exchange(state.shows_help, false)) break;
+            if (!std::exchange(state.fills_screen, false)) state.wants_to_close = true;
             break;
         case Command::kQuit:
             state.wants_to_close = true;

@@ -11,6 +11,7 @@
 #include "render/lumigraph/lumigraph.h"
 #include "render/lumigraph/package.h"
 #include "render/viewer/controls.h"
+#include "render/viewer/enlargement.h"
 
 namespace lumi {
 
@@ -33,18 +34,21 @@ enum class Command {
     kPreviousPhotograph,
     kNextPhotograph,
     kNearestPhotograph,
+    kCompare,
     kFrameAll,
     kScreenshot,
     kRecordPath,
     kReplayPath,
     kHelp,
     kPanel,
+    kFullScreen,
     kVsync,
     kBack,
     kQuit,
 };
 
-/// A key (GLFW's code) and what it does. Letters that fly (W A S D Q E) do so without Ctrl.
+/// A key (GLFW's code) and what it does; which key of a user's keyboard that is, key_places.h says.
+/// W A S D Q E fly without Ctrl.
 struct KeyBinding {
     int key;
     bool with_control;
@@ -80,6 +84,7 @@ struct ViewerChoices {
     double frames_per_second = 0.0;
     bool shows_help = false;
     bool shows_panel = true;
+    bool fills_screen = false;
     bool waits_for_vsync = true;
     Exposures exposures = Exposures::kEvened;  ///< The package is read again where they change.
 };
@@ -89,14 +94,18 @@ struct ViewerState : ViewerChoices {
     Navigation navigation;
     std::vector<PlannedView> planned;  ///< The most helpful first; may be empty.
     int planned_index = -1;            ///< The one that was last stood at, -1: none yet.
-    int view_index = 0;                ///< The photograph that was last stood at.
+    int view_index = 0;                ///< The photograph that was last gone to.
     int compared_index = -1;           ///< The held-out photograph that is compared with; -1: none.
     double compared_share = 0.5;    ///< So much of the picture shows the photograph, from the left.
     bool shows_difference = false;  ///< Instead of the photograph.
+    Enlargement enlargement;        ///< Of drawing and photograph, while they are compared.
+    bool wants_comparison = false;  ///< With the held-out photograph again, or with the next.
     bool wants_screenshot = false;
     bool records_path = false;
-    bool has_path = false;      ///< There is one to replay.
-    bool replays_path = false;  ///< Until its end, or until the eye is moved otherwise.
+    bool has_path = false;            ///< There is one to replay.
+    bool has_unwritten_path = false;  ///< That could not be written.
+    bool writes_path_again = false;   ///< It is wished.
+    bool replays_path = false;        ///< Until its end, or until the eye is moved otherwise.
     bool wants_to_close = false;
     std::filesystem::path package;  ///< Where it was read; empty: it cannot be read again.
     std::vector<std::filesystem::path> recent_packages;  ///< That can be opened; may be empty.
@@ -120,6 +129,18 @@ void go_to_planned(int planned_index, const Lumigraph& lumigraph, ViewerState& s
 /// Stands where a held-out photograph was taken, to compare with it.
 void go_to_held_out(int index, const std::vector<HeldOutView>& held_out, const Lumigraph& lumigraph,
                     ViewerState& state);
+
+/// Whether the eye stands where the held-out photograph was taken that it is compared with.
+[[nodiscard]] bool is_compared(const std::vector<HeldOutView>& held_out, const ViewerState& state);
+
+/// Goes back to the held-out photograph that was compared with last; from there to the next one.
+/// Without any does nothing.
+void compare_again_or_next(const std::vector<HeldOutView>& held_out, const Lumigraph& lumigraph,
+                           ViewerState& state);
+
+/// The photograph at whose place the eye stands, to the last bit.
+[[nodiscard]] std::optional<int> photograph_stood_at(const Lumigraph& lumigraph,
+                                                     const ViewerState& state);
 
 /// Stands at a photograph; indices wrap around.
 void go_to_photograph(int view_index, const Lumigraph& lumigraph, ViewerState& state);

@@ -2,7 +2,6 @@
 
 #include <epoxy/gl.h>
 
-#include "render/lumigraph/same_eye.h"
 #include "render/paths/photograph_eye.h"
 #include "render/viewer/difference_picture.h"
 
@@ -24,22 +23,28 @@ ObjectName<delete_texture> uploaded(const ColorImage& picture) {
 
 }  // namespace
 
-PictureOverlay fitted_overlay(const Eye& eye, int width_px, int height_px) {
+PictureOverlay fitted_overlay(const Eye& eye, int width_px, int height_px,
+                              const Enlargement& enlargement) {
+    const Eigen::Vector2d frame(width_px, height_px);
     const Camera fitted = fitted_to(eye, width_px, height_px).camera;
     const double scale = fitting_scale(eye, width_px, height_px);
+    const Eigen::Vector2d corner =
+        principal_point_px(fitted) - scale * principal_point_px(eye.camera);
+    const Eigen::Vector2d size = scale * Eigen::Vector2d(eye.camera.width_px, eye.camera.height_px);
+    const Eigen::Vector2d low = enlargement.place(corner, frame);
+    const Eigen::Vector2d extent = enlargement.times * size;
     PictureOverlay overlay;
-    overlay.low_px = principal_point_px(fitted) - scale * principal_point_px(eye.camera);
-    overlay.high_px =
-        overlay.low_px + scale * Eigen::Vector2d(eye.camera.width_px, eye.camera.height_px);
+    overlay.low_px = low.cwiseMax(0.0).cwiseMin(frame);
+    overlay.high_px = (low + extent).cwiseMin(frame).cwiseMax(0.0);
+    overlay.texture_low = (overlay.low_px - low).cwiseQuotient(extent);
+    overlay.texture_high = (overlay.high_px - low).cwiseQuotient(extent);
     return overlay;
 }
 
 std::optional<PictureOverlay> Comparison::over_frame(const ViewerState& state, int width_px,
                                                      int height_px, LumigraphRenderer& renderer) {
-    if (state.compared_index < 0 || state.compared_index >= static_cast<int>(views_.size()))
-        return std::nullopt;
+    if (!is_compared(views_, state)) return std::nullopt;
     const HeldOutView& view = views_[static_cast<std::size_t>(state.compared_index)];
-    if (!is_same_eye(state.navigation.eye, view.eye)) return std::nullopt;
     Shown wanted{state.compared_index, state.shows_difference, state.render};
     wanted.options.debug_picture = DebugPicture::kNone;
     if (wanted != shown_) {
@@ -50,7 +55,7 @@ std::optional<PictureOverlay> Comparison::over_frame(const ViewerState& state, i
         likeness_ = likeness_words_ ? likeness_words_(drawn, view) : "";
         shown_ = wanted;
     }
-    PictureOverlay overlay = fitted_overlay(view.eye, width_px, height_px);
+    PictureOverlay overlay = fitted_overlay(view.eye, width_px, height_px, state.enlargement);
     overlay.texture = texture_.get();
     overlay.share = state.shows_difference ? 1.0 : state.compared_share;
     overlay.likeness = likeness_;

@@ -16,12 +16,17 @@ struct PictureOverlay {
     unsigned texture = 0;
     Eigen::Vector2d low_px = Eigen::Vector2d::Zero();   ///< Top left, in pixels of the picture.
     Eigen::Vector2d high_px = Eigen::Vector2d::Zero();  ///< Bottom right.
-    double share = 1.0;                                 ///< So much of its width, from the left.
+    /// What of the texture is seen there, in shares of it.
+    Eigen::Vector2d texture_low = Eigen::Vector2d::Zero();
+    Eigen::Vector2d texture_high = Eigen::Vector2d::Ones();
+    double share = 1.0;    ///< So much of its width, from the left.
     std::string likeness;  ///< Of the photograph and what is drawn in its place, in words.
 };
 
-/// Where the picture of `eye` lies in a frame that it was fitted to (fitted_to).
-[[nodiscard]] PictureOverlay fitted_overlay(const Eye& eye, int width_px, int height_px);
+/// Where the picture of `eye` lies in a frame that it was fitted to (fitted_to), and what of it
+/// where the frame shows it enlarged.
+[[nodiscard]] PictureOverlay fitted_overlay(const Eye& eye, int width_px, int height_px,
+                                            const Enlargement& enlargement = {});
 
 /// Photographs that the Lumigraph was made without, beside what is drawn of it in their place.
 /// Needs the window's context.

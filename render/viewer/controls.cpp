@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "render/paths/photograph_eye.h"
+#include "render/reference/eye_depths.h"
+#include "render/transfer/view_geometry.h"
 
 namespace lumi {
 namespace {
@@ -95,14 +97,27 @@ Navigation pan(const Navigation& from, const Eigen::Vector2d& drag_px) {
 
 Navigation zoom(const Navigation& from, double steps) {
     const Eigen::Vector3d pivot_in_cam = from.eye.cam_from_world * from.pivot_in_world;
+    const double distance = pivot_in_cam.norm();
+    const double nearest = std::min(distance, from.least_distance);
+    const double coming =
+        steps <= 0 || nearest <= 0
+            ? steps
+            : std::min(steps, std::log(nearest / distance) / std::log(kZoomPerStep));
+    const double passing = (steps - coming) * (1 - kZoomPerStep) * from.least_distance;
     Navigation to = from;
-    to.eye.cam_from_world.translation -= (1 - std::pow(kZoomPerStep, steps)) * pivot_in_cam;
-    return to;
+    to.eye.cam_from_world.translation -= (1 - std::pow(kZoomPerStep, coming)) * pivot_in_cam;
+    if (passing <= 0) return to;
+    return moved(to, passing / distance * pivot_in_cam);
 }
 
 Navigation fly(const Navigation& from, const Eigen::Vector3d& move_in_cam) {
     const double distance = (centre_in_world(from.eye.cam_from_world) - from.pivot_in_world).norm();
-    return moved(from, distance * move_in_cam);
+    return moved(from, std::max(distance, from.least_distance) * move_in_cam);
+}
+
+double least_distance(const Lumigraph& lumigraph) {
+    constexpr double kShareOfNearEnd = 1.0 / 3;
+    return kShareOfNearEnd / inverse_depth_range(lumigraph).y();
 }
 
 Navigation carried_to(const Navigation& from, const Eye& eye) {
@@ -119,6 +134,24 @@ Navigation snap_to(const Navigation& from, const Lumigraph& lumigraph, int view_
     Navigation to = from;
     to.eye = eye_at(view);
     to.pivot_in_world = point_in_the_middle(lumigraph, view);
+    return to;
+}
+
+Navigation turning_about(const Navigation& from, const Lumigraph& lumigraph,
+                         const Eigen::Vector2d& place_px) {
+    if (!lumigraph.has_depth()) return from;
+    // An eye whose whole picture is the pixel.
+    const Eigen::Vector2d focal = focal_length_px(from.eye.camera);
+    const Eigen::Vector2d centre =
+        principal_point_px(from.eye.camera) - place_px + Eigen::Vector2d(0.5, 0.5);
+    const Eye through_place{
+        {1, 1, LensModel::kPinhole, {focal.x(), focal.y(), centre.x(), centre.y()}},
+        from.eye.cam_from_world};
+    const ConsensusDepth depth =
+        eye_depths(lumigraph, through_place, kAgreeingDisparity_px).depths(0, 0);
+    if (depth.support == 0 || depth.inverse_depth <= 0) return from;
+    Navigation to = from;
+    to.pivot_in_world = point_in_world(through_place, 0, 0, depth.inverse_depth);
     return to;
 }
 

@@ -3,12 +3,22 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <utility>
+#include <algorithm>
+#include <cmath>
 
 #include "calib/work/error.h"
 #include "calib/work/printable.h"
+#include "render/viewer/input_events.h"
+#include "render/viewer/key_places.h"
 
 namespace lumi {
+
+/// Where a window lies on the screens.
+struct WindowPlace {
+    Eigen::Vector2i at = Eigen::Vector2i::Zero();
+    Eigen::Vector2i size = Eigen::Vector2i::Zero();
+};
+
 namespace {
 
 Error no_window(const std::string& what, const std::string& advice) {
@@ -34,11 +44,38 @@ GLFWwindow* create_window(int width_px, int height_px, const std::string& title,
     return window;
 }
 
-bool is_held(GLFWwindow* window, int key) { return glfwGetKey(window, key) == GLFW_PRESS; }
+/// Pixels of the framebuffer for each of the window system's units.
+Eigen::Vector2d px_per_unit(GLFWwindow* window) {
+    Eigen::Vector2i window_size;
+    Eigen::Vector2i framebuffer_size;
+    glfwGetWindowSize(window, &window_size.x(), &window_size.y());
+    glfwGetFramebufferSize(window, &framebuffer_size.x(), &framebuffer_size.y());
+    if (window_size.minCoeff() <= 0 || framebuffer_size.minCoeff() <= 0)
+        return Eigen::Vector2d::Ones();
+    return framebuffer_size.cast<double>().cwiseQuotient(window_size.cast<double>());
+}
 
-double axis(GLFWwindow* window, int negative_key, int positive_key) {
-    return (is_held(window, positive_key) ? 1.0 : 0.0) -
-           (is_held(window, negative_key) ? 1.0 : 0.0);
+Eigen::Vector2d cursor_px(GLFWwindow* window) {
+    Eigen::Vector2d cursor;
+    glfwGetCursorPos(window, &cursor.x(), &cursor.y());
+    return cursor.cwiseProduct(px_per_unit(window));
+}
+
+/// The first of all screens where none shows the window's middle.
+GLFWmonitor* monitor_showing(const WindowPlace& window) {
+    int count = 0;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    const Eigen::Vector2i middle = window.at + window.size / 2;
+    for (int i = 0; i < count; ++i) {
+        const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
+        Eigen::Vector2i at;
+        glfwGetMonitorPos(monitors[i], &at.x(), &at.y());
+        if (mode == nullptr) continue;
+        const Eigen::Vector2i inside = middle - at;
+        if (inside.minCoeff() >= 0 && inside.x() < mode->width && inside.y() < mode->height)
+            return monitors[i];
+    }
+    return glfwGetPrimaryMonitor();
 }
 
 }  // namespace
@@ -63,47 +100,40 @@ struct GlfwWindow::Implementation {
     Implementation(const Implementation&) = delete;
     Implementation& operator=(const Implementation&) = delete;
 
-    static WindowInput& input_of(GLFWwindow* window) {
-        return static_cast<Implementation*>(glfwGetWindowUserPointer(window))->input;
+    static InputEvents& events_of(GLFWwindow* window) {
+        return static_cast<Implementation*>(glfwGetWindowUserPointer(window))->events;
     }
     void listen();
-    /// The way of the cursor since the last call, in pixels of the framebuffer.
-    Eigen::Vector2d cursor_way_px();
 
     GlfwLibrary library;
     GLFWwindow* window;
-    WindowInput input;  ///< Collected by callbacks until it is polled.
-    Eigen::Vector2d cursor = Eigen::Vector2d::Zero();
+    InputEvents events{cursor_px(window)};  ///< Collected by callbacks until they are polled.
+    WindowPlace before_filling;             ///< While the window fills the screen.
 };
 
+/// GLFW calls back in the order in which things happened, however late it is asked.
 void GlfwWindow::Implementation::listen() {
     glfwSetWindowUserPointer(window, this);
-    glfwGetCursorPos(window, &cursor.x(), &cursor.y());
+    glfwSetCursorPosCallback(window, [](GLFWwindow* source, double x, double y) {
+        events_of(source).cursor_moved_to(Eigen::Vector2d(x, y).cwiseProduct(px_per_unit(source)));
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* source, int button, int action, int) {
+        events_of(source).button_changed(button, action == GLFW_PRESS, glfwGetTime());
+    });
     glfwSetScrollCallback(window, [](GLFWwindow* source, double, double steps) {
-        input_of(source).wheel_steps += steps;
+        events_of(source).wheel_turned(steps);
     });
     glfwSetKeyCallback(window, [](GLFWwindow* source, int key, int, int action, int modifiers) {
+        if (action == GLFW_REPEAT) return;
+        events_of(source).key_changed(key, action == GLFW_PRESS);
         if (action != GLFW_PRESS) return;
-        const auto command = command_of(key, (modifiers & GLFW_MOD_CONTROL) != 0);
-        if (command) input_of(source).commands.push_back(*command);
+        const bool with_control = (modifiers & GLFW_MOD_CONTROL) != 0;
+        const auto command = command_of(key_meant(key, with_control, label_of_key), with_control);
+        if (command) events_of(source).asked_for(*command);
     });
     glfwSetDropCallback(window, [](GLFWwindow* source, int count, const char** paths) {
-        for (int i = 0; i < count; ++i) input_of(source).dropped.emplace_back(paths[i]);
+        for (int i = 0; i < count; ++i) events_of(source).dropped(paths[i]);
     });
-}
-
-Eigen::Vector2d GlfwWindow::Implementation::cursor_way_px() {
-    Eigen::Vector2d now;
-    glfwGetCursorPos(window, &now.x(), &now.y());
-    Eigen::Vector2i window_size;
-    Eigen::Vector2i framebuffer_size;
-    glfwGetWindowSize(window, &window_size.x(), &window_size.y());
-    glfwGetFramebufferSize(window, &framebuffer_size.x(), &framebuffer_size.y());
-    const Eigen::Vector2d way = now - cursor;
-    cursor = now;
-    if (window_size.minCoeff() <= 0) return Eigen::Vector2d::Zero();
-    return way.cwiseProduct(
-        framebuffer_size.cast<double>().cwiseQuotient(window_size.cast<double>()));
 }
 
 GlfwWindow::GlfwWindow(int width_px, int height_px, const std::string& title, bool visible)
@@ -115,24 +145,12 @@ GlfwWindow::GlfwWindow(int width_px, int height_px, const std::string& title, bo
 GlfwWindow::~GlfwWindow() = default;
 
 WindowInput GlfwWindow::poll(double timeout_s) {
-    if (timeout_s > 0) {
+    if (timeout_s > 0 && !implementation_->events.has_more()) {
         glfwWaitEventsTimeout(timeout_s);
     } else {
         glfwPollEvents();
     }
-    GLFWwindow* window = handle();
-    const auto button = [&](int which) { return glfwGetMouseButton(window, which) == GLFW_PRESS; };
-    WindowInput input = std::exchange(implementation_->input, {});
-    input.drag_px = implementation_->cursor_way_px();
-    input.left_button = button(GLFW_MOUSE_BUTTON_LEFT);
-    input.middle_button = button(GLFW_MOUSE_BUTTON_MIDDLE);
-    input.right_button = button(GLFW_MOUSE_BUTTON_RIGHT);
-    input.shift = is_held(window, GLFW_KEY_LEFT_SHIFT) || is_held(window, GLFW_KEY_RIGHT_SHIFT);
-    input.control =
-        is_held(window, GLFW_KEY_LEFT_CONTROL) || is_held(window, GLFW_KEY_RIGHT_CONTROL);
-    input.flight = {axis(window, GLFW_KEY_A, GLFW_KEY_D), axis(window, GLFW_KEY_E, GLFW_KEY_Q),
-                    axis(window, GLFW_KEY_S, GLFW_KEY_W)};
-    return input;
+    return implementation_->events.taken();
 }
 
 void GlfwWindow::show_frame() { glfwSwapBuffers(handle()); }
@@ -151,6 +169,55 @@ void GlfwWindow::set_title(const std::string& title) {
 
 void GlfwWindow::wait_for_vsync(bool wait) { glfwSwapInterval(wait ? 1 : 0); }
 
+void GlfwWindow::fill_screen(bool fill) {
+    GLFWwindow* const window = handle();
+    if (fill == (glfwGetWindowMonitor(window) != nullptr)) return;
+    WindowPlace& place = implementation_->before_filling;
+    if (!fill) {
+        glfwSetWindowMonitor(window, nullptr, place.at.x(), place.at.y(), place.size.x(),
+                             place.size.y(), GLFW_DONT_CARE);
+        return;
+    }
+    glfwGetWindowPos(window, &place.at.x(), &place.at.y());
+    glfwGetWindowSize(window, &place.size.x(), &place.size.y());
+    GLFWmonitor* const monitor = monitor_showing(place);
+    const GLFWvidmode* const mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    if (mode == nullptr) return;
+    glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+float GlfwWindow::content_scale() const {
+    Eigen::Vector2f scale;
+    glfwGetWindowContentScale(handle(), &scale.x(), &scale.y());
+    // Some window systems scale their units themselves.
+    const float of_units = scale.y() / static_cast<float>(px_per_unit(handle()).y());
+    // Of a screen that tells its size in millimetres, letters are no crisper for a few per cent.
+    constexpr float kStepsOfOne = 4;
+    return std::max(1.0F, std::round(kStepsOfOne * of_units) / kStepsOfOne);
+}
+
+void GlfwWindow::enlarge(float times) {
+    WindowPlace place;
+    glfwGetWindowPos(handle(), &place.at.x(), &place.at.y());
+    glfwGetWindowSize(handle(), &place.size.x(), &place.size.y());
+    GLFWmonitor* const monitor = monitor_showing(place);
+    if (monitor == nullptr || place.size.minCoeff() <= 0) return;
+    Eigen::Vector2i room_at;
+    Eigen::Vector2i room;
+    glfwGetMonitorWorkarea(monitor, &room_at.x(), &room_at.y(), &room.x(), &room.y());
+    const float fitting = room.cast<float>().cwiseQuotient(place.size.cast<float>()).minCoeff();
+    const float enlarged = std::min(times, fitting);
+    if (enlarged <= 1) return;
+    const Eigen::Vector2i size =
+        (enlarged * place.size.cast<float>()).array().floor().matrix().cast<int>();
+    glfwSetWindowSize(handle(), size.x(), size.y());
+}
+
 GLFWwindow* GlfwWindow::handle() const { return implementation_->window; }
+
+std::string label_of_key(int key) {
+    const char* const label = glfwGetKeyName(key, 0);
+    return label == nullptr ? std::string() : std::string(label);
+}
 
 }  // namespace lumi

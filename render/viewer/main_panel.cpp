@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
+#include <optional>
 #include <string>
 
 #include "calib/work/formatted.h"
@@ -16,9 +18,17 @@
 namespace lumi {
 namespace {
 
+/// For letters as high as ImGui's own.
 constexpr float kPanelWidth = 250;
 constexpr float kPanelMargin = 10;
 constexpr float kSliderWidth = 120;
+constexpr float kGraphHeight = 36;
+
+/// For the letters that there are.
+float scaled(float length) {
+    constexpr float kLetters = 13;
+    return std::round(length * ImGui::GetFontSize() / kLetters);
+}
 
 /// As the mode is drawn of this Lumigraph.
 bool is_drawn_as_a_paper_says(const RenderOptions& render, const Lumigraph& lumigraph) {
@@ -44,7 +54,7 @@ void show_caption(const std::string& text) {
 void show_modes(RenderOptions& render) {
     const std::vector<RenderMode> all = all_render_modes();
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (i % 2 == 1) ImGui::SameLine(kPanelWidth / 2);
+        if (i % 2 == 1) ImGui::SameLine(scaled(kPanelWidth) / 2);
         if (ImGui::RadioButton(name_of(all[i]).c_str(), render.mode == all[i]))
             render.mode = all[i];
     }
@@ -88,13 +98,18 @@ void show_picture(const Lumigraph& lumigraph, ViewerState& state) {
 }
 
 void show_photographs(const Lumigraph& lumigraph, ViewerState& state) {
-    const auto index = static_cast<std::size_t>(state.view_index);
-    if (!begin_list("##photograph", printable(lumigraph.views[index].name))) return;
-    for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable(printable(lumigraph.views[i].name).c_str(), i == index)) {
-            go_to_photograph(static_cast<int>(i), lumigraph, state);
-        }
+    const std::optional<int> here = photograph_stood_at(lumigraph, state);
+    const auto name_of_photograph = [&](int i) {
+        return printable(lumigraph.views[static_cast<std::size_t>(i)].name);
+    };
+    const std::string chosen =
+        here ? name_of_photograph(*here)
+             : "nearest: " + name_of_photograph(nearest_view(lumigraph, state.navigation.eye));
+    if (!begin_list("##photograph", chosen)) return;
+    for (int i = 0; i < static_cast<int>(lumigraph.views.size()); ++i) {
+        ImGui::PushID(i);
+        if (ImGui::Selectable(name_of_photograph(i).c_str(), i == here))
+            go_to_photograph(i, lumigraph, state);
         ImGui::PopID();
     }
     ImGui::EndCombo();
@@ -151,7 +166,7 @@ void show_comparison(const Lumigraph& lumigraph, const std::vector<HeldOutView>&
     ImGui::Checkbox("difference, four times", &state.shows_difference);
     if (state.shows_difference) return;
     auto share = static_cast<float>(state.compared_share);
-    ImGui::SetNextItemWidth(kSliderWidth);
+    ImGui::SetNextItemWidth(scaled(kSliderWidth));
     if (ImGui::SliderFloat("photograph", &share, 0.0F, 1.0F, "%.2f"))
         state.compared_share = static_cast<double>(share);
 }
@@ -165,9 +180,11 @@ void show_movement(ViewerState& state) {
     if (ImGui::Button(state.replays_path ? "stop" : "replay path"))
         state.replays_path = !state.replays_path;
     ImGui::EndDisabled();
+    if (state.has_unwritten_path && ImGui::Button("write the path again"))
+        state.writes_path_again = true;
     constexpr float kMost = 120.0F;
     auto wanted = static_cast<float>(state.frames_per_second);
-    ImGui::SetNextItemWidth(kSliderWidth);
+    ImGui::SetNextItemWidth(scaled(kSliderWidth));
     if (ImGui::SliderFloat("frames/s", &wanted, 0.0F, kMost, wanted > 0 ? "%.0f" : "default"))
         state.frames_per_second = static_cast<double>(wanted);
     const bool drops_triangles =
@@ -184,11 +201,10 @@ void show_figures(const Lumigraph& lumigraph, const FrameStatistics& statistics)
         const float most_ms = *std::max_element(recent.begin(), recent.end());
         const std::string words =
             formatted("%.1f ms, at most %.0f", statistics.frame_ms, static_cast<double>(most_ms));
-        constexpr float kHeight = 36;
         // A width within the plot's own size must not be negative.
         ImGui::SetNextItemWidth(-FLT_MIN);
         ImGui::PlotLines("##frames", recent.data(), static_cast<int>(recent.size()), 0,
-                         words.c_str(), 0.0F, most_ms, {0, kHeight});
+                         words.c_str(), 0.0F, most_ms, {0, scaled(kGraphHeight)});
     }
     ImGui::Text("%zu photographs, %zu faces", lumigraph.views.size(), lumigraph.mesh.faces.size());
     ImGui::TextWrapped("%s", statistics.gl_description.c_str());
@@ -196,12 +212,15 @@ void show_figures(const Lumigraph& lumigraph, const FrameStatistics& statistics)
 
 }  // namespace
 
-void show_main_panel(const Lumigraph& lumigraph, const std::vector<HeldOutView>& held_out,
-                     const std::optional<PictureOverlay>& compared,
-                     const FrameStatistics& statistics, float status_height, ViewerState& state) {
-    const float room = ImGui::GetIO().DisplaySize.y - 2 * kPanelMargin - status_height;
-    ImGui::SetNextWindowPos({kPanelMargin, kPanelMargin}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSizeConstraints({kPanelWidth, 0}, {kPanelWidth, std::max(room, 100.0F)});
+PanelPlace show_main_panel(const Lumigraph& lumigraph, const std::vector<HeldOutView>& held_out,
+                           const std::optional<PictureOverlay>& compared,
+                           const FrameStatistics& statistics, float status_height,
+                           ViewerState& state) {
+    const float margin = scaled(kPanelMargin);
+    const float width = scaled(kPanelWidth);
+    const float room = ImGui::GetIO().DisplaySize.y - 2 * margin - status_height;
+    ImGui::SetNextWindowPos({margin, margin}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(room, scaled(100.0F))});
     if (ImGui::Begin("lumi", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
         constexpr ImGuiTreeNodeFlags kOpen = ImGuiTreeNodeFlags_DefaultOpen;
         if (ImGui::CollapsingHeader("mode", kOpen)) show_modes(state.render);
@@ -215,7 +234,9 @@ void show_main_panel(const Lumigraph& lumigraph, const std::vector<HeldOutView>&
         if (ImGui::CollapsingHeader("movement", kOpen)) show_movement(state);
         if (ImGui::CollapsingHeader("figures", kOpen)) show_figures(lumigraph, statistics);
     }
+    const PanelPlace place = place_of_panel();
     ImGui::End();
+    return place;
 }
 
 }  // namespace lumi

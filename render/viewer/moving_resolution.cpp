@@ -1,6 +1,7 @@
 #include "render/viewer/moving_resolution.h"
 
 #include <cmath>
+#include <utility>
 
 namespace lumi {
 
@@ -13,9 +14,13 @@ void MovingResolution::measured(double scale, double frame_ms) {
     // smoothed away.
     const double whole_ms = frame_ms / (scale * scale);
     constexpr double kWeightOfNew = 0.3;
-    whole_frame_ms_ = whole_frame_ms_ == 0.0
-                          ? whole_ms
-                          : (1 - kWeightOfNew) * whole_frame_ms_ + kWeightOfNew * whole_ms;
+    whole_frame_ms_ = std::exchange(is_measured_, true)
+                          ? (1 - kWeightOfNew) * whole_frame_ms_ + kWeightOfNew * whole_ms
+                          : whole_ms;
+}
+
+void MovingResolution::guessed(double scale, double frame_ms) {
+    if (!is_measured_) whole_frame_ms_ = frame_ms / (scale * scale);
 }
 
 double MovingResolution::scale_while_moving() const {

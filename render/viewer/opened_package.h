@@ -23,6 +23,10 @@ struct OpenedPackage {
 /// Reads the first and every further package of a window. Throws Error.
 using PackageLoader = std::function<OpenedPackage(const std::filesystem::path&, Exposures)>;
 
+/// The package that is meant by a path: a package's own folder, its manifest, or a folder, such as
+/// a workspace, in which exactly one package lies. Any other path comes back as it is.
+[[nodiscard]] std::filesystem::path package_meant_by(const std::filesystem::path& path);
+
 /// A package alone, to be drawn as it was built to be. Throws what read_package throws.
 [[nodiscard]] OpenedPackage opened_alone(const std::filesystem::path& package, Exposures exposures);
 

@@ -78,9 +78,9 @@ bool drag(ViewerWindow& window, double seconds, OrbitReport& report,
 MemorySample take_turn(ViewerWindow& window, const OrbitOptions& options, double seconds,
                        OrbitReport& report, std::vector<double>& moving_frames_ms) {
     const Clock::time_point start = Clock::now();
-    WindowInput key;
-    key.commands = {Command::kNextPhotograph};
-    step(window, &key, report);
+    window.go_to_photograph(window.state().view_index + 1);
+    const WindowInput nothing;
+    step(window, &nothing, report);
     const double drag_s = (seconds - kRest_s) / static_cast<double>(options.modes.size());
     for (const RenderMode mode : options.modes) {
         window.state().render.mode = mode;

@@ -44,6 +44,7 @@ std::filesystem::path next_path_file(const std::filesystem::path& folder) {
 std::string PathRecording::append(const Eye& eye, int width_px, int height_px, double clock_s) {
     if (!std::exchange(is_recording_, true)) {
         path_ = {{0.0, fitted_to(eye, width_px, height_px)}};
+        is_unwritten_ = true;
         began_at_s_ = clock_s;
     }
     const Camera& first = path_.front().eye.camera;
@@ -64,11 +65,13 @@ std::string PathRecording::append(const Eye& eye, int width_px, int height_px, d
 }
 
 std::string PathRecording::end(const std::filesystem::path& folder) {
-    if (!std::exchange(is_recording_, false)) return {};
+    is_recording_ = false;
+    if (!is_unwritten_) return {};
     try {
         const std::filesystem::path path = next_path_file(folder);
         write_path_file(path, path_);
-        return "wrote " + path.filename().string() + ": " + length_of(path_);
+        is_unwritten_ = false;
+        return "wrote " + path.string() + ": " + length_of(path_);
     } catch (const std::exception& exception) {
         const std::optional<Error> error = error_of_exception(exception);
         if (!error) throw;

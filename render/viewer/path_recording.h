@@ -23,15 +23,20 @@ class PathRecording {
     /// recording began. While the eye rests only the end of the rest is added. Times are those of a
     /// steady clock and grow. Returns what people are told.
     std::string append(const Eye& eye, int width_px, int height_px, double clock_s);
-    /// Writes what was recorded into the folder. Returns what people are told: nothing where
-    /// nothing was recorded, and why where it cannot be written.
+    /// Ends the recording, and writes what was recorded and is not written yet into the folder.
+    /// Returns what people are told: nothing where there is nothing to write, and why where it
+    /// cannot be written; it can then be tried again until the next recording begins.
     std::string end(const std::filesystem::path& folder);
+    [[nodiscard]] bool is_recording() const { return is_recording_; }
+    /// Whether a path that has ended could not be written.
+    [[nodiscard]] bool is_unwritten() const { return !is_recording_ && is_unwritten_; }
     /// The path that was recorded last, whole once it has ended; empty before the first.
     [[nodiscard]] const std::vector<TimedEye>& path() const { return path_; }
 
  private:
     std::vector<TimedEye> path_;
     bool is_recording_ = false;
+    bool is_unwritten_ = false;
     double began_at_s_ = 0.0;  ///< By the clock.
 };
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "calib/work/error.h"
@@ -12,14 +11,13 @@
 #include "calib/work/process_memory.h"
 #include "calib/work/stopwatch.h"
 #include "render/gl/capabilities.h"
-#include "render/lumigraph/manifest.h"
 #include "render/viewer/comparison.h"
 #include "render/viewer/glfw_window.h"
 #include "render/viewer/panels.h"
-#include "render/viewer/path_recording.h"
 #include "render/viewer/recent_packages.h"
 #include "render/viewer/screenshot.h"
 #include "render/viewer/window_beginning.h"
+#include "render/viewer/window_path.h"
 #include "render/viewer/window_picture.h"
 
 namespace lumi {
@@ -29,15 +27,8 @@ namespace {
 /// How long the eye must rest before the whole picture is drawn.
 constexpr double kRestBeforeWhole_s = 0.15;
 constexpr double kIdleWait_s = 0.1;
-/// Where screenshots and paths go: the working folder, which may be gone.
-constexpr const char* kWrittenInto = ".";
 
 std::string title_of(const Lumigraph& lumigraph) { return "lumi - " + lumigraph.name; }
-
-/// Also where its manifest is named.
-std::filesystem::path folder_of_package(const std::filesystem::path& package) {
-    return package.filename() == kManifestName ? package.parent_path() : package;
-}
 
 }  // namespace
 
@@ -55,16 +46,19 @@ struct ViewerWindow::Implementation {
           recent_file(options.recent_file),
           progress(options.progress) {
         statistics.gl_description = query_capabilities().description;
-        statistics.message = opened.message;
+        if (!opened.message.empty()) statistics.tell(opened.message);
         remember(state.package);
+        const bool is_as_wished = options.width_px > 0 || !options.screenshot_path.empty();
+        if (const float scale = window.content_scale(); !is_as_wished && scale > 1)
+            window.enlarge(scale);
     }
 
     void take_in(WindowInput input);
+    void compare_as_wished();
     void draw_where_needed();
     void give_back_at_rest();
-    void record_path();
+    void record_path() { eye_path.record(size_px, now_s(), state, statistics); }
     void keep_path_of_what_failed() noexcept;
-    void replay_path();
     bool show_read(const std::filesystem::path& package);
     void show_wished_exposures();
     void take_wished_screenshot();
@@ -92,28 +86,42 @@ struct ViewerWindow::Implementation {
     bool is_memory_given_back = false;  ///< Since the eye last moved.
     bool steers = false;                ///< A drag that began on the picture goes on.
     bool holds_button = false;
-    PathRecording recording;
-    std::optional<double> replay_began_s;
+    WindowPath eye_path;
 };
 
 void ViewerWindow::Implementation::take_in(WindowInput input) {
     const double seconds = now_s() - last_step_s;
     last_step_s += seconds;
     const bool pressed = input.left_button || input.middle_button || input.right_button;
-    if (pressed && !holds_button) steers = !panels.takes_mouse();
+    if (input.pressed_at_px || (pressed && !holds_button))
+        steers = !panels.takes_mouse(input.pressed_at_px);
     holds_button = pressed;
     if (!steers) input.drag_px.setZero();
-    if (panels.takes_mouse()) input.wheel_steps = 0.0;
+    if (panels.takes_mouse(input.cursor_px)) input.wheel_steps = 0.0;
     if (panels.takes_keys()) {
         input.flight.setZero();
         input.commands.clear();
     }
     if (panels.has_open_list()) std::erase(input.commands, Command::kBack);
     for (const Command command : input.commands) apply(command, lumigraph, state);
+    compare_as_wished();
+    if (is_compared(comparison.views(), state)) {
+        if (enlarge(input, size_px, state.enlargement)) last_motion_s = now_s();
+    } else if (steers && input.double_clicked_at_px) {
+        turn_about(*input.double_clicked_at_px, size_px, lumigraph, state.navigation);
+    }
     if (steer(input, seconds, size_px.x(), size_px.y(), state.navigation)) {
         last_motion_s = now_s();
         state.replays_path = false;
     }
+    if (!is_compared(comparison.views(), state)) state.enlargement = {};
+}
+
+void ViewerWindow::Implementation::compare_as_wished() {
+    if (!std::exchange(state.wants_comparison, false)) return;
+    if (comparison.views().empty())
+        statistics.tell("no photograph of this package was held out, to compare with");
+    compare_again_or_next(comparison.views(), lumigraph, state);
 }
 
 bool ViewerWindow::Implementation::is_moving() const {
@@ -134,37 +142,14 @@ void ViewerWindow::Implementation::give_back_at_rest() {
     if (is_memory_given_back && !was_given_back) release_free_memory();
 }
 
-void ViewerWindow::Implementation::record_path() {
-    statistics.recording.clear();
-    if (state.records_path) {
-        statistics.recording =
-            recording.append(state.navigation.eye, size_px.x(), size_px.y(), now_s());
-    } else if (const std::string message = recording.end(kWrittenInto); !message.empty()) {
-        statistics.message = message;
-    }
-    state.has_path = !state.records_path && !recording.path().empty();
-}
-
 /// As where the window is closed. What made it fail counts more than what fails here.
 void ViewerWindow::Implementation::keep_path_of_what_failed() noexcept {
     try {
-        const std::string message = recording.end(kWrittenInto);
+        const std::string message = eye_path.end();
         if (progress && !message.empty()) progress->note(message);
     } catch (...) {
         return;
     }
-}
-
-void ViewerWindow::Implementation::replay_path() {
-    state.replays_path = state.replays_path && state.has_path && !state.records_path;
-    if (!state.replays_path) return replay_began_s.reset();
-    last_motion_s = now_s();
-    if (!replay_began_s) replay_began_s = last_motion_s;
-    const double time_s = last_motion_s - *replay_began_s;
-    state.navigation = carried_to(state.navigation, eye_at_time(recording.path(), time_s));
-    if (time_s < recording.path().back().time_s) return;
-    state.replays_path = false;
-    replay_began_s.reset();
 }
 
 /// Whether it could be read; else what is shown stays, with a message.
@@ -176,12 +161,12 @@ bool ViewerWindow::Implementation::show_read(const std::filesystem::path& packag
         comparison = Comparison(std::move(opened.held_out), std::move(opened.likeness_words));
         state.planned = std::move(opened.planned);
         state.render.fade_beyond_capture = opened.fade_beyond_capture;
-        statistics.message = "opened " + lumigraph.name;
-        if (!opened.message.empty()) statistics.message += ": " + opened.message;
+        statistics.tell("opened " + lumigraph.name +
+                        (opened.message.empty() ? "" : ": " + opened.message));
     } catch (const std::exception& exception) {
         const auto error = error_of_exception(exception);
         if (!error) throw;
-        statistics.message = std::string(error->what()) + " - " + error->advice();
+        statistics.tell_failure(std::string(error->what()) + " - " + error->advice());
         return false;
     }
     state.package = package;
@@ -195,7 +180,7 @@ void ViewerWindow::Implementation::remember(const std::filesystem::path& package
     try {
         if (!package.empty()) remember_package(package, recent_file);
     } catch (const Error& error) {
-        statistics.message = error.what();
+        statistics.tell_failure(error.what());
     }
     state.recent_packages = read_recent_packages(recent_file);
 }
@@ -219,13 +204,13 @@ void ViewerWindow::Implementation::write_screenshot_to(const std::filesystem::pa
 void ViewerWindow::Implementation::take_wished_screenshot() {
     if (!std::exchange(state.wants_screenshot, false)) return;
     try {
-        const auto path = next_screenshot_path(kWrittenInto);
+        const auto path = next_screenshot_path(written_into());
         write_screenshot_to(path);
-        statistics.message = "wrote " + path.filename().string();
+        statistics.tell("wrote " + path.string());
     } catch (const std::exception& exception) {
         const auto error = error_of_exception(exception);
         if (!error) throw;
-        statistics.message = error->what();
+        statistics.tell_failure(error->what());
     }
 }
 
@@ -262,14 +247,18 @@ bool ViewerWindow::step_unguarded(const WindowInput* in_place_of_user) {
         open_package(chosen);
     viewer.show_wished_exposures();
     viewer.take_in(input);
-    viewer.replay_path();
+    if (viewer.eye_path.replay(viewer.now_s(), viewer.state)) viewer.last_motion_s = viewer.now_s();
+    viewer.window.fill_screen(viewer.state.fills_screen);
     viewer.window.wait_for_vsync(viewer.state.waits_for_vsync);
     viewer.take_wished_screenshot();
     viewer.draw_where_needed();
     viewer.give_back_at_rest();
     // A path is not lost with its window.
     const bool closes = viewer.state.wants_to_close || viewer.window.should_close();
-    if (closes) viewer.state.records_path = false;
+    if (closes) {
+        viewer.state.records_path = false;
+        viewer.state.writes_path_again = true;
+    }
     viewer.record_path();
     viewer.present();
     return !closes;
@@ -281,14 +270,19 @@ void ViewerWindow::write_screenshot_to(const std::filesystem::path& path) {
 
 void ViewerWindow::open_package(const std::filesystem::path& folder) {
     Implementation& viewer = *implementation_;
-    if (!viewer.show_read(folder_of_package(folder))) return;
+    if (!viewer.show_read(package_meant_by(folder))) return;
     // A path belongs to its scene.
     viewer.state.records_path = false;
+    viewer.state.writes_path_again = true;
     viewer.record_path();
-    viewer.recording = PathRecording();
+    viewer.eye_path.forget();
     viewer.state = state_after_opening(viewer.lumigraph, viewer.state);
     viewer.remember(viewer.state.package);
     viewer.window.set_title(title_of(viewer.lumigraph));
+}
+
+void ViewerWindow::go_to_photograph(int view_index) {
+    lumi::go_to_photograph(view_index, implementation_->lumigraph, implementation_->state);
 }
 
 ViewerState& ViewerWindow::state() { return implementation_->state; }

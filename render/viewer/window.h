@@ -55,9 +55,11 @@ class ViewerWindow {
     bool step(const WindowInput* in_place_of_user = nullptr);
     /// Draws the whole picture of the present eye and writes it with its pose.
     void write_screenshot_to(const std::filesystem::path& path);
-    /// Opens another package in place of this one; one that cannot be read leaves this one and a
-    /// message in the panel.
+    /// Opens another package (package_meant_by) in place of this one; one that cannot be read
+    /// leaves this one and a message in the panel.
     void open_package(const std::filesystem::path& folder);
+    /// Stands at a photograph of the package that is shown; indices wrap around.
+    void go_to_photograph(int view_index);
 
     [[nodiscard]] ViewerState& state();
     [[nodiscard]] const FrameStatistics& statistics() const;

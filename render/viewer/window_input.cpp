@@ -1,6 +1,7 @@
 #include "render/viewer/window_input.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "render/paths/photograph_eye.h"
 
@@ -43,6 +44,25 @@ bool steer(const WindowInput& input, double seconds, int width_px, int height_px
         moved = true;
     }
     return moved;
+}
+
+bool enlarge(WindowInput& input, const Eigen::Vector2i& size_px, Enlargement& enlargement) {
+    if (input.wheel_steps == 0.0) return false;
+    const Eigen::Vector2d size = size_px.cast<double>();
+    const Eigen::Vector2d cursor_px = input.cursor_px.value_or(0.5 * size);
+    enlargement = enlarged_about(enlargement, cursor_px.cwiseQuotient(size),
+                                 std::exchange(input.wheel_steps, 0.0));
+    return true;
+}
+
+void turn_about(const Eigen::Vector2d& place_px, const Eigen::Vector2i& size_px,
+                const Lumigraph& lumigraph, Navigation& navigation) {
+    const Eye& eye = navigation.eye;
+    // Eye and window have the middle of the picture in common.
+    const Eigen::Vector2d from_middle =
+        (place_px - 0.5 * size_px.cast<double>()) / fitting_scale(eye, size_px.x(), size_px.y());
+    const Eigen::Vector2d middle(0.5 * eye.camera.width_px, 0.5 * eye.camera.height_px);
+    navigation = turning_about(navigation, lumigraph, middle + from_middle);
 }
 
 }  // namespace lumi

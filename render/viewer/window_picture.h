@@ -24,7 +24,7 @@ struct DrawnFrame {
 class WindowPicture {
  public:
     /// Throws what LumigraphRenderer throws.
-    explicit WindowPicture(const Lumigraph& lumigraph) : renderer_(lumigraph) {}
+    explicit WindowPicture(const Lumigraph& lumigraph);
 
     /// Is of another Lumigraph from here on. Where this throws, nothing has changed.
     void change_to(const Lumigraph& lumigraph);
@@ -39,16 +39,22 @@ class WindowPicture {
     [[nodiscard]] LumigraphRenderer& renderer() { return renderer_; }
 
  private:
-    /// False where the frame is the one that was drawn last.
-    bool draw(const Eye& eye, double scale, const Eigen::Vector2i& size_px,
+    /// False where the frame is the one that was drawn last. In a window that is larger than what
+    /// the driver draws, the frame is as large as it draws.
+    bool draw(const ViewerState& state, double scale, const Eigen::Vector2i& size_px,
               const RenderOptions& options, FrameStatistics& statistics);
+    /// Frames of other options, or of another size, cost otherwise.
+    void heed_what_costs(const RenderOptions& options, const Eigen::Vector2i& size_px);
 
     LumigraphRenderer renderer_;
+    int most_side_px_;  ///< That the driver draws.
     FrameTarget target_;
     std::optional<DrawnFrame> drawn_;
     MovingResolution resolution_;
     TriangleBudget budget_;
     double frames_per_second_ = 0.0;  ///< That resolution and budget were made for.
+    RenderOptions measured_options_;  ///< That the resolution was measured with.
+    Eigen::Vector2i measured_size_px_ = Eigen::Vector2i::Zero();
 };
 
 }  // namespace lumi

@@ -144,6 +144,55 @@ TEST(Zoom, NeverReachesThePivot) {
     EXPECT_TRUE(place(navigation).allFinite());
 }
 
+TEST(Zoom, PushesThePivotOnOnceItIsAsNearAsTheLeastDistance) {
+    Navigation before = some_navigation();
+    before.least_distance = 0.5;
+    const Eigen::Vector3d direction = (before.pivot_in_world - place(before)).normalized();
+    Navigation after = before;
+    for (int step = 0; step < 40; ++step) {
+        const Navigation last = after;
+        after = zoom(after, 1.0);
+        const double way = (place(after) - place(last)).dot(direction);
+        EXPECT_GT(way, 0.1 * before.least_distance - 1e-12);
+        EXPECT_LT((place(after) - place(last) - way * direction).norm(), 1e-9) << "straight ahead";
+    }
+    EXPECT_NEAR(distance(after), before.least_distance, 1e-9);
+    EXPECT_GT((place(after) - before.pivot_in_world).dot(direction), 0.0) << "through the pivot";
+    EXPECT_LT(
+        (pixel_of(after, after.pivot_in_world) - pixel_of(before, before.pivot_in_world)).norm(),
+        1e-9);
+    // At once or step by step, it is the same way but for the step that reaches the distance.
+    EXPECT_LT((place(zoom(before, 40.0)) - place(after)).norm(), 0.05 * before.least_distance);
+    EXPECT_GT(distance(zoom(after, -1.0)), distance(after)) << "and back";
+}
+
+TEST(Zoom, KeepsAPivotThatIsNearerThanTheLeastDistanceAsNear) {
+    Navigation near = some_navigation();
+    near.least_distance = 10.0;
+    const Navigation after = zoom(near, 2.0);
+    EXPECT_NEAR(distance(after), distance(near), 1e-9);
+    EXPECT_NEAR((place(after) - place(near)).norm(), 2.0, 1e-9);
+}
+
+TEST(Fly, IsNoSlowerThanByTheLeastDistance) {
+    Navigation near = zoom(some_navigation(), 40.0);
+    near.least_distance = 0.5;
+    EXPECT_NEAR((place(fly(near, {0, 0, 1})) - place(near)).norm(), 0.5, 1e-9);
+    Navigation far = some_navigation();
+    far.least_distance = 0.5;
+    EXPECT_NEAR((place(fly(far, {0, 0, 1})) - place(far)).norm(), distance(far), 1e-9);
+}
+
+TEST(LeastDistance, IsAThirdOfWhereTheSceneBegins) {
+    Lumigraph lumigraph = tiny_lumigraph();
+    lumigraph.near_depth = 6.0;
+    lumigraph.far_depth = 20.0;
+    EXPECT_NEAR(least_distance(lumigraph), 2.0, 1e-12);
+    lumigraph.near_depth = lumigraph.far_depth = 0.0;
+    EXPECT_GT(least_distance(lumigraph), 0.0);
+    EXPECT_TRUE(std::isfinite(least_distance(lumigraph)));
+}
+
 TEST(Fly, MovesAlongTheEyesOwnAxesByTheDistanceToThePivot) {
     const Navigation before = some_navigation();
     const Navigation forward = fly(before, {0, 0, 0.5});

@@ -203,11 +203,13 @@ TEST_F(LongLivedWindow, LeavesAReplayForThePhotographThatIsWished) {
     ASSERT_TRUE(window.step());
     EXPECT_LT(pivot_off_axis(state.navigation), 1e-9) << "and not another photograph's";
     ASSERT_TRUE(state.replays_path);
+    const auto next = static_cast<std::size_t>(nearest_view(shown_box(), state.navigation.eye) + 1);
     WindowInput input;
     input.commands = {Command::kNextPhotograph};
     ASSERT_TRUE(window.step(&input));
     EXPECT_FALSE(state.replays_path);
-    EXPECT_TRUE(is_same_eye(state.navigation.eye, eye_at(shown_box().views[7])));
+    EXPECT_TRUE(is_same_eye(state.navigation.eye,
+                            eye_at(shown_box().views[next % shown_box().views.size()])));
 }
 
 TEST_F(LongLivedWindow, SaysThatItsFolderIsGoneAndStays) {
@@ -226,6 +228,93 @@ TEST_F(LongLivedWindow, SaysThatItsFolderIsGoneAndStays) {
     state.records_path = false;
     ASSERT_TRUE(window.step());
     EXPECT_NE(window.statistics().message.find("lumi-path-0001.json"), std::string::npos);
+}
+
+TEST_F(LongLivedWindow, WritesAPathAgainThatCouldNotBeWritten) {
+    const fs::path gone = scratch_ / "gone";
+    fs::create_directory(gone);
+    ViewerWindow window({shown_box()}, window_of_320x240());
+    ViewerState& state = window.state();
+    state.records_path = true;
+    ASSERT_TRUE(window.step());
+    fs::current_path(gone);
+    fs::remove(gone);
+    state.records_path = false;
+    ASSERT_TRUE(window.step());
+    EXPECT_TRUE(window.statistics().has_failed);
+    EXPECT_TRUE(state.has_unwritten_path);
+    const int told = window.statistics().messages;
+    ASSERT_TRUE(window.step());
+    EXPECT_EQ(window.statistics().messages, told) << "once";
+
+    fs::current_path(scratch_.path());
+    state.writes_path_again = true;
+    ASSERT_TRUE(window.step());
+    EXPECT_TRUE(fs::exists("lumi-path-0001.json"));
+    EXPECT_FALSE(window.statistics().has_failed);
+    EXPECT_FALSE(state.has_unwritten_path);
+    state.wants_to_close = true;
+    EXPECT_FALSE(window.step());
+    EXPECT_FALSE(fs::exists("lumi-path-0002.json"));
+}
+
+TEST_F(LongLivedWindow, TriesOnceMoreToWriteAPathWhenItIsClosed) {
+    const fs::path gone = scratch_ / "gone";
+    fs::create_directory(gone);
+    ViewerWindow window({shown_box()}, window_of_320x240());
+    window.state().records_path = true;
+    ASSERT_TRUE(window.step());
+    fs::current_path(gone);
+    fs::remove(gone);
+    window.state().records_path = false;
+    ASSERT_TRUE(window.step());
+    fs::current_path(scratch_.path());
+    window.state().wants_to_close = true;
+    EXPECT_FALSE(window.step());
+    EXPECT_TRUE(fs::exists("lumi-path-0001.json"));
+}
+
+TEST_F(LongLivedWindow, NamesWhatItWritesByItsWholePath) {
+    ViewerWindow window({shown_box()}, window_of_320x240());
+    window.state().wants_screenshot = true;
+    ASSERT_TRUE(window.step());
+    const std::string path = (fs::current_path() / "lumi-0001.png").string();
+    EXPECT_EQ(window.statistics().message, "wrote " + path);
+}
+
+TEST_F(LongLivedWindow, FillsTheScreenAndComesBackAsItWas) {
+    ViewerWindow window({shown_box()}, window_of_320x240());
+    ASSERT_TRUE(window.step());
+    window.state().fills_screen = true;
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(window.step());
+    EXPECT_EQ(window.statistics().width_px, 1280) << "the screen's";
+    window.state().fills_screen = false;
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(window.step());
+    EXPECT_EQ(window.statistics().width_px, 320);
+}
+
+TEST_F(LongLivedWindow, EnlargesWhatIsComparedByTheWheelAndGoesBackToIt) {
+    const LumigraphView& view = shown_box().views[4];
+    OpenedPackage opened{.lumigraph = shown_box(),
+                         .held_out = {{view.name, eye_at(view), view.photograph}}};
+    ViewerWindow window(std::move(opened), window_of_320x240());
+    WindowInput input;
+    input.commands = {Command::kCompare};
+    ASSERT_TRUE(window.step(&input));
+    ASSERT_TRUE(is_compared(window.held_out(), window.state()));
+    input = {};
+    input.wheel_steps = 4;
+    input.cursor_px = Eigen::Vector2d(300, 200);
+    ASSERT_TRUE(window.step(&input));
+    EXPECT_TRUE(is_compared(window.held_out(), window.state()));
+    EXPECT_GT(window.state().enlargement.times, 2.0);
+    input.wheel_steps = 0;
+    input.right_button = true;
+    input.drag_px = {20, 0};
+    input.pressed_at_px = Eigen::Vector2d(300, 200);
+    ASSERT_TRUE(window.step(&input));
+    EXPECT_FALSE(is_compared(window.held_out(), window.state()));
+    EXPECT_EQ(window.state().enlargement.times, 1.0);
 }
 
 TEST_F(LongLivedWindow, TellsOfAPictureThatItWritesWhileAPathIsRecorded) {

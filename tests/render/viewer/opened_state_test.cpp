@@ -13,6 +13,7 @@ TEST(StateAfterOpening, KeepsWhatWasChosenAndForgetsWhereTheEyeWas) {
     state.shows_help = true;
     state.shows_panel = false;
     state.waits_for_vsync = false;
+    state.fills_screen = true;
     state.exposures = Exposures::kAsTaken;
     state.planned = {{{}, "two steps to the left"}};
     state.package = "a.lumi";
@@ -30,6 +31,7 @@ TEST(StateAfterOpening, KeepsWhatWasChosenAndForgetsWhereTheEyeWas) {
     EXPECT_TRUE(after.shows_help);
     EXPECT_FALSE(after.shows_panel);
     EXPECT_FALSE(after.waits_for_vsync);
+    EXPECT_TRUE(after.fills_screen);
     EXPECT_EQ(after.exposures, Exposures::kAsTaken);
     EXPECT_EQ(after.planned.size(), 1U);
     EXPECT_EQ(after.package, "a.lumi");

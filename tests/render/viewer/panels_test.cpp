@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <optional>
 #include <utility>
 #include <vector>
@@ -94,6 +97,53 @@ TEST_F(PanelsTest, CountTrianglesWhereTheSceneIsCutIntoThem) {
                                                        panels.draw(frame_of_triangles(88888)));
         EXPECT_EQ(different > 0, mode != RenderMode::kPerPixel) << name_of(mode);
     }
+}
+
+/// As if so long nothing had happened.
+void let_pass(double seconds) { glfwSetTime(glfwGetTime() + seconds); }
+
+TEST_F(PanelsTest, TellWhatHappenedForSomeSeconds) {
+    const Lumigraph lumigraph = box();
+    DrawnPanels panels(lumigraph, RenderMode::kPerPixel);
+    FrameStatistics statistics;
+    const std::vector<Rgb8> silent = panels.draw(statistics);
+    statistics.tell("wrote a picture");
+    const std::vector<Rgb8> told = panels.draw(statistics);
+    EXPECT_GT(different_pixels(silent, told), 100U);
+    let_pass(2.0);
+    EXPECT_EQ(different_pixels(told, panels.draw(statistics)), 0U);
+    let_pass(3.0);
+    EXPECT_EQ(different_pixels(silent, panels.draw(statistics)), 0U);
+    statistics.tell("wrote a picture");
+    EXPECT_EQ(different_pixels(told, panels.draw(statistics)), 0U) << "once more the same";
+}
+
+TEST_F(PanelsTest, TellWhatFailedUntilSomebodyDoesSomething) {
+    const Lumigraph lumigraph = box();
+    DrawnPanels panels(lumigraph, RenderMode::kPerPixel);
+    FrameStatistics statistics;
+    const std::vector<Rgb8> silent = panels.draw(statistics);
+    statistics.tell_failure("nothing was written");
+    const std::vector<Rgb8> told = panels.draw(statistics);
+    EXPECT_GT(different_pixels(silent, told), 100U);
+    let_pass(60.0);
+    EXPECT_EQ(different_pixels(told, panels.draw(statistics)), 0U);
+    ImGui::GetIO().KeysDown[GLFW_KEY_X] = true;
+    EXPECT_EQ(different_pixels(silent, panels.draw(statistics)), 0U);
+}
+
+TEST_F(PanelsTest, TakeTheMouseWhereTheyAreDrawn) {
+    const Lumigraph lumigraph = box();
+    GlfwWindow window(kLeastWindowWidth_px, kLeastWindowHeight_px, "panels", false);
+    Panels panels(window);
+    ViewerState state = first_state(lumigraph, {});
+    const auto draw = [&] { panels.draw(lumigraph, {}, std::nullopt, {}, state); };
+    for (int i = 0; i < 4; ++i) draw();
+    EXPECT_TRUE(panels.takes_mouse(Eigen::Vector2d(100, 100)));
+    EXPECT_FALSE(panels.takes_mouse(Eigen::Vector2d(600, 100)));
+    state.shows_panel = false;
+    draw();
+    EXPECT_FALSE(panels.takes_mouse(Eigen::Vector2d(100, 100)));
 }
 
 TEST_F(PanelsTest, EscapeEndsNoProgramWhileAListIsOpen) {

@@ -34,7 +34,8 @@ TEST(PathRecording, WritesEachEyeWithItsTimeAndOfARestTheBeginningAndTheEnd) {
     PathRecording recording;
     double clock_s = 100.0;
     for (const double x : {0.0, 0.0, 0.0, 0.0, 0.1, 0.0}) append_to(recording, x, clock_s += 0.5);
-    EXPECT_EQ(recording.end(scratch.path()), "wrote lumi-path-0001.json: 4 eyes, 2.5 s");
+    EXPECT_EQ(recording.end(scratch.path()),
+              "wrote " + (scratch / "lumi-path-0001.json").string() + ": 4 eyes, 2.5 s");
     EXPECT_EQ(times_in(scratch / "lumi-path-0001.json"), (std::vector{0.0, 1.5, 2.0, 2.5}));
 }
 
@@ -65,7 +66,8 @@ TEST(PathRecording, BeginsAnewOnceItHasEnded) {
     EXPECT_EQ(recording.end(scratch.path()), "");
     EXPECT_EQ(recording.path().size(), 1U) << "to be replayed";
     recording.append(eye_from(0.1), 80, 48, 9.0);
-    EXPECT_EQ(recording.end(scratch.path()), "wrote lumi-path-0002.json: 1 eye, 0.0 s");
+    EXPECT_EQ(recording.end(scratch.path()),
+              "wrote " + (scratch / "lumi-path-0002.json").string() + ": 1 eye, 0.0 s");
     EXPECT_EQ(recording.path().front().eye.camera.width_px, 80);
 }
 
@@ -77,6 +79,21 @@ TEST(PathRecording, SaysWhatCannotBeWritten) {
     const std::string words = recording.end(scratch / "a file");
     EXPECT_NE(words.find("a file"), std::string::npos) << words;
     EXPECT_NE(words.find(" - check that"), std::string::npos) << words << ": what to do about it";
+}
+
+TEST(PathRecording, CanBeWrittenAgainWhereItCouldNotBe) {
+    const ScratchFolder scratch;
+    PathRecording recording;
+    append_to(recording, 0.0, 0.0);
+    append_to(recording, 0.1, 0.5);
+    EXPECT_FALSE(recording.is_unwritten()) << "it goes on";
+    write_whole_text(scratch / "a file", "");
+    EXPECT_NE(recording.end(scratch / "a file"), "");
+    EXPECT_TRUE(recording.is_unwritten());
+    EXPECT_NE(recording.end(scratch.path()), "");
+    EXPECT_FALSE(recording.is_unwritten());
+    EXPECT_EQ(times_in(scratch / "lumi-path-0001.json"), (std::vector{0.0, 0.5}));
+    EXPECT_EQ(recording.end(scratch.path()), "");
 }
 
 }  // namespace

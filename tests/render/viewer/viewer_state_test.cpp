@@ -12,7 +12,6 @@
 #include "calib/work/whole_file.h"
 #include "render/paths/photograph_eye.h"
 #include "render/viewer/commands.h"
-#include "render/viewer/moving_resolution.h"
 #include "render/viewer/recent_packages.h"
 #include "render/viewer/screenshot.h"
 #include "render/viewer/window_input.h"
@@ -110,6 +109,76 @@ TEST_F(ViewerStateTest, StepsThroughThePhotographsAndWrapsAround) {
     EXPECT_LT((place(state_) - centre_in_world(lumigraph_.views[1].cam_from_world)).norm(), 1e-12);
 }
 
+TEST_F(ViewerStateTest, StandsAtAPhotographOnlyUntilTheEyeMoves) {
+    go_to_photograph(1, lumigraph_, state_);
+    EXPECT_EQ(photograph_stood_at(lumigraph_, state_), 1);
+    state_.navigation = pan(state_.navigation, {0.01, 0.01});
+    EXPECT_FALSE(photograph_stood_at(lumigraph_, state_).has_value());
+}
+
+TEST_F(ViewerStateTest, StepsToThePhotographsBesideTheNearestOneWhereTheEyeHasMovedAway) {
+    for (const auto& [command, expected] :
+         {std::pair{Command::kNextPhotograph, 0}, {Command::kPreviousPhotograph, 1}}) {
+        go_to_photograph(0, lumigraph_, state_);
+        state_.navigation = snap_to(state_.navigation, lumigraph_, 2);
+        state_.navigation = pan(state_.navigation, {0.01, 0.01});
+        ASSERT_EQ(nearest_view(lumigraph_, state_.navigation.eye), 2);
+        apply_command(command);
+        EXPECT_EQ(state_.view_index, expected);
+    }
+}
+
+TEST_F(ViewerStateTest, ComparesAgainAndThenWithTheNextHeldOutPhotograph) {
+    std::vector<HeldOutView> held_out(2);
+    held_out[0] = {"a", eye_at(lumigraph_.views[1]), {}};
+    held_out[1] = {"b", eye_at(lumigraph_.views[2]), {}};
+    const auto compare = [&] { compare_again_or_next(held_out, lumigraph_, state_); };
+    compare_again_or_next({}, lumigraph_, state_);
+    EXPECT_FALSE(is_compared(held_out, state_));
+    compare();
+    EXPECT_EQ(state_.compared_index, 0);
+    EXPECT_TRUE(is_compared(held_out, state_));
+    state_.enlargement = {2.0, {-0.5, -0.5}};
+    compare();
+    EXPECT_EQ(state_.compared_index, 1);
+    EXPECT_EQ(state_.enlargement.times, 1.0);
+    state_.navigation = pan(state_.navigation, {0.01, 0.01});
+    EXPECT_FALSE(is_compared(held_out, state_));
+    compare();
+    EXPECT_EQ(state_.compared_index, 1) << "again";
+    compare();
+    EXPECT_EQ(state_.compared_index, 0) << "after the last the first";
+}
+
+TEST(Enlargement, KeepsThePlaceUnderTheCursorAndThePictureOverTheFrame) {
+    const Eigen::Vector2d frame(640, 480);
+    const Eigen::Vector2d cursor(500, 100);
+    Enlargement enlargement;
+    for (int step = 0; step < 8; ++step) {
+        enlargement = enlarged_about(enlargement, cursor.cwiseQuotient(frame), 1.0);
+        EXPECT_LT((enlargement.place(cursor, frame) - cursor).norm(), 1e-9);
+    }
+    EXPECT_NEAR(enlargement.times, std::pow(1.25, 8), 1e-9);
+    // Back at another place, it must not leave a part of the frame empty.
+    for (int step = 0; step < 8; ++step) {
+        enlargement = enlarged_about(enlargement, {0.0, 0.9}, -1.0);
+        EXPECT_LE(enlargement.place({0, 0}, frame).maxCoeff(), 1e-9);
+        EXPECT_GE((enlargement.place(frame, frame) - frame).minCoeff(), -1e-9);
+    }
+    EXPECT_NEAR(enlargement.times, 1.0, 1e-9);
+    EXPECT_EQ(enlarged_about(enlargement, {0.5, 0.5}, -5.0).times, 1.0);
+}
+
+TEST_F(ViewerStateTest, TheWheelEnlargesOnceAndMovesNothingThen) {
+    WindowInput input;
+    input.wheel_steps = 2.0;
+    Enlargement enlargement;
+    EXPECT_TRUE(enlarge(input, {320, 240}, enlargement));
+    EXPECT_NEAR(enlargement.times, 1.5625, 1e-12);
+    EXPECT_FALSE(enlarge(input, {320, 240}, enlargement));
+    EXPECT_FALSE(steer(input, 0.02, 320, 240, state_.navigation));
+}
+
 TEST_F(ViewerStateTest, HomeStandsAtTheNearestPhotograph) {
     apply_command(Command::kNextPhotograph);
     state_.navigation = pan(state_.navigation, {0.01, 0.01});
@@ -131,14 +200,15 @@ TEST_F(ViewerStateTest, ADebugPictureIsPutAwayByItsOwnKeyAndReplacedByAnother) {
 
 TEST_F(ViewerStateTest, TogglesComeBack) {
     const RenderOptions before = state_.render;
-    for (const Command command :
-         {Command::kOcclusion, Command::kHelp, Command::kPanel, Command::kVsync}) {
+    for (const Command command : {Command::kOcclusion, Command::kHelp, Command::kPanel,
+                                  Command::kFullScreen, Command::kVsync}) {
         apply_command(command);
         apply_command(command);
     }
     EXPECT_EQ(state_.render.correct_occlusion, before.correct_occlusion);
     EXPECT_FALSE(state_.shows_help);
     EXPECT_TRUE(state_.shows_panel);
+    EXPECT_FALSE(state_.fills_screen);
     EXPECT_TRUE(state_.waits_for_vsync);
 }
 
@@ -147,6 +217,10 @@ TEST_F(ViewerStateTest, EscapeClosesTheHelpBeforeItEndsTheProgram) {
     state_.shows_help = true;
     apply_command(Command::kBack);
     EXPECT_FALSE(state_.shows_help);
+    EXPECT_FALSE(state_.wants_to_close);
+    state_.fills_screen = true;
+    apply_command(Command::kBack);
+    EXPECT_FALSE(state_.fills_screen);
     EXPECT_FALSE(state_.wants_to_close);
     apply_command(Command::kBack);
     EXPECT_TRUE(state_.wants_to_close);
@@ -266,52 +340,6 @@ TEST_F(ViewerStateTest, ControlKeysDoNotFly) {
     input.flight = {1, 0, 0};
     input.control = true;
     EXPECT_FALSE(steer(input, 0.02, 130, 70, state_.navigation));
-}
-
-TEST(MovingResolution, StaysWholeWhereDrawingIsQuick) {
-    MovingResolution resolution;
-    EXPECT_EQ(resolution.scale_while_moving(), 1.0);
-    for (int i = 0; i < 10; ++i) resolution.measured(1.0, 20.0);
-    EXPECT_EQ(resolution.scale_while_moving(), 1.0);
-}
-
-TEST(MovingResolution, KeepsTheTargetWhereDrawingIsSlow) {
-    MovingResolution resolution;
-    double scale = 1.0;
-    for (int i = 0; i < 30; ++i) {
-        resolution.measured(scale, 120.0 * scale * scale);
-        scale = resolution.scale_while_moving();
-    }
-    EXPECT_EQ(scale, 0.5) << "120 ms, a quarter of it is 30";
-}
-
-TEST(MovingResolution, IsCoarserWhereMoreFramesASecondAreWanted) {
-    MovingResolution sixty(60.0);
-    MovingResolution by_itself;
-    for (MovingResolution* resolution : {&sixty, &by_itself}) resolution->measured(1.0, 25.0);
-    EXPECT_EQ(by_itself.scale_while_moving(), 1.0);
-    EXPECT_EQ(sixty.scale_while_moving(), std::sqrt(0.5));
-}
-
-TEST(MovingResolution, ComesToTheFinestThatKeepsTheTargetThoughMuchDoesNotGrowWithPixels) {
-    const auto frame_ms = [](double scale) { return 10 + 95 * scale * scale; };
-    MovingResolution resolution;
-    resolution.measured(1.0, 300.0);  // The first frame of all.
-    double scale = 0;
-    for (int i = 0; i < 60; ++i) {
-        scale = resolution.scale_while_moving();
-        resolution.measured(scale, frame_ms(scale));
-    }
-    EXPECT_EQ(scale, std::exp2(-1.5)) << "22 ms; twice the pixels take 34, more than 33";
-    EXPECT_GT(frame_ms(std::sqrt(2.0) * scale), 1000 / MovingResolution::kFramesPerSecond);
-}
-
-TEST(MovingResolution, GoesNoCoarserThanItsLimitAndRecovers) {
-    MovingResolution resolution;
-    for (int i = 0; i < 10; ++i) resolution.measured(1.0, 1e6);
-    EXPECT_EQ(resolution.scale_while_moving(), MovingResolution::kCoarsest);
-    for (int i = 0; i < 60; ++i) resolution.measured(MovingResolution::kCoarsest, 0.1);
-    EXPECT_EQ(resolution.scale_while_moving(), 1.0);
 }
 
 TEST(Screenshot, HoldsThePixelsAndThePoseToTheBit) {

@@ -3,6 +3,10 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -143,6 +147,25 @@ TEST_F(Window, CopiesTheFrameToTheWindowPixelByPixel) {
     EXPECT_LT(black, 320 * 240 / 10) << "the photograph covers the picture";
 }
 
+TEST_F(Window, TakesEventsInTheirOrderHoweverLateItIsAsked) {
+    GlfwWindow window(320, 240, "events", false);
+    (void)window.poll(0.0);
+    // As GLFW calls back while events are polled.
+    const GLFWcursorposfun moved = glfwSetCursorPosCallback(window.handle(), nullptr);
+    const GLFWmousebuttonfun pressed = glfwSetMouseButtonCallback(window.handle(), nullptr);
+    ASSERT_NE(moved, nullptr);
+    ASSERT_NE(pressed, nullptr);
+    moved(window.handle(), 10, 10);
+    moved(window.handle(), 200, 100);
+    pressed(window.handle(), GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS, 0);
+    moved(window.handle(), 203, 104);
+    pressed(window.handle(), GLFW_MOUSE_BUTTON_LEFT, GLFW_RELEASE, 0);
+    moved(window.handle(), 300, 200);
+    const WindowInput input = window.poll(0.0);
+    EXPECT_TRUE(input.left_button);
+    EXPECT_EQ(input.drag_px, Eigen::Vector2d(3, 4));
+}
+
 TEST_F(Window, StepsAtRestAndMovingWithoutAnyGlError) {
     ViewerWindow window({box()}, small_window());
     for (const Command command :
@@ -266,6 +289,23 @@ TEST(FittedOverlay, CoversWhereThePictureLies) {
     const PictureOverlay wider = fitted_overlay(eye, 400, 240);
     EXPECT_LT((wider.low_px - Eigen::Vector2d(40, 0)).norm(), 1e-9);
     EXPECT_LT((wider.high_px - Eigen::Vector2d(360, 240)).norm(), 1e-9);
+}
+
+TEST(FittedOverlay, ShowsOfAnEnlargedPictureWhatTheFrameHolds) {
+    const Eye eye{pinhole_camera(640, 480, 500), {}};
+    const Enlargement enlargement = enlarged_about({}, {0.25, 0.5}, 3.0);
+    const PictureOverlay overlay = fitted_overlay(eye, 400, 240, enlargement);
+    // The picture lay from 40 to 360; the place at the cursor stays.
+    const double left = 100 - enlargement.times * 60;
+    EXPECT_NEAR(overlay.low_px.x(), std::max(0.0, left), 1e-9);
+    EXPECT_NEAR(overlay.high_px.x(), 400.0, 1e-9);
+    const double cursor_share =
+        (100 - overlay.low_px.x()) / (overlay.high_px.x() - overlay.low_px.x());
+    const double texture_at_cursor =
+        overlay.texture_low.x() +
+        cursor_share * (overlay.texture_high.x() - overlay.texture_low.x());
+    EXPECT_NEAR(texture_at_cursor, 60.0 / 320.0, 1e-9);
+    EXPECT_NEAR((overlay.texture_high - overlay.texture_low).y(), 1 / enlargement.times, 1e-9);
 }
 
 /// In a process of its own: drivers read the variable once.
