@@ -47,8 +47,8 @@ struct BundleAdjustmentEvidence {
 BundleAdjustmentEvidence adjust_bundle(Capture& capture, const BundleAdjustmentOptions& options,
                                        Progress& progress);
 
-/// The scale of Cauchy's loss (cauchy_scale.h), of the standard deviation of a coordinate, this
-/// from the median distance. At least 0.05 px.
+/// The scale of Cauchy's loss for these observations (cauchy_scale.h), from the standard deviation
+/// of one coordinate, which the median reprojection error tells. At least 0.05 px.
 [[nodiscard]] double cauchy_scale_px(const Capture& capture);
 
 /// What one pass of least squares came to.

@@ -88,7 +88,7 @@ std::optional<BoardDetection> chessboard_in(const GrayImage& picture, BoardKind 
         }
     }
     if (board.kind == BoardKind::kCharuco || kind == BoardKind::kCharuco) {
-        pattern = find_chessboard(picture, true);
+        pattern = find_chessboard_with_markers(picture);
     }
     board.step_px = pattern.median_step_px;
     take_points(pattern.nodes, LatticeShape::kSquare, board.view);

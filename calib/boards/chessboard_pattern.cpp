@@ -114,7 +114,7 @@ double smaller_step_px(const LatticePrediction& local) {
 double median_step_px(const ScaledPattern& found) {
     std::vector<double> steps_px;
     for (const auto& [cell, point] : found.lattice) {
-        const auto local = predict(found.lattice, found.points_px, cell, true);
+        const auto local = fit_around(found.lattice, found.points_px, cell);
         if (local) steps_px.push_back(smaller_step_px(*local));
     }
     return median_of(std::move(steps_px));
@@ -152,7 +152,7 @@ std::vector<PatternNode> refine(const GrayImage& picture, const ScaledPattern& f
     std::vector<PatternNode> nodes;
     const cv::Mat view = opencv_view(picture);
     for (const auto& [cell, point] : found.lattice) {
-        const auto local = predict(found.lattice, found.points_px, cell, true);
+        const auto local = fit_around(found.lattice, found.points_px, cell);
         if (!local) continue;
         const double step_px = smaller_step_px(*local);
         const int half_window_px =
@@ -168,9 +168,8 @@ std::vector<PatternNode> refine(const GrayImage& picture, const ScaledPattern& f
     return nodes;
 }
 
-}  // namespace
-
-ChessboardPattern find_chessboard(const GrayImage& picture, bool has_markers) {
+/// `window_share`: of the refinement's window, in the step between corners.
+ChessboardPattern chessboard_refined_within(const GrayImage& picture, double window_share) {
     ChessboardPattern pattern;
     const ScaledPattern found = find_at_best_scale(picture);
     pattern.candidates = found.candidates;
@@ -178,10 +177,20 @@ ChessboardPattern find_chessboard(const GrayImage& picture, bool has_markers) {
     const LatticeExtent extent = extent_of(found.lattice);
     if (extent.columns() < 3 || extent.rows() < 3) return pattern;
     pattern.median_step_px = median_step_px(found);
-    constexpr double kWindowShare = 0.25;
-    constexpr double kWindowShareBesideMarkers = 0.12;
-    pattern.nodes = refine(picture, found, has_markers ? kWindowShareBesideMarkers : kWindowShare);
+    pattern.nodes = refine(picture, found, window_share);
     return pattern;
+}
+
+}  // namespace
+
+ChessboardPattern find_chessboard(const GrayImage& picture) {
+    constexpr double kWindowShare = 0.25;
+    return chessboard_refined_within(picture, kWindowShare);
+}
+
+ChessboardPattern find_chessboard_with_markers(const GrayImage& picture) {
+    constexpr double kWindowShareBesideMarkers = 0.12;
+    return chessboard_refined_within(picture, kWindowShareBesideMarkers);
 }
 
 }  // namespace lumi

@@ -15,8 +15,9 @@ struct ChessboardPattern {
 
 /// The largest chessboard, or part of one, of any size; corners inside markers (ChArUco) do not
 /// disturb it. Searches from fine to coarse, so that blurred corners are found as well, and refines
-/// in the photograph itself. `has_markers` keeps the refinement close to the corner, away from the
-/// markers in the bright cells.
-[[nodiscard]] ChessboardPattern find_chessboard(const GrayImage& picture, bool has_markers = false);
+/// in the photograph itself.
+[[nodiscard]] ChessboardPattern find_chessboard(const GrayImage& picture);
+/// The same with refinement that keeps close to the corners, away from markers in the bright cells.
+[[nodiscard]] ChessboardPattern find_chessboard_with_markers(const GrayImage& picture);
 
 }  // namespace lumi

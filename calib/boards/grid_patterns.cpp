@@ -63,7 +63,7 @@ GridPattern find_square_grid(const std::vector<DarkQuad>& quads) {
     // Steps in units of each square's own sides tell the basis.
     std::vector<Eigen::Matrix2d> grams;
     for (const auto& [cell, index] : lattice) {
-        const auto local = predict(lattice, centres, cell, true);
+        const auto local = fit_around(lattice, centres, cell);
         if (!local) continue;
         const auto& corners = quads[index].corners_px;
         Eigen::Matrix2d sides;
@@ -85,7 +85,7 @@ GridPattern find_square_grid(const std::vector<DarkQuad>& quads) {
     std::vector<double> sizes;
     std::vector<double> steps_px;
     for (const auto& [cell, index] : reduced) {
-        const auto local = predict(reduced, centres, cell, true);
+        const auto local = fit_around(reduced, centres, cell);
         if (!local) continue;
         auto corners = ordered_corners(quads[index], steps_of(*local), sizes);
         if (corners.empty()) continue;
@@ -119,7 +119,7 @@ GridPattern find_circle_grid(const std::vector<DiscImage>& discs) {
     std::vector<Eigen::Matrix2d> grams;
     std::vector<double> steps_px;
     for (const auto& [cell, index] : lattice) {
-        const auto local = predict(lattice, centres, cell, true);
+        const auto local = fit_around(lattice, centres, cell);
         if (!local) continue;
         const Eigen::Matrix2d steps = steps_of(*local);
         grams.emplace_back(steps.transpose() * discs[index].moments_px2.inverse() * steps / 4);

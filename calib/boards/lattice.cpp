@@ -241,23 +241,32 @@ int terms_supported(const std::vector<LatticeCell>& offsets) {
     return offsets.size() >= 3 && columns.size() >= 2 && rows.size() >= 2 ? 3 : 0;
 }
 
-}  // namespace
-
-std::optional<LatticePrediction> predict(const Lattice& lattice,
-                                         const std::vector<Eigen::Vector2d>& points_px,
-                                         const LatticeCell& cell, bool use_cell_itself) {
-    constexpr int kReach = 3;
+/// Nodes around a cell: where they lie from it in the lattice, and in the picture.
+struct NodesAround {
     std::vector<LatticeCell> offsets;
     std::vector<Eigen::Vector2d> seen_px;
+};
+
+/// Those that may be used, row by row.
+template <class MayUse>
+NodesAround nodes_around(const Lattice& lattice, const std::vector<Eigen::Vector2d>& points_px,
+                         const LatticeCell& cell, const MayUse& may_use) {
+    constexpr int kReach = 3;
+    NodesAround nodes;
     for (int row = -kReach; row <= kReach; ++row) {
         for (int column = -kReach; column <= kReach; ++column) {
-            if (column == 0 && row == 0 && !use_cell_itself) continue;
+            if (!may_use(LatticeCell{column, row})) continue;
             const auto node = lattice.find({cell.column + column, cell.row + row});
             if (node == lattice.end()) continue;
-            offsets.push_back({column, row});
-            seen_px.push_back(points_px[node->second]);
+            nodes.offsets.push_back({column, row});
+            nodes.seen_px.push_back(points_px[node->second]);
         }
     }
+    return nodes;
+}
+
+std::optional<LatticePrediction> fit_to(const NodesAround& nodes) {
+    const auto& [offsets, seen_px] = nodes;
     const int terms = terms_supported(offsets);
     if (terms == 0) return std::nullopt;
     const auto count = static_cast<Eigen::Index>(offsets.size());
@@ -275,6 +284,22 @@ std::optional<LatticePrediction> predict(const Lattice& lattice,
     const Eigen::MatrixXd solution = decomposition.solve(targets);
     return LatticePrediction{solution.row(0).transpose(), solution.row(1).transpose(),
                              solution.row(2).transpose()};
+}
+
+}  // namespace
+
+std::optional<LatticePrediction> predict(const Lattice& lattice,
+                                         const std::vector<Eigen::Vector2d>& points_px,
+                                         const LatticeCell& cell) {
+    return fit_to(nodes_around(lattice, points_px, cell, [](const LatticeCell& offset) {
+        return offset.column != 0 || offset.row != 0;
+    }));
+}
+
+std::optional<LatticePrediction> fit_around(const Lattice& lattice,
+                                            const std::vector<Eigen::Vector2d>& points_px,
+                                            const LatticeCell& cell) {
+    return fit_to(nodes_around(lattice, points_px, cell, [](const LatticeCell&) { return true; }));
 }
 
 LatticeExtent extent_of(const Lattice& lattice) {

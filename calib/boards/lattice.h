@@ -44,15 +44,20 @@ struct LatticeOptions {
 [[nodiscard]] Lattice largest_lattice(const PointGrid& points, const LinkTest& may_link,
                                       const LatticeOptions& options = {});
 
-/// Where the pattern is expected at a cell, from the nodes around it; none when they are too few.
+/// Where the pattern lies at a cell, by a polynomial through nodes around it.
 struct LatticePrediction {
     Eigen::Vector2d px = Eigen::Vector2d::Zero();
     Eigen::Vector2d column_step_px = Eigen::Vector2d::Zero();  ///< To the next column.
     Eigen::Vector2d row_step_px = Eigen::Vector2d::Zero();     ///< To the next row.
 };
+/// Where the pattern is expected at a cell, from the nodes around it without its own; none when
+/// they are too few.
 [[nodiscard]] std::optional<LatticePrediction> predict(
-    const Lattice& lattice, const std::vector<Eigen::Vector2d>& points_px, const LatticeCell& cell,
-    bool use_cell_itself = false);
+    const Lattice& lattice, const std::vector<Eigen::Vector2d>& points_px, const LatticeCell& cell);
+/// How the pattern runs at a cell, from its own node, where it has one, and those around it; none
+/// when they are too few.
+[[nodiscard]] std::optional<LatticePrediction> fit_around(
+    const Lattice& lattice, const std::vector<Eigen::Vector2d>& points_px, const LatticeCell& cell);
 
 /// First and last column and row; expects at least one node.
 struct LatticeExtent {

@@ -40,7 +40,7 @@ class CornerLattice {
                 return (points_px_[a.second] - px).squaredNorm() <
                        (points_px_[b.second] - px).squaredNorm();
             });
-        const auto local = predict(lattice_, points_px_, nearest->first, true);
+        const auto local = fit_around(lattice_, points_px_, nearest->first);
         if (!local) return std::nullopt;
         Eigen::Matrix2d steps;
         steps << local->column_step_px, local->row_step_px;

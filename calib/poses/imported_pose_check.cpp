@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "calib/capture/angle_between.h"
 #include "calib/capture/one_place.h"
 #include "calib/matching/pair_verification.h"
 #include "calib/matching/photograph_matching.h"
@@ -19,10 +20,6 @@ namespace lumi {
 namespace {
 
 constexpr int kLeastPairs = 3;
-
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 /// Of a direction from the shorter arc between two others.
 double angle_from_arc(const Eigen::Vector3d& direction, const Eigen::Vector3d& from,

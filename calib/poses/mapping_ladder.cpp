@@ -14,25 +14,32 @@ namespace fs = std::filesystem;
 struct Rung {
     const char* name;
     const char* description;
-    MapperSettings settings;
+    MapperSettings settings = {};
     bool more_features = false;
     double until_share = 1.0;  ///< Tried only while fewer photographs than this are placed.
 };
 
+constexpr MapperSettings kLenientSettings{.init_min_triangulation_angle_deg = 4,
+                                          .init_min_inliers = 40,
+                                          .add_min_inliers = 15,
+                                          .add_min_inlier_share = 0.15};
+
 /// Never below 4 degrees: at 2 the mapper was seen to try starting pairs without end.
 const std::array<Rung, 4> kLadder{{
-    {"default", "COLMAP's own start", {}, false, 1.0},
-    {"gentle",
-     "gentler start (init_min_tri_angle 4, init_min_num_inliers 40)",
-     {4, 40, 30, 0.25},
-     false,
-     0.9},
-    {"lenient", "gentler start, fewer matches to add a photograph", {4, 40, 15, 0.15}, false, 0.8},
-    {"detailed",
-     "more features, gentler start, fewer matches to add a photograph",
-     {4, 40, 15, 0.15},
-     true,
-     0.8},
+    {.name = "default", .description = "COLMAP's own start"},
+    {.name = "gentle",
+     .description = "gentler start (init_min_tri_angle 4, init_min_num_inliers 40)",
+     .settings = {.init_min_triangulation_angle_deg = 4, .init_min_inliers = 40},
+     .until_share = 0.9},
+    {.name = "lenient",
+     .description = "gentler start, fewer matches to add a photograph",
+     .settings = kLenientSettings,
+     .until_share = 0.8},
+    {.name = "detailed",
+     .description = "more features, gentler start, fewer matches to add a photograph",
+     .settings = kLenientSettings,
+     .more_features = true,
+     .until_share = 0.8},
 }};
 
 std::vector<fs::path> model_folders(const fs::path& models) {

@@ -175,8 +175,9 @@ BuiltSurface build_surface(const Capture& capture, const std::vector<OpticalAxis
         evidence.own_ray_share =
             own_ray_share(capture, built.mesh, rules.arrangement.inside_out ? points : scene);
     }
-    evidence.explanation = mesh_explanation(built.mesh, rules.arrangement, rules.convex,
-                                            !scene.empty() && !built.mesh.faces.empty(), evidence);
+    evidence.explanation = mesh_explanation(
+        built.mesh, rules.arrangement, evidence,
+        {.is_convex = rules.convex, .has_scene = !scene.empty() && !built.mesh.faces.empty()});
     BuiltSurface surface{std::move(built), rules.arrangement.inside_out, {}};
     if (!surface.built.mesh.faces.empty()) {
         SurfacePreconditions preconditions;
@@ -200,8 +201,7 @@ BuiltCameraMesh without_surface(const std::vector<OpticalAxis>& axes, const Buil
     built.evidence.scene_share_in_kernel = surface.built.evidence.scene_share_in_kernel;
     built.evidence.kernel_radius_over_scene_radius =
         surface.built.evidence.kernel_radius_over_scene_radius;
-    built.evidence.explanation =
-        mesh_explanation(built.mesh, rules.arrangement, false, false, built.evidence);
+    built.evidence.explanation = mesh_explanation(built.mesh, rules.arrangement, built.evidence);
     return built;
 }
 

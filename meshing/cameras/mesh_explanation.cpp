@@ -33,17 +33,19 @@ std::string repairs_text(const CameraMeshEvidence& evidence) {
 
 }  // namespace
 
-std::string mesh_explanation(const CameraMesh& mesh, const Arrangement& arrangement, bool convex,
-                             bool has_scene, const CameraMeshEvidence& evidence) {
+std::string mesh_explanation(const CameraMesh& mesh, const Arrangement& arrangement,
+                             const CameraMeshEvidence& evidence,
+                             const MeshExplanationParts& parts) {
     std::string text = name_of(mesh.construction);
     if (arrangement.inside_out) text += ", inside out (the cameras look away from their middle)";
     text += ": " + arrangement.reason + "; " + std::to_string(evidence.cameras_kept) + " of " +
             std::to_string(evidence.cameras_total) + " cameras are vertices of the mesh";
     if (evidence.cameras_kept < evidence.cameras_total) {
-        text += convex ? ", the others stand within the convex hull"
-                       : ", the others stand behind or before one of them as seen from the scene";
+        text += parts.is_convex
+                    ? ", the others stand within the convex hull"
+                    : ", the others stand behind or before one of them as seen from the scene";
     }
-    if (has_scene) {
+    if (parts.has_scene) {
         text += formatted(
             "; %.0f %% of the scene's points lie in its kernel, where no ray crosses two faces",
             std::floor(100 * evidence.scene_share_in_kernel));

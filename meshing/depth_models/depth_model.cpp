@@ -70,7 +70,7 @@ class SingleViewModel final : public DepthModel {
     SingleViewModel(std::string name, Function function)
         : name_(std::move(name)), function_(function) {}
     [[nodiscard]] DepthEstimate estimate(const DepthScene& scene, int view_index) const override {
-        return {function_(view_of(scene, view_index)), name_, false, true};
+        return {.map = function_(view_of(scene, view_index)), .model = name_, .is_complete = true};
     }
     [[nodiscard]] std::string begins_as() const override { return name_; }
 
@@ -80,7 +80,9 @@ class SingleViewModel final : public DepthModel {
 };
 
 DepthEstimate without_parallax(const DepthScene& scene, int view_index) {
-    return {filled_sparse_depth(view_of(scene, view_index)), "sparse_fill", false, true};
+    return {.map = filled_sparse_depth(view_of(scene, view_index)),
+            .model = "sparse_fill",
+            .is_complete = true};
 }
 
 class PairStereoModel final : public DepthModel {
@@ -90,7 +92,9 @@ class PairStereoModel final : public DepthModel {
             rectifiable_pairs(scene, view_index) == 0) {
             return without_parallax(scene, view_index);
         }
-        return {pair_stereo(scene, view_index), "pair_stereo", true, false};
+        return {.map = pair_stereo(scene, view_index),
+                .model = "pair_stereo",
+                .needs_confirmation = true};
     }
     [[nodiscard]] std::string begins_as() const override { return "pair_stereo"; }
 };
@@ -102,7 +106,9 @@ class SweepModel : public DepthModel {
             return without_parallax(scene, view_index);
         }
         SweepMemory memory = pool_.take();
-        DepthEstimate estimate{multi_view_sweep(scene, view_index, memory), "sweep", true, false};
+        DepthEstimate estimate{.map = multi_view_sweep(scene, view_index, memory),
+                               .model = "sweep",
+                               .needs_confirmation = true};
         pool_.give_back(std::move(memory));
         return estimate;
     }
@@ -123,7 +129,9 @@ class PatchMatchModel final : public SweepModel {
                                        int view_index) const override {
         const DepthEstimate& own = before[static_cast<std::size_t>(view_index)];
         if (!own.needs_confirmation) return own;
-        return {patch_match(scene, before, view_index, options_), name_, true, false};
+        return {.map = patch_match(scene, before, view_index, options_),
+                .model = name_,
+                .needs_confirmation = true};
     }
 
  private:

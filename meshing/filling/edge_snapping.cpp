@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "meshing/exposure/color_match.h"
+#include "meshing/matching/similarity_by_difference.h"
 
 namespace lumi {
 namespace {
@@ -53,16 +54,6 @@ Extremes extremes_of(const FloatImage& inverse_depth) {
     return extremes;
 }
 
-std::array<float, 256> similarity_by_difference() {
-    constexpr double kSimilar = 10.0;  // 8-bit levels.
-    std::array<float, 256> similarity{};
-    for (std::size_t difference = 0; difference < similarity.size(); ++difference) {
-        similarity[difference] =
-            static_cast<float>(std::exp(-static_cast<double>(difference) / kSimilar));
-    }
-    return similarity;
-}
-
 /// The part of the window around a pixel that lies in the picture.
 struct Window {
     int left, right, top, bottom;  ///< All inclusive.
@@ -93,7 +84,8 @@ std::array<int, 2> nearest_beyond(const DepthMap& map, const Window& window, int
 /// Where the pixel should take its depth from; empty when it is on the right surface.
 std::optional<std::array<int, 2>> better_source(const DepthMap& map, const ColorImage& photograph,
                                                 int x, int y, float middle) {
-    static const std::array<float, 256> similarity = similarity_by_difference();
+    constexpr double kSimilar = 10.0;  // 8-bit levels.
+    static const std::array<float, 256> similarity = similarity_by_difference(kSimilar);
     const Window window = window_around(map, x, y);
     const Rgb8 own = photograph(x, y);
     std::array<float, 2> votes{};  // For the farther and the nearer surface.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "meshing/exposure/color_match.h"
+#include "meshing/matching/similarity_by_difference.h"
 #include "meshing/warp/instruction_sets.h"
 
 namespace lumi {
@@ -16,18 +17,13 @@ constexpr std::size_t kBandRows = 16;
 /// How much two neighbours hold together, by the difference of their guide.
 class EdgeWeights {
  public:
-    explicit EdgeWeights(double sigma) {
-        for (std::size_t difference = 0; difference < table_.size(); ++difference) {
-            table_[difference] =
-                static_cast<float>(std::exp(-static_cast<double>(difference) / sigma));
-        }
-    }
+    explicit EdgeWeights(double sigma) : table_(similarity_by_difference(sigma)) {}
     [[nodiscard]] float between(const Rgb8& a, const Rgb8& b) const {
         return table_[static_cast<std::size_t>(largest_difference(a, b))];
     }
 
  private:
-    std::array<float, 256> table_{};
+    std::array<float, 256> table_;
 };
 
 // Lines are solved side by side: position i of `lanes` lines lies in `lanes` floats in a row, so

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "meshing/matching/similarity_by_difference.h"
 #include "meshing/warp/instruction_sets.h"
 
 namespace lumi {
@@ -90,21 +91,12 @@ struct WindowCosts {
     }
 };
 
-std::array<float, 256> similarity_by_difference() {
-    constexpr double kSimilarGray = 18.0;
-    std::array<float, 256> similarity{};
-    for (std::size_t difference = 0; difference < similarity.size(); ++difference) {
-        similarity[difference] =
-            static_cast<float>(std::exp(-static_cast<double>(difference) / kSimilarGray));
-    }
-    return similarity;
-}
-
 }  // namespace
 
 ReferenceWindow reference_window(const GrayImage& gray, int x, int y) {
     constexpr float kLeastDeviation = 1.5F;
-    static const std::array<float, 256> similarity = similarity_by_difference();
+    constexpr double kSimilarGray = 18.0;
+    static const std::array<float, 256> similarity = similarity_by_difference(kSimilarGray);
     ReferenceWindow window;
     std::array<float, kWindowSamples> values{};
     const int centre = gray(x, y);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "calib/capture/angle_between.h"
 #include "calib/work/median.h"
 #include "meshing/cameras/border.h"
 #include "meshing/cameras/spherical_triangulation.h"
@@ -19,10 +20,6 @@ constexpr double kFarSide_rad = 75.0 * std::numbers::pi / 180.0;
 /// A row's widest gap is its outside when it is wider than this.
 constexpr double kRowOutside_rad = 2.0 * std::numbers::pi / 3.0;
 constexpr double kUsualMatchingError_px = 0.5;
-
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 /// The widest distance between two cameras of a track, across the ray to the point.
 double baseline_of(const Capture& capture, const ScenePoint& point) {

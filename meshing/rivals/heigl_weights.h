@@ -9,9 +9,9 @@
 namespace lumi {
 
 /// Cosine of 45 degrees: cameras whose axes are farther from the eye's take no part. The paper's
-/// cameras all look one way. All around a scene, where the eye looks at it as they do, they are
-/// projected the closer to the middle of the picture the more they look aside, so that the
-/// triangles there are of those that look aside the most of all that take part.
+/// cameras all look one way. Where cameras stand all around a scene and the eye looks at it as they
+/// do, the more a camera looks aside, the nearer to the middle of the picture its centre is
+/// projected: the triangles there are of the cameras least fit for it, hence the limit.
 inline constexpr double kHeiglLeastCosine = 0.70710678;
 
 /// The weights of Heigl et al. ("Plenoptic modeling and rendering from image sequences taken by a

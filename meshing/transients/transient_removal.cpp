@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "calib/capture/bilinear.h"
+#include "calib/capture/nearest_byte.h"
 #include "calib/pictures/inpainting.h"
 #include "calib/work/parallel_for.h"
 #include "calib/work/process_memory.h"
@@ -127,24 +129,9 @@ std::vector<Painter> painters_of(const std::vector<PicturedView>& views,
     return painters;
 }
 
-/// Between the middles of four pixels.
 Rgb8 color_between(const ColorImage& picture, const Eigen::Vector2d& place) {
-    const double left = std::clamp(place.x() - 0.5, 0.0, picture.width() - 1.0);
-    const double top = std::clamp(place.y() - 0.5, 0.0, picture.height() - 1.0);
-    const int x = std::min(static_cast<int>(left), std::max(0, picture.width() - 2));
-    const int y = std::min(static_cast<int>(top), std::max(0, picture.height() - 2));
-    const int right = std::min(x + 1, picture.width() - 1);
-    const int below = std::min(y + 1, picture.height() - 1);
-    const double u = left - x;
-    const double v = top - y;
-    const auto mean = [&](auto channel) {
-        const double upper = (1 - u) * channel(picture(x, y)) + u * channel(picture(right, y));
-        const double lower =
-            (1 - u) * channel(picture(x, below)) + u * channel(picture(right, below));
-        return static_cast<std::uint8_t>(std::lround((1 - v) * upper + v * lower));
-    };
-    return {mean([](const Rgb8& c) { return c.r; }), mean([](const Rgb8& c) { return c.g; }),
-            mean([](const Rgb8& c) { return c.b; })};
+    const Eigen::Vector3d mean = bilinear(picture, place);
+    return {nearest_byte(mean.x()), nearest_byte(mean.y()), nearest_byte(mean.z())};
 }
 
 /// The surface as the other photograph shows it, in the view's own colours; empty where it does

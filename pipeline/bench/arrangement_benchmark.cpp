@@ -15,6 +15,7 @@
 #include "meshing/cameras/kernel.h"
 #include "meshing/cameras/mesh_picture.h"
 #include "pipeline/bench/faces_entered.h"
+#include "pipeline/bench/largest_jump.h"
 #include "pipeline/bench/synthetic_captures.h"
 
 namespace lumi {
@@ -24,7 +25,7 @@ constexpr std::array<int, 4> kCameraCounts{1, 10, 100, 1000};
 constexpr int kRays = 1000;
 constexpr int kPaths = 4;
 constexpr int kPathSteps = 200;
-constexpr int kHalvings = 40;
+constexpr JumpSearch kJumpSearch{.halvings = 40, .negligible = 1e-9};
 constexpr double kSlid = 1e-9;
 constexpr std::size_t kEpipoleCameras = 60;
 
@@ -129,22 +130,10 @@ class ArrangementMeasurement {
             return weights_by_view(*mesh_, point + (0.6 + 2 * t) * away, -away);
         };
         for (int step = 0; step < kPathSteps; ++step) {
-            double low = static_cast<double>(step) / kPathSteps;
-            double high = static_cast<double>(step + 1) / kPathSteps;
-            Weights at_low = weights_at(low);
-            Weights at_high = weights_at(high);
-            for (int i = 0; i < kHalvings && difference(at_low, at_high) > 1e-9; ++i) {
-                const double middle = 0.5 * (low + high);
-                Weights at_middle = weights_at(middle);
-                if (difference(at_low, at_middle) >= difference(at_middle, at_high)) {
-                    high = middle;
-                    at_high = std::move(at_middle);
-                } else {
-                    low = middle;
-                    at_low = std::move(at_middle);
-                }
-            }
-            figures_.largest_jump = std::max(figures_.largest_jump, difference(at_low, at_high));
+            const double jump =
+                largest_jump_between(weights_at, difference, static_cast<double>(step) / kPathSteps,
+                                     static_cast<double>(step + 1) / kPathSteps, kJumpSearch);
+            figures_.largest_jump = std::max(figures_.largest_jump, jump);
         }
     }
 

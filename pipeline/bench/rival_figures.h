@@ -19,16 +19,17 @@ struct RivalFrameFigures {
 struct RivalFigures {
     std::string method;
     std::string settings;
-    int pictures = 0;  ///< That are drawn from: photographs, or those they were resampled to.
+    int pictures = 0;  ///< Drawn from: photographs, or the pictures they were resampled to.
     double triangles = 0.0;
     std::optional<double> cpu_ms;   ///< Median CPU time of a frame.
     std::optional<double> wall_ms;  ///< The same by the clock: what frames a second are counted by.
-    /// Of the CPU time, what finding the depth at the eye takes, which papers take for given: of
-    /// methods in plain code that draw on it.
+    /// The part of the CPU time that finding depth at the eye takes, which papers take for given;
+    /// only of methods in plain code that draw with it.
     std::optional<double> depth_cpu_ms;
-    /// To a full-screen blend of three textures; empty for plain code, on one core.
+    /// CPU time over that of a full-screen blend of three textures, on one core; empty for plain
+    /// code.
     std::optional<double> cpu_ratio;
-    /// Before the first frame; empty where photographs are drawn from.
+    /// CPU time of resampling, before the first frame; empty where photographs are drawn from.
     std::optional<double> resampling_cpu_s;
     /// Mean over held-out photographs, all pixels. What a method does not cover has the colours of
     /// its surroundings (surroundings.h), the same for all methods.
@@ -37,7 +38,8 @@ struct RivalFigures {
     /// pictures, guess what is not covered, by depth that is stretched and by surroundings;
     /// `paper2001`, `heigl` and methods in plain code leave it black.
     double psnr_as_drawn_db = 0.0;
-    /// Over what the method covers; of the frames of which it covers anything, so many.
+    /// Mean over the frames in which the method covers any pixel, of the pixels that it covers;
+    /// `covered_frames` counts these frames.
     std::optional<double> psnr_covered_db;
     int covered_frames = 0;
     /// Over what all methods that have a say cover (common_pixels.h): the same pixels for all.

@@ -101,7 +101,7 @@ RivalFigures RivalMeasurement::measured(const RivalMethod& method, const DrawFra
         const Frame as_drawn = draw(truth.eye);
         keep_({capture_.name, key_of(method.method, method.settings), i, as_drawn.color});
         const Frame drawn = filled(as_drawn, held_out_surroundings_[i]);
-        common_.add(key_of(method.method, method.settings), method.has_say, std::to_string(i),
+        common_.add({key_of(method.method, method.settings), method.has_say}, std::to_string(i),
                     truth.picture, drawn);
         const RivalFrameFigures frame{psnr_db(drawn.color, truth.picture),
                                       psnr_db(as_drawn.color, truth.picture),

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
+#include "calib/work/median.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "pipeline/bench/shown_pixels.h"
 #include "pipeline/evaluate/asked_efforts.h"
@@ -30,36 +32,36 @@ struct SceneSettings {
 };
 
 constexpr SceneSettings kScenes[] = {
-    {"coke",
-     "33 real photographs: 30 frames a second",
-     {0, 0},
-     PathKind::kArc,
-     33,
-     3,
-     60,
-     10,
-     35,
-     false},
-    {"petruschka",
-     "169 synthetic: 14 frames a second at 780 triangles, 1.7 at 5000",
-     {780, 5000},
-     PathKind::kArc,
-     169,
-     13,
-     66,
-     7,
-     40,
-     false},
-    {"statue",
-     "107 synthetic, all around: 60 frames a second at 500 triangles, 4.6 at 3500",
-     {500, 3500},
-     PathKind::kHemisphere,
-     107,
-     5,
-     360,
-     -10,
-     70,
-     true},
+    {.name = "coke",
+     .paper = "33 real photographs: 30 frames a second",
+     .paper_triangles = {0, 0},
+     .kind = PathKind::kArc,
+     .photographs = 33,
+     .rows = 3,
+     .span_deg = 60,
+     .elevation_deg = 10,
+     .top_elevation_deg = 35,
+     .object_alone = false},
+    {.name = "petruschka",
+     .paper = "169 synthetic: 14 frames a second at 780 triangles, 1.7 at 5000",
+     .paper_triangles = {780, 5000},
+     .kind = PathKind::kArc,
+     .photographs = 169,
+     .rows = 13,
+     .span_deg = 66,
+     .elevation_deg = 7,
+     .top_elevation_deg = 40,
+     .object_alone = false},
+    {.name = "statue",
+     .paper = "107 synthetic, all around: 60 frames a second at 500 triangles, 4.6 at 3500",
+     .paper_triangles = {500, 3500},
+     .kind = PathKind::kHemisphere,
+     .photographs = 107,
+     .rows = 5,
+     .span_deg = 360,
+     .elevation_deg = -10,
+     .top_elevation_deg = 70,
+     .object_alone = true},
 };
 
 /// What stands on the table.
@@ -95,9 +97,7 @@ double inverse_depth_at(const std::vector<FloatImage>& depths, double share) {
     for (const FloatImage& z : depths)
         for (std::size_t i = 0; i < z.pixels().size(); i += 97)
             if (z.pixels()[i] > 0) samples.push_back(1 / z.pixels()[i]);
-    const auto nth = static_cast<std::ptrdiff_t>(share * static_cast<double>(samples.size() - 1));
-    std::nth_element(samples.begin(), samples.begin() + nth, samples.end());
-    return static_cast<double>(samples[static_cast<std::size_t>(nth)]);
+    return static_cast<double>(quantile_of(std::move(samples), share));
 }
 
 /// Evenly among the places, but not at the ends.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calib/work/median.h"
+#include "pipeline/bench/largest_jump.h"
 #include "pipeline/synth/hand_held_path.h"
 
 namespace lumi {
@@ -14,7 +15,7 @@ constexpr int kMeshPathSteps = 300;
 /// Steps that change the weights by less hold no jump worth looking for.
 constexpr double kSuspiciousChange = 1e-3;
 constexpr double kJump = 1e-6;
-constexpr int kMeshHalvings = 36;
+constexpr JumpSearch kMeshJumpSearch{.halvings = 36};
 
 double difference(const std::vector<double>& a, const std::vector<double>& b) {
     double sum = 0;
@@ -25,25 +26,6 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
 /// Whether some camera has weight.
 bool is_covered(const std::vector<double>& weights) {
     return std::any_of(weights.begin(), weights.end(), [](double weight) { return weight != 0; });
-}
-
-/// The change of the weights at the one place between two steps where they change most abruptly.
-double jump_between(const std::function<std::vector<double>(double)>& weights_at, double low,
-                    double high) {
-    std::vector<double> at_low = weights_at(low);
-    std::vector<double> at_high = weights_at(high);
-    for (int i = 0; i < kMeshHalvings; ++i) {
-        const double middle = 0.5 * (low + high);
-        std::vector<double> at_middle = weights_at(middle);
-        if (difference(at_low, at_middle) >= difference(at_middle, at_high)) {
-            high = middle;
-            at_high = std::move(at_middle);
-        } else {
-            low = middle;
-            at_low = std::move(at_middle);
-        }
-    }
-    return difference(at_low, at_high);
 }
 
 }  // namespace
@@ -80,7 +62,8 @@ void WeightsMeasurement::add_path(const WayOfWeighing& weigh, const Eigen::Vecto
         const double change = difference(before, after);
         if (is_covered(before) || is_covered(after)) changes_.push_back(change * kMeshPathSteps);
         if (change > kSuspiciousChange) {
-            const double jump = jump_between(weights_at, t - 1.0 / kMeshPathSteps, t);
+            const double jump = largest_jump_between(weights_at, difference,
+                                                     t - 1.0 / kMeshPathSteps, t, kMeshJumpSearch);
             figures_.largest_jump = std::max(figures_.largest_jump, jump);
             if (jump > kJump) ++jumps_;
         }

@@ -58,17 +58,21 @@ Growth growth_of(const std::vector<GrowthSample>& samples, const std::string& st
 
 void append_plot(std::vector<NamedPlot>& plots, const std::vector<GrowthSample>& samples,
                  const GrowthAxis& x, const GrowthAxis& y) {
-    Plot plot{std::string(y.title) + " against " + x.title, x.label, y.label, true, true, {}, {}};
+    Plot plot{.title = std::string(y.title) + " against " + x.title,
+              .x_label = x.label,
+              .y_label = y.label,
+              .has_log_x = true,
+              .has_log_y = true};
     bool has_fit = false;
     for (const std::string& stage : stages_of_line()) {
         const Growth growth = growth_of(samples, stage, x.figure, y.figure);
-        PlotSeries series{stage, {}, true, false};
+        PlotSeries series{.name = stage, .is_joined = true};
         if (const auto law = fit_power_law(growth.x, growth.y)) {
             series.name += " ~ n^" + number_text(law->exponent, 2);
             has_fit = true;
         }
         for (std::size_t i = 0; i < growth.x.size(); ++i) {
-            series.marks.push_back({growth.x[i], growth.y[i], {}, {}, "", false});
+            series.marks.push_back({.x = growth.x[i], .y = growth.y[i]});
         }
         plot.series.push_back(std::move(series));
     }

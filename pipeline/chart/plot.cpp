@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "calib/work/error.h"
 #include "pipeline/chart/gnuplot.h"
 #include "pipeline/chart/label_choice.h"
+#include "pipeline/text/number_text.h"
 
 namespace lumi {
 namespace {
@@ -17,13 +17,6 @@ constexpr std::array<const char*, 7> kColors{"#0072b2", "#d55e00", "#009e73", "#
                                              "#e69f00", "#56b4e9", "#000000"};
 constexpr std::array<int, 7> kPointTypes{7, 5, 9, 13, 11, 6, 4};
 constexpr const char* kGrey = "#b0b0b0";
-
-/// A number as gnuplot reads it, whatever the locale.
-std::string number(double value) {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    return {text.data(), end};
-}
 
 bool is_drawable(const Plot& plot, const PlotMark& mark) {
     return std::isfinite(mark.x) && std::isfinite(mark.y) && (!plot.has_log_x || mark.x > 0.0) &&
@@ -49,8 +42,9 @@ class PlotScript {
         script += axis('x', plot_.has_log_x, least_.x) + axis('y', plot_.has_log_y, least_.y);
         script += ticks();
         for (const PlotLine& line : plot_.vertical_lines) {
-            script += "set arrow from first " + number(line.x) + ", graph 0 to first " +
-                      number(line.x) + ", graph 1 nohead dt 2 lw 1.5 lc rgb '" +
+            script += "set arrow from first " + shortest_number_text(line.x) +
+                      ", graph 0 to first " + shortest_number_text(line.x) +
+                      ", graph 1 nohead dt 2 lw 1.5 lc rgb '" +
                       kColors[line.series % kColors.size()] + "'\n";
         }
         return script + labels() + data_ + "plot " + drawn_ + "\n";
@@ -66,9 +60,11 @@ class PlotScript {
     [[nodiscard]] std::string ticks() const {
         if (plot_.x_ticks.empty()) return "";
         std::string places;
-        for (const double x : plot_.x_ticks) places += (places.empty() ? "" : ", ") + number(x);
-        return "set xtics (" + places + ")\nset xrange [" + number(plot_.x_ticks.front()) + ":" +
-               number(plot_.x_ticks.back()) + "]\n";
+        for (const double x : plot_.x_ticks)
+            places += (places.empty() ? "" : ", ") + shortest_number_text(x);
+        return "set xtics (" + places + ")\nset xrange [" +
+               shortest_number_text(plot_.x_ticks.front()) + ":" +
+               shortest_number_text(plot_.x_ticks.back()) + "]\n";
     }
 
     void add_series(std::size_t index) {
@@ -115,7 +111,8 @@ class PlotScript {
         for (std::size_t i = 0; i < labelled_.size(); ++i) {
             if (!is_readable[i]) continue;
             script += "set label " + gnuplot_quoted(labelled_[i]->label) + " at " +
-                      number(labelled_[i]->x) + "," + number(labelled_[i]->y) +
+                      shortest_number_text(labelled_[i]->x) + "," +
+                      shortest_number_text(labelled_[i]->y) +
                       " front offset 0.7,0.5 font ',12' tc rgb '#404040'\n";
         }
         return script;
@@ -147,7 +144,7 @@ class PlotScript {
             const Interval x = mark->x_range.value_or(Interval{mark->x, mark->x});
             const Interval y = mark->y_range.value_or(Interval{mark->y, mark->y});
             for (const double value : {mark->x, mark->y, x.low, x.high, y.low, y.high}) {
-                data_ += number(value) + " ";
+                data_ += shortest_number_text(value) + " ";
             }
             data_ += "\n";
         }

@@ -14,15 +14,15 @@ namespace lumi {
 struct PlotMark {
     double x = 0.0;
     double y = 0.0;
-    std::optional<Interval> x_range;  ///< Error bars.
-    std::optional<Interval> y_range;
-    std::string label;      ///< Written beside it; empty: none.
-    bool is_faint = false;  ///< Grey: something else is better.
+    std::optional<Interval> x_range = {};  ///< Error bars.
+    std::optional<Interval> y_range = {};
+    std::string label = {};  ///< Written beside it; empty: none.
+    bool is_faint = false;   ///< Grey: something else is better.
 };
 
 struct PlotSeries {
-    std::string name;  ///< In the key; empty: not named there.
-    std::vector<PlotMark> marks;
+    std::string name = {};  ///< In the key; empty: not named there.
+    std::vector<PlotMark> marks = {};
     bool is_joined = false;   ///< By straight lines.
     bool is_curve = false;    ///< By straight lines, without marks.
     bool is_stepped = false;  ///< By steps, as a front is; without marks.
@@ -42,8 +42,8 @@ struct Plot {
     std::string y_label;
     bool has_log_x = false;
     bool has_log_y = false;
-    std::vector<PlotSeries> series;
-    std::vector<PlotLine> vertical_lines;  ///< Such as breaking points.
+    std::vector<PlotSeries> series = {};
+    std::vector<PlotLine> vertical_lines = {};  ///< Such as breaking points.
     /// Where the first axis is labelled: it runs from the first to the last of these, which may be
     /// the smallest. Empty: round numbers, from small to large.
     std::vector<double> x_ticks = {};

@@ -31,20 +31,23 @@ Plot overview(const std::vector<ChartPoint>& points, const Cost& cost, const std
               const std::string& x_label) {
     const std::vector<std::size_t> front = front_by(points, cost);
     const std::set<std::size_t> on_front(front.begin(), front.end());
-    Plot plot{title, x_label, kErrorLabel, true, false, {}, {}};
+    Plot plot{.title = title, .x_label = x_label, .y_label = kErrorLabel, .has_log_x = true};
     std::map<RenderMode, PlotSeries> series;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const ChartPoint& point = points[i];
         const bool is_best = on_front.contains(i);
-        PlotMark mark{cost(point), point.mean.flip, {}, {}, is_best ? point.label : "", !is_best};
+        PlotMark mark{.x = cost(point),
+                      .y = point.mean.flip,
+                      .label = is_best ? point.label : "",
+                      .is_faint = !is_best};
         if (is_best) mark.y_range = point.flip_interval;
         series[point.mode].name = name_of(point.mode);
         series[point.mode].marks.push_back(std::move(mark));
     }
     for (auto& [mode, one] : series) plot.series.push_back(std::move(one));
-    PlotSeries steps{"Pareto front", {}, false, true};
+    PlotSeries steps{.name = "Pareto front", .is_curve = true};
     for (const std::size_t i : front) {
-        steps.marks.push_back({cost(points[i]), points[i].mean.flip, {}, {}, "", false});
+        steps.marks.push_back({.x = cost(points[i]), .y = points[i].mean.flip});
     }
     plot.series.push_back(std::move(steps));
     return plot;
@@ -90,14 +93,11 @@ std::vector<double> times_of(const MeasuredVariant& variant, const std::string& 
 Plot stage_plot(const ChartResult& result, const std::vector<ChartPoint>& points,
                 const ChartPoint& best, const std::string& stage) {
     const std::string what = stage == "ingest" ? "the whole line" : "the stage \"" + stage + "\"";
-    Plot plot{stage == "ingest" ? "Image size" : "Stage: " + stage,
-              "CPU seconds of " + what,
-              kErrorLabel,
-              true,
-              false,
-              {},
-              {}};
-    PlotSeries series{name_of(best.mode), {}, true, false};
+    Plot plot{.title = stage == "ingest" ? "Image size" : "Stage: " + stage,
+              .x_label = "CPU seconds of " + what,
+              .y_label = kErrorLabel,
+              .has_log_x = true};
+    PlotSeries series{.name = name_of(best.mode), .is_joined = true};
     std::vector<CostAndError> pairs;
     for (const ChartPoint& point : points) {
         const Variant& variant = result.sweep.variants[point.variant];
@@ -108,9 +108,11 @@ Plot stage_plot(const ChartResult& result, const std::vector<ChartPoint>& points
         const std::vector<double> times = times_of(result.variants[point.variant], stage);
         if (times.empty()) continue;
         const auto [low, high] = std::minmax_element(times.begin(), times.end());
-        series.marks.push_back({median_of(times), point.mean.flip, Interval{*low, *high},
-                                point.flip_interval, label_within(result.sweep, variant, stage),
-                                false});
+        series.marks.push_back({.x = median_of(times),
+                                .y = point.mean.flip,
+                                .x_range = Interval{*low, *high},
+                                .y_range = point.flip_interval,
+                                .label = label_within(result.sweep, variant, stage)});
         pairs.push_back({series.marks.back().x, series.marks.back().y});
     }
     const std::vector<std::size_t> front = pareto_front(pairs);

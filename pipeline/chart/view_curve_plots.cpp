@@ -32,23 +32,24 @@ std::vector<double> ticks_of(const ViewCurve& curve) {
 Plot loss_plot(const ViewCurve& curve) {
     double best_db = -std::numeric_limits<double>::infinity();
     for (const ViewCurvePoint& point : curve.points) best_db = std::max(best_db, point.psnr_db);
-    PlotSeries chosen{"those missed most", {}, true, false};
-    PlotSeries random{"chosen at random: mean, standard deviation", {}, true, false};
+    PlotSeries chosen{.name = "those missed most", .is_joined = true};
+    PlotSeries random{.name = "chosen at random: mean, standard deviation", .is_joined = true};
     for (const ViewCurvePoint& point : curve.points) {
         const double views = point.views;
-        chosen.marks.push_back({views, best_db - point.psnr_db, {}, {}, {}, false});
+        chosen.marks.push_back({.x = views, .y = best_db - point.psnr_db});
         if (!(point.random_psnr_db > 0)) continue;
         const double loss = best_db - point.random_psnr_db;
-        random.marks.push_back(
-            {views,
-             loss,
-             {},
-             Interval{loss - point.random_deviation_db, loss + point.random_deviation_db},
-             {},
-             false});
+        random.marks.push_back({.x = views,
+                                .y = loss,
+                                .y_range = Interval{loss - point.random_deviation_db,
+                                                    loss + point.random_deviation_db}});
     }
-    Plot plot{"What fewer views cost", kViews, "PSNR lost, dB", true, false, {chosen}, {},
-              ticks_of(curve)};
+    Plot plot{.title = "What fewer views cost",
+              .x_label = kViews,
+              .y_label = "PSNR lost, dB",
+              .has_log_x = true,
+              .series = {chosen},
+              .x_ticks = ticks_of(curve)};
     if (!random.marks.empty()) plot.series.push_back(random);
     plot.vertical_lines.push_back({static_cast<double>(curve.third_db_views), 0});
     return plot;
@@ -56,11 +57,16 @@ Plot loss_plot(const ViewCurve& curve) {
 
 Plot cost_plot(const ViewCurve& curve, const char* title, const char* label,
                double ViewCurvePoint::*cost) {
-    PlotSeries series{{}, {}, true, false};
+    PlotSeries series{.is_joined = true};
     for (const ViewCurvePoint& point : curve.points) {
-        series.marks.push_back({static_cast<double>(point.views), point.*cost, {}, {}, {}, false});
+        series.marks.push_back({.x = static_cast<double>(point.views), .y = point.*cost});
     }
-    return {title, kViews, label, true, false, {series}, {}, ticks_of(curve)};
+    return {.title = title,
+            .x_label = kViews,
+            .y_label = label,
+            .has_log_x = true,
+            .series = {series},
+            .x_ticks = ticks_of(curve)};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "pipeline/config/config_variant.h"
 #include "pipeline/config/lens_file.h"
 #include "pipeline/config/plain_capture.h"
+#include "pipeline/text/number_text.h"
 #include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
@@ -60,37 +61,45 @@ std::optional<bool> read_yes_no_or_auto(const ConfigSection& section, const std:
     return answer == "yes";
 }
 
+/// A number within bounds, or 0 for "as photographs ask for".
+double read_number_or_auto(const ConfigSection& section, const std::string& key, double fallback,
+                           double least, double most) {
+    const double value = section.number(key, fallback);
+    if (value != 0 && !(value >= least && value <= most))
+        section.refuse(key, "0 (as photographs ask for), or " + shortest_number_text(least) +
+                                " to " + shortest_number_text(most));
+    return value;
+}
+
+int read_depth_views(const ConfigSection& render, int fallback) {
+    static_assert(kMaxDepthViews == kLeastDepthViews + 1);
+    const int views = render.integer("depth_views", fallback);
+    if (views != 0 && (views < kLeastDepthViews || views > kMaxDepthViews))
+        render.refuse("depth_views", "0 (as photographs ask for), " +
+                                         std::to_string(kLeastDepthViews) + " or " +
+                                         std::to_string(kMaxDepthViews));
+    return views;
+}
+
 DrawingOptions read_drawing_options(const ConfigSection& render) {
     DrawingOptions options;
     options.even_exposure = render.boolean("even_exposure", options.even_exposure);
     options.fade_beyond_capture =
         render.boolean("fade_beyond_capture", options.fade_beyond_capture);
     options.occlusion_tolerance_px =
-        render.number("occlusion_tolerance_px", options.occlusion_tolerance_px);
-    if (options.occlusion_tolerance_px != 0 &&
-        !(options.occlusion_tolerance_px >= kLeastOcclusionTolerance_px &&
-          options.occlusion_tolerance_px <= kMostOcclusionTolerance_px))
-        render.refuse("occlusion_tolerance_px", "0 (as photographs ask for), or 0.1 to 100");
+        read_number_or_auto(render, "occlusion_tolerance_px", options.occlusion_tolerance_px,
+                            kLeastOcclusionTolerance_px, kMostOcclusionTolerance_px);
     options.noisy_depth_error_px =
-        render.number("noisy_depth_error_px", options.noisy_depth_error_px);
-    if (options.noisy_depth_error_px != 0 &&
-        !(options.noisy_depth_error_px >= kLeastNoisyDepthError_px &&
-          options.noisy_depth_error_px <= kMostNoisyDepthError_px))
-        render.refuse("noisy_depth_error_px", "0 (as photographs ask for), or 0.1 to 10");
-    options.depth_views = render.integer("depth_views", options.depth_views);
-    if (options.depth_views != 0 &&
-        (options.depth_views < kLeastDepthViews || options.depth_views > kMaxDepthViews))
-        render.refuse("depth_views", "0 (as photographs ask for), 3 or 4");
-    options.depth_block_px = render.number("depth_block_px", options.depth_block_px);
-    if (options.depth_block_px != 0 && !(options.depth_block_px >= kLeastDepthBlock_px &&
-                                         options.depth_block_px <= kMaxDepthBlock_px))
-        render.refuse("depth_block_px", "0 (as photographs ask for), or 1 to 2");
+        read_number_or_auto(render, "noisy_depth_error_px", options.noisy_depth_error_px,
+                            kLeastNoisyDepthError_px, kMostNoisyDepthError_px);
+    options.depth_views = read_depth_views(render, options.depth_views);
+    options.depth_block_px = read_number_or_auto(render, "depth_block_px", options.depth_block_px,
+                                                 kLeastDepthBlock_px, kMaxDepthBlock_px);
     options.fill_holes = read_yes_no_or_auto(render, "fill_holes");
     options.check_guesses = read_yes_no_or_auto(render, "check_guesses");
-    options.triangle_error_px = render.number("triangle_error_px", options.triangle_error_px);
-    if (options.triangle_error_px != 0 && !(options.triangle_error_px >= kLeastTriangleError_px &&
-                                            options.triangle_error_px <= kMostTriangleError_px))
-        render.refuse("triangle_error_px", "0 (as photographs ask for), or 0.1 to 10");
+    options.triangle_error_px =
+        read_number_or_auto(render, "triangle_error_px", options.triangle_error_px,
+                            kLeastTriangleError_px, kMostTriangleError_px);
     options.draw_thin = read_yes_no_or_auto(render, "draw_thin");
     return options;
 }

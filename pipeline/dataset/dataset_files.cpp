@@ -46,18 +46,17 @@ const std::vector<std::string>& headings() {
 }
 
 Plot plot_of(const std::string& name, const std::vector<SceneOutcome>& outcomes) {
-    Plot plot{"Scenes of " + name,
-              "CPU seconds from photographs to package",
-              "FLIP error of held-out photographs (less is better)",
-              true,
-              false,
-              {},
-              {}};
+    Plot plot{.title = "Scenes of " + name,
+              .x_label = "CPU seconds from photographs to package",
+              .y_label = "FLIP error of held-out photographs (less is better)",
+              .has_log_x = true};
     PlotSeries series;
     for (const SceneOutcome& outcome : outcomes) {
         if (!outcome.mean) continue;
-        series.marks.push_back(
-            {outcome.cpu_s, outcome.mean->flip, {}, outcome.flip_interval, outcome.name, false});
+        series.marks.push_back({.x = outcome.cpu_s,
+                                .y = outcome.mean->flip,
+                                .y_range = outcome.flip_interval,
+                                .label = outcome.name});
     }
     plot.series.push_back(std::move(series));
     return plot;

@@ -76,10 +76,10 @@ Plot plot_of(const std::vector<StabilityTrial>& trials, DepthHazard hazard) {
     plot.has_log_x = true;
     plot.x_ticks = curve.strengths;  // Harmless on the left, whether that is much or little.
     for (const std::string& model : models_of(trials)) {
-        PlotSeries series{model, {}, true, false};
+        PlotSeries series{.name = model, .is_joined = true};
         for (const double strength : curve.strengths) {
             const auto share = mean_right_share(trials, hazard, strength, model);
-            if (share) series.marks.push_back({strength, 100 * *share, {}, {}, "", false});
+            if (share) series.marks.push_back({.x = strength, .y = 100 * *share});
         }
         if (const auto strength = breaking_strength(trials, hazard, model)) {
             plot.vertical_lines.push_back({*strength, plot.series.size()});

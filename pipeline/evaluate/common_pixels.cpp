@@ -7,7 +7,7 @@
 
 namespace lumi {
 
-void CommonPixels::add(const std::string& method, bool has_say, const std::string& view,
+void CommonPixels::add(const ComparedMethod& method, const std::string& view,
                        const ColorImage& truth, const Frame& frame) {
     const auto [found, is_new] = views_.try_emplace(view);
     View& of_view = found->second;
@@ -15,8 +15,8 @@ void CommonPixels::add(const std::string& method, bool has_say, const std::strin
         of_view.truth = truth;
         of_view.common = GrayImage(truth.width(), truth.height(), 255);
     }
-    of_view.drawn[method] = frame.color;
-    if (!has_say) return;
+    of_view.drawn[method.name] = frame.color;
+    if (!method.has_say) return;
     for (std::size_t i = 0; i < of_view.common.pixels().size(); ++i)
         if (frame.coverage.pixels()[i] == 0) of_view.common.pixels()[i] = 0;
 }

@@ -8,6 +8,12 @@
 
 namespace lumi {
 
+/// A method as it is compared with others.
+struct ComparedMethod {
+    std::string name;
+    bool has_say = false;  ///< In which pixels are common.
+};
+
 /// Frames that several methods draw of the same views, judged on the same pixels: those that every
 /// method covers that has a say. Each method's own coverage is no ground to compare them on:
 /// whoever leaves out what is difficult would be ahead. Those have a say that the photographs'
@@ -17,8 +23,8 @@ namespace lumi {
 class CommonPixels {
  public:
     /// One frame of a method and what should be seen in it.
-    void add(const std::string& method, bool has_say, const std::string& view,
-             const ColorImage& truth, const Frame& frame);
+    void add(const ComparedMethod& method, const std::string& view, const ColorImage& truth,
+             const Frame& frame);
 
     /// Of a method's frame; empty where there is no such pixel. The frame was added.
     [[nodiscard]] std::optional<double> psnr_db(const std::string& method,

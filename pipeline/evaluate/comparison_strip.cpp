@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "calib/work/error.h"
+#include "pipeline/evaluate/paste.h"
 #include "pipeline/stages/color_scale.h"
 
 namespace lumi {
@@ -31,12 +32,6 @@ ColorImage error_picture(const ColorImage& photograph, const ColorImage& renderi
         }
     }
     return picture;
-}
-
-void paste(ColorImage& canvas, const ColorImage& picture, int left) {
-    for (int y = 0; y < picture.height(); ++y) {
-        std::copy_n(picture.row(y), picture.width(), canvas.row(y) + left);
-    }
 }
 
 /// The scale from no error (left) to `full_scale` (right), with a notch at each quarter.

@@ -37,10 +37,15 @@ constexpr Choice kFewestViews{kLeastDepthViews, kLeastDepthBlock_px};
 /// To be told from the fewest.
 constexpr Choice kInBlocks{kLeastDepthViews, kMaxDepthBlock_px};
 /// To be told from as many views without.
-constexpr Choice kMostViewsFilled{kMaxDepthViews, kLeastDepthBlock_px, true};
-constexpr Choice kFewestViewsFilled{kLeastDepthViews, kLeastDepthBlock_px, true};
+constexpr Choice kMostViewsFilled{
+    .depth_views = kMaxDepthViews, .depth_block_px = kLeastDepthBlock_px, .fills_holes = true};
+constexpr Choice kFewestViewsFilled{
+    .depth_views = kLeastDepthViews, .depth_block_px = kLeastDepthBlock_px, .fills_holes = true};
 /// To be told from as many filled ones: what others know is no guess.
-constexpr Choice kMostViewsChecked{kMaxDepthViews, kLeastDepthBlock_px, true, true};
+constexpr Choice kMostViewsChecked{.depth_views = kMaxDepthViews,
+                                   .depth_block_px = kLeastDepthBlock_px,
+                                   .fills_holes = true,
+                                   .checks_guesses = true};
 constexpr std::array kChoices{kMostViews,       kFewestViews,       kInBlocks,
                               kMostViewsFilled, kFewestViewsFilled, kMostViewsChecked};
 

@@ -106,15 +106,15 @@ Evaluation evaluate_workspace(const Workspace& workspace, const EvaluationOption
             pictures.write(folder.staging(), mode, view);
             if (!compared) return;
             const RenderMode drawn = possible_options({.mode = mode}, lumigraph.has_depth()).mode;
-            compared->add(name_of(mode), covers_by_depth(drawn), view);
+            compared->add({name_of(mode), covers_by_depth(drawn)}, view);
         },
         progress);
     if (options.rivals) {
         evaluation.rivals = evaluate_rivals(
             lumigraph, held_out, with_subject.subject_mask, options.timed_frames,
-            [&](const std::string& method, bool has_say, const JudgedView& view) {
-                pictures.write(folder.staging(), method, view);
-                compared->add(method, has_say, view);
+            [&](const ComparedMethod& method, const JudgedView& view) {
+                pictures.write(folder.staging(), method.name, view);
+                compared->add(method, view);
             },
             progress);
         evaluation.rivals->common = compared->scores_of(evaluation);

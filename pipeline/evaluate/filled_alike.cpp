@@ -12,8 +12,8 @@ FilledAlike::FilledAlike(const Lumigraph& lumigraph, const PosedPhotographs& hel
             surroundings_picture(lumigraph, eyes[i]), eyes[i].camera, lumigraph.evened_falloff);
 }
 
-void FilledAlike::add(const std::string& method, bool has_say, const JudgedView& view) {
-    common_.add(method, has_say, view.score.name, view.photograph,
+void FilledAlike::add(const ComparedMethod& method, const JudgedView& view) {
+    common_.add(method, view.score.name, view.photograph,
                 filled(view.rendering, surroundings_.at(view.score.name)));
 }
 

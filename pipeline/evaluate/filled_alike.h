@@ -16,8 +16,8 @@ class FilledAlike {
  public:
     FilledAlike(const Lumigraph& lumigraph, const PosedPhotographs& held_out);
 
-    /// `has_say`: see CommonPixels. The view is one of those held out.
-    void add(const std::string& method, bool has_say, const JudgedView& view);
+    /// A view that the method drew, one of those held out.
+    void add(const ComparedMethod& method, const JudgedView& view);
     /// Of the modes and rivals of the evaluation, which were all added.
     [[nodiscard]] CommonPixelScores scores_of(const Evaluation& evaluation) const;
 

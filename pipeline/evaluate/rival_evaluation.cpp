@@ -42,7 +42,7 @@ class RivalJudge {
     }
 
     void judge_plain(const PlainRival& rival) {
-        judge_views(rival.name, rival.draws_from_depth, 0.0, [&](const Eye& eye) {
+        judge_views({rival.name, rival.draws_from_depth}, 0.0, [&](const Eye& eye) {
             TimedFrame timed;
             timed.times = times_of(1, [&] {
                 timed.frame = rival.draw(lumigraph_, eye, depths_for(rival, lumigraph_, eye));
@@ -59,22 +59,22 @@ class RivalJudge {
         const double cpu_s = stopwatch.elapsed().cpu_s;
         OffscreenRenderer renderer(pictures);
         for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kAdaptive})
-            judge_views(rival.name + ' ' + name_of(mode), false, cpu_s, [&](const Eye& eye) {
+            judge_views({rival.name + ' ' + name_of(mode)}, cpu_s, [&](const Eye& eye) {
                 return timed_frame(renderer, eye, {.mode = mode}, timed_frames_);
             });
     }
 
     using DrawAndTime = std::function<TimedFrame(const Eye& eye)>;
-    void judge_views(const std::string& method, bool has_say, double resampling_cpu_s,
+    void judge_views(const ComparedMethod& method, double resampling_cpu_s,
                      const DrawAndTime& draw) {
-        RivalScores scores{method, {}, resampling_cpu_s};
-        progress_.begin("drawing held-out views by " + method, eyes_.size());
+        RivalScores scores{method.name, {}, resampling_cpu_s};
+        progress_.begin("drawing held-out views by " + method.name, eyes_.size());
         for (std::size_t i = 0; i < eyes_.size(); ++i) {
             progress_.throw_if_interrupted();
             TimedFrame timed = draw(eyes_[i]);
             const JudgedView judged = judged_view(held_out_, i, lumigraph_, subject_mask_,
                                                   std::move(timed.frame), timed.times);
-            keep_(method, has_say, judged);
+            keep_(method, judged);
             scores.views.push_back(judged.score);
             progress_.advance();
         }

@@ -7,6 +7,7 @@
 
 #include "calib/capture/posed_photographs.h"
 #include "calib/work/progress.h"
+#include "pipeline/evaluate/common_pixels.h"
 #include "pipeline/evaluate/judged_view.h"
 #include "render/lumigraph/lumigraph.h"
 
@@ -42,10 +43,8 @@ struct RivalEvaluation {
     std::optional<CommonPixelScores> common = {};  ///< Empty where it was not measured.
 };
 
-/// Called once per method and view, in order, with what is to be kept of it, and whether the method
-/// has a say in which pixels are common.
-using JudgedRivalSink =
-    std::function<void(const std::string& method, bool has_say, const JudgedView& view)>;
+/// Called once per method and view, in order, with what is to be kept of it.
+using JudgedRivalSink = std::function<void(const ComparedMethod& method, const JudgedView& view)>;
 
 /// Draws every view of `held_out` from the Lumigraph by the methods that the paper is compared with
 /// (render/rivals/rival_methods.h), as evaluate_held_out does in lumi's modes. Plain code draws

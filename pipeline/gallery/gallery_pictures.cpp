@@ -4,6 +4,7 @@
 #include <array>
 
 #include "calib/pictures/image_io.h"
+#include "pipeline/evaluate/paste.h"
 #include "render/paths/path_through_views.h"
 #include "render/renderer/offscreen_renderer.h"
 
@@ -13,12 +14,6 @@ namespace {
 constexpr int kGapPx = 4;
 constexpr int kPanelWidthPx = 700;
 constexpr int kColumns = 2;
-
-void paste(ColorImage& canvas, const ColorImage& picture, int left, int top) {
-    for (int y = 0; y < picture.height(); ++y) {
-        std::copy_n(picture.row(y), picture.width(), canvas.row(top + y) + left);
-    }
-}
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 
 #include "calib/work/counted.h"
 #include "calib/work/error.h"
+#include "calib/work/median.h"
 #include "pipeline/evaluate/evaluation.h"
 #include "pipeline/evaluate/held_out_photographs.h"
 #include "pipeline/workspace/json_file.h"
@@ -56,10 +57,10 @@ void append_ratios(VersionFigures& figures, const Lumigraph& lumigraph,
         for (const ModeCost& cost : report.modes) ratios[cost.options.mode].push_back(cost.ratio);
     }
     for (auto& [mode, values] : ratios) {
-        std::sort(values.begin(), values.end());
-        const double median = values[values.size() / 2];
-        figures["ratio." + name_of(mode)] = {
-            median, (values.back() - values.front()) / 2.0 + kTimeNoise * median, false};
+        const double median = median_of(values);
+        const auto [least, most] = std::minmax_element(values.begin(), values.end());
+        figures["ratio." + name_of(mode)] = {median, (*most - *least) / 2.0 + kTimeNoise * median,
+                                             false};
     }
 }
 

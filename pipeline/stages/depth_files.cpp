@@ -1,10 +1,12 @@
 #include "pipeline/stages/depth_files.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "calib/pictures/image_io.h"
 #include "calib/work/parallel_for.h"
 #include "pipeline/stages/color_scale.h"
+#include "pipeline/stages/depth_percentiles.h"
 
 namespace lumi {
 namespace {
@@ -16,18 +18,17 @@ struct Range {
     float high = 1.0F;
 };
 
-/// The 1st and 99th percentile of what the maps say, over every 16th pixel.
+/// From the 1st to the 99th percentile of what the maps say.
 Range range_to_show(const std::vector<DepthMap>& depth_maps) {
-    constexpr std::size_t kStride = 16;
     std::vector<float> values;
     for (const DepthMap& map : depth_maps) {
         const std::vector<float>& pixels = map.inverse_depth.pixels();
-        for (std::size_t i = 0; i < pixels.size(); i += kStride) values.push_back(pixels[i]);
+        for (std::size_t i = 0; i < pixels.size(); i += kPercentileStride)
+            values.push_back(pixels[i]);
     }
-    if (values.empty()) return {};
-    std::sort(values.begin(), values.end());
-    const Range range{values[values.size() / 100], values[values.size() - 1 - values.size() / 100]};
-    return range.high > range.low ? range : Range{range.low, range.low + 1.0F};
+    const std::optional<Percentiles> found = percentiles_of(std::move(values));
+    if (!found) return {};
+    return {found->low, found->high > found->low ? found->high : found->low + 1.0F};
 }
 
 ColorImage picture_of(const FloatImage& inverse_depth, const Range& range) {

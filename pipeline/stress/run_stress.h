@@ -43,7 +43,7 @@ struct StressView {
 /// What is perturbed, and what it is compared with.
 struct StressSubject {
     Lumigraph lumigraph;
-    std::vector<StressView> views;
+    std::vector<StressView> views = {};
     bool views_are_held_out = true;
     CameraMeshOptions mesh_options = {};  ///< Its camera mesh was built with these.
 };

@@ -43,10 +43,10 @@ Plot plot_of(const StressResult& result, const std::string& perturbation) {
     plot.y_label = "dB lost on photographs not used";
     for (const StressCurve& curve : result.curves) {
         if (curve.perturbation != perturbation) continue;
-        PlotSeries series{name_of(curve.mode), {}, true, false};
+        PlotSeries series{.name = name_of(curve.mode), .is_joined = true};
         for (std::size_t i = 0; i < curve.strengths.size(); ++i) {
             series.marks.push_back(
-                {curve.strengths[i], curve.psnr_db.front() - curve.psnr_db[i], {}, {}, "", false});
+                {.x = curve.strengths[i], .y = curve.psnr_db.front() - curve.psnr_db[i]});
         }
         if (curve.breaking_point) {
             plot.vertical_lines.push_back({*curve.breaking_point, plot.series.size()});

@@ -20,17 +20,15 @@ CameraMeshOptions mesh_options_of_package(const std::filesystem::path& package) 
 
 StressSubject subject_of_workspace(const WorkspaceLayout& workspace, int threads) {
     const PosedPhotographs held_out = held_out_photographs(workspace, threads);
-    StressSubject subject{read_package(workspace.package_folder()),
-                          {},
-                          true,
-                          mesh_options_of_package(workspace.package_folder())};
+    StressSubject subject{.lumigraph = read_package(workspace.package_folder()),
+                          .mesh_options = mesh_options_of_package(workspace.package_folder())};
     for (std::size_t i = 0; i < held_out.capture.views.size(); ++i) {
         const View& view = held_out.capture.views[i];
         const Camera& camera = camera_of(held_out.capture, view);
-        subject.views.push_back({view.name,
-                                 {camera, view.cam_from_world},
-                                 read_color_image(held_out.picture_paths[i]),
-                                 subject.lumigraph.evened_falloff});
+        subject.views.push_back({.name = view.name,
+                                 .eye = {camera, view.cam_from_world},
+                                 .photograph = read_color_image(held_out.picture_paths[i]),
+                                 .falloff = subject.lumigraph.evened_falloff});
     }
     return subject;
 }
@@ -55,7 +53,9 @@ StressSubject subject_of_package(const std::filesystem::path& package) {
             kept.push_back(static_cast<int>(i));
             continue;
         }
-        subject.views.push_back({view.name, {view.camera, view.cam_from_world}, view.photograph});
+        subject.views.push_back({.name = view.name,
+                                 .eye = {view.camera, view.cam_from_world},
+                                 .photograph = view.photograph});
     }
     subject.lumigraph = only_these_views(whole, kept, subject.mesh_options);
     return subject;

@@ -12,4 +12,10 @@ std::string number_text(double value, int decimals) {
     return {text.data(), result.ptr};
 }
 
+std::string shortest_number_text(double value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
+}
+
 }  // namespace lumi

@@ -15,12 +15,12 @@ namespace lumi {
 /// Infinite where a triangle contains a tear or a change between seen and filled.
 class SplitErrors {
  public:
-    /// Errors of what is filled count as so many times smaller: it is a guess.
+    /// Errors of filled depth are divided by `guess_error_ratio`: it is a guess anyway.
     SplitErrors(const DepthLattice& lattice, double guess_error_ratio);
 
-    /// Of a square.
+    /// The side of a square, in steps of the lattice.
     [[nodiscard]] int side() const { return side_; }
-    /// How many squares there are along a row, and along a column: of one of them 1.
+    /// The number of squares along a row, and along a column; one of them is 1.
     [[nodiscard]] int squares_in_row() const { return last_column_ / side_; }
     [[nodiscard]] int squares_in_column() const { return last_row_ / side_; }
     [[nodiscard]] float at(const LatticeNode& node) const { return errors_[index(node)]; }

@@ -21,8 +21,8 @@ struct RayHit {
     int support = 0;  ///< How many of the views asked meet it there: the first of `views`.
     std::array<int, 3> views{kNoView, kNoView, kNoView};
 
-    /// Nothing else stands before it for this view; of views that were not asked, or that meet
-    /// something else, this does not tell.
+    /// Whether this view is one of those that meet it, so that nothing hides it from the view.
+    /// False tells nothing: the view may not have been asked.
     [[nodiscard]] bool is_met_by(int view_index) const {
         return view_index == views[0] || view_index == views[1] || view_index == views[2];
     }
@@ -53,8 +53,8 @@ class DepthSearch {
     [[nodiscard]] double visibility(const Eigen::Vector2d& pixel, double inverse_depth,
                                     int view_index) const;
 
-    /// By how many pixels of disparity something that the view has seen stands before the point at
-    /// `inverse_depth` on the eye's ray through `pixel`; 0 where nothing does, or where the point
+    /// Disparity, in pixels, between the point at `inverse_depth` on the eye's ray through `pixel`
+    /// and something that the view has seen before it; 0 where there is nothing, or where the point
     /// lies outside of its photograph.
     [[nodiscard]] double hidden_by_px(const Eigen::Vector2d& pixel, double inverse_depth,
                                       int view_index) const;

@@ -26,6 +26,8 @@ struct EpipolarLine {
 struct RayStretch {
     double near_end;
     double far_end;
+
+    [[nodiscard]] bool is_empty() const { return near_end < far_end; }
 };
 
 /// A ray of the eye on its way through a view's depth map, from the near end of a stretch (share 0)
@@ -50,17 +52,17 @@ class EpipolarWalk {
                 begin_.inverse_depth + share * way_.inverse_depth};
     }
 
-    /// Of the eye.
+    /// The eye's inverse depth at this share of the way.
     [[nodiscard]] double inverse_depth_in_eye(double share) const {
         return (begin_.inverse_depth + share * way_.inverse_depth) /
                (begin_eye_over_view_ + share * way_eye_over_view_);
     }
 
-    /// The share of the way that is as long as a sample: more than 1 where the way is shorter, up
-    /// to the largest number where the whole ray lies in one place.
+    /// The share of the way that one sample of the map takes: more than 1 where the way is shorter
+    /// than a sample, up to the largest number where the whole ray lies in one place.
     [[nodiscard]] double per_sample() const { return per_sample_; }
 
-    /// By how much the ray's inverse depth grows on a sample of its way.
+    /// Growth of the ray's inverse depth in the view over one sample of its way.
     [[nodiscard]] double inverse_depth_per_sample() const {
         return way_.inverse_depth * per_sample_;
     }

@@ -22,26 +22,28 @@ inline constexpr double kFinestBorder_px = 1.0;
 [[nodiscard]] std::array<double, 3> redistributed_by_the_paper(const std::array<double, 3>& weights,
                                                                const std::array<bool, 3>& is_seen);
 
-/// The same without its jumps: weights times visibility, scaled to sum 1. Empty when none sees the
-/// point that counts for the ray: a view without weight has none to gain.
+/// The same without its jumps: weights times visibility, scaled to sum 1. Empty when no view that
+/// has weight sees the point: one without weight gains none.
 [[nodiscard]] std::optional<std::array<double, 3>> redistributed(
     const std::array<double, 3>& weights, const std::array<double, 3>& visibility);
 
-/// Of a ray's weights, whose sum is 1, the share that is not seen.
+/// The share of a ray's weights that occlusion takes: 1 - sum of weight times visibility; the
+/// weights sum to 1.
 [[nodiscard]] double occluded_share(const std::array<double, 3>& weights,
                                     const std::array<double, 3>& visibility);
 
-/// How much a view that sees something else by `difference_px` of disparity still counts: 1 up to
-/// the tolerance, 0 from twice that on, and a ramp between, so that nothing jumps.
+/// Visibility of a point to a view whose own surface differs from it by `difference_px` of
+/// disparity: 1 up to the tolerance, 0 from twice that on, a linear ramp between, so that nothing
+/// jumps.
 [[nodiscard]] double visibility_of(double difference_px, double tolerance_px);
 
-/// A view that has seen something so far before a guess, in pixels of disparity, shows that in its
-/// place; what stands less before it may be noise. Of points that were seen photographs say how far
-/// that is (DrawingChoices::occlusion_tolerance_px).
+/// The least disparity, in pixels, between a guess and what a view has seen before it for the guess
+/// to be hidden from that view; what stands less before it may be noise. For points that were seen,
+/// the photographs choose the limit (DrawingChoices::occlusion_tolerance_px).
 inline constexpr double kSurelyBefore_px = 16.0;
 
-/// How much a view counts near the border of its photograph, `distance_px` inside of it: it fades
-/// in, and counts nothing outside.
+/// The factor on a view's weight `distance_px` inside the border of its photograph: a ramp from 0
+/// at the border to 1, and 0 outside.
 [[nodiscard]] double border_fade(double distance_px);
 
 }  // namespace lumi

@@ -9,8 +9,8 @@ namespace lumi {
 /// The number of triangles with errors relaxed so much; nothing where they are more than `most`.
 using TrianglesAt = std::function<std::optional<std::size_t>(double relaxation, std::size_t most)>;
 
-/// By how much errors are to be relaxed, 1 to 1024, so that triangles are at most `most` (0: any
-/// number). It is what `triangles_at` last gave a number for.
+/// The factor, 1 to 1024, by which errors are to be relaxed so that there are at most `most`
+/// triangles (0: any number). It is the last one for which `triangles_at` gave a number.
 ///
 /// Relaxations are powers of the fourth root of two. Most pictures need none, and the search begins
 /// with it. Where that leaves too many, it goes up in growing steps until they are few enough, then

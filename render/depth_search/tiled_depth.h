@@ -39,11 +39,11 @@ class TiledDepth {
     [[nodiscard]] bool empty() const { return width_ == 0; }
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
-    /// Of all samples; 0 when there is none.
+    /// The largest inverse depth of all samples, and the smallest; 0 when there is none.
     [[nodiscard]] float nearest() const { return nearest_; }
     [[nodiscard]] float farthest() const { return farthest_; }
 
-    /// Where the samples of a row, or of a column, lie: the sum of both is a sample's place.
+    /// Offsets of a row and of a column in the tiled memory: their sum is a sample's place.
     [[nodiscard]] std::size_t row_offset(int y) const {
         const auto row = static_cast<std::size_t>(y);
         return row / kSide * fine_columns_ * kSide * kSide + row % kSide * kSide;

@@ -9,7 +9,8 @@ namespace {
 /// these.
 constexpr double kShortestStep = 1.0;
 constexpr double kLongestStep = TiledDepth::kFine;
-/// A surface that is no farther ahead, in samples, is gone to at once.
+/// Where the ray would meet the surface no farther ahead than this, in samples, it is tried at
+/// once.
 constexpr double kAtOnce = 2.0;
 constexpr int kMaxSteps = 256;
 constexpr int kRefinements = 4;
@@ -57,6 +58,8 @@ ViewSearch::ViewSearch(const LumigraphView& view, const TiledDepth& depth,
       depth_(&depth),
       max_inverse_depth_(max_inverse_depth) {}
 
+// Not calib/capture/bilinear.h: the offsets of tiled memory are found once for the four samples,
+// and across a tear nothing is interpolated.
 SeenSurface ViewSearch::surface_at_sample(double x, double y) const {
     const TiledDepth& depth = *depth_;
     const double from_left = clamped(x - 0.5, depth.width() - 1.0);
@@ -118,6 +121,21 @@ RayStretch ViewSearch::visible_stretch(const EpipolarLine& line) const {
     return stretch;
 }
 
+std::optional<ViewSearch::Meeting> ViewSearch::close_ahead(const EpipolarWalk& walk,
+                                                           const Meeting& from) const {
+    const double meets = walk.meets(from.surface.inverse_depth);
+    const bool is_close =
+        meets >= from.share && meets <= 1 && meets - from.share <= kAtOnce * walk.per_sample();
+    if (!is_close) return std::nullopt;
+    return meeting_at(walk, meets);
+}
+
+std::optional<ViewHit> ViewSearch::crossed(const EpipolarWalk& walk, double before,
+                                           double behind) const {
+    const double margin = kShortestStep * walk.per_sample();
+    return refined(walk, std::max(0.0, before - margin), std::min(1.0, behind + margin));
+}
+
 std::optional<ViewHit> ViewSearch::refined(const EpipolarWalk& walk, double before,
                                            double behind) const {
     Meeting at{};
@@ -141,13 +159,14 @@ std::optional<ViewHit> ViewSearch::first_hit(const Eigen::Vector2d& eye_pixel) c
     if (depth_->empty()) return std::nullopt;
     const EpipolarLine line = line_in_samples(eye_pixel);
     const RayStretch stretch = visible_stretch(line);
-    if (stretch.near_end < stretch.far_end) return std::nullopt;
+    if (stretch.is_empty()) return std::nullopt;
     const EpipolarWalk walk(line, stretch, *depth_);
-    const double per_sample = walk.per_sample();
     double share = 0;
     double last_before = 0;
     bool is_before = true;
     for (int step = 0; step < kMaxSteps; ++step) {
+        // Whole squares are passed that the ray cannot meet: in front of all that they hold, or,
+        // once it is behind a surface, behind all of it.
         if (is_before) {
             const double free_to = walk.past_free(share);
             if (free_to > share) last_before = share = free_to;
@@ -155,29 +174,29 @@ std::optional<ViewHit> ViewSearch::first_hit(const Eigen::Vector2d& eye_pixel) c
             share = walk.past_hiding(share);
         }
         Meeting at = meeting_at(walk, share);
+        // In front of the surface: there is a hit only where the surface is reached. What is close
+        // ahead is tried at once; the point tried may also lie behind the surface.
         if (at.ahead > 0) {
             is_before = true;
-            last_before = share;
-            const double meets = walk.meets(at.surface.inverse_depth);
-            if (meets >= share && meets <= 1 && meets - share <= kAtOnce * per_sample) {
-                at = meeting_at(walk, meets);
+            last_before = at.share;
+            if (const auto reached = close_ahead(walk, at)) {
+                at = *reached;
                 if (is_at_surface(at, kCloseEnough)) return hit_at(walk, at);
                 if (at.ahead > 0) last_before = at.share;
-                share = at.share;
             }
         }
+        // Behind the surface for the first time: it was crossed on the way from `last_before`, or
+        // that way leads over a tear, and the ray goes on behind the surface until it comes out. A
+        // ray that begins behind has crossed nothing that the view sees: it counts only where it
+        // comes in over the photograph's border so close behind that the eye cannot tell.
         if (at.ahead <= 0) {
             const bool begins_behind = at.share == 0;
-            if (is_before && (!begins_behind || meets_at_border(at))) {
-                const double margin = kShortestStep * per_sample;
-                const auto hit = refined(walk, std::max(0.0, last_before - margin),
-                                         std::min(1.0, share + margin));
-                if (hit) return hit;
-            }
+            if (is_before && (!begins_behind || meets_at_border(at)))
+                if (const auto hit = crossed(walk, last_before, at.share)) return hit;
             is_before = false;
         }
-        if (share >= 1) return std::nullopt;
-        share = std::min(1.0, share + steps_on(walk, at.ahead) * per_sample);
+        if (at.share >= 1) return std::nullopt;
+        share = std::min(1.0, at.share + steps_on(walk, at.ahead) * walk.per_sample());
     }
     return std::nullopt;
 }

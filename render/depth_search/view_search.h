@@ -65,9 +65,9 @@ class ViewSearch {
     [[nodiscard]] std::optional<ViewHit> first_hit(const Eigen::Vector2d& eye_pixel) const;
 
  private:
-    /// The view's ray at a point of the eye's ray.
+    /// A point of the eye's ray, and the surface that the view sees there.
     struct Meeting {
-        double share;  ///< Of its way.
+        double share;  ///< Of the ray's way through the depth map (EpipolarWalk).
         SeenSurface surface;
         double ahead;  ///< Inverse depth of the point in the view, less the surface's.
     };
@@ -77,18 +77,28 @@ class ViewSearch {
         return {walk.inverse_depth_in_eye(meeting.share), meeting.surface.kind};
     }
     [[nodiscard]] EpipolarLine line_in_samples(const Eigen::Vector2d& eye_pixel) const;
-    /// Over which a point lies in the photograph, and not before or behind all that it shows.
+    /// The stretch of the ray whose points lie in the photograph, and not before or behind all that
+    /// it shows.
     [[nodiscard]] RayStretch visible_stretch(const EpipolarLine& line) const;
-    /// Whether a point is on the surface, by this share of what depths of one may differ by.
+    /// Whether the point is on the surface: off it by at most `share` of the disparity by which
+    /// depths of one surface may differ.
     [[nodiscard]] bool is_at_surface(const Meeting& meeting, double share) const {
         return std::abs(meeting.ahead) * max_disparity_px_ <= share * kAgreeingDisparity_px;
     }
-    /// Where the ray comes in over the photograph's border, already behind the surface there:
-    /// whether the eye cannot tell it from a ray that meets the surface. What a view knows of depth
-    /// is worth little to an eye that is much farther off than other views are.
+    /// Whether the eye cannot tell a ray that comes in over the photograph's border, already behind
+    /// the surface there, from one that meets the surface. What a view knows of depth is worth
+    /// little to an eye that is much farther off than other views are.
     [[nodiscard]] bool meets_at_border(const Meeting& meeting) const {
         return -meeting.ahead * focal_times_way_ <= kAgreeingDisparity_px;
     }
+    /// Where the ray would meet the surface if that were everywhere as far from the view as it is
+    /// at `from`, which lies before it; empty unless that is close ahead.
+    [[nodiscard]] std::optional<Meeting> close_ahead(const EpipolarWalk& walk,
+                                                     const Meeting& from) const;
+    /// The hit on a surface that was crossed from one share of the way to another, which may each
+    /// be off by a step; empty at a tear.
+    [[nodiscard]] std::optional<ViewHit> crossed(const EpipolarWalk& walk, double before,
+                                                 double behind) const;
     /// The hit between a share of the way before the surface and one behind it; empty at a tear.
     [[nodiscard]] std::optional<ViewHit> refined(const EpipolarWalk& walk, double before,
                                                  double behind) const;
@@ -97,7 +107,7 @@ class ViewSearch {
     Eigen::Vector2d samples_per_pixel_;
     double disparity_px_;
     double max_disparity_px_;
-    double focal_times_way_;  ///< Of the view, and from the eye to it.
+    double focal_times_way_;  ///< The view's focal length (px) times its distance from the eye.
     int width_px_;
     int height_px_;
     const TiledDepth* depth_;

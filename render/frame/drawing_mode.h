@@ -13,7 +13,7 @@ class DrawingMode {
     /// The eye has the viewport's size; the viewport is set and cleared.
     virtual DrawStatistics draw(const Eye& eye, const RenderOptions& options,
                                 const Viewport& viewport) = 0;
-    /// Gives up what frames of an eye that stands still have of each other.
+    /// Drops what is kept from frame to frame while the eye stands still.
     virtual void forget_frame() {}
 };
 

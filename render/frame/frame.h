@@ -62,8 +62,8 @@ struct RenderOptions {
     /// What no photograph shows gets the colours of what lies next to it (surroundings.h) instead
     /// of black; not where the capture fades to black, and not in `paper2001` and `heigl`.
     bool guess_surroundings = true;
-    /// For modes that subdivide, and what is filled where depth has holes. Lengths are in pixels of
-    /// the frame, also with four samples in each.
+    /// How finely the modes that subdivide do so, and the filling of holes in depth. Lengths are in
+    /// pixels of the frame, also with four samples in each.
     double triangle_error_ratio = 1.0;    ///< `adaptive`: times DrawingChoices::triangle_error_px.
     double depth_threshold_share = 0.02;  ///< `paper2001`: of the scene's depth range.
     /// Shorter edges are not split; in `adaptive`, which cuts triangles at outlines, none that are
@@ -76,13 +76,13 @@ struct RenderOptions {
     bool operator==(const RenderOptions&) const = default;
 };
 
-/// How many samples are drawn along a side of each of the frame's pixels: lengths in pixels of the
-/// frame are as many times longer where samples are counted.
+/// The number of samples along a side of each of the frame's pixels: the factor from lengths in
+/// pixels of the frame to lengths in samples.
 [[nodiscard]] inline double samples_along_pixel(const RenderOptions& options) {
     return options.supersample ? 2.0 : 1.0;
 }
 
-/// Without depth the modes that need it come to the light field.
+/// The wanted options, but `lightfield` in place of modes that need depth where there is none.
 [[nodiscard]] RenderOptions possible_options(RenderOptions wanted, bool has_depth);
 
 /// Whether these options ask for colours where no photograph shows anything.
@@ -90,9 +90,10 @@ struct RenderOptions {
 
 /// What drawing a frame took.
 struct DrawStatistics {
-    /// With photographs on them. Each counts once, also where several passes draw it.
+    /// Triangles with photographs on them; each counts once, also where several passes draw it.
     std::size_t triangles = 0;
-    /// Whether they were those of the frame before, of the same eye: a moving eye's are made anew.
+    /// Whether the triangles are those of the frame before, of the same eye: a moving eye's are
+    /// made anew.
     bool are_triangles_kept = false;
 };
 

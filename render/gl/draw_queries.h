@@ -13,7 +13,8 @@ namespace lumi {
 
 /// How many bytes of vertices, indices and texels `draw` hands to OpenGL.
 [[nodiscard]] std::uint64_t uploaded_bytes(const std::function<void()>& draw);
-/// For those who hand them over, in the thread that draws.
+/// Adds to what uploaded_bytes counts: called by whoever hands bytes to OpenGL, in the thread that
+/// draws.
 void count_uploaded(std::size_t bytes);
 
 /// Time by a graphics card's own clock from the first command of `draw` to the end of its last, in

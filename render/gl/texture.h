@@ -36,22 +36,22 @@ class TextureArray {
     /// All texels of all layers, of the format kFourFloats.
     void upload(const std::vector<float>& texels);
     void bind(unsigned unit) const;
-    /// Unless they are there: for colours that are looked up at a level (textureLod) and are not
-    /// changed any more. Along the borders of each level alpha is 0, so that beyond a layer it is
-    /// 0, too, where coarse levels have no gutter.
+    /// Makes all mip levels, unless they are there: for colours that are looked up at a level
+    /// (textureLod) and are not changed any more. Along the borders of each level alpha is set to
+    /// 0, so that lookups beyond a layer find 0 also where coarse levels have no gutter.
     ///
     /// Not amid a drawing: it draws itself. All colours are written to and the scissor test is off
     /// afterwards. Throws Error (E-GL-LIMIT) where the driver has no memory for them. Takes pending
     /// GL errors.
     void make_mip_levels();
-    /// With all mip levels, which must have been made.
+    /// Binds with all mip levels, which must have been made.
     void bind_mip_levels(unsigned unit) const;
 
     [[nodiscard]] unsigned name() const { return name_.get(); }
     [[nodiscard]] int width_px() const { return width_px_; }
     [[nodiscard]] int height_px() const { return height_px_; }
     [[nodiscard]] int layers() const { return layers_; }
-    /// At its finest level.
+    /// The size of its finest level.
     [[nodiscard]] std::size_t bytes() const;
 
  private:

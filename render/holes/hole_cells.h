@@ -7,11 +7,11 @@
 
 namespace lumi {
 
-/// Where holes are looked for: in cells so wide, at so many places along each side of one.
+/// The width of the cells that are searched for holes, and the places asked along each side of one.
 inline constexpr double kHoleCell_px = 16.0;
 inline constexpr int kHoleSamples = 4;
-/// Of the places in a cell: from so many on it counts as a hole. Outlines, along which some view
-/// always loses the surface, are none.
+/// The least share of a cell's places at which no view sees the scene for it to count as a hole:
+/// outlines, along which some view always loses the surface, are none.
 inline constexpr double kLeastHoleShare = 0.25;
 
 /// The cells of a picture in which none of the views that were asked for depth sees the scene:

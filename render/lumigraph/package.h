@@ -20,12 +20,13 @@ struct PackageExtras {
 /// Memory that reading a package may take whatever the machine has.
 inline constexpr std::uint64_t kLeastMemoryOfPackages = std::uint64_t{8} << 30;
 
-/// As much as the machine has, but no less than that.
+/// The machine's memory, but at least kLeastMemoryOfPackages.
 [[nodiscard]] std::uint64_t most_memory_of_packages();
 
 /// Limits that a reader keeps to, whatever the package claims.
 struct PackageLimits {
-    /// While it is read: what is decoded, and files while they are held (package_memory.h).
+    /// The most memory that reading may take: what is decoded, and files while they are held
+    /// (package_memory.h).
     std::uint64_t max_decoded_bytes = most_memory_of_packages();
     std::size_t max_views = 10'000;
     std::size_t max_manifest_bytes = std::size_t{16} << 20;

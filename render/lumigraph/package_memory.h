@@ -8,7 +8,7 @@
 
 namespace lumi {
 
-/// Of any picture in a package.
+/// The most pixels that a picture in a package may have.
 inline constexpr std::uint64_t kMaxPixelsPerPicture = std::uint64_t{1} << 28;
 
 /// The most bytes that reading a package takes on `threads` threads, as its manifest announces

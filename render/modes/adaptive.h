@@ -20,7 +20,7 @@ namespace lumi {
                                                           const Eye& eye,
                                                           const RenderOptions& options,
                                                           AdaptiveSubdivider& subdivider);
-/// For once.
+/// The same with a subdivider of its own.
 [[nodiscard]] std::vector<BlendTriangles> adaptive_layers(const Lumigraph& layout,
                                                           const SearchedViews& views,
                                                           const Eye& eye,

@@ -36,7 +36,7 @@ class BlendPainter {
 
     const UploadedLumigraph& uploaded_;
     float least_confidence_;
-    /// By the number of photographs that are looked up.
+    /// The programs by the number of photographs that they look up.
     std::array<PictureProgram, 3> programs_;
     std::array<PictureProgram, 3> discarding_;  ///< Where photographs may end.
     std::array<PictureProgram, 3> filling_;     ///< There, too, where there are surroundings.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/subdivision/blend_triangles.h"
+
 namespace lumi {
 namespace {
 
@@ -20,9 +22,10 @@ Eigen::Vector3d index_color(int index) {
 
 double confidence_of(const ConsensusDepth& depth) {
     if (depth.support == 0) return 0;
-    if (depth.is_behind_tears) return 0.125;
-    if (depth.kind == DepthKind::kSeen) return 0.5 * depth.support;
-    return depth.kind == DepthKind::kFilled ? 0.25 : 0.125;
+    if (depth.is_behind_tears) return static_cast<double>(kStretchedConfidence);
+    if (depth.kind == DepthKind::kSeen) return static_cast<double>(kSeenByOne) * depth.support;
+    return static_cast<double>(depth.kind == DepthKind::kFilled ? kFilledConfidence
+                                                                : kStretchedConfidence);
 }
 
 Eigen::Vector3d debug_color(DebugPicture picture, const ShownRay& ray,

@@ -50,15 +50,20 @@ void settle_lone_surface(std::vector<EyeDepth>& layers, double agreeing_inverse_
     const auto is_seen = [](const EyeDepth& depth) {
         return depth.is_known() && depth.kind == DepthKind::kSeen;
     };
-    // Those that have seen something there, or elsewhere.
-    const auto seen = [&](bool there, double inverse_depth) {
+    const auto is_near = [&](const EyeDepth& depth, double inverse_depth) {
+        return std::abs(depth.inverse_depth - inverse_depth) <= agreeing_inverse_depth;
+    };
+    const auto layers_that = [&](const auto& fits) {
         std::vector<std::size_t> found;
-        for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-            const double difference = std::abs(layers[layer].inverse_depth - inverse_depth);
-            if (is_seen(layers[layer]) && (difference <= agreeing_inverse_depth) == there)
-                found.push_back(layer);
-        }
+        for (std::size_t layer = 0; layer < layers.size(); ++layer)
+            if (is_seen(layers[layer]) && fits(layers[layer])) found.push_back(layer);
         return found;
+    };
+    const auto seen_at = [&](double inverse_depth) {
+        return layers_that([&](const EyeDepth& depth) { return is_near(depth, inverse_depth); });
+    };
+    const auto seen_elsewhere_than = [&](double inverse_depth) {
+        return layers_that([&](const EyeDepth& depth) { return !is_near(depth, inverse_depth); });
     };
     const auto take_away = [&](const std::vector<std::size_t>& taken) {
         for (const std::size_t layer : taken) layers[layer] = {};
@@ -68,10 +73,9 @@ void settle_lone_surface(std::vector<EyeDepth>& layers, double agreeing_inverse_
     for (const EyeDepth& depth : layers) {
         if (!is_seen(depth)) continue;
         nearest = std::max(nearest, depth.inverse_depth);
-        if (seen(true, depth.inverse_depth).size() > 1)
-            agreed = std::max(agreed, depth.inverse_depth);
+        if (seen_at(depth.inverse_depth).size() > 1) agreed = std::max(agreed, depth.inverse_depth);
     }
-    if (nearest < 0 || seen(true, nearest).size() > 1) return;
+    if (nearest < 0 || seen_at(nearest).size() > 1) return;
     const auto is_any_past = [&](const std::vector<std::size_t>& asked, Past least,
                                  double nearest_seen) {
         return std::any_of(asked.begin(), asked.end(), [&](std::size_t layer) {
@@ -79,11 +83,12 @@ void settle_lone_surface(std::vector<EyeDepth>& layers, double agreeing_inverse_
         });
     };
     if (agreed >= 0) {
-        const std::vector<std::size_t> behind = seen(true, agreed);
+        const std::vector<std::size_t> behind = seen_at(agreed);
         const double nearest_seen = nearest_seen_past_for(agreed, agreeing_inverse_depth);
         if (!is_any_past(behind, Past::kPerhaps, nearest_seen)) take_away(behind);
-    } else if (is_any_past(seen(false, nearest), Past::kSurely, kAnywhere)) {
-        take_away(seen(true, nearest));
+    } else if (is_any_past(seen_elsewhere_than(nearest), Past::kSurely, kAnywhere)) {
+        // What was imagined is gone: the next nearest is asked.
+        take_away(seen_at(nearest));
         settle_lone_surface(layers, agreeing_inverse_depth, past);
     }
 }

@@ -30,9 +30,9 @@ class KnownPoints {
 
     /// What the views agree on; none where a plane is drawn.
     [[nodiscard]] const std::optional<AgreedDepth>& depth() const { return depth_; }
-    /// Of unit depth along the eye's optical axis.
+    /// The ray through a pixel, scaled to depth 1 along the eye's optical axis.
     [[nodiscard]] Eigen::Vector3d direction_in_world(const Eigen::Vector2d& pixel) const;
-    /// One, or one for each sample of a silhouette that is drawn smoothly.
+    /// The points of a pixel: one, or one for each surface of a silhouette that is drawn smoothly.
     [[nodiscard]] std::vector<KnownPoint> at(const Eigen::Vector2d& pixel) const;
 
  private:

@@ -29,10 +29,10 @@ class TriangleReference {
     TriangleReference(const Lumigraph& lumigraph, const Eye& eye, PlaceInterpolation places,
                       DebugPicture debug_picture = DebugPicture::kNone);
 
-    /// Into a frame of the eye's size. Coverage is the sum of the weights, times the opacity;
+    /// Draws into a frame of the eye's size. Coverage is the sum of the weights, times the opacity;
     /// guesses are not covered (kLeastConfidence), but for projective textures.
     void draw(const BlendTriangles& triangles, Frame& frame) const;
-    /// Over a frame: what triangles hide counts as covered, guess or not.
+    /// Draws over a frame: what triangles hide counts as covered, guess or not.
     void lay_over(const BlendTriangles& triangles, Frame& frame) const;
 
  private:

@@ -43,7 +43,7 @@ class LumigraphRenderer {
     /// made anew by the next frame. Where this throws, nothing has changed.
     void choose(const DrawingChoices& drawing);
 
-    /// Of the photographs and depth maps in textures, at their finest level.
+    /// The size of the photographs and depth maps in textures, at their finest level.
     [[nodiscard]] std::size_t texture_bytes() const;
 
  private:

@@ -6,7 +6,8 @@ uniform sampler2DArray depth_layers;
 uniform float max_inverse_depth;
 uniform float agreeing_depth;  // layers that differ by no more are of one surface
 // For each layer its view: three rows that give its homogeneous pixel from (x, y, 1, inverse depth)
-// in window coordinates, then (layer of the photograph, unused): -1 where there is none.
+// in window coordinates, then (layer of the photograph, unused): -1 where there is none. Four rows
+// for each of kMaxDepthViews (drawing_choices.h).
 uniform vec4 layer_views[16];
 
 // Where each kind of depth begins in the depth buffer, times the kind, and how far it goes; 1 is

@@ -29,6 +29,10 @@ const float kLeastCounting = 0.25;
 const float kMostParallax_px = 1.0;
 // What a photograph counts beyond its border, which it continues: a quarter of the least within.
 const float kLeastOpacity = 1.0 / 1024.0;
+// The scale of confidence: see subdivision/blend_triangles.h.
+const float kSeenByOne = 0.5;
+const float kFilledConfidence = 0.25;
+const float kStretchedConfidence = 0.125;
 
 // Where a photograph is looked up for the fragment's centre, and how that moves from pixel to pixel.
 struct Place {
@@ -92,13 +96,12 @@ vec4 drawn_at(Blend blend, vec2 from_centre_px) {
     covered = mix(covered, is_known, is_shell);
 #endif
 #ifdef DEBUG_PICTURE
-    // Two views agree: 1; one has seen it: 0.5; filled: 0.25; stretched, or behind such a tear: 0.125;
-    // a guess: 0.
-    float confidence = blend.depth.is_behind_tears        ? 0.125
-                       : blend.depth.kind < kSeen         ? 0.5 * blend.depth.support
-                       : blend.depth.kind < kSeenOrFilled ? 0.25
+    // Two views agree: 1; a guess: 0.
+    float confidence = blend.depth.is_behind_tears        ? kStretchedConfidence
+                       : blend.depth.kind < kSeen         ? kSeenByOne * blend.depth.support
+                       : blend.depth.kind < kSeenOrFilled ? kFilledConfidence
                        : blend.is_guess                   ? 0.0
-                                                          : 0.125;
+                                                          : kStretchedConfidence;
     // White: none of the three sees the point.
     bool is_marked = blend.is_unseen && debug_picture == SHOW_WEIGHTS;
     vec3 shown = is_marked ? vec3(1.0)

@@ -20,12 +20,12 @@ namespace lumi {
 /// Level by level, all triangles are split, or not, before any of the next.
 class AdaptivePart {
  public:
-    /// With room for what a part mostly holds.
+    /// An empty part, with memory reserved for what one mostly holds.
     AdaptivePart();
 
-    /// Of the coarse triangles from `first` up to `end`. Keeps references to the samplers, one a
-    /// polygon, and to the outlines, for as long as it subdivides; of what was there before nothing
-    /// but memory is kept.
+    /// Starts anew with the coarse triangles from `first` up to `end`. Keeps references to the
+    /// samplers, one a polygon, and to the outlines, for as long as it subdivides; of what was
+    /// there before nothing but memory is kept.
     void begin(const CoarseTriangles& coarse, std::size_t first, std::size_t end,
                const std::vector<PatchSampler>& samplers, const OutlineCells& outlines,
                const AdaptiveSubdivisionOptions& options);
@@ -35,7 +35,7 @@ class AdaptivePart {
     /// called for lesser and lesser relaxations once its triangles were kept.
     void subdivide(float relaxation, std::size_t most, std::atomic<std::size_t>& count);
 
-    /// The triangles that were found last are those that are drawn.
+    /// Keeps the triangles that were found last as those that are drawn.
     void keep();
 
     /// Gives triangles corners of their own where photographs are not to be blended on them
@@ -74,7 +74,7 @@ class AdaptivePart {
     void look_up_borders_of_thin(float relaxation);
     void leave_whole(const Triangle& triangle);
     // How triangles are split: adaptive_part_splits.cpp.
-    /// So that the first edge is the one that is split or cut, or is not.
+    /// The triangle rotated so that its first edge is the first whose mark equals `is_marked`.
     [[nodiscard]] static Triangle turned_to(bool is_marked, const std::array<bool, 3>& marks,
                                             const Triangle& triangle);
     [[nodiscard]] std::array<bool, 3> splits_of(const Triangle& triangle, float relaxation) const;

@@ -18,13 +18,13 @@ struct AdaptiveSubdivisionOptions {
     std::size_t max_triangles = 5000;
 };
 
-/// What a frame asks for.
+/// The subdivision's options for a frame with these options.
 [[nodiscard]] AdaptiveSubdivisionOptions subdivision_options(const Lumigraph& lumigraph,
                                                              const RenderOptions& options);
 
 struct AdaptiveSubdivision {
     BlendTriangles triangles;
-    /// By how much errors were relaxed to keep to the number of triangles; 1: not at all.
+    /// The factor by which errors were relaxed to keep to the number of triangles; 1: not at all.
     double relaxation = 1.0;
 };
 
@@ -65,7 +65,7 @@ class AdaptiveSubdivider {
     std::unique_ptr<Parts> parts_;
 };
 
-/// For once.
+/// One subdivision, by an AdaptiveSubdivider of its own.
 [[nodiscard]] AdaptiveSubdivision adaptive_subdivision(
     const std::vector<FacePolygon>& polygons, const DepthSearch& search,
     const Eigen::Vector3d& scene_plane, const PatchSampler::Options& sampling,

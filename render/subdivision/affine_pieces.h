@@ -9,7 +9,7 @@
 
 namespace lumi {
 
-/// A photograph as a plane shows it: its homogeneous pixel from the eye's (x, y, 1).
+/// A photograph seen by way of a plane: maps the eye's (x, y, 1) to its homogeneous pixel.
 struct PlaneView {
     Eigen::Matrix3d view_from_eye = Eigen::Matrix3d::Identity();
     double width_px = 0.0;
@@ -17,7 +17,7 @@ struct PlaneView {
 };
 
 struct AffinePieceOptions {
-    double max_error_px = 0.04;  ///< Of where a photograph is looked up, times what it may count.
+    double max_error_px = 0.04;  ///< Error of a place in a photograph, times the most it may count.
     double max_weight_error = 0.02;
     /// How far inside of its border a photograph surely counts (photograph_lod.h).
     double unsure_border_px = kFinestBorder_px;
@@ -27,13 +27,13 @@ struct AffinePieceOptions {
 ///
 /// A homography is affine on a piece that is small enough: with homogeneous third coordinates
 /// between W and W' and pixels within a diameter d, linear interpolation is wrong by at most
-/// d / 2 * (W' - W) / (W' + W), always to one side; moved by half of that, by half as much. What
-/// the photographs have in common of W, those the most that count most, is left to the rasteriser's
-/// perspective, so that pieces are large. `affine` gets them; `exact` gets the few small ones that
-/// are not affine even so, and those on which photographs end that have nearly all weight: the next
-/// to nothing that others have is all there is beyond, and not to be averaged over a piece. They
-/// are polygons as they were, with fewer corners. What lies beyond the borders of all three
-/// photographs is left out.
+/// d / 2 * (W' - W) / (W' + W), always to one side; moved by half of that, by half as much. The
+/// mean of the photographs' W, weighted as they count, is left to the rasteriser's perspective
+/// division; only what differs from it must be affine, so that pieces can be large. `affine` gets
+/// them. `exact` gets, as polygons, the few small pieces that are not affine even so, and those
+/// crossed by the border of a photograph that has nearly all the weight: beyond it only tiny
+/// weights remain, which must not be interpolated across the piece. What lies beyond the borders of
+/// all three photographs is left out.
 void cut_into_affine_pieces(const FacePolygon& polygon, const std::vector<PlaneView>& views,
                             const Eigen::Vector3d& plane_inverse_depth,
                             const AffinePieceOptions& options, BlendTriangles& affine,

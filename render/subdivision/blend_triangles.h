@@ -42,11 +42,15 @@ struct BlendVertex {
     return sum;
 }
 
-/// The confidence of what one view alone has seen; guesses have less.
+/// The scale of confidence in drawn depth, from 1, where two views agree, down to 0 for a guess:
+/// what one view alone has seen, what was filled, and what is stretched over a tear or lies behind
+/// what is. As in shaders/per_pixel.glsl.
 inline constexpr float kSeenByOne = 0.5F;
+inline constexpr float kFilledConfidence = 0.25F;
+inline constexpr float kStretchedConfidence = 0.125F;
 
 /// Half of what a fill is worth: what is less sure than this is more of a guess.
-inline constexpr float kLeastConfidence = 0.125F;
+inline constexpr float kLeastConfidence = 0.5F * kFilledConfidence;
 
 /// Triangles that are drawn by the blend of shaders/blend.glsl, in this order.
 struct BlendTriangles {

@@ -10,8 +10,9 @@
 
 namespace lumi {
 
-/// What a subdivision begins with: face polygons as triangles that are split in four as long as all
-/// edges are longer than any may be, whatever is seen there. Neighbours mostly follow each other.
+/// The triangles that a subdivision begins with: face polygons, triangulated and split in four
+/// until some edge is no longer than any edge may be, whatever is seen there. Neighbours mostly
+/// follow each other.
 struct CoarseTriangles {
     struct Triangle {
         std::array<std::uint32_t, 3> corners{};
@@ -24,7 +25,7 @@ struct CoarseTriangles {
 [[nodiscard]] CoarseTriangles coarse_triangles(const std::vector<FacePolygon>& polygons,
                                                double max_edge_px);
 
-/// As lengths are compared.
+/// An edge's length as a float, in which all lengths of edges are compared.
 [[nodiscard]] inline float edge_length_px(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return static_cast<float>((a - b).norm());
 }

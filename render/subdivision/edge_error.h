@@ -7,7 +7,7 @@ namespace lumi {
 /// What a step of depth counts as, where its size is not known at the middle of the edge.
 inline constexpr float kStepError_px = 8.0F;
 
-/// What counts as how much of an error.
+/// Weights of the parts of an edge's error.
 struct EdgeErrorCounts {
     /// A change of a weight from 0 to 1, so that edges of visibility are met.
     double weight_error_px = 2.0;
@@ -18,14 +18,15 @@ struct EdgeErrorCounts {
     double guess_ratio = 4.0;
 };
 
-/// Of an edge that is not split, in its middle, the largest of these: how far photographs are
-/// looked up from where they should be, each counting as its weight; 2 * weight_error_px times the
-/// error of a weight or of the opacity; up to kStepError_px where the photographs lose the scene
-/// along the edge. At a guess, divided by guess_ratio.
+/// The error of linear interpolation in the middle of an edge that is left whole, the largest of
+/// these: how far photographs are looked up from where they should be, weighted by their weights;
+/// 2 * weight_error_px times the error of a weight or of the opacity; up to kStepError_px where the
+/// photographs lose the scene along the edge. At a guess, divided by guess_ratio.
 [[nodiscard]] double edge_error_px(const BlendVertex& a, const BlendVertex& b,
                                    const BlendVertex& middle, const EdgeErrorCounts& counts = {});
 
-/// By how many times longer than others an edge may be left.
+/// The factor by which an edge may be left longer than others: guess_ratio for an edge among
+/// guesses, else 1.
 [[nodiscard]] double edge_looseness(const BlendVertex& a, const BlendVertex& b,
                                     const BlendVertex& middle, const EdgeErrorCounts& counts = {});
 

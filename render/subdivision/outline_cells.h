@@ -18,15 +18,15 @@ namespace lumi {
 /// that both sides of an edge come to the same.
 class OutlineCells {
  public:
-    /// None are known.
+    /// No outlines.
     OutlineCells() = default;
-    /// Of these views. Outlines against which what is behind them hardly moves, from the view to
-    /// the eye, do not count.
+    /// The outlines that these views know. Those that show next to no parallax against what is
+    /// behind them, from the view to the eye, do not count.
     OutlineCells(const Lumigraph& lumigraph, const SearchedViews& views,
                  const std::vector<int>& view_indices, const Eye& eye);
 
-    /// Whether there are some in the box around an edge, in whole cells: the boxes around the three
-    /// edges of a triangle cover it. The same whichever end is the first.
+    /// Whether there are outlines in the box around an edge, in whole cells: the boxes around the
+    /// three edges of a triangle cover it. The same whichever end is the first.
     [[nodiscard]] bool has_beside(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
 
  private:

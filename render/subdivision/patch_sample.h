@@ -22,7 +22,8 @@ struct PatchSample {
     std::array<Eigen::Vector2d, 3> view_pixels{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(),
                                                Eigen::Vector2d::Zero()};
     std::array<double, 3> depth_ratios{};  ///< Depth in each view over depth in the eye.
-    /// For interpolation in the picture: one over the mean of these ratios.
+    /// The depth that makes interpolation in the picture nearly right: one over the mean of these
+    /// ratios, weighted as on the ray (VertexDepth::kAffine).
     double affine_depth = 1.0;
     double depth = 1.0;    ///< One over the inverse depth, not infinite.
     double opacity = 1.0;  ///< What is behind shows through the rest.

@@ -56,7 +56,9 @@ void PatchSampler::correct_depth(const std::optional<RayHit>& hit, PatchSample& 
         hit ? hit->inverse_depth : std::max(0.0, scene_plane_.dot(sample.pixel.homogeneous()));
     sample.depth = 1 / std::max(sample.inverse_depth, search_.least_inverse_depth());
     if (hit)
-        sample.confidence = hit->kind == DepthKind::kSeen ? 0.5 * std::min(2, hit->support) : 0.25;
+        sample.confidence = hit->kind == DepthKind::kSeen
+                                ? static_cast<double>(kSeenByOne) * std::min(2, hit->support)
+                                : static_cast<double>(kFilledConfidence);
 }
 
 /// Where the photographs show the point.

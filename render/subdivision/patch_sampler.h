@@ -22,7 +22,7 @@ class PatchSampler {
         /// of their ray.
         bool by_the_paper = false;
         bool fade_beyond_border = false;
-        /// For faces of a shell (CameraMesh::shells), the views that are asked whether something
+        /// The views that are asked, for faces of a shell (CameraMesh::shells), whether something
         /// stands before what the shell's views see.
         std::optional<std::array<int, 3>> before_shell;
     };

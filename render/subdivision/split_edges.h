@@ -54,7 +54,7 @@ class SplitEdges {
         return edges_[number].halves[side];
     }
 
-    /// Room for so many edges.
+    /// Reserves memory for so many edges.
     void reserve(std::size_t edges) { edges_.reserve(edges); }
 
     /// Forgets all of them, but keeps the memory.
@@ -65,8 +65,8 @@ class SplitEdges {
     }
 
  private:
-    /// From left to right: whatever triangle asked for it, all that is worked out for an edge
-    /// comes to the same.
+    /// Stores the edge from left to right, so that all that is computed of it is the same whichever
+    /// triangle asked for it.
     std::uint32_t add(std::uint32_t a, std::uint32_t b,
                       const std::vector<Eigen::Vector2d>& pixels) {
         const auto place = [&](std::uint32_t v) { return std::pair(pixels[v].x(), pixels[v].y()); };

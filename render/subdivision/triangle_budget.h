@@ -18,11 +18,11 @@ class TriangleBudget {
     /// How many frames a second are wanted; 0 or less: any, nothing is relaxed.
     explicit TriangleBudget(double frames_per_second = 0.0);
 
-    /// A frame that was drawn with `within(...)`.
+    /// Learns from a frame that was drawn with `within(...)`.
     void measured(std::size_t triangles, double frame_ms);
     /// The options with the errors that the next frame affords; without a limit the same options.
     [[nodiscard]] RenderOptions within(RenderOptions options) const;
-    /// By how much errors are relaxed: 1 to kMostRelaxation.
+    /// The factor by which errors are relaxed: 1 to kMostRelaxation.
     [[nodiscard]] double relaxation() const { return relaxation_; }
 
     static constexpr double kMostRelaxation = 64.0;
@@ -33,7 +33,7 @@ class TriangleBudget {
     double target_ms_ = 0.0;
     double relaxation_ = 1.0;
     double affordable_ = 0.0;  ///< Triangles; 0: not known.
-    double ms_each_ = 0.0;     ///< Of a triangle, as frames told it that differed; 0: none did.
+    double ms_each_ = 0.0;     ///< Time a triangle, from frames that differed in them; 0: none did.
     // Sums over the frames, those long ago counting little: a line is fitted through them.
     double frames_ = 0.0;
     double triangles_ = 0.0;

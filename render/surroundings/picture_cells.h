@@ -15,7 +15,7 @@ class PictureCells {
     /// 24 along the longer side, but none smaller than 8 pixels: a block of pixels (pixel_blocks.h)
     /// has the colours of the cell that its middle lies in. None is marked.
     explicit PictureCells(const Camera& camera);
-    /// So large. None is marked.
+    /// Cells of this size. None is marked.
     PictureCells(const Camera& camera, double cell_px);
 
     [[nodiscard]] double cell_px() const { return cell_px_; }

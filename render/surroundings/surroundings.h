@@ -14,7 +14,7 @@ namespace lumi {
 /// two triangles a cell, above and below the diagonal from its top left.
 struct ColorGrid {
     PictureCells cells;
-    /// Of all corners of cells, row by row, 0 to 255; black where no cell is marked.
+    /// Colours of all corners of cells, row by row, 0 to 255; black where no cell is marked.
     std::vector<Eigen::Vector3f> colors;
 
     [[nodiscard]] std::size_t corner_index(int column, int row) const {
@@ -24,11 +24,12 @@ struct ColorGrid {
     [[nodiscard]] const Eigen::Vector3f& corner(int column, int row) const {
         return colors[corner_index(column, row)];
     }
-    /// In a marked cell.
+    /// The colour at a pixel in a marked cell.
     [[nodiscard]] Eigen::Vector3f at(const Eigen::Vector2d& pixel) const {
         return at(pixel, pixel);
     }
-    /// As colours vary on the triangle that another place lies on, of a marked cell.
+    /// The colour at a pixel by the linear function of the triangle that another place lies on, in
+    /// a marked cell.
     [[nodiscard]] Eigen::Vector3f at(const Eigen::Vector2d& pixel,
                                      const Eigen::Vector2d& on_triangle) const;
 };

@@ -19,7 +19,7 @@ enum class Past {
     kSurely,   ///< Several views agree on what it sees behind the point.
 };
 
-/// However near what a view sees behind a point is.
+/// No limit on how near to the eye what a view sees behind a point may be.
 inline constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
 /// Where several agree that there is nothing, all but infinitely far, only a view that sees nothing
@@ -41,7 +41,7 @@ class PastSight {
     [[nodiscard]] Past past(const Eigen::Vector2d& pixel, double inverse_depth,
                             double least_difference, double nearest_seen = kAnywhere) const;
 
-    /// From the eye's pixels to samples of the depth map.
+    /// The warp from the eye's pixels to samples of the depth map.
     [[nodiscard]] const InverseDepthWarp& samples_from_eye() const { return samples_from_eye_; }
 
  private:

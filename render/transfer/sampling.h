@@ -2,16 +2,13 @@
 
 #include <Eigen/Core>
 
+#include "calib/capture/bilinear.h"
 #include "calib/capture/image.h"
 
 namespace lumi {
 
-/// Bilinear interpolation between pixel centres, which lie at (x + 0.5, y + 0.5); beyond the
-/// outermost centres the border is continued.
-[[nodiscard]] Eigen::Vector3d bilinear(const ColorImage& image, const Eigen::Vector2d& pixel);
-[[nodiscard]] double bilinear(const FloatImage& image, const Eigen::Vector2d& pixel);
-
-/// The same for what is 0 beyond the image: it goes to 0 within a pixel from the outermost centres.
+/// Bilinear interpolation (bilinear.h) of what is 0 beyond the image: it goes to 0 within a pixel
+/// from the outermost centres.
 [[nodiscard]] double bilinear_to_zero(const GrayImage& image, const Eigen::Vector2d& pixel);
 
 /// The sample whose square the pixel lies in, or the nearest of the border.

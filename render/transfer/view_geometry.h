@@ -11,7 +11,8 @@ namespace lumi {
 /// scene's centre when the Lumigraph does not say.
 [[nodiscard]] Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph);
 
-/// Of the nearest that an eye can look at: a hundredth of the distance of the scene's near end.
+/// The inverse depth of the nearest that an eye can look at: a hundredth of the distance of the
+/// scene's near end.
 [[nodiscard]] double nearest_inverse_depth(const Lumigraph& lumigraph);
 
 /// What turns differences of inverse depth into pixels, the same for every eye.
@@ -31,7 +32,7 @@ struct ViewGeometry {
 [[nodiscard]] double disparity_px_per_inverse_depth(const ViewGeometry& view,
                                                     const Eigen::Vector3d& eye_in_world);
 
-/// The largest that this can be, for any eye.
+/// The largest disparity_px_per_inverse_depth of a view, for any eye.
 [[nodiscard]] double max_disparity_px(const ViewGeometry& view);
 
 /// What a small difference of inverse depth in the views is in the eye, at the scene's centre: a

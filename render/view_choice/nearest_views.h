@@ -7,8 +7,8 @@
 
 namespace lumi {
 
-/// For places in the eye's picture the views that look at what is there most nearly from the eye's
-/// direction, the nearest first.
+/// The views that look, at places in the eye's picture, most nearly from the eye's direction, the
+/// nearest first.
 ///
 /// The picture is divided into cells, kSightSteps (view_sight.h) in each direction, and all pixels
 /// of a cell have the views of its middle; those beyond the picture, of the cell next to them. What
@@ -16,11 +16,11 @@ namespace lumi {
 /// in one cell and another, never in the whole picture at once.
 class NearestViews {
  public:
-    /// Of the cells that hold these pixels, at most `most` views each.
+    /// Finds, for the cells that hold these pixels, at most `most` views each.
     NearestViews(const Lumigraph& lumigraph, const Eye& eye,
                  const std::vector<Eigen::Vector2d>& pixels, std::size_t most);
 
-    /// At a pixel of a cell that was asked for. Without views that do not see it.
+    /// The views of a pixel, in a cell that was asked for; without those that do not see it.
     [[nodiscard]] const std::vector<int>& at(const Eigen::Vector2d& pixel) const;
 
  private:

@@ -20,8 +20,8 @@ inline constexpr double kWorthBeforePlane = 0.1;
 /// stands before it.
 struct SightSamples {
     RayPoints points;
-    /// To a view that sees it from the eye's direction. Of the pixels in their order; first all on
-    /// the plane.
+    /// What seeing each point from the eye's direction is worth to a view: first the points on the
+    /// plane, in the order of the pixels, then those before it.
     Eigen::RowVectorXd worth;
 };
 

@@ -10,9 +10,9 @@ namespace lumi {
 inline constexpr int kLeastWindowWidth_px = 960;
 inline constexpr int kLeastWindowHeight_px = 640;
 
-/// Of a window for pictures of a camera: of their shape, and as large as they are where an ordinary
-/// screen holds that and it holds the panel. Where one of their shape that holds the panel is
-/// larger than the screen, it is cut to that.
+/// The size of a window for a camera's pictures: their own, scaled down to fit an ordinary screen
+/// and up to hold the panel. Where both cannot be, the panel is held and the window cut to the
+/// screen.
 [[nodiscard]] Eigen::Vector2i window_size_px(const Camera& camera);
 
 }  // namespace lumi

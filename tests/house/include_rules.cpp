@@ -33,9 +33,9 @@ const std::array<std::vector<std::string_view>, kRooms.size()>& chapters_of_room
          "frame",     "subdivision",  "surroundings", "holes", "gl",           "shaders",
          "uploaded",  "depth_layers", "painters",     "modes", "reference",    "rivals",
          "renderer",  "paths",        "bench",        "viewer"},
-        {"config", "workspace", "text",     "synth",       "stages",     "evaluate",   "line",
-         "report", "chart",     "protocol", "target",      "dataset",    "regression", "gallery",
-         "stress", "plan",      "bench",    "depth_bench", "pose_bench", "hazards",    "commands"},
+        {"text",   "config", "workspace", "synth",       "stages",     "evaluate",   "line",
+         "report", "chart",  "protocol",  "target",      "dataset",    "regression", "gallery",
+         "stress", "plan",   "bench",     "depth_bench", "pose_bench", "hazards",    "commands"},
     }};
     return kChapters;
 }

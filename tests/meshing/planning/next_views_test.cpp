@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "calib/capture/angle_between.h"
 #include "calib/capture/degrees.h"
 #include "calib/capture/rigid3.h"
 #include "calib/work/error.h"
@@ -12,10 +13,6 @@
 
 namespace lumi {
 namespace {
-
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 Capture around(const Points& centres) {
     std::mt19937 random(1);

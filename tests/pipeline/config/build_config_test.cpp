@@ -205,6 +205,19 @@ TEST(BuildConfig, RefusesWhatContradictsItself) {
     }
 }
 
+TEST(BuildConfig, SaysWhichNumbersOfDrawingThereMayBe) {
+    const auto refused = [](const std::string& setting) {
+        const Error error = refusal_of("[capture]\nphotos = \"p\"\n[render]\n" + setting + "\n");
+        return std::string(error.what()) + error.advice();
+    };
+    const std::string zero = "0 (as photographs ask for), ";
+    EXPECT_THAT(refused("occlusion_tolerance_px = 101"), HasSubstr(zero + "or 0.1 to 100"));
+    EXPECT_THAT(refused("noisy_depth_error_px = 11"), HasSubstr(zero + "or 0.1 to 10"));
+    EXPECT_THAT(refused("depth_views = 5"), HasSubstr(zero + "3 or 4"));
+    EXPECT_THAT(refused("depth_block_px = 3"), HasSubstr(zero + "or 1 to 2"));
+    EXPECT_THAT(refused("triangle_error_px = 11"), HasSubstr(zero + "or 0.1 to 10"));
+}
+
 TEST(BuildConfig, ParametersOfAStageAreItsOwn) {
     const BuildConfig plain = read("[capture]\nphotos = \"p\"\n");
     const BuildConfig elsewhere = read("[capture]\nphotos = \"q\"\n");

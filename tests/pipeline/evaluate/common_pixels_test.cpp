@@ -30,9 +30,9 @@ double db_of(double error) { return psnr_of_mean_square(error * error); }
 TEST(CommonPixels, AreThoseThatEveryMethodWithDepthCovers) {
     const ColorImage black(kWidth, 1);
     CommonPixels common;
-    common.add("careful", true, "a", black, off_by({10, 10, -1, -1}));
-    common.add("bold", true, "a", black, off_by({-1, 20, 90, 90}));
-    common.add("flat", false, "a", black, off_by({-1, 30, -1, 90}));
+    common.add({.name = "careful", .has_say = true}, "a", black, off_by({10, 10, -1, -1}));
+    common.add({.name = "bold", .has_say = true}, "a", black, off_by({-1, 20, 90, 90}));
+    common.add({.name = "flat", .has_say = false}, "a", black, off_by({-1, 30, -1, 90}));
     // Column 1 is common: what others cover beside it counts for none.
     EXPECT_DOUBLE_EQ(common.psnr_db("careful", "a").value(), db_of(10));
     EXPECT_DOUBLE_EQ(common.psnr_db("bold", "a").value(), db_of(20));
@@ -43,12 +43,12 @@ TEST(CommonPixels, AreThoseThatEveryMethodWithDepthCovers) {
 TEST(CommonPixels, OfViewsThatHaveNoneAreNoPartOfTheMean) {
     const ColorImage black(kWidth, 1);
     CommonPixels common;
-    common.add("one", true, "a", black, off_by({10, 10, 10, 10}));
-    common.add("one", true, "b", black, off_by({-1, -1, -1, -1}));
+    common.add({.name = "one", .has_say = true}, "a", black, off_by({10, 10, 10, 10}));
+    common.add({.name = "one", .has_say = true}, "b", black, off_by({-1, -1, -1, -1}));
     EXPECT_DOUBLE_EQ(common.mean_psnr_db("one").value(), db_of(10));
     EXPECT_FALSE(common.psnr_db("one", "b").has_value());
     EXPECT_DOUBLE_EQ(common.share(), 0.5);
-    common.add("other", true, "a", black, off_by({-1, -1, -1, -1}));
+    common.add({.name = "other", .has_say = true}, "a", black, off_by({-1, -1, -1, -1}));
     EXPECT_FALSE(common.mean_psnr_db("one").has_value());
 }
 

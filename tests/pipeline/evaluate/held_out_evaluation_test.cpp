@@ -303,12 +303,12 @@ TEST_F(HeldOutEvaluation, RivalsDrawTheSamePhotographsAndAreKept) {
     std::set<std::string> kept;
     const RivalEvaluation rivals = evaluate_rivals(
         exact_lumigraph(*scene_, mesh()), posed(scratch, {middle}), {}, 1,
-        [&](const std::string& method, bool has_say, const JudgedView& view) {
-            kept.insert(method);
+        [&](const ComparedMethod& method, const JudgedView& view) {
+            kept.insert(method.name);
             // What is resampled covers no more than its pictures show.
-            EXPECT_EQ(has_say, with_depth.contains(method)) << method;
-            EXPECT_FALSE(view.rendering.statistics.are_triangles_kept) << method;
-            EXPECT_EQ(view.rendering.color.width(), 160) << method;
+            EXPECT_EQ(method.has_say, with_depth.contains(method.name)) << method.name;
+            EXPECT_FALSE(view.rendering.statistics.are_triangles_kept) << method.name;
+            EXPECT_EQ(view.rendering.color.width(), 160) << method.name;
         },
         progress);
     EXPECT_EQ(kept, (std::set<std::string>{"unstructured lumigraph", "view-dependent texture",
@@ -349,8 +349,8 @@ TEST_F(HeldOutEvaluation, WhatAMethodDoesNotCoverIsFilledBeforeItIsComparedWithO
     const int middle = textured_box_view(1, 1);
     const PosedPhotographs held_out = posed(scratch, {middle});
     FilledAlike filled_alike(lumigraph, held_out);
-    filled_alike.add("perpixel", true, judged_frame(held_out, true));
-    filled_alike.add("heigl", false, judged_frame(held_out, false));
+    filled_alike.add({.name = "perpixel", .has_say = true}, judged_frame(held_out, true));
+    filled_alike.add({.name = "heigl", .has_say = false}, judged_frame(held_out, false));
     Evaluation evaluation;
     evaluation.modes = {{RenderMode::kPerPixel, {}, {}, {}}, {RenderMode::kHeigl, {}, {}, {}}};
     evaluation.rivals.emplace();
@@ -381,7 +381,7 @@ TEST_F(HeldOutEvaluation, RivalsWithoutWhatTheyNeedAreLeftOutByName) {
     Lumigraph lumigraph = exact_lumigraph(*scene_, mesh());
     for (LumigraphView& view : lumigraph.views) view.depth = {};
     const RivalEvaluation rivals = evaluate_rivals(
-        lumigraph, posed(scratch, {0}), {}, 1, [](const std::string&, bool, const JudgedView&) {},
+        lumigraph, posed(scratch, {0}), {}, 1, [](const ComparedMethod&, const JudgedView&) {},
         progress);
     std::map<std::string, std::string> reasons;
     for (const RivalLeftOut& rival : rivals.left_out) reasons[rival.method] = rival.reason;

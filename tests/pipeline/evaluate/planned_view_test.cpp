@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "calib/capture/angle_between.h"
 #include "calib/capture/degrees.h"
 #include "meshing/cameras/camera_mesh_builder.h"
 #include "meshing/planning/next_views.h"
@@ -27,10 +28,6 @@ struct GapCase {
     const char* scene;
     Eigen::Vector3d gap;
 };
-
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 double mean_squared_error(const ColorImage& a, const ColorImage& b) {
     return 255.0 * 255.0 * std::pow(10.0, -psnr_db(a, b) / 10.0);

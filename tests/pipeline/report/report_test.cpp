@@ -112,6 +112,8 @@ TEST(NumberText, HasFixedDecimals) {
     EXPECT_EQ(number_text(1.005, 1), "1.0");
     EXPECT_EQ(number_text(-2.75, 1), "-2.8");
     EXPECT_EQ(number_text(31.4159, 0), "31");
+    EXPECT_EQ(shortest_number_text(0.1), "0.1");
+    EXPECT_EQ(shortest_number_text(100), "100");
 }
 
 Evaluation two_modes() {
