@@ -45,7 +45,7 @@ Plot overview(const std::vector<ChartPoint>& points, const Cost& cost, const std
         series[point.mode].marks.push_back(std::move(mark));
     }
     for (auto& [mode, one] : series) plot.series.push_back(std::move(one));
-    PlotSeries steps{.name = "Pareto front", .is_curve = true};
+    PlotSeries steps{.name = "Pareto front", .is_stepped = true};
     for (const std::size_t i : front) {
         steps.marks.push_back({.x = cost(points[i]), .y = points[i].mean.flip});
     }

@@ -235,16 +235,18 @@ TEST(SweepPlots, WhatIsBeatenIsFaintAndTheFrontIsLabelled) {
         EXPECT_EQ(mark.label.empty(), mark.is_faint);
     }
     EXPECT_EQ(faint, 1);
+    EXPECT_TRUE(plot.series.back().is_stepped);
 }
 
 TEST(Plot, IsDrawnByGnuplotAndNoTextBecomesMarkup) {
     Plot plot{
         "<script>alert(1)</script> \"quoted\" \\ {a}_b", "x", "y", true, false, {}, {{2.0, 0}}};
-    plot.series = {{"one & two",
-                    {{1, 2, {}, Interval{1, 3}, "here", false}, {10, 3, {}, {}, "", true}},
-                    true,
-                    false},
-                   {"front", {{1, 2, {}, {}, "", false}, {10, 1, {}, {}, "", false}}, false, true}};
+    plot.series = {
+        {"one & two",
+         {{1, 2, {}, Interval{1, 3}, "here", false}, {10, 3, {}, {}, "", true}},
+         true,
+         false},
+        {.name = "front", .marks = {{.x = 1, .y = 2}, {.x = 10, .y = 1}}, .is_stepped = true}};
     const SilentProgress progress;
     const std::string svg = plot_svg(plot, progress);
     EXPECT_THAT(svg, HasSubstr("</svg>"));
