@@ -40,10 +40,7 @@ class AdvanceProgress final : public ceres::IterationCallback {
 };
 
 /// Removes observations that the estimate contradicts, then points that too few views see.
-void remove_outliers(Capture& capture, const BundleAdjustmentOptions& options, double limit_px,
-                     BundleAdjustmentEvidence& evidence) {
-    const std::size_t observations_before = count_observations(capture);
-    const std::size_t points_before = capture.points.size();
+void remove_outliers(Capture& capture, const BundleAdjustmentOptions& options, double limit_px) {
     for (ScenePoint& point : capture.points) {
         std::erase_if(point.track, [&](const Observation& observation) {
             return !(reprojection_error_px(capture, point, observation) <= limit_px);
@@ -54,23 +51,6 @@ void remove_outliers(Capture& capture, const BundleAdjustmentOptions& options, d
         for (const Observation& observation : point.track) views.insert(observation.view_index);
         return static_cast<int>(views.size()) < options.min_track_length;
     });
-    evidence.removed_observations +=
-        static_cast<int>(observations_before - count_observations(capture));
-    evidence.removed_points += static_cast<int>(points_before - capture.points.size());
-}
-
-double rms_px(const Capture& capture) {
-    double sum = 0;
-    std::size_t count = 0;
-    for (const ScenePoint& point : capture.points) {
-        for (const Observation& observation : point.track) {
-            const double error = reprojection_error_px(capture, point, observation);
-            if (!std::isfinite(error)) continue;
-            sum += error * error;
-            ++count;
-        }
-    }
-    return count == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(count));
 }
 
 bool any_beyond(const Capture& capture, double limit_px) {
@@ -174,39 +154,27 @@ BundleFit fit_bundle(Capture& capture, const BundleAdjustmentOptions& options, P
             summary.termination_type == ceres::CONVERGENCE};
 }
 
-BundleAdjustmentEvidence adjust_bundle(Capture& capture, const BundleAdjustmentOptions& options,
-                                       Progress& progress) {
-    BundleAdjustmentEvidence evidence;
-    evidence.initial_rms_px = rms_px(capture);
+void adjust_bundle(Capture& capture, const BundleAdjustmentOptions& options, Progress& progress) {
     progress.begin("adjusting cameras, lens and points together", 0);
     // Points behind a camera have no derivative, and gross errors hide smaller ones: the limit
     // comes down in steps, each after the robust loss has had its say; where there are none, as
     // after another adjustment, the first step is left out.
     constexpr double kNoLimit = std::numeric_limits<double>::max();
-    remove_outliers(capture, options, kNoLimit, evidence);
+    remove_outliers(capture, options, kNoLimit);
     expect_shared_points(capture);
     for (const double limit_factor : {4.0, 1.0}) {
         const double limit_px = limit_factor * options.max_reprojection_error_px;
         if (limit_factor > 1 && !any_beyond(capture, limit_px)) continue;
-        evidence.iterations += static_cast<int>(
-            solve_pass(capture, options, options.robust_scale_px, kFirstTolerance, progress)
-                .iterations.size());
-        remove_outliers(capture, options, limit_px, evidence);
+        solve_pass(capture, options, options.robust_scale_px, kFirstTolerance, progress);
+        remove_outliers(capture, options, limit_px);
         expect_shared_points(capture);
     }
     const double scale_px = options.robust_last_pass ? cauchy_scale_px(capture) : kLeastSquares;
-    const ceres::Solver::Summary last =
-        solve_pass(capture, options, scale_px,
-                   options.robust_last_pass ? kLastTolerance : kLeastSquaresTolerance, progress);
-    evidence.iterations += static_cast<int>(last.iterations.size());
-    evidence.initial_cost = last.initial_cost;
-    evidence.final_cost = last.final_cost;
-    evidence.converged = last.termination_type == ceres::CONVERGENCE;
-    remove_outliers(capture, options, options.max_reprojection_error_px, evidence);
+    solve_pass(capture, options, scale_px,
+               options.robust_last_pass ? kLastTolerance : kLeastSquaresTolerance, progress);
+    remove_outliers(capture, options, options.max_reprojection_error_px);
     expect_shared_points(capture);
-    evidence.final_rms_px = rms_px(capture);
     update_point_errors(capture);
-    return evidence;
 }
 
 }  // namespace lumi

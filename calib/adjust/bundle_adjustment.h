@@ -12,25 +12,13 @@ struct BundleAdjustmentOptions {
     double max_reprojection_error_px = 2.0;  ///< Observations beyond this are outliers. > 0.
     int min_track_length = 2;                ///< Points seen by fewer views are dropped. >= 2.
     bool refine_lens = true;
-    bool refine_principal_point = false;
-    /// Indices of the parameters that stay as they are, by camera; empty: as the two above say.
+    /// Indices of the parameters that stay as they are, by camera; empty: those of the principal
+    /// point, or all unless `refine_lens`.
     std::vector<std::vector<int>> held_lens_parameters;
     double robust_scale_px = 1.0;  ///< Of the Cauchy loss, while outliers may be left. > 0.
     int max_iterations = 100;      ///< Of each of the passes. > 0.
     /// The last pass weighs observations by how far they lie off the others; else all alike.
     bool robust_last_pass = true;
-};
-
-/// What speaks for an adjustment.
-struct BundleAdjustmentEvidence {
-    double initial_cost = 0.0;  ///< Half the sum of the loss (px²), before and after the last pass.
-    double final_cost = 0.0;
-    double initial_rms_px = 0.0;  ///< Over the observations as they came.
-    double final_rms_px = 0.0;    ///< Over the observations that were kept.
-    int iterations = 0;           ///< Of all passes.
-    int removed_observations = 0;
-    int removed_points = 0;
-    bool converged = false;  ///< The last pass.
 };
 
 /// Refines poses, points and, if asked, the lenses that views share, by least squares over pixels.
@@ -44,8 +32,7 @@ struct BundleAdjustmentEvidence {
 /// coordinate of the view farthest from it. Views and cameras keep their indices; a view may end
 /// without observations. Runs on one thread, so that the result is the same to the bit.
 /// Throws Error: E-ADJUST-FEW (no two views share a point), E-ADJUST-FAILED, E-INTERRUPTED.
-BundleAdjustmentEvidence adjust_bundle(Capture& capture, const BundleAdjustmentOptions& options,
-                                       Progress& progress);
+void adjust_bundle(Capture& capture, const BundleAdjustmentOptions& options, Progress& progress);
 
 /// The scale of Cauchy's loss for these observations (cauchy_scale.h), from the standard deviation
 /// of one coordinate, which the median reprojection error tells. At least 0.05 px.

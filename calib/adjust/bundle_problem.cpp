@@ -55,8 +55,7 @@ std::vector<int> constant_lens_parameters(const Capture& capture, std::size_t ca
     const LensModel model = capture.cameras[camera_index].model;
     if (!options.held_lens_parameters.empty()) return options.held_lens_parameters[camera_index];
     if (!options.refine_lens) return all_held(model).held;
-    if (!options.refine_principal_point) return with_principal_point_held(model).held;
-    return {};
+    return with_principal_point_held(model).held;
 }
 
 CameraBlocks camera_blocks(const Capture& capture) { return {poses_of(capture), capture.cameras}; }

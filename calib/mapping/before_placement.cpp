@@ -7,9 +7,8 @@ BeforePlacement::BeforePlacement(const GrowingModel& model, int photograph)
       lens_(model.camera_of(photograph)),
       cam_from_world_(model.cam_from_world),
       is_placed_(model.is_placed[photograph_]) {
-    for (const std::size_t track : tracks_of(model, photograph)) {
-        tracks_.push_back(
-            {track, model.is_inlier[track], model.has_point[track], model.points_in_world[track]});
+    for (const std::size_t index : tracks_of(model, photograph)) {
+        tracks_.push_back({index, model.tracks[index]});
     }
 }
 
@@ -21,11 +20,7 @@ void BeforePlacement::restore(GrowingModel& model) const {
     }
     model.cam_from_world = cam_from_world_;
     model.is_placed[photograph_] = is_placed_;
-    for (const TrackBefore& before : tracks_) {
-        model.is_inlier[before.track] = before.is_inlier;
-        model.has_point[before.track] = before.has_point;
-        model.points_in_world[before.track] = before.point_in_world;
-    }
+    for (const TrackBefore& before : tracks_) model.tracks[before.index] = before.track;
 }
 
 }  // namespace lumi

@@ -17,10 +17,8 @@ class BeforePlacement {
 
  private:
     struct TrackBefore {
-        std::size_t track = 0;
-        std::vector<char> is_inlier;
-        char has_point = 0;
-        Eigen::Vector3d point_in_world = Eigen::Vector3d::Zero();
+        std::size_t index = 0;
+        GrowingTrack track;
     };
 
     std::size_t photograph_;

@@ -11,7 +11,7 @@ void index_features(GrowingModel& model) {
     for (const auto& features : model.pixels)
         model.track_of_feature.emplace_back(features.size(), -1);
     for (std::size_t track = 0; track < model.tracks.size(); ++track) {
-        for (const TrackElement& element : model.tracks[track]) {
+        for (const TrackElement& element : model.tracks[track].elements) {
             model.track_of_feature[static_cast<std::size_t>(element.photograph)][element.feature] =
                 static_cast<int>(track);
         }
@@ -19,57 +19,57 @@ void index_features(GrowingModel& model) {
 }
 
 /// Marks the sightings that agree with the track's point.
-std::size_t judge_sightings(GrowingModel& model, std::size_t track, const TrackSightings& seen,
-                            double max_error_px) {
-    std::vector<char>& is_inlier = model.is_inlier[track];
-    std::fill(is_inlier.begin(), is_inlier.end(), char{0});
-    std::size_t inliers = 0;
+void judge_sightings(GrowingTrack& track, const Eigen::Vector3d& point_in_world,
+                     const TrackSightings& seen, double max_error_px) {
+    std::fill(track.is_inlier.begin(), track.is_inlier.end(), char{0});
     for (std::size_t index = 0; index < seen.sightings.size(); ++index) {
-        if (!(sighting_error_px(seen.sightings[index], model.points_in_world[track]) <=
-              max_error_px)) {
-            continue;
-        }
-        is_inlier[seen.elements[index]] = 1;
-        ++inliers;
+        const double error_px = sighting_error_px(seen.sightings[index], point_in_world);
+        if (error_px <= max_error_px) track.is_inlier[seen.elements[index]] = 1;
     }
-    return inliers;
 }
 
-std::vector<char> inliers_among(const GrowingModel& model, std::size_t track,
-                                const TrackSightings& seen) {
+std::vector<char> inliers_among(const GrowingTrack& track, const TrackSightings& seen) {
     std::vector<char> is_used;
-    for (const std::size_t element : seen.elements) {
-        is_used.push_back(model.is_inlier[track][element]);
-    }
+    for (const std::size_t element : seen.elements) is_used.push_back(track.is_inlier[element]);
     return is_used;
 }
 
-void forget_point(GrowingModel& model, std::size_t track) {
-    model.has_point[track] = 0;
-    std::fill(model.is_inlier[track].begin(), model.is_inlier[track].end(), char{0});
-}
-
-void triangulate_track(GrowingModel& model, std::size_t track,
+void triangulate_track(GrowingModel& model, std::size_t index,
                        const TriangulationOptions& options) {
-    const TrackSightings seen = sightings_of(model, track);
+    const TrackSightings seen = sightings_of(model, index);
     if (seen.sightings.size() < 2) return;
-    if (model.has_point[track] != 0) {
-        judge_sightings(model, track, seen, options.max_error_px);
+    GrowingTrack& track = model.tracks[index];
+    if (track.point_in_world) {
+        judge_sightings(track, *track.point_in_world, seen, options.max_error_px);
         return;
     }
     const auto point = triangulate(seen.sightings, options);
     if (!point) return;
-    model.has_point[track] = 1;
-    model.points_in_world[track] = point->position_in_world;
-    for (std::size_t index = 0; index < seen.elements.size(); ++index) {
-        model.is_inlier[track][seen.elements[index]] = point->is_inlier[index];
+    track.point_in_world = point->position_in_world;
+    for (std::size_t sighting = 0; sighting < seen.elements.size(); ++sighting) {
+        track.is_inlier[seen.elements[sighting]] = point->is_inlier[sighting];
     }
 }
 
 }  // namespace
 
+int GrowingTrack::inliers() const {
+    return static_cast<int>(std::count(is_inlier.begin(), is_inlier.end(), char{1}));
+}
+
+void GrowingTrack::forget_point() {
+    point_in_world.reset();
+    std::fill(is_inlier.begin(), is_inlier.end(), char{0});
+}
+
 int GrowingModel::placed() const {
     return static_cast<int>(std::count(is_placed.begin(), is_placed.end(), char{1}));
+}
+
+std::size_t GrowingModel::point_count() const {
+    return static_cast<std::size_t>(
+        std::count_if(tracks.begin(), tracks.end(),
+                      [](const GrowingTrack& track) { return track.point_in_world.has_value(); }));
 }
 
 GrowingModel unplaced_model(const std::vector<ColmapCamera>& cameras,
@@ -90,10 +90,10 @@ GrowingModel unplaced_model(const std::vector<ColmapCamera>& cameras,
     }
     model.is_placed.assign(photographs.size(), 0);
     model.cam_from_world.resize(photographs.size());
-    model.tracks = join_tracks(feature_counts, pairs);
-    for (const FeatureTrack& track : model.tracks) model.is_inlier.emplace_back(track.size(), 0);
-    model.has_point.assign(model.tracks.size(), 0);
-    model.points_in_world.assign(model.tracks.size(), Eigen::Vector3d::Zero());
+    for (FeatureTrack& elements : join_tracks(feature_counts, pairs)) {
+        std::vector<char> is_inlier(elements.size(), 0);
+        model.tracks.push_back({std::move(elements), std::move(is_inlier), std::nullopt});
+    }
     index_features(model);
     update_rays(model);
     return model;
@@ -112,12 +112,12 @@ void update_rays(GrowingModel& model) {
 
 TrackSightings sightings_of(const GrowingModel& model, std::size_t track) {
     TrackSightings seen;
-    for (std::size_t element = 0; element < model.tracks[track].size(); ++element) {
-        const auto photograph = static_cast<std::size_t>(model.tracks[track][element].photograph);
+    const FeatureTrack& elements = model.tracks[track].elements;
+    for (std::size_t element = 0; element < elements.size(); ++element) {
+        const auto photograph = static_cast<std::size_t>(elements[element].photograph);
         if (model.is_placed[photograph] == 0) continue;
         seen.sightings.push_back(
-            {model.cam_from_world[photograph],
-             model.rays[photograph][model.tracks[track][element].feature],
+            {model.cam_from_world[photograph], model.rays[photograph][elements[element].feature],
              focal_length_px(model.camera_of(static_cast<int>(photograph))).mean()});
         seen.elements.push_back(element);
     }
@@ -136,15 +136,16 @@ void triangulate_all_tracks(GrowingModel& model, const TriangulationOptions& opt
 }
 
 void judge_points(GrowingModel& model, const TriangulationOptions& options) {
-    for (std::size_t track = 0; track < model.tracks.size(); ++track) {
-        if (model.has_point[track] == 0) continue;
-        const TrackSightings seen = sightings_of(model, track);
-        Eigen::Vector3d& point = model.points_in_world[track];
-        point = refined_point(seen.sightings, inliers_among(model, track, seen), point);
-        const bool is_seen = judge_sightings(model, track, seen, options.max_error_px) >= 2;
-        if (!is_seen || !(largest_angle_rad(seen.sightings, inliers_among(model, track, seen),
-                                            point) >= options.min_angle_rad)) {
-            forget_point(model, track);
+    for (std::size_t index = 0; index < model.tracks.size(); ++index) {
+        GrowingTrack& track = model.tracks[index];
+        if (!track.point_in_world) continue;
+        const TrackSightings seen = sightings_of(model, index);
+        Eigen::Vector3d& point = *track.point_in_world;
+        point = refined_point(seen.sightings, inliers_among(track, seen), point);
+        judge_sightings(track, point, seen, options.max_error_px);
+        if (track.inliers() < 2 || !(largest_angle_rad(seen.sightings, inliers_among(track, seen),
+                                                       point) >= options.min_angle_rad)) {
+            track.forget_point();
         }
     }
 }
@@ -164,9 +165,10 @@ SeenPoints seen_points(const GrowingModel& model, int photograph) {
     for (std::size_t feature = 0; feature < tracks.size(); ++feature) {
         if (tracks[feature] < 0) continue;
         const auto track = static_cast<std::size_t>(tracks[feature]);
-        if (model.has_point[track] == 0) continue;
+        const std::optional<Eigen::Vector3d>& point_in_world = model.tracks[track].point_in_world;
+        if (!point_in_world) continue;
         seen.tracks.push_back(track);
-        seen.points_in_world.push_back(model.points_in_world[track]);
+        seen.points_in_world.push_back(*point_in_world);
         seen.pixels.push_back(model.pixels[position][feature]);
         seen.rays.push_back(model.rays[position][feature]);
     }
@@ -188,13 +190,13 @@ Capture capture_of(const GrowingModel& model, const std::vector<std::string>& na
         capture.views.push_back(
             {names[photograph], new_camera[camera], model.cam_from_world[photograph]});
     }
-    for (std::size_t track = 0; track < model.tracks.size(); ++track) {
-        if (model.has_point[track] == 0) continue;
+    for (const GrowingTrack& track : model.tracks) {
+        if (!track.point_in_world) continue;
         ScenePoint point;
-        point.position_in_world = model.points_in_world[track];
-        for (std::size_t element = 0; element < model.tracks[track].size(); ++element) {
-            if (model.is_inlier[track][element] == 0) continue;
-            const TrackElement& seen = model.tracks[track][element];
+        point.position_in_world = *track.point_in_world;
+        for (std::size_t element = 0; element < track.elements.size(); ++element) {
+            if (track.is_inlier[element] == 0) continue;
+            const TrackElement& seen = track.elements[element];
             const auto photograph = static_cast<std::size_t>(seen.photograph);
             point.track.push_back({new_view[photograph], model.pixels[photograph][seen.feature]});
         }

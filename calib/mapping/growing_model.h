@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "calib/capture/capture.h"
@@ -8,8 +9,21 @@
 
 namespace lumi {
 
-/// A reconstruction while photographs are added to it. Vectors are parallel: one entry per lens,
-/// per photograph, or per track.
+/// A track and what the model knows of it.
+struct GrowingTrack {
+    FeatureTrack elements;
+    std::vector<char> is_inlier;  ///< Of each element, whether it agrees with the point.
+    std::optional<Eigen::Vector3d> point_in_world;
+
+    [[nodiscard]] int inliers() const;
+    /// Keeps the elements, and nothing that was found out about them.
+    void forget_point();
+
+    friend bool operator==(const GrowingTrack&, const GrowingTrack&) = default;
+};
+
+/// A reconstruction while photographs are added to it. Vectors are parallel: one entry per lens or
+/// per photograph.
 struct GrowingModel {
     std::vector<Camera> cameras;
     std::vector<int> camera_of_photograph;
@@ -20,16 +34,14 @@ struct GrowingModel {
     std::vector<char> is_placed;
     std::vector<Rigid3> cam_from_world;  ///< Of the placed photographs.
 
-    std::vector<FeatureTrack> tracks;
-    std::vector<std::vector<char>> is_inlier;  ///< [track][element]
-    std::vector<char> has_point;
-    std::vector<Eigen::Vector3d> points_in_world;  ///< Of the tracks that have one.
+    std::vector<GrowingTrack> tracks;
 
     [[nodiscard]] const Camera& camera_of(int photograph) const {
         return cameras[static_cast<std::size_t>(
             camera_of_photograph[static_cast<std::size_t>(photograph)])];
     }
     [[nodiscard]] int placed() const;
+    [[nodiscard]] std::size_t point_count() const;
 };
 
 /// A model without a placed photograph; features that no track uses are forgotten.

@@ -167,10 +167,11 @@ class Growth {
 
     [[nodiscard]] int inliers_of(int photograph) const {
         int inliers = 0;
-        for (const std::size_t track : tracks_of(model_, photograph)) {
-            for (std::size_t element = 0; element < model_.tracks[track].size(); ++element) {
-                if (model_.tracks[track][element].photograph == photograph) {
-                    inliers += model_.is_inlier[track][element] != 0 ? 1 : 0;
+        for (const std::size_t index : tracks_of(model_, photograph)) {
+            const GrowingTrack& track = model_.tracks[index];
+            for (std::size_t element = 0; element < track.elements.size(); ++element) {
+                if (track.elements[element].photograph == photograph) {
+                    inliers += track.is_inlier[element] != 0 ? 1 : 0;
                 }
             }
         }
@@ -179,17 +180,12 @@ class Growth {
 
     void remove(int photograph) {
         model_.is_placed[static_cast<std::size_t>(photograph)] = 0;
-        for (const std::size_t track : tracks_of(model_, photograph)) {
-            std::size_t left = 0;
-            for (std::size_t element = 0; element < model_.tracks[track].size(); ++element) {
-                char& is_inlier = model_.is_inlier[track][element];
-                if (model_.tracks[track][element].photograph == photograph) is_inlier = 0;
-                left += is_inlier != 0 ? 1 : 0;
+        for (const std::size_t index : tracks_of(model_, photograph)) {
+            GrowingTrack& track = model_.tracks[index];
+            for (std::size_t element = 0; element < track.elements.size(); ++element) {
+                if (track.elements[element].photograph == photograph) track.is_inlier[element] = 0;
             }
-            if (left < 2) {
-                model_.has_point[track] = 0;
-                std::fill(model_.is_inlier[track].begin(), model_.is_inlier[track].end(), char{0});
-            }
+            if (track.inliers() < 2) track.forget_point();
         }
     }
 
@@ -216,11 +212,6 @@ class Growth {
     int placed_at_last_adjustment_;
 };
 
-std::size_t point_count(const GrowingModel& model) {
-    return static_cast<std::size_t>(
-        std::count(model.has_point.begin(), model.has_point.end(), char{1}));
-}
-
 /// Two photographs and what both see; false when that is too little.
 bool begin_with(GrowingModel& model, const TwoViewStart& start,
                 const IncrementalMappingOptions& options, const TwoViewStartOptions& start_options,
@@ -238,12 +229,12 @@ bool begin_with(GrowingModel& model, const TwoViewStart& start,
     adjust_model(model, adjustment, progress);
     judge_points(model, triangulation);
     triangulate_tracks(model, tracks_of(model, start.first), triangulation);
-    return point_count(model) >= static_cast<std::size_t>(start_options.min_points) / 2;
+    return model.point_count() >= static_cast<std::size_t>(start_options.min_points) / 2;
 }
 
 bool is_better(const GrowingModel& a, const GrowingModel& b) {
     if (a.placed() != b.placed()) return a.placed() > b.placed();
-    return point_count(a) > point_count(b);
+    return a.point_count() > b.point_count();
 }
 
 /// Of the starts that lead anywhere, tried one after another; empty where none does.

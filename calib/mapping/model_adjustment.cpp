@@ -25,9 +25,9 @@ struct Moving {
 };
 
 template <class Body>
-void for_each_inlier(const GrowingModel& model, std::size_t track, const Body& body) {
-    for (std::size_t element = 0; element < model.tracks[track].size(); ++element) {
-        if (model.is_inlier[track][element] != 0) body(model.tracks[track][element]);
+void for_each_inlier(const GrowingTrack& track, const Body& body) {
+    for (std::size_t element = 0; element < track.elements.size(); ++element) {
+        if (track.is_inlier[element] != 0) body(track.elements[element]);
     }
 }
 
@@ -37,7 +37,7 @@ std::vector<std::size_t> strongest(const GrowingModel& model,
                                    int points_a_photograph) {
     std::vector<std::vector<int>> photographs_of_track(tracks.size());
     for (std::size_t index = 0; index < tracks.size(); ++index) {
-        for_each_inlier(model, tracks[index], [&](const TrackElement& seen) {
+        for_each_inlier(model.tracks[tracks[index]], [&](const TrackElement& seen) {
             photographs_of_track[index].push_back(seen.photograph);
         });
     }
@@ -69,7 +69,7 @@ class Adjustment {
           loss_(options.robust_scale_px),
           problem_(problem_options()),
           order_(std::make_shared<ceres::ParameterBlockOrdering>()) {
-        for (const std::size_t track : moving.tracks) add_track(track);
+        for (const std::size_t track : moving.tracks) add_track(model.tracks[track]);
         for (std::size_t photograph = 0; photograph < model.pixels.size(); ++photograph) {
             hold_pose(photograph);
         }
@@ -113,13 +113,14 @@ class Adjustment {
         return options;
     }
 
-    void add_track(std::size_t track) {
-        double* const point = model_.points_in_world[track].data();
-        for_each_inlier(model_, track, [&](const TrackElement& seen) {
+    /// Of a track that has a point.
+    void add_track(GrowingTrack& track) {
+        double* const point = track.point_in_world->data();
+        for_each_inlier(track, [&](const TrackElement& seen) {
             const auto photograph = static_cast<std::size_t>(seen.photograph);
             const Rigid3& pose = model_.cam_from_world[photograph];
             // A point behind a camera has no pixel there, and the whole problem no cost.
-            if (!((pose * model_.points_in_world[track]).z() > 1e-6)) return;
+            if (!((pose * *track.point_in_world).z() > 1e-6)) return;
             const auto camera = static_cast<std::size_t>(model_.camera_of_photograph[photograph]);
             problem_.AddResidualBlock(reprojection_cost(model_.cameras[camera].model,
                                                         model_.pixels[photograph][seen.feature])
@@ -156,7 +157,7 @@ std::vector<char> neighbourhood_of(const GrowingModel& model, int photograph) {
     constexpr std::size_t kNeighbours = 5;
     std::vector<int> shared(model.pixels.size(), 0);
     for (const std::size_t track : tracks_of(model, photograph)) {
-        for_each_inlier(model, track, [&](const TrackElement& seen) {
+        for_each_inlier(model.tracks[track], [&](const TrackElement& seen) {
             ++shared[static_cast<std::size_t>(seen.photograph)];
         });
     }
@@ -184,7 +185,7 @@ void adjust_model(GrowingModel& model, const ModelAdjustmentOptions& options, Pr
     progress.throw_if_interrupted();
     std::vector<std::size_t> tracks;
     for (std::size_t track = 0; track < model.tracks.size(); ++track) {
-        if (model.has_point[track] != 0) tracks.push_back(track);
+        if (model.tracks[track].point_in_world) tracks.push_back(track);
     }
     const Moving moving{model.is_placed, strongest(model, tracks, options.points_a_photograph),
                         options.refine_lenses};
@@ -200,7 +201,7 @@ void adjust_around(GrowingModel& model, int photograph, const ModelAdjustmentOpt
     Moving moving{neighbourhood_of(model, photograph), {}, false};
     std::vector<std::size_t> tracks;
     for (const std::size_t track : tracks_of(model, photograph)) {
-        if (model.has_point[track] != 0) tracks.push_back(track);
+        if (model.tracks[track].point_in_world) tracks.push_back(track);
     }
     std::sort(tracks.begin(), tracks.end());
     moving.tracks = strongest(model, tracks, options.points_a_photograph);

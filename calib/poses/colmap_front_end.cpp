@@ -1,8 +1,9 @@
+#include "calib/poses/colmap_front_end.h"
+
 #include <system_error>
 
 #include "calib/pictures/drawn_mask.h"
 #include "calib/pictures/image_io.h"
-#include "calib/poses/mapping.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 

@@ -2,7 +2,8 @@
 
 #include <system_error>
 
-#include "calib/poses/mapping.h"
+#include "calib/poses/colmap_front_end.h"
+#include "calib/poses/mapping_ladder.h"
 #include "calib/work/parallel_for.h"
 
 namespace lumi {

@@ -5,7 +5,7 @@
 
 #include "calib/doctor/diagnosis.h"
 #include "calib/ingest/ingest.h"
-#include "calib/poses/mapping.h"
+#include "calib/poses/mapping_job.h"
 
 namespace lumi {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "calib/capture/capture.h"
-#include "calib/poses/mapping.h"
+#include "calib/poses/mapping_job.h"
 
 namespace lumi {
 

@@ -1,3 +1,5 @@
+#include "calib/poses/incremental_mapping.h"
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -6,7 +8,7 @@
 #include "calib/mapping/incremental_mapper.h"
 #include "calib/matching/pair_verification.h"
 #include "calib/matching/photograph_matching.h"
-#include "calib/poses/mapping.h"
+#include "calib/poses/verified_matching.h"
 
 namespace lumi {
 namespace {

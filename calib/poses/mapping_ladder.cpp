@@ -1,9 +1,12 @@
+#include "calib/poses/mapping_ladder.h"
+
 #include <algorithm>
 #include <array>
 
 #include "calib/capture/colmap_model.h"
-#include "calib/poses/mapping.h"
+#include "calib/poses/colmap_front_end.h"
 #include "calib/poses/registration.h"
+#include "calib/poses/verified_matching.h"
 #include "calib/work/error.h"
 
 namespace lumi {

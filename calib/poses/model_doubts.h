@@ -1,7 +1,7 @@
 #pragma once
 
 #include "calib/capture/capture.h"
-#include "calib/poses/mapping.h"
+#include "calib/poses/mapping_job.h"
 
 namespace lumi {
 

@@ -13,6 +13,7 @@
 #include "calib/matching/pair_verification.h"
 #include "calib/matching/photograph_matching.h"
 #include "calib/poses/firm_joints.h"
+#include "calib/poses/incremental_mapping.h"
 #include "calib/poses/pair_agreement.h"
 #include "calib/poses/stated_uncertainty.h"
 #include "calib/poses/walk_in_rounds.h"

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "calib/capture/capture.h"
-#include "calib/poses/mapping.h"
+#include "calib/poses/mapping_job.h"
 #include "calib/poses/refinement.h"
 #include "calib/poses/second_model.h"
 

@@ -11,6 +11,7 @@
 #include "calib/adjust/bundle_adjustment.h"
 #include "calib/doctor/capture_reason.h"
 #include "calib/poses/firm_joints.h"
+#include "calib/poses/incremental_mapping.h"
 #include "calib/poses/model_check.h"
 #include "calib/poses/pair_agreement.h"
 #include "calib/poses/pose_shift.h"

@@ -4,7 +4,7 @@
 
 #include "calib/capture/capture.h"
 #include "calib/lens/lens_choice.h"
-#include "calib/poses/mapping.h"
+#include "calib/poses/mapping_job.h"
 #include "calib/poses/refinement.h"
 #include "calib/poses/second_model.h"
 

@@ -7,7 +7,8 @@
 
 #include "calib/poses/explained_refusal.h"
 #include "calib/poses/firm_joints.h"
-#include "calib/poses/mapping.h"
+#include "calib/poses/incremental_mapping.h"
+#include "calib/poses/mapping_ladder.h"
 #include "calib/poses/model_check.h"
 #include "calib/poses/model_doubts.h"
 #include "calib/poses/order_of_taking.h"
@@ -17,6 +18,7 @@
 #include "calib/poses/refinement.h"
 #include "calib/poses/registration.h"
 #include "calib/poses/stated_uncertainty.h"
+#include "calib/poses/verified_matching.h"
 #include "calib/work/counted.h"
 #include "calib/work/error.h"
 

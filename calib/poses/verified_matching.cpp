@@ -1,10 +1,12 @@
+#include "calib/poses/verified_matching.h"
+
 #include <utility>
 
 #include "calib/doctor/capture_reason.h"
 #include "calib/matching/inlier_shares.h"
 #include "calib/matching/pair_verification.h"
 #include "calib/matching/photograph_matching.h"
-#include "calib/poses/mapping.h"
+#include "calib/poses/colmap_front_end.h"
 #include "calib/poses/registration.h"
 #include "calib/work/error.h"
 #include "calib/work/median.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "meshing/surface/depth_map.h"
 #include "meshing/warp/parallax.h"
 #include "meshing/warp/round_trip.h"
 
@@ -133,7 +134,7 @@ DepthMap cross_view_check(const DepthScene& scene, const std::vector<DepthEstima
                 ++agreeing;
             }
             map.inverse_depth(x, y) = static_cast<float>(sum / (1 + agreeing));
-            map.confidence(x, y) = agreeing == 0 ? 0 : agreeing == 1 ? 128 : 255;
+            map.confidence(x, y) = confidence_of_support(agreeing);
         }
     }
     return map;

@@ -13,9 +13,9 @@ namespace lumi {
 /// there; when it returns within one pixel and both claim to know, they agree (Hirschmueller 2008,
 /// section 2.4, for posed views). What moves less for a neighbour than for the fastest one has to
 /// return closer, within two pixels of that one's disparity, and a neighbour without parallax
-/// (parallax.h) is not asked. Confidence becomes 255 with two or more that agree, 128 with one,
-/// 0 with none. Where views agree the inverse depth is the mean of what they say, so that all
-/// describe nearly one surface.
+/// (parallax.h) is not asked. Confidence becomes that of the number of those that agree
+/// (confidence_of_support). Where views agree the inverse depth is the mean of what they say, so
+/// that all describe nearly one surface.
 [[nodiscard]] DepthMap cross_view_check(const DepthScene& scene,
                                         const std::vector<DepthEstimate>& estimates,
                                         int view_index);

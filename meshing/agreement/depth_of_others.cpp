@@ -146,7 +146,7 @@ DepthMap empty_map(int width, int height) {
 
 void set_known(DepthMap& map, int x, int y, float inverse_depth) {
     map.inverse_depth(x, y) = inverse_depth;
-    map.confidence(x, y) = 255;
+    map.confidence(x, y) = kKnown;
 }
 
 /// Closing gaps reaches over what the view knows, and what is agreed upon.

@@ -26,11 +26,11 @@ struct DepthOfOthers {
         float inverse_depth = 0.0F;
     };
 
-    DepthMap agreed;              ///< Claims of three views or more: confidence 255; else 0.
+    DepthMap agreed;              ///< Claims of three views or more: kKnown; else kUnseen.
     std::vector<Claim> doubtful;  ///< Of pixels that are not agreed upon.
     /// What two views or more know, but in another colour, and more than claim anything; small gaps
-    /// are closed. Confidence 255, else 0, as where the view or three others know what it shows.
-    /// Two are enough: what is carried beyond an outline is in the colours of what lies behind.
+    /// are closed. kKnown, else kUnseen, as where the view or three others know what it shows. Two
+    /// are enough: what is carried beyond an outline is in the colours of what lies behind.
     DepthMap hidden;
 };
 

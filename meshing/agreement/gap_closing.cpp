@@ -55,7 +55,7 @@ DepthMap with_gaps_closed(const DepthMap& map) {
         for (int x = 1; x + 1 < width; ++x) {
             if (hits(x, y) < kMinHits) continue;
             result.inverse_depth(x, y) = median_around(map, x, y);
-            result.confidence(x, y) = 255;
+            result.confidence(x, y) = kKnown;
         }
     }
     return result;

@@ -26,7 +26,7 @@ void splat(const DepthMap& from, const InverseDepthWarp& warp, const GrayImage& 
             // What is not known is 0 and no nearer than anything.
             float& nearest = map.inverse_depth(column, row);
             nearest = std::max(nearest, warped.inverse_depths[i]);
-            map.confidence(column, row) = 255;
+            map.confidence(column, row) = kKnown;
         }
     });
 }

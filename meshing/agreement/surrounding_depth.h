@@ -12,7 +12,7 @@ namespace lumi {
 struct SurroundingDepth {
     int margin_x = 0;
     int margin_y = 0;
-    DepthMap map;  ///< Confidence 255 where another view's confident pixel falls, else 0.
+    DepthMap map;  ///< kKnown where another view's confident pixel falls, else kUnseen.
 };
 
 /// Carries the confident pixels of its neighbours' maps, and of theirs, into view `view_index`; of

@@ -241,7 +241,7 @@ std::string panel_svg(const Panel& panel, const Drawing& drawing, const char* ti
     return svg;
 }
 
-/// World units that the camera mesh and the scene span.
+/// The median distance of the drawn cameras from the scene's centre, world units.
 double usual_camera_distance(const Drawing& drawing) {
     std::vector<double> distances;
     for (const int index : drawing.view_indices) {

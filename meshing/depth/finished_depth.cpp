@@ -59,10 +59,9 @@ Continuation continued(const DepthScene& scene, const std::vector<DepthMap>& con
 /// What others agree upon is as good as what one of them has confirmed. So is what hides something
 /// that others know: to look past it would be wrong.
 void trust(std::uint8_t told, const GrayImage& all_told, DepthMap& map) {
-    constexpr std::uint8_t kConfirmedByOne = 128;
     for (std::size_t i = 0; i < all_told.pixels().size(); ++i) {
         std::uint8_t& confidence = map.confidence.pixels()[i];
-        if (all_told.pixels()[i] == told && confidence == 0) confidence = kConfirmedByOne;
+        if (all_told.pixels()[i] == told && confidence == kUnseen) confidence = kConfirmedByOne;
     }
 }
 

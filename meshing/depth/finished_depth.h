@@ -50,11 +50,11 @@ struct Recession {
                                        std::vector<DepthMap>& confirmed_maps);
 
 /// Gives every pixel of `map`, view `view_index` among the confirmed maps, an inverse depth: what
-/// is unknown is what other views agree upon, with confidence 128 as if one neighbour had confirmed
-/// it; or it is filled along the photograph's edges from what is known around it, or recedes from
-/// it by `recession_px`. Of what was filled, Continuation::kHides has confidence 128,
-/// too. What is known ends where the photograph does (depth_of_others.h,
-/// edge_aware_fill.h, edge_snapping.h), unless it `is_exact` (depth_estimate.h): then it stays.
+/// is unknown is what other views agree upon, with confidence kConfirmedByOne; or it is filled
+/// along the photograph's edges from what is known around it, or recedes from it by `recession_px`.
+/// Of what was filled, Continuation::kHides has confidence kConfirmedByOne, too. What is known ends
+/// where the photograph does (depth_of_others.h, edge_aware_fill.h, edge_snapping.h), unless it
+/// `is_exact` (depth_estimate.h): then it stays.
 void fill_unknown_depth(const DepthScene& scene, const std::vector<DepthMap>& confirmed_maps,
                         int view_index, double recession_px, DepthMap& map, bool is_exact = false);
 

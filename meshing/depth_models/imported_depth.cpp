@@ -129,7 +129,7 @@ DepthMap imported_depth(const DepthView& view, const fs::path& file, double png_
             const float inverse_depth = 1.0F / depth(source_x, source_y);
             if (!std::isfinite(inverse_depth)) continue;  // Unknown: z is 0, tiny or NaN.
             map.inverse_depth(x, y) = inverse_depth;
-            map.confidence(x, y) = 255;
+            map.confidence(x, y) = kKnown;
         }
     }
     return map;

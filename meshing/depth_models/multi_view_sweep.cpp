@@ -59,7 +59,7 @@ SweepView at_level(const GrayView& full, int level) {
     return {resized(view.camera, width, height), view.cam_from_world, std::move(small)};
 }
 
-/// 255 where the chosen planes fit, and better than the others do by more than noise; both on
+/// kKnown where the chosen planes fit, and better than the others do by more than noise; both on
 /// average over a small window.
 GrayImage told_apart(const GrayImage& mean_costs, const GrayImage& chosen_costs) {
     constexpr int kWindow = 5;
@@ -81,7 +81,7 @@ GrayImage told_apart(const GrayImage& mean_costs, const GrayImage& chosen_costs)
                    chosen.pixels().begin(), result.pixels().begin(),
                    [](std::uint8_t better, std::uint8_t mismatch) {
                        const bool is_told = better >= kMinContrast && mismatch <= kMaxCost;
-                       return static_cast<std::uint8_t>(is_told ? 255 : 0);
+                       return is_told ? kKnown : kUnseen;
                    });
     return result;
 }

@@ -32,9 +32,9 @@ class SweepMemoryPool {
 /// found in and around a tile (SURE, Rothermel et al. 2012). Planes stand one pixel of disparity
 /// apart in the fastest-moving neighbour, three quarters of one on the finest level.
 ///
-/// Confidence is 255 where the photographs tell one depth from another and 0 where any would do;
-/// whether other views agree is not asked here. Memory: 3 bytes for each of so many costs as
-/// sweep_cells_allowed (sweep_search.h) says; where more are needed, less is searched.
+/// Confidence is kKnown where the photographs tell one depth from another and kUnseen where any
+/// would do; whether other views agree is not asked here. Memory: 3 bytes for each of so many costs
+/// as sweep_cells_allowed (sweep_search.h) says; where more are needed, less is searched.
 [[nodiscard]] DepthMap multi_view_sweep(const DepthScene& scene, int view_index,
                                         SweepMemory& memory);
 

@@ -282,7 +282,7 @@ DepthMap pair_stereo(const DepthScene& scene, int view_index) {
         }
         const Fused result = fused(said, one_pixel);
         map.inverse_depth.pixels()[i] = result.inverse_depth;
-        map.confidence.pixels()[i] = result.support == 0 ? 0 : result.support == 1 ? 128 : 255;
+        map.confidence.pixels()[i] = confidence_of_support(result.support);
     }
     return map;
 }

@@ -9,7 +9,7 @@ namespace lumi {
 /// matched by OpenCV's StereoSGBM (five paths), and what the pairs say is fused: of each pixel the
 /// mean of the largest group that agrees within one pixel of the view's disparity.
 ///
-/// Confidence is 255 where two pairs or more agree, 128 where one speaks, and 0 where none does.
+/// Confidence is that of the number of pairs in the group (confidence_of_support).
 /// Pairs that cannot be rectified are left out: cameras that look apart by more than 60 degrees, or
 /// one in sight of the other (forward motion). Pictures are searched at most 256 pixels of
 /// disparity deep; a pair that needs more is matched at half its size, and again.

@@ -8,6 +8,7 @@
 #include "calib/work/median.h"
 #include "meshing/agreement/cross_view_check.h"
 #include "meshing/matching/window_match.h"
+#include "meshing/surface/depth_map.h"
 #include "meshing/warp/pixel_in_picture.h"
 #include "meshing/warp/round_trip.h"
 
@@ -83,7 +84,7 @@ class Refinement {
             map.inverse_depth.pixels()[i] = !correlates && is_claimed
                                                 ? own_.inverse_depth.pixels()[i]
                                                 : planes_.pixels()[i].inverse_depth;
-            map.confidence.pixels()[i] = correlates || is_claimed ? 255 : 0;
+            map.confidence.pixels()[i] = correlates || is_claimed ? kKnown : kUnseen;
         }
         return map;
     }
@@ -113,11 +114,10 @@ class Refinement {
     }
 
     void settle(const DepthMap& checked) {
-        constexpr std::uint8_t kConfirmedByTwo = 255;
         std::vector<std::size_t> confirmed;
         std::vector<double> costs;
         for (std::size_t i = 0; i < costs_.pixels().size(); ++i) {
-            if (checked.confidence.pixels()[i] != kConfirmedByTwo) continue;
+            if (checked.confidence.pixels()[i] != kConfirmedBySeveral) continue;
             if (costs_.pixels()[i] >= kMaxCost) continue;
             confirmed.push_back(i);
             costs.push_back(static_cast<double>(costs_.pixels()[i]));

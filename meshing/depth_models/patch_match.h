@@ -25,8 +25,8 @@ struct PatchMatchOptions {
 /// better. In the cost stands also by how many pixels those views' own estimates disagree, up to 3.
 /// The same on every run: the changes come from a hash of pixel and iteration.
 ///
-/// Confidence is 255 where the windows correlate. Where they do not, the estimate and its claim to
-/// know stand, if the windows of most claimed pixels do; confidence is 0 elsewhere. Whether views
+/// Confidence is kKnown where the windows correlate. Where they do not, the estimate and its claim
+/// to know stand, if the windows of most claimed pixels do; it is kUnseen elsewhere. Whether views
 /// agree is not asked here. A window of seven pixels tells less of a shaded cheek, or of a
 /// highlight, than a wider matching did: to deny that would leave a hole, filled with the
 /// background. Only noise correlates nowhere.

@@ -66,7 +66,8 @@ GrayImage nearness(const std::vector<SparsePoint>& points, int width, int height
         for (int x = 0; x < width; ++x) {
             const double reaches =
                 static_cast<double>(distance.at<float>(y, x)) / (kReachShare * width);
-            confidence(x, y) = static_cast<std::uint8_t>(127 * std::exp(-0.5 * reaches * reaches));
+            confidence(x, y) =
+                static_cast<std::uint8_t>(kMostByPoints * std::exp(-0.5 * reaches * reaches));
         }
     }
     return confidence;

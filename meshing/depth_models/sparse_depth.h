@@ -14,8 +14,8 @@ namespace lumi {
 /// picture's border gets points of its own, each with the mean of its six nearest points weighted
 /// by inverse squared distance, so that the map reaches the border and stays within what was seen.
 /// One point gives a constant, two and three blend between them by the same rule. Without points
-/// the map is the middle of the view's range. Confidence is 127 at a point and falls with the
-/// distance to the nearest one; 0 without points.
+/// the map is the middle of the view's range. Confidence is kMostByPoints at a point and
+/// falls with the distance to the nearest one; kUnseen without points.
 [[nodiscard]] DepthMap sparse_depth(const DepthView& view);
 
 /// The same, led along the edges of the photograph: points hold their place, the triangulation

@@ -9,6 +9,7 @@
 #include "calib/capture/posed_photographs.h"
 #include "calib/capture/rigid3.h"
 #include "calib/work/progress.h"
+#include "meshing/surface/inverse_depth_range.h"
 
 namespace lumi {
 
@@ -16,12 +17,6 @@ namespace lumi {
 struct SparsePoint {
     Eigen::Vector2d pixel;  ///< In the raster of the depth map.
     double inverse_depth = 0.0;
-};
-
-/// Inverse depths in which a view's scene lies: far <= near, far >= 0.
-struct InverseDepthRange {
-    double far = 0.0;
-    double near = 0.0;
 };
 
 /// One listed view at the size of its depth map.
@@ -32,7 +27,7 @@ struct DepthView {
     ColorImage photograph;
     std::vector<SparsePoint> points;  ///< Of its own tracks.
     std::vector<int> neighbours;      ///< Into DepthScene::views, best first.
-    InverseDepthRange range;
+    InverseDepthRange range;          ///< In which its scene lies.
     /// How far the fastest-moving neighbour sees a pixel move, per unit of inverse depth (median
     /// over the picture): what turns inverse depth into pixels. 0 without neighbours.
     double disparity_px_per_inverse_depth = 0.0;

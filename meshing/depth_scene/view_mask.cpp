@@ -165,7 +165,7 @@ double separate_background(const GrayImage& mask, DepthMap& map) {
             continue;
         }
         map.inverse_depth.pixels()[i] = 0.0F;
-        confidence = 255;
+        confidence = kKnown;
         ++beyond;
     }
     return static_cast<double>(beyond) /

@@ -62,7 +62,7 @@ Field field_of(const DepthMap& map, SurroundingDepth surrounding, double one_pix
                 if (map.confidence(x, y) == 0) continue;
                 field.map.inverse_depth(x + field.margin_x, y + field.margin_y) =
                     map.inverse_depth(x, y);
-                field.map.confidence(x + field.margin_x, y + field.margin_y) = 255;
+                field.map.confidence(x + field.margin_x, y + field.margin_y) = kKnown;
             }
         }
     }

@@ -9,6 +9,7 @@
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 #include "meshing/fusion/surface_grid.h"
+#include "meshing/surface/depth_map.h"
 #include "meshing/warp/parallax.h"
 #include "meshing/warp/pixel_in_picture.h"
 #include "meshing/warp/round_trip.h"
@@ -18,7 +19,6 @@ namespace {
 
 constexpr std::size_t kMaxNeighbours = 8;
 constexpr double kMinCosine = 0.17;  // A slant of 80 degrees.
-constexpr std::uint8_t kAgreed = 128;
 
 /// The camera of a view's depth map.
 Camera depth_camera(const PicturedView& view) {
@@ -99,7 +99,7 @@ class ViewSampler {
     void sample_row(int y, std::vector<SurfaceSample>& samples, std::uint64_t& confident) const {
         const DepthMap& map = *view_.depth;
         for (int x = 0; x < camera_.width_px; ++x) {
-            if (map.confidence(x, y) < kAgreed || map.inverse_depth(x, y) <= 0) continue;
+            if (map.confidence(x, y) < kConfirmedByOne || map.inverse_depth(x, y) <= 0) continue;
             ++confident;
             const auto inverse_depth =
                 agreed({x + 0.5, y + 0.5}, static_cast<double>(map.inverse_depth(x, y)));

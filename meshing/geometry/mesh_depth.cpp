@@ -20,7 +20,7 @@ void draw(const Corner& a, const Corner& b, const Corner& c, DepthMap& map) {
         const auto value = static_cast<float>(inverse_depth);
         if (map.confidence(x, y) != 0 && value <= map.inverse_depth(x, y)) return;
         map.inverse_depth(x, y) = value;
-        map.confidence(x, y) = 255;
+        map.confidence(x, y) = kKnown;
     };
     for_each_pixel_in_triangle(a, b, c, map.inverse_depth.width(), map.inverse_depth.height(),
                                keep_nearest);

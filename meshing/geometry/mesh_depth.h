@@ -7,8 +7,8 @@
 namespace lumi {
 
 /// Depth of a triangle mesh as a view sees it, by a z-buffer: the nearest surface at the centre
-/// of each pixel, front or back. Confidence 255 on the mesh, 0 beside it. Triangles that reach
-/// behind the camera are cut there.
+/// of each pixel, front or back. Confidence kKnown on the mesh, kUnseen beside it. Triangles that
+/// reach behind the camera are cut there.
 [[nodiscard]] DepthMap mesh_depth(const DepthView& view, const TriangleMesh& mesh);
 
 }  // namespace lumi

@@ -116,7 +116,7 @@ DepthMap VolumeCaster::depth(const DepthView& view) const {
                 first_solid(volume_, solid_cells_, {centre, grid_from_cam * ray_in_cam});
             if (!depth || *depth <= 0) continue;
             map.inverse_depth(x, y) = static_cast<float>(1.0 / *depth);
-            map.confidence(x, y) = 255;
+            map.confidence(x, y) = kKnown;
         }
     }
     return map;

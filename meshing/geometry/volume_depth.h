@@ -13,8 +13,8 @@ class VolumeCaster {
 
     /// Depth as a view sees it: where the ray through the centre of each pixel enters the first
     /// solid cell. The ray visits every cell on its way and no other (Amanatides and Woo, "A fast
-    /// voxel traversal algorithm for ray tracing", 1987). Confidence 255 on the volume, 0 beside
-    /// it. Throws Error (E-VOLUME-INSIDE) when the camera stands in a solid cell.
+    /// voxel traversal algorithm for ray tracing", 1987). Confidence kKnown on the volume,
+    /// kUnseen beside it. Throws Error (E-VOLUME-INSIDE) when the camera stands in a solid cell.
     [[nodiscard]] DepthMap depth(const DepthView& view) const;
 
  private:

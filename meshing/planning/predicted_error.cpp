@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -12,6 +11,7 @@
 #include "calib/work/median.h"
 #include "meshing/cameras/border.h"
 #include "meshing/cameras/spherical_triangulation.h"
+#include "meshing/warp/parallax.h"
 
 namespace lumi {
 namespace {
@@ -37,19 +37,12 @@ double baseline_of(const Capture& capture, const ScenePoint& point) {
     return baseline;
 }
 
-/// The median distance of a camera to the nearest other one.
+/// The median distance of a camera to the nearest other one, be it of the same burst: matched with
+/// each other, such cameras tell little of depth.
 double usual_spacing(const CameraStar& star) {
-    std::vector<double> spacings;
-    for (std::size_t i = 0; i < star.axes.size(); ++i) {
-        double nearest = std::numeric_limits<double>::infinity();
-        for (std::size_t j = 0; j < star.axes.size(); ++j) {
-            if (i == j) continue;
-            nearest = std::min(
-                nearest, (star.axes[i].centre_in_world - star.axes[j].centre_in_world).norm());
-        }
-        spacings.push_back(nearest);
-    }
-    return spacings.size() < 2 ? 0.0 : quantile_of(std::move(spacings), 0.5);
+    std::vector<Eigen::Vector3d> centres;
+    for (const auto& axis : star.axes) centres.push_back(axis.centre_in_world);
+    return centres.size() < 2 ? 0.0 : quantile_of(nearest_distances(centres), 0.5);
 }
 
 Hole hole_at(const CameraStar& star, const Eigen::Vector3d& direction,

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kSightsAcross = 24;  // Places in a row by which near views are found.
 
-/// Of each pixel the sample in its middle, if it is known.
+/// The sample in the middle of each pixel, where one other view confirmed it, others agree upon it,
+/// or it hides something from the view (finished_depth.h).
 DepthMap known_of(const DepthMap& depth, int width, int height) {
     DepthMap known{FloatImage(width, height), GrayImage(width, height)};
     for (int y = 0; y < height; ++y) {

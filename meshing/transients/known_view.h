@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "calib/capture/camera.h"
@@ -12,10 +11,6 @@
 #include "meshing/surface/pictured_view.h"
 
 namespace lumi {
-
-/// Confidence from which on a pixel is known: one other view confirmed it, others agree upon it, or
-/// it hides something from the view (finished_depth.h).
-inline constexpr std::uint8_t kConfirmedByOne = 128;
 
 /// A view at the raster of its depth map, or a coarser one, and what it knows.
 struct KnownView {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "meshing/agreement/seen_past.h"
+#include "meshing/surface/depth_map.h"
 #include "meshing/warp/warped_rows.h"
 
 namespace lumi {
@@ -127,8 +128,8 @@ bool is_in_another_color(const Surface& surface, const Rgb8& own, int tolerances
 
 /// Whether the view knows something nearer there, as two others confirm.
 bool is_confirmed_before(const DepthMap& known, int x, int y, float inverse_depth) {
-    constexpr std::uint8_t kConfirmedByTwo = 255;
-    return known.confidence(x, y) == kConfirmedByTwo && known.inverse_depth(x, y) > inverse_depth;
+    return known.confidence(x, y) == kConfirmedBySeveral &&
+           known.inverse_depth(x, y) > inverse_depth;
 }
 
 /// Whether most of the views that could see the surface do, in its colour. Those that have it in
@@ -196,7 +197,7 @@ OthersAgree others_agree(const std::vector<KnownView>& views, const std::vector<
             if (surface.views() < kLeastViews) continue;
             const float inverse_depth = surface.inverse_depth();
             result.agreed.inverse_depth(x, y) = inverse_depth;
-            result.agreed.confidence(x, y) = 255;
+            result.agreed.confidence(x, y) = kConfirmedBySeveral;
             const Rgb8& color = own.picture(x, y);
             if (!is_in_another_color(surface, color, 1)) continue;
             if (is_confirmed_before(own.known, x, y, inverse_depth + thickness)) continue;

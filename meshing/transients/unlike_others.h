@@ -9,7 +9,8 @@ namespace lumi {
 
 /// What others say of the rays of a view.
 struct OthersAgree {
-    /// What two of them and more agree upon, to a pixel of disparity: confidence 255; else 0.
+    /// What two of them and more agree upon, to a pixel of disparity: confidence
+    /// kConfirmedBySeveral; else kUnseen.
     DepthMap agreed;
     /// kPerhapsUnlike where these show it alike, and the view another colour; kUnlike where they
     /// are three and more, and most of those that could see it, and the colour differs by twice

@@ -1,6 +1,7 @@
 #include "meshing/warp/parallax.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "calib/work/median.h"
@@ -16,6 +17,16 @@ std::vector<std::size_t> with_parallax(const std::vector<double>& parallaxes, st
         if (parallaxes[i] >= least) places.push_back(i);
     }
     return places;
+}
+
+std::vector<double> nearest_distances(const std::vector<Eigen::Vector3d>& centres) {
+    std::vector<double> nearest(centres.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+        for (std::size_t j = 0; j < centres.size(); ++j) {
+            if (i != j) nearest[i] = std::min(nearest[i], (centres[i] - centres[j]).norm());
+        }
+    }
+    return nearest;
 }
 
 double nearest_baseline(const Eigen::Vector3d& centre,

@@ -17,6 +17,10 @@ inline constexpr double kLeastParallaxShare = 0.05;
 [[nodiscard]] std::vector<std::size_t> with_parallax(const std::vector<double>& parallaxes,
                                                      std::size_t most);
 
+/// How far the nearest other camera stands from each, whether it has parallax or not; infinite for
+/// a lone one.
+[[nodiscard]] std::vector<double> nearest_distances(const std::vector<Eigen::Vector3d>& centres);
+
 /// How far the nearest of other cameras that has parallax stands from `centre`; 0 where none does.
 /// A camera in the same place is no other one.
 [[nodiscard]] double nearest_baseline(const Eigen::Vector3d& centre,

@@ -7,6 +7,7 @@
 
 #include "calib/work/median.h"
 #include "meshing/cameras/camera_mesh_builder.h"
+#include "meshing/surface/depth_map.h"
 #include "pipeline/bench/shown_pixels.h"
 #include "pipeline/evaluate/asked_efforts.h"
 #include "pipeline/synth/photographer.h"
@@ -85,7 +86,7 @@ SceneDescription description_of(const SceneSettings& settings, const RivalCaptur
 }
 
 DepthMap depth_map_of(const FloatImage& z) {
-    DepthMap map{FloatImage(z.width(), z.height()), GrayImage(z.width(), z.height(), 255)};
+    DepthMap map{FloatImage(z.width(), z.height()), GrayImage(z.width(), z.height(), kKnown)};
     std::transform(z.pixels().begin(), z.pixels().end(), map.inverse_depth.pixels().begin(),
                    [](float depth) { return depth > 0 ? 1 / depth : 0.0F; });
     return map;

@@ -1,13 +1,11 @@
 #include "pipeline/chart/gnuplot.h"
 
-#include <stdlib.h>
-
-#include <cerrno>
 #include <filesystem>
 
 #include "calib/work/child_process.h"
 #include "calib/work/error.h"
 #include "calib/work/printable.h"
+#include "calib/work/temporary_folder.h"
 #include "calib/work/whole_file.h"
 
 namespace lumi {
@@ -16,28 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kTimeLimitS = 60.0;
-
-/// A folder of this process alone, gone with this object. Its path is absolute: gnuplot takes a
-/// leading "|" or "~" for more than a name.
-class ScratchDirectory {
- public:
-    ScratchDirectory() {
-        std::string pattern = fs::absolute(fs::temp_directory_path() / "lumi-plot-XXXXXX").string();
-        if (::mkdtemp(pattern.data()) == nullptr) refuse_write(pattern, errno);
-        path_ = pattern;
-    }
-    ~ScratchDirectory() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    ScratchDirectory(const ScratchDirectory&) = delete;
-    ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-
-    [[nodiscard]] fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-    fs::path path_;
-};
 
 /// What stands for itself between gnuplot's double quotes. Digits do not, because they would go on
 /// an octal number before them.
@@ -75,7 +51,7 @@ std::string gnuplot_quoted(std::string_view text) {
 }
 
 std::string gnuplot_svg(const GnuplotPicture& picture, const Progress& progress) {
-    const ScratchDirectory scratch;
+    const TemporaryFolder scratch;
     const fs::path script = scratch / "plot.gp";
     const fs::path drawn = scratch / "plot.svg";
     // The path comes as an argument, which gnuplot does not read as a command.

@@ -68,11 +68,11 @@ Capture told_of(const Capture& exact, DepthHazard hazard, double strength, std::
 
 DepthMap truth_of(const FloatImage& depth) {
     DepthMap truth{FloatImage(depth.width(), depth.height()),
-                   GrayImage(depth.width(), depth.height(), 255)};
+                   GrayImage(depth.width(), depth.height(), kKnown)};
     for (std::size_t i = 0; i < depth.pixels().size(); ++i) {
         const float z = depth.pixels()[i];
         truth.inverse_depth.pixels()[i] = z > 0 ? 1.0F / z : 0.0F;
-        if (!(z > 0)) truth.confidence.pixels()[i] = 0;
+        if (!(z > 0)) truth.confidence.pixels()[i] = kUnseen;
     }
     return truth;
 }

@@ -11,7 +11,7 @@
 #include "pipeline/evaluate/asked_efforts.h"
 #include "pipeline/evaluate/view_curve.h"
 #include "pipeline/line/code_version.h"
-#include "pipeline/line/external_tools.h"
+#include "pipeline/line/colmap_version.h"
 #include "pipeline/line/finished_stages.h"
 #include "pipeline/line/named_paths.h"
 #include "pipeline/line/stages_file.h"

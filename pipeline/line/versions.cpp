@@ -6,7 +6,7 @@
 
 #include <opencv2/core/version.hpp>
 
-#include "pipeline/line/external_tools.h"
+#include "pipeline/line/colmap_version.h"
 
 namespace lumi {
 

@@ -1,29 +1,22 @@
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <limits>
 #include <numbers>
 
 #include "calib/work/median.h"
+#include "meshing/warp/parallax.h"
 #include "pipeline/stress/perturbation.h"
 #include "pipeline/stress/seeded_normal.h"
 
 namespace lumi {
 namespace {
 
-/// The median distance from a camera to its nearest neighbour.
+/// The median distance from a camera to its nearest neighbour, be it of the same burst: errors of
+/// poses are to be small beside what tells cameras apart.
 double camera_spacing(const Lumigraph& lumigraph) {
-    std::vector<double> nearest;
-    for (const LumigraphView& a : lumigraph.views) {
-        double least = std::numeric_limits<double>::infinity();
-        for (const LumigraphView& b : lumigraph.views) {
-            if (&a == &b) continue;
-            least = std::min(
-                least,
-                (centre_in_world(a.cam_from_world) - centre_in_world(b.cam_from_world)).norm());
-        }
-        nearest.push_back(least);
+    std::vector<Eigen::Vector3d> centres;
+    for (const LumigraphView& view : lumigraph.views) {
+        centres.push_back(centre_in_world(view.cam_from_world));
     }
-    return nearest.size() < 2 ? 0.0 : median_of(std::move(nearest));
+    return centres.size() < 2 ? 0.0 : median_of(nearest_distances(centres));
 }
 
 void move_vertices(CameraMesh& mesh, const std::vector<Eigen::Vector3d>& shift_of_view) {

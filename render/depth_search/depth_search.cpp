@@ -20,7 +20,7 @@ constexpr double kFarShare = 1e-4;
 
 DepthSearch::DepthSearch(const Lumigraph& lumigraph, const SearchedViews& views, const Eye& eye)
     : occlusion_tolerance_px_(lumigraph.drawing.occlusion_tolerance_px),
-      least_inverse_depth_(kFarShare * inverse_depth_range(lumigraph).y()),
+      least_inverse_depth_(kFarShare * scene_inverse_depths(lumigraph).near),
       has_depth_(lumigraph.has_depth()) {
     std::vector<int> all(lumigraph.views.size());
     std::iota(all.begin(), all.end(), 0);

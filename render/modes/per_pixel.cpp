@@ -175,7 +175,7 @@ const Program& PerPixel::use(PictureProgram& picture, const Eye& eye, const Rend
                                              fragments.viewport.y_px + fragments.rows_below_px));
     program.set("max_inverse_depth", static_cast<float>(depth_.max_inverse_depth()));
     program.set("near_inverse_depth",
-                static_cast<float>(inverse_depth_range(uploaded_.layout).y()));
+                static_cast<float>(scene_inverse_depths(uploaded_.layout).near));
     program.set("check_per_px",
                 static_cast<float>(options.correct_occlusion
                                        ? 1 / uploaded_.layout.drawing.occlusion_tolerance_px

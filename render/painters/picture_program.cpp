@@ -55,7 +55,8 @@ const Program& PictureProgram::use(const UploadedLumigraph& uploaded, const Eye&
                  to_glm(clip_from_pixel(eye.camera.width_px, eye.camera.height_px, 1.0)));
     if (is_debug) {
         program->set("debug_picture", static_cast<int>(options.debug_picture));
-        program->set("inverse_depth_range", to_glm(inverse_depth_range(uploaded.layout)));
+        const InverseDepthRange scene = scene_inverse_depths(uploaded.layout);
+        program->set("inverse_depth_range", to_glm(Eigen::Vector2d(scene.far, scene.near)));
     }
     return *program;
 }

@@ -59,7 +59,7 @@ std::vector<Rigid3> stations(const Lumigraph& lumigraph) {
                           axis.norm() > 0 ? axis.normalized() : Eigen::Vector3d::UnitX()));
     const Rigid3& first = pose_of(lumigraph, middle);
     const double distance = (centre_in_world(first) - lumigraph.mesh.scene_centre_in_world).norm();
-    const double near_depth = 1 / inverse_depth_range(lumigraph).y();
+    const double near_depth = 1 / scene_inverse_depths(lumigraph).near;
     return {first,
             pose_of(lumigraph, between),
             pose_of(lumigraph, outermost),

@@ -29,14 +29,13 @@ double confidence_of(const ConsensusDepth& depth) {
 }
 
 Eigen::Vector3d debug_color(DebugPicture picture, const ShownRay& ray,
-                            const Eigen::Vector2d& inverse_depth_range) {
+                            const InverseDepthRange& scene) {
     const Eigen::Vector3d white = Eigen::Vector3d::Constant(255);
     if (picture == DebugPicture::kFaces) return index_color(ray.face_index);
     if (picture == DebugPicture::kOcclusion) return ray.occluded * white;
     if (picture == DebugPicture::kConfidence) return ray.confidence * white;
     if (picture == DebugPicture::kDepth) {
-        const double share = (ray.inverse_depth - inverse_depth_range.x()) /
-                             (inverse_depth_range.y() - inverse_depth_range.x());
+        const double share = (ray.inverse_depth - scene.far) / (scene.near - scene.far);
         return std::clamp(share, 0.0, 1.0) * white;
     }
     if (ray.is_unseen) return white;

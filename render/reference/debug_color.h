@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "meshing/surface/inverse_depth_range.h"
 #include "render/frame/frame.h"
 #include "render/reference/depth_consensus.h"
 
@@ -19,10 +20,10 @@ struct ShownRay {
     double occluded = 0.0;  ///< The share of the weights that was lost.
 };
 
-/// What a debug picture shows at a pixel, 0 to 255 (the paper, figure 9); `inverse_depth_range`:
-/// the scene's far and near end.
+/// What a debug picture shows at a pixel, 0 to 255 (the paper, figure 9); `scene`: its far and
+/// near end.
 [[nodiscard]] Eigen::Vector3d debug_color(DebugPicture picture, const ShownRay& ray,
-                                          const Eigen::Vector2d& inverse_depth_range);
+                                          const InverseDepthRange& scene);
 
 /// 0 to 1: two views agree, one has seen it, it is filled, stretched or behind that, a guess.
 [[nodiscard]] double confidence_of(const ConsensusDepth& depth);

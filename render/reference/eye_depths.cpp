@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "meshing/surface/depth_map.h"
 #include "render/depth_mesh/view_depth_mesh.h"
 #include "render/transfer/past_sight.h"
 #include "render/transfer/scene_plane.h"
@@ -55,7 +56,7 @@ DepthMap depth_map_at(const Lumigraph& lumigraph, const Eye& eye, double toleran
             const double guess = std::max(0.0, plane.dot(Eigen::Vector3d(x + 0.5, y + 0.5, 1)));
             map.inverse_depth(x, y) =
                 static_cast<float>(depth.support > 0 ? std::max(0.0, depth.inverse_depth) : guess);
-            map.confidence(x, y) = is_seen ? 255 : 0;
+            map.confidence(x, y) = is_seen ? kKnown : kUnseen;
         }
     }
     return map;

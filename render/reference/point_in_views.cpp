@@ -97,7 +97,7 @@ Eigen::Vector3d PointInViews::color(int view_index, const RayPoint& point) const
 bool PointInViews::is_where_the_eye_is(int view_index) const {
     const double disparity_px = disparity_px_per_inverse_depth(
         geometries_[static_cast<std::size_t>(view_index)], eye_in_world_);
-    return disparity_px * inverse_depth_range(lumigraph_).y() <= kMostParallax_px;
+    return disparity_px * scene_inverse_depths(lumigraph_).near <= kMostParallax_px;
 }
 
 }  // namespace lumi

@@ -180,7 +180,7 @@ Eigen::Vector3d ReferenceBlend::debug_color_of(const RayWeights& ray, bool unsee
     return debug_color(options_.debug_picture,
                        {ray.weights, ray.view_indices, ray.face_index, unseen,
                         known.point.inverse_depth, confidence_of(known.depth), occluded},
-                       inverse_depth_range(lumigraph_));
+                       scene_inverse_depths(lumigraph_));
 }
 
 }  // namespace lumi

@@ -10,6 +10,7 @@
 #include "calib/capture/nearest_byte.h"
 #include "render/depth_search/occlusion.h"
 #include "render/reference/debug_color.h"
+#include "render/transfer/view_geometry.h"
 #include "render/uploaded/photograph_opacity.h"
 
 namespace lumi {
@@ -171,7 +172,8 @@ Eigen::Vector3d TriangleReference::debug_color_of(const Corners& corners,
     ray.inverse_depth = interpolated_number(corners, shares, &BlendVertex::inverse_depth);
     ray.confidence = interpolated_number(corners, shares, &BlendVertex::confidence);
     ray.occluded = interpolated_number(corners, shares, &BlendVertex::occluded);
-    const Eigen::Vector3d color = debug_color(debug_picture_, ray, inverse_depth_range(lumigraph_));
+    const Eigen::Vector3d color =
+        debug_color(debug_picture_, ray, scene_inverse_depths(lumigraph_));
     // The weights of projective textures add up as in the picture, to less than 1 where some are
     // missing.
     return debug_picture_ == DebugPicture::kWeights ? color : weights.sum() * color;

@@ -33,7 +33,7 @@ FacePolygon picture_of(int view, const Eye& eye) {
 std::vector<FacePolygon> heigl_polygons(const Lumigraph& lumigraph, const Eye& eye) {
     const Eigen::Matrix3d pixel_from_eye = calibration_matrix(eye.camera);
     const Eigen::Vector3d eye_axis_in_world = optical_axis_in_world(eye.cam_from_world);
-    const double scene_distance = 1 / inverse_depth_range(lumigraph).y();
+    const double scene_distance = 1 / scene_inverse_depths(lumigraph).near;
     std::vector<Eigen::Vector2d> pixels;
     std::vector<int> view_of_point;
     for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {

@@ -18,7 +18,7 @@ constexpr double kLeastCompared = 0.1;
 }  // namespace
 
 SameSurface::SameSurface(const Lumigraph& lumigraph, double share)
-    : share_(share), least_compared_(kLeastCompared * inverse_depth_range(lumigraph).y()) {}
+    : share_(share), least_compared_(kLeastCompared * scene_inverse_depths(lumigraph).near) {}
 
 bool SameSurface::operator()(double inverse_depth, double other) const {
     return std::abs(inverse_depth - other) <=

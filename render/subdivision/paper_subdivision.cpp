@@ -160,11 +160,10 @@ class PaperPatch {
 
 BlendTriangles paper_subdivision(const std::vector<FacePolygon>& polygons,
                                  const DepthSearch& search, const Eigen::Vector3d& scene_plane,
-                                 const Eigen::Vector2d& inverse_depth_range, bool correct_occlusion,
+                                 const InverseDepthRange& scene, bool correct_occlusion,
                                  const PaperSubdivisionOptions& options) {
-    const double near_depth = 1 / inverse_depth_range.y();
-    const double far_depth =
-        inverse_depth_range.x() > 0 ? 1 / inverse_depth_range.x() : 2 * near_depth;
+    const double near_depth = 1 / scene.near;
+    const double far_depth = scene.far > 0 ? 1 / scene.far : 2 * near_depth;
     const double threshold = options.depth_threshold_share * (far_depth - near_depth);
     BorderVertices border;
     std::vector<std::unique_ptr<PaperPatch>> patches;
@@ -184,7 +183,7 @@ BlendTriangles paper_triangles(const std::vector<FacePolygon>& polygons, const L
     const double samples = samples_along_pixel(options);
     return paper_subdivision(polygons, DepthSearch(lumigraph, searched_views, eye),
                              scene_plane_inverse_depth(lumigraph, eye),
-                             inverse_depth_range(lumigraph), options.correct_occlusion,
+                             scene_inverse_depths(lumigraph), options.correct_occlusion,
                              {.depth_threshold_share = options.depth_threshold_share,
                               .min_size_px = samples * options.min_triangle_px,
                               .max_size_px = samples * options.max_triangle_px});

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "meshing/surface/inverse_depth_range.h"
 #include "render/depth_search/depth_search.h"
 #include "render/faces/face_polygons.h"
 #include "render/frame/frame.h"
@@ -32,7 +33,7 @@ struct PaperSubdivisionOptions {
 [[nodiscard]] BlendTriangles paper_subdivision(const std::vector<FacePolygon>& polygons,
                                                const DepthSearch& search,
                                                const Eigen::Vector3d& scene_plane,
-                                               const Eigen::Vector2d& inverse_depth_range,
+                                               const InverseDepthRange& scene,
                                                bool correct_occlusion,
                                                const PaperSubdivisionOptions& options = {});
 

@@ -1,12 +1,11 @@
 #include "render/transfer/past_sight.h"
 
-#include <cstdint>
+#include "meshing/surface/depth_map.h"
 
 namespace lumi {
 
 bool is_agreed_on(const DepthMap& depth, int x, int y) {
-    constexpr std::uint8_t kBySeveral = 255;
-    return depth.confidence(x, y) == kBySeveral && depth.inverse_depth(x, y) > 0;
+    return depth.confidence(x, y) == kConfirmedBySeveral && depth.inverse_depth(x, y) > 0;
 }
 
 PastSight::PastSight(const LumigraphView& view, const Eye& eye)

@@ -12,11 +12,14 @@ namespace {
 constexpr double kSamePlace = 1e-3;
 
 /// The depth at which disparities are halfway between those of the near and the far end.
-double middle_depth(const Lumigraph& lumigraph) { return 2 / inverse_depth_range(lumigraph).sum(); }
+double middle_depth(const Lumigraph& lumigraph) {
+    const InverseDepthRange scene = scene_inverse_depths(lumigraph);
+    return 2 / (scene.far + scene.near);
+}
 
 }  // namespace
 
-Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph) {
+InverseDepthRange scene_inverse_depths(const Lumigraph& lumigraph) {
     if (lumigraph.near_depth > 0 && lumigraph.far_depth > lumigraph.near_depth)
         return {1 / lumigraph.far_depth, 1 / lumigraph.near_depth};
     const Eigen::Vector3d centre = centre_in_world(lumigraph.views.front().cam_from_world);
@@ -26,7 +29,7 @@ Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph) {
 
 double nearest_inverse_depth(const Lumigraph& lumigraph) {
     constexpr double kTimesNearer = 100.0;
-    return kTimesNearer * inverse_depth_range(lumigraph).y();
+    return kTimesNearer * scene_inverse_depths(lumigraph).near;
 }
 
 std::vector<ViewGeometry> view_geometries(const Lumigraph& lumigraph) {

@@ -3,13 +3,14 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "meshing/surface/inverse_depth_range.h"
 #include "render/lumigraph/lumigraph.h"
 
 namespace lumi {
 
 /// Inverse depths of the scene's far and near end, as the views see them; from the distance of the
 /// scene's centre when the Lumigraph does not say.
-[[nodiscard]] Eigen::Vector2d inverse_depth_range(const Lumigraph& lumigraph);
+[[nodiscard]] InverseDepthRange scene_inverse_depths(const Lumigraph& lumigraph);
 
 /// The inverse depth of the nearest that an eye can look at: a hundredth of the distance of the
 /// scene's near end.

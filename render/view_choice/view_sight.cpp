@@ -16,7 +16,7 @@ constexpr double kHalfWorth_rad = 0.1;
 SightSamples sight_samples(const Lumigraph& lumigraph, const Eye& eye,
                            const std::vector<Eigen::Vector2d>& pixels) {
     const Eigen::Vector3d plane = scene_plane_inverse_depth(lumigraph, eye);
-    const double near_end = inverse_depth_range(lumigraph).y();
+    const double near_end = scene_inverse_depths(lumigraph).near;
     const auto count = static_cast<Eigen::Index>(pixels.size());
     SightSamples samples{{Eigen::Matrix3Xd(3, 2 * count), Eigen::RowVectorXd(2 * count)},
                          Eigen::RowVectorXd(2 * count)};

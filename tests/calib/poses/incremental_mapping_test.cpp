@@ -1,3 +1,5 @@
+#include "calib/poses/incremental_mapping.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

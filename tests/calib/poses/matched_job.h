@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "calib/poses/mapping.h"
+#include "calib/poses/mapping_job.h"
 #include "tests/calib/mapping/matched_scene.h"
 
 namespace lumi {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "calib/pictures/image_io.h"
+#include "calib/poses/colmap_front_end.h"
 #include "calib/poses/colmap_reconstruction.h"
-#include "calib/poses/mapping.h"
 #include "calib/poses/pose_comparison.h"
 #include "calib/poses/pose_stage.h"
 #include "calib/work/error.h"

@@ -1,3 +1,5 @@
+#include "calib/poses/verified_matching.h"
+
 // What is done where the usual features verify no pair.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

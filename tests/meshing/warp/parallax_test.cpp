@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/meshing/depth/raycast_scene.h"
 
 namespace lumi {
@@ -15,6 +17,14 @@ TEST(Parallax, IsWhatStandsAsideByAFairShareOfTheFastest) {
     EXPECT_THAT(with_parallax({0.001, 1, 0.002, 3, 2}, 4), ElementsAre(1, 3, 4));
     EXPECT_THAT(with_parallax({0.001, 1, 0.002, 3, 2}, 1), ElementsAre(1));
     EXPECT_THAT(with_parallax({}, 4), IsEmpty());
+}
+
+TEST(Parallax, NearestDistancesAreThoseOfAnyOtherCamera) {
+    EXPECT_THAT(nearest_distances({{0, 0, 0}, {0, 3, 0}, {0, 4, 0}, {0, 4, 0}}),
+                ElementsAre(3, 1, 0, 0));
+    EXPECT_THAT(nearest_distances({{1, 2, 3}}),
+                ElementsAre(std::numeric_limits<double>::infinity()));
+    EXPECT_THAT(nearest_distances({}), IsEmpty());
 }
 
 TEST(Parallax, TheNearestOfEvenlySpacedCamerasHasIt) {

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -15,37 +14,13 @@
 #include "pipeline/hazards/hazard_chart.h"
 #include "pipeline/pose_bench/pose_chart.h"
 #include "tests/calib/scratch_folder.h"
+#include "tests/calib/set_variable.h"
 
 namespace lumi {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-/// A variable of the environment while this object lives.
-class SetVariable {
- public:
-    SetVariable(const char* name, const std::string& value) : name_(name) {
-        const char* before = std::getenv(name);
-        was_set_ = before != nullptr;
-        if (was_set_) before_ = before;
-        ::setenv(name, value.c_str(), 1);
-    }
-    ~SetVariable() {
-        if (was_set_) {
-            ::setenv(name_, before_.c_str(), 1);
-        } else {
-            ::unsetenv(name_);
-        }
-    }
-    SetVariable(const SetVariable&) = delete;
-    SetVariable& operator=(const SetVariable&) = delete;
-
- private:
-    const char* name_;
-    std::string before_;
-    bool was_set_ = false;
-};
 
 /// A program of the shell that is found as gnuplot while this object lives; its picture is "$3".
 class GnuplotStandIn {

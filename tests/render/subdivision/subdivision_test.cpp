@@ -36,13 +36,13 @@ class Subdivision : public testing::Test {
         return adaptive_subdivision(polygons_, search_, plane_, {}, options).triangles;
     }
     [[nodiscard]] BlendTriangles paper(const PaperSubdivisionOptions& options) const {
-        return paper_subdivision(polygons_, search_, plane_, inverse_depth_range(lumigraph_), true,
+        return paper_subdivision(polygons_, search_, plane_, scene_inverse_depths(lumigraph_), true,
                                  options);
     }
     /// Of one patch, with a threshold that tells the card from the wall alone.
     [[nodiscard]] std::size_t papers_triangles(const FacePolygon& patch, double min_size_px) const {
         return paper_subdivision(
-                   {patch}, search_, plane_, inverse_depth_range(lumigraph_), true,
+                   {patch}, search_, plane_, scene_inverse_depths(lumigraph_), true,
                    {.depth_threshold_share = 0.3, .min_size_px = min_size_px, .max_size_px = 1000})
             .count();
     }

@@ -1,4 +1,4 @@
-#include "calib/poses/mapping.h"
+#include "calib/poses/mapping_ladder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
