@@ -117,7 +117,7 @@ Navigation fly(const Navigation& from, const Eigen::Vector3d& move_in_cam) {
 
 double least_distance(const Lumigraph& lumigraph) {
     constexpr double kShareOfNearEnd = 1.0 / 3;
-    return kShareOfNearEnd / inverse_depth_range(lumigraph).y();
+    return kShareOfNearEnd / scene_inverse_depths(lumigraph).near;
 }
 
 Navigation carried_to(const Navigation& from, const Eye& eye) {
